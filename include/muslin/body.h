@@ -1,0 +1,110 @@
+/*
+ * muslin/body.h: a body made of stacks of closed contours that fit the tape.
+ *
+ * A body is a set of limbs; each limb is a stack of contours on a straight axis. Contours are superellipses whose
+ * girth is the tape's; between them runs a natural cubic spline; the surface is triangulated from the samples. The
+ * made surface is measured again and the figures are returned beside the asked ones. Source: Metaaphanon and
+ * Kanongchaiyos, Real-time Cloth Simulation for Garment CAD, 2005, eq. 6 to 11 and section 3.
+ */
+#ifndef MUSLIN_BODY_H
+#define MUSLIN_BODY_H
+
+#include "muslin/base.h"
+#include "muslin/tape.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct mus_body mus_body;
+
+/** Options of a body. */
+typedef struct mus_body_def {
+    size_t size;
+    int32_t samples;     /* samples round each contour of the surface, default 96, 16..512, multiple of 4 */
+    double ring_spacing; /* between rings of the surface along a limb [m], default 0.01, 0.001..0.1 */
+    int32_t ellipse;     /* nonzero: true ellipses (paper eq. 6) in place of superellipses, default 0 */
+} mus_body_def;
+
+MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
+
+/**
+ * Make a body.
+ *
+ * `tape` is completed on a copy when it is not complete yet, and not kept. `def` may be NULL.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_TAPE (contradictory measures);
+ *          MUS_ERR_BODY (contours that cross; the message names the two measures)
+ * Cost:    a few milliseconds
+ */
+MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
+
+MUS_API void mus_body_destroy(mus_body *body);
+
+/** Limbs: number, and name ("torso", "arm_left", "leg_right", ...), NULL outside the range. */
+MUS_API int32_t mus_body_limb_count(const mus_body *body);
+MUS_API const char *mus_body_limb_name(const mus_body *body, int32_t limb);
+
+/**
+ * Measures: what the tape asked, and what the made surface has, by the tape's own index.
+ *
+ * asked: the completed tape's value. made: the girth as a tape lies (the hull of the section of the surface) or the
+ * height, re-measured on the surface; NaN for measures that are not on the surface (ease, crotch length...).
+ */
+MUS_API double mus_body_asked(const mus_body *body, int32_t measure);
+MUS_API double mus_body_made(const mus_body *body, int32_t measure);
+
+/** MUS_SOURCE_* that the completed tape had for a measure. */
+MUS_API int32_t mus_body_source(const mus_body *body, int32_t measure);
+
+/** Volume of the union of the limbs [m3] by the divergence theorem on the stacks, overlap at the joints left out. */
+MUS_API double mus_body_volume(const mus_body *body);
+
+/** The surface: vertices (vertex_count x 3) [m], unit normals (vertex_count x 3), triangles (triangle_count x 3).
+ * Borrowed until the body is destroyed. Triangles of a limb are contiguous and wind outwards. */
+MUS_API int32_t mus_body_vertex_count(const mus_body *body);
+MUS_API int32_t mus_body_triangle_count(const mus_body *body);
+MUS_API const double *mus_body_vertices(const mus_body *body);
+MUS_API const double *mus_body_normals(const mus_body *body);
+MUS_API const int32_t *mus_body_triangles(const mus_body *body);
+
+/** Range of a limb in the surface: `range` (4) gets first vertex, vertex count, first triangle, triangle count. */
+MUS_API mus_status mus_body_limb_range(const mus_body *body, int32_t limb, int32_t *range);
+
+/** Contours that define a limb (landmarks before interpolation), bottom up: number, and one of them sampled.
+ * contour_points: out (n x 3) gets n samples at equal angles. Errors: MUS_ERR_ARG. */
+MUS_API int32_t mus_body_contour_count(const mus_body *body, int32_t limb);
+MUS_API const char *mus_body_contour_name(const mus_body *body, int32_t limb, int32_t contour);
+MUS_API mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t contour, int32_t n, double *out);
+
+/* Named points of the body. */
+#define MUS_LANDMARK_CROWN 0
+#define MUS_LANDMARK_NAPE 1
+#define MUS_LANDMARK_BUST 2 /* centre of the bust contour */
+#define MUS_LANDMARK_WAIST 3
+#define MUS_LANDMARK_HIP 4
+#define MUS_LANDMARK_CROTCH 5
+#define MUS_LANDMARK_SHOULDER_LEFT 6 /* joint */
+#define MUS_LANDMARK_SHOULDER_RIGHT 7
+#define MUS_LANDMARK_WRIST_LEFT 8
+#define MUS_LANDMARK_WRIST_RIGHT 9
+#define MUS_LANDMARK_ANKLE_LEFT 10
+#define MUS_LANDMARK_ANKLE_RIGHT 11
+#define MUS_LANDMARK_COUNT 12
+
+/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out);
+
+/**
+ * Depth of points in the body: positive inside, negative outside, the distance to first order near the surface.
+ *
+ * Shapes:  points (n x 3), depth (n), normal (n x 3) outward or NULL
+ * Units:   [m]; depth is -1e30 for a point out of reach of every limb's contour field (then normal is 0)
+ * Cost:    O(1) a point and limb: no triangle is asked
+ */
+MUS_API mus_status mus_body_depth(const mus_body *body, int32_t n, const double *points, double *depth, double *normal);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

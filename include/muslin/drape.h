@@ -1,0 +1,149 @@
+/*
+ * muslin/drape.h: cloth in time: placed round a body, sewn, stepped, settled.
+ *
+ * create, then place (positions from the pattern's placement), then sew (seams pulled shut by elastic force until
+ * all pairs are within the collision distance, then welded), then settle (to rest under gravity), or step by hand.
+ * Fixed-step classical RK4 is the stepper of mus_drape_step (paper eq. 5); sew and settle use symplectic Euler on the
+ * same force passes. Contact: node, its limb's axial coordinate, in-between contour at that height (paper 4.1), with
+ * inelastic response, Coulomb friction and position correction (4.2, as impulses).
+ *
+ * The state is bit-identical for any number of threads. A step allocates nothing and logs nothing.
+ */
+#ifndef MUSLIN_DRAPE_H
+#define MUSLIN_DRAPE_H
+
+#include "muslin/base.h"
+#include "muslin/body.h"
+#include "muslin/cloth.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct mus_drape mus_drape;
+
+/** Options of a drape. */
+typedef struct mus_drape_def {
+    size_t size;
+    double gravity[3];         /* [m/s2], default (0, -9.81, 0) */
+    int32_t precision;         /* 32 (float, default) or 64 (double) */
+    int32_t threads;           /* 1 (default) .. 64; the result does not depend on it */
+    double collision_distance; /* sewing ends when all pairs are this close [m], default 0.001 */
+    double clearance;          /* cloth is kept this far off the skin [m], default 0.002 */
+    double friction;           /* on skin; NaN (default): the fabric's */
+    double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */
+    double seam_pull;          /* tension that pulls a seam shut [N per m of seam], default 50 */
+    double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
+    double settle_seconds;     /* give up settling after this much cloth time [s], default 10 */
+    double settle_residual;    /* rest: rms residual force over node weight below this, default 0.02 */
+} mus_drape_def;
+
+MUS_API void mus_drape_def_init(mus_drape_def *def, size_t size);
+
+/**
+ * Make a drape of a cloth, round a body or (body NULL) in empty space. Nodes start flat in their panels' planes.
+ *
+ * Both are copied as far as needed; the caller may destroy them. `def` may be NULL.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY
+ * Memory:  all that stepping will ever need
+ */
+MUS_API mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
+                                    const mus_drape_def *def, mus_drape **out);
+
+MUS_API void mus_drape_destroy(mus_drape *drape);
+
+/** Put the nodes where the pattern's placement says, at rest, and open all seams again. */
+MUS_API mus_status mus_drape_place(mus_drape *drape);
+
+/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite). */
+MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
+
+/** Hold a node where it is (fixed nonzero) or let it go. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
+
+/**
+ * Largest step that is proven stable for RK4 with the springs, masses and damping as they are now [s].
+ *
+ * Source: h = 2.62 / sqrt(max_i lambda_max(T_i) / m_i), T_i the sum over springs at node i of k S |w| n n^T (with nn^T
+ * replaced by the identity, which holds for every pose).
+ */
+MUS_API double mus_drape_step_bound(const mus_drape *drape);
+
+/**
+ * Advance by `steps` classical Runge-Kutta steps of `dt`, with contact after each.
+ *
+ * Errors:  MUS_ERR_ARG (steps < 0, dt negative or not finite); MUS_ERR_STEP (dt above the bound: both in the message);
+ *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
+ * Memory:  allocates nothing
+ * Cost:    steps * 4 force evaluations and one contact pass
+ */
+MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
+
+/** Called during sew and settle a few times a second of wall time at most; nonzero stops the run with MUS_OK.
+ * phase: "sew" or "settle"; progress 0..1. */
+typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progress);
+
+/**
+ * Pull all seams shut and weld them. Gravity is off meanwhile.
+ *
+ * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED
+ */
+MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
+
+/** Let the cloth come to rest under gravity. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED. */
+MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
+
+/** Positions and velocities (nodes x 3): the drape's own output arrays, written anew at the end of place, set_state,
+ * step, sew and settle; the addresses stay the same until the drape is destroyed. Welded nodes share their place. */
+MUS_API const double *mus_drape_positions(const mus_drape *drape);
+MUS_API const double *mus_drape_velocities(const mus_drape *drape);
+MUS_API int32_t mus_drape_node_count(const mus_drape *drape);
+
+/** Cloth time since place [s]. */
+MUS_API double mus_drape_time(const mus_drape *drape);
+
+/** What a drape did and how it stands. */
+typedef struct mus_drape_report {
+    size_t size;
+    int32_t nodes;
+    int32_t springs;            /* each counted once */
+    int32_t seams;              /* of the pattern */
+    int32_t seams_closed;       /* within the collision distance or welded */
+    int32_t welded;             /* nonzero once the pairs are one */
+    int32_t worst_seam;         /* the widest open seam, MUS_NONE without seams */
+    int32_t settled;            /* nonzero when the last settle got there */
+    double max_seam_gap;        /* [m] */
+    double max_penetration;     /* deepest node below the skin [m], 0 if none */
+    double max_strain;          /* largest engineering strain of a stretch spring (structural or border) */
+    double residual;            /* rms over nodes of residual force over node weight */
+    double max_speed;           /* [m/s] */
+    double energy;              /* kinetic + elastic + potential [J] */
+    double step;                /* last step used [s] */
+    double step_bound;          /* [s] */
+    int64_t steps;              /* of any kind since create */
+    int64_t spring_evaluations; /* since create */
+    int64_t contact_queries;    /* node against limb, since create */
+    double sew_time;            /* cloth time spent sewing [s] */
+    double settle_time;         /* cloth time spent settling [s] */
+} mus_drape_report;
+
+MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);
+MUS_API mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out);
+
+/** What this scene did without: comma-separated names ("contact,seams,dashpots"), "" if nothing. Borrowed. */
+MUS_API const char *mus_drape_skipped(const mus_drape *drape);
+
+/** 64-bit hash of positions, velocities and time (FNV-1a over the bytes of the state in little-endian order). */
+MUS_API uint64_t mus_drape_hash(const mus_drape *drape);
+
+/** Gap of each seam pair [m]: out (pairs). */
+MUS_API mus_status mus_drape_gaps(const mus_drape *drape, double *out);
+
+/** Smooth unit normals of the cloth (nodes x 3), right side out, averaged over welded seams. */
+MUS_API mus_status mus_drape_normals(const mus_drape *drape, double *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

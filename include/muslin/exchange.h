@@ -1,0 +1,74 @@
+/*
+ * muslin/exchange.h: readers and writers of files (libmuslin-exchange).
+ *
+ * Tapes: muslin's own text form, GarmentCode body yaml, Valentina/Seamly .vit, a row of a csv table. Patterns:
+ * muslin's own JSON (exact round trip) and GarmentCode specifications. Meshes: OBJ and binary glTF 2.0.
+ * Outside dependencies: jansson, libyaml, expat.
+ *
+ * A reader gives one sentence on failure, with file, line or byte, and what was expected (mus_context_error). Memory
+ * stays bounded by the size of the file; files above 256 MiB are refused. A writer leaves the whole file or none.
+ */
+#ifndef MUSLIN_EXCHANGE_H
+#define MUSLIN_EXCHANGE_H
+
+#include "muslin/base.h"
+#include "muslin/body.h"
+#include "muslin/drape.h"
+#include "muslin/pattern.h"
+#include "muslin/tape.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Read a tape.
+ *
+ * The form is found by the name: .tape or .txt (one measure a line), .yaml or .yml (GarmentCode body), .vit
+ * (Valentina), .csv (table; `row` names the line, by its first column). `row` is NULL for the other forms.
+ * The tape is not completed. What the file holds that muslin has no use for is ignored and said in a log line.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_TAPE (a value out of range), MUS_ERR_UNSUPPORTED (a formula in a
+ *         .vit, by its name), MUS_ERR_ARG (row missing), MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
+
+/** Write a tape in muslin's own text form (given measures, and derived ones as comments). */
+MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
+
+/**
+ * Read a pattern: muslin JSON or GarmentCode specification, told apart by their content.
+ *
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_LIMIT, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
+
+/** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have 17 digits: reading the file back
+ * gives the same pattern, bit for bit. */
+MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
+
+/** Triangle meshes to write: positions and optional normals and texture coordinates. */
+typedef struct mus_mesh_view {
+    size_t size;
+    const char *name;
+    int32_t vertex_count;
+    int32_t triangle_count;
+    const double *positions;  /* (vertices x 3) [m] */
+    const double *normals;    /* (vertices x 3) or NULL */
+    const double *texcoords;  /* (vertices x 2) or NULL: cloth: place in the panel [m] */
+    const int32_t *triangles; /* (triangles x 3) */
+    double colour[4];         /* linear RGBA, default light grey */
+    int32_t two_sided;        /* nonzero for cloth */
+} mus_mesh_view;
+
+MUS_API void mus_mesh_view_init(mus_mesh_view *view, size_t size);
+
+/** Write meshes as one OBJ (one `o` each) or one binary glTF 2.0. Errors: MUS_ERR_ARG (not finite, an index out of
+ * range), MUS_ERR_FILE, MUS_ERR_MEMORY. */
+MUS_API mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+MUS_API mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

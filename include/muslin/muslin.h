@@ -1,0 +1,16 @@
+/*
+ * muslin/muslin.h: the headers of libmuslin in reading order. muslin/print.h and muslin/exchange.h belong to
+ * libraries of their own (libmuslin-print, libmuslin-exchange) and are included by those who link them.
+ */
+#ifndef MUSLIN_MUSLIN_H
+#define MUSLIN_MUSLIN_H
+
+#include "muslin/base.h"
+#include "muslin/tape.h"
+#include "muslin/body.h"
+#include "muslin/pattern.h"
+#include "muslin/design.h"
+#include "muslin/cloth.h"
+#include "muslin/drape.h"
+
+#endif

@@ -1,0 +1,248 @@
+/*
+ * muslin/pattern.h: a sewing pattern as a cell complex.
+ *
+ * Points are 0-cells, edges 1-cells (each a chain of lines, arcs, quadratic and cubic Beziers: a new edge starts only
+ * where a seam or an opening starts), panels 2-cells. A panel's attaching map is the cyclic word of its oriented
+ * edges; the right side of the cloth is the side from which that word runs counter-clockwise. A seam makes two edges
+ * equivalent; the quotient's topology tells what was sewn. Source: Metaaphanon and Kanongchaiyos 2005, section 5,
+ * eq. 13 to 20.
+ *
+ * Units: metre, in the plane of each panel (x right, y up; y is the warp unless the grain says otherwise).
+ * Indices are int32_t, count from 0, and are stable: nothing is ever removed from a pattern.
+ */
+#ifndef MUSLIN_PATTERN_H
+#define MUSLIN_PATTERN_H
+
+#include "muslin/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct mus_pattern mus_pattern;
+
+/* Pieces of an edge, and how many control points stand between the ends of each: line 0, quadratic 1, cubic 2,
+ * arc 1 (the point half way along the arc). */
+#define MUS_PIECE_LINE 0
+#define MUS_PIECE_QUADRATIC 1
+#define MUS_PIECE_CUBIC 2
+#define MUS_PIECE_ARC 3
+
+/* How the sides of a seam run. REVERSED: the start of a meets the end of b, right sides out (two panels that are both
+ * drawn counter-clockwise). DIRECT: start meets start (a piece laid face to face, or a twist). */
+#define MUS_SEAM_REVERSED 0
+#define MUS_SEAM_DIRECT 1
+
+MUS_API mus_status mus_pattern_create(mus_context *context, const char *name, mus_pattern **out);
+MUS_API mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out);
+MUS_API void mus_pattern_destroy(mus_pattern *pattern);
+
+/** Name of the pattern (never NULL), and setting it. Names anywhere in a pattern are UTF-8 of at most 127 bytes. */
+MUS_API const char *mus_pattern_name(const mus_pattern *pattern);
+MUS_API mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);
+
+/* ---- edit: cells ---- */
+
+/** Add a panel without outline. Errors: MUS_ERR_ARG (name NULL, empty or taken), MUS_ERR_MEMORY. */
+MUS_API mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out);
+
+/** Add a point to the plane of a panel. Errors: MUS_ERR_ARG (panel unknown, x or y not finite), MUS_ERR_MEMORY. */
+MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
+
+/**
+ * Add an edge between two points of one panel: a chain of `npiece` pieces.
+ *
+ * Shapes:  kinds (npiece) of MUS_PIECE_*; xy: the control points and inner joints of the chain in order, without the
+ *          first and last point: for each piece its control points, then (but for the last piece) its end
+ *          (so a single line has none, a single cubic 2, a line then a cubic 1 + 2)
+ * `name` may be NULL; it names the edge within its panel ("hem", "shoulder_left").
+ * Errors:  MUS_ERR_ARG (unknown points, points of two panels, wrong count `nxy` of xy points, not finite, an edge of
+ *          length 0); MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t start, int32_t end,
+                                        int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
+                                        int32_t *out);
+
+/**
+ * Give a panel its attaching map: `n` edges in order, direction[i] +1 along or -1 against the edge.
+ *
+ * Errors: MUS_ERR_ARG (an edge of another panel, or one that does not start where the last ended)
+ */
+MUS_API mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t n, const int32_t *edges,
+                                           const int32_t *directions);
+
+/** Label of an edge: the opening or role that the edge plays ("hem", "neck", "cuff", "left_armhole"), "" for none. */
+MUS_API mus_status mus_pattern_set_edge_label(mus_pattern *pattern, int32_t edge, const char *label);
+
+/** Seam allowance of an edge [m]; NaN (the default) leaves it to the sheet. Errors: MUS_ERR_ARG (< 0, > 0.2). */
+MUS_API mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t edge, double allowance);
+
+/** Options of a seam. */
+typedef struct mus_seam_def {
+    size_t size;
+    int32_t edge_a;
+    int32_t edge_b;
+    int32_t direction; /* MUS_SEAM_REVERSED (default) or MUS_SEAM_DIRECT */
+    double ease;       /* length of b less length of a that the design means [m], default 0 */
+    double tolerance;  /* what the check allows beyond ease [m], default 0.0005 */
+} mus_seam_def;
+
+MUS_API void mus_seam_def_init(mus_seam_def *def, size_t size);
+
+/** Sew two edges (of one panel or two). Errors: MUS_ERR_ARG (unknown edge, an edge with itself, not finite). */
+MUS_API mus_status mus_pattern_add_seam(mus_pattern *pattern, const mus_seam_def *def, int32_t *out);
+
+/* ---- edit: marks and making up ---- */
+
+#define MUS_NOTCH_SINGLE 1
+#define MUS_NOTCH_DOUBLE 2
+#define MUS_NOTCH_TRIPLE 3
+
+/** A notch on an edge at arc length s [m] from its start. Errors: MUS_ERR_ARG (s outside the edge). */
+MUS_API mus_status mus_pattern_add_notch(mus_pattern *pattern, int32_t edge, double s, int32_t kind, int32_t *out);
+
+/** An interior line or mark of a panel: n points (n x 2), with a name ("centre front"). n = 1 is a drill point. */
+MUS_API mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char *name, int32_t n,
+                                        const double *xy, int32_t *out);
+
+/** Direction of the warp in the plane of a panel, default (0, 1). Errors: MUS_ERR_ARG (zero or not finite). */
+MUS_API mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y);
+
+/** How a panel is cut: `count` pieces in all; `mirror_of` the panel whose mirror image it is, or MUS_NONE. Panels that
+ * mirror another are not printed: the printed one says "cut 2 mirrored". */
+MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
+
+/** Label of a panel ("body", "arm", "leg", free text). */
+MUS_API mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
+
+/**
+ * Where a panel starts before sewing.
+ *
+ * A point (x, y) of the panel goes to  origin + rotation * p,  with  p = (x, y, 0)  when bend is 0, else the panel is
+ * rolled round an axis parallel to its y at distance |bend| behind (bend > 0) or before (bend < 0) its plane:
+ * u = x - bend_x,  p = (bend_x + bend sin(u/bend), y, bend (cos(u/bend) - 1)).
+ * rotation is row-major: its columns are the images of the panel's x, y and normal.
+ */
+typedef struct mus_placement {
+    size_t size;
+    double origin[3];   /* [m] */
+    double rotation[9]; /* orthonormal, determinant +1; default identity */
+    double bend;        /* radius [m], 0 flat (default) */
+    double bend_x;      /* the line x = bend_x keeps its place, default 0 */
+} mus_placement;
+
+MUS_API void mus_placement_init(mus_placement *placement, size_t size);
+MUS_API mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
+MUS_API mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t panel, mus_placement *out);
+
+/* ---- query ---- */
+
+MUS_API int32_t mus_pattern_panel_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_point_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_edge_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_seam_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_notch_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_mark_count(const mus_pattern *pattern);
+
+/** Find by name: MUS_NONE if there is none. */
+MUS_API int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name);
+MUS_API int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const char *name);
+
+/** A panel: name, label (NULL outside the range), its outline (borrowed until the next edit; any out may be NULL),
+ * grain (2), cut count and mirror_of. */
+MUS_API const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t panel);
+MUS_API const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+MUS_API mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges,
+                                       const int32_t **directions);
+MUS_API mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
+MUS_API mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
+
+/** A point: its panel and place (2) [m]. */
+MUS_API mus_status mus_pattern_point(const mus_pattern *pattern, int32_t point, int32_t *panel, double *xy);
+
+/** An edge: panel, ends, name and label. */
+MUS_API int32_t mus_pattern_edge_panel(const mus_pattern *pattern, int32_t edge);
+MUS_API mus_status mus_pattern_edge_ends(const mus_pattern *pattern, int32_t edge, int32_t *start, int32_t *end);
+MUS_API const char *mus_pattern_edge_name(const mus_pattern *pattern, int32_t edge);
+MUS_API const char *mus_pattern_edge_label(const mus_pattern *pattern, int32_t edge);
+MUS_API double mus_pattern_edge_allowance(const mus_pattern *pattern, int32_t edge);
+
+/** The chain of an edge: kinds (npiece) and all its points with both ends (nxy x 2). Borrowed until the next edit. */
+MUS_API mus_status mus_pattern_edge_pieces(const mus_pattern *pattern, int32_t edge, int32_t *npiece,
+                                           const int32_t **kinds, int32_t *nxy, const double **xy);
+
+/** Length of an edge [m] to 1e-9 (closed form for lines and arcs, Gauss-Legendre for the rest); NaN if unknown. */
+MUS_API double mus_pattern_edge_length(const mus_pattern *pattern, int32_t edge);
+
+/** Points of an edge at `n` relative arc lengths t (0 start .. 1 end): out (n x 2) [m]. */
+MUS_API mus_status mus_pattern_edge_at(const mus_pattern *pattern, int32_t edge, int32_t n, const double *t,
+                                       double *out);
+
+/** An edge as a polyline: each curved piece as `chords` chords of equal parameter, each line as one. Writes at most
+ * `capacity` points (x 2), both ends included; *count is how many there are. xy NULL counts only. */
+MUS_API mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, int32_t chords, double *xy,
+                                             int32_t capacity, int32_t *count);
+
+/** Area enclosed by a panel [m2], always >= 0, closed form; and its perimeter [m]. NaN without an outline. */
+MUS_API double mus_pattern_panel_area(const mus_pattern *pattern, int32_t panel);
+MUS_API double mus_pattern_panel_perimeter(const mus_pattern *pattern, int32_t panel);
+
+/** A seam's definition (out->size set by the caller through mus_seam_def_init). */
+MUS_API mus_status mus_pattern_seam(const mus_pattern *pattern, int32_t seam, mus_seam_def *out);
+
+/** The seam that an edge is in, or MUS_NONE. */
+MUS_API int32_t mus_pattern_edge_seam(const mus_pattern *pattern, int32_t edge);
+
+MUS_API mus_status mus_pattern_notch(const mus_pattern *pattern, int32_t notch, int32_t *edge, double *s, int32_t *kind);
+MUS_API mus_status mus_pattern_mark(const mus_pattern *pattern, int32_t mark, int32_t *panel, const char **name,
+                                    int32_t *n, const double **xy);
+
+/* ---- topology of the quotient ---- */
+
+/** What the sewn pattern is as a surface. */
+typedef struct mus_topology {
+    size_t size;
+    int32_t vertices;   /* classes of points */
+    int32_t edges;      /* classes of edges */
+    int32_t faces;      /* panels */
+    int32_t euler;      /* V - E + F */
+    int32_t components; /* pieces that hang together */
+    int32_t loops;      /* boundary loops: openings */
+    int32_t orientable; /* 1 or 0 */
+    int32_t manifold;   /* 1 when no edge class has more than two sheets */
+    int32_t genus;      /* of a connected orientable manifold with boundary, else MUS_NONE */
+} mus_topology;
+
+MUS_API void mus_topology_init(mus_topology *topology, size_t size);
+
+/** Topology of the quotient by all seams. Errors: MUS_ERR_PATTERN (a panel without outline), MUS_ERR_MEMORY. */
+MUS_API mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology *out);
+
+/** Edges of boundary loop `loop` in order: at most `capacity` written, *count is how many there are, *length [m].
+ * edges NULL counts only; length may be NULL. */
+MUS_API mus_status mus_pattern_loop(const mus_pattern *pattern, int32_t loop, int32_t *edges, int32_t capacity,
+                                    int32_t *count, double *length);
+
+/* ---- check ---- */
+
+#define MUS_FAULT_OPEN_OUTLINE 1   /* panel without a closed outline */
+#define MUS_FAULT_CROSSING 2       /* outline crosses itself */
+#define MUS_FAULT_SEAM_LENGTH 3    /* sides differ by more than ease allows */
+#define MUS_FAULT_TWISTED_SEAM 4   /* the seam makes the garment one-sided */
+#define MUS_FAULT_SEWN_TWICE 5     /* an edge in more than one seam */
+#define MUS_FAULT_SMALL_PANEL 6    /* area below 1 cm2 */
+#define MUS_FAULT_LOOSE_EDGE 7     /* an edge of no outline */
+
+/** Check a pattern. *count gets the number of faults (0: fit to cut and sew). Faults are kept until the next check or
+ * edit. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY: a faulty pattern is not an error of the call. */
+MUS_API mus_status mus_pattern_check(mus_pattern *pattern, int32_t *count);
+
+/** One fault of the last check: kind, and panel, edge, seam or MUS_NONE, and a sentence. Any out may be NULL. */
+MUS_API mus_status mus_pattern_fault(const mus_pattern *pattern, int32_t index, int32_t *kind, int32_t *panel,
+                                     int32_t *edge, int32_t *seam, const char **text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,71 @@
+/*
+ * base_internal.h: what every folder of the library shares: the context's insides, memory through it, failing with a
+ * sentence, checked sizes. Included by all of lib/, never by a public header.
+ */
+#ifndef MUS_BASE_INTERNAL_H
+#define MUS_BASE_INTERNAL_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "muslin/base.h"
+
+/* for what no caller can cause; off in release */
+#if defined(MUS_DEBUG)
+#include <assert.h>
+#define MUS_ASSERT(condition) assert(condition)
+#else
+#define MUS_ASSERT(condition) ((void)0)
+#endif
+
+#if defined(__GNUC__)
+#define MUS_PRINTF(format, first) __attribute__((format(printf, format, first)))
+#else
+#define MUS_PRINTF(format, first)
+#endif
+
+#define MUS_ERROR_BYTES 512
+
+struct mus_context {
+    mus_context_def def;
+    size_t bytes;         /* held by live objects */
+    uint64_t allocations; /* since create */
+    char error[MUS_ERROR_BYTES];
+};
+
+/* ---- memory: every block remembers its size, so it is freed by pointer alone ---- */
+
+/* `count` elements of `size` bytes, zeroed; NULL when there is no memory, the product overflows or count < 0. A count
+ * of 0 gives a block that can be freed. */
+void *mus__new(mus_context *context, int64_t count, size_t size);
+void mus__free(mus_context *context, void *block);
+/* grow *array (capacity *capacity elements of `size`) to hold `need`; new elements are zeroed. Old array kept on failure */
+mus_status mus__reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
+/* copy of a text; NULL when there is no memory */
+char *mus__text(mus_context *context, const char *text);
+
+/* ---- errors and log ---- */
+
+/* write the context's error text and return `status` */
+mus_status mus__fail(mus_context *context, mus_status status, const char *format, ...) MUS_PRINTF(3, 4);
+/* MUS_ERR_MEMORY with a sentence */
+mus_status mus__fail_memory(mus_context *context, const char *what);
+void mus__log(mus_context *context, int32_t level, const char *format, ...) MUS_PRINTF(3, 4);
+
+/* ---- defs ---- */
+
+/* copy a caller's def of any released size into `own` (already holding the defaults, `own_size` bytes). Fields are
+ * only ever appended, so a smaller known size fills what it has. `smallest` is the size of the first release. */
+mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_t smallest, const void *def,
+                         const char *name);
+
+/* true when x is neither NaN nor infinite */
+bool mus__finite(double x);
+
+/* FNV-1a, 64 bit, over bytes; start with MUS_HASH_START */
+#define MUS_HASH_START UINT64_C(14695981039346656037)
+uint64_t mus__hash(uint64_t hash, const void *bytes, size_t count);
+
+#endif

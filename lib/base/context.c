@@ -1,0 +1,166 @@
+/*
+ * context.c: the context: allocator and log hooks, text of the last error, count of bytes held.
+ *
+ * Every block carries a 16-byte head with its size, so that the hook gets the old size and mus_context_bytes() is
+ * exact without the callers keeping sizes.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/base_internal.h"
+
+#define HEAD 16 /* keeps the alignment of any type */
+
+
+static void *libc_alloc(void *user, void *ptr, size_t old_size, size_t new_size)
+{
+    (void)user;
+    (void)old_size;
+    if (new_size == 0) {
+        free(ptr);
+        return NULL;
+    }
+    return realloc(ptr, new_size);
+}
+
+
+void mus_context_def_init(mus_context_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    memset(def, 0, size);
+    def->size = size;
+}
+
+
+mus_status mus_context_create(const mus_context_def *def, mus_context **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+
+    mus_context_def own;
+    mus_context_def_init(&own, sizeof own);
+    if (def != NULL) {
+        if (def->size != sizeof own) return MUS_ERR_VERSION;
+        own = *def;
+    }
+    if (own.alloc == NULL) own.alloc = libc_alloc;
+
+    mus_context *context = own.alloc(own.alloc_user, NULL, 0, sizeof *context);
+    if (context == NULL) return MUS_ERR_MEMORY;
+    memset(context, 0, sizeof *context);
+    context->def = own;
+    *out = context;
+    return MUS_OK;
+}
+
+
+void mus_context_destroy(mus_context *context)
+{
+    if (context == NULL) return;
+    mus_context_def def = context->def;
+    def.alloc(def.alloc_user, context, sizeof *context, 0);
+}
+
+
+const char *mus_context_error(const mus_context *context)
+{
+    return context != NULL ? context->error : "";
+}
+
+
+size_t mus_context_bytes(const mus_context *context)
+{
+    return context != NULL ? context->bytes : 0;
+}
+
+
+uint64_t mus_context_allocations(const mus_context *context)
+{
+    return context != NULL ? context->allocations : 0;
+}
+
+
+void *mus__new(mus_context *context, int64_t count, size_t size)
+{
+    if (count < 0 || size == 0 || (uint64_t)count > (SIZE_MAX / 2 - HEAD) / size) return NULL;
+
+    size_t bytes = (size_t)count * size + HEAD;
+    unsigned char *block = context->def.alloc(context->def.alloc_user, NULL, 0, bytes);
+    if (block == NULL) return NULL;
+    memset(block, 0, bytes);
+    memcpy(block, &bytes, sizeof bytes);
+    context->bytes += bytes;
+    context->allocations++;
+    return block + HEAD;
+}
+
+
+void mus__free(mus_context *context, void *pointer)
+{
+    if (pointer == NULL) return;
+    unsigned char *block = (unsigned char *)pointer - HEAD;
+    size_t bytes;
+    memcpy(&bytes, block, sizeof bytes);
+    context->bytes -= bytes;
+    context->def.alloc(context->def.alloc_user, block, bytes, 0);
+}
+
+
+mus_status mus__reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size)
+{
+    void **slot = array;
+    if (need <= *capacity) return MUS_OK;
+    if (need > INT32_MAX) return mus__fail(context, MUS_ERR_LIMIT, "%lld elements are more than 2^31", (long long)need);
+
+    int64_t grown = (int64_t)*capacity + *capacity / 2 + 8;
+    if (grown < need) grown = need;
+    if (grown > INT32_MAX) grown = INT32_MAX;
+    void *bigger = mus__new(context, grown, size);
+    if (bigger == NULL) return mus__fail_memory(context, "a growing array");
+    if (*slot != NULL) memcpy(bigger, *slot, (size_t)*capacity * size);
+    mus__free(context, *slot);
+    *slot = bigger;
+    *capacity = (int32_t)grown;
+    return MUS_OK;
+}
+
+
+char *mus__text(mus_context *context, const char *text)
+{
+    size_t bytes = strlen(text) + 1;
+    char *copy = mus__new(context, (int64_t)bytes, 1);
+    if (copy != NULL) memcpy(copy, text, bytes);
+    return copy;
+}
+
+
+mus_status mus__fail(mus_context *context, mus_status status, const char *format, ...)
+{
+    /* through a buffer: an argument may be the old error text itself */
+    char text[MUS_ERROR_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    memcpy(context->error, text, sizeof text);
+    return status;
+}
+
+
+mus_status mus__fail_memory(mus_context *context, const char *what)
+{
+    return mus__fail(context, MUS_ERR_MEMORY, "no memory for %s", what);
+}
+
+
+void mus__log(mus_context *context, int32_t level, const char *format, ...)
+{
+    if (context->def.log == NULL) return;
+    char text[MUS_ERROR_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    context->def.log(context->def.log_user, level, text);
+}

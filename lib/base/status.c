@@ -1,0 +1,68 @@
+/*
+ * status.c: the list of statuses as names and sentences; the version; small helpers on defs, numbers and hashes.
+ */
+#include <string.h>
+
+#include "base/base_internal.h"
+
+
+const char *mus_status_name(mus_status status)
+{
+    switch (status) {
+#define CASE(number, name, text) \
+    case number: return "MUS_" #name;
+        MUS_STATUS_LIST(CASE)
+#undef CASE
+    default: return "MUS_ERR_UNKNOWN";
+    }
+}
+
+
+const char *mus_status_text(mus_status status)
+{
+    switch (status) {
+#define CASE(number, name, text) \
+    case number: return text;
+        MUS_STATUS_LIST(CASE)
+#undef CASE
+    default: return "no such status";
+    }
+}
+
+
+void mus_version(int32_t *version)
+{
+    if (version == NULL) return;
+    version[0] = MUS_VERSION_MAJOR;
+    version[1] = MUS_VERSION_MINOR;
+    version[2] = MUS_VERSION_PATCH;
+}
+
+
+mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_t smallest, const void *def,
+                         const char *name)
+{
+    if (def == NULL) return MUS_OK;
+    size_t size;
+    memcpy(&size, def, sizeof size);
+    if (size < smallest || size > own_size)
+        return mus__fail(context, MUS_ERR_VERSION, "%s: size %zu, this library knows %zu to %zu; use its init function",
+                         name, size, smallest, own_size);
+    memcpy(own, def, size);
+    memcpy(own, &own_size, sizeof own_size);
+    return MUS_OK;
+}
+
+
+bool mus__finite(double x)
+{
+    return x - x == 0.0;
+}
+
+
+uint64_t mus__hash(uint64_t hash, const void *bytes, size_t count)
+{
+    const unsigned char *byte = bytes;
+    for (size_t i = 0; i < count; i++) hash = (hash ^ byte[i]) * UINT64_C(1099511628211);
+    return hash;
+}

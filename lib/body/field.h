@@ -1,0 +1,31 @@
+/*
+ * field.h: a limb as a table of radii: what contact asks.
+ *
+ * A limb stands on a straight axis: point = origin + s*axis + a*side + b*front, with s along the axis and (a, b) in
+ * the plane of the contour. Rings are `ds` apart in s; at each the spline between the limb's contours has been
+ * sampled: its centre (ca, cb) and its radius at `nangle` equal steps of the diamond angle. The diamond angle of
+ * (a, b), 0..4, needs one division and no atan2:  q = b/(|a|+|b|) in the first quadrant, and so on round.
+ *
+ * Query at a point: ring k = floor((s-s0)/ds), blend of rings k and k+1, radius R by linear blend over the angle:
+ * F = rho - R(s, q), and to first order the signed distance is F/|grad F|, the outward normal grad F/|grad F|.
+ * All end rings close (small radius), so a point beyond s0 .. s0+(nring-1)*ds is outside.
+ */
+#ifndef MUS_BODY_FIELD_H
+#define MUS_BODY_FIELD_H
+
+#include <stdint.h>
+
+typedef struct mus__field {
+    double origin[3];
+    double axis[3];  /* unit: s grows along it */
+    double side[3];  /* unit: a */
+    double front[3]; /* unit: b = axis x side or its opposite, right-handed (side, front, axis) */
+    double s0, ds;
+    int32_t nring;   /* >= 2 */
+    int32_t nangle;  /* multiple of 4; angle step is 4/nangle in diamond angle */
+    double *centre;  /* (nring x 2) ca, cb */
+    double *radius;  /* (nring x nangle) */
+    double reach;    /* largest radius + centre offset: quick reject */
+} mus__field;
+
+#endif

@@ -1,0 +1,73 @@
+/*
+ * cloth_internal.h: the data of a cloth: nodes, springs as runs, the irregular rest, seam pairs.
+ *
+ * Nodes of a panel are contiguous: first the lattice nodes inside, row by row (a row runs along the weft, rows stack
+ * along the warp), then the border nodes in the order of the outline. A run is `count` springs whose nodes both
+ * advance by one: (a, b), (a+1, b+1), ...: no index list. Only lattice nodes are in runs; only border nodes are in
+ * seam pairs, so welding never touches a run.
+ */
+#ifndef MUS_CLOTH_INTERNAL_H
+#define MUS_CLOTH_INTERNAL_H
+
+#include "base/base_internal.h"
+#include "muslin/cloth.h"
+
+enum { MUS__SPRING_WARP = 0, MUS__SPRING_WEFT = 1, MUS__SPRING_SHEAR = 2, MUS__SPRING_BORDER = 3 };
+
+typedef struct mus__spring_run { /* E = 1/2 k (|x_b - x_a| - rest)^2, each spring once */
+    int32_t a, b, count, kind;
+    double k, rest;
+} mus__spring_run;
+
+typedef struct mus__bend_run { /* E = 1/2 k |x_a - 2 x_b + x_c|^2 */
+    int32_t a, b, c, count;
+    double k;
+} mus__bend_run;
+
+typedef struct mus__spring {
+    int32_t a, b, kind;
+    double k, rest;
+} mus__spring;
+
+typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2], node[3] */
+    int32_t node[4];
+    double coef[4];
+    double k;
+} mus__hinge;
+
+typedef struct mus__row { /* one maximal stretch of neighbouring lattice nodes in a lattice row */
+    int32_t first, count;
+} mus__row;
+
+typedef struct mus__panel_mesh {
+    int32_t first_node, node_count; /* lattice then border */
+    int32_t lattice_count;
+    int32_t first_triangle, triangle_count;
+    int32_t first_border, border_count; /* in cloth->border */
+    mus_placement placement;
+} mus__panel_mesh;
+
+struct mus_cloth {
+    mus_context *context;
+    mus_fabric fabric;
+    double spacing;
+    double mass_total;
+    int32_t npanel, nnode, ntriangle, nrow, nrun, nbend, nspring, nhinge, nseam_hinge, npair, nborder, nseam;
+    mus__panel_mesh *panel;    /* (npanel) */
+    double *rest;              /* (nnode x 2) in the panel's plane */
+    double *mass;              /* (nnode) */
+    int32_t *node_panel;       /* (nnode) */
+    int32_t *triangle;         /* (ntriangle x 3) */
+    int32_t *border;           /* (nborder) nodes of the outlines, panel after panel */
+    mus__row *row;             /* (nrow) ascending, covering every lattice node once */
+    mus__spring_run *run;      /* (nrun) lattice springs with full stiffness on both sides */
+    mus__bend_run *bend;       /* (nbend) */
+    mus__spring *spring;       /* (nspring) strip, border, and lattice edges next to the strip */
+    mus__hinge *hinge;         /* (nhinge) bending in the strip */
+    mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams, acting once the seam is welded */
+    int32_t *pair;             /* (npair x 2) */
+    int32_t *pair_seam;        /* (npair) */
+    double *pair_length;       /* (npair) arc length that the pair stands for [m] */
+};
+
+#endif

@@ -1,0 +1,20 @@
+/*
+ * triangulate.h: constrained Delaunay triangulation of a simple polygon with interior points.
+ */
+#ifndef MUS_GEOM_TRIANGULATE_H
+#define MUS_GEOM_TRIANGULATE_H
+
+#include "base/base_internal.h"
+
+/*
+ * Points 0 .. nborder-1 are a simple closed polygon in order (either winding), the rest lie strictly inside it. Every
+ * point becomes a vertex and every side of the polygon an edge; the inside is covered exactly once.
+ *
+ * Shapes:  xy (n x 2); *triangles (*count x 3), ccw in the plane, from mus__new (the caller frees)
+ * Errors:  MUS_ERR_MESH (two equal points, a polygon that crosses itself, a point outside), MUS_ERR_MEMORY
+ * Cost:    O(n log n) typical
+ */
+mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t **triangles,
+                            int32_t *count);
+
+#endif

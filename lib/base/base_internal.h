@@ -21,9 +21,9 @@
 #endif
 
 #if defined(__GNUC__)
-#define MUS_PRINTF(format, first) __attribute__((format(printf, format, first)))
+#define MUS_PRINTF(at, from) __attribute__((format(printf, at, from)))
 #else
-#define MUS_PRINTF(format, first)
+#define MUS_PRINTF(at, from)
 #endif
 
 #define MUS_ERROR_BYTES 512

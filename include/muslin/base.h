@@ -120,6 +120,22 @@ MUS_API size_t mus_context_bytes(const mus_context *context);
 /** Allocations made through this context since it was made: the tests' proof that a step allocates nothing. */
 MUS_API uint64_t mus_context_allocations(const mus_context *context);
 
+/*
+ * For libraries that stand beside libmuslin (print, exchange, a host's own readers): they fail, allocate and log
+ * through the same context.
+ */
+
+/** Set the context's error text (copied, cut at 511 bytes) and return `status`. NULL context: just `status`. */
+MUS_API mus_status mus_context_fail(mus_context *context, mus_status status, const char *text);
+
+/** Memory through the context's allocator, counted in mus_context_bytes(): `ptr` NULL allocates `new_size` bytes,
+ * new_size 0 frees, otherwise the block grows or shrinks keeping its bytes. New bytes are zero. NULL without memory
+ * (the old block is then untouched). */
+MUS_API void *mus_context_alloc(mus_context *context, void *ptr, size_t new_size);
+
+/** One line to the context's log hook. */
+MUS_API void mus_context_log(mus_context *context, int32_t level, const char *text);
+
 #ifdef __cplusplus
 }
 #endif

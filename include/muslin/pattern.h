@@ -37,6 +37,9 @@ MUS_API mus_status mus_pattern_create(mus_context *context, const char *name, mu
 MUS_API mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out);
 MUS_API void mus_pattern_destroy(mus_pattern *pattern);
 
+/** The context that the pattern was made from. */
+MUS_API mus_context *mus_pattern_context(const mus_pattern *pattern);
+
 /** Name of the pattern (never NULL), and setting it. Names anywhere in a pattern are UTF-8 of at most 127 bytes. */
 MUS_API const char *mus_pattern_name(const mus_pattern *pattern);
 MUS_API mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);

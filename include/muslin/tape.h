@@ -96,6 +96,9 @@ MUS_API mus_status mus_tape_copy(const mus_tape *tape, mus_tape **out);
 /** Free a tape; NULL is accepted. */
 MUS_API void mus_tape_destroy(mus_tape *tape);
 
+/** The context that the tape was made from. */
+MUS_API mus_context *mus_tape_context(const mus_tape *tape);
+
 /** Set whose tape it is (MUS_SEX_*). Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_tape_set_sex(mus_tape *tape, int32_t sex);
 

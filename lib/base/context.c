@@ -164,3 +164,35 @@ void mus__log(mus_context *context, int32_t level, const char *format, ...)
     va_end(list);
     context->def.log(context->def.log_user, level, text);
 }
+
+
+mus_status mus_context_fail(mus_context *context, mus_status status, const char *text)
+{
+    if (context == NULL) return status;
+    return mus__fail(context, status, "%s", text != NULL ? text : mus_status_text(status));
+}
+
+
+void *mus_context_alloc(mus_context *context, void *ptr, size_t new_size)
+{
+    if (context == NULL) return NULL;
+    if (new_size == 0 || new_size > INT64_MAX) {
+        if (new_size == 0) mus__free(context, ptr);
+        return NULL;
+    }
+    void *block = mus__new(context, (int64_t)new_size, 1);
+    if (block == NULL || ptr == NULL) return block;
+
+    size_t old;
+    memcpy(&old, (unsigned char *)ptr - HEAD, sizeof old);
+    old -= HEAD;
+    memcpy(block, ptr, old < new_size ? old : new_size);
+    mus__free(context, ptr);
+    return block;
+}
+
+
+void mus_context_log(mus_context *context, int32_t level, const char *text)
+{
+    if (context != NULL && text != NULL) mus__log(context, level, "%s", text);
+}

@@ -1,0 +1,210 @@
+# Makefile of muslin: one, not recursive (a second pass only after packages were installed).
+#
+#   make            libraries (static and shared) and programs, in build/
+#   make lib        libmuslin alone: needs a C compiler and nothing else
+#   make dress      from a tape to a dressed person, a picture and a printed pattern, in build/out/
+#   make check      every test; the last line counts them
+#   make bench      speed table
+#   make install    DESTDIR= PREFIX= LIBDIR= are respected
+#   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/
+#   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
+#
+# config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors.
+# CC, CFLAGS, LDFLAGS, PYTHON are the user's.
+
+config ?= release
+PREFIX ?= /usr/local
+LIBDIR ?= lib
+PYTHON ?= /usr/bin/python3
+PKG_CONFIG ?= pkg-config
+MUSLIN_DATA ?= ../shared/data
+JOBS ?= $(shell nproc 2>/dev/null || echo 1)
+OUT ?= $(if $(filter release,$(config)),build,build/$(config))
+
+ifeq ($(filter $(config),release debug sanitize coverage),)
+$(error config=$(config) is unknown: release, debug, sanitize or coverage)
+endif
+
+# the version stands in base.h and nowhere else
+version_part = $(shell sed -n 's/^.define MUS_VERSION_$(1) //p' include/muslin/base.h)
+MAJOR := $(call version_part,MAJOR)
+VERSION := $(MAJOR).$(call version_part,MINOR).$(call version_part,PATCH)
+
+# ---- flags ----
+
+OPTIMISE_release = -O2 -g
+OPTIMISE_debug = -O0 -g -DMUS_DEBUG
+OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
+OPTIMISE_coverage = -O0 -g --coverage
+LINK_sanitize = -fsanitize=address,undefined
+LINK_coverage = --coverage
+
+WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
+       -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
+TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
+FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
+# the loops that a drape spends its time in: -O3 vectorises them (numbers: lib/drape/kernel.c), and sqrt without errno
+# is one instruction; debug builds keep their own level
+HOT_release = -O3 -fno-math-errno
+# the same bits from every compiler: no fused multiply-add, whatever CFLAGS say
+HOT =
+SAME_BITS = -ffp-contract=off
+COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HOT) $(CPPFLAGS) $(CFLAGS) $(SAME_BITS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LINK_$(config)) $(LDFLAGS)
+SHARED = -shared -Wl,-z,defs -Wl,-soname,$(1).so.$(MAJOR) -Wl,--version-script=$(2)
+
+pkg_flags = $(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)
+pkg_libs = $(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null)
+PRINT_PKG = cairo
+EXCHANGE_PKG = jansson yaml-0.1 expat
+EXAMPLE_PKG = libpng
+TEST_PKG = check
+
+# ---- what there is ----
+
+CORE := $(wildcard $(addsuffix /*.c,$(addprefix lib/,base geom body pattern design cloth contact drape)))
+PRINT := $(wildcard lib/print/*.c)
+EXCHANGE := $(wildcard lib/exchange/*.c)
+COMMAND := $(wildcard examples/muslin/*.c)
+RENDER := $(wildcard examples/render/*.c)
+RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
+TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
+SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
+objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
+
+LIB := $(OUT)/lib
+BIN := $(OUT)/bin
+A_CORE := $(LIB)/libmuslin.a
+A_PRINT := $(LIB)/libmuslin-print.a
+A_EXCHANGE := $(LIB)/libmuslin-exchange.a
+SO_CORE := $(LIB)/libmuslin.so.$(VERSION)
+SO_PRINT := $(LIB)/libmuslin-print.so.$(VERSION)
+SO_EXCHANGE := $(LIB)/libmuslin-exchange.so.$(VERSION)
+PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
+ALL := $(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(SO_CORE) $(SO_PRINT) $(SO_EXCHANGE) $(PROGRAMS)
+
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb clean FORCE \
+        need-print need-exchange need-example need-test
+.DELETE_ON_ERROR:
+
+all: $(ALL)
+lib: $(A_CORE) $(SO_CORE)
+
+# ---- compile ----
+
+# one sentence instead of a missing header
+need-print need-exchange need-example need-test: need-%:
+	@for p in $($(shell echo $* | tr a-z A-Z)_PKG); do $(PKG_CONFIG) --exists $$p || { \
+	  echo "muslin: $$p is not installed; \`make packages\` installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
+
+$(OUT)/obj/lib/drape/kernel%.o: HOT = $(HOT_$(config))
+$(OUT)/obj/lib/contact/%.o: HOT = $(HOT_$(config))
+$(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
+$(call objects,$(PRINT)): | need-print
+$(call objects,$(EXCHANGE)): PACKAGE := $(call pkg_flags,$(EXCHANGE_PKG))
+$(call objects,$(EXCHANGE)): | need-exchange
+$(call objects,$(COMMAND) $(RENDER)): PACKAGE := $(call pkg_flags,$(EXAMPLE_PKG)) -Iexamples
+$(call objects,$(COMMAND) $(RENDER)): | need-example
+$(call objects,$(TESTS)): PACKAGE := $(call pkg_flags,$(TEST_PKG) $(PRINT_PKG) $(EXCHANGE_PKG)) -Itests -Iexamples -I$(OUT)
+$(call objects,$(TESTS)): WARN := $(TEST_WARN)
+$(call objects,$(TESTS)): | need-test
+$(call objects,tests/main.c): $(OUT)/suites.h
+
+$(OUT)/obj/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE) $(WARN) $(PACKAGE) -c $< -o $@
+
+# ---- libraries ----
+
+$(A_CORE): $(call objects,$(CORE))
+$(A_PRINT): $(call objects,$(PRINT))
+$(A_EXCHANGE): $(call objects,$(EXCHANGE))
+$(A_CORE) $(A_PRINT) $(A_EXCHANGE):
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(AR) rcsD $@ $^
+
+# links in the build folder, so that -lmuslin and the loader find the library there
+shared_links = ln -sf $(notdir $@) $(LIB)/$(1).so.$(MAJOR) && ln -sf $(1).so.$(MAJOR) $(LIB)/$(1).so
+$(SO_CORE): $(call objects,$(CORE)) lib/muslin.map
+	@mkdir -p $(@D)
+	$(LINK) $(call SHARED,libmuslin,lib/muslin.map) $(filter %.o,$^) -lm -o $@
+	@$(call shared_links,libmuslin)
+$(SO_PRINT): $(call objects,$(PRINT)) lib/muslin-print.map $(SO_CORE)
+	$(LINK) $(call SHARED,libmuslin-print,lib/muslin-print.map) $(filter %.o,$^) -L$(LIB) -lmuslin \
+	  $(call pkg_libs,$(PRINT_PKG)) -lm -o $@
+	@$(call shared_links,libmuslin-print)
+$(SO_EXCHANGE): $(call objects,$(EXCHANGE)) lib/muslin-exchange.map $(SO_CORE)
+	$(LINK) $(call SHARED,libmuslin-exchange,lib/muslin-exchange.map) $(filter %.o,$^) -L$(LIB) -lmuslin \
+	  $(call pkg_libs,$(EXCHANGE_PKG)) -lm -o $@
+	@$(call shared_links,libmuslin-exchange)
+
+# ---- programs: linked with the archives, so that they run from anywhere ----
+
+ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CORE)
+OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(EXAMPLE_PKG)) -ldl -lm
+$(BIN)/muslin: $(call objects,$(COMMAND) $(RENDER_SHARED)) $(ARCHIVES)
+$(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
+$(BIN)/tests: $(call objects,$(TESTS)) $(ARCHIVES)
+$(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
+$(PROGRAMS) $(BIN)/tests:
+	@mkdir -p $(@D)
+	$(LINK) $(filter %.o,$^) $(ARCHIVES) $(OUTSIDE) -o $@
+
+# the list of suites, written anew only when a test file came or went
+$(OUT)/suites.h: FORCE
+	@mkdir -p $(@D)
+	@{ echo '/* made by the Makefile from the names of tests/NOUN/test_*.c */'; echo '#define SUITES(X) \'; \
+	  for s in $(SUITES); do echo "    X($$s) \\"; done; echo; } > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+FORCE:
+
+# ---- walk through the house ----
+
+# a second make, so that pkg-config sees what was just installed
+again = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) $(1)
+
+packages:
+	@sh tests/guard/packages.sh build test
+
+dress:
+	@sh tests/guard/packages.sh build
+	@$(call again,dress-now)
+
+TAPE := examples/tapes/w40.tape
+dress-now: all
+	@mkdir -p $(OUT)/out
+	$(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
+	  --report $(OUT)/out/report.json
+	$(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf
+	@echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
+
+# ---- check ----
+
+check:
+	@sh tests/guard/packages.sh build test
+	@$(call again,check-now)
+
+tests: $(BIN)/tests
+check-now: all tests
+	@MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
+
+bench: all
+	$(BIN)/muslin bench
+
+corpus:
+	@sh tests/guard/packages.sh build
+	@$(call again,corpus-now)
+corpus-now: all
+	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS)
+
+check-glb: dress
+	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
+
+install: all
+	@sh tests/guard/install.sh '$(OUT)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+
+clean:
+	rm -rf build
+
+-include $(patsubst %.o,%.d,$(call objects,$(CORE) $(PRINT) $(EXCHANGE) $(COMMAND) $(RENDER) $(TESTS)))

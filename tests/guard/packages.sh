@@ -1,0 +1,49 @@
+#!/bin/sh
+# packages.sh GROUP...: install the Debian packages of the groups that are missing, and say which.
+#
+# build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides.
+# Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
+set -eu
+
+build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcairo2-dev
+       libjansson-dev libyaml-dev libexpat1-dev"
+test="check poppler-utils mandoc python3 python3-pytest python3-numpy g++"
+ci="clang cmake"
+
+wanted=""
+for group in "$@"; do
+    case $group in
+    build) wanted="$wanted $build" ;;
+    test) wanted="$wanted $test" ;;
+    ci) wanted="$wanted $ci" ;;
+    *) echo "packages.sh: group $group is unknown: build, test or ci" >&2; exit 2 ;;
+    esac
+done
+
+# without dpkg nobody can say what is missing: trust the machine, and let the compiler speak
+command -v dpkg-query >/dev/null 2>&1 || exit 0
+
+missing=""
+for package in $wanted; do
+    dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+sudo=""
+if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null 2>&1 || {
+        echo "muslin: missing packages, and neither root nor sudo to install them; as root: apt-get install$missing" >&2
+        exit 1
+    }
+    sudo=sudo
+fi
+echo "muslin: installing missing packages:$missing"
+export DEBIAN_FRONTEND=noninteractive
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+{ $sudo apt-get -o DPkg::Lock::Timeout=600 update &&
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends $missing; } >"$log" 2>&1 || {
+    tail -n 5 "$log" >&2
+    echo "muslin: apt could not install:$missing (its last lines are above); install them by hand and run make again" >&2
+    exit 1
+}

@@ -202,7 +202,7 @@ check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 
 install: all
-	@sh tests/guard/install.sh '$(OUT)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+	@sh lib/install.sh '$(OUT)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
 
 clean:
 	rm -rf build

@@ -1,0 +1,268 @@
+/*
+ * pattern.c: a pattern as an object: create, copy, destroy; names and finding by name; the checks of arguments that
+ * all editing shares.
+ *
+ * A pattern holds some tens of panels and some hundreds of edges, so finding by name walks the list.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "pattern/pattern_internal.h"
+
+
+/* length of the UTF-8 sequence at s, 0 when it is not one (RFC 3629: no overlong form, no surrogate, <= U+10FFFF) */
+static int32_t pattern_utf8(const unsigned char *s)
+{
+    if (s[0] < 0x80) return 1;
+    int32_t more = s[0] >= 0xC2 && s[0] <= 0xDF ? 1 : (s[0] & 0xF0) == 0xE0 ? 2 : s[0] >= 0xF0 && s[0] <= 0xF4 ? 3 : 0;
+    for (int32_t i = 1; i <= more; i++) {
+        if ((s[i] & 0xC0) != 0x80) return 0;
+    }
+    bool overlong = (s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xF0 && s[1] < 0x90);
+    bool beyond = (s[0] == 0xED && s[1] > 0x9F) || (s[0] == 0xF4 && s[1] > 0x8F);
+    return more == 0 || overlong || beyond ? 0 : more + 1;
+}
+
+
+mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count)
+{
+    if (index >= 0 && index < count) return MUS_OK;
+    return mus__fail(pattern->context, MUS_ERR_ARG, "%s %d is unknown, the pattern has %d", what, (int)index,
+                     (int)count);
+}
+
+
+mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out)
+{
+    char own[MUS__NAME_BYTES] = {0};
+    size_t n = 0;
+    while (name != NULL && name[n] != '\0') {
+        int32_t step = pattern_utf8((const unsigned char *)name + n);
+        if (step == 0)
+            return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name is not UTF-8 at byte %zu", what, n);
+        if (n + (size_t)step > MUS__NAME_BYTES - 1)
+            return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name %.40s... is longer than %d bytes", what, name,
+                             MUS__NAME_BYTES - 1);
+        memcpy(own + n, name + n, (size_t)step);
+        n += (size_t)step;
+    }
+    memcpy(out, own, sizeof own);
+    return MUS_OK;
+}
+
+
+void mus__pattern_edited(mus_pattern *pattern)
+{
+    mus__free(pattern->context, pattern->fault);
+    pattern->fault = NULL;
+    pattern->nfault = 0;
+}
+
+
+mus_status mus__pattern_give(const mus_pattern *pattern, void *out, const void *own, size_t own_size, const char *name)
+{
+    size_t size;
+    memcpy(&size, out, sizeof size);
+    if (size != own_size)
+        return mus__fail(pattern->context, MUS_ERR_VERSION, "%s: size %zu, this library knows %zu; use its init function",
+                         name, size, own_size);
+    memcpy(out, own, own_size);
+    memcpy(out, &size, sizeof size);
+    return MUS_OK;
+}
+
+
+void mus__pattern_edge_title(const mus_pattern *pattern, int32_t edge, char *out)
+{
+    const mus__edge *e = &pattern->edge[edge];
+    const char *panel = pattern->panel[e->panel].name;
+    if (e->name[0] != '\0')
+        snprintf(out, 2 * MUS__NAME_BYTES, "%s.%s", panel, e->name);
+    else
+        snprintf(out, 2 * MUS__NAME_BYTES, "%s.edge_%d", panel, (int)edge);
+}
+
+
+void mus_pattern_destroy(mus_pattern *pattern)
+{
+    if (pattern == NULL) return;
+    mus_context *context = pattern->context;
+    for (int32_t i = 0; i < pattern->npanel; i++) mus__free(context, pattern->panel[i].outline);
+    for (int32_t i = 0; i < pattern->nedge; i++) mus__free(context, pattern->edge[i].xy);
+    for (int32_t i = 0; i < pattern->nmark; i++) mus__free(context, pattern->mark[i].xy);
+    mus__free(context, pattern->panel);
+    mus__free(context, pattern->point);
+    mus__free(context, pattern->edge);
+    mus__free(context, pattern->seam);
+    mus__free(context, pattern->notch);
+    mus__free(context, pattern->mark);
+    mus__free(context, pattern->fault);
+    mus__free(context, pattern);
+}
+
+
+mus_status mus_pattern_create(mus_context *context, const char *name, mus_pattern **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(context, MUS_ERR_ARG, "pattern create: out is NULL");
+
+    mus_pattern *pattern = mus__new(context, 1, sizeof *pattern);
+    if (pattern == NULL) return mus__fail_memory(context, "a pattern");
+    pattern->context = context;
+    mus_status status = mus__pattern_take_name(pattern, "pattern", name, pattern->name);
+    if (status != MUS_OK) {
+        mus_pattern_destroy(pattern);
+        return status;
+    }
+    *out = pattern;
+    return MUS_OK;
+}
+
+
+/* a copy of `count` elements, capacity just that; NULL for none */
+static mus_status pattern_copy_array(mus_context *context, const void *from, int32_t count, size_t size, void *slot,
+                                     int32_t *room)
+{
+    if (count == 0) return MUS_OK;
+    mus_status status = mus__reserve(context, slot, room, count, size);
+    if (status == MUS_OK) memcpy(*(void **)slot, from, (size_t)count * size);
+    return status;
+}
+
+
+/* the blocks that panels, edges and marks own; counts grow one by one so that a half-made copy can be destroyed */
+static mus_status pattern_copy_blocks(const mus_pattern *from, mus_pattern *to)
+{
+    for (int32_t i = 0; i < from->npanel; i++) {
+        const mus__panel *panel = &from->panel[i];
+        int32_t *outline = panel->outline;
+        if (outline != NULL) {
+            outline = mus__new(to->context, 2 * (int64_t)panel->noutline, sizeof *outline);
+            if (outline == NULL) return MUS_ERR_MEMORY;
+            memcpy(outline, panel->outline, 2 * (size_t)panel->noutline * sizeof *outline);
+        }
+        to->panel[to->npanel++].outline = outline;
+    }
+    for (int32_t i = 0; i < from->nedge; i++) {
+        mus__edge *edge = &to->edge[i];
+        edge->xy = mus__edge_block(to->context, edge->npiece, edge->nxy);
+        if (edge->xy == NULL) return MUS_ERR_MEMORY;
+        to->nedge++;
+        mus__edge_views(edge);
+        memcpy(edge->xy, from->edge[i].xy, 2 * (size_t)edge->nxy * sizeof *edge->xy);
+        memcpy(edge->run, from->edge[i].run, ((size_t)edge->npiece + 1) * sizeof *edge->run);
+        memcpy(edge->kinds, from->edge[i].kinds, (size_t)edge->npiece * sizeof *edge->kinds);
+    }
+    for (int32_t i = 0; i < from->nmark; i++) {
+        mus__mark *mark = &to->mark[i];
+        mark->xy = mus__new(to->context, 2 * (int64_t)mark->n, sizeof *mark->xy);
+        if (mark->xy == NULL) return MUS_ERR_MEMORY;
+        to->nmark++;
+        memcpy(mark->xy, from->mark[i].xy, 2 * (size_t)mark->n * sizeof *mark->xy);
+    }
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out)
+{
+    if (out != NULL) *out = NULL;
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = pattern->context;
+    if (out == NULL) return mus__fail(context, MUS_ERR_ARG, "pattern copy: out is NULL");
+
+    mus_pattern *copy;
+    mus_status status = mus_pattern_create(context, pattern->name, &copy);
+    if (status != MUS_OK) return status;
+
+    /* arrays as they are; the counts of those that own blocks stay 0 until each block is there */
+    const mus_pattern *p = pattern;
+    size_t panel = sizeof *p->panel, point = sizeof *p->point, edge = sizeof *p->edge, seam = sizeof *p->seam;
+    if (pattern_copy_array(context, p->panel, p->npanel, panel, &copy->panel, &copy->panel_room) != MUS_OK ||
+        pattern_copy_array(context, p->point, p->npoint, point, &copy->point, &copy->point_room) != MUS_OK ||
+        pattern_copy_array(context, p->edge, p->nedge, edge, &copy->edge, &copy->edge_room) != MUS_OK ||
+        pattern_copy_array(context, p->seam, p->nseam, seam, &copy->seam, &copy->seam_room) != MUS_OK ||
+        pattern_copy_array(context, p->notch, p->nnotch, sizeof *p->notch, &copy->notch, &copy->notch_room) != MUS_OK ||
+        pattern_copy_array(context, p->mark, p->nmark, sizeof *p->mark, &copy->mark, &copy->mark_room) != MUS_OK ||
+        pattern_copy_blocks(pattern, copy) != MUS_OK) {
+        mus_pattern_destroy(copy);
+        return mus__fail_memory(context, "the copy of a pattern");
+    }
+    copy->npoint = p->npoint;
+    copy->nseam = p->nseam;
+    copy->nnotch = p->nnotch;
+    *out = copy;
+    return MUS_OK;
+}
+
+
+const char *mus_pattern_name(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->name : "";
+}
+
+
+mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_take_name(pattern, "pattern", name, pattern->name);
+    if (status == MUS_OK) mus__pattern_edited(pattern);
+    return status;
+}
+
+
+int32_t mus_pattern_panel_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->npanel : 0;
+}
+
+
+int32_t mus_pattern_point_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->npoint : 0;
+}
+
+
+int32_t mus_pattern_edge_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->nedge : 0;
+}
+
+
+int32_t mus_pattern_seam_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->nseam : 0;
+}
+
+
+int32_t mus_pattern_notch_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->nnotch : 0;
+}
+
+
+int32_t mus_pattern_mark_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->nmark : 0;
+}
+
+
+int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name)
+{
+    if (pattern == NULL || name == NULL) return MUS_NONE;
+    for (int32_t i = 0; i < pattern->npanel; i++) {
+        if (strcmp(pattern->panel[i].name, name) == 0) return i;
+    }
+    return MUS_NONE;
+}
+
+
+int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const char *name)
+{
+    if (pattern == NULL || name == NULL || name[0] == '\0') return MUS_NONE;
+    for (int32_t i = 0; i < pattern->nedge; i++) {
+        if (pattern->edge[i].panel == panel && strcmp(pattern->edge[i].name, name) == 0) return i;
+    }
+    return MUS_NONE;
+}

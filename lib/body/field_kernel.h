@@ -41,7 +41,7 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REA
     const MUS_REAL dca = c[2] - c[0], dcb = c[3] - c[1];
     const MUS_REAL ua = a - (c[0] + t * dca), ub = b - (c[1] + t * dcb);
     const MUS_REAL rho2 = ua * ua + ub * ub;
-    const MUS_REAL reach = f->largest[k] + margin;
+    const MUS_REAL reach = f->largest[k] + 4 * margin; /* 4: a steep surface is near though its radius is far */
     if (rho2 > reach * reach) return 0;
 
     /* diamond angle */

@@ -49,6 +49,7 @@ typedef struct mus__panel_mesh {
 
 struct mus_cloth {
     mus_context *context;
+    int32_t references;        /* a cloth does not change once built: drapes share it */
     mus_fabric fabric;
     double spacing;
     double mass_total;
@@ -69,5 +70,8 @@ struct mus_cloth {
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
 };
+
+/* one more owner; mus_cloth_destroy() gives one up and frees at the last */
+mus_cloth *mus__cloth_retain(const mus_cloth *cloth);
 
 #endif

@@ -1,0 +1,62 @@
+/*
+ * contact.h: cloth nodes against a body made of radius fields: arrays in, arrays out.
+ *
+ * For each node: the limbs whose box it is in; its axial coordinate; the in-between contour at that height; the line
+ * from the centre to the node (Metaaphanon and Kanongchaiyos 2005, 4.1). Response: perfectly inelastic along the
+ * normal, Coulomb friction along the surface, position put back to the clearance (4.2). The paper's eq. 12 adds a
+ * force to a velocity; impulses are meant:  v_n+ = 0,  v_t+ = v_t max(0, 1 - mu |v_n| / |v_t|).
+ * O(limbs) a node; no triangle is asked.
+ */
+#ifndef MUS_CONTACT_CONTACT_H
+#define MUS_CONTACT_CONTACT_H
+
+#include <math.h>
+
+#include "base/base_internal.h"
+#include "muslin/body.h"
+
+#define MUS_REAL float
+#define MUS_FIELD(name) mus__f32_##name
+#define mus__f32_sqrt sqrtf
+#include "body/field_kernel.h"
+#undef MUS_REAL
+#undef MUS_FIELD
+
+#define MUS_REAL double
+#define MUS_FIELD(name) mus__f64_##name
+#define mus__f64_sqrt sqrt
+#include "body/field_kernel.h"
+#undef MUS_REAL
+#undef MUS_FIELD
+
+typedef struct mus__collider {
+    mus_context *context;
+    int32_t nlimb;
+    double origin[3];        /* of the state's coordinates in the body frame */
+    mus__f32_field *field32; /* (nlimb) */
+    mus__f64_field *field64; /* (nlimb) */
+    double *box;             /* (nlimb x 6) low x, y, z, high x, y, z, without clearance */
+    float *table32;          /* all rings of all limbs */
+    double *table64;
+} mus__collider;
+
+/* fields and boxes are relative to `origin` (3), as the state is: float keeps its digits near it */
+mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, mus__collider **out);
+void mus__collider_destroy(mus__collider *collider);
+
+/* largest depth of a point of the body frame over the limbs, positive inside; -1e30 out of reach of all */
+double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
+
+typedef struct mus__contact_rule {
+    double clearance; /* nodes are kept this far off [m] */
+    double friction;
+    double push;      /* a node is put back by at most this in one call [m] */
+} mus__contact_rule;
+
+/* nodes first .. last-1 of n: x, v planes (3 x n); mobile (n) 0 for nodes that are held. Returns field queries made. */
+int64_t mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                         int32_t last, const float *mobile, float *x, float *v);
+int64_t mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                         int32_t last, const double *mobile, double *x, double *v);
+
+#endif

@@ -1,0 +1,8 @@
+/* contact_f32.c: the contact pass in float. */
+#include "contact/contact.h"
+
+#define MUS_REAL float
+#define MUS_FIELD(name) mus__f32_##name
+#define MUS_FIELDS field32
+#define MUS_CONTACT mus__contact_f32
+#include "contact/contact_kernel.h"

@@ -1,0 +1,8 @@
+/* contact_f64.c: the contact pass in double. */
+#include "contact/contact.h"
+
+#define MUS_REAL double
+#define MUS_FIELD(name) mus__f64_##name
+#define MUS_FIELDS field64
+#define MUS_CONTACT mus__contact_f64
+#include "contact/contact_kernel.h"

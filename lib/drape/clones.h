@@ -1,0 +1,25 @@
+/*
+ * clones.h: one function, compiled for several widths of vector, chosen when the library is loaded.
+ *
+ * With contraction off every width gives the same bits. Not under sanitizers, whose runtime is not up yet when the
+ * choice is made.
+ */
+#ifndef MUS_DRAPE_CLONES_H
+#define MUS_DRAPE_CLONES_H
+
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(MUS_NO_CLONES)
+#if defined(__clang__)
+#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __clang_major__ < 14
+#define MUS_CLONES
+#else
+#define MUS_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+#else
+#define MUS_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+#else
+#define MUS_CLONES
+#endif
+
+#endif

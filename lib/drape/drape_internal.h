@@ -1,0 +1,89 @@
+/*
+ * drape_internal.h: the data of a drape.
+ *
+ * The cloth is shared, not copied (it never changes). The sim holds the moving state in float or double, relative to
+ * an origin so that float keeps its digits; x and v are the caller's view in double, written by mus__drape_publish().
+ */
+#ifndef MUS_DRAPE_INTERNAL_H
+#define MUS_DRAPE_INTERNAL_H
+
+#include "drape/plan.h"
+#include "drape/sim.h"
+#include "muslin/drape.h"
+
+struct mus_drape {
+    mus_context *context;
+    mus_drape_def def;
+    mus_cloth *cloth;
+    mus__collider *collider; /* NULL without a body */
+    mus__pool *pool;
+    mus__plan plan;
+    mus__sim sim;
+    double friction;
+    int32_t n;
+    int32_t welded, settled;
+
+    double *x, *v;      /* (n x 3) what the caller sees */
+    double *force;      /* (n x 3) scratch of reports */
+    double *mean;       /* (n x 3) mean place over the last steps before a check */
+    double *mass;       /* (n) after welding; 0 for nodes that another stands for */
+    double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
+    int32_t *rep;       /* (n) node that stands for each; itself when not welded */
+    int32_t *pinned;    /* (n) */
+
+    /* time = time0 + count * dt, so that a long run keeps its clock */
+    double time0, dt;
+    int64_t count;
+    int64_t steps;
+    int64_t spring_evaluations;
+    double sew_time, settle_time, residual;
+    char skipped[96];
+};
+
+/* ---- state (drape.c) ---- */
+
+/* positions and velocities of the sim to x and v; welded nodes get the place of the node that stands for them */
+void mus__drape_publish(mus_drape *drape);
+/* x and v to the sim */
+void mus__drape_push(mus_drape *drape);
+/* masses, stiffness and inertia anew. scaled nonzero: inertia is raised where the stiffness would ask for a smaller
+ * step than the lattice needs (rest shapes do not depend on inertia). Returns the step bound of RK4 [s]. */
+double mus__drape_inertia(mus_drape *drape, int32_t scaled);
+/* note `steps` of `h` on the clock and in the counters */
+void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluations);
+
+/* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
+void mus__cloth_place(const mus_cloth *cloth, double *x);
+
+/* ---- welding (weld.c) ---- */
+void mus__drape_open(mus_drape *drape);
+void mus__drape_weld(mus_drape *drape);
+
+/* ---- forces in double, plain form (forces.c) ---- */
+
+/* force on each node (n x 3) at positions x (n x 3): the reference for the kernels, and what residuals are taken of.
+ * Returns the elastic energy [J]. f NULL: energy alone. */
+double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double *f);
+/* largest engineering strain of the stretch springs at x */
+double mus__plan_strain(const mus__plan *plan, const double *x);
+/* rms over free nodes of the force that contact and friction leave, over the node's weight */
+double mus__drape_residual(mus_drape *drape, const double *x);
+/* largest gap of the seam pairs and, if wanted, the seam that has it; 0 without seams */
+double mus__drape_gap(const mus_drape *drape, int32_t *seam);
+
+/* ---- runs (run.c): what sew and settle share ---- */
+
+typedef struct mus__run {
+    mus_progress_fn progress;
+    void *user;
+    const char *phase;
+    double next_call; /* wall time of the next progress call */
+} mus__run;
+
+void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, void *user);
+/* nonzero: the caller's function wants to stop */
+int32_t mus__run_report(mus__run *run, double progress);
+/* MUS_ERR_DIVERGED (and the last good state restored) when a number is not finite, else a new good state */
+mus_status mus__drape_guard(mus_drape *drape);
+
+#endif

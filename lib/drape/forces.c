@@ -1,0 +1,157 @@
+/*
+ * forces.c: forces and energy in double, written plainly: what residuals and reports are taken of, and the reference
+ * that the kernels are tested against.
+ *
+ *   spring  E = 1/2 k (l - rest)^2       f_a = k (1 - rest/l) (x_b - x_a)
+ *   bend    E = 1/2 k |a - 2 b + c|^2    hinge  E = 1/2 k |sum c_i x_i|^2
+ * Half runs see each lattice spring twice, half bends three times, so energies are weighted by 1/2 and 1/3.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+#define TINY_LENGTH 1e-150
+
+
+/* adds the pull of one spring to f at a (and, if both, its opposite at b); returns its energy */
+static double add_spring(const double *x, int32_t a, int32_t b, double k, double rest, int32_t both, double *f)
+{
+    const double *p = x + 3 * (int64_t)a, *q = x + 3 * (int64_t)b;
+    const double d[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    const double l = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double pull = k - k * rest / (l + TINY_LENGTH);
+    if (f != NULL)
+        for (int32_t i = 0; i < 3; i++) {
+            f[3 * (int64_t)a + i] += pull * d[i];
+            if (both) f[3 * (int64_t)b + i] -= pull * d[i];
+        }
+    return 0.5 * k * (l - rest) * (l - rest);
+}
+
+
+static double add_bend(const double *x, const mus__half_bend *bend, int32_t at, double *f)
+{
+    double energy = 0.0;
+    for (int32_t i = 0; i < 3; i++) {
+        const double e = x[3 * (int64_t)(bend->a + at) + i] - 2.0 * x[3 * (int64_t)(bend->b + at) + i] +
+                         x[3 * (int64_t)(bend->c + at) + i];
+        if (f != NULL) f[3 * (int64_t)(bend->o + at) + i] += bend->w * e;
+        energy += e * e;
+    }
+    /* the centre's weight is +2k, the ends' -k: k once, shared by three visits */
+    return bend->w > 0.0 ? 0.25 * bend->w * energy : 0.0;
+}
+
+
+static double add_hinge(const double *x, const mus__hinge *hinge, double *f)
+{
+    double energy = 0.0;
+    for (int32_t i = 0; i < 3; i++) {
+        double e = 0.0;
+        for (int32_t c = 0; c < 4; c++) e += hinge->coef[c] * x[3 * (int64_t)hinge->node[c] + i];
+        if (f != NULL)
+            for (int32_t c = 0; c < 4; c++) f[3 * (int64_t)hinge->node[c] + i] -= hinge->k * hinge->coef[c] * e;
+        energy += e * e;
+    }
+    return 0.5 * hinge->k * energy;
+}
+
+
+double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double *f)
+{
+    double energy = 0.0;
+    if (f != NULL) memset(f, 0, 3 * (size_t)n * sizeof *f);
+    for (int32_t r = 0; r < plan->nhalf_run; r++) {
+        const mus__half_run *run = &plan->half_run[r];
+        for (int32_t i = 0; i < run->count; i++)
+            energy += 0.5 * add_spring(x, run->a + i, run->b + i, run->k, run->rest, 0, f);
+    }
+    for (int32_t r = 0; r < plan->nhalf_bend; r++)
+        for (int32_t i = 0; i < plan->half_bend[r].count; i++) energy += add_bend(x, &plan->half_bend[r], i, f);
+    for (int32_t s = 0; s < plan->nspring; s++) {
+        const mus__spring *spring = &plan->spring[s];
+        energy += add_spring(x, spring->a, spring->b, spring->k, spring->rest, 1, f);
+    }
+    for (int32_t h = 0; h < plan->nhinge; h++) energy += add_hinge(x, &plan->hinge[h], f);
+    return energy;
+}
+
+
+static double strain_of(const double *x, int32_t a, int32_t b, double rest)
+{
+    const double *p = x + 3 * (int64_t)a, *q = x + 3 * (int64_t)b;
+    const double d[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / rest - 1.0;
+}
+
+
+double mus__plan_strain(const mus__plan *plan, const double *x)
+{
+    double most = 0.0;
+    for (int32_t r = 0; r < plan->nhalf_run; r++) {
+        const mus__half_run *run = &plan->half_run[r];
+        for (int32_t i = 0; i < run->count; i++) {
+            const double strain = strain_of(x, run->a + i, run->b + i, run->rest);
+            if (strain > most) most = strain;
+        }
+    }
+    for (int32_t s = 0; s < plan->nspring; s++) {
+        const double strain = strain_of(x, plan->spring[s].a, plan->spring[s].b, plan->spring[s].rest);
+        if (strain > most) most = strain;
+    }
+    return most;
+}
+
+
+/* what contact and friction can carry of force r at a node with outward normal: the rest stays in r */
+static void carry(double *r, const double *normal, double friction)
+{
+    const double rn = r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
+    if (rn >= 0.0) return;
+    for (int32_t i = 0; i < 3; i++) r[i] -= rn * normal[i];
+    const double rt = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = -friction * rn;
+    const double left = rt > grip ? (rt - grip) / rt : 0.0;
+    for (int32_t i = 0; i < 3; i++) r[i] *= left;
+}
+
+
+double mus__drape_residual(mus_drape *drape, const double *x)
+{
+    const double *gravity = drape->def.gravity;
+    const double g = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+    double *f = drape->force, sum = 0.0;
+    int64_t count = 0;
+    mus__plan_force(&drape->plan, drape->n, x, f);
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        double *r = f + 3 * (int64_t)i, normal[3];
+        const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
+        for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
+        if (drape->collider != NULL) {
+            const double touch = drape->def.clearance + 0.0005;
+            if (mus__collider_depth(drape->collider, x + 3 * (int64_t)i, touch, normal) > -touch)
+                carry(r, normal, drape->friction);
+        }
+        sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
+        count++;
+    }
+    return count > 0 ? sqrt(sum / (double)count) : 0.0;
+}
+
+
+double mus__drape_gap(const mus_drape *drape, int32_t *seam)
+{
+    const mus_cloth *cloth = drape->cloth;
+    double most = 0.0;
+    if (seam != NULL) *seam = MUS_NONE;
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const double gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        if (gap <= most && p > 0) continue;
+        most = gap;
+        if (seam != NULL) *seam = cloth->pair_seam[p];
+    }
+    return most;
+}

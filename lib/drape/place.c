@@ -1,0 +1,46 @@
+/*
+ * place.c: panels to where the pattern says they start: flat or rolled, turned, moved (mus_placement).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+
+/* place of the panel's point (x, y) in the body frame */
+static void place_point(const mus_placement *place, double x, double y, double *out)
+{
+    double p[3] = {x, y, 0.0};
+    if (place->bend != 0.0) {
+        const double angle = (x - place->bend_x) / place->bend;
+        p[0] = place->bend_x + place->bend * sin(angle);
+        p[2] = place->bend * (cos(angle) - 1.0);
+    }
+    for (int32_t i = 0; i < 3; i++)
+        out[i] = place->origin[i] + place->rotation[3 * i] * p[0] + place->rotation[3 * i + 1] * p[1] +
+                 place->rotation[3 * i + 2] * p[2];
+}
+
+
+void mus__cloth_place(const mus_cloth *cloth, double *x)
+{
+    for (int32_t i = 0; i < cloth->nnode; i++) {
+        const mus_placement *place = &cloth->panel[cloth->node_panel[i]].placement;
+        place_point(place, cloth->rest[2 * (int64_t)i], cloth->rest[2 * (int64_t)i + 1], x + 3 * (int64_t)i);
+    }
+}
+
+
+mus_status mus_drape_place(mus_drape *drape)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    mus__cloth_place(drape->cloth, drape->x);
+    memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
+    mus__drape_open(drape);
+    mus__drape_push(drape);
+    mus__drape_publish(drape);
+    drape->time0 = 0.0;
+    drape->count = 0;
+    drape->settled = 0;
+    return MUS_OK;
+}

@@ -1,0 +1,144 @@
+/*
+ * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+#include "geom/vec.h"
+
+
+void mus_drape_report_init(mus_drape_report *report, size_t size)
+{
+    if (report == NULL || size < sizeof report->size) return;
+    memset(report, 0, size);
+    report->size = size;
+}
+
+
+/* deepest node below the skin */
+static double deepest(const mus_drape *drape)
+{
+    double most = 0.0;
+    if (drape->collider == NULL) return most;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double depth = mus__collider_depth(drape->collider, drape->x + 3 * (int64_t)i, 0.0, NULL);
+        if (depth > most) most = depth;
+    }
+    return most;
+}
+
+
+/* seams whose pairs are all within the collision distance */
+static int32_t closed_seams(const mus_drape *drape)
+{
+    const mus_cloth *cloth = drape->cloth;
+    int32_t closed = cloth->nseam, last = MUS_NONE;
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        if (mus__norm3(d) <= drape->def.collision_distance || cloth->pair_seam[p] == last) continue;
+        closed--;
+        last = cloth->pair_seam[p];
+    }
+    return closed;
+}
+
+
+mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL || out->size != sizeof *out)
+        return mus__fail(drape->context, MUS_ERR_VERSION, "drape report: size unknown; use mus_drape_report_init");
+    const mus_cloth *cloth = drape->cloth;
+    mus_drape_report report;
+    mus_drape_report_init(&report, sizeof report);
+    report.nodes = drape->n;
+    report.springs = mus_cloth_spring_count(cloth);
+    report.seams = cloth->nseam;
+    report.seams_closed = closed_seams(drape);
+    report.welded = drape->welded;
+    report.settled = drape->settled;
+    report.max_seam_gap = mus__drape_gap(drape, &report.worst_seam);
+    report.max_penetration = deepest(drape);
+    report.max_strain = mus__plan_strain(&drape->plan, drape->x);
+    report.residual = drape->residual;
+
+    report.energy = mus__plan_force(&drape->plan, drape->n, drape->x, NULL);
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double *x = drape->x + 3 * (int64_t)i, *v = drape->v + 3 * (int64_t)i;
+        const double speed2 = mus__dot3(v, v);
+        report.energy += drape->mass[i] * (0.5 * speed2 - mus__dot3(drape->def.gravity, x));
+        if (speed2 > report.max_speed * report.max_speed) report.max_speed = sqrt(speed2);
+    }
+    report.step = drape->dt;
+    report.step_bound = mus_drape_step_bound(drape);
+    report.steps = drape->steps;
+    report.spring_evaluations = drape->spring_evaluations;
+    for (int32_t part = 0; part < 64; part++) report.contact_queries += drape->sim.part_queries[part];
+    report.sew_time = drape->sew_time;
+    report.settle_time = drape->settle_time;
+    *out = report;
+    return MUS_OK;
+}
+
+
+uint64_t mus_drape_hash(const mus_drape *drape)
+{
+    if (drape == NULL) return 0;
+    uint64_t hash = MUS_HASH_START;
+    const double time = mus_drape_time(drape);
+    const double *arrays[] = {drape->x, drape->v, &time};
+    const int64_t counts[] = {3 * (int64_t)drape->n, 3 * (int64_t)drape->n, 1};
+    for (int32_t a = 0; a < 3; a++)
+        for (int64_t i = 0; i < counts[a]; i++) {
+            /* little-endian bytes on any machine; -0 and 0 hash alike */
+            const double value = arrays[a][i] + 0.0;
+            uint64_t bits;
+            unsigned char bytes[8];
+            memcpy(&bits, &value, sizeof bits);
+            for (int32_t k = 0; k < 8; k++) bytes[k] = (unsigned char)(bits >> (8 * k));
+            hash = mus__hash(hash, bytes, sizeof bytes);
+        }
+    return hash;
+}
+
+
+mus_status mus_drape_gaps(const mus_drape *drape, double *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+    const mus_cloth *cloth = drape->cloth;
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        out[p] = mus__norm3(d);
+    }
+    return MUS_OK;
+}
+
+
+mus_status mus_drape_normals(const mus_drape *drape, double *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+
+    /* area-weighted sum at the node that stands for each, then spread to its class */
+    const mus_cloth *cloth = drape->cloth;
+    memset(out, 0, 3 * (size_t)drape->n * sizeof *out);
+    for (int32_t t = 0; t < cloth->ntriangle; t++) {
+        const int32_t *i = cloth->triangle + 3 * (int64_t)t;
+        const double *a = drape->x + 3 * (int64_t)i[0], *b = drape->x + 3 * (int64_t)i[1];
+        const double *c = drape->x + 3 * (int64_t)i[2];
+        const double ab[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ac[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+        double normal[3];
+        mus__cross3(ab, ac, normal);
+        for (int32_t k = 0; k < 3; k++)
+            for (int32_t d = 0; d < 3; d++) out[3 * (int64_t)drape->rep[i[k]] + d] += normal[d];
+    }
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->rep[i] == i) mus__unit3(out + 3 * (int64_t)i);
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->rep[i] != i) memcpy(out + 3 * (int64_t)i, out + 3 * (int64_t)drape->rep[i], 3 * sizeof *out);
+    return MUS_OK;
+}

@@ -1,0 +1,85 @@
+/*
+ * sew.c: seams pulled shut by elastic force, then welded (paper 4.3).
+ *
+ * Gravity is off. The pull starts gentle, so that panels travel to the body without folding over, and grows until the
+ * last pair is home; a pair within the collision distance is stitched: it moves as one from then on, and its
+ * neighbours follow as in a zip. When all are stitched they are welded.
+ *
+ * Pull on a pair that stands for length L of seam:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+#define CHECK_STEPS 32
+#define SAFETY 0.7      /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define SEW_DRAG 8.0    /* [1/s]: a panel's speed follows its pull */
+#define SEW_SPEED 3.0   /* [m/s] limit: a step then moves a node less than the clearance */
+#define RAMP_START 0.02 /* of the full pull at the beginning */
+#define RAMP_SECONDS 1.5
+#define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
+
+
+/* pull at time t of a budget of `all` seconds [N/m] */
+static double pull_at(double full, double t, double all)
+{
+    const double rise = t / RAMP_SECONDS;
+    if (rise < 1.0) return full * RAMP_START * pow(1.0 / RAMP_START, rise);
+    const double late = (t - RAMP_SECONDS) / (all > RAMP_SECONDS ? all - RAMP_SECONDS : 1.0);
+    return full * pow(RAMP_MOST, late < 1.0 ? late : 1.0);
+}
+
+
+static int32_t count_open(const mus__plan *plan)
+{
+    int32_t open = 0;
+    for (int32_t p = 0; p < plan->npair; p++) open += !plan->pair[p].locked;
+    return open;
+}
+
+
+/* the sentence for seams that stayed open */
+static mus_status fail_open(mus_drape *drape)
+{
+    int32_t seam;
+    const double gap = mus__drape_gap(drape, &seam);
+    return mus__fail(drape->context, MUS_ERR_SEW, "seam %d cannot close: gap %.1f mm after %.2f s, %.1f mm allowed",
+                     (int)seam, 1e3 * gap, drape->sew_time, 1e3 * drape->def.collision_distance);
+}
+
+
+mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
+
+    mus__sim *sim = &drape->sim;
+    const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), all = drape->def.sew_seconds;
+    memset(sim->gravity, 0, sizeof sim->gravity);
+    sim->drag = SEW_DRAG;
+    sim->speed_limit = SEW_SPEED;
+    sim->dashpots = 0;
+    sim->rule = (mus__contact_rule){drape->def.clearance, 0.0, 2.0 * SEW_SPEED * h};
+
+    mus__run run;
+    mus__run_start(&run, "sew", progress, user);
+    const int32_t pairs = drape->plan.npair;
+    int32_t open = pairs, stop = 0;
+    mus_status status = MUS_OK;
+    for (double t = 0.0; open > 0 && t < all && !stop && status == MUS_OK;) {
+        drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
+        for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
+        status = mus__drape_guard(drape);
+        mus__drape_tick(drape, CHECK_STEPS, h, 1);
+        t += CHECK_STEPS * h;
+        drape->sew_time += CHECK_STEPS * h;
+        open = count_open(&drape->plan);
+        stop = mus__run_report(&run, 1.0 - (double)open / pairs);
+    }
+    mus__drape_publish(drape);
+    if (status != MUS_OK || stop) return status;
+    if (open > 0) return fail_open(drape);
+    mus__drape_weld(drape);
+    return MUS_OK;
+}

@@ -1,0 +1,71 @@
+/*
+ * sim.h: the state of a drape and its passes, the same in float and double.
+ *
+ * A sim works on planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n each. mus__sim_ops is the table of its passes, chosen
+ * once at create; no pass reads an option inside a loop.
+ */
+#ifndef MUS_DRAPE_SIM_H
+#define MUS_DRAPE_SIM_H
+
+#include "base/pool.h"
+#include "contact/contact.h"
+#include "drape/plan.h"
+
+typedef struct mus__sim mus__sim;
+
+typedef struct mus__sim_ops {
+    size_t real; /* bytes of a number */
+    /* f = forces at the positions of y (springs, bending, pairs; no gravity) */
+    void (*force)(mus__sim *sim);
+    /* one step of symplectic Euler with drag and speed limit, then contact and stitches */
+    void (*euler)(mus__sim *sim, double h);
+    /* one step of RK4, then contact */
+    void (*rk4)(mus__sim *sim, double h);
+    /* copies between the planes and the (n x 3) arrays of doubles */
+    void (*put)(mus__sim *sim, const double *x, const double *v);
+    void (*get)(const mus__sim *sim, double *x, double *v);
+    /* forces of the last evaluation, (n x 3) */
+    void (*get_force)(const mus__sim *sim, double *f);
+    void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);
+    /* largest speed squared; NaN when any number is not finite */
+    double (*speed2)(const mus__sim *sim);
+    void (*snapshot)(mus__sim *sim);
+    void (*restore)(mus__sim *sim);
+} mus__sim_ops;
+
+struct mus__sim {
+    const mus__sim_ops *ops;
+    mus__plan *plan;
+    mus__pool *pool;
+    const mus__collider *collider; /* NULL: no contact pass */
+    int32_t n;
+    double origin[3]; /* of the state in the body frame: float keeps its digits near it; 0 in double */
+    void *y;       /* (6 n) positions and velocities */
+    void *f;       /* (3 n) */
+    void *g;       /* (3 x elements) */
+    void *inverse; /* (n) 1/inertia, 0 for held or welded nodes */
+    void *weight;  /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
+    void *work;    /* (18 n) of RK4 */
+    void *good;    /* (6 n) last good state */
+    int32_t elements; /* capacity of g */
+
+    /* what the passes use; set between steps, never inside */
+    double gravity[3];
+    double drag;        /* [1/s] */
+    double speed_limit; /* [m/s], of euler */
+    int32_t dashpots;
+    double collision_distance;
+    mus__contact_rule rule;
+    int64_t contact_queries;
+    int64_t part_queries[64];
+    int64_t force_evaluations;
+
+    /* arguments of the phase now running */
+    const void *phase_y;
+    double phase_h;
+};
+
+extern const mus__sim_ops mus__sim_f32;
+extern const mus__sim_ops mus__sim_f64;
+
+#endif

@@ -1,0 +1,73 @@
+/*
+ * weld.c: the quotient made real: nodes that seams join become one node.
+ *
+ * Classes by union-find over the seam pairs; the smallest index stands for its class, with the class's whole mass.
+ * Only border nodes are in pairs and only elements name border nodes, so no run changes.
+ */
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+
+void mus__drape_open(mus_drape *drape)
+{
+    drape->welded = 0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        drape->rep[i] = i;
+        drape->mass[i] = drape->cloth->mass[i];
+    }
+    mus__plan_weld(drape->cloth, NULL, &drape->plan);
+
+    /* near the end a pair is as stiff as the cloth it joins */
+    const double *stretch = drape->cloth->fabric.stretch;
+    const double k = stretch[0] > stretch[1] ? stretch[0] : stretch[1];
+    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = 2.0 * k;
+    drape->plan.seam_pull = drape->def.seam_pull;
+}
+
+
+static int32_t find_root(int32_t *rep, int32_t i)
+{
+    while (rep[i] != i) {
+        rep[i] = rep[rep[i]];
+        i = rep[i];
+    }
+    return i;
+}
+
+
+void mus__drape_weld(mus_drape *drape)
+{
+    const mus_cloth *cloth = drape->cloth;
+    int32_t *rep = drape->rep;
+    mus__drape_publish(drape);
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        const int32_t a = find_root(rep, cloth->pair[2 * p]), b = find_root(rep, cloth->pair[2 * p + 1]);
+        if (a < b) rep[b] = a;
+        else rep[a] = b;
+    }
+
+    /* mass, momentum and centre of each class, summed in ascending order */
+    for (int32_t i = 0; i < drape->n; i++) rep[i] = find_root(rep, i);
+    double *x = drape->x, *v = drape->v, *mass = drape->mass;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const int32_t r = rep[i];
+        if (r == i) continue;
+        const double total = mass[r] + mass[i], share = mass[i] / total;
+        for (int32_t d = 0; d < 3; d++) {
+            x[3 * r + d] += share * (x[3 * i + d] - x[3 * r + d]);
+            v[3 * r + d] += share * (v[3 * i + d] - v[3 * r + d]);
+        }
+        mass[r] = total;
+        mass[i] = 0.0;
+        if (drape->pinned[i]) drape->pinned[r] = 1;
+    }
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->pinned[rep[i]]) memset(v + 3 * (int64_t)rep[i], 0, 3 * sizeof *v);
+
+    mus__plan_weld(cloth, rep, &drape->plan);
+    drape->welded = 1;
+    memset(drape->sim.f, 0, 3 * (size_t)drape->n * drape->sim.ops->real);
+    mus__drape_push(drape);
+    mus__drape_publish(drape);
+}

@@ -17,4 +17,9 @@
 mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t **triangles,
                             int32_t *count);
 
+/* The same with `nside` segments (nside x 2, pairs of points) that must be edges too; they may not cross each other,
+ * the polygon or a point. */
+mus_status mus__triangulate_sides(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t nside,
+                                  const int32_t *sides, int32_t **triangles, int32_t *count);
+
 #endif

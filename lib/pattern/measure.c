@@ -76,8 +76,8 @@ mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, i
     mus_context *context = pattern->context;
     mus_status status = mus__pattern_known(pattern, "edge", edge, pattern->nedge);
     if (status != MUS_OK) return status;
-    if (chords < 1 || count == NULL || (xy != NULL && capacity < 0))
-        return mus__fail(context, MUS_ERR_ARG, "edge %d: %d chords, room for %d points, or count is NULL", (int)edge,
+    if (chords < 1 || (xy != NULL && capacity < 0))
+        return mus__fail(context, MUS_ERR_ARG, "edge %d: %d chords, room for %d points", (int)edge,
                          (int)chords, (int)capacity);
 
     const mus__edge *own = &pattern->edge[edge];
@@ -85,7 +85,7 @@ mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, i
     for (int32_t i = 0; i < own->npiece; i++) need += own->kinds[i] == MUS_PIECE_LINE ? 1 : chords;
     if (need > INT32_MAX)
         return mus__fail(context, MUS_ERR_LIMIT, "edge %d: %lld points are more than 2^31", (int)edge, (long long)need);
-    *count = (int32_t)need;
+    if (count != NULL) *count = (int32_t)need;
     if (xy == NULL) return MUS_OK;
 
     /* joints are copied to the bit, points between them evaluated */

@@ -15,7 +15,7 @@
 #include "muslin/pattern.h"
 
 #define MUS__NAME_BYTES 128  /* names are 127 bytes and their end */
-#define MUS__FAULT_BYTES 640 /* four names and a sentence round them */
+#define MUS__FAULT_BYTES 768 /* five names and a sentence round them */
 
 typedef struct mus__panel {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
@@ -89,5 +89,52 @@ void mus__pattern_edge_title(const mus_pattern *pattern, int32_t edge, char *out
 /* the block of an edge with npiece pieces and nxy points, and the pointers of `edge` into it (edge->xy set) */
 double *mus__edge_block(mus_context *context, int32_t npiece, int32_t nxy);
 void mus__edge_views(mus__edge *edge);
+
+/* ---- link.c: union-find with a sign on each link ---- */
+
+/* item i starts alone: parent[i] = i, sign[i] = +1 */
+void mus__link_start(int32_t n, int32_t *parent, int32_t *sign);
+/* root of i, the smallest of its class; parent[i] is that root and sign[i] relative to it afterwards */
+int32_t mus__link_find(int32_t *parent, int32_t *sign, int32_t i);
+/* say that i and j are one class and sign[i] sign[j] = relation; false when that contradicts what was said before */
+bool mus__link_join(int32_t *parent, int32_t *sign, int32_t i, int32_t j, int32_t relation);
+
+/* ---- quotient.c: the pattern with its seams glued ---- */
+
+/* The words of all panels stand one after another: position k of them is a sheet of cloth that ends at an edge. The
+ * arrays are parts of one block. */
+typedef struct mus__quotient {
+    int32_t nword;
+    int32_t *first;  /* (npanel + 1) where the word of each panel starts */
+    int32_t *edge;   /* (nword) */
+    int32_t *turn;   /* (nword) direction of the word along its edge, +1 or -1 */
+    int32_t *panel;  /* (nword) */
+    int32_t *place;  /* (nedge) its first position in the words, MUS_NONE for a loose edge */
+    int32_t *root;   /* (nedge) class of each edge */
+    int32_t *sign;   /* (nedge) +1 the edge runs as the root of its class does, -1 against it */
+    int32_t *sheets; /* (nedge) by class: how many positions */
+    int32_t *sheet;  /* (nedge x 2) by class: the first two positions */
+    int32_t *point;  /* (npoint) class of each point */
+    int32_t *link;   /* (the most of npoint, nword, npanel) work, and its signs: */
+    int32_t *bias;
+    bool folded; /* an edge is glued to itself end over end */
+    int32_t *block;
+} mus__quotient;
+
+/* glue all seams; free with mus__free(context, out->block). Errors: MUS_ERR_PATTERN (a panel without outline),
+ * MUS_ERR_MEMORY; with `partial` panels without outline are left out */
+mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quotient *out);
+/* next position in the word of the same panel, along it (step +1) or against it (-1) */
+int32_t mus__quotient_next(const mus__quotient *q, int32_t k, int32_t step);
+/* do positions j and k of one class leave the same side of both panels outside? */
+bool mus__quotient_same_side(const mus__quotient *q, int32_t j, int32_t k);
+/* give each panel a side, q->link its piece and q->bias its side: how many seams contradict the others. twisted
+ * (nseam, zero, may be NULL) gets 1 for those; *bridge an edge that a panel joins to itself one-sidedly, or MUS_NONE */
+int32_t mus__quotient_sides(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, int32_t *bridge);
+
+/* ---- crossing.c ---- */
+
+/* does the outline of a panel cross or touch itself? *a and *b get the two edges. Errors: MUS_ERR_MEMORY */
+mus_status mus__panel_crosses(const mus_pattern *pattern, int32_t panel, bool *crosses, int32_t *a, int32_t *b);
 
 #endif

@@ -1,0 +1,30 @@
+"""muslin: from the tape measure to the sewn and draped garment, and to ready-to-cut paper.
+
+    import muslin
+    tape = muslin.Tape.size("W40")
+    body = muslin.Body(tape)
+    pattern = muslin.draft("tshirt", tape)
+    drape = muslin.Drape(muslin.Cloth(pattern), body)
+    drape.place(); drape.sew(); drape.settle()
+    drape.positions                     # (nodes x 3), a view, no copy
+    muslin.Sheet(pattern).write_pdf("tshirt.pdf")
+
+Units are SI: metre, kilogram, second, radian. X to the wearer's left, Y up, Z forward, floor at Y = 0. A status that is
+not MUS_OK becomes a MuslinError with the library's own sentence. Nothing is computed in Python; numpy is used for arrays
+when it is installed, memoryviews stand in when it is not.
+"""
+from ._abi import VERSION as __version__
+from ._library import version
+from .body import Body
+from .cloth import Cloth, Fabric, fabrics
+from .context import Context
+from .design import designs, draft
+from .drape import Drape
+from .errors import MuslinError
+from .exchange import Mesh, write_glb, write_obj
+from .pattern import Pattern
+from .print import Sheet
+from .tape import Tape, measures, sizes
+
+__all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "MuslinError", "Pattern", "Sheet", "Tape",
+           "designs", "draft", "fabrics", "measures", "sizes", "version", "write_glb", "write_obj", "__version__"]

@@ -1,0 +1,429 @@
+"""_abi.py: the C interface as ctypes sees it, and nothing else.
+
+Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
+"""
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint64,
+                    c_void_p)
+
+VERSION = "0.1.0"
+
+# constants
+MUS_VERSION_MAJOR = 0
+MUS_VERSION_MINOR = 1
+MUS_VERSION_PATCH = 0
+MUS_NONE = -1
+MUS_LOG_ERROR = 0
+MUS_LOG_WARNING = 1
+MUS_LOG_INFO = 2
+MUS_OK = 0
+MUS_ERR_ARG = 1
+MUS_ERR_MEMORY = 2
+MUS_ERR_VERSION = 3
+MUS_ERR_STATE = 4
+MUS_ERR_LIMIT = 5
+MUS_ERR_FILE = 6
+MUS_ERR_FORMAT = 7
+MUS_ERR_UNSUPPORTED = 8
+MUS_ERR_TAPE = 9
+MUS_ERR_BODY = 10
+MUS_ERR_PATTERN = 11
+MUS_ERR_DESIGN = 12
+MUS_ERR_MESH = 13
+MUS_ERR_STEP = 14
+MUS_ERR_DIVERGED = 15
+MUS_ERR_SEW = 16
+MUS_ERR_UNSETTLED = 17
+MUS_STATUS_COUNT = 18
+MUS_SEX_UNSET = 0
+MUS_SEX_FEMALE = 1
+MUS_SEX_MALE = 2
+MUS_SEX_CHILD = 3
+MUS_SOURCE_NONE = 0
+MUS_SOURCE_GIVEN = 1
+MUS_SOURCE_DERIVED = 2
+MUS_MEASURE_STATURE = 0
+MUS_MEASURE_BUST = 1
+MUS_MEASURE_WAIST = 2
+MUS_MEASURE_HIP = 3
+MUS_MEASURE_UNDERBUST = 4
+MUS_MEASURE_HIGH_BUST = 5
+MUS_MEASURE_HIGH_HIP = 6
+MUS_MEASURE_NECK = 7
+MUS_MEASURE_SHOULDER = 8
+MUS_MEASURE_SHOULDER_SLOPE = 9
+MUS_MEASURE_ACROSS_BACK = 10
+MUS_MEASURE_ACROSS_FRONT = 11
+MUS_MEASURE_BACK_WAIST = 12
+MUS_MEASURE_FRONT_WAIST = 13
+MUS_MEASURE_BUST_DEPTH = 14
+MUS_MEASURE_BUST_SPAN = 15
+MUS_MEASURE_SCYE_DEPTH = 16
+MUS_MEASURE_ARM = 17
+MUS_MEASURE_ELBOW = 18
+MUS_MEASURE_UPPER_ARM = 19
+MUS_MEASURE_WRIST = 20
+MUS_MEASURE_HAND = 21
+MUS_MEASURE_WAIST_HEIGHT = 22
+MUS_MEASURE_WAIST_TO_HIP = 23
+MUS_MEASURE_RISE = 24
+MUS_MEASURE_INLEG = 25
+MUS_MEASURE_CROTCH_LENGTH = 26
+MUS_MEASURE_THIGH = 27
+MUS_MEASURE_KNEE = 28
+MUS_MEASURE_CALF = 29
+MUS_MEASURE_ANKLE = 30
+MUS_MEASURE_HEAD = 31
+MUS_MEASURE_FOOT = 32
+MUS_MEASURE_NAPE_HEIGHT = 33
+MUS_MEASURE_BUST_HEIGHT = 34
+MUS_MEASURE_ARM_ANGLE = 35
+MUS_MEASURE_COUNT = 36
+MUS_LANDMARK_CROWN = 0
+MUS_LANDMARK_NAPE = 1
+MUS_LANDMARK_BUST = 2
+MUS_LANDMARK_WAIST = 3
+MUS_LANDMARK_HIP = 4
+MUS_LANDMARK_CROTCH = 5
+MUS_LANDMARK_SHOULDER_LEFT = 6
+MUS_LANDMARK_SHOULDER_RIGHT = 7
+MUS_LANDMARK_WRIST_LEFT = 8
+MUS_LANDMARK_WRIST_RIGHT = 9
+MUS_LANDMARK_ANKLE_LEFT = 10
+MUS_LANDMARK_ANKLE_RIGHT = 11
+MUS_LANDMARK_COUNT = 12
+MUS_PIECE_LINE = 0
+MUS_PIECE_QUADRATIC = 1
+MUS_PIECE_CUBIC = 2
+MUS_PIECE_ARC = 3
+MUS_SEAM_REVERSED = 0
+MUS_SEAM_DIRECT = 1
+MUS_NOTCH_SINGLE = 1
+MUS_NOTCH_DOUBLE = 2
+MUS_NOTCH_TRIPLE = 3
+MUS_FAULT_OPEN_OUTLINE = 1
+MUS_FAULT_CROSSING = 2
+MUS_FAULT_SEAM_LENGTH = 3
+MUS_FAULT_TWISTED_SEAM = 4
+MUS_FAULT_SEWN_TWICE = 5
+MUS_FAULT_SMALL_PANEL = 6
+MUS_FAULT_LOOSE_EDGE = 7
+MUS_PAPER_A4 = 0
+MUS_PAPER_LETTER = 1
+MUS_PAPER_A3 = 2
+MUS_PAPER_A0 = 3
+MUS_PAPER_ROLL = 4
+
+# names of the lists, by number
+STATUS_NAMES = ("OK", "ERR_ARG", "ERR_MEMORY", "ERR_VERSION", "ERR_STATE", "ERR_LIMIT", "ERR_FILE", "ERR_FORMAT",
+                "ERR_UNSUPPORTED", "ERR_TAPE", "ERR_BODY", "ERR_PATTERN", "ERR_DESIGN", "ERR_MESH", "ERR_STEP",
+                "ERR_DIVERGED", "ERR_SEW", "ERR_UNSETTLED")
+MEASURE_NAMES = ("STATURE", "BUST", "WAIST", "HIP", "UNDERBUST", "HIGH_BUST", "HIGH_HIP", "NECK", "SHOULDER",
+                 "SHOULDER_SLOPE", "ACROSS_BACK", "ACROSS_FRONT", "BACK_WAIST", "FRONT_WAIST", "BUST_DEPTH",
+                 "BUST_SPAN", "SCYE_DEPTH", "ARM", "ELBOW", "UPPER_ARM", "WRIST", "HAND", "WAIST_HEIGHT",
+                 "WAIST_TO_HIP", "RISE", "INLEG", "CROTCH_LENGTH", "THIGH", "KNEE", "CALF", "ANKLE", "HEAD", "FOOT",
+                 "NAPE_HEIGHT", "BUST_HEIGHT", "ARM_ANGLE")
+
+
+# opaque handles
+
+
+class mus_context(Structure):
+    pass
+
+
+class mus_tape(Structure):
+    pass
+
+
+class mus_body(Structure):
+    pass
+
+
+class mus_pattern(Structure):
+    pass
+
+
+class mus_cloth(Structure):
+    pass
+
+
+class mus_drape(Structure):
+    pass
+
+
+class mus_sheet(Structure):
+    pass
+
+
+# callbacks
+mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
+mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
+
+# structs
+
+
+class mus_context_def(Structure):
+    _fields_ = [("size", c_size_t), ("alloc", mus_alloc_fn), ("alloc_user", c_void_p), ("log", mus_log_fn),
+                ("log_user", c_void_p)]
+
+
+class mus_body_def(Structure):
+    _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32)]
+
+
+class mus_seam_def(Structure):
+    _fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
+                ("ease", c_double), ("tolerance", c_double)]
+
+
+class mus_placement(Structure):
+    _fields_ = [("size", c_size_t), ("origin", c_double * 3), ("rotation", c_double * 9), ("bend", c_double),
+                ("bend_x", c_double)]
+
+
+class mus_topology(Structure):
+    _fields_ = [("size", c_size_t), ("vertices", c_int32), ("edges", c_int32), ("faces", c_int32), ("euler", c_int32),
+                ("components", c_int32), ("loops", c_int32), ("orientable", c_int32), ("manifold", c_int32),
+                ("genus", c_int32)]
+
+
+class mus_draft_def(Structure):
+    _fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
+
+
+class mus_fabric(Structure):
+    _fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
+                ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
+
+
+class mus_cloth_def(Structure):
+    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric)]
+
+
+class mus_drape_def(Structure):
+    _fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
+                ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
+                ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
+                ("settle_residual", c_double)]
+
+
+class mus_drape_report(Structure):
+    _fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("seams", c_int32),
+                ("seams_closed", c_int32), ("welded", c_int32), ("worst_seam", c_int32), ("settled", c_int32),
+                ("max_seam_gap", c_double), ("max_penetration", c_double), ("max_strain", c_double),
+                ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
+                ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
+                ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double)]
+
+
+class mus_sheet_def(Structure):
+    _fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
+                ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
+
+
+class mus_mesh_view(Structure):
+    _fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32), ("triangle_count", c_int32),
+                ("positions", POINTER(c_double)), ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
+                ("triangles", POINTER(c_int32)), ("colour", c_double * 4), ("two_sided", c_int32)]
+
+
+# functions: name -> (library, result, arguments)
+FUNCTIONS = {
+    "mus_status_name": ("core", c_char_p, [c_int32]),
+    "mus_status_text": ("core", c_char_p, [c_int32]),
+    "mus_version": ("core", None, [POINTER(c_int32)]),
+    "mus_context_def_init": ("core", None, [POINTER(mus_context_def), c_size_t]),
+    "mus_context_create": ("core", c_int32, [POINTER(mus_context_def), POINTER(POINTER(mus_context))]),
+    "mus_context_destroy": ("core", None, [POINTER(mus_context)]),
+    "mus_context_error": ("core", c_char_p, [POINTER(mus_context)]),
+    "mus_context_bytes": ("core", c_size_t, [POINTER(mus_context)]),
+    "mus_context_allocations": ("core", c_uint64, [POINTER(mus_context)]),
+    "mus_context_fail": ("core", c_int32, [POINTER(mus_context), c_int32, c_char_p]),
+    "mus_context_alloc": ("core", c_void_p, [POINTER(mus_context), c_void_p, c_size_t]),
+    "mus_context_log": ("core", None, [POINTER(mus_context), c_int32, c_char_p]),
+    "mus_measure_count": ("core", c_int32, []),
+    "mus_measure_name": ("core", c_char_p, [c_int32]),
+    "mus_measure_unit": ("core", c_int32, [c_int32]),
+    "mus_measure_find": ("core", c_int32, [c_char_p]),
+    "mus_tape_create": ("core", c_int32, [POINTER(mus_context), POINTER(POINTER(mus_tape))]),
+    "mus_tape_copy": ("core", c_int32, [POINTER(mus_tape), POINTER(POINTER(mus_tape))]),
+    "mus_tape_destroy": ("core", None, [POINTER(mus_tape)]),
+    "mus_tape_context": ("core", POINTER(mus_context), [POINTER(mus_tape)]),
+    "mus_tape_set_sex": ("core", c_int32, [POINTER(mus_tape), c_int32]),
+    "mus_tape_sex": ("core", c_int32, [POINTER(mus_tape)]),
+    "mus_tape_set_name": ("core", c_int32, [POINTER(mus_tape), c_char_p]),
+    "mus_tape_name": ("core", c_char_p, [POINTER(mus_tape)]),
+    "mus_tape_set": ("core", c_int32, [POINTER(mus_tape), c_int32, c_double, c_int32]),
+    "mus_tape_value": ("core", c_double, [POINTER(mus_tape), c_int32]),
+    "mus_tape_source": ("core", c_int32, [POINTER(mus_tape), c_int32]),
+    "mus_tape_set_size": ("core", c_int32, [POINTER(mus_tape), c_char_p]),
+    "mus_tape_size_count": ("core", c_int32, []),
+    "mus_tape_size_name": ("core", c_char_p, [c_int32]),
+    "mus_tape_complete": ("core", c_int32, [POINTER(mus_tape)]),
+    "mus_tape_is_complete": ("core", c_int32, [POINTER(mus_tape)]),
+    "mus_tape_warning_count": ("core", c_int32, [POINTER(mus_tape)]),
+    "mus_tape_warning": ("core", c_char_p, [POINTER(mus_tape), c_int32]),
+    "mus_body_def_init": ("core", None, [POINTER(mus_body_def), c_size_t]),
+    "mus_body_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_tape), POINTER(mus_body_def),
+                                          POINTER(POINTER(mus_body))]),
+    "mus_body_destroy": ("core", None, [POINTER(mus_body)]),
+    "mus_body_limb_count": ("core", c_int32, [POINTER(mus_body)]),
+    "mus_body_limb_name": ("core", c_char_p, [POINTER(mus_body), c_int32]),
+    "mus_body_asked": ("core", c_double, [POINTER(mus_body), c_int32]),
+    "mus_body_made": ("core", c_double, [POINTER(mus_body), c_int32]),
+    "mus_body_source": ("core", c_int32, [POINTER(mus_body), c_int32]),
+    "mus_body_volume": ("core", c_double, [POINTER(mus_body)]),
+    "mus_body_vertex_count": ("core", c_int32, [POINTER(mus_body)]),
+    "mus_body_triangle_count": ("core", c_int32, [POINTER(mus_body)]),
+    "mus_body_vertices": ("core", POINTER(c_double), [POINTER(mus_body)]),
+    "mus_body_normals": ("core", POINTER(c_double), [POINTER(mus_body)]),
+    "mus_body_triangles": ("core", POINTER(c_int32), [POINTER(mus_body)]),
+    "mus_body_limb_range": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(c_int32)]),
+    "mus_body_contour_count": ("core", c_int32, [POINTER(mus_body), c_int32]),
+    "mus_body_contour_name": ("core", c_char_p, [POINTER(mus_body), c_int32, c_int32]),
+    "mus_body_contour_points": ("core", c_int32, [POINTER(mus_body), c_int32, c_int32, c_int32, POINTER(c_double)]),
+    "mus_body_landmark": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(c_double)]),
+    "mus_body_depth": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(c_double), POINTER(c_double),
+                                         POINTER(c_double)]),
+    "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),
+    "mus_pattern_context": ("core", POINTER(mus_context), [POINTER(mus_pattern)]),
+    "mus_pattern_name": ("core", c_char_p, [POINTER(mus_pattern)]),
+    "mus_pattern_set_name": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_add_panel": ("core", c_int32, [POINTER(mus_pattern), c_char_p, POINTER(c_int32)]),
+    "mus_pattern_add_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double, POINTER(c_int32)]),
+    "mus_pattern_add_edge": ("core", c_int32, [POINTER(mus_pattern), c_char_p, c_int32, c_int32, c_int32,
+                                               POINTER(c_int32), c_int32, POINTER(c_double), POINTER(c_int32)]),
+    "mus_pattern_set_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32),
+                                                  POINTER(c_int32)]),
+    "mus_pattern_set_edge_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_pattern_set_edge_allowance": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double]),
+    "mus_seam_def_init": ("core", None, [POINTER(mus_seam_def), c_size_t]),
+    "mus_pattern_add_seam": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_seam_def), POINTER(c_int32)]),
+    "mus_pattern_add_notch": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, POINTER(c_int32)]),
+    "mus_pattern_add_mark": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p, c_int32, POINTER(c_double),
+                                               POINTER(c_int32)]),
+    "mus_pattern_set_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
+    "mus_pattern_set_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_placement_init": ("core", None, [POINTER(mus_placement), c_size_t]),
+    "mus_pattern_set_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
+    "mus_pattern_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
+    "mus_pattern_panel_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_point_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_edge_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_seam_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_notch_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_mark_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_find_panel": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_find_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_pattern_panel_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_panel_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
+                                              POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
+    "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
+    "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
+    "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
+    "mus_pattern_edge_panel": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_ends": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
+    "mus_pattern_edge_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_allowance": ("core", c_double, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_pieces": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
+                                                  POINTER(POINTER(c_int32)), POINTER(c_int32),
+                                                  POINTER(POINTER(c_double))]),
+    "mus_pattern_edge_length": ("core", c_double, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_at": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_double),
+                                              POINTER(c_double)]),
+    "mus_pattern_edge_polyline": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_double),
+                                                    c_int32, POINTER(c_int32)]),
+    "mus_pattern_panel_area": ("core", c_double, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_panel_perimeter": ("core", c_double, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_def)]),
+    "mus_pattern_edge_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_notch": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double),
+                                            POINTER(c_int32)]),
+    "mus_pattern_mark": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_char_p),
+                                           POINTER(c_int32), POINTER(POINTER(c_double))]),
+    "mus_topology_init": ("core", None, [POINTER(mus_topology), c_size_t]),
+    "mus_pattern_topology": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_topology)]),
+    "mus_pattern_loop": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), c_int32,
+                                           POINTER(c_int32), POINTER(c_double)]),
+    "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32)]),
+    "mus_pattern_fault": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
+                                            POINTER(c_int32), POINTER(c_int32), POINTER(c_char_p)]),
+    "mus_design_count": ("core", c_int32, []),
+    "mus_design_name": ("core", c_char_p, [c_int32]),
+    "mus_design_family": ("core", c_char_p, [c_int32]),
+    "mus_design_title": ("core", c_char_p, [c_int32]),
+    "mus_design_find": ("core", c_int32, [c_char_p]),
+    "mus_draft_def_init": ("core", None, [POINTER(mus_draft_def), c_size_t]),
+    "mus_design_draft": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_tape), POINTER(mus_draft_def),
+                                           POINTER(POINTER(mus_pattern))]),
+    "mus_fabric_init": ("core", None, [POINTER(mus_fabric), c_size_t]),
+    "mus_fabric_count": ("core", c_int32, []),
+    "mus_fabric_name": ("core", c_char_p, [c_int32]),
+    "mus_fabric_source": ("core", c_char_p, [c_int32]),
+    "mus_fabric_find": ("core", c_int32, [c_char_p, POINTER(mus_fabric)]),
+    "mus_cloth_def_init": ("core", None, [POINTER(mus_cloth_def), c_size_t]),
+    "mus_cloth_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_cloth_def),
+                                           POINTER(POINTER(mus_cloth))]),
+    "mus_cloth_destroy": ("core", None, [POINTER(mus_cloth)]),
+    "mus_cloth_node_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_triangle_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_panel_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_spring_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_pair_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_spacing": ("core", c_double, [POINTER(mus_cloth)]),
+    "mus_cloth_mass": ("core", c_double, [POINTER(mus_cloth)]),
+    "mus_cloth_rest": ("core", POINTER(c_double), [POINTER(mus_cloth)]),
+    "mus_cloth_node_panels": ("core", POINTER(c_int32), [POINTER(mus_cloth)]),
+    "mus_cloth_masses": ("core", POINTER(c_double), [POINTER(mus_cloth)]),
+    "mus_cloth_triangles": ("core", POINTER(c_int32), [POINTER(mus_cloth)]),
+    "mus_cloth_pairs": ("core", POINTER(c_int32), [POINTER(mus_cloth)]),
+    "mus_cloth_pair_seams": ("core", POINTER(c_int32), [POINTER(mus_cloth)]),
+    "mus_cloth_panel_range": ("core", c_int32, [POINTER(mus_cloth), c_int32, POINTER(c_int32)]),
+    "mus_cloth_panel_border": ("core", c_int32, [POINTER(mus_cloth), c_int32, POINTER(c_int32),
+                                                 POINTER(POINTER(c_int32))]),
+    "mus_drape_def_init": ("core", None, [POINTER(mus_drape_def), c_size_t]),
+    "mus_drape_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_body),
+                                           POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),
+    "mus_drape_destroy": ("core", None, [POINTER(mus_drape)]),
+    "mus_drape_place": ("core", c_int32, [POINTER(mus_drape)]),
+    "mus_drape_set_state": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double), POINTER(c_double)]),
+    "mus_drape_pin": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32]),
+    "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),
+    "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
+    "mus_drape_sew": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
+    "mus_drape_settle": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
+    "mus_drape_positions": ("core", POINTER(c_double), [POINTER(mus_drape)]),
+    "mus_drape_velocities": ("core", POINTER(c_double), [POINTER(mus_drape)]),
+    "mus_drape_node_count": ("core", c_int32, [POINTER(mus_drape)]),
+    "mus_drape_time": ("core", c_double, [POINTER(mus_drape)]),
+    "mus_drape_report_init": ("core", None, [POINTER(mus_drape_report), c_size_t]),
+    "mus_drape_report_get": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape_report)]),
+    "mus_drape_skipped": ("core", c_char_p, [POINTER(mus_drape)]),
+    "mus_drape_hash": ("core", c_uint64, [POINTER(mus_drape)]),
+    "mus_drape_gaps": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_drape_normals": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
+    "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),
+                                            POINTER(POINTER(mus_sheet))]),
+    "mus_sheet_destroy": ("print", None, [POINTER(mus_sheet)]),
+    "mus_sheet_page_count": ("print", c_int32, [POINTER(mus_sheet)]),
+    "mus_sheet_columns": ("print", c_int32, [POINTER(mus_sheet)]),
+    "mus_sheet_rows": ("print", c_int32, [POINTER(mus_sheet)]),
+    "mus_sheet_extent": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_double)]),
+    "mus_sheet_page": ("print", c_int32, [POINTER(mus_sheet), c_int32, POINTER(c_double)]),
+    "mus_sheet_write_pdf": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
+    "mus_sheet_write_svg": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
+    "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
+    "mus_tape_write": ("exchange", c_int32, [POINTER(mus_tape), c_char_p]),
+    "mus_pattern_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_mesh_view_init": ("exchange", None, [POINTER(mus_mesh_view), c_size_t]),
+    "mus_mesh_write_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
+    "mus_mesh_write_glb": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
+}

@@ -1,0 +1,95 @@
+"""body.py: a body made of stacks of closed contours that fit the tape."""
+import ctypes
+import math
+
+from . import _abi
+from ._library import lib
+from .arrays import doubles, result, view
+from .context import Object, create, make_def
+from .tape import measures
+
+_LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars(_abi).items()
+              if name.startswith("MUS_LANDMARK_") and name != "MUS_LANDMARK_COUNT"}
+
+
+class Body(Object):
+    """A body for a tape. options: samples, ring_spacing, ellipse (mus_body_def)."""
+
+    _kind = "body"
+
+    def __init__(self, tape, **options):
+        definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
+        context = tape.context
+        super().__init__(context, create(context, "body", "mus_body_create", context.handle, tape.handle,
+                                         ctypes.byref(definition)))
+
+    @property
+    def vertices(self):
+        """(n x 3) [m], a view."""
+        return view(self, self.get("vertices"), self.get("vertex_count"), 3)
+
+    @property
+    def normals(self):
+        """(n x 3), unit, a view."""
+        return view(self, self.get("normals"), self.get("vertex_count"), 3)
+
+    @property
+    def triangles(self):
+        """(m x 3), a view; they wind outwards."""
+        return view(self, self.get("triangles"), self.get("triangle_count"), 3)
+
+    @property
+    def limbs(self):
+        """Names of the limbs."""
+        return [self.get("limb_name", i) for i in range(self.get("limb_count"))]
+
+    def limb_range(self, limb):
+        """(first vertex, vertex count, first triangle, triangle count) of a limb by name."""
+        numbers = (ctypes.c_int32 * 4)()
+        self.do("limb_range", self.limbs.index(limb), numbers)
+        return tuple(numbers)
+
+    def contour(self, limb, contour, n=96):
+        """`n` points (n x 3) round a contour of a limb, both by name."""
+        limb = self.limbs.index(limb)
+        names = [self.get("contour_name", limb, i) for i in range(self.get("contour_count", limb))]
+        points = (ctypes.c_double * (3 * n))()
+        self.do("contour_points", limb, names.index(contour), n, points)
+        return result(points, 3)
+
+    def contours(self, limb):
+        """Names of the contours of a limb, bottom up."""
+        limb = self.limbs.index(limb)
+        return [self.get("contour_name", limb, i) for i in range(self.get("contour_count", limb))]
+
+    @property
+    def asked(self):
+        """{measure: value that the completed tape asked}."""
+        return self._measures("asked")
+
+    @property
+    def made(self):
+        """{measure: value re-measured on the surface}, without those that no surface shows."""
+        return self._measures("made")
+
+    def _measures(self, function):
+        values = {name: self.get(function, i) for i, name in enumerate(measures())}
+        return {name: value for name, value in values.items() if not math.isnan(value)}
+
+    @property
+    def volume(self):
+        """[m3]."""
+        return self.get("volume")
+
+    def landmark(self, name):
+        """Place (3) of a landmark: crown, nape, bust, waist, hip, crotch, shoulder_left, ..."""
+        place = (ctypes.c_double * 3)()
+        self.do("landmark", _LANDMARKS[name], place)
+        return result(place)
+
+    def depth(self, points):
+        """Depth of points (n x 3): positive inside [m]."""
+        places, n = doubles(points, 3)
+        depth = (ctypes.c_double * n)()
+        self.do("depth", n, places, depth, None)
+        return result(depth)

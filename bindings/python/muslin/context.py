@@ -1,0 +1,155 @@
+"""context.py: the context that every object is made from, and what all objects of the package share.
+
+A context serves one thread at a time. Each Context therefore has a lock that every call on it or its objects takes;
+calls on objects of two contexts run side by side (ctypes lets go of the interpreter during a call). An object that is
+made without naming a context uses the one of the object it is made from, or else the calling thread's own.
+"""
+import ctypes
+import threading
+import weakref
+
+from . import _abi
+from ._library import lib
+from .errors import MuslinError, check
+
+_own = threading.local()
+
+
+class Context:
+    """The context: allocator, log, error text. log: called with (level, text) for each line."""
+
+    def __init__(self, log=None):
+        definition = make_def(_abi.mus_context_def, lib.mus_context_def_init)
+        self._log = None
+        if log is not None:
+            self._log = _abi.mus_log_fn(lambda _, level, text: log(level, text.decode("utf-8", "replace")))
+            definition.log = self._log
+        self.lock = threading.RLock()
+        self.handle = ctypes.POINTER(_abi.mus_context)()
+        check(None, lib.mus_context_create(ctypes.byref(definition), ctypes.byref(self.handle)))
+        # the hook must outlive the C context, so the finalizer holds it
+        weakref.finalize(self, _destroy_context, self.handle, self._log)
+
+    @staticmethod
+    def of_thread():
+        """The context of the calling thread, made when it is first asked for."""
+        if not hasattr(_own, "context"):
+            _own.context = Context()
+        return _own.context
+
+    @property
+    def bytes(self):
+        """Bytes that objects of this context hold now."""
+        return lib.mus_context_bytes(self.handle)
+
+    @property
+    def allocations(self):
+        """Allocations since the context was made."""
+        return lib.mus_context_allocations(self.handle)
+
+    @property
+    def error(self):
+        """Text of the last failure, "" if none."""
+        return lib.mus_context_error(self.handle).decode("utf-8", "replace")
+
+    def call(self, name, *arguments):
+        """Call a function that returns a status, under the lock; raises MuslinError."""
+        with self.lock:
+            check(self.handle, getattr(lib, name)(*arguments))
+
+
+def _destroy_context(handle, _hook):
+    lib.mus_context_destroy(handle)
+
+
+def _destroy_object(name, handle, context):
+    with context.lock:
+        getattr(lib, name)(handle)
+
+
+class Object:
+    """A handle of the library with its context. Ends by close(), as a context manager, or with the last reference.
+
+    A view of the object's arrays keeps the object alive; close() refuses while such a view lives.
+    """
+
+    _kind = None  # "tape": the functions are mus_tape_*
+
+    def __init__(self, context, handle):
+        self.context = context
+        self._handle = handle
+        self._views = weakref.WeakSet()
+        self._end = weakref.finalize(self, _destroy_object, f"mus_{self._kind}_destroy", handle, context)
+
+    @property
+    def handle(self):
+        if not self._end.alive:
+            raise ValueError(f"this {type(self).__name__} is closed")
+        return self._handle
+
+    def close(self):
+        """Free the object now. BufferError while a view of its arrays is alive."""
+        if len(self._views) > 0:
+            raise BufferError(f"this {type(self).__name__} has arrays in use")
+        self._end()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def get(self, name, *arguments):
+        """Value of mus_KIND_name(handle, ...), text decoded."""
+        with self.context.lock:
+            value = getattr(lib, f"mus_{self._kind}_{name}")(self.handle, *arguments)
+        return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+
+    def do(self, name, *arguments):
+        """Call mus_KIND_name(handle, ...) that returns a status; raises MuslinError."""
+        self.context.call(f"mus_{self._kind}_{name}", self.handle, *arguments)
+
+
+def create(context, kind, function, *arguments):
+    """Handle of a new mus_KIND from a function whose last argument gives it."""
+    handle = ctypes.POINTER(getattr(_abi, f"mus_{kind}"))()
+    context.call(function, *arguments, ctypes.byref(handle))
+    return handle
+
+
+def make_def(kind, init, options=()):
+    """A def or result struct with its defaults, and then `options` (name to value)."""
+    definition = kind()
+    init(ctypes.byref(definition), ctypes.sizeof(definition))
+    fill(definition, options)
+    return definition
+
+
+def fill(struct, options):
+    """Set fields by name; arrays take sequences of their length, text is encoded."""
+    known = {name: field for name, field in struct._fields_ if name != "size"}
+    for name, value in dict(options).items():
+        if name not in known:
+            raise TypeError(f"{type(struct).__name__} has no option {name!r}: {', '.join(known)}")
+        kind = known[name]
+        if kind is ctypes.c_char_p:
+            value = text(value)
+        elif issubclass(kind, ctypes.Array):
+            value = kind(*value)
+        setattr(struct, name, value)
+
+
+def read_struct(struct):
+    """Fields of a result struct as a dict, without its size."""
+    values = {name: getattr(struct, name) for name, _ in struct._fields_ if name != "size"}
+    return {name: list(value) if isinstance(value, ctypes.Array) else value for name, value in values.items()}
+
+
+def text(value):
+    """str, path or None as bytes or None for C."""
+    if value is None or isinstance(value, bytes):
+        return value
+    return str(value).encode("utf-8", "surrogateescape")
+
+
+__all__ = ["Context", "MuslinError", "Object", "create", "fill", "make_def", "read_struct", "text"]

@@ -1,0 +1,120 @@
+"""drape.py: cloth in time: placed round a body, sewn, stepped, settled."""
+import ctypes
+
+from . import _abi
+from ._library import lib
+from .arrays import doubles, result, view
+from .context import Object, create, make_def, read_struct
+
+
+class Drape(Object):
+    """A cloth round a body, or in empty space. options: gravity, precision, threads, clearance, ... (mus_drape_def)."""
+
+    _kind = "drape"
+
+    def __init__(self, cloth, body=None, **options):
+        definition = make_def(_abi.mus_drape_def, lib.mus_drape_def_init, options)
+        context = cloth.context
+        if body is not None and body.context is not context:
+            raise ValueError("cloth and body are of two contexts")
+        super().__init__(context, create(context, "drape", "mus_drape_create", context.handle, cloth.handle,
+                                         body.handle if body is not None else None, ctypes.byref(definition)))
+
+    def __len__(self):
+        return self.get("node_count")
+
+    # ---- run ----
+
+    def place(self):
+        """Put the nodes where the pattern's placement says, and open all seams."""
+        self.do("place")
+
+    def sew(self, progress=None):
+        """Pull all seams shut and weld them. progress(phase, share) may return True to stop."""
+        self._run("sew", progress)
+
+    def settle(self, progress=None):
+        """Let the cloth come to rest."""
+        self._run("settle", progress)
+
+    def _run(self, function, progress):
+        raised = []
+
+        def hook(_, phase, share):
+            try:
+                return 1 if progress(phase.decode(), share) else 0
+            except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
+                raised.append(error)
+                return 1
+
+        self.do(function, _abi.mus_progress_fn(hook) if progress is not None else _abi.mus_progress_fn(), None)
+        if raised:
+            raise raised[0]
+
+    def step(self, steps, dt):
+        """Advance by classical Runge-Kutta steps of dt [s]."""
+        self.do("step", steps, dt)
+
+    @property
+    def step_bound(self):
+        """Largest stable step [s]."""
+        return self.get("step_bound")
+
+    def set_state(self, positions, velocities=None):
+        """Positions (n x 3) [m] and velocities (n x 3) [m/s]."""
+        places, n = doubles(positions, 3)
+        speeds, m = doubles(velocities, 3) if velocities is not None else (None, n)
+        if n != len(self) or m != n:
+            raise ValueError(f"the drape has {len(self)} nodes, not {n}")
+        self.do("set_state", places, speeds)
+
+    def pin(self, node, fixed=True):
+        """Hold a node where it is, or let it go."""
+        self.do("pin", node, 1 if fixed else 0)
+
+    # ---- look ----
+
+    @property
+    def positions(self):
+        """(n x 3) [m], a view that follows the drape."""
+        return view(self, self.get("positions"), len(self), 3)
+
+    @property
+    def velocities(self):
+        """(n x 3) [m/s], a view that follows the drape."""
+        return view(self, self.get("velocities"), len(self), 3)
+
+    @property
+    def normals(self):
+        """Smooth unit normals (n x 3), made anew."""
+        normals = (ctypes.c_double * (3 * len(self)))()
+        self.do("normals", normals)
+        return result(normals, 3)
+
+    def gaps(self, cloth):
+        """Gap of each seam pair [m]; `cloth` is the one that the drape was made of."""
+        gaps = (ctypes.c_double * max(1, cloth.get("pair_count")))()
+        self.do("gaps", gaps)
+        return result(gaps)
+
+    @property
+    def time(self):
+        """Cloth time since place [s]."""
+        return self.get("time")
+
+    @property
+    def report(self):
+        """What the drape did and how it stands, as a dict (mus_drape_report)."""
+        report = make_def(_abi.mus_drape_report, lib.mus_drape_report_init)
+        self.do("report_get", ctypes.byref(report))
+        return read_struct(report)
+
+    @property
+    def skipped(self):
+        """Names of what this scene did without."""
+        return [name for name in self.get("skipped").split(",") if name]
+
+    @property
+    def state_hash(self):
+        """Hash of the state, 16 hex digits: the same as in the command's report."""
+        return f"{self.get('hash'):016x}"

@@ -1,0 +1,195 @@
+"""pattern.py: a sewing pattern as a cell complex: points, edges, panels, and seams between edges."""
+import ctypes
+
+from . import _abi
+from ._library import lib
+from .arrays import doubles, integers, result
+from .context import Context, Object, create, make_def, read_struct, text
+
+_FAULTS = {value: name[len("MUS_FAULT_"):].lower() for name, value in vars(_abi).items()
+           if name.startswith("MUS_FAULT_")}
+_PIECES = {"line": _abi.MUS_PIECE_LINE, "quadratic": _abi.MUS_PIECE_QUADRATIC, "cubic": _abi.MUS_PIECE_CUBIC,
+           "arc": _abi.MUS_PIECE_ARC}
+
+
+class Pattern(Object):
+    """A pattern. Cells are numbers that stay: panels, points, edges, seams count from 0."""
+
+    _kind = "pattern"
+
+    def __init__(self, name="pattern", context=None, _handle=None):
+        context = context or Context.of_thread()
+        super().__init__(context,
+                         _handle or create(context, "pattern", "mus_pattern_create", context.handle, text(name)))
+
+    @classmethod
+    def read(cls, path, context=None):
+        """From a file: muslin JSON or a GarmentCode specification."""
+        context = context or Context.of_thread()
+        return cls(context=context,
+                   _handle=create(context, "pattern", "mus_pattern_read", context.handle, text(path)))
+
+    def write(self, path):
+        """Write as muslin JSON; reading it back gives the same pattern, bit for bit."""
+        self.context.call("mus_pattern_write", self.handle, text(path))
+
+    def copy(self):
+        return Pattern(context=self.context,
+                       _handle=create(self.context, "pattern", "mus_pattern_copy", self.handle))
+
+    # ---- edit ----
+
+    def _add(self, function, *arguments):
+        index = ctypes.c_int32()
+        self.do(function, *arguments, ctypes.byref(index))
+        return index.value
+
+    def add_panel(self, name):
+        return self._add("add_panel", text(name))
+
+    def add_point(self, panel, x, y):
+        return self._add("add_point", panel, x, y)
+
+    def add_edge(self, start, end, pieces=("line",), points=(), name=None):
+        """An edge of pieces ("line", "quadratic", "cubic", "arc"); points: control points and inner joints in order."""
+        kinds, count = integers([_PIECES.get(piece, piece) for piece in pieces])
+        places, n = doubles(points, 2)
+        return self._add("add_edge", text(name), start, end, count, kinds, n, places)
+
+    def set_outline(self, panel, edges, directions=None):
+        """The attaching map of a panel; directions +1 or -1, all +1 when left out."""
+        cells, n = integers(edges)
+        signs, m = integers(directions if directions is not None else [1] * n)
+        if m != n:
+            raise ValueError(f"{n} edges, {m} directions")
+        self.do("set_outline", panel, n, cells, signs)
+
+    def add_seam(self, edge_a, edge_b, **options):
+        """Sew two edges. options: direction, ease, tolerance (mus_seam_def)."""
+        definition = make_def(_abi.mus_seam_def, lib.mus_seam_def_init,
+                              {"edge_a": edge_a, "edge_b": edge_b, **options})
+        return self._add("add_seam", ctypes.byref(definition))
+
+    def add_notch(self, edge, s, kind=1):
+        return self._add("add_notch", edge, s, kind)
+
+    def set_label(self, edge, label):
+        """The opening or role of an edge ("hem", "neck")."""
+        self.do("set_edge_label", edge, text(label))
+
+    def set_placement(self, panel, **options):
+        """Where a panel starts: origin, rotation, bend, bend_x (mus_placement)."""
+        placement = make_def(_abi.mus_placement, lib.mus_placement_init, options)
+        self.do("set_placement", panel, ctypes.byref(placement))
+
+    def placement(self, panel):
+        placement = make_def(_abi.mus_placement, lib.mus_placement_init)
+        self.do("placement", panel, ctypes.byref(placement))
+        return read_struct(placement)
+
+    # ---- query ----
+
+    @property
+    def name(self):
+        return self.get("name")
+
+    @name.setter
+    def name(self, value):
+        self.do("set_name", text(value))
+
+    @property
+    def panels(self):
+        """Names of the panels."""
+        return [self.get("panel_name", i) for i in range(self.get("panel_count"))]
+
+    @property
+    def edge_count(self):
+        return self.get("edge_count")
+
+    @property
+    def point_count(self):
+        return self.get("point_count")
+
+    @property
+    def seam_count(self):
+        return self.get("seam_count")
+
+    def outline(self, panel):
+        """[(edge, direction)] of a panel."""
+        n, edges, signs = ctypes.c_int32(), ctypes.POINTER(ctypes.c_int32)(), ctypes.POINTER(ctypes.c_int32)()
+        self.do("outline", panel, ctypes.byref(n), ctypes.byref(edges), ctypes.byref(signs))
+        return [(edges[i], signs[i]) for i in range(n.value)]
+
+    def point(self, point):
+        """(panel, x, y) of a point."""
+        panel, place = ctypes.c_int32(), (ctypes.c_double * 2)()
+        self.do("point", point, ctypes.byref(panel), place)
+        return panel.value, place[0], place[1]
+
+    def edge_ends(self, edge):
+        start, end = ctypes.c_int32(), ctypes.c_int32()
+        self.do("edge_ends", edge, ctypes.byref(start), ctypes.byref(end))
+        return start.value, end.value
+
+    def edge_name(self, edge):
+        return self.get("edge_name", edge)
+
+    def edge_label(self, edge):
+        return self.get("edge_label", edge)
+
+    def edge_length(self, edge):
+        """[m]."""
+        return self.get("edge_length", edge)
+
+    def edge_polyline(self, edge, chords=40):
+        """Points (n x 2) along an edge, each curved piece in `chords` chords."""
+        count = ctypes.c_int32()
+        self.do("edge_polyline", edge, chords, None, 0, ctypes.byref(count))
+        points = (ctypes.c_double * (2 * count.value))()
+        self.do("edge_polyline", edge, chords, points, count.value, ctypes.byref(count))
+        return result(points, 2)
+
+    def area(self, panel):
+        """[m2]."""
+        return self.get("panel_area", panel)
+
+    def perimeter(self, panel):
+        """[m]."""
+        return self.get("panel_perimeter", panel)
+
+    def seam(self, seam):
+        """{edge_a, edge_b, direction, ease, tolerance} of a seam."""
+        definition = make_def(_abi.mus_seam_def, lib.mus_seam_def_init)
+        self.do("seam", seam, ctypes.byref(definition))
+        return read_struct(definition)
+
+    # ---- topology and check ----
+
+    def topology(self):
+        """{vertices, edges, faces, euler, components, loops, orientable, manifold, genus} of the sewn pattern."""
+        topology = make_def(_abi.mus_topology, lib.mus_topology_init)
+        self.do("topology", ctypes.byref(topology))
+        return read_struct(topology)
+
+    def loops(self):
+        """[(edges, length [m])] of the openings of the sewn pattern."""
+        return [self._loop(i) for i in range(self.topology()["loops"])]
+
+    def _loop(self, loop):
+        count, length = ctypes.c_int32(), ctypes.c_double()
+        self.do("loop", loop, None, 0, ctypes.byref(count), ctypes.byref(length))
+        edges = (ctypes.c_int32 * count.value)()
+        self.do("loop", loop, edges, count.value, ctypes.byref(count), None)
+        return list(edges), length.value
+
+    def check(self):
+        """[(kind, sentence)] of the faults; empty when it is fit to cut and sew."""
+        count = ctypes.c_int32()
+        with self.context.lock:
+            self.do("check", ctypes.byref(count))
+            return [self._fault(i) for i in range(count.value)]
+
+    def _fault(self, index):
+        kind, sentence = ctypes.c_int32(), ctypes.c_char_p()
+        self.do("fault", index, ctypes.byref(kind), None, None, None, ctypes.byref(sentence))
+        return _FAULTS[kind.value], sentence.value.decode("utf-8", "replace")

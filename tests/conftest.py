@@ -1,0 +1,40 @@
+"""What the Python tests share: where the programs, the data and the package are."""
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+BIN = pathlib.Path(os.environ.get("MUSLIN_BIN", ROOT / "build" / "bin"))
+DATA = pathlib.Path(os.environ.get("MUSLIN_DATA", ROOT.parent / "shared" / "data"))
+sys.path.insert(0, str(ROOT / "bindings" / "python"))
+
+
+@pytest.fixture(scope="session")
+def root():
+    """The repository."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def command():
+    """Run the command: command("draft", "--tape", path, ...) gives the finished process; `code` is what it must end
+    with (None: any)."""
+    def run(*arguments, code=0, **options):
+        done = subprocess.run([str(BIN / "muslin"), *map(str, arguments)], capture_output=True, timeout=300, **options)
+        if code is not None:
+            assert done.returncode == code, done.stderr.decode("utf-8", "replace")
+        return done
+    return run
+
+
+@pytest.fixture(scope="session")
+def data():
+    """Path of a file of the real data; the test is skipped, with the path, where it is not there."""
+    def path(relative):
+        if not (DATA / relative).exists():
+            pytest.skip(f"no {DATA / relative} (set MUSLIN_DATA)")  # real data lies outside the repository
+        return DATA / relative
+    return path

@@ -1,0 +1,194 @@
+"""Lives and errors: owners outlive their views, a status is an exception with the library's sentence."""
+import gc
+import pickle
+import subprocess
+import sys
+import threading
+import weakref
+
+import pytest
+
+import muslin
+from muslin.context import Context
+
+
+@pytest.fixture
+def context():
+    return Context()
+
+
+@pytest.fixture
+def skirt(context):
+    """(tape, body, pattern, cloth) of a small scene in one context."""
+    tape = muslin.Tape.size("W40", context=context)
+    pattern = muslin.draft("skirt", tape)
+    return tape, muslin.Body(tape), pattern, muslin.Cloth(pattern, spacing=0.03)
+
+
+def test_versions_agree():
+    assert muslin.version() == muslin.__version__
+
+
+def test_a_view_keeps_its_owner_alive_and_the_last_view_frees_it(context):
+    pattern = muslin.draft("skirt", muslin.Tape.size("W40", context=context))
+    cloth = muslin.Cloth(pattern, spacing=0.03)
+    held = context.bytes
+    view, gone = cloth.masses, weakref.ref(cloth)
+    part = view[2:5]
+    first = [float(mass) for mass in part]
+    del cloth, view
+    gc.collect()
+    assert gone() is not None and context.bytes == held
+    assert [float(mass) for mass in part] == first
+    del part
+    gc.collect()
+    assert gone() is None and context.bytes < held
+
+
+def test_close_waits_for_views_and_ends_the_object(skirt):
+    cloth = skirt[3]
+    view = cloth.triangles
+    with pytest.raises(BufferError):
+        cloth.close()
+    del view
+    gc.collect()
+    cloth.close()
+    cloth.close()
+    with pytest.raises(ValueError):
+        len(cloth)
+
+
+def test_bytes_return_to_zero(context):
+    with muslin.Tape.size("M50", context=context) as tape:
+        assert context.bytes > 0
+        with muslin.Body(tape) as body:
+            assert len(body.limbs) >= 5
+    del tape, body
+    gc.collect()
+    assert context.bytes == 0
+
+
+def test_views_cannot_be_written(skirt):
+    cloth = skirt[3]
+    with pytest.raises((ValueError, TypeError)):
+        cloth.rest[0, 0] = 1.0
+
+
+def test_views_follow_the_drape(skirt):
+    _, body, _, cloth = skirt
+    drape = muslin.Drape(cloth, body)
+    positions = drape.positions
+    drape.place()
+    first = float(positions[0, 1])
+    drape.step(20, drape.step_bound / 2)
+    assert float(positions[0, 1]) != first
+    assert drape.time > 0
+
+
+def test_without_numpy_the_same_numbers_come_as_memoryviews(root):
+    text = """
+import sys
+sys.modules["numpy"] = None
+import muslin
+pattern = muslin.draft("skirt", muslin.Tape.size("W40"))
+cloth = muslin.Cloth(pattern, spacing=0.03)
+view = cloth.rest
+assert isinstance(view, memoryview) and view.readonly and view.shape == (len(cloth), 2), view
+drape = muslin.Drape(cloth)
+drape.set_state([[0.0, float(i), 0.5] for i in range(len(cloth))])
+assert drape.positions[7, 1] == 7.0 and drape.positions.tolist()[3] == [0.0, 3.0, 0.5]
+del cloth, pattern, drape
+assert view[0, 0] == view[0, 0]
+"""
+    subprocess.run([sys.executable, "-c", text], check=True, cwd=root)
+
+
+def test_a_status_is_an_exception_with_the_sentence(context):
+    tape = muslin.Tape(context=context)
+    with pytest.raises(muslin.MuslinError) as caught:
+        tape["waist"] = 76.0  # centimetres given for metres
+    assert caught.value.name == "MUS_ERR_TAPE"
+    assert "waist" in str(caught.value) and caught.value.text == context.error
+    assert tape["waist"] is None
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (again.status, again.text) == (caught.value.status, caught.value.text)
+
+
+def test_unknown_names_are_refused_before_the_library_is_asked(skirt, context):
+    tape, body, pattern, cloth = skirt
+    with pytest.raises(KeyError):
+        tape["girth"]
+    with pytest.raises(KeyError, match="skirt"):
+        muslin.draft("spacesuit", tape)
+    with pytest.raises(KeyError):
+        muslin.Fabric("lead")
+    with pytest.raises(TypeError, match="threads"):
+        muslin.Drape(cloth, body, thread=2)
+    with pytest.raises(ValueError):
+        muslin.Drape(cloth, muslin.Body(muslin.Tape.size("W40", context=Context())))
+
+
+def test_not_a_number_is_refused_at_the_door(skirt):
+    pattern = muslin.Pattern("square")
+    panel = pattern.add_panel("front")
+    with pytest.raises(muslin.MuslinError):
+        pattern.add_point(panel, float("nan"), 0)
+    assert pattern.point_count == 0
+    cloth = skirt[3]
+    with pytest.raises(muslin.MuslinError):
+        muslin.Drape(cloth, gravity=(0, float("inf"), 0))
+
+
+def test_a_pattern_built_by_hand_is_an_annulus_when_sewn():
+    pattern = muslin.Pattern("tube")
+    panel = pattern.add_panel("wall")
+    corners = [pattern.add_point(panel, x, y) for x, y in [(0, 0), (1, 0), (1, 0.5), (0, 0.5)]]
+    edges = [pattern.add_edge(corners[i], corners[(i + 1) % 4]) for i in range(4)]
+    pattern.set_outline(panel, edges)
+    assert pattern.area(panel) == pytest.approx(0.5)
+    pattern.add_seam(edges[1], edges[3])
+    assert pattern.check() == []
+    shape = pattern.topology()
+    assert (shape["euler"], shape["loops"], shape["orientable"]) == (0, 2, 1)
+    assert sorted(length for _, length in pattern.loops()) == pytest.approx([1, 1])
+
+
+def test_an_exception_in_progress_stops_the_run_and_comes_out(skirt):
+    _, body, _, cloth = skirt
+    drape = muslin.Drape(cloth, body)
+    drape.place()
+
+    def progress(phase, share):
+        raise RuntimeError(f"stopped in {phase}")
+
+    with pytest.raises(RuntimeError, match="stopped in sew"):
+        drape.sew(progress)
+
+
+def test_log_lines_reach_python(tmp_path):
+    lines = []
+    context = Context(log=lambda level, text: lines.append((level, text)))
+    path = tmp_path / "body.yaml"
+    path.write_text("body:\n  height: 170\n  bust: 90\n  waist: 70\n  hips: 96\n  favourite_colour_number: 5\n")
+    muslin.Tape.read(path, context=context)
+    assert any("favourite_colour_number" in text for _, text in lines)
+
+
+def test_two_contexts_work_side_by_side():
+    hashes = {}
+
+    def work(key):
+        context = Context()
+        tape = muslin.Tape.size("W40", context=context)
+        cloth = muslin.Cloth(muslin.draft("skirt", tape), spacing=0.03)
+        drape = muslin.Drape(cloth, muslin.Body(tape))
+        drape.place()
+        drape.step(50, drape.step_bound / 2)
+        hashes[key] = drape.state_hash
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(hashes) == 2 and hashes[0] == hashes[1]

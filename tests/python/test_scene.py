@@ -1,0 +1,68 @@
+"""The same scene by the package and by the command: the same state, bit for bit, for any number of threads."""
+import json
+
+import pytest
+
+import muslin
+
+SPACING = 0.02
+
+
+@pytest.fixture(scope="module")
+def scene(root, tmp_path_factory, command):
+    """(pattern file, tape file, the command's report) of a draped skirt."""
+    folder = tmp_path_factory.mktemp("scene")
+    tape, pattern, report = root / "examples/tapes/w40.tape", folder / "skirt.json", folder / "report.json"
+    command("draft", "--design", "skirt", "--tape", tape, "-o", pattern)
+    command("dress", "--pattern", pattern, "--tape", tape, "--spacing", SPACING * 1000, "--report", report)
+    return pattern, tape, json.loads(report.read_text())
+
+
+def drape(pattern_path, tape_path, **options):
+    tape = muslin.Tape.read(tape_path)
+    pattern = muslin.Pattern.read(pattern_path)
+    drape = muslin.Drape(muslin.Cloth(pattern, spacing=SPACING), muslin.Body(tape), **options)
+    drape.place()
+    drape.sew()
+    drape.settle()
+    return drape
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_the_hash_is_the_commands(scene, threads):
+    pattern, tape, report = scene
+    assert drape(pattern, tape, threads=threads).state_hash == report["state_hash"]
+
+
+def test_the_report_says_the_same(scene):
+    pattern, tape, report = scene
+    got = drape(pattern, tape).report
+    assert got["nodes"] == report["nodes"]
+    assert got["steps"] == report["steps"]
+    assert got["settled"] == 1 and report["status"] == "settled"
+    assert got["max_seam_gap"] * 1000 == pytest.approx(report["max_seam_gap_mm"], abs=1e-6)
+
+
+def test_the_draft_is_the_commands(scene, tmp_path):
+    pattern, tape, _ = scene
+    muslin.draft("skirt", muslin.Tape.read(tape)).write(tmp_path / "skirt.json")
+    assert (tmp_path / "skirt.json").read_bytes() == pattern.read_bytes()
+
+
+def test_paper_and_meshes_are_written(scene, tmp_path):
+    pattern, tape, _ = scene
+    sheet = muslin.Sheet(muslin.Pattern.read(pattern), paper="a4", person="W40")
+    columns, rows = sheet.grid
+    assert sheet.page_count >= columns * rows > 1
+    sheet.write_pdf(tmp_path / "skirt.pdf")
+    sheet.write_svg(tmp_path / "skirt.svg")
+    assert (tmp_path / "skirt.pdf").read_bytes()[:5] == b"%PDF-"
+
+    body = muslin.Body(muslin.Tape.read(tape))
+    mesh = muslin.Mesh("body", body.vertices, body.triangles, normals=body.normals, colour=(0.8, 0.6, 0.5, 1))
+    muslin.write_obj(tmp_path / "body.obj", [mesh])
+    muslin.write_glb(tmp_path / "body.glb", [mesh])
+    assert (tmp_path / "body.glb").read_bytes()[:4] == b"glTF"
+    assert (tmp_path / "body.obj").read_text().count("\nf ") == len(body.triangles)
+    with pytest.raises(muslin.MuslinError, match="no/such/folder"):
+        sheet.write_pdf("no/such/folder/skirt.pdf")

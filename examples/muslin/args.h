@@ -1,0 +1,40 @@
+/* args.h: options of a subcommand as a table, read once; and the exit codes of the command. */
+#ifndef MUSLIN_ARGS_H
+#define MUSLIN_ARGS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define EXIT_DONE 0
+#define EXIT_FAILED 1 /* a run that failed */
+#define EXIT_INPUT 2  /* bad input */
+
+/* Kinds of option: a flag (bool), text (const char *), a number (double), a list (texts) and a plain argument. */
+typedef enum option_kind { OPTION_FLAG, OPTION_TEXT, OPTION_NUMBER, OPTION_LIST, OPTION_PLAIN } option_kind;
+
+typedef struct texts {
+    int32_t count;
+    const char *at[32];
+} texts;
+
+typedef struct option {
+    const char *name; /* "--tape"; of a plain argument its name in messages */
+    option_kind kind;
+    void *value;
+    double low, high; /* of a number */
+    const char *help; /* one line: "FILE  what it is" */
+} option;
+
+/*
+ * Read the arguments behind the subcommand. Prints the help and exits 0 at --help; prints one line and returns false
+ * when an option is unknown, lacks its value, is given twice (lists apart) or is out of range.
+ */
+bool args_read(const char *command, const char *summary, const option *options, int argc, char **argv);
+
+/* One line on standard error, "muslin COMMAND: text". Returns `code`. */
+int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* A whole number with a decimal point, whatever the locale; false when `text` is not one. */
+bool number_read(const char *text, double *out);
+
+#endif

@@ -1,0 +1,99 @@
+/*
+ * body.c: muslin body: tape to body, the girths asked beside the girths made.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "commands.h"
+#include "json.h"
+#include "scene.h"
+
+
+/* the body's surface as a mesh to write */
+static void body_view(const mus_body *body, mus_mesh_view *view)
+{
+    mus_mesh_view_init(view, sizeof *view);
+    view->name = "body";
+    view->vertex_count = mus_body_vertex_count(body);
+    view->triangle_count = mus_body_triangle_count(body);
+    view->positions = mus_body_vertices(body);
+    view->normals = mus_body_normals(body);
+    view->triangles = mus_body_triangles(body);
+}
+
+
+static void write_table(const mus_body *body, double spent)
+{
+    printf("%-16s %10s %10s %8s\n", "measure", "asked", "made", "error");
+    for (int32_t m = 0; m < mus_measure_count(); m++) {
+        const double asked = mus_body_asked(body, m), made = mus_body_made(body, m);
+        if (!isfinite(asked)) continue;
+        const int angle = mus_measure_unit(m) == 'r';
+        printf("%-16s %8.2f %s", mus_measure_name(m), asked * (angle ? 57.295779513082 : 100.0), angle ? "o" : "cm");
+        if (isfinite(made)) printf(" %8.2fcm %6.2fmm", 100.0 * made, 1000.0 * (made - asked));
+        else printf(" %10s %8s", "", "");
+        printf("%s\n", mus_body_source(body, m) == MUS_SOURCE_DERIVED ? "  derived" : "");
+    }
+    printf("volume %.1f l, %.1f ms\n", 1000.0 * mus_body_volume(body), 1000.0 * spent);
+}
+
+
+static void write_json(const mus_body *body, double spent, json *j)
+{
+    json_open(j, NULL, '{');
+    json_open(j, "measures", '[');
+    for (int32_t m = 0; m < mus_measure_count(); m++) {
+        json_open(j, NULL, '{');
+        json_text(j, "name", mus_measure_name(m));
+        json_number(j, "asked_m", mus_body_asked(body, m));
+        json_number(j, "made_m", mus_body_made(body, m));
+        json_bool(j, "derived", mus_body_source(body, m) == MUS_SOURCE_DERIVED);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+    json_number(j, "volume_m3", mus_body_volume(body));
+    json_number(j, "seconds", spent);
+    json_close(j, '}');
+}
+
+
+int command_body(int argc, char **argv)
+{
+    source from = {0};
+    const char *obj = NULL;
+    bool as_json = false;
+    const option options[] = {SOURCE_TAPE(from),
+                              {"--obj", OPTION_TEXT, &obj, 0, 0, "FILE  write the surface"},
+                              {"--json", OPTION_FLAG, &as_json, 0, 0, "measures as JSON on standard output"},
+                              {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
+    if (!args_read("body", "Make the body of a tape; show the girths asked and the girths made.", options, argc, argv))
+        return EXIT_INPUT;
+
+    scene s;
+    mus_body *body = NULL;
+    json j = {0};
+    int code = scene_open(&s, "body");
+    if (code == EXIT_DONE) code = scene_tape(&s, &from);
+    if (code == EXIT_DONE) {
+        const double start = seconds();
+        mus_status status = mus_body_create(s.context, s.tape, NULL, &body);
+        const double spent = seconds() - start;
+        if (status == MUS_OK && obj != NULL) {
+            mus_mesh_view view;
+            body_view(body, &view);
+            status = mus_mesh_write_obj(s.context, obj, 1, &view);
+        }
+        if (status != MUS_OK) {
+            code = scene_fail(&s, status);
+        } else if (as_json) {
+            write_json(body, spent, &j);
+            if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
+        } else {
+            write_table(body, spent);
+        }
+    }
+    json_free(&j);
+    mus_body_destroy(body);
+    scene_close(&s);
+    return code;
+}

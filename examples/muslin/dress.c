@@ -1,0 +1,266 @@
+/*
+ * dress.c: muslin dress: place, sew, settle; picture, meshes, report.
+ *
+ * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1.
+ */
+#define _POSIX_C_SOURCE 200809L /* isatty */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "json.h"
+#include "picture.h"
+#include "scene.h"
+
+typedef struct dress {
+    scene s;
+    source from;
+    look look;
+    const char *fabric, *png, *glb, *obj, *report;
+    double spacing_mm, threads, precision, friction;
+    bool as_json, quiet;
+
+    mus_body *body;
+    mus_cloth *cloth;
+    mus_drape *drape;
+    mus_status outcome;
+    char reason[512];
+    double body_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
+} dress;
+
+
+/* one line that rewrites itself on a terminal */
+static int32_t show_progress(void *user, const char *phase, double progress)
+{
+    (void)user;
+    fprintf(stderr, "\r%-7s %3.0f %%", phase, 100.0 * progress);
+    fflush(stderr);
+    return 0;
+}
+
+
+static const char *status_word(mus_status status)
+{
+    switch (status) {
+    case MUS_OK: return "settled";
+    case MUS_ERR_SEW: return "seam cannot close";
+    case MUS_ERR_UNSETTLED: return "not settled";
+    case MUS_ERR_DIVERGED: return "unstable";
+    case MUS_ERR_MEMORY: return "no memory";
+    default: return "bad input";
+    }
+}
+
+
+/* body, cloth, drape: everything before the first step */
+static mus_status prepare(dress *d)
+{
+    double start = seconds();
+    mus_status status = MUS_OK;
+    if (d->s.tape != NULL) status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
+    d->body_seconds = seconds() - start;
+    if (status != MUS_OK) return status;
+
+    start = seconds();
+    mus_cloth_def cut;
+    mus_cloth_def_init(&cut, sizeof cut);
+    if (d->fabric != NULL && mus_fabric_find(d->fabric, &cut.fabric) != MUS_OK) {
+        char text[128];
+        snprintf(text, sizeof text, "--fabric %.60s: no such fabric", d->fabric);
+        return mus_context_fail(d->s.context, MUS_ERR_ARG, text);
+    }
+    cut.spacing = 0.001 * d->spacing_mm;
+    status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
+    d->mesh_seconds = seconds() - start;
+    if (status != MUS_OK) return status;
+
+    mus_drape_def def;
+    mus_drape_def_init(&def, sizeof def);
+    def.threads = (int32_t)d->threads;
+    def.precision = (int32_t)d->precision;
+    def.friction = d->friction;
+    status = mus_drape_create(d->s.context, d->cloth, d->body, &def, &d->drape);
+    return status == MUS_OK ? mus_drape_place(d->drape) : status;
+}
+
+
+/* sew and settle; the outcome is kept for the report */
+static void run(dress *d)
+{
+    const bool show = !d->quiet && isatty(STDERR_FILENO);
+    const mus_progress_fn progress = show ? show_progress : NULL;
+    double start = seconds();
+    d->outcome = mus_drape_sew(d->drape, progress, NULL);
+    d->sew_seconds = seconds() - start;
+    start = seconds();
+    if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, NULL);
+    d->settle_seconds = seconds() - start;
+    if (show) fputs("\r             \r", stderr);
+    if (d->outcome != MUS_OK) snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+}
+
+
+static void write_seconds(const dress *d, json *j)
+{
+    json_open(j, "seconds", '{');
+    json_number(j, "draft", d->s.draft_seconds);
+    json_number(j, "body", d->body_seconds);
+    json_number(j, "mesh", d->mesh_seconds);
+    json_number(j, "sew", d->sew_seconds);
+    json_number(j, "settle", d->settle_seconds);
+    json_number(j, "render", d->render_seconds);
+    json_close(j, '}');
+}
+
+
+static void describe(const dress *d, json *j)
+{
+    json_open(j, NULL, '{');
+    json_text(j, "garment", mus_pattern_name(d->s.pattern));
+    json_text(j, "status", status_word(d->outcome));
+    if (d->outcome != MUS_OK) json_text(j, "reason", d->reason);
+    if (d->drape != NULL) {
+        mus_drape_report r;
+        char hash[24];
+        mus_drape_report_init(&r, sizeof r);
+        mus_drape_report_get(d->drape, &r);
+        snprintf(hash, sizeof hash, "%016llx", (unsigned long long)mus_drape_hash(d->drape));
+        json_int(j, "panels", mus_cloth_panel_count(d->cloth));
+        json_int(j, "nodes", r.nodes);
+        json_int(j, "springs", r.springs);
+        json_int(j, "seams", r.seams);
+        json_int(j, "seams_closed", r.seams_closed);
+        json_number(j, "max_seam_gap_mm", 1000.0 * r.max_seam_gap);
+        json_number(j, "max_penetration_mm", 1000.0 * r.max_penetration);
+        json_number(j, "max_strain", r.max_strain);
+        json_number(j, "residual", r.residual);
+        json_number(j, "max_speed_m_s", r.max_speed);
+        json_number(j, "mass_kg", mus_cloth_mass(d->cloth));
+        json_int(j, "steps", r.steps);
+        json_number(j, "step_s", r.step);
+        json_number(j, "step_bound_s", r.step_bound);
+        json_number(j, "sew_time_s", r.sew_time);
+        json_number(j, "settle_time_s", r.settle_time);
+        json_int(j, "spring_evaluations", r.spring_evaluations);
+        json_int(j, "contact_queries", r.contact_queries);
+        json_text(j, "skipped", mus_drape_skipped(d->drape));
+        json_text(j, "state_hash", hash);
+    }
+    write_seconds(d, j);
+    json_close(j, '}');
+}
+
+
+/* picture and meshes of what there is now */
+static int write_shapes(dress *d)
+{
+    if (d->png == NULL && d->glb == NULL && d->obj == NULL) return EXIT_DONE;
+    garment g;
+    int code = garment_make(&d->s, &d->look, d->body, d->cloth, d->drape, &g);
+    const int32_t skip = d->body == NULL ? 1 : 0;
+    mus_status status = MUS_OK;
+    if (code == EXIT_DONE && d->glb != NULL)
+        status = mus_mesh_write_glb(d->s.context, d->glb, 2 - skip, g.view + skip);
+    if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
+        status = mus_mesh_write_obj(d->s.context, d->obj, 2 - skip, g.view + skip);
+    if (status != MUS_OK) code = scene_fail(&d->s, status);
+    const double start = seconds();
+    if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
+    d->render_seconds = seconds() - start;
+    garment_free(&g);
+    return code;
+}
+
+
+/* report where asked, else one line for people */
+static int write_report(const dress *d)
+{
+    int code = EXIT_DONE;
+    json j = {0};
+    describe(d, &j);
+    if (d->report != NULL && !json_write(&j, "dress", d->report)) code = EXIT_FAILED;
+    if (d->as_json && !json_write(&j, "dress", "-")) code = EXIT_FAILED;
+    json_free(&j);
+    if (d->as_json || d->drape == NULL || (d->report != NULL && strcmp(d->report, "-") == 0)) return code;
+
+    mus_drape_report r;
+    mus_drape_report_init(&r, sizeof r);
+    if (mus_drape_report_get(d->drape, &r) == MUS_OK)
+        printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, strain %.1f %%, %.1f s\n",
+               mus_pattern_name(d->s.pattern), status_word(d->outcome), (int)r.nodes, (int)r.seams_closed,
+               (int)r.seams, 1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
+               d->mesh_seconds + d->sew_seconds + d->settle_seconds);
+    return code;
+}
+
+
+static int read_options(dress *d, int argc, char **argv)
+{
+    d->spacing_mm = 10.0;
+    d->threads = 1.0;
+    d->precision = 32.0;
+    d->friction = NAN;
+    d->look.repeat = 0.1;
+    const option options[] = {
+        SOURCE_PATTERN(d->from),
+        SOURCE_TAPE(d->from),
+        {"--fabric", OPTION_TEXT, &d->fabric, 0, 0, "NAME  jersey (default), cotton, denim, wool, silk, ..."},
+        {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
+        {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
+        {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
+        {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
+        {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
+        {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
+        {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
+        {"--png", OPTION_TEXT, &d->png, 0, 0, "FILE  the picture"},
+        {"--glb", OPTION_TEXT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0"},
+        {"--obj", OPTION_TEXT, &d->obj, 0, 0, "FILE  body and garment as OBJ"},
+        {"--report", OPTION_TEXT, &d->report, 0, 0, "FILE  what happened, as JSON"},
+        {"--json", OPTION_FLAG, &d->as_json, 0, 0, "the report on standard output"},
+        {"--threads", OPTION_NUMBER, &d->threads, 1, 64, "N  threads, default 1; the result is the same"},
+        {"--precision", OPTION_NUMBER, &d->precision, 32, 64, "BITS  of the state: 32 (default) or 64"},
+        {"--quiet", OPTION_FLAG, &d->quiet, 0, 0, "no progress on the terminal"},
+        {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
+    if (!args_read("dress", "Sew a garment round a body and let it come to rest.", options, argc, argv))
+        return EXIT_INPUT;
+    if (floor(d->threads) != d->threads) return complain(EXIT_INPUT, "dress", "--threads: expected a whole number");
+    return EXIT_DONE;
+}
+
+
+int command_dress(int argc, char **argv)
+{
+    dress *d = calloc(1, sizeof *d);
+    if (d == NULL) return complain(EXIT_FAILED, "dress", "no memory");
+    int code = read_options(d, argc, argv);
+    if (code != EXIT_DONE) {
+        free(d);
+        return code;
+    }
+
+    code = scene_open(&d->s, "dress");
+    if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
+    if (code == EXIT_DONE && (d->from.tape != NULL || d->from.size != NULL)) code = scene_tape(&d->s, &d->from);
+    if (code == EXIT_DONE) code = scene_pattern(&d->s, &d->from);
+    if (code == EXIT_DONE) {
+        d->outcome = prepare(d);
+        if (d->outcome == MUS_OK) run(d);
+        else snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+        if (d->outcome != MUS_OK) code = scene_fail(&d->s, d->outcome);
+        if (d->drape != NULL) {
+            const int shapes = write_shapes(d);
+            if (code == EXIT_DONE) code = shapes;
+        }
+        const int report = write_report(d);
+        if (code == EXIT_DONE) code = report;
+    }
+    mus_drape_destroy(d->drape);
+    mus_cloth_destroy(d->cloth);
+    mus_body_destroy(d->body);
+    scene_close(&d->s);
+    free(d);
+    return code;
+}

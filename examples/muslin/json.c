@@ -1,0 +1,140 @@
+/*
+ * json.c: JSON text in a growing buffer. A file is written beside its name and renamed.
+ */
+#include "json.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+
+
+static void put(json *j, const char *text, size_t bytes)
+{
+    if (j->failed) return;
+    if (j->length + bytes + 1 > j->capacity) {
+        const size_t capacity = 2 * j->capacity + bytes + 256;
+        char *bigger = realloc(j->text, capacity);
+        if (bigger == NULL) {
+            j->failed = true;
+            return;
+        }
+        j->text = bigger;
+        j->capacity = capacity;
+    }
+    memcpy(j->text + j->length, text, bytes);
+    j->length += bytes;
+    j->text[j->length] = '\0';
+}
+
+
+static void put_string(json *j, const char *value)
+{
+    put(j, "\"", 1);
+    for (const unsigned char *c = (const unsigned char *)value; *c != '\0'; c++) {
+        char escape[8];
+        if (*c == '"' || *c == '\\') snprintf(escape, sizeof escape, "\\%c", *c);
+        else if (*c < 0x20) snprintf(escape, sizeof escape, "\\u%04x", *c);
+        else snprintf(escape, sizeof escape, "%c", *c);
+        put(j, escape, strlen(escape));
+    }
+    put(j, "\"", 1);
+}
+
+
+/* comma and key of the next member */
+static void begin(json *j, const char *key)
+{
+    if (j->comma) put(j, ", ", 2);
+    j->comma = true;
+    if (key == NULL) return;
+    put_string(j, key);
+    put(j, ": ", 2);
+}
+
+
+void json_open(json *j, const char *key, char bracket)
+{
+    begin(j, key);
+    put(j, &bracket, 1);
+    j->comma = false;
+}
+
+
+void json_close(json *j, char bracket)
+{
+    put(j, &bracket, 1);
+    j->comma = true;
+}
+
+
+void json_text(json *j, const char *key, const char *value)
+{
+    begin(j, key);
+    put_string(j, value);
+}
+
+
+void json_int(json *j, const char *key, int64_t value)
+{
+    char text[32];
+    begin(j, key);
+    snprintf(text, sizeof text, "%lld", (long long)value);
+    put(j, text, strlen(text));
+}
+
+
+void json_bool(json *j, const char *key, bool value)
+{
+    begin(j, key);
+    put(j, value ? "true" : "false", value ? 4 : 5);
+}
+
+
+void json_null(json *j, const char *key)
+{
+    begin(j, key);
+    put(j, "null", 4);
+}
+
+
+void json_number(json *j, const char *key, double value)
+{
+    char text[40];
+    if (!isfinite(value)) {
+        json_null(j, key);
+        return;
+    }
+    begin(j, key);
+    snprintf(text, sizeof text, "%.9g", value);
+    put(j, text, strlen(text));
+}
+
+
+void json_free(json *j)
+{
+    free(j->text);
+    memset(j, 0, sizeof *j);
+}
+
+
+bool json_write(const json *j, const char *command, const char *path)
+{
+    if (j->failed) return complain(EXIT_FAILED, command, "no memory for %s", path) == EXIT_DONE;
+    if (strcmp(path, "-") == 0) return fwrite(j->text, 1, j->length, stdout) == j->length && putchar('\n') != EOF;
+
+    char name[4096];
+    if (snprintf(name, sizeof name, "%s.part", path) >= (int)sizeof name)
+        return complain(EXIT_FAILED, command, "%s: the name is too long", path) == EXIT_DONE;
+    FILE *file = fopen(name, "wb");
+    if (file == NULL) return complain(EXIT_FAILED, command, "%s cannot be written: %s", path, strerror(errno)) == EXIT_DONE;
+    bool done = fwrite(j->text, 1, j->length, file) == j->length && fputc('\n', file) != EOF;
+    done = fclose(file) == 0 && done && rename(name, path) == 0;
+    if (done) return true;
+    const int reason = errno;
+    remove(name);
+    return complain(EXIT_FAILED, command, "%s cannot be written: %s", path, strerror(reason)) == EXIT_DONE;
+}

@@ -1,0 +1,30 @@
+/* json.h: JSON text, written in order; and whole files. */
+#ifndef MUSLIN_JSON_H
+#define MUSLIN_JSON_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Text that grows. `failed` is set when memory ran out, and stays. */
+typedef struct json {
+    char *text;
+    size_t length, capacity;
+    bool comma; /* the next member needs one */
+    bool failed;
+} json;
+
+void json_open(json *j, const char *key, char bracket); /* '{' or '['; key NULL in a list or at the top */
+void json_close(json *j, char bracket);
+void json_text(json *j, const char *key, const char *value);
+void json_int(json *j, const char *key, int64_t value);
+void json_bool(json *j, const char *key, bool value);
+void json_null(json *j, const char *key);
+/* nine significant digits; null when not finite */
+void json_number(json *j, const char *key, double value);
+void json_free(json *j);
+
+/* Write the text and a line end to `path`, whole or not at all; "-" is standard output. Complains for `command`. */
+bool json_write(const json *j, const char *command, const char *path);
+
+#endif

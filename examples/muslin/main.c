@@ -1,0 +1,61 @@
+/*
+ * main.c: the muslin command: from tape to paper. Each subcommand stands in a file of its own.
+ *
+ * Exit 0 only when the asked thing was done; 2 for bad input, 1 for a run that failed; one line on standard error.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "args.h"
+#include "commands.h"
+#include "muslin/base.h"
+
+static const struct {
+    const char *name;
+    int (*run)(int argc, char **argv);
+    const char *help;
+} commands[] = {
+    {"body", command_body, "tape to body; girths asked, girths made"},
+    {"designs", command_designs, "the named designs"},
+    {"draft", command_draft, "tape to pattern"},
+    {"dress", command_dress, "sew and drape: picture, mesh, report"},
+    {"print", command_print, "ready-to-cut paper: PDF, SVG"},
+    {"convert", command_convert, "one pattern or tape file to another form"},
+    {"bench", command_bench, "speed table"},
+};
+
+#define COMMANDS (sizeof commands / sizeof commands[0])
+
+
+static void usage(FILE *out)
+{
+    fprintf(out, "usage: muslin COMMAND [options]\n\n");
+    for (size_t i = 0; i < COMMANDS; i++) fprintf(out, "  %-10s %s\n", commands[i].name, commands[i].help);
+    fprintf(out, "\nmuslin COMMAND --help tells the options; muslin --version the version.\n");
+}
+
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        usage(stderr);
+        return EXIT_INPUT;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+        usage(stdout);
+        return EXIT_DONE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("muslin %d.%d.%d\n", MUS_VERSION_MAJOR, MUS_VERSION_MINOR, MUS_VERSION_PATCH);
+        return EXIT_DONE;
+    }
+    for (size_t i = 0; i < COMMANDS; i++) {
+        if (strcmp(argv[1], commands[i].name) != 0) continue;
+        const int code = commands[i].run(argc - 2, argv + 2);
+        if (fflush(stdout) != 0 && code == EXIT_DONE)
+            return complain(EXIT_FAILED, argv[1], "standard output cannot be written");
+        return code;
+    }
+    fprintf(stderr, "muslin: command \"%s\" is unknown; see muslin --help\n", argv[1]);
+    return EXIT_INPUT;
+}

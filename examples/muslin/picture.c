@@ -1,0 +1,144 @@
+/*
+ * picture.c: a dressed body as a picture: the renderer's scene from the library's arrays.
+ */
+#include "picture.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define PIXELS_WIDE 1600
+#define PIXELS_HIGH 1400
+
+/* a tailor's dummy in unbleached linen; the garment's default is a mid blue (linear) */
+static const double dummy_colour[3] = {0.62, 0.57, 0.51};
+static const double cloth_colour[3] = {0.13, 0.24, 0.42};
+
+
+int look_check(const scene *s, const look *l)
+{
+    render_error error;
+    double colour[3];
+    int32_t width, height;
+    render_camera camera;
+    if (l->colour != NULL && render_colour_parse(l->colour, colour, &error) != 0)
+        return complain(EXIT_INPUT, s->command, "--colour: %s", error.text);
+    if (l->pixels != NULL && render_size_parse(l->pixels, &width, &height, &error) != 0)
+        return complain(EXIT_INPUT, s->command, "--pixels: %s", error.text);
+    for (int32_t i = 0; i < l->views.count; i++)
+        if (render_view_parse(l->views.at[i], &camera, &error) != 0)
+            return complain(EXIT_INPUT, s->command, "--view: %s", error.text);
+    return EXIT_DONE;
+}
+
+
+int garment_make(const scene *s, const look *l, const mus_body *body, const mus_cloth *cloth, const mus_drape *drape,
+                 garment *out)
+{
+    memset(out, 0, sizeof *out);
+    const int32_t n = mus_cloth_node_count(cloth);
+    out->normals = malloc((size_t)n * 3 * sizeof *out->normals + 1);
+    if (out->normals == NULL) return complain(EXIT_FAILED, s->command, "no memory for the garment's normals");
+    const mus_status status = mus_drape_normals(drape, out->normals);
+    if (status != MUS_OK) return scene_fail(s, status);
+
+    mus_mesh_view *view = &out->view[0];
+    mus_mesh_view_init(view, sizeof *view);
+    view->name = "body";
+    if (body != NULL) {
+        view->vertex_count = mus_body_vertex_count(body);
+        view->triangle_count = mus_body_triangle_count(body);
+        view->positions = mus_body_vertices(body);
+        view->normals = mus_body_normals(body);
+        view->triangles = mus_body_triangles(body);
+    }
+    memcpy(view->colour, dummy_colour, sizeof dummy_colour);
+    view->colour[3] = 1.0;
+
+    view = &out->view[1];
+    mus_mesh_view_init(view, sizeof *view);
+    view->name = "garment";
+    view->vertex_count = n;
+    view->triangle_count = mus_cloth_triangle_count(cloth);
+    view->positions = mus_drape_positions(drape);
+    view->normals = out->normals;
+    view->texcoords = mus_cloth_rest(cloth);
+    view->triangles = mus_cloth_triangles(cloth);
+    view->two_sided = 1;
+    memcpy(view->colour, cloth_colour, sizeof cloth_colour);
+    view->colour[3] = 1.0;
+    render_error error;
+    if (l->colour != NULL && render_colour_parse(l->colour, view->colour, &error) != 0)
+        return complain(EXIT_INPUT, s->command, "--colour: %s", error.text);
+    return EXIT_DONE;
+}
+
+
+void garment_free(garment *g)
+{
+    free(g->normals);
+    memset(g, 0, sizeof *g);
+}
+
+
+static void mesh_from_view(const mus_mesh_view *view, int32_t kind, render_mesh *mesh)
+{
+    memset(mesh, 0, sizeof *mesh);
+    mesh->kind = kind;
+    mesh->vertex_count = view->vertex_count;
+    mesh->triangle_count = view->triangle_count;
+    mesh->positions = view->positions;
+    mesh->normals = view->normals;
+    mesh->texcoords = view->texcoords;
+    mesh->triangles = view->triangles;
+    memcpy(mesh->colour, view->colour, sizeof mesh->colour);
+}
+
+
+/* load the scene, draw all views, write the file: one place to fail */
+static int draw(render *r, const look *l, const render_mesh *meshes, int32_t count, const char *path,
+                render_error *error)
+{
+    int32_t width = PIXELS_WIDE, height = PIXELS_HIGH;
+    if (l->pixels != NULL && render_size_parse(l->pixels, &width, &height, error) != 0) return -1;
+    render_camera cameras[32];
+    memcpy(cameras, render_default_views, sizeof render_default_views);
+    int32_t views = RENDER_DEFAULT_VIEW_COUNT;
+    if (l->views.count > 0) views = l->views.count;
+    for (int32_t i = 0; i < l->views.count; i++)
+        if (render_view_parse(l->views.at[i], &cameras[i], error) != 0) return -1;
+
+    const render_scene dressed = {count, meshes, 1};
+    unsigned char *rgba = malloc((size_t)width * (size_t)height * 4);
+    int result = -1;
+    if (rgba == NULL) strcpy(error->text, "no memory for the picture");
+    else if (render_load(r, &dressed, error) == 0 &&
+             render_picture(r, views, cameras, width, height, rgba, error) == 0 &&
+             render_png_write(path, width, height, rgba, error) == 0)
+        result = 0;
+    free(rgba);
+    return result;
+}
+
+
+int picture_write(const scene *s, const look *l, const garment *g, const char *path)
+{
+    render *r = NULL;
+    render_error error;
+    render_image print = {0};
+    render_mesh meshes[2];
+    int32_t count = 0;
+    if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
+    mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
+
+    int result = 0;
+    if (l->texture != NULL) {
+        result = render_png_read(l->texture, &print, &error);
+        meshes[count - 1].print = &print;
+        meshes[count - 1].print_width = l->repeat;
+    }
+    if (result == 0) result = render_create(&r, &error);
+    if (result == 0) result = draw(r, l, meshes, count, path, &error);
+    render_destroy(r);
+    render_image_free(&print);
+    return result == 0 ? EXIT_DONE : complain(EXIT_FAILED, s->command, "%s", error.text);
+}

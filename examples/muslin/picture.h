@@ -1,0 +1,32 @@
+/* picture.h: a dressed body as a picture and as meshes to write. */
+#ifndef MUSLIN_PICTURE_H
+#define MUSLIN_PICTURE_H
+
+#include "render/render.h"
+#include "scene.h"
+
+/* What a picture is made with: texts of options, NULL when not given. */
+typedef struct look {
+    const char *colour, *texture, *pixels;
+    texts views;
+    double repeat; /* width of one repeat of the texture [m] */
+} look;
+
+/* Check the texts before the long work. Returns an exit code. */
+int look_check(const scene *s, const look *l);
+
+/* The garment's arrays, made once for picture and files. */
+typedef struct garment {
+    double *normals; /* (nodes x 3) */
+    mus_mesh_view view[2]; /* body, garment */
+} garment;
+
+/* Views of body (may be NULL) and cloth as they are now. Returns an exit code. */
+int garment_make(const scene *s, const look *l, const mus_body *body, const mus_cloth *cloth, const mus_drape *drape,
+                 garment *out);
+void garment_free(garment *g);
+
+/* Draw and write a PNG. Returns an exit code. */
+int picture_write(const scene *s, const look *l, const garment *g, const char *path);
+
+#endif

@@ -1,0 +1,104 @@
+/*
+ * print.c: muslin print: ready-to-cut paper.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "commands.h"
+#include "json.h"
+#include "muslin/print.h"
+#include "scene.h"
+
+static const struct {
+    const char *name;
+    int32_t paper;
+} papers[] = {{"a4", MUS_PAPER_A4}, {"letter", MUS_PAPER_LETTER}, {"a3", MUS_PAPER_A3}, {"a0", MUS_PAPER_A0},
+              {"roll", MUS_PAPER_ROLL}};
+
+
+static int32_t find_paper(const char *name)
+{
+    for (size_t i = 0; i < sizeof papers / sizeof papers[0]; i++)
+        if (strcmp(papers[i].name, name) == 0) return papers[i].paper;
+    return MUS_NONE;
+}
+
+
+/* where each page shows the sheet, for who joins tiles by program */
+static void describe(const mus_sheet *sheet, json *j)
+{
+    double box[4];
+    json_open(j, NULL, '{');
+    json_int(j, "pages", mus_sheet_page_count(sheet));
+    json_int(j, "columns", mus_sheet_columns(sheet));
+    json_int(j, "rows", mus_sheet_rows(sheet));
+    if (mus_sheet_extent(sheet, box) == MUS_OK) {
+        json_number(j, "width_m", box[0]);
+        json_number(j, "height_m", box[1]);
+    }
+    json_open(j, "tiles", '[');
+    for (int32_t p = 0; p < mus_sheet_page_count(sheet); p++) {
+        if (mus_sheet_page(sheet, p, box) != MUS_OK) continue;
+        json_open(j, NULL, '{');
+        json_int(j, "page", p);
+        json_number(j, "x_m", box[0]);
+        json_number(j, "y_m", box[1]);
+        json_number(j, "width_m", box[2]);
+        json_number(j, "height_m", box[3]);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+    json_close(j, '}');
+}
+
+
+int command_print(int argc, char **argv)
+{
+    source from = {0};
+    const char *pdf = NULL, *svg = NULL, *paper = "a4";
+    const char *asked = NULL;
+    double allowance = -1.0;
+    bool as_json = false;
+    const option options[] = {
+        SOURCE_PATTERN(from),
+        SOURCE_TAPE(from),
+        {"--pdf", OPTION_TEXT, &pdf, 0, 0, "FILE  tiled PDF at true scale"},
+        {"--svg", OPTION_TEXT, &svg, 0, 0, "FILE  one sheet as SVG with named groups"},
+        {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
+        {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the design says none"},
+        {"--json", OPTION_FLAG, &as_json, 0, 0, "pages and their places on the sheet, as JSON"},
+        {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
+    if (!args_read("print", "Print a pattern ready to cut, at true scale.", options, argc, argv)) return EXIT_INPUT;
+    if (pdf == NULL && svg == NULL) return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE or --svg FILE");
+    if (asked != NULL) paper = asked;
+    if (find_paper(paper) == MUS_NONE)
+        return complain(EXIT_INPUT, "print", "--paper %s: expected a4, letter, a3, a0 or roll", paper);
+
+    scene s;
+    mus_sheet *sheet = NULL;
+    json j = {0};
+    int code = scene_open(&s, "print");
+    if (code == EXIT_DONE && (from.tape != NULL || from.size != NULL)) code = scene_tape(&s, &from);
+    if (code == EXIT_DONE) code = scene_pattern(&s, &from);
+    if (code == EXIT_DONE) {
+        mus_sheet_def def;
+        mus_sheet_def_init(&def, sizeof def);
+        def.paper = find_paper(paper);
+        def.person = s.tape != NULL ? mus_tape_name(s.tape) : NULL;
+        if (allowance >= 0.0) def.allowance = 0.001 * allowance;
+        mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
+        if (status == MUS_OK && pdf != NULL) status = mus_sheet_write_pdf(sheet, pdf);
+        if (status == MUS_OK && svg != NULL) status = mus_sheet_write_svg(sheet, svg);
+        if (status != MUS_OK) code = scene_fail(&s, status);
+    }
+    if (code == EXIT_DONE && as_json) {
+        describe(sheet, &j);
+        if (!json_write(&j, "print", "-")) code = EXIT_FAILED;
+    } else if (code == EXIT_DONE && pdf != NULL) {
+        printf("%s: %d pages of %s\n", pdf, (int)mus_sheet_page_count(sheet), paper);
+    }
+    json_free(&j);
+    mus_sheet_destroy(sheet);
+    scene_close(&s);
+    return code;
+}

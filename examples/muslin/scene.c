@@ -1,0 +1,96 @@
+/*
+ * scene.c: tape and pattern by the options that all subcommands share.
+ */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#include "scene.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+
+double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+
+static void log_line(void *user, int32_t level, const char *text)
+{
+    const scene *s = user;
+    if (level <= MUS_LOG_WARNING) fprintf(stderr, "muslin %s: warning: %s\n", s->command, text);
+}
+
+
+int scene_open(scene *s, const char *command)
+{
+    memset(s, 0, sizeof *s);
+    s->command = command;
+    mus_context_def def;
+    mus_context_def_init(&def, sizeof def);
+    def.log = log_line;
+    def.log_user = s;
+    if (mus_context_create(&def, &s->context) != MUS_OK) return complain(EXIT_FAILED, command, "no memory");
+    return EXIT_DONE;
+}
+
+
+void scene_close(scene *s)
+{
+    mus_pattern_destroy(s->pattern);
+    mus_tape_destroy(s->tape);
+    mus_context_destroy(s->context);
+}
+
+
+int scene_fail(const scene *s, mus_status status)
+{
+    /* bad input, or a run that failed */
+    const int run = status == MUS_ERR_MEMORY || status == MUS_ERR_DIVERGED || status == MUS_ERR_SEW ||
+                    status == MUS_ERR_UNSETTLED || status == MUS_ERR_STEP;
+    const char *text = mus_context_error(s->context);
+    return complain(run ? EXIT_FAILED : EXIT_INPUT, s->command, "%s", text[0] != '\0' ? text : mus_status_text(status));
+}
+
+
+int scene_tape(scene *s, const source *from)
+{
+    mus_status status;
+    if (from->tape != NULL && from->size != NULL)
+        return complain(EXIT_INPUT, s->command, "--tape and --size exclude each other");
+    if (from->tape != NULL) {
+        status = mus_tape_read(s->context, from->tape, from->row, &s->tape);
+    } else if (from->size != NULL) {
+        status = mus_tape_create(s->context, &s->tape);
+        if (status == MUS_OK) status = mus_tape_set_size(s->tape, from->size);
+    } else {
+        return complain(EXIT_INPUT, s->command, "no tape is given: --tape FILE or --size SIZE");
+    }
+    if (status == MUS_OK) status = mus_tape_complete(s->tape);
+    if (status != MUS_OK) return scene_fail(s, status);
+    for (int32_t i = 0; i < mus_tape_warning_count(s->tape); i++)
+        fprintf(stderr, "muslin %s: warning: %s\n", s->command, mus_tape_warning(s->tape, i));
+    return EXIT_DONE;
+}
+
+
+int scene_pattern(scene *s, const source *from)
+{
+    const double start = seconds();
+    mus_status status;
+    if ((from->design != NULL) == (from->pattern != NULL))
+        return complain(EXIT_INPUT, s->command, "one of --design NAME and --pattern FILE is needed");
+    if (from->pattern != NULL) {
+        status = mus_pattern_read(s->context, from->pattern, &s->pattern);
+    } else {
+        const int32_t design = mus_design_find(from->design);
+        if (design == MUS_NONE)
+            return complain(EXIT_INPUT, s->command, "design \"%s\" is unknown; muslin designs lists them", from->design);
+        if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs a tape: --tape FILE or --size SIZE");
+        status = mus_design_draft(s->context, design, s->tape, NULL, &s->pattern);
+    }
+    s->draft_seconds = seconds() - start;
+    return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
+}

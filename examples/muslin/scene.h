@@ -1,0 +1,48 @@
+/* scene.h: what the subcommands share: the context, tape and pattern of the options, seconds, failing with a line. */
+#ifndef MUSLIN_SCENE_H
+#define MUSLIN_SCENE_H
+
+#include "muslin/exchange.h"
+#include "muslin/muslin.h"
+
+#include "args.h"
+
+typedef struct scene {
+    const char *command;
+    mus_context *context;
+    mus_tape *tape;       /* NULL when none was asked */
+    mus_pattern *pattern; /* the same */
+    double draft_seconds;
+} scene;
+
+/* Where tape and pattern come from: texts of options, NULL when not given. */
+typedef struct source {
+    const char *tape, *row, *size;
+    const char *design, *pattern;
+} source;
+
+/* The options of a source, to stand in the tables of subcommands. */
+#define SOURCE_TAPE(s)                                                                                         \
+    {"--tape", OPTION_TEXT, &(s).tape, 0, 0, "FILE  the tape: .tape, GarmentCode .yaml, .vit, a row of a .csv"}, \
+        {"--row", OPTION_TEXT, &(s).row, 0, 0, "NAME  which line of a .csv"},                                   \
+        {"--size", OPTION_TEXT, &(s).size, 0, 0, "SIZE  a table size in place of a tape: W40, M50, C116"}
+#define SOURCE_PATTERN(s)                                                                      \
+    {"--design", OPTION_TEXT, &(s).design, 0, 0, "NAME  a named design (muslin designs lists them)"}, \
+        {"--pattern", OPTION_TEXT, &(s).pattern, 0, 0, "FILE  a pattern: muslin .json or GarmentCode specification"}
+
+/* Start: a context whose warnings go to standard error. Returns an exit code. */
+int scene_open(scene *s, const char *command);
+void scene_close(scene *s);
+
+/* Read the tape, completed. EXIT_INPUT when none is given. */
+int scene_tape(scene *s, const source *from);
+/* Draft the design or read the pattern. */
+int scene_pattern(scene *s, const source *from);
+
+/* One line for a status that is not MUS_OK, and the exit code that fits it. */
+int scene_fail(const scene *s, mus_status status);
+
+/* Wall time in seconds from some start. */
+double seconds(void);
+
+#endif

@@ -1,0 +1,287 @@
+/*
+ * file_read.c: a file loaded whole, failures that name file and line, numbers free of the locale.
+ *
+ * A reader gets the text in one block with a zero byte behind it, so it can walk by pointer and never reads past the
+ * end. Files are read in growing blocks and not by their length, since a pipe has none; the limit holds for both.
+ */
+#if !defined(_XOPEN_SOURCE)
+#define _XOPEN_SOURCE 700 /* newlocale, uselocale */
+#endif
+
+#include <errno.h>
+#include <locale.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "exchange/exchange_internal.h"
+
+#define FILE_NAME_BYTES 200  /* of a path in a message: the sentence behind it must fit in 511 bytes */
+#define FILE_ERROR_BYTES 512 /* of the context's error text */
+
+
+size_t mus__utf8_length(const char *text)
+{
+    const unsigned char *byte = (const unsigned char *)text;
+    size_t n = byte[0] < 0x80                      ? 1
+               : byte[0] >= 0xC2 && byte[0] < 0xE0 ? 2
+               : byte[0] >= 0xE0 && byte[0] < 0xF0 ? 3
+               : byte[0] >= 0xF0 && byte[0] < 0xF5 ? 4
+                                                   : 0;
+    for (size_t i = 1; i < n; i++)
+        if ((byte[i] & 0xC0) != 0x80) return 0;
+
+    /* forms longer than needed, surrogates, beyond U+10FFFF */
+    if (n == 3 && ((byte[0] == 0xE0 && byte[1] < 0xA0) || (byte[0] == 0xED && byte[1] > 0x9F))) return 0;
+    if (n == 4 && ((byte[0] == 0xF0 && byte[1] < 0x90) || (byte[0] == 0xF4 && byte[1] > 0x8F))) return 0;
+    return n;
+}
+
+
+/* what a file holds may stand in a message: only printable UTF-8 leaves here */
+static void make_printable(char *text)
+{
+    for (char *at = text; *at != '\0';) {
+        size_t n = mus__utf8_length(at);
+        if (n == 0 || (n == 1 && ((unsigned char)*at < 0x20 || *at == 0x7F))) *at = '?', n = 1;
+        at += n;
+    }
+}
+
+
+mus_status mus__exchange_fail(mus_context *context, mus_status status, const char *format, ...)
+{
+    char text[FILE_ERROR_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    make_printable(text);
+    return mus_context_fail(context, status, text);
+}
+
+
+mus_status mus__source_fail(const mus_source *source, int64_t line, mus_status status, const char *format, ...)
+{
+    char text[FILE_ERROR_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    if (line > 0)
+        return mus__exchange_fail(source->context, status, "%s:%lld: %s", source->name, (long long)line, text);
+    return mus__exchange_fail(source->context, status, "%s: %s", source->name, text);
+}
+
+
+mus_status mus__source_wrap(const mus_source *source, int64_t line, mus_status status)
+{
+    char text[FILE_ERROR_BYTES];
+    snprintf(text, sizeof text, "%s", mus_context_error(source->context));
+    return mus__source_fail(source, line, status == MUS_ERR_ARG ? MUS_ERR_FORMAT : status, "%s", text);
+}
+
+
+/* read all of `file` into a block that grows by half */
+static mus_status source_load(mus_source *source, FILE *file)
+{
+    size_t capacity = 0;
+    for (;;) {
+        /* one byte stays free for the zero at the end */
+        if (source->size + 1 >= capacity) {
+            size_t grown = capacity + capacity / 2 + 16384;
+            char *text = mus_context_alloc(source->context, source->text, grown);
+            if (text == NULL) return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for %zu bytes", grown);
+            source->text = text;
+            capacity = grown;
+        }
+        size_t got = fread(source->text + source->size, 1, capacity - source->size - 1, file);
+        source->size += got;
+        if (source->size > MUS_FILE_BYTES_MAX)
+            return mus__source_fail(source, 0, MUS_ERR_LIMIT, "the file is above the limit of %zu bytes",
+                                    MUS_FILE_BYTES_MAX);
+        if (got == 0) break;
+    }
+    if (ferror(file)) return mus__source_fail(source, 0, MUS_ERR_FILE, "cannot be read: %s", strerror(errno));
+    source->text[source->size] = '\0';
+    return MUS_OK;
+}
+
+
+mus_status mus__source_open(mus_context *context, const char *path, mus_source *out)
+{
+    memset(out, 0, sizeof *out);
+    size_t length = strlen(path);
+    out->context = context;
+    out->path = path;
+    out->name = length > FILE_NAME_BYTES ? path + length - FILE_NAME_BYTES : path;
+
+    errno = 0;
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) return mus__source_fail(out, 0, MUS_ERR_FILE, "cannot be opened: %s", strerror(errno));
+    mus_status status = source_load(out, file);
+    fclose(file);
+    if (status != MUS_OK) {
+        mus__source_close(out);
+        return status;
+    }
+
+    /* a byte order mark is not part of the text */
+    if (out->size >= 3 && memcmp(out->text, "\xEF\xBB\xBF", 3) == 0) {
+        out->size -= 3;
+        memmove(out->text, out->text + 3, out->size + 1);
+    }
+    return MUS_OK;
+}
+
+
+void mus__source_close(mus_source *source)
+{
+    mus_context_alloc(source->context, source->text, 0);
+    source->text = NULL;
+    source->size = 0;
+}
+
+
+void mus__source_base(const char *path, const char *const *endings, char *out, size_t bytes)
+{
+    const char *base = strrchr(path, '/');
+    base = base != NULL ? base + 1 : path;
+    size_t length = strlen(base);
+    for (; *endings != NULL; endings++) {
+        size_t n = strlen(*endings);
+        if (length > n && strcmp(base + length - n, *endings) == 0) {
+            length -= n;
+            break;
+        }
+    }
+
+    /* whole characters only, and only good ones */
+    size_t used = 0;
+    while (used < length) {
+        size_t n = mus__utf8_length(base + used);
+        if (n == 0 || used + n >= bytes) break;
+        used += n;
+    }
+    memcpy(out, base, used);
+    out[used] = '\0';
+}
+
+
+void mus__unused_add(mus_unused *unused, const char *name)
+{
+    size_t length = strlen(unused->names);
+    unused->count++;
+    if (length + strlen(name) + 3 > sizeof unused->names) return;
+    snprintf(unused->names + length, sizeof unused->names - length, "%s%s", length > 0 ? ", " : "", name);
+    unused->listed++;
+}
+
+
+void mus__unused_log(const mus_unused *unused, const mus_source *source)
+{
+    if (unused->count == 0) return;
+    char text[FILE_ERROR_BYTES + 128];
+    if (unused->listed < unused->count)
+        snprintf(text, sizeof text, "%s: not used: %s and %d more", source->name, unused->names,
+                 (int)(unused->count - unused->listed));
+    else
+        snprintf(text, sizeof text, "%s: not used: %s", source->name, unused->names);
+    make_printable(text);
+    mus_context_log(source->context, MUS_LOG_INFO, text);
+}
+
+
+mus_status mus__locale_enter(mus_context *context, mus_locale *locale)
+{
+    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (own == (locale_t)0) return mus__exchange_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
+    locale->own = (void *)own;
+    locale->before = (void *)uselocale(own);
+    return MUS_OK;
+}
+
+
+void mus__locale_leave(mus_locale *locale)
+{
+    uselocale((locale_t)locale->before);
+    freelocale((locale_t)locale->own);
+}
+
+
+size_t mus__number_span(const char *text)
+{
+    const char *at = text;
+    if (*at == '+' || *at == '-') at++;
+    size_t before = strspn(at, "0123456789");
+    at += before;
+    size_t after = *at == '.' ? strspn(at + 1, "0123456789") : 0;
+    if (before + after == 0) return 0;
+    if (*at == '.') at += 1 + after;
+
+    /* an exponent only when it has digits */
+    if (*at == 'e' || *at == 'E') {
+        const char *digits = at + 1;
+        if (*digits == '+' || *digits == '-') digits++;
+        size_t n = strspn(digits, "0123456789");
+        if (n > 0) at = digits + n;
+    }
+    return (size_t)(at - text);
+}
+
+
+const char *mus__number_read(const char *text, double *out)
+{
+    const char *blanks = " \t\r\n";
+    text += strspn(text, blanks);
+    size_t span = mus__number_span(text);
+    const char *rest = text + span;
+    if (*rest == ',') return "has a comma; write the decimal point as \".\"";
+    if (span == 0) return "is not a number";
+    rest += strspn(rest, blanks);
+    if (*rest != '\0') return "has more than a number";
+
+    double value = strtod(text, NULL);
+    if (value - value != 0.0) return "is too large";
+    *out = value;
+    return NULL;
+}
+
+
+/* Levenshtein's distance of two names below 40 bytes, one row of the table at a time */
+static int32_t name_distance(const char *a, const char *b)
+{
+    int32_t row[41];
+    size_t m = strlen(a), n = strlen(b);
+    if (m > 40 || n > 40) return 99;
+    for (size_t j = 0; j <= n; j++) row[j] = (int32_t)j;
+    for (size_t i = 1; i <= m; i++) {
+        int32_t corner = row[0];
+        row[0] = (int32_t)i;
+        for (size_t j = 1; j <= n; j++) {
+            int32_t change = corner + (a[i - 1] != b[j - 1]);
+            corner = row[j];
+            if (row[j] + 1 < change) change = row[j] + 1;
+            if (row[j - 1] + 1 < change) change = row[j - 1] + 1;
+            row[j] = change;
+        }
+    }
+    return row[n];
+}
+
+
+const char *mus__measure_nearest(const char *name)
+{
+    /* up to a third of the letters wrong, and 2 in a short word */
+    int32_t limit = (int32_t)(strlen(name) / 3);
+    int32_t best = limit < 2 ? 3 : limit + 1;
+    const char *nearest = NULL;
+    for (int32_t i = 0; i < mus_measure_count(); i++) {
+        int32_t distance = name_distance(name, mus_measure_name(i));
+        if (distance >= best) continue;
+        best = distance;
+        nearest = mus_measure_name(i);
+    }
+    return nearest;
+}

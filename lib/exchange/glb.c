@@ -1,0 +1,217 @@
+/*
+ * glb.c: write meshes as one binary glTF 2.0 file: a header, a JSON chunk, a chunk of little-endian floats and indices.
+ *
+ *     | "glTF" 2 length | length "JSON" {...} spaces | length "BIN\0" positions normals texcoords indices, mesh by mesh
+ * |
+ *
+ * One node, mesh, material and up to four buffer views a mesh; every part is a multiple of 4 bytes long, so all is
+ * aligned as the format wants. Positions carry min and max of the floats that are really written. Normals are made
+ * unit length; a zero normal becomes up. Texture coordinates run down in glTF, so v becomes 1 - v.
+ * Source: Khronos, glTF 2.0 specification, sections 3.6, 3.7 and 4.4.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "exchange/exchange_internal.h"
+
+#define GLB_JSON UINT32_C(0x4E4F534A)
+#define GLB_BIN UINT32_C(0x004E4942)
+#define GLB_ARRAY 34962    /* target of vertex data */
+#define GLB_ELEMENTS 34963 /* target of indices */
+
+
+static void put_u32(mus_sink *sink, uint32_t value)
+{
+    const unsigned char bytes[4] = {(unsigned char)value, (unsigned char)(value >> 8), (unsigned char)(value >> 16),
+                                    (unsigned char)(value >> 24)};
+    mus__sink_add(sink, bytes, 4);
+}
+
+
+static void put_f32(mus_sink *sink, double value)
+{
+    float narrow = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &narrow, sizeof bits);
+    put_u32(sink, bits);
+}
+
+
+/* all numbers of a mesh: positions, normals, texture coordinates, indices */
+static void put_mesh_bytes(mus_sink *sink, const mus_mesh_view *mesh)
+{
+    size_t n = (size_t)mesh->vertex_count;
+    for (size_t i = 0; i < 3 * n; i++) put_f32(sink, mesh->positions[i]);
+    for (size_t i = 0; mesh->normals != NULL && i < n; i++) {
+        const double *v = mesh->normals + 3 * i;
+        double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        for (size_t k = 0; k < 3; k++) put_f32(sink, length > 1e-30 ? v[k] / length : k == 1 ? 1.0 : 0.0);
+    }
+    for (size_t i = 0; mesh->texcoords != NULL && i < n; i++) {
+        put_f32(sink, mesh->texcoords[2 * i]);
+        put_f32(sink, 1.0 - mesh->texcoords[2 * i + 1]);
+    }
+    for (size_t i = 0; i < 3 * (size_t)mesh->triangle_count; i++) put_u32(sink, (uint32_t)mesh->triangles[i]);
+}
+
+
+/* the JSON chunk, in lists that grow side by side */
+struct glb_lists {
+    mus_sink views;
+    mus_sink accessors;
+    int32_t count; /* of both */
+    uint64_t offset;
+};
+
+
+/* a buffer view with its accessor: `n` elements of `width` numbers of 4 bytes; the index of both is returned */
+static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, bool indices)
+{
+    static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3"};
+    uint64_t bytes = (uint64_t)n * (uint64_t)width * 4;
+    const char *comma = lists->count > 0 ? "," : "";
+    mus__sink_print(&lists->views, "%s{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu,\"target\":%d}", comma,
+                    (unsigned long long)lists->offset, (unsigned long long)bytes, indices ? GLB_ELEMENTS : GLB_ARRAY);
+    mus__sink_print(&lists->accessors, "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%lld,\"type\":\"%s\"",
+                    comma, (int)lists->count, indices ? 5125 : 5126, (long long)n, types[width]);
+    lists->offset += bytes;
+    return lists->count++;
+}
+
+
+/* "min" or "max" of the positions, as floats */
+static void put_bound(mus_sink *sink, const char *key, const mus_mesh_view *mesh, double sign)
+{
+    mus__sink_print(sink, ",\"%s\":[", key);
+    for (int32_t k = 0; k < 3; k++) {
+        double best = (double)(float)mesh->positions[k];
+        for (int32_t i = 1; i < mesh->vertex_count; i++) {
+            double value = (double)(float)mesh->positions[3 * (size_t)i + (size_t)k];
+            if (sign * value > sign * best) best = value;
+        }
+        if (k > 0) mus__sink_print(sink, ",");
+        mus__sink_number(sink, best);
+    }
+    mus__sink_print(sink, "]");
+}
+
+
+/* accessors of a mesh, and the mesh that names them */
+static void put_mesh(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh, int32_t index)
+{
+    int32_t at = put_accessor(lists, mesh->vertex_count, 3, false);
+    put_bound(&lists->accessors, "min", mesh, -1.0);
+    put_bound(&lists->accessors, "max", mesh, 1.0);
+    mus__sink_print(&lists->accessors, "}");
+    mus__sink_print(sink, "{\"primitives\":[{\"attributes\":{\"POSITION\":%d", (int)at);
+    if (mesh->normals != NULL) {
+        mus__sink_print(sink, ",\"NORMAL\":%d", (int)put_accessor(lists, mesh->vertex_count, 3, false));
+        mus__sink_print(&lists->accessors, "}");
+    }
+    if (mesh->texcoords != NULL) {
+        mus__sink_print(sink, ",\"TEXCOORD_0\":%d", (int)put_accessor(lists, mesh->vertex_count, 2, false));
+        mus__sink_print(&lists->accessors, "}");
+    }
+    at = put_accessor(lists, 3 * (int64_t)mesh->triangle_count, 1, true);
+    mus__sink_print(&lists->accessors, "}");
+    mus__sink_print(sink, "},\"indices\":%d,\"material\":%d}]}", (int)at, (int)index);
+}
+
+
+static void put_material(mus_sink *sink, const mus_mesh_view *mesh)
+{
+    mus__sink_print(sink, "{\"pbrMetallicRoughness\":{\"baseColorFactor\":[");
+    for (int32_t k = 0; k < 4; k++) {
+        if (k > 0) mus__sink_print(sink, ",");
+        mus__sink_number(sink, mesh->colour[k]);
+    }
+    mus__sink_print(sink, "],\"metallicFactor\":0,\"roughnessFactor\":0.9}%s%s}",
+                    mesh->colour[3] < 1.0 ? ",\"alphaMode\":\"BLEND\"" : "",
+                    mesh->two_sided != 0 ? ",\"doubleSided\":true" : "");
+}
+
+
+/* the whole document; the lists of views and accessors stand behind the meshes that fill them */
+static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes)
+{
+    mus__sink_print(
+        sink, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"muslin %d.%d.%d\"},\"scene\":0,\"scenes\":[{\"nodes\":[",
+        MUS_VERSION_MAJOR, MUS_VERSION_MINOR, MUS_VERSION_PATCH);
+    for (int32_t i = 0; i < n; i++) mus__sink_print(sink, "%s%d", i > 0 ? "," : "", (int)i);
+    mus__sink_print(sink, "]}],\"nodes\":[");
+    for (int32_t i = 0; i < n; i++) {
+        mus__sink_print(sink, "%s{\"mesh\":%d", i > 0 ? "," : "", (int)i);
+        if (meshes[i].name != NULL && meshes[i].name[0] != '\0') {
+            mus__sink_print(sink, ",\"name\":");
+            mus__sink_quote(sink, meshes[i].name);
+        }
+        mus__sink_print(sink, "}");
+    }
+    mus__sink_print(sink, "],\"materials\":[");
+    for (int32_t i = 0; i < n; i++) {
+        if (i > 0) mus__sink_print(sink, ",");
+        put_material(sink, &meshes[i]);
+    }
+    mus__sink_print(sink, "],\"meshes\":[");
+    for (int32_t i = 0; i < n; i++) {
+        if (i > 0) mus__sink_print(sink, ",");
+        put_mesh(sink, lists, &meshes[i], i);
+    }
+    mus__sink_print(sink, "],\"accessors\":[");
+    mus__sink_add(sink, lists->accessors.bytes, lists->accessors.size);
+    mus__sink_print(sink, "],\"bufferViews\":[");
+    mus__sink_add(sink, lists->views.bytes, lists->views.size);
+    mus__sink_print(sink, "],\"buffers\":[{\"byteLength\":%llu}]}", (unsigned long long)lists->offset);
+}
+
+
+static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json, struct glb_lists *lists, int32_t n,
+                            const mus_mesh_view *meshes)
+{
+    put_document(json, lists, n, meshes);
+    while (json->status == MUS_OK && json->size % 4 != 0) mus__sink_add(json, " ", 1);
+    if (lists->views.status != MUS_OK) return lists->views.status;
+    if (lists->accessors.status != MUS_OK) return lists->accessors.status;
+    if (json->status != MUS_OK) return json->status;
+    uint64_t length = 12 + 8 + (uint64_t)json->size + 8 + lists->offset;
+    if (length > UINT32_MAX)
+        return mus__exchange_fail(context, MUS_ERR_LIMIT, "a .glb of %llu bytes is above the limit of 4 GiB",
+                                  (unsigned long long)length);
+
+    mus__sink_add(file, "glTF", 4);
+    put_u32(file, 2);
+    put_u32(file, (uint32_t)length);
+    put_u32(file, (uint32_t)json->size);
+    put_u32(file, GLB_JSON);
+    mus__sink_add(file, json->bytes, json->size);
+    put_u32(file, (uint32_t)lists->offset);
+    put_u32(file, GLB_BIN);
+    for (int32_t i = 0; i < n; i++) put_mesh_bytes(file, &meshes[i]);
+    return file->status;
+}
+
+
+mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+{
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__mesh_check(context, path, n, meshes);
+    if (status != MUS_OK) return status;
+    mus_locale locale;
+    status = mus__locale_enter(context, &locale);
+    if (status != MUS_OK) return status;
+
+    mus_sink file, json;
+    struct glb_lists lists = {.count = 0};
+    mus__sink_init(&file, context);
+    mus__sink_init(&json, context);
+    mus__sink_init(&lists.views, context);
+    mus__sink_init(&lists.accessors, context);
+    status = glb_build(context, &file, &json, &lists, n, meshes);
+    if (status == MUS_OK) status = mus__sink_save(&file, path);
+    mus__sink_free(&lists.accessors);
+    mus__sink_free(&lists.views);
+    mus__sink_free(&json);
+    mus__sink_free(&file);
+    mus__locale_leave(&locale);
+    return status;
+}

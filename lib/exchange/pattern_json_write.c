@@ -1,0 +1,241 @@
+/*
+ * pattern_json_write.c: a pattern as muslin's own JSON, one cell a line.
+ *
+ * All cells stand in flat lists in the order of their indices, so that reading adds them in the same order and every
+ * index means the same cell again. Numbers have as many digits as bring the same double back (at most 17). What has
+ * its default is left out where absence says it (names, labels, allowances). Form: muslin_pattern(5).
+ */
+#include <stdio.h>
+
+#include "exchange/exchange_internal.h"
+
+
+/* [a, b, ...] */
+static void put_numbers(mus_sink *sink, int32_t n, const double *values)
+{
+    for (int32_t i = 0; i < n; i++) {
+        mus__sink_print(sink, i == 0 ? "[" : ", ");
+        mus__sink_number(sink, values[i]);
+    }
+    mus__sink_print(sink, "]");
+}
+
+
+/* , "key": "text" unless it is empty */
+static void put_text(mus_sink *sink, const char *key, const char *text)
+{
+    if (text == NULL || text[0] == '\0') return;
+    mus__sink_print(sink, ", \"%s\": ", key);
+    mus__sink_quote(sink, text);
+}
+
+
+/* start of a list of cells, a line for each, and its end */
+static void put_list(mus_sink *sink, const char *key)
+{
+    mus__sink_print(sink, ",\n \"%s\": [", key);
+}
+
+
+static void put_item(mus_sink *sink, int32_t index)
+{
+    mus__sink_print(sink, index == 0 ? "\n  " : ",\n  ");
+}
+
+
+static mus_status put_panel(mus_sink *sink, const mus_pattern *pattern, int32_t panel)
+{
+    double grain[2];
+    int32_t count, mirror_of, n;
+    const int32_t *edges, *directions;
+    mus_placement placement;
+    mus_placement_init(&placement, sizeof placement);
+    mus_status status = mus_pattern_grain(pattern, panel, grain);
+    if (status == MUS_OK) status = mus_pattern_cut(pattern, panel, &count, &mirror_of);
+    if (status == MUS_OK) status = mus_pattern_placement(pattern, panel, &placement);
+    if (status == MUS_OK) status = mus_pattern_outline(pattern, panel, &n, &edges, &directions);
+    if (status != MUS_OK) return status;
+
+    mus__sink_print(sink, "{\"name\": ");
+    mus__sink_quote(sink, mus_pattern_panel_name(pattern, panel));
+    put_text(sink, "label", mus_pattern_panel_label(pattern, panel));
+    mus__sink_print(sink, ", \"grain\": ");
+    put_numbers(sink, 2, grain);
+    mus__sink_print(sink, ", \"cut\": %d", (int)count);
+    if (mirror_of >= 0) mus__sink_print(sink, ", \"mirror_of\": %d", (int)mirror_of);
+    mus__sink_print(sink, ",\n   \"placement\": {\"origin\": ");
+    put_numbers(sink, 3, placement.origin);
+    mus__sink_print(sink, ", \"rotation\": ");
+    put_numbers(sink, 9, placement.rotation);
+    mus__sink_print(sink, ", \"bend\": ");
+    mus__sink_number(sink, placement.bend);
+    mus__sink_print(sink, ", \"bend_x\": ");
+    mus__sink_number(sink, placement.bend_x);
+    mus__sink_print(sink, "},\n   \"outline\": [");
+    for (int32_t i = 0; i < n; i++)
+        mus__sink_print(sink, "%s[%d, %d]", i == 0 ? "" : ", ", (int)edges[i], (int)directions[i]);
+    mus__sink_print(sink, "]}");
+    return MUS_OK;
+}
+
+
+/* the pieces of a chain: kind, control points, and the joint behind each but the last */
+static void put_pieces(mus_sink *sink, int32_t npiece, const int32_t *kinds, const double *xy)
+{
+    static const char *const names[] = {"line", "quadratic", "cubic", "arc"};
+    static const int32_t controls[] = {0, 1, 2, 1};
+    const double *at = xy + 2;
+    mus__sink_print(sink, ", \"pieces\": [");
+    for (int32_t i = 0; i < npiece; i++) {
+        int32_t n = controls[kinds[i]];
+        mus__sink_print(sink, "%s{\"kind\": \"%s\"", i == 0 ? "" : ", ", names[kinds[i]]);
+        for (int32_t j = 0; j < n; j++) {
+            mus__sink_print(sink, j == 0 ? ", \"controls\": [" : ", ");
+            put_numbers(sink, 2, at + 2 * j);
+        }
+        if (n > 0) mus__sink_print(sink, "]");
+        if (i + 1 < npiece) {
+            mus__sink_print(sink, ", \"end\": ");
+            put_numbers(sink, 2, at + 2 * n);
+        }
+        mus__sink_print(sink, "}");
+        at += 2 * (n + 1);
+    }
+    mus__sink_print(sink, "]");
+}
+
+
+static mus_status put_edge(mus_sink *sink, const mus_pattern *pattern, int32_t edge)
+{
+    int32_t start, end, npiece, nxy;
+    const int32_t *kinds;
+    const double *xy;
+    mus_status status = mus_pattern_edge_ends(pattern, edge, &start, &end);
+    if (status == MUS_OK) status = mus_pattern_edge_pieces(pattern, edge, &npiece, &kinds, &nxy, &xy);
+    if (status != MUS_OK) return status;
+
+    mus__sink_print(sink, "{\"start\": %d, \"end\": %d", (int)start, (int)end);
+    put_text(sink, "name", mus_pattern_edge_name(pattern, edge));
+    put_text(sink, "label", mus_pattern_edge_label(pattern, edge));
+    double allowance = mus_pattern_edge_allowance(pattern, edge);
+    if (allowance == allowance) {
+        mus__sink_print(sink, ", \"allowance\": ");
+        mus__sink_number(sink, allowance);
+    }
+    put_pieces(sink, npiece, kinds, xy);
+    mus__sink_print(sink, "}");
+    return MUS_OK;
+}
+
+
+static mus_status put_cells(mus_sink *sink, const mus_pattern *pattern)
+{
+    mus_status status = MUS_OK;
+    put_list(sink, "panels");
+    for (int32_t i = 0; i < mus_pattern_panel_count(pattern) && status == MUS_OK; i++) {
+        put_item(sink, i);
+        status = put_panel(sink, pattern, i);
+    }
+    mus__sink_print(sink, "]");
+
+    put_list(sink, "points");
+    for (int32_t i = 0; i < mus_pattern_point_count(pattern) && status == MUS_OK; i++) {
+        int32_t panel = 0;
+        double xy[2] = {0.0, 0.0};
+        status = mus_pattern_point(pattern, i, &panel, xy);
+        put_item(sink, i);
+        mus__sink_print(sink, "{\"panel\": %d, \"at\": ", (int)panel);
+        put_numbers(sink, 2, xy);
+        mus__sink_print(sink, "}");
+    }
+    mus__sink_print(sink, "]");
+
+    put_list(sink, "edges");
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern) && status == MUS_OK; i++) {
+        put_item(sink, i);
+        status = put_edge(sink, pattern, i);
+    }
+    mus__sink_print(sink, "]");
+    return status;
+}
+
+
+static mus_status put_seams(mus_sink *sink, const mus_pattern *pattern)
+{
+    mus_status status = MUS_OK;
+    put_list(sink, "seams");
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern) && status == MUS_OK; i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        status = mus_pattern_seam(pattern, i, &seam);
+        put_item(sink, i);
+        mus__sink_print(sink, "{\"a\": %d, \"b\": %d, \"direction\": \"%s\", \"ease\": ", (int)seam.edge_a,
+                        (int)seam.edge_b, seam.direction == MUS_SEAM_DIRECT ? "direct" : "reversed");
+        mus__sink_number(sink, seam.ease);
+        mus__sink_print(sink, ", \"tolerance\": ");
+        mus__sink_number(sink, seam.tolerance);
+        mus__sink_print(sink, "}");
+    }
+    mus__sink_print(sink, "]");
+    return status;
+}
+
+
+static mus_status put_marks(mus_sink *sink, const mus_pattern *pattern)
+{
+    mus_status status = MUS_OK;
+    put_list(sink, "notches");
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern) && status == MUS_OK; i++) {
+        int32_t edge = 0, kind = 0;
+        double s = 0.0;
+        status = mus_pattern_notch(pattern, i, &edge, &s, &kind);
+        put_item(sink, i);
+        mus__sink_print(sink, "{\"edge\": %d, \"kind\": %d, \"s\": ", (int)edge, (int)kind);
+        mus__sink_number(sink, s);
+        mus__sink_print(sink, "}");
+    }
+    mus__sink_print(sink, "]");
+
+    put_list(sink, "marks");
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && status == MUS_OK; i++) {
+        int32_t panel = 0, n = 0;
+        const char *name = NULL;
+        const double *xy = NULL;
+        status = mus_pattern_mark(pattern, i, &panel, &name, &n, &xy);
+        put_item(sink, i);
+        mus__sink_print(sink, "{\"panel\": %d", (int)panel);
+        put_text(sink, "name", name);
+        mus__sink_print(sink, ", \"points\": [");
+        for (int32_t j = 0; j < n && status == MUS_OK; j++) {
+            if (j > 0) mus__sink_print(sink, ", ");
+            put_numbers(sink, 2, xy + 2 * j);
+        }
+        mus__sink_print(sink, "]}");
+    }
+    mus__sink_print(sink, "]");
+    return status;
+}
+
+
+mus_status mus_pattern_write(const mus_pattern *pattern, const char *path)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = mus_pattern_context(pattern);
+    if (path == NULL) return mus_context_fail(context, MUS_ERR_ARG, "mus_pattern_write: path is NULL");
+    mus_locale locale;
+    mus_status status = mus__locale_enter(context, &locale);
+    if (status != MUS_OK) return status;
+
+    mus_sink sink;
+    mus__sink_init(&sink, context);
+    mus__sink_print(&sink, "{\"muslin_pattern\": 1,\n \"unit\": \"m\",\n \"name\": ");
+    mus__sink_quote(&sink, mus_pattern_name(pattern));
+    status = put_cells(&sink, pattern);
+    if (status == MUS_OK) status = put_seams(&sink, pattern);
+    if (status == MUS_OK) status = put_marks(&sink, pattern);
+    mus__sink_print(&sink, "\n}\n");
+    if (status == MUS_OK) status = mus__sink_save(&sink, path);
+    mus__sink_free(&sink);
+    mus__locale_leave(&locale);
+    return status;
+}

@@ -1,0 +1,380 @@
+/*
+ * tape_file.c: mus_tape_read and mus_tape_write, and muslin's own text form of a tape: one measure a line, unit named.
+ *
+ *     # anything after the number sign is a remark
+ *     name   Ada
+ *     sex    female
+ *     size   W40          fills the tape with a table size; lines below it overrule single measures
+ *     bust   92 cm
+ *     shoulder slope: 22 deg
+ *
+ * Units: mm, cm, m, in for lengths; deg, rad for angles. A line that is not understood is an error with its number,
+ * never skipped: a measure lost in silence would be derived and the garment would not fit. See muslin_tape(5).
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "exchange/exchange_internal.h"
+
+#define KEY_BYTES 64
+
+/* value = number * up / down: a division keeps 92 cm the double nearest to 0.92 */
+static const struct {
+    const char *name;
+    int32_t unit;
+    double up;
+    double down;
+} tape_units[] = {
+    {"m", 'm', 1.0, 1.0},        {"cm", 'm', 1.0, 100.0}, {"mm", 'm', 1.0, 1000.0},
+    {"in", 'm', 254.0, 10000.0}, {"rad", 'r', 1.0, 1.0},  {"deg", 'r', 3.14159265358979323846, 180.0},
+};
+
+/* a text tape while it is read */
+struct tape_text {
+    mus_source *source;
+    mus_tape *tape;
+    int64_t line;
+    char name[KEY_BYTES];
+    int32_t sex;
+    bool named, sexed, sized, measured;
+    int64_t seen[MUS_MEASURE_COUNT]; /* line that set the measure, 0 none */
+};
+
+
+static char *trim(char *text)
+{
+    text += strspn(text, " \t\r");
+    size_t length = strlen(text);
+    while (length > 0 && strchr(" \t\r", text[length - 1]) != NULL) text[--length] = '\0';
+    return text;
+}
+
+
+static bool is_utf8(const char *text)
+{
+    size_t n = 1;
+    for (; *text != '\0' && n > 0; text += n) n = mus__utf8_length(text);
+    return n > 0;
+}
+
+
+/* "High Bust" and "high-bust" are high_bust */
+static void plain_key(const char *text, size_t length, char *key)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < length && n + 1 < KEY_BYTES; i++) {
+        unsigned char byte = (unsigned char)text[i];
+        bool gap = byte == ' ' || byte == '\t' || byte == '-';
+        if (gap && (n == 0 || key[n - 1] == '_')) continue;
+        key[n++] = gap ? '_' : (char)tolower(byte);
+    }
+    while (n > 0 && key[n - 1] == '_') n--;
+    key[n] = '\0';
+}
+
+
+/* split a line in its key and its value: at ":" or "=", else before the first word that starts like a number, else
+ * behind the first word */
+static char *split_key(char *line, char *key)
+{
+    size_t first = strcspn(line, " \t:=");
+    plain_key(line, first, key);
+    bool keyword = strcmp(key, "name") == 0 || strcmp(key, "sex") == 0 || strcmp(key, "size") == 0;
+    size_t at = keyword ? first : strcspn(line, ":=");
+    if (!keyword && line[at] == '\0') {
+        for (at = first; line[at] != '\0'; at++)
+            if (strchr(" \t", line[at - 1]) != NULL && strchr("+-.0123456789", line[at]) != NULL) break;
+        if (line[at] == '\0') at = first;
+    }
+    plain_key(line, at, key);
+    at += strspn(line + at, " \t");
+    if (line[at] == ':' || line[at] == '=') at++;
+    return trim(line + at);
+}
+
+
+/* number, unit and, for what another measure gave, the word "derived" */
+static mus_status read_measure(struct tape_text *text, int32_t measure, const char *key, const char *value)
+{
+    const mus_source *source = text->source;
+    size_t span = mus__number_span(value);
+    if (value[span] == ',' || span == 0)
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: expected a number%s, got \"%s\"", key,
+                                strchr(value, ',') != NULL ? " with a decimal point" : "", value);
+    char number[KEY_BYTES], unit[16] = "", word[16] = "", more[2] = "";
+    if (span >= sizeof number)
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: a number of %zu digits", key, span);
+    memcpy(number, value, span);
+    number[span] = '\0';
+    double x = 0.0;
+    const char *wrong = mus__number_read(number, &x);
+    if (wrong != NULL) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: %s %s", key, number, wrong);
+
+    /* the unit must fit the measure */
+    sscanf(value + span, "%15s %15s %1s", unit, word, more);
+    const char *wanted = mus_measure_unit(measure) == 'm' ? "mm, cm, m or in" : "deg or rad";
+    size_t i = 0, n = sizeof tape_units / sizeof tape_units[0];
+    while (i < n && (strcmp(unit, tape_units[i].name) != 0 || tape_units[i].unit != mus_measure_unit(measure))) i++;
+    if (i == n)
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: expected a unit (%s) behind %s, got \"%s\"",
+                                key, wanted, number, unit);
+    bool derived = strcmp(word, "derived") == 0;
+    if ((word[0] != '\0' && !derived) || more[0] != '\0')
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: unexpected \"%s\" behind the unit", key,
+                                derived ? more : word);
+
+    mus_status status = mus_tape_set(text->tape, measure, x * tape_units[i].up / tape_units[i].down,
+                                     derived ? MUS_SOURCE_DERIVED : MUS_SOURCE_GIVEN);
+    return status == MUS_OK ? MUS_OK : mus__source_wrap(source, text->line, status);
+}
+
+
+static mus_status read_sex(struct tape_text *text, const char *value)
+{
+    static const struct {
+        const char *name;
+        int32_t sex;
+    } sexes[] = {{"female", MUS_SEX_FEMALE}, {"male", MUS_SEX_MALE}, {"child", MUS_SEX_CHILD}};
+    for (size_t i = 0; i < sizeof sexes / sizeof sexes[0]; i++) {
+        if (strcmp(value, sexes[i].name) != 0) continue;
+        text->sex = sexes[i].sex;
+        if (text->sized && mus_tape_sex(text->tape) != text->sex)
+            return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "sex %s is not that of the size above",
+                                    value);
+        return MUS_OK;
+    }
+    return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "sex: expected female, male or child, got \"%s\"",
+                            value);
+}
+
+
+static mus_status read_size(struct tape_text *text, const char *value)
+{
+    if (text->measured || text->sexed)
+        return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT,
+                                "size: expected above the measures and in place of sex, as it sets them all");
+    mus_status status = mus_tape_set_size(text->tape, value);
+    return status == MUS_OK ? MUS_OK : mus__source_wrap(text->source, text->line, status);
+}
+
+
+/* the three lines that are no measure: *known tells whether it was one of them */
+static mus_status read_keyword(struct tape_text *text, const char *key, const char *value, bool *known)
+{
+    bool *once = strcmp(key, "name") == 0   ? &text->named
+                 : strcmp(key, "sex") == 0  ? &text->sexed
+                 : strcmp(key, "size") == 0 ? &text->sized
+                                            : NULL;
+    *known = once != NULL;
+    if (once == NULL) return MUS_OK;
+    if (*once) return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "%s: given a second time", key);
+
+    mus_status status = MUS_OK;
+    if (once == &text->sexed) {
+        status = read_sex(text, value);
+    } else if (once == &text->sized) {
+        status = read_size(text, value);
+    } else if (strlen(value) >= sizeof text->name) {
+        status = mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "name: %zu bytes, the limit is %d",
+                                  strlen(value), KEY_BYTES - 1);
+    } else {
+        snprintf(text->name, sizeof text->name, "%s", value);
+    }
+    *once = true;
+    return status;
+}
+
+
+static mus_status read_line(struct tape_text *text, char *line)
+{
+    const mus_source *source = text->source;
+    line = trim(line);
+    if (*line == '\0' || *line == '#') return MUS_OK;
+    if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
+
+    /* a name may hold a number sign, elsewhere it starts a remark */
+    char key[KEY_BYTES];
+    char *value = split_key(line, key);
+    if (strcmp(key, "name") != 0) {
+        line[strcspn(line, "#")] = '\0';
+        value = split_key(trim(line), key);
+    }
+    bool keyword;
+    mus_status status = read_keyword(text, key, value, &keyword);
+    if (keyword) return status;
+
+    int32_t measure = mus_measure_find(key);
+    if (measure < 0) {
+        const char *nearest = mus__measure_nearest(key);
+        if (nearest != NULL)
+            return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "unknown measure \"%s\"; did you mean \"%s\"?",
+                                    key, nearest);
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT,
+                                "unknown measure \"%s\"; expected a line such as \"bust 92 cm\"", key);
+    }
+    if (text->seen[measure] > 0)
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: given in line %lld already",
+                                mus_measure_name(measure), (long long)text->seen[measure]);
+    text->seen[measure] = text->line;
+    text->measured = true;
+    return read_measure(text, measure, mus_measure_name(measure), value);
+}
+
+
+mus_status mus__tape_read_text(mus_source *source, mus_tape *tape)
+{
+    struct tape_text text = {.source = source, .tape = tape};
+    const char *zero = memchr(source->text, '\0', source->size);
+    if (zero != NULL)
+        return mus__source_fail(source, 0, MUS_ERR_FORMAT, "byte %lld: a zero byte, expected text",
+                                (long long)(zero - source->text));
+
+    for (char *line = source->text, *next; line != NULL; line = next) {
+        next = strchr(line, '\n');
+        if (next != NULL) *next++ = '\0';
+        text.line++;
+        mus_status status = read_line(&text, line);
+        if (status != MUS_OK) return status;
+    }
+
+    /* last: a size sets name and sex anew */
+    mus_status status = text.sexed ? mus_tape_set_sex(tape, text.sex) : MUS_OK;
+    if (status == MUS_OK && text.named) status = mus_tape_set_name(tape, text.name);
+    return status == MUS_OK ? MUS_OK : mus__source_wrap(source, 0, status);
+}
+
+
+/* the reader of a form, by the ending of the name */
+static int tape_form(const char *path)
+{
+    static const struct {
+        const char *ending;
+        int form;
+    } forms[] = {{".tape", 't'}, {".txt", 't'}, {".yaml", 'y'}, {".yml", 'y'}, {".vit", 'v'}, {".csv", 'c'}};
+    const char *ending = strrchr(path, '.');
+    for (size_t i = 0; ending != NULL && i < sizeof forms / sizeof forms[0]; i++) {
+        size_t n = 0;
+        while (ending[n] != '\0' && tolower((unsigned char)ending[n]) == forms[i].ending[n]) n++;
+        if (ending[n] == '\0' && forms[i].ending[n] == '\0') return forms[i].form;
+    }
+    return 0;
+}
+
+
+static mus_status read_form(mus_source *source, const char *row, int form, mus_tape *tape)
+{
+    /* a tape without a name of its own has that of its file */
+    static const char *const endings[] = {".tape", ".txt", ".yaml", ".yml", ".vit", NULL};
+    char name[KEY_BYTES];
+    mus__source_base(source->path, endings, name, sizeof name);
+
+    mus_status status;
+    if (form == 't')
+        status = mus__tape_read_text(source, tape);
+    else if (form == 'y')
+        status = mus__tape_read_yaml(source, tape);
+    else if (form == 'v')
+        status = mus__tape_read_vit(source, tape);
+    else
+        status = mus__tape_read_table(source, row, tape);
+    if (status == MUS_OK && mus_tape_name(tape)[0] == '\0') status = mus_tape_set_name(tape, name);
+    return status;
+}
+
+
+mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (path == NULL || out == NULL)
+        return mus_context_fail(context, MUS_ERR_ARG, "mus_tape_read: path or out is NULL");
+    int form = tape_form(path);
+    if (form == 0)
+        return mus__exchange_fail(context, MUS_ERR_FORMAT,
+                                  "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
+                                  path);
+    if ((form == 'c') != (row != NULL))
+        return mus__exchange_fail(
+            context, MUS_ERR_ARG,
+            form == 'c' ? "%.300s: a table needs the name of a row" : "%.300s: has no rows; only a .csv has", path);
+    mus_locale locale;
+    mus_status status = mus__locale_enter(context, &locale);
+    if (status != MUS_OK) return status;
+
+    mus_source source;
+    mus_tape *tape = NULL;
+    status = mus__source_open(context, path, &source);
+    if (status == MUS_OK) status = mus_tape_create(context, &tape);
+    if (status == MUS_OK) status = read_form(&source, row, form, tape);
+    mus__source_close(&source);
+    mus__locale_leave(&locale);
+    if (status != MUS_OK) {
+        mus_tape_destroy(tape);
+        return status;
+    }
+    *out = tape;
+    return MUS_OK;
+}
+
+
+/* a value in centimetres or degrees when that reads back to the same double, else in metres or radians */
+static void write_value(mus_sink *sink, int32_t measure, double value)
+{
+    size_t i = mus_measure_unit(measure) == 'm' ? 1 : 5;
+    double shown = value * tape_units[i].down / tape_units[i].up;
+    char text[40];
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, shown);
+        if (strtod(text, NULL) * tape_units[i].up / tape_units[i].down != value) continue;
+        mus__sink_print(sink, "%s %s", text, tape_units[i].name);
+        return;
+    }
+    mus__sink_print(sink, "%.17g %s", value, tape_units[i - 1].name);
+}
+
+
+/* a name on one line, whatever it holds */
+static void write_name(mus_sink *sink, const char *name)
+{
+    mus__sink_print(sink, "name ");
+    for (; *name != '\0'; name++) mus__sink_add(sink, (unsigned char)*name < 0x20 ? " " : name, 1);
+    mus__sink_print(sink, "\n");
+}
+
+
+mus_status mus_tape_write(const mus_tape *tape, const char *path)
+{
+    if (tape == NULL) return MUS_ERR_ARG;
+    mus_context *context = mus_tape_context(tape);
+    if (path == NULL) return mus_context_fail(context, MUS_ERR_ARG, "mus_tape_write: path is NULL");
+    mus_locale locale;
+    mus_status status = mus__locale_enter(context, &locale);
+    if (status != MUS_OK) return status;
+
+    static const char *const sexes[] = {NULL, "female", "male", "child"};
+    mus_sink sink;
+    mus__sink_init(&sink, context);
+    mus__sink_print(&sink, "# muslin tape\n");
+    if (mus_tape_name(tape)[0] != '\0') write_name(&sink, mus_tape_name(tape));
+    if (mus_tape_sex(tape) != MUS_SEX_UNSET) mus__sink_print(&sink, "sex %s\n", sexes[mus_tape_sex(tape)]);
+
+    /* what can be derived again is a remark; the four that nothing derives are lines even when another measure gave
+     * them */
+    for (int32_t i = 0; i < mus_measure_count(); i++) {
+        int32_t from = mus_tape_source(tape, i);
+        if (from == MUS_SOURCE_NONE) continue;
+        bool derived = from == MUS_SOURCE_DERIVED;
+        bool needed =
+            i == MUS_MEASURE_STATURE || i == MUS_MEASURE_BUST || i == MUS_MEASURE_WAIST || i == MUS_MEASURE_HIP;
+        mus__sink_print(&sink, "%s%s ", derived && !needed ? "# " : "", mus_measure_name(i));
+        write_value(&sink, i, mus_tape_value(tape, i));
+        mus__sink_print(&sink, "%s\n", derived ? " derived" : "");
+    }
+    status = mus__sink_save(&sink, path);
+    mus__sink_free(&sink);
+    mus__locale_leave(&locale);
+    return status;
+}

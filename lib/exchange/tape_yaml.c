@@ -1,0 +1,230 @@
+/*
+ * tape_yaml.c: a GarmentCode body file: one map `body:` of numbers in centimetres and degrees.
+ *
+ * Read event by event (libyaml), so no document is built and aliases are never followed. GarmentCode measures levels
+ * downwards from the crown; muslin's heights follow from them:
+ *
+ *     nape = height - head_l        waist = nape - waist_line       bust = nape - vert_bust_line
+ *     crotch = waist - hips_line - crotch_hip_diff
+ *
+ * Left out because muslin's measure of that name is another one: back_width and its like (half a girth at a level and
+ * not across the back), armscye_depth (from the shoulder point and not the nape), bust_line and waist_over_bust_line
+ * (from the middle of the shoulder). Source: GarmentCode, assets/bodies and its documentation of body measurements.
+ */
+#include <math.h>
+#include <string.h>
+#include <yaml.h>
+
+#include "exchange/exchange_internal.h"
+
+#define CM 0.01
+
+/* what the file says, in its own names */
+#define BODY_LIST(X)                                                                                                   \
+    X(HEIGHT, "height")                                                                                                \
+    X(BUST, "bust")                                                                                                    \
+    X(UNDERBUST, "underbust")                                                                                          \
+    X(WAIST, "waist")                                                                                                  \
+    X(HIPS, "hips")                                                                                                    \
+    X(THIGH, "leg_circ")                                                                                               \
+    X(WRIST, "wrist")                                                                                                  \
+    X(ARM, "arm_length")                                                                                               \
+    X(ARM_ANGLE, "arm_pose_angle")                                                                                     \
+    X(HEAD, "head_l")                                                                                                  \
+    X(WAIST_LINE, "waist_line")                                                                                        \
+    X(BUST_LINE, "vert_bust_line")                                                                                     \
+    X(HIPS_LINE, "hips_line")                                                                                          \
+    X(CROTCH, "crotch_hip_diff")                                                                                       \
+    X(BUST_POINTS, "bust_points")                                                                                      \
+    X(SHOULDER, "shoulder_w")                                                                                          \
+    X(NECK, "neck_w")                                                                                                  \
+    X(INCLINE, "shoulder_incl")
+
+#define BODY_ENUM(NAME, name) BODY_##NAME,
+enum { BODY_LIST(BODY_ENUM) BODY_COUNT };
+#undef BODY_ENUM
+
+#define BODY_NAME(NAME, name) name,
+static const char *const body_names[BODY_COUNT] = {BODY_LIST(BODY_NAME)};
+#undef BODY_NAME
+
+/* where the reader stands: in the document, in its top map, in the map `body` */
+struct body_reader {
+    mus_source *source;
+    mus_unused unused;
+    double value[BODY_COUNT]; /* NaN: not in the file */
+    int32_t depth;
+    bool wants_value; /* a key was read */
+    bool in_body;
+    bool found;
+    char key[64];
+};
+
+
+static mus_status body_number(struct body_reader *reader, const char *text, int64_t line)
+{
+    int32_t i = 0;
+    while (i < BODY_COUNT && strcmp(reader->key, body_names[i]) != 0) i++;
+    if (i == BODY_COUNT) {
+        mus__unused_add(&reader->unused, reader->key);
+        return MUS_OK;
+    }
+    if (reader->value[i] == reader->value[i])
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "%s: given a second time", reader->key);
+    const char *wrong = mus__number_read(text, &reader->value[i]);
+    if (wrong == NULL) return MUS_OK;
+    return mus__source_fail(reader->source, line, MUS_ERR_FORMAT,
+                            "%s: expected a number in cm or degrees, \"%.40s\" %s", reader->key, text, wrong);
+}
+
+
+static mus_status body_scalar(struct body_reader *reader, const yaml_event_t *event, int64_t line)
+{
+    const char *text = (const char *)event->data.scalar.value;
+    if (strlen(text) != event->data.scalar.length)
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "a zero byte, expected text");
+    if (reader->depth == 0)
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "expected a map \"body:\", got \"%.40s\"", text);
+    if (!reader->wants_value) {
+        if (strlen(text) >= sizeof reader->key)
+            return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "a key of %zu bytes, the limit is %zu",
+                                    strlen(text), sizeof reader->key - 1);
+        memcpy(reader->key, text, strlen(text) + 1);
+        reader->wants_value = true;
+        return MUS_OK;
+    }
+    reader->wants_value = false;
+    if (reader->in_body) return body_number(reader, text, line);
+    if (strcmp(reader->key, "body") == 0)
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "body: expected a map of measures, got \"%.40s\"",
+                                text);
+    mus__unused_add(&reader->unused, reader->key);
+    return MUS_OK;
+}
+
+
+static mus_status body_map(struct body_reader *reader, int64_t line)
+{
+    bool body = reader->depth == 1 && reader->wants_value && strcmp(reader->key, "body") == 0;
+    if (reader->depth > 0 && !body)
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "expected a number, got a map");
+    if (body && reader->found)
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "body: given a second time");
+    reader->depth++;
+    reader->in_body = body;
+    reader->found = reader->found || body;
+    reader->wants_value = false;
+    return MUS_OK;
+}
+
+
+/* one event of the file; *done at its end */
+static mus_status body_event(struct body_reader *reader, const yaml_event_t *event, bool *done)
+{
+    int64_t line = (int64_t)event->start_mark.line + 1;
+    switch (event->type) {
+    case YAML_SCALAR_EVENT: return body_scalar(reader, event, line);
+    case YAML_MAPPING_START_EVENT: return body_map(reader, line);
+    case YAML_MAPPING_END_EVENT:
+        reader->depth--;
+        reader->in_body = false;
+        return MUS_OK;
+    case YAML_SEQUENCE_START_EVENT:
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "expected a map of measures, got a list");
+    case YAML_ALIAS_EVENT:
+        return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "expected a number, got an alias");
+    case YAML_DOCUMENT_END_EVENT:
+    case YAML_STREAM_END_EVENT: *done = true; return MUS_OK;
+    default: return MUS_OK;
+    }
+}
+
+
+static mus_status body_parse(struct body_reader *reader, yaml_parser_t *parser)
+{
+    mus_status status = MUS_OK;
+    bool done = false;
+    while (status == MUS_OK && !done) {
+        yaml_event_t event;
+        if (!yaml_parser_parse(parser, &event)) {
+            if (parser->error == YAML_MEMORY_ERROR)
+                return mus__source_fail(reader->source, 0, MUS_ERR_MEMORY, "no memory for the yaml reader");
+            size_t line = parser->error == YAML_READER_ERROR ? 0 : parser->problem_mark.line + 1;
+            return mus__source_fail(reader->source, (int64_t)line, MUS_ERR_FORMAT, "expected yaml: %s (byte %zu)",
+                                    parser->problem != NULL ? parser->problem : "not readable",
+                                    parser->error == YAML_READER_ERROR ? parser->problem_offset
+                                                                       : parser->problem_mark.index);
+        }
+        status = body_event(reader, &event, &done);
+        yaml_event_delete(&event);
+    }
+    return status;
+}
+
+
+/* set a measure unless a part of it is missing (NaN) */
+static mus_status body_set(struct body_reader *reader, mus_tape *tape, int32_t measure, double value)
+{
+    if (value != value) return MUS_OK;
+    mus_status status = mus_tape_set(tape, measure, value, MUS_SOURCE_GIVEN);
+    return status == MUS_OK ? MUS_OK : mus__source_wrap(reader->source, 0, status);
+}
+
+
+static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
+{
+    const double *v = reader->value;
+    double nape = v[BODY_HEIGHT] - v[BODY_HEAD];
+    double waist = nape - v[BODY_WAIST_LINE];
+    double rise = v[BODY_HIPS_LINE] + v[BODY_CROTCH];
+
+    /* the shoulder line runs down from the neck's side: its level part over the cosine */
+    double shoulder = 0.5 * (v[BODY_SHOULDER] - v[BODY_NECK]) / cos(v[BODY_INCLINE] * MUS_DEGREE);
+    const struct {
+        int32_t measure;
+        double value;
+    } measures[] = {
+        {MUS_MEASURE_STATURE, v[BODY_HEIGHT] * CM},
+        {MUS_MEASURE_BUST, v[BODY_BUST] * CM},
+        {MUS_MEASURE_UNDERBUST, v[BODY_UNDERBUST] * CM},
+        {MUS_MEASURE_WAIST, v[BODY_WAIST] * CM},
+        {MUS_MEASURE_HIP, v[BODY_HIPS] * CM},
+        {MUS_MEASURE_THIGH, v[BODY_THIGH] * CM},
+        {MUS_MEASURE_WRIST, v[BODY_WRIST] * CM},
+        {MUS_MEASURE_ARM, v[BODY_ARM] * CM},
+        {MUS_MEASURE_ARM_ANGLE, v[BODY_ARM_ANGLE] * MUS_DEGREE},
+        {MUS_MEASURE_SHOULDER, shoulder * CM},
+        {MUS_MEASURE_SHOULDER_SLOPE, v[BODY_INCLINE] * MUS_DEGREE},
+        {MUS_MEASURE_BUST_SPAN, v[BODY_BUST_POINTS] * CM},
+        {MUS_MEASURE_BACK_WAIST, v[BODY_WAIST_LINE] * CM},
+        {MUS_MEASURE_NAPE_HEIGHT, nape * CM},
+        {MUS_MEASURE_BUST_HEIGHT, (nape - v[BODY_BUST_LINE]) * CM},
+        {MUS_MEASURE_WAIST_HEIGHT, waist * CM},
+        {MUS_MEASURE_WAIST_TO_HIP, v[BODY_HIPS_LINE] * CM},
+        {MUS_MEASURE_RISE, rise * CM},
+        {MUS_MEASURE_INLEG, (waist - rise) * CM},
+    };
+    mus_status status = MUS_OK;
+    for (size_t i = 0; i < sizeof measures / sizeof measures[0] && status == MUS_OK; i++)
+        status = body_set(reader, tape, measures[i].measure, measures[i].value);
+    return status;
+}
+
+
+mus_status mus__tape_read_yaml(mus_source *source, mus_tape *tape)
+{
+    struct body_reader reader = {.source = source};
+    for (int32_t i = 0; i < BODY_COUNT; i++) reader.value[i] = NAN;
+
+    yaml_parser_t parser;
+    if (!yaml_parser_initialize(&parser))
+        return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for the yaml reader");
+    yaml_parser_set_input_string(&parser, (const unsigned char *)source->text, source->size);
+    mus_status status = body_parse(&reader, &parser);
+    yaml_parser_delete(&parser);
+    if (status != MUS_OK) return status;
+
+    if (!reader.found) return mus__source_fail(source, 0, MUS_ERR_FORMAT, "expected a map \"body:\", found none");
+    mus__unused_log(&reader.unused, source);
+    return body_measures(&reader, tape);
+}

@@ -68,7 +68,7 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REA
     const MUS_REAL turn = slope_q / (sum * sum);
     const MUS_REAL ga = ua / rho + turn * ub, gb = ub / rho - turn * ua;
     const MUS_REAL gs = -slope_s - (ga * dca + gb * dcb) * f->ds_inverse;
-    const MUS_REAL g = 1 / (MUS_REAL)MUS_FIELD(sqrt)(ga * ga + gb * gb + gs * gs + (MUS_REAL)1e-12);
+    const MUS_REAL g = 1 / (MUS_REAL)MUS_FIELD(sqrt)(ga * ga + gb * gb + gs * gs + (MUS_REAL)1e-30);
     for (int32_t i = 0; i < 3; i++) normal[i] = g * (ga * f->side[i] + gb * f->front[i] + gs * f->axis[i]);
     *near = 1;
     return (radius - rho) * g;

@@ -1,0 +1,246 @@
+/*
+ * test_contact.c: nodes against radius fields of known shapes: cylinder and sphere; the impulses of a collision.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "contact/contact.h"
+#include "support.h"
+
+Suite *mus_suite_contact(void);
+
+#define RINGS 401
+#define ANGLES 128
+
+static double contact_centre[2 * RINGS], contact_radius[RINGS * ANGLES];
+
+
+/* radius of the shapes at height s */
+static double cylinder_radius(double s)
+{
+    return fabs(s) < 0.39 ? 0.1 : 1e-6;
+}
+
+
+static double sphere_radius(double s)
+{
+    return fabs(s) < 0.2 ? sqrt(0.04 - s * s) : 1e-9;
+}
+
+
+/* a body of one limb round the Y axis, from -0.4 to 0.4 */
+static void contact_body(mus_context *context, double (*radius)(double), mus_body *body, mus__field *field)
+{
+    memset(body, 0, sizeof *body);
+    memset(field, 0, sizeof *field);
+    body->context = context;
+    field->axis[1] = field->side[0] = 1.0;
+    field->front[2] = -1.0;
+    field->s0 = -0.4;
+    field->ds = 0.8 / (RINGS - 1);
+    field->nring = RINGS;
+    field->nangle = ANGLES;
+    field->centre = contact_centre;
+    field->radius = contact_radius;
+    field->reach = 0.2;
+    for (int k = 0; k < RINGS; k++)
+        for (int j = 0; j < ANGLES; j++) contact_radius[k * ANGLES + j] = radius(field->s0 + k * field->ds);
+    body->field = field;
+    body->nfield = 1;
+}
+
+
+static mus__collider *make_collider(mus_context *context, double (*radius)(double))
+{
+    static const double origin[3] = {0.25, -0.5, 1.0};
+    mus_body body;
+    mus__field field;
+    mus__collider *collider;
+    contact_body(context, radius, &body, &field);
+    ck_assert_int_eq(mus__collider_create(context, &body, origin, &collider), MUS_OK);
+    return collider;
+}
+
+
+START_TEST(depth_in_a_cylinder_is_the_distance_to_its_wall)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, cylinder_radius);
+    uint64_t random = 1;
+    for (int i = 0; i < 2000; i++) {
+        const double r = support_uniform(&random, 0.06, 0.115), turn = support_uniform(&random, 0.0, 6.283);
+        const double p[3] = {r * cos(turn), support_uniform(&random, -0.3, 0.3), r * sin(turn)};
+        double normal[3];
+        ck_assert_double_eq_tol(mus__collider_depth(collider, p, 0.05, normal), 0.1 - r, 1e-7);
+        ck_assert_double_eq_tol(normal[0], cos(turn), 1e-6);
+        ck_assert_double_eq_tol(normal[2], sin(turn), 1e-6);
+    }
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* to first order: at points within 3 mm of a sphere of 0.2 m, away from its poles */
+START_TEST(depth_near_a_sphere_is_the_distance_to_first_order)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, sphere_radius);
+    uint64_t random = 2;
+    for (int i = 0; i < 2000; i++) {
+        double d[3] = {support_uniform(&random, -1, 1), support_uniform(&random, -0.6, 0.6),
+                       support_uniform(&random, -1, 1)};
+        const double l = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), off = support_uniform(&random, -3e-3, 3e-3);
+        if (l < 0.2 || fabs(d[1]) > 0.8 * l) continue;
+        const double p[3] = {d[0] / l * (0.2 + off), d[1] / l * (0.2 + off), d[2] / l * (0.2 + off)};
+        double normal[3];
+        ck_assert_double_eq_tol(mus__collider_depth(collider, p, 0.05, normal), -off, 6e-5);
+        ck_assert_double_ge((normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2]) / l, 0.999);
+    }
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* one node at (r, 0, 0) of the body frame with velocity v; state relative to the collider's origin */
+static void touch(double r, double clearance, double friction, double push, double *x, double *v)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, cylinder_radius);
+    const double mobile[1] = {1.0};
+    const mus__contact_rule rule = {clearance, friction, push};
+    x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
+    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, x, v), 1);
+    x[0] += collider->origin[0];
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+
+
+/* F8: v_n = -2, v_t = 5, mu = 0.3 gives 0 and 4.4 */
+START_TEST(impulses_stop_the_normal_and_brake_the_tangent)
+{
+    double x[3], v[3] = {-2.0, 5.0, 0.0};
+    touch(0.0995, 0.0, 0.3, 1.0, x, v);
+    ck_assert_double_eq_tol(v[0], 0.0, 1e-14);
+    ck_assert_double_eq_tol(v[1], 4.4, 1e-14);
+    ck_assert_double_eq_tol(v[2], 0.0, 1e-14);
+    ck_assert_double_eq_tol(x[0], 0.1, 1e-9);
+}
+END_TEST
+
+
+START_TEST(strong_friction_stops_and_no_friction_slides)
+{
+    double x[3], v[3] = {-2.0, 0.5, 0.0};
+    touch(0.0995, 0.0, 0.3, 1.0, x, v);
+    ck_assert_double_eq_tol(v[1], 0.0, 1e-14);
+    double w[3] = {-2.0, 0.5, 0.0};
+    touch(0.0995, 0.0, 0.0, 1.0, x, w);
+    ck_assert_double_eq_tol(w[1], 0.5, 1e-14);
+}
+END_TEST
+
+
+START_TEST(a_node_that_leaves_keeps_its_velocity)
+{
+    double x[3], v[3] = {1.0, 5.0, 0.25};
+    touch(0.0995, 0.0, 0.3, 1.0, x, v);
+    ck_assert_double_eq(v[0], 1.0);
+    ck_assert_double_eq(v[1], 5.0);
+    ck_assert_double_eq(v[2], 0.25);
+}
+END_TEST
+
+
+START_TEST(a_swallowed_node_leaves_at_bounded_speed)
+{
+    double x[3], v[3] = {0.0, 0.0, 0.0};
+    touch(0.06, 0.002, 0.3, 0.001, x, v);
+    ck_assert_double_eq_tol(x[0], 0.061, 1e-12);
+}
+END_TEST
+
+
+START_TEST(float_and_double_respond_alike)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, sphere_radius);
+    const mus__contact_rule rule = {0.002, 0.4, 0.01};
+    uint64_t random = 3;
+    double x[300], v[300], mobile[100];
+    float xf[300], vf[300], mobilef[100];
+    for (int i = 0; i < 300; i++) {
+        x[i] = support_uniform(&random, -0.2, 0.2) - collider->origin[i / 100];
+        v[i] = support_uniform(&random, -1.0, 1.0);
+        xf[i] = (float)x[i], vf[i] = (float)v[i];
+        mobile[i % 100] = mobilef[i % 100] = 1;
+    }
+    const int64_t asked = mus__contact_f64(collider, &rule, 100, 0, 100, mobile, x, v);
+    ck_assert_int_eq((int)asked, (int)mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, xf, vf));
+    for (int i = 0; i < 300; i++) {
+        ck_assert_double_eq_tol(x[i], (double)xf[i], 2e-5);
+        ck_assert_double_eq_tol(v[i], (double)vf[i], 2e-3);
+    }
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, sphere_radius);
+    const mus__contact_rule rule = {0.002, 0.4, 0.01};
+    const double mobile[1] = {1.0};
+    double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
+    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, x, v), 0);
+    ck_assert_double_eq(x[0], 10.0);
+    ck_assert_double_eq(v[0], -100.0);
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(each_failing_allocation_is_a_status)
+{
+    for (int64_t n = 0;; n++) {
+        mus_context *context = support_context();
+        static const double origin[3] = {0};
+        mus_body body;
+        mus__field field;
+        mus__collider *collider;
+        contact_body(context, sphere_radius, &body, &field);
+        support_fail_after(n, false);
+        const mus_status status = mus__collider_create(context, &body, origin, &collider);
+        support_fail_never();
+        mus__collider_destroy(collider);
+        support_context_end(context);
+        if (status == MUS_OK) break;
+        ck_assert_int_eq(status, MUS_ERR_MEMORY);
+    }
+}
+END_TEST
+
+
+Suite *mus_suite_contact(void)
+{
+    Suite *suite = suite_create("contact");
+    TCase *tests = tcase_create("contact");
+    tcase_add_test(tests, depth_in_a_cylinder_is_the_distance_to_its_wall);
+    tcase_add_test(tests, depth_near_a_sphere_is_the_distance_to_first_order);
+    tcase_add_test(tests, impulses_stop_the_normal_and_brake_the_tangent);
+    tcase_add_test(tests, strong_friction_stops_and_no_friction_slides);
+    tcase_add_test(tests, a_node_that_leaves_keeps_its_velocity);
+    tcase_add_test(tests, a_swallowed_node_leaves_at_bounded_speed);
+    tcase_add_test(tests, float_and_double_respond_alike);
+    tcase_add_test(tests, out_of_reach_costs_no_query_and_changes_nothing);
+    tcase_add_test(tests, each_failing_allocation_is_a_status);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

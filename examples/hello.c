@@ -39,7 +39,7 @@ int main(int argc, char **argv)
         return 2;
     }
     mus_cloth_def_init(&cut, sizeof cut);
-    if (argc > 3) cut.spacing = atof(argv[3]) / 1000;
+    if (argc > 3) cut.spacing = 0.001 * atof(argv[3]);
 
     /* what is there: a person and a pattern */
     must(NULL, mus_context_create(NULL, &context));

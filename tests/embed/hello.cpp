@@ -58,7 +58,7 @@ int main(int argc, char **argv)
 {
     try {
         if (argc < 3) throw std::runtime_error("usage: hello TAPE PATTERN [SPACING_MM]");
-        std::uint64_t hash = drape(argv[1], argv[2], argc > 3 ? std::atof(argv[3]) / 1000 : 0);
+        std::uint64_t hash = drape(argv[1], argv[2], argc > 3 ? 0.001 * std::atof(argv[3]) : 0);
         std::printf("%016llx\n", static_cast<unsigned long long>(hash));
         return 0;
     } catch (const std::exception &error) {

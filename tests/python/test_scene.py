@@ -5,7 +5,8 @@ import pytest
 
 import muslin
 
-SPACING = 0.02
+SPACING_MM = 20
+SPACING = 0.001 * SPACING_MM
 
 
 @pytest.fixture(scope="module")
@@ -14,7 +15,7 @@ def scene(root, tmp_path_factory, command):
     folder = tmp_path_factory.mktemp("scene")
     tape, pattern, report = root / "examples/tapes/w40.tape", folder / "skirt.json", folder / "report.json"
     command("draft", "--design", "skirt", "--tape", tape, "-o", pattern)
-    command("dress", "--pattern", pattern, "--tape", tape, "--spacing", SPACING * 1000, "--report", report)
+    command("dress", "--pattern", pattern, "--tape", tape, "--spacing", SPACING_MM, "--report", report)
     return pattern, tape, json.loads(report.read_text())
 
 

@@ -26,6 +26,11 @@ typedef struct mus__field {
     double *centre;  /* (nring x 2) ca, cb */
     double *radius;  /* (nring x nangle) */
     double reach;    /* largest radius + centre offset: quick reject */
+    double *largest; /* (nring) largest radius of rings k and k + 1 */
 } mus__field;
+
+/* depth of p (3) by that query: positive inside, the distance to first order near the surface; normal (3), outward.
+ * -1e30 and a zero normal when p is beyond the end rings or further out than 5 cm */
+double mus__field_depth(const mus__field *field, const double *p, double *normal);
 
 #endif

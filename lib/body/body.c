@@ -1,0 +1,399 @@
+/*
+ * body.c: from a tape to a body, and what can be asked of it.
+ *
+ * Order of making: skeleton (heights and joints), contours of each limb, fit of each contour to its girth, stacks
+ * between them, surface, measuring again, contact fields. Everything is made at create and does not change afterwards.
+ * Source: Metaaphanon and Kanongchaiyos, Real-time Cloth Simulation for Garment CAD, 2005, section 3.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+/* contact field: steps of the diamond angle, rings about this far apart [m]; finer moves depths by under 0.05 mm */
+#define BODY_FIELD_ANGLES 128
+#define BODY_FIELD_SPACING 0.004
+
+/* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
+#define BODY_CONTOUR_GAP 0.006
+
+
+void mus_body_def_init(mus_body_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    mus_body_def own = {sizeof own, 96, 0.01, 0};
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    def->size = size;
+}
+
+
+static mus_status body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own)
+{
+    mus_body_def_init(own, sizeof *own);
+    mus_status status = MUS_OK;
+    if (def != NULL) status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_body_def");
+    if (status != MUS_OK) return status;
+    if (own->samples < 16 || own->samples > 512 || own->samples % 4 != 0)
+        return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to 512", (int)own->samples);
+    if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
+        return mus__fail(context, MUS_ERR_ARG, "ring_spacing is outside 0.001 to 0.1 m");
+    return MUS_OK;
+}
+
+
+/* contours of all limbs from the tape; legs stand under the outside of the torso's lowest contour */
+static mus_status body_contours(mus_body *body, const mus_tape *tape)
+{
+    mus__limb *limb = body->limb;
+    const mus__skeleton *bone = &body->skeleton;
+    mus__body_torso(tape, bone, &limb[MUS_LIMB_TORSO]);
+    double outer = 0.975 * limb[MUS_LIMB_TORSO].contour[0].a;
+    for (int32_t right = 0; right < 2; right++) {
+        mus__body_arm(tape, bone, right, &limb[MUS_LIMB_ARM_LEFT + right]);
+        mus__body_leg(tape, bone, right, outer, &limb[MUS_LIMB_LEG_LEFT + right]);
+        mus__body_foot(tape, bone, right, &limb[MUS_LIMB_FOOT_LEFT + right]);
+    }
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        mus_status status = mus__limb_check(body->context, &limb[l], BODY_CONTOUR_GAP * bone->crown);
+        if (status != MUS_OK) return status;
+    }
+    return MUS_OK;
+}
+
+
+/* scale every contour so that its sampled polygon has the girth it is for */
+static void body_fit(mus_body *body, const double *turn, double *xy, int32_t *work)
+{
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+        for (int32_t i = 0; i < body->limb[l].count; i++) {
+            mus__contour *contour = &body->limb[l].contour[i];
+            if (body->def.ellipse) {
+                contour->n = 2.0;
+                contour->bump[0] = contour->bump[1] = 0.0;
+            }
+            if (contour->target > 0.0) mus__contour_fit(contour, contour->target, body->def.samples, turn, xy, work);
+        }
+}
+
+
+static mus_status body_surface_of(mus_body *body, const double *turn)
+{
+    mus__stack stack[MUS_LIMB_COUNT];
+    memset(stack, 0, sizeof stack);
+    mus_status status = MUS_OK;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT && status == MUS_OK; l++) {
+        status = mus__stack_make(body->context, &body->limb[l], body->def.samples, turn, &stack[l]);
+        if (status == MUS_OK) mus__stack_limit(&stack[l], &body->limb[l]);
+    }
+    if (status == MUS_OK) status = mus__body_surface(body, stack);
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) mus__stack_free(body->context, &stack[l]);
+    if (status == MUS_OK) status = mus__body_remeasure(body);
+    return status;
+}
+
+
+static mus_status body_fields(mus_body *body)
+{
+    double turn[2 * BODY_FIELD_ANGLES];
+    mus__field_turns(BODY_FIELD_ANGLES, turn);
+    body->field = mus__new(body->context, MUS_LIMB_COUNT, sizeof *body->field);
+    if (body->field == NULL) return mus__fail_memory(body->context, "contact fields");
+
+    mus_status status = MUS_OK;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT && status == MUS_OK; l++) {
+        mus__stack stack;
+        status = mus__stack_make(body->context, &body->limb[l], BODY_FIELD_ANGLES, turn, &stack);
+        if (status != MUS_OK) break;
+        status = mus__field_make(body->context, &stack, BODY_FIELD_SPACING, &body->field[l]);
+        mus__stack_free(body->context, &stack);
+        if (status == MUS_OK) body->nfield = l + 1;
+    }
+    return status;
+}
+
+
+static mus_status body_make(mus_body *body, const mus_tape *tape)
+{
+    int32_t n = body->def.samples;
+    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) {
+        body->asked[m] = mus_tape_value(tape, m);
+        body->source[m] = mus_tape_source(tape, m);
+    }
+    mus__skeleton_make(tape, &body->skeleton);
+    mus_status status = body_contours(body, tape);
+    if (status != MUS_OK) return status;
+
+    /* directions at equal angles, exact at the quarters */
+    double *turn = mus__new(body->context, 4 * (int64_t)n, sizeof(double));
+    int32_t *work = mus__new(body->context, 2 * (int64_t)n, sizeof(int32_t));
+    if (turn == NULL || work == NULL) {
+        status = mus__fail_memory(body->context, "the directions of contours");
+    } else {
+        for (int32_t k = 0; k < n; k++) {
+            double angle = 2.0 * MUS_PI * (k % (n / 4)) / n, c = cos(angle), s = sin(angle);
+            int32_t quarter = k / (n / 4);
+            turn[2 * k] = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
+            turn[2 * k + 1] = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
+        }
+        body_fit(body, turn, turn + 2 * (ptrdiff_t)n, work);
+        status = body_surface_of(body, turn);
+    }
+    mus__free(body->context, turn);
+    mus__free(body->context, work);
+    return status == MUS_OK ? body_fields(body) : status;
+}
+
+
+mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (tape == NULL) return mus__fail(context, MUS_ERR_ARG, "the tape of a body is NULL");
+
+    mus_body_def own;
+    mus_tape *copy = NULL;
+    mus_body *body = NULL;
+    mus_status status = body_read_def(context, def, &own);
+    if (status != MUS_OK) return status;
+    if (!mus_tape_is_complete(tape)) {
+        status = mus_tape_copy(tape, &copy);
+        if (status == MUS_OK) status = mus_tape_complete(copy);
+        if (status != MUS_OK) goto fail;
+        tape = copy;
+    }
+
+    body = mus__new(context, 1, sizeof *body);
+    if (body == NULL) {
+        status = mus__fail_memory(context, "a body");
+        goto fail;
+    }
+    body->context = context;
+    body->def = own;
+    status = body_make(body, tape);
+    if (status != MUS_OK) goto fail;
+    mus_tape_destroy(copy);
+    *out = body;
+    return MUS_OK;
+
+fail:
+    /* the tape may have another context: its sentence is the caller's too */
+    if (copy != NULL && mus_tape_context(copy) != context)
+        mus__fail(context, status, "%s", mus_context_error(mus_tape_context(copy)));
+    mus_tape_destroy(copy);
+    mus_body_destroy(body);
+    return status;
+}
+
+
+void mus_body_destroy(mus_body *body)
+{
+    if (body == NULL) return;
+    for (int32_t l = 0; body->field != NULL && l < MUS_LIMB_COUNT; l++) mus__field_free(body->context, &body->field[l]);
+    mus__free(body->context, body->field);
+    mus__free(body->context, body->vertices);
+    mus__free(body->context, body->normals);
+    mus__free(body->context, body->triangles);
+    mus__free(body->context, body);
+}
+
+
+int32_t mus_body_limb_count(const mus_body *body)
+{
+    return body != NULL ? MUS_LIMB_COUNT : 0;
+}
+
+
+static const mus__limb *body_limb(const mus_body *body, int32_t limb)
+{
+    return body != NULL && limb >= 0 && limb < MUS_LIMB_COUNT ? &body->limb[limb] : NULL;
+}
+
+
+const char *mus_body_limb_name(const mus_body *body, int32_t limb)
+{
+    const mus__limb *found = body_limb(body, limb);
+    return found != NULL ? found->name : NULL;
+}
+
+
+double mus_body_asked(const mus_body *body, int32_t measure)
+{
+    return body != NULL && measure >= 0 && measure < MUS_MEASURE_COUNT ? body->asked[measure] : NAN;
+}
+
+
+double mus_body_made(const mus_body *body, int32_t measure)
+{
+    return body != NULL && measure >= 0 && measure < MUS_MEASURE_COUNT ? body->made[measure] : NAN;
+}
+
+
+int32_t mus_body_source(const mus_body *body, int32_t measure)
+{
+    return body != NULL && measure >= 0 && measure < MUS_MEASURE_COUNT ? body->source[measure] : MUS_SOURCE_NONE;
+}
+
+
+int32_t mus_body_vertex_count(const mus_body *body)
+{
+    return body != NULL ? body->vertex_count : 0;
+}
+
+
+int32_t mus_body_triangle_count(const mus_body *body)
+{
+    return body != NULL ? body->triangle_count : 0;
+}
+
+
+const double *mus_body_vertices(const mus_body *body)
+{
+    return body != NULL ? body->vertices : NULL;
+}
+
+
+const double *mus_body_normals(const mus_body *body)
+{
+    return body != NULL ? body->normals : NULL;
+}
+
+
+const int32_t *mus_body_triangles(const mus_body *body)
+{
+    return body != NULL ? body->triangles : NULL;
+}
+
+
+mus_status mus_body_limb_range(const mus_body *body, int32_t limb, int32_t *range)
+{
+    if (body == NULL) return MUS_ERR_ARG;
+    const mus__limb *found = body_limb(body, limb);
+    if (found == NULL || range == NULL)
+        return mus__fail(body->context, MUS_ERR_ARG, "limb %d is not one of 0 to %d, or range is NULL", (int)limb,
+                         MUS_LIMB_COUNT - 1);
+    range[0] = found->first_vertex, range[1] = found->vertices;
+    range[2] = found->first_triangle, range[3] = found->triangles;
+    return MUS_OK;
+}
+
+
+int32_t mus_body_contour_count(const mus_body *body, int32_t limb)
+{
+    const mus__limb *found = body_limb(body, limb);
+    return found != NULL ? found->count : 0;
+}
+
+
+const char *mus_body_contour_name(const mus_body *body, int32_t limb, int32_t contour)
+{
+    const mus__limb *found = body_limb(body, limb);
+    return found != NULL && contour >= 0 && contour < found->count ? found->contour[contour].name : NULL;
+}
+
+
+mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t contour, int32_t n, double *out)
+{
+    if (body == NULL) return MUS_ERR_ARG;
+    const mus__limb *found = body_limb(body, limb);
+    if (found == NULL || contour < 0 || contour >= found->count)
+        return mus__fail(body->context, MUS_ERR_ARG, "limb %d has no contour %d", (int)limb, (int)contour);
+    if (n < 3 || out == NULL)
+        return mus__fail(body->context, MUS_ERR_ARG, "%d points of a contour: at least 3, and room for them", (int)n);
+
+    const mus__contour *c = &found->contour[contour];
+    for (int32_t k = 0; k < n; k++) {
+        double cosine = cos(2.0 * MUS_PI * k / n), sine = sin(2.0 * MUS_PI * k / n);
+        double radius = mus__contour_radius(c, cosine, sine);
+        double a = c->ca + radius * cosine, b = c->cb + radius * sine;
+        for (int i = 0; i < 3; i++)
+            out[3 * (ptrdiff_t)k + i] =
+                found->origin[i] + a * found->side[i] + b * found->front[i] + c->s * found->axis[i];
+    }
+    return MUS_OK;
+}
+
+
+/* centre of a named contour of a limb; false without it */
+static bool body_contour_centre(const mus__limb *limb, const char *name, double *out)
+{
+    for (int32_t i = 0; i < limb->count; i++) {
+        const mus__contour *c = &limb->contour[i];
+        if (strcmp(c->name, name) != 0) continue;
+        for (int k = 0; k < 3; k++)
+            out[k] = limb->origin[k] + c->ca * limb->side[k] + c->cb * limb->front[k] + c->s * limb->axis[k];
+        return true;
+    }
+    return false;
+}
+
+
+mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out)
+{
+    if (body == NULL || out == NULL) return MUS_ERR_ARG;
+    const mus__limb *limb = body->limb, *torso = &limb[MUS_LIMB_TORSO];
+    const mus__skeleton *bone = &body->skeleton;
+    out[0] = out[1] = out[2] = 0.0;
+    switch (landmark) {
+    case MUS_LANDMARK_CROWN:
+        memcpy(out, body->vertices + 3 * ((ptrdiff_t)torso->first_vertex + torso->vertices - 1), 3 * sizeof *out);
+        return MUS_OK;
+    case MUS_LANDMARK_NAPE:
+        /* on the skin behind the centre of the neck */
+        out[1] = bone->nape;
+        for (int32_t i = 0; i < torso->count; i++)
+            if (strcmp(torso->contour[i].name, "nape") == 0)
+                out[2] = -torso->contour[i].cb - mus__contour_radius(&torso->contour[i], 0.0, 1.0);
+        return MUS_OK;
+    case MUS_LANDMARK_BUST:
+        if (!body_contour_centre(torso, "bust", out)) out[1] = bone->bust;
+        return MUS_OK;
+    case MUS_LANDMARK_WAIST:
+        if (!body_contour_centre(torso, "waist", out)) out[1] = bone->waist;
+        return MUS_OK;
+    case MUS_LANDMARK_HIP:
+        if (!body_contour_centre(torso, "hip", out)) out[1] = bone->hip;
+        return MUS_OK;
+    case MUS_LANDMARK_CROTCH:
+        memcpy(out, body->vertices + 3 * (ptrdiff_t)torso->first_vertex, 3 * sizeof *out);
+        return MUS_OK;
+    case MUS_LANDMARK_SHOULDER_LEFT:
+    case MUS_LANDMARK_SHOULDER_RIGHT:
+        memcpy(out, bone->joint[landmark - MUS_LANDMARK_SHOULDER_LEFT], 3 * sizeof *out);
+        return MUS_OK;
+    case MUS_LANDMARK_WRIST_LEFT:
+    case MUS_LANDMARK_WRIST_RIGHT:
+        body_contour_centre(&limb[MUS_LIMB_ARM_LEFT + landmark - MUS_LANDMARK_WRIST_LEFT], "wrist", out);
+        return MUS_OK;
+    case MUS_LANDMARK_ANKLE_LEFT:
+    case MUS_LANDMARK_ANKLE_RIGHT:
+        body_contour_centre(&limb[MUS_LIMB_LEG_LEFT + landmark - MUS_LANDMARK_ANKLE_LEFT], "ankle", out);
+        return MUS_OK;
+    default:
+        return mus__fail(body->context, MUS_ERR_ARG, "landmark %d is not one of 0 to %d", (int)landmark,
+                         MUS_LANDMARK_COUNT - 1);
+    }
+}
+
+
+mus_status mus_body_depth(const mus_body *body, int32_t n, const double *points, double *depth, double *normal)
+{
+    if (body == NULL) return MUS_ERR_ARG;
+    if (n < 0 || (n > 0 && (points == NULL || depth == NULL)))
+        return mus__fail(body->context, MUS_ERR_ARG, "%d points, or no room for their depths", (int)n);
+
+    for (int32_t i = 0; i < n; i++) {
+        double best = -1e30, at[3] = {0.0, 0.0, 0.0}, here[3];
+        for (int32_t l = 0; l < body->nfield; l++) {
+            double d = mus__field_depth(&body->field[l], points + 3 * (ptrdiff_t)i, here);
+            if (d <= best) continue;
+            best = d;
+            memcpy(at, here, sizeof at);
+        }
+        depth[i] = best;
+        if (normal != NULL) memcpy(normal + 3 * (ptrdiff_t)i, at, sizeof at);
+    }
+    return MUS_OK;
+}

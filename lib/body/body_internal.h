@@ -1,0 +1,127 @@
+/*
+ * body_internal.h: the insides of a body: contours on limbs, the sampled stack between them, the surface, the fields.
+ *
+ * A limb has a right-handed frame (side, front, axis): point = origin + a*side + b*front + s*axis. The torso's and the
+ * legs' is (X, -Z, Y), which is the frame of the founding paper: angles run from +X. Contours ascend in s; each is a
+ * star-shaped closed curve about its centre (ca, cb), given by a radius for every angle.
+ */
+#ifndef MUS_BODY_BODY_INTERNAL_H
+#define MUS_BODY_BODY_INTERNAL_H
+
+#include "base/base_internal.h"
+#include "body/field.h"
+#include "body/skeleton.h"
+#include "muslin/body.h"
+
+#define MUS_LIMB_COUNT 7
+#define MUS_LIMB_CONTOURS 32
+
+/* which limb is which in mus_body.limb */
+enum {
+    MUS_LIMB_TORSO,
+    MUS_LIMB_ARM_LEFT,
+    MUS_LIMB_ARM_RIGHT,
+    MUS_LIMB_LEG_LEFT,
+    MUS_LIMB_LEG_RIGHT,
+    MUS_LIMB_FOOT_LEFT,
+    MUS_LIMB_FOOT_RIGHT
+};
+
+typedef struct mus__contour {
+    const char *name;
+    int32_t girth;        /* measure that is its girth, or MUS_NONE */
+    int32_t height;       /* measure that sets its place, or MUS_NONE */
+    bool hard;            /* the girth was given: the contour may not be left out */
+    double target;        /* girth to be fitted to [m], 0: a and b stand as they are */
+    double s;             /* place on the axis */
+    double ca, cb;        /* centre in the contour's plane */
+    double a, b, n;       /* half breadth along side, half depth along front, superellipse exponent */
+    double bump[2];       /* height of the pair of bumps towards the front, and towards the back */
+    double bump_angle[2]; /* angle of the bumps off the front (off the back) */
+    double wall;          /* plane a = wall that the contour does not pass, on the side wall_side */
+    double wall_side;     /* +1: a >= wall, -1: a <= -wall, 0: no wall */
+    int32_t ring;         /* its ring in the surface */
+} mus__contour;
+
+typedef struct mus__limb {
+    const char *name;
+    double origin[3], side[3], front[3], axis[3];
+    int32_t count;
+    mus__contour contour[MUS_LIMB_CONTOURS];
+    bool limited[MUS_LIMB_CONTOURS]; /* slopes held monotone here: the natural spline would overshoot */
+    double pole[2];                  /* s of the closing points below and above */
+    double wall, wall_side;          /* as the contours', for all in-between contours too */
+    int32_t first_vertex, vertices, first_triangle, triangles, rings;
+} mus__limb;
+
+struct mus_body {
+    mus_context *context;
+    mus_body_def def;
+    mus__skeleton skeleton;
+    double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
+    int32_t source[MUS_MEASURE_COUNT];
+    mus__limb limb[MUS_LIMB_COUNT];
+    int32_t vertex_count, triangle_count;
+    double *vertices;   /* (vertex_count x 3) */
+    double *normals;    /* (vertex_count x 3) */
+    int32_t *triangles; /* (triangle_count x 3) */
+    mus__field *field;  /* (nfield), one a limb, in the order of the limbs */
+    int32_t nfield;
+};
+
+/* a limb sampled at n directions: radii and slopes at its contours, ready for the in-between contours */
+typedef struct mus__stack {
+    const mus__limb *limb;
+    int32_t n;
+    const double *turn; /* (n x 2) cos, sin of the directions */
+    double *radius;     /* (count x n) */
+    double *slope;      /* (count x n) d radius / d s */
+    double *centre;     /* (count x 2) */
+    double *drift;      /* (count x 2) d centre / d s */
+    double cap[2][2];   /* of the closing caps below and above: s of the ellipse's middle, half axis */
+    double *work;
+} mus__stack;
+
+/* ---- body_contour.c ---- */
+
+/* radius of a contour in the direction (cos, sin) */
+double mus__contour_radius(const mus__contour *contour, double cosine, double sine);
+/* girth of the contour sampled at n equal angles, as a tape lies; xy (2n), work (2n) */
+double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work);
+/* scale a contour until that girth is `girth` */
+void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
+
+/* ---- body_torso.c, body_limbs.c: the contours of each limb from the tape; shapes only, not yet fitted ---- */
+
+void mus__body_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__limb *limb);
+void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
+void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, double outer, mus__limb *limb);
+void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
+
+/* ---- body_stack.c ---- */
+
+/* contours in order and far enough apart: soft ones in the way are left out, two hard ones are MUS_ERR_BODY */
+mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap);
+mus_status mus__stack_make(mus_context *context, const mus__limb *limb, int32_t n, const double *turn, mus__stack *out);
+void mus__stack_free(mus_context *context, mus__stack *stack);
+/* mark the contours of a limb where the natural spline overshoots, then take the stack's slopes anew */
+void mus__stack_limit(mus__stack *stack, mus__limb *limb);
+/* the in-between contour at s: centre (2), radius (n) */
+void mus__stack_ring(const mus__stack *stack, double s, double *centre, double *radius);
+
+/* ---- body_surface.c, body_measure.c ---- */
+
+/* triangulate all limbs; stack (MUS_LIMB_COUNT) sampled at def.samples equal angles */
+mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
+/* fill body->made from the vertices */
+mus_status mus__body_remeasure(mus_body *body);
+
+/* ---- field.c ---- */
+
+/* directions (n x 2) of n equal steps of the diamond angle */
+void mus__field_turns(int32_t n, double *turn);
+/* sample a stack at those directions into a field, rings about `spacing` apart */
+mus_status mus__field_make(mus_context *context, const mus__stack *stack, double spacing, mus__field *out);
+void mus__field_free(mus_context *context, mus__field *field);
+
+#endif

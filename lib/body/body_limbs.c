@@ -1,0 +1,184 @@
+/*
+ * body_limbs.c: the contours of arms, legs and feet.
+ *
+ * Arms stand on a straight axis from the shoulder joint to the wrist, at the tape's angle below the horizontal; their
+ * first contours are a ball inside the shoulder of the torso. Legs stand on a vertical axis; their centres move
+ * outwards and back on the way down, and begin inside the torso above the crotch, where a wall keeps the two apart.
+ * Feet lie along Z on the floor. The fractions of girth along a limb are those of the mean bodies of GarmentCode.
+ *
+ *      ___                 |  |
+ *     (   \  ball          |  |  thigh
+ *      \   \  upper arm     | |  knee
+ *       \   \  elbow        ( |  calf
+ *        \   \  wrist        ||  ankle
+ *         \__/  hand       (____)  foot
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+
+static mus__contour *limb_add(mus__limb *limb, const char *name, double s, double girth, double ratio, double n)
+{
+    mus__contour *contour = &limb->contour[limb->count++];
+    memset(contour, 0, sizeof *contour);
+    contour->name = name;
+    contour->girth = contour->height = contour->ring = MUS_NONE;
+    contour->s = s;
+    contour->target = girth;
+    contour->a = girth / (MUS_PI * (1.0 + ratio) * (1.0 + 0.045 * (n - 2.0)));
+    contour->b = ratio * contour->a;
+    contour->n = n;
+    return contour;
+}
+
+
+/* a contour with the tape's girth */
+static mus__contour *limb_add_measure(mus__limb *limb, const mus_tape *tape, const char *name, double s, int32_t girth,
+                                      double ratio, double n)
+{
+    mus__contour *contour = limb_add(limb, name, s, mus_tape_value(tape, girth), ratio, n);
+    contour->girth = contour->height = girth;
+    contour->hard = true;
+    return contour;
+}
+
+
+void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb)
+{
+    double h = skeleton->crown, upper = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM);
+    double wrist = mus_tape_value(tape, MUS_MEASURE_WRIST), hand = mus_tape_value(tape, MUS_MEASURE_HAND);
+    double length = skeleton->arm_length, ball = 1.06 * upper / (2.0 * MUS_PI), palm = 0.111 * h;
+
+    /* frame: front is backwards (-Z) square to the axis, side = front x axis */
+    memset(limb, 0, sizeof *limb);
+    limb->name = right ? "arm_right" : "arm_left";
+    memcpy(limb->origin, skeleton->joint[right], sizeof limb->origin);
+    memcpy(limb->axis, skeleton->arm_axis[right], sizeof limb->axis);
+    double along = limb->axis[2];
+    for (int i = 0; i < 3; i++) limb->front[i] = (i == 2 ? -1.0 : 0.0) + along * limb->axis[i];
+    mus__unit3(limb->front);
+    mus__cross3(limb->front, limb->axis, limb->side);
+
+    /* the ball of the shoulder: half a sphere before the joint */
+    limb->pole[0] = -ball;
+    limb_add(limb, "ball_inner", -0.70 * ball, 0.714 * 1.06 * upper, 1.0, 2.0);
+    limb_add(limb, "ball", -0.35 * ball, 0.937 * 1.06 * upper, 1.0, 2.0);
+    limb_add(limb, "shoulder", 0.0, 1.06 * upper, 1.0, 2.0);
+    limb_add(limb, "deltoid", 0.13 * length, 1.075 * upper, 1.0, 2.0);
+
+    /* upper arm to wrist; the tape's ends taper into each other when a given wrist is nearly the upper arm */
+    double elbow = fmax(0.84 * upper, 1.02 * wrist), fore = fmax(0.86 * upper, 1.02 * wrist);
+    limb_add_measure(limb, tape, "upper_arm", 0.30 * length, MUS_MEASURE_UPPER_ARM, 0.97, 2.0);
+    limb_add(limb, "arm", 0.43 * length, fmax(0.90 * upper, 1.02 * wrist), 0.97, 2.0);
+    limb_add(limb, "elbow", 0.53 * length, elbow, 1.08, 2.0);
+    limb_add(limb, "forearm", 0.62 * length, fore, 1.05, 2.0);
+    limb_add(limb, "forearm_low", 0.78 * length, fmax(0.66 * upper, 1.01 * wrist), 1.05, 2.0);
+    limb_add(limb, "above_wrist", 0.92 * length, fmax(0.54 * upper, wrist), 1.12, 2.0);
+    limb_add_measure(limb, tape, "wrist", length, MUS_MEASURE_WRIST, 1.25, 2.1);
+
+    /* a mitten, its breadth forwards */
+    limb_add_measure(limb, tape, "hand", length + 0.40 * palm, MUS_MEASURE_HAND, 2.1, 2.3);
+    limb_add(limb, "fingers", length + 0.68 * palm, 0.86 * hand, 2.3, 2.3);
+    limb_add(limb, "finger_tips", length + 0.90 * palm, 0.62 * hand, 2.3, 2.2);
+    limb->pole[1] = length + palm;
+}
+
+
+/* X of the middle of the leg, u of the way from the crotch to the floor: the joint line, but so far out that the
+ * flesh of half breadth a clears the other leg, or is cut by at most a tenth */
+static double limb_leg_x(double h, double u, double top, double a)
+{
+    double knee = 0.058 * h, ankle = 0.063 * h;
+    double x = u < 0.40 ? top + (knee - top) * u / 0.40 : knee + (ankle - knee) * (u - 0.40) / 0.43;
+    return fmax(x, 0.90 * a + 0.002);
+}
+
+
+void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, double outer, mus__limb *limb)
+{
+    double h = skeleton->crown, crotch = skeleton->crotch, side = right ? -1.0 : 1.0;
+    double thigh = mus_tape_value(tape, MUS_MEASURE_THIGH), knee = mus_tape_value(tape, MUS_MEASURE_KNEE);
+    double calf = mus_tape_value(tape, MUS_MEASURE_CALF), ankle = mus_tape_value(tape, MUS_MEASURE_ANKLE);
+    double male = mus_tape_sex(tape) == MUS_SEX_MALE ? 1.0 : mus_tape_sex(tape) == MUS_SEX_UNSET ? 0.5 : 0.0;
+
+    memset(limb, 0, sizeof *limb);
+    limb->name = right ? "leg_right" : "leg_left";
+    limb->side[0] = 1.0, limb->front[2] = -1.0, limb->axis[1] = 1.0;
+    limb->wall = 0.002, limb->wall_side = side;
+
+    /* u from the crotch down, girth, depth to breadth of women and of men, Z / H; thigh girths between thigh and knee
+     * keep the mean body's taper */
+    double taper = thigh - knee;
+    const struct {
+        const char *name;
+        int32_t measure;
+        double u, girth, female, male, z;
+    } row[] = {
+        {"instep", MUS_NONE, 0.94, 1.12 * ankle, 1.45, 1.50, -0.026},
+        {"above_instep", MUS_NONE, 0.89, 1.03 * ankle, 1.32, 1.40, -0.028},
+        {"ankle", MUS_MEASURE_ANKLE, 0.83, ankle, 1.28, 1.39, -0.029},
+        {"calf_low", MUS_NONE, 0.73, 0.5 * ankle + 0.42 * calf, 1.10, 1.14, -0.031},
+        {"calf", MUS_MEASURE_CALF, 0.57, calf, 1.00, 1.03, -0.030},
+        {"below_knee", MUS_NONE, 0.47, 0.45 * knee + 0.48 * calf, 0.98, 1.08, -0.021},
+        {"knee", MUS_MEASURE_KNEE, 0.40, knee, 1.00, 1.09, -0.012},
+        {"above_knee", MUS_NONE, 0.31, knee + 0.20 * taper, 1.04, 1.09, -0.007},
+        {"thigh_low", MUS_NONE, 0.22, knee + 0.47 * taper, 1.05, 1.10, -0.003},
+        {"thigh_mid", MUS_NONE, 0.12, knee + 0.81 * taper, 1.03, 1.06, 0.000},
+        {"thigh", MUS_MEASURE_THIGH, 0.02, thigh, 1.03, 1.04, 0.000},
+    };
+    int rows = (int)(sizeof row / sizeof *row);
+    double a0 = thigh / (2.0 * MUS_PI), top = fmax(outer - a0, 0.5 * a0);
+    for (int i = 0; i < rows; i++) {
+        double ratio = row[i].female + male * (row[i].male - row[i].female), s = crotch * (1.0 - row[i].u);
+        mus__contour *contour = limb_add(limb, row[i].name, s, row[i].girth, ratio, 2.05);
+        contour->girth = contour->height = row[i].measure;
+        contour->hard = row[i].measure != MUS_NONE;
+        contour->ca = side * limb_leg_x(h, row[i].u, top, contour->a);
+        contour->cb = -row[i].z * h;
+        contour->wall = limb->wall, contour->wall_side = side;
+    }
+
+    /* the root of the leg, inside the torso */
+    const mus__contour *thick = &limb->contour[limb->count - 1];
+    double x = thick->ca;
+    mus__contour *root = limb_add(limb, "leg_root", crotch + 0.020 * h, 0.93 * thigh, 1.0, 2.05);
+    root->ca = x, root->wall = limb->wall, root->wall_side = side;
+    limb->pole[0] = fmin(0.035 * crotch, 0.012 * h);
+    limb->pole[1] = crotch + 0.045 * h;
+}
+
+
+void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb)
+{
+    double h = skeleton->crown, foot = mus_tape_value(tape, MUS_MEASURE_FOOT), side = right ? -1.0 : 1.0;
+    double ankle_x = 0.063 * h + 0.002, heel = -0.029 * h - 0.25 * foot;
+
+    /* frame: b is up, s forwards */
+    memset(limb, 0, sizeof *limb);
+    limb->name = right ? "foot_right" : "foot_left";
+    limb->side[0] = 1.0, limb->front[1] = 1.0, limb->axis[2] = 1.0;
+
+    /* part of the length from the heel; breadth and height in parts of the length; outwards shift */
+    static const struct {
+        const char *name;
+        double f, breadth, height, out;
+    } row[] = {
+        {"heel_back", 0.030, 0.17, 0.19, 0.000},   {"heel", 0.11, 0.235, 0.28, 0.000},
+        {"ankle_joint", 0.24, 0.255, 0.34, 0.000}, {"instep", 0.40, 0.275, 0.295, 0.004},
+        {"waist", 0.54, 0.325, 0.215, 0.012},      {"ball", 0.70, 0.375, 0.155, 0.020},
+        {"toes", 0.84, 0.345, 0.115, 0.030},       {"toe_tips", 0.945, 0.245, 0.090, 0.036},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        mus__contour *contour = limb_add(limb, row[i].name, heel + row[i].f * foot, 1.0, 1.0, 2.5);
+        contour->target = 0.0;
+        contour->a = 0.5 * row[i].breadth * foot;
+        contour->b = 0.5 * row[i].height * foot;
+        contour->ca = side * (ankle_x + row[i].out * foot);
+        contour->cb = contour->b;
+    }
+    limb->pole[0] = heel;
+    limb->pole[1] = heel + foot;
+}

@@ -1,0 +1,276 @@
+/*
+ * body_stack.c: the contours between the contours.
+ *
+ * All contours of a limb are sampled in the same directions, so the closest-point map of the paper is the identity on
+ * the sample's number. Sample k is centre(s) + R_k(s) (cos t_k, sin t_k); centre and R_k run along the axis as natural
+ * cubic splines (paper eq. 7 to 11), which is the same as a spline of x_k and y_k, since the directions are fixed.
+ *
+ * A natural spline overshoots where girths jump (neck to shoulder, armpit to bust). Where an in-between girth leaves
+ * the interval of its two neighbours by more than 3 %, the contours on both sides are marked, and there the slope of
+ * every sample is held to that of a monotone curve: 0 at an extremum, else at most three times the smaller of the
+ * neighbouring slopes (Fritsch and Carlson 1980). Elsewhere the curve is the natural spline to the last bit.
+ *
+ * Beyond the end contours a cap closes the limb: a quarter of an ellipse in s that leaves with the slope of the stack,
+ * R(s) = R_end sqrt(1 - ((s - m) / L)^2) / sqrt(1 - ((s_end - m) / L)^2).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "body/tape_internal.h"
+#include "geom/polygon.h"
+#include "geom/spline.h"
+
+/* steps in an interval at which the overshoot is looked for */
+#define STACK_PROBES 6
+
+
+/* what a contour is called in a sentence: the measure that places it, or its own name */
+static const char *stack_word(const mus__contour *contour)
+{
+    const char *name = mus_measure_name(contour->height);
+    if (name == NULL) name = mus_measure_name(contour->girth);
+    return name != NULL ? name : contour->name;
+}
+
+
+static void stack_leave_out(mus__limb *limb, int32_t i)
+{
+    limb->count--;
+    memmove(&limb->contour[i], &limb->contour[i + 1], (size_t)(limb->count - i) * sizeof limb->contour[0]);
+}
+
+
+mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
+{
+    char low[MUS_TAPE_TEXT_BYTES], high[MUS_TAPE_TEXT_BYTES], least[MUS_TAPE_TEXT_BYTES];
+    for (int32_t i = 0; i + 1 < limb->count;) {
+        mus__contour *p = &limb->contour[i], *q = p + 1;
+        if (q->s - p->s >= gap) {
+            i++;
+        } else if (!q->hard) {
+            stack_leave_out(limb, i + 1);
+        } else if (!p->hard) {
+            stack_leave_out(limb, i);
+            if (i > 0) i--;
+        } else {
+            return mus__fail(context, MUS_ERR_BODY, "contours cross: %s (%s at %s) and %s (%s at %s) are not %s apart",
+                             q->name, stack_word(q), mus__tape_text(0, q->s, high), p->name, stack_word(p),
+                             mus__tape_text(0, p->s, low), mus__tape_text(0, gap, least));
+        }
+    }
+
+    /* the caps need room as well */
+    mus__contour *bottom = &limb->contour[0], *top = &limb->contour[limb->count - 1];
+    if (limb->count < 2 || bottom->s - limb->pole[0] < 0.25 * gap || limb->pole[1] - top->s < 0.25 * gap)
+        return mus__fail(context, MUS_ERR_BODY,
+                         "contours cross: %s has no room between %s (%s at %s) and %s (%s at %s)", limb->name,
+                         bottom->name, stack_word(bottom), mus__tape_text(0, bottom->s, low), top->name,
+                         stack_word(top), mus__tape_text(0, top->s, high));
+    return MUS_OK;
+}
+
+
+/* slope at knot i held to a monotone curve through the neighbours */
+static double stack_monotone(double before, double after, double slope)
+{
+    if (before * after <= 0.0) return 0.0;
+    double most = 3.0 * fmin(fabs(before), fabs(after)), sign = before > 0.0 ? 1.0 : -1.0;
+    double along = slope * sign;
+    return sign * (along < 0.0 ? 0.0 : along > most ? most : along);
+}
+
+
+/* slopes of one spline through values y (count, `stride` apart), monotone at the marked contours */
+static void stack_slopes(const mus__stack *stack, const double *values, int32_t stride, double *slopes)
+{
+    const mus__limb *limb = stack->limb;
+    int32_t n = limb->count;
+    double *s = stack->work, *y = s + n, *m = y + n, *d = m + n, *work = d + n;
+    for (int32_t i = 0; i < n; i++) s[i] = limb->contour[i].s, y[i] = values[(ptrdiff_t)i * stride];
+    mus__spline_natural(n, s, y, m, work);
+
+    /* slope at a knot from the second derivatives: S' = dy/h - h (2 m_i + m_{i+1}) / 6 */
+    for (int32_t i = 0; i + 1 < n; i++) {
+        double h = s[i + 1] - s[i];
+        d[i] = (y[i + 1] - y[i]) / h - h * (2.0 * m[i] + m[i + 1]) / 6.0;
+        d[i + 1] = (y[i + 1] - y[i]) / h + h * (m[i] + 2.0 * m[i + 1]) / 6.0;
+    }
+    for (int32_t i = 0; i < n; i++) {
+        if (limb->limited[i]) {
+            double before = i > 0 ? (y[i] - y[i - 1]) / (s[i] - s[i - 1]) : 0.0;
+            double after = i + 1 < n ? (y[i + 1] - y[i]) / (s[i + 1] - s[i]) : 0.0;
+            d[i] = stack_monotone(i > 0 ? before : after, i + 1 < n ? after : before, d[i]);
+        }
+        slopes[(ptrdiff_t)i * stride] = d[i];
+    }
+}
+
+
+/* ellipse of the cap at an end that leaves with the mean slope of the stack: with k = -R' length / R,
+ * the end lies at u = k / (1 - k) of the half axis L, and L = length / (1 - u) */
+static void stack_cap(mus__stack *stack, int end)
+{
+    const mus__limb *limb = stack->limb;
+    int32_t i = end == 0 ? 0 : limb->count - 1;
+    double radius = 0.0, slope = 0.0, length = fabs(limb->pole[end] - limb->contour[i].s);
+    for (int32_t k = 0; k < stack->n; k++) {
+        radius += stack->radius[(ptrdiff_t)i * stack->n + k];
+        slope += stack->slope[(ptrdiff_t)i * stack->n + k];
+    }
+    double fall = (end == 0 ? slope : -slope) * length / radius;
+    double u = fall <= 0.0 ? 0.0 : fall >= 0.49 ? 0.96 : fall / (1.0 - fall);
+    double axis = length / (1.0 - u);
+    stack->cap[end][0] = end == 0 ? limb->pole[0] + axis : limb->pole[1] - axis;
+    stack->cap[end][1] = axis;
+}
+
+
+static void stack_all_slopes(mus__stack *stack)
+{
+    for (int32_t k = 0; k < stack->n; k++) stack_slopes(stack, stack->radius + k, stack->n, stack->slope + k);
+    for (int32_t k = 0; k < 2; k++) stack_slopes(stack, stack->centre + k, 2, stack->drift + k);
+    stack_cap(stack, 0);
+    stack_cap(stack, 1);
+}
+
+
+mus_status mus__stack_make(mus_context *context, const mus__limb *limb, int32_t n, const double *turn, mus__stack *out)
+{
+    memset(out, 0, sizeof *out);
+    int64_t count = limb->count;
+    out->limb = limb;
+    out->n = n;
+    out->turn = turn;
+    out->radius = mus__new(context, count * n, sizeof(double));
+    out->slope = mus__new(context, count * n, sizeof(double));
+    out->centre = mus__new(context, count * 2, sizeof(double));
+    out->drift = mus__new(context, count * 2, sizeof(double));
+    out->work = mus__new(context, count * 6 + (int64_t)n * 3 + 2, sizeof(double));
+    if (!out->radius || !out->slope || !out->centre || !out->drift || !out->work) {
+        mus__stack_free(context, out);
+        return mus__fail_memory(context, "the contours of a limb");
+    }
+
+    for (int32_t i = 0; i < limb->count; i++) {
+        const mus__contour *contour = &limb->contour[i];
+        out->centre[2 * i] = contour->ca, out->centre[2 * i + 1] = contour->cb;
+        for (int32_t k = 0; k < n; k++)
+            out->radius[(ptrdiff_t)i * n + k] = mus__contour_radius(contour, turn[2 * k], turn[2 * k + 1]);
+    }
+    stack_all_slopes(out);
+    return MUS_OK;
+}
+
+
+void mus__stack_free(mus_context *context, mus__stack *stack)
+{
+    mus__free(context, stack->radius);
+    mus__free(context, stack->slope);
+    mus__free(context, stack->centre);
+    mus__free(context, stack->drift);
+    mus__free(context, stack->work);
+    memset(stack, 0, sizeof *stack);
+}
+
+
+/* perimeter of the in-between contour at s */
+static double stack_girth(const mus__stack *stack, double s, double *radius, double *xy)
+{
+    double centre[2];
+    mus__stack_ring(stack, s, centre, radius);
+    for (int32_t k = 0; k < stack->n; k++) {
+        xy[2 * k] = radius[k] * stack->turn[2 * k];
+        xy[2 * k + 1] = radius[k] * stack->turn[2 * k + 1];
+    }
+    return mus__polygon_perimeter(stack->n, xy);
+}
+
+
+/* true when a girth between contours i and i + 1 leaves their interval by more than 3 % */
+static bool stack_overshoots(const mus__stack *stack, int32_t i)
+{
+    const mus__contour *p = &stack->limb->contour[i];
+    double *radius = stack->work + 6 * (ptrdiff_t)stack->limb->count, *xy = radius + stack->n;
+    double low = stack_girth(stack, p[0].s, radius, xy), high = stack_girth(stack, p[1].s, radius, xy);
+    if (low > high) {
+        double swap = low;
+        low = high, high = swap;
+    }
+    for (int32_t j = 1; j < STACK_PROBES; j++) {
+        double girth = stack_girth(stack, p[0].s + (p[1].s - p[0].s) * j / STACK_PROBES, radius, xy);
+        if (girth < 0.97 * low || girth > 1.03 * high) return true;
+    }
+    return false;
+}
+
+
+void mus__stack_limit(mus__stack *stack, mus__limb *limb)
+{
+    /* a mark moves its neighbours' curve, so look again until no interval is new; at most once a contour */
+    for (int32_t round = 0; round < limb->count; round++) {
+        bool more = false;
+        for (int32_t i = 0; i + 1 < limb->count; i++) {
+            if ((limb->limited[i] && limb->limited[i + 1]) || !stack_overshoots(stack, i)) continue;
+            limb->limited[i] = limb->limited[i + 1] = true;
+            more = true;
+        }
+        if (!more) break;
+        stack_all_slopes(stack);
+    }
+}
+
+
+/* Hermite basis at t in 0..1 of an interval h: values and slopes at both ends */
+static void stack_basis(double t, double h, double *basis)
+{
+    double t2 = t * t, t3 = t2 * t;
+    basis[0] = 2.0 * t3 - 3.0 * t2 + 1.0;
+    basis[1] = h * (t3 - 2.0 * t2 + t);
+    basis[2] = 3.0 * t2 - 2.0 * t3;
+    basis[3] = h * (t3 - t2);
+}
+
+
+/* in a cap the end contour shrinks about its centre */
+static void stack_cap_ring(const mus__stack *stack, int end, double s, double *centre, double *radius)
+{
+    const mus__limb *limb = stack->limb;
+    int32_t i = end == 0 ? 0 : limb->count - 1;
+    double middle = stack->cap[end][0], axis = stack->cap[end][1];
+    double u = (s - middle) / axis, v = (limb->contour[i].s - middle) / axis;
+    double shrink = u * u >= 1.0 ? 0.0 : sqrt((1.0 - u * u) / (1.0 - v * v));
+    for (int32_t k = 0; k < 2; k++) centre[k] = stack->centre[2 * i + k];
+    for (int32_t k = 0; k < stack->n; k++) radius[k] = shrink * stack->radius[(ptrdiff_t)i * stack->n + k];
+}
+
+
+void mus__stack_ring(const mus__stack *stack, double s, double *centre, double *radius)
+{
+    const mus__limb *limb = stack->limb;
+    int32_t n = stack->n, last = limb->count - 1;
+    if (s < limb->contour[0].s || s > limb->contour[last].s) {
+        stack_cap_ring(stack, s < limb->contour[0].s ? 0 : 1, s, centre, radius);
+        return;
+    }
+
+    int32_t i = 0;
+    while (i + 1 < last && s >= limb->contour[i + 1].s) i++;
+    double h = limb->contour[i + 1].s - limb->contour[i].s, basis[4];
+    stack_basis((s - limb->contour[i].s) / h, h, basis);
+    const double *c = stack->centre + 2 * i, *dc = stack->drift + 2 * i;
+    for (int32_t k = 0; k < 2; k++)
+        centre[k] = basis[0] * c[k] + basis[1] * dc[k] + basis[2] * c[k + 2] + basis[3] * dc[k + 2];
+    const double *r = stack->radius + (ptrdiff_t)i * n, *dr = stack->slope + (ptrdiff_t)i * n;
+    for (int32_t k = 0; k < n; k++)
+        radius[k] = basis[0] * r[k] + basis[1] * dr[k] + basis[2] * r[k + n] + basis[3] * dr[k + n];
+
+    /* the wall holds between the contours as well */
+    if (limb->wall_side == 0.0) return;
+    for (int32_t k = 0; k < n; k++) {
+        double inward = -stack->turn[2 * k] * limb->wall_side;
+        if (inward <= 0.0) continue;
+        double most = (centre[0] * limb->wall_side - limb->wall) / inward;
+        if (radius[k] > most) radius[k] = most;
+    }
+}

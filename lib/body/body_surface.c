@@ -1,0 +1,166 @@
+/*
+ * body_surface.c: stacks to triangles.
+ *
+ * A limb is a point below, rings of `samples` vertices, a point above. Rings stand at every contour and between them so
+ * close that no sample moves more than ring_spacing; caps take a few rings at equal angles of their ellipse. Between
+ * two rings run quads cut in two, and fans to the end points, so that no triangle has more than two vertices on one
+ * contour and those are neighbours (the two conditions of paper 3.3). All triangles wind outwards. Normals are the mean
+ * of the triangles around a vertex, weighted by area.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+/* rings of a cap at equal angles of the quarter ellipse */
+#define SURFACE_CAP_RINGS 6
+
+
+/* rings in the interval above contour i: no sample moves further than `spacing` between two */
+static int32_t surface_steps(const mus__stack *stack, int32_t i, double spacing)
+{
+    const mus__contour *p = &stack->limb->contour[i];
+    const double *r = stack->radius + (ptrdiff_t)i * stack->n;
+    double most = 0.0, rise = p[1].s - p[0].s;
+    for (int32_t k = 0; k < stack->n; k++) {
+        double move = fabs(r[k + stack->n] - r[k]);
+        if (move > most) most = move;
+    }
+    double steps = ceil(sqrt(rise * rise + most * most) / spacing);
+    return steps < 1.0 ? 1 : steps > 200.0 ? 200 : (int32_t)steps;
+}
+
+
+/* s of all rings of a limb (out may be NULL); notes which ring each contour is. Returns their number */
+static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double spacing, double *out)
+{
+    int32_t count = 0, last = limb->count - 1;
+
+    /* the lower cap from its point upwards, the contours, the upper cap */
+    for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++, count++) {
+        double middle = stack->cap[0][0], axis = stack->cap[0][1];
+        double end = acos((middle - limb->contour[0].s) / axis);
+        if (out != NULL) out[count] = middle - axis * cos(end * j / SURFACE_CAP_RINGS);
+    }
+    for (int32_t i = 0; i < last; i++) {
+        int32_t steps = surface_steps(stack, i, spacing);
+        double low = limb->contour[i].s, high = limb->contour[i + 1].s;
+        limb->contour[i].ring = count;
+        for (int32_t j = 0; j < steps; j++, count++)
+            if (out != NULL) out[count] = j == 0 ? low : low + (high - low) * j / steps;
+    }
+    limb->contour[last].ring = count;
+    if (out != NULL) out[count] = limb->contour[last].s;
+    count++;
+    for (int32_t j = SURFACE_CAP_RINGS - 1; j > 0; j--, count++) {
+        double middle = stack->cap[1][0], axis = stack->cap[1][1];
+        double end = acos((limb->contour[last].s - middle) / axis);
+        if (out != NULL) out[count] = middle + axis * cos(end * j / SURFACE_CAP_RINGS);
+    }
+    return count;
+}
+
+
+static void surface_point(const mus__limb *limb, double a, double b, double s, double *out)
+{
+    for (int i = 0; i < 3; i++) out[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
+}
+
+
+static void surface_vertices(const mus__stack *stack, const mus__limb *limb, const double *s, double *radius,
+                             double *out)
+{
+    double centre[2];
+    int32_t n = stack->n;
+    mus__stack_ring(stack, limb->pole[0], centre, radius);
+    surface_point(limb, centre[0], centre[1], limb->pole[0], out);
+    out += 3;
+    for (int32_t j = 0; j < limb->rings; j++) {
+        mus__stack_ring(stack, s[j], centre, radius);
+        for (int32_t k = 0; k < n; k++, out += 3)
+            surface_point(limb, centre[0] + radius[k] * stack->turn[2 * k],
+                          centre[1] + radius[k] * stack->turn[2 * k + 1], s[j], out);
+    }
+    mus__stack_ring(stack, limb->pole[1], centre, radius);
+    surface_point(limb, centre[0], centre[1], limb->pole[1], out);
+}
+
+
+static void surface_triangles(const mus__limb *limb, int32_t n, int32_t *out)
+{
+    int32_t first = limb->first_vertex + 1, top = first + n * limb->rings, high = first + n * (limb->rings - 1);
+    for (int32_t k = 0; k < n; k++, out += 3) {
+        out[0] = first - 1, out[1] = first + (k + 1) % n, out[2] = first + k;
+    }
+    for (int32_t j = 0; j + 1 < limb->rings; j++) {
+        int32_t low = first + n * j;
+        for (int32_t k = 0; k < n; k++, out += 6) {
+            int32_t next = (k + 1) % n;
+            out[0] = low + k, out[1] = low + next, out[2] = low + n + k;
+            out[3] = low + next, out[4] = low + n + next, out[5] = low + n + k;
+        }
+    }
+    for (int32_t k = 0; k < n; k++, out += 3) {
+        out[0] = high + k, out[1] = high + (k + 1) % n, out[2] = top;
+    }
+}
+
+
+static void surface_normals(mus_body *body)
+{
+    const double *x = body->vertices;
+    double *normals = body->normals;
+    for (int32_t t = 0; t < body->triangle_count; t++) {
+        const int32_t *v = body->triangles + 3 * (ptrdiff_t)t;
+        double u[3], w[3], area[3];
+        for (int i = 0; i < 3; i++) {
+            u[i] = x[3 * (ptrdiff_t)v[1] + i] - x[3 * (ptrdiff_t)v[0] + i];
+            w[i] = x[3 * (ptrdiff_t)v[2] + i] - x[3 * (ptrdiff_t)v[0] + i];
+        }
+        mus__cross3(u, w, area);
+        for (int c = 0; c < 3; c++)
+            for (int i = 0; i < 3; i++) normals[3 * (ptrdiff_t)v[c] + i] += area[i];
+    }
+    for (int32_t i = 0; i < body->vertex_count; i++) mus__unit3(normals + 3 * (ptrdiff_t)i);
+}
+
+
+mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
+{
+    int32_t n = body->def.samples;
+    double spacing = body->def.ring_spacing;
+
+    /* sizes first */
+    int32_t most = 0;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        mus__limb *limb = &body->limb[l];
+        limb->rings = surface_rings(&stack[l], limb, spacing, NULL);
+        limb->vertices = limb->rings * n + 2;
+        limb->triangles = 2 * n * limb->rings;
+        limb->first_vertex = body->vertex_count;
+        limb->first_triangle = body->triangle_count;
+        body->vertex_count += limb->vertices;
+        body->triangle_count += limb->triangles;
+        if (limb->rings > most) most = limb->rings;
+    }
+
+    body->vertices = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+    body->normals = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+    body->triangles = mus__new(body->context, 3 * (int64_t)body->triangle_count, sizeof(int32_t));
+    double *work = mus__new(body->context, (int64_t)most + n, sizeof(double));
+    if (!body->vertices || !body->normals || !body->triangles || !work) {
+        mus__free(body->context, work);
+        return mus__fail_memory(body->context, "the surface of a body");
+    }
+
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        mus__limb *limb = &body->limb[l];
+        surface_rings(&stack[l], limb, spacing, work);
+        surface_vertices(&stack[l], limb, work, work + most, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
+        surface_triangles(limb, n, body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
+    }
+    surface_normals(body);
+    mus__free(body->context, work);
+    return MUS_OK;
+}

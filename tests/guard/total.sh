@@ -63,6 +63,7 @@ guard includes "$python" tests/guard/includes.py
 guard size "$python" tests/guard/size.py
 guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
+guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"

@@ -58,9 +58,9 @@ mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, 
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    if (!mus__finite(x) || !mus__finite(y))
-        return mus__fail(pattern->context, MUS_ERR_ARG, "point of panel %s: (%g, %g) is not finite",
-                         pattern->panel[panel].name, x, y);
+    if (!mus__pattern_near(x, y))
+        return mus__fail(pattern->context, MUS_ERR_ARG, "point of panel %s: (%g, %g) is not within %g m",
+                         pattern->panel[panel].name, x, y, MUS__FARTHEST);
 
     mus__point point = {{x, y}, panel};
     status = mus__reserve(pattern->context, &pattern->point, &pattern->point_room, (int64_t)pattern->npoint + 1,
@@ -103,9 +103,10 @@ static mus_status cell_chain_check(const mus_pattern *pattern, const char *name,
     if (need > INT32_MAX / 4)
         return mus__fail(context, MUS_ERR_LIMIT, "edge %s: %lld points are above the limit", name, (long long)need);
     for (int32_t i = 0; i < nxy; i++) {
-        if (!mus__finite(xy[2 * i]) || !mus__finite(xy[2 * i + 1]))
-            return mus__fail(context, MUS_ERR_ARG, "edge %s: point %d (%g, %g) is not finite", name, (int)i, xy[2 * i],
-                             xy[2 * i + 1]);
+        double x = xy[2 * (size_t)i], y = xy[2 * (size_t)i + 1];
+        if (!mus__pattern_near(x, y))
+            return mus__fail(context, MUS_ERR_ARG, "edge %s: point %d (%g, %g) is not within %g m", name, (int)i, x, y,
+                             MUS__FARTHEST);
     }
     return MUS_OK;
 }
@@ -149,7 +150,7 @@ mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t 
 
     double length = edge.run[npiece];
     if (!mus__finite(length) || !(length > 0.0))
-        status = mus__fail(context, MUS_ERR_ARG, "edge %s of panel %s: its length is %g m, it must be finite and above 0",
+        status = mus__fail(context, MUS_ERR_ARG, "edge %s of panel %s: its length is %g m, it must be above 0",
                            edge.name, pattern->panel[edge.panel].name, length);
     if (status == MUS_OK)
         status = mus__reserve(context, &pattern->edge, &pattern->edge_room, (int64_t)pattern->nedge + 1, sizeof edge);

@@ -59,9 +59,9 @@ mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char 
                          xy != NULL ? (int)n : 0);
     for (int32_t i = 0; i < n; i++) {
         const double *p = xy + 2 * (size_t)i;
-        if (!mus__finite(p[0]) || !mus__finite(p[1]))
-            return mus__fail(context, MUS_ERR_ARG, "mark %s: point %d (%g, %g) is not finite", mark.name, (int)i, p[0],
-                             p[1]);
+        if (!mus__pattern_near(p[0], p[1]))
+            return mus__fail(context, MUS_ERR_ARG, "mark %s: point %d (%g, %g) is not within %g m", mark.name, (int)i,
+                             p[0], p[1], MUS__FARTHEST);
     }
 
     mark.xy = mus__new(context, 2 * (int64_t)n, sizeof *xy);

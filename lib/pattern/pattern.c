@@ -51,6 +51,12 @@ mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, 
 }
 
 
+bool mus__pattern_near(double x, double y)
+{
+    return x >= -MUS__FARTHEST && x <= MUS__FARTHEST && y >= -MUS__FARTHEST && y <= MUS__FARTHEST;
+}
+
+
 void mus__pattern_edited(mus_pattern *pattern)
 {
     mus__free(pattern->context, pattern->fault);

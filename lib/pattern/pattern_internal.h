@@ -5,7 +5,7 @@
  * chain of an edge, the word of a panel, the points of a mark) is a block of its own, so that views handed out stay
  * put while other cells are added. Texts are inside their cell.
  *
- * Invariants: every outline is a closed word of edges of its own panel; every edge is longer than 0; all numbers are
+ * Invariants: coordinates are within MUS__FARTHEST; every outline is a closed word of edges of its own panel; every edge is longer than 0; all numbers are
  * finite (but for the allowance that is NaN: left to the sheet); every index points at something.
  */
 #ifndef MUS_PATTERN_INTERNAL_H
@@ -15,6 +15,8 @@
 #include "muslin/pattern.h"
 
 #define MUS__NAME_BYTES 128  /* names are 127 bytes and their end */
+/* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
+#define MUS__FARTHEST 1e6
 #define MUS__FAULT_BYTES 768 /* five names and a sentence round them */
 
 typedef struct mus__panel {
@@ -77,6 +79,8 @@ struct mus_pattern {
 mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count);
 /* copy a name into `out` (MUS__NAME_BYTES); NULL reads as "". Errors: MUS_ERR_ARG (too long, not UTF-8) */
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out);
+/* is a coordinate of a point fit to be kept? (NaN is not) */
+bool mus__pattern_near(double x, double y);
 /* every edit calls this: the faults of the last check are no longer true */
 void mus__pattern_edited(mus_pattern *pattern);
 /* copy `own` to a caller's struct of any released size, keeping the caller's size field */

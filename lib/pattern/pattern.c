@@ -272,3 +272,9 @@ int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const c
     }
     return MUS_NONE;
 }
+
+
+mus_context *mus_pattern_context(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->context : NULL;
+}

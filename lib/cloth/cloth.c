@@ -1,0 +1,232 @@
+/*
+ * cloth.c: cut a pattern in cloth, answer questions about it, share and destroy it.
+ *
+ * The pattern is checked on a copy (a check writes its faults into the pattern), then each panel is meshed and its
+ * springs made while its lattice is at hand; seams come last, when all panels have nodes.
+ */
+#include <string.h>
+
+#include "cloth/mesh.h"
+
+
+void mus_cloth_def_init(mus_cloth_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    mus_cloth_def own = {.size = size, .spacing = 0.01};
+    mus_fabric_init(&own.fabric, sizeof own.fabric);
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+}
+
+
+/* a faulty pattern is refused with the text of its first fault */
+static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
+{
+    mus_pattern *copy = NULL;
+    int32_t count = 0;
+    const char *text = NULL;
+    mus_status status = mus_pattern_copy(pattern, &copy);
+    if (status == MUS_OK) status = mus_pattern_check(copy, &count);
+    if (status == MUS_OK && count > 0) {
+        mus_pattern_fault(copy, 0, NULL, NULL, NULL, NULL, &text);
+        status = mus__fail(context, MUS_ERR_PATTERN, "%s", text != NULL ? text : mus_status_text(MUS_ERR_PATTERN));
+    } else if (status != MUS_OK && context != mus_pattern_context(pattern)) {
+        mus__fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
+    }
+    mus_pattern_destroy(copy);
+    return status;
+}
+
+
+/* all panels, then all seams, then the limit */
+static mus_status cloth_build(mus__mesh *mesh)
+{
+    mus_cloth *cloth = mesh->cloth;
+    mus__fabric_on_lattice(&cloth->fabric, cloth->spacing, &mesh->constant);
+    mus_status status = mus__mesh_edges(mesh);
+    for (int32_t p = 0; status == MUS_OK && p < cloth->npanel; p++) {
+        mus__lattice lattice = {0};
+        int32_t nstrip = 0;
+        status = mus__mesh_panel(mesh, p, &lattice, &nstrip);
+        if (status == MUS_OK) status = mus__mesh_runs(mesh, &lattice, cloth->panel[p].first_node);
+        if (status == MUS_OK) status = mus__mesh_strip(mesh, &lattice, &cloth->panel[p], nstrip);
+        mus__lattice_free(mesh->context, &lattice);
+    }
+    if (status == MUS_OK) status = mus__mesh_seams(mesh);
+    if (status == MUS_OK) status = mus__mesh_limit(mesh);
+    for (int32_t i = 0; i < cloth->nnode; i++) cloth->mass_total += cloth->mass[i];
+    return status;
+}
+
+
+mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
+                            mus_cloth **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (pattern == NULL || out == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", pattern == NULL ? "pattern" : "out");
+
+    mus_cloth_def own;
+    mus_cloth_def_init(&own, sizeof own);
+    mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_cloth_def");
+    if (status == MUS_OK) status = mus__fabric_check(context, &own.fabric);
+    if (status != MUS_OK) return status;
+    if (!(own.spacing >= 0.001 && own.spacing <= 0.1))
+        return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
+    if (mus_pattern_panel_count(pattern) == 0) return mus__fail(context, MUS_ERR_PATTERN, "the pattern has no panel");
+    status = cloth_check(context, pattern);
+    if (status != MUS_OK) return status;
+
+    mus__mesh mesh = {.context = context, .pattern = pattern};
+    mus_cloth *cloth = mus__new(context, 1, sizeof *cloth);
+    if (cloth == NULL) return mus__fail_memory(context, "a cloth");
+    cloth->context = context, cloth->references = 1;
+    cloth->fabric = own.fabric, cloth->spacing = own.spacing;
+    cloth->npanel = mus_pattern_panel_count(pattern);
+    cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
+    mesh.cloth = cloth;
+    mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
+    if (cloth->panel == NULL || mesh.edge == NULL) status = mus__fail_memory(context, "a cloth");
+    if (status == MUS_OK) status = cloth_build(&mesh);
+    mus__free(context, mesh.edge);
+    mus__free(context, mesh.wing);
+    if (status == MUS_OK) *out = cloth;
+    else mus_cloth_destroy(cloth);
+    return status;
+}
+
+
+mus_cloth *mus__cloth_retain(const mus_cloth *cloth)
+{
+    /* counting owners is no change of the cloth; the copy of the pointer says so without a cast */
+    mus_cloth *own;
+    memcpy(&own, &cloth, sizeof own);
+    own->references++;
+    return own;
+}
+
+
+void mus_cloth_destroy(mus_cloth *cloth)
+{
+    if (cloth == NULL || --cloth->references > 0) return;
+    void *blocks[] = {cloth->panel, cloth->rest,   cloth->mass,  cloth->node_panel, cloth->triangle,
+                      cloth->border, cloth->row,   cloth->run,   cloth->bend,       cloth->spring,
+                      cloth->hinge, cloth->seam_hinge, cloth->pair, cloth->pair_seam, cloth->pair_length};
+    mus_context *context = cloth->context;
+    for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);
+    mus__free(context, cloth);
+}
+
+
+int32_t mus_cloth_node_count(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->nnode : 0;
+}
+
+
+int32_t mus_cloth_triangle_count(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->ntriangle : 0;
+}
+
+
+int32_t mus_cloth_panel_count(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->npanel : 0;
+}
+
+
+int32_t mus_cloth_spring_count(const mus_cloth *cloth)
+{
+    if (cloth == NULL) return 0;
+    int32_t sum = cloth->nspring + cloth->nhinge + cloth->nseam_hinge;
+    for (int32_t r = 0; r < cloth->nrun; r++) sum += cloth->run[r].count;
+    for (int32_t r = 0; r < cloth->nbend; r++) sum += cloth->bend[r].count;
+    return sum;
+}
+
+
+int32_t mus_cloth_pair_count(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->npair : 0;
+}
+
+
+double mus_cloth_spacing(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->spacing : 0.0;
+}
+
+
+double mus_cloth_mass(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->mass_total : 0.0;
+}
+
+
+const double *mus_cloth_rest(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->rest : NULL;
+}
+
+
+const int32_t *mus_cloth_node_panels(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->node_panel : NULL;
+}
+
+
+const double *mus_cloth_masses(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->mass : NULL;
+}
+
+
+const int32_t *mus_cloth_triangles(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->triangle : NULL;
+}
+
+
+const int32_t *mus_cloth_pairs(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->pair : NULL;
+}
+
+
+const int32_t *mus_cloth_pair_seams(const mus_cloth *cloth)
+{
+    return cloth != NULL ? cloth->pair_seam : NULL;
+}
+
+
+static mus_status cloth_known_panel(const mus_cloth *cloth, int32_t panel)
+{
+    if (cloth == NULL) return MUS_ERR_ARG;
+    if (panel >= 0 && panel < cloth->npanel) return MUS_OK;
+    return mus__fail(cloth->context, MUS_ERR_ARG, "panel %d is outside 0 to %d", (int)panel, (int)cloth->npanel - 1);
+}
+
+
+mus_status mus_cloth_panel_range(const mus_cloth *cloth, int32_t panel, int32_t *range)
+{
+    mus_status status = cloth_known_panel(cloth, panel);
+    if (status != MUS_OK) return status;
+    if (range == NULL) return mus__fail(cloth->context, MUS_ERR_ARG, "range is NULL");
+    const mus__panel_mesh *mesh = &cloth->panel[panel];
+    range[0] = mesh->first_node, range[1] = mesh->node_count;
+    range[2] = mesh->first_triangle, range[3] = mesh->triangle_count;
+    return MUS_OK;
+}
+
+
+mus_status mus_cloth_panel_border(const mus_cloth *cloth, int32_t panel, int32_t *n, const int32_t **nodes)
+{
+    mus_status status = cloth_known_panel(cloth, panel);
+    if (status != MUS_OK) return status;
+    if (n == NULL || nodes == NULL) return mus__fail(cloth->context, MUS_ERR_ARG, "n or nodes is NULL");
+    *n = cloth->panel[panel].border_count;
+    *nodes = cloth->border + cloth->panel[panel].first_border;
+    return MUS_OK;
+}

@@ -1,0 +1,24 @@
+/*
+ * fabric.h: from a measured fabric to the constants of springs and bending stencils.
+ */
+#ifndef MUS_CLOTH_FABRIC_H
+#define MUS_CLOTH_FABRIC_H
+
+#include "base/base_internal.h"
+#include "muslin/cloth.h"
+
+/* constants of a square lattice: springs along warp (0) and weft (1), diagonals, stencils likewise */
+typedef struct mus__fabric_lattice {
+    double k[2], shear;    /* [N/m] */
+    double bend[2], cross; /* of |x_a - 2 x_b + x_c|^2 / 2 along warp, weft, both diagonals [N/m] */
+} mus__fabric_lattice;
+
+/* Errors: MUS_ERR_ARG naming the value, MUS_ERR_VERSION */
+mus_status mus__fabric_check(mus_context *context, const mus_fabric *fabric);
+void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out);
+/* stiffness of an edge spring in a triangle, k = this * area / length^2; (x, y) is its unit vector along weft, warp */
+double mus__fabric_stretch(const mus_fabric *fabric, double x, double y);
+/* rigidity against bending that curves along the unit vector (x, y) */
+double mus__fabric_bend(const mus_fabric *fabric, double x, double y);
+
+#endif

@@ -1,0 +1,48 @@
+/*
+ * mesh.h: a cloth in the making: what is kept from panel to panel until it is built.
+ */
+#ifndef MUS_CLOTH_MESH_H
+#define MUS_CLOTH_MESH_H
+
+#include "cloth/cloth_internal.h"
+#include "cloth/fabric.h"
+#include "cloth/lattice.h"
+
+/* where an edge of the pattern lies in cloth->border */
+typedef struct mus__edge_nodes {
+    int32_t count;        /* intervals */
+    int32_t panel, start; /* panel; place in the border of the first node met, MUS_NONE while in no outline */
+    int32_t direction;    /* +1 when the outline runs along the edge, -1 against it */
+} mus__edge_nodes;
+
+typedef struct mus__mesh {
+    mus_context *context;
+    const mus_pattern *pattern;
+    mus_cloth *cloth; /* its arrays grow; capacities here */
+    int32_t cap_rest, cap_mass, cap_node_panel, cap_triangle, cap_border, cap_row, cap_run, cap_bend, cap_spring,
+        cap_hinge, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing;
+    mus__edge_nodes *edge; /* (pattern's edges) */
+    int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
+    mus__fabric_lattice constant;
+} mus__mesh;
+
+/* mesh.c: intervals of all edges; then one panel after the other: nodes, triangles, lattice (the caller frees);
+ * triangles first_triangle .. + *nstrip are the strip, two for each full cell follow */
+mus_status mus__mesh_edges(mus__mesh *mesh);
+mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice, int32_t *nstrip);
+/* node at step k, 0 .. count, along an edge in its own direction */
+int32_t mus__mesh_edge_node(const mus__mesh *mesh, int32_t edge, int32_t k);
+
+/* run.c: springs and stencils of the full cells of the panel last meshed */
+mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t first_node);
+/* strip.c: springs, hinges and wings of the rest of it */
+mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const mus__panel_mesh *panel, int32_t nstrip);
+/* strip.c: a hinge over edge a b of length l in the flat: foot and height of both wings; false for slivers */
+bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, const double *foot,
+                     const double *height, double rigidity, mus__hinge *out);
+/* strip.c: soften what would ask for a much smaller step than the lattice does */
+mus_status mus__mesh_limit(mus__mesh *mesh);
+/* pairs.c: seam pairs and hinges across seams of all panels */
+mus_status mus__mesh_seams(mus__mesh *mesh);
+
+#endif

@@ -1,0 +1,124 @@
+/*
+ * pairs.c: partners along seams, and the hinges that bend across a sewn edge.
+ *
+ * Step k along edge a meets step n - k along edge b when the seam runs reversed, step k when direct. The hinge of an
+ * interval has the border triangle of each side as its wings, in the shape that both have when the two intervals are
+ * brought to their mean length; it acts once the pairs are welded and b's nodes are a's.
+ */
+#include <math.h>
+
+#include "cloth/mesh.h"
+#include "geom/vec.h"
+
+
+/* step of edge b that meets step k of edge a */
+static int32_t pairs_partner(const mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
+{
+    return seam->direction == MUS_SEAM_DIRECT ? k : mesh->edge[seam->edge_a].count - k;
+}
+
+
+static mus_status pairs_reserve(mus__mesh *mesh, int64_t more)
+{
+    mus_cloth *cloth = mesh->cloth;
+    int64_t pairs = cloth->npair + more, hinges = cloth->nseam_hinge + more;
+    mus_status status = mus__reserve(mesh->context, &cloth->pair, &mesh->cap_pair, pairs, 2 * sizeof *cloth->pair);
+    if (status == MUS_OK)
+        status = mus__reserve(mesh->context, &cloth->pair_seam, &mesh->cap_pair_seam, pairs, sizeof *cloth->pair_seam);
+    if (status == MUS_OK)
+        status =
+            mus__reserve(mesh->context, &cloth->pair_length, &mesh->cap_pair_length, pairs, sizeof *cloth->pair_length);
+    if (status == MUS_OK)
+        status =
+            mus__reserve(mesh->context, &cloth->seam_hinge, &mesh->cap_seam_hinge, hinges, sizeof *cloth->seam_hinge);
+    return status;
+}
+
+
+/* the corner behind interval k .. k + 1 of an edge, and the shape of its triangle: length, foot from step k, height */
+static int32_t pairs_wing(const mus__mesh *mesh, int32_t edge, int32_t k, double *shape)
+{
+    const mus__edge_nodes *nodes = &mesh->edge[edge];
+    int32_t a = mus__mesh_edge_node(mesh, edge, k), b = mus__mesh_edge_node(mesh, edge, k + 1);
+    int32_t corner = mesh->wing[nodes->start + (nodes->direction > 0 ? k : nodes->count - 1 - k)];
+    const double *rest = mesh->cloth->rest;
+    const double *p = rest + 2 * (ptrdiff_t)a, *q = rest + 2 * (ptrdiff_t)b, *r = rest + 2 * (ptrdiff_t)corner;
+    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
+    shape[0] = hypot(ux, uy);
+    shape[1] = (ux * vx + uy * vy) / shape[0];
+    shape[2] = fabs(ux * vy - uy * vx) / shape[0];
+    return corner;
+}
+
+
+/* rigidity across interval k of an edge, in the fabric's frame */
+static double pairs_rigidity(const mus__mesh *mesh, int32_t edge, int32_t k)
+{
+    double grain[2] = {0.0, 1.0};
+    mus_pattern_grain(mesh->pattern, mesh->edge[edge].panel, grain);
+    const double *p = mesh->cloth->rest + 2 * (ptrdiff_t)mus__mesh_edge_node(mesh, edge, k);
+    const double *q = mesh->cloth->rest + 2 * (ptrdiff_t)mus__mesh_edge_node(mesh, edge, k + 1);
+    double x = q[0] - p[0], y = q[1] - p[1], size = hypot(x, y) * hypot(grain[0], grain[1]);
+
+    /* along the edge: warp by the dot product, weft by the cross product; across it they change places */
+    double warp = (x * grain[0] + y * grain[1]) / size, weft = (x * grain[1] - y * grain[0]) / size;
+    return mus__fabric_bend(&mesh->cloth->fabric, warp, weft);
+}
+
+
+/* hinge over interval k of the seam */
+static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
+{
+    mus_cloth *cloth = mesh->cloth;
+    int32_t partner = pairs_partner(mesh, seam, k), low = seam->direction == MUS_SEAM_DIRECT ? partner : partner - 1;
+    double own[3], other[3];
+    int32_t node[4] = {mus__mesh_edge_node(mesh, seam->edge_a, k), mus__mesh_edge_node(mesh, seam->edge_a, k + 1)};
+    node[2] = pairs_wing(mesh, seam->edge_a, k, own);
+    node[3] = pairs_wing(mesh, seam->edge_b, low, other);
+
+    /* feet from the same end, at the mean length */
+    double length = 0.5 * (own[0] + other[0]);
+    double along = seam->direction == MUS_SEAM_DIRECT ? other[1] / other[0] : 1.0 - other[1] / other[0];
+    const double foot[2] = {own[1] / own[0] * length, along * length}, height[2] = {own[2], other[2]};
+    double rigidity = 0.5 * (pairs_rigidity(mesh, seam->edge_a, k) + pairs_rigidity(mesh, seam->edge_b, low));
+    if (mus__mesh_hinge(mesh, node, length, foot, height, rigidity, &cloth->seam_hinge[cloth->nseam_hinge]))
+        cloth->nseam_hinge++;
+}
+
+
+static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
+{
+    mus_cloth *cloth = mesh->cloth;
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    mus_status status = mus_pattern_seam(mesh->pattern, index, &seam);
+    if (status != MUS_OK) return status;
+    int32_t n = mesh->edge[seam.edge_a].count;
+    if (mesh->edge[seam.edge_a].panel == MUS_NONE || mesh->edge[seam.edge_b].panel == MUS_NONE)
+        return mus__fail(mesh->context, MUS_ERR_MESH, "seam %d: an edge of it is in no outline", (int)index);
+    status = pairs_reserve(mesh, (int64_t)n + 1);
+    if (status != MUS_OK) return status;
+
+    /* the mean length of the two intervals; half of it at both ends. A dart's legs may share their end node */
+    double step = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +
+                         mus_pattern_edge_length(mesh->pattern, seam.edge_b)) / n;
+    for (int32_t k = 0; k <= n; k++) {
+        int32_t a = mus__mesh_edge_node(mesh, seam.edge_a, k);
+        int32_t b = mus__mesh_edge_node(mesh, seam.edge_b, pairs_partner(mesh, &seam, k));
+        if (a == b) continue;
+        cloth->pair[2 * (ptrdiff_t)cloth->npair] = a, cloth->pair[2 * (ptrdiff_t)cloth->npair + 1] = b;
+        cloth->pair_seam[cloth->npair] = index;
+        cloth->pair_length[cloth->npair++] = k == 0 || k == n ? 0.5 * step : step;
+    }
+    for (int32_t k = 0; k < n; k++) pairs_hinge(mesh, &seam, k);
+    return MUS_OK;
+}
+
+
+mus_status mus__mesh_seams(mus__mesh *mesh)
+{
+    mus_status status = MUS_OK;
+    mesh->cloth->nseam = mus_pattern_seam_count(mesh->pattern);
+    for (int32_t s = 0; status == MUS_OK && s < mesh->cloth->nseam; s++) status = pairs_seam(mesh, s);
+    return status;
+}

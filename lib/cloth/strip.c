@@ -1,0 +1,223 @@
+/*
+ * strip.c: springs and hinges of the triangles between the full cells and the border, and the limit on stiffness.
+ *
+ * Each edge of a strip triangle is a spring with k = C(direction) * sum of (area / length^2) over its strip triangles,
+ * which is the lattice itself where the triangles are halves of cells (fabric.c); an edge shared with a full cell adds
+ * half a lattice spring. Each inner edge that a strip triangle touches is a hinge: with x0 x1 the edge, x2 and x3 the
+ * corners opposite, s their feet along the edge of length l and h their heights,
+ *
+ *     c = ((l - s2) / h2 + (l - s3) / h3,  s2 / h2 + s3 / h3,  -l / h2,  -l / h3),   sum c_i x_i = l * (angle) * normal,
+ *     E = 1/2 B / (A2 + A3) |sum c_i x_i|^2.
+ *
+ * The factor 1 (Bergou et al. print 3) is the one that bends a sheet of equilateral triangles with rigidity B (Seung
+ * and Nelson 1988: hinge 2 B / sqrt(3)); measured on cylinders of every direction: 1.00 there, 0.97 to 1.5 on half
+ * squares with diagonals in a checkerboard.
+ * Source: Van Gelder 1998 (springs); Bergou, Wardetzky, Harmon, Zorin and Grinspun 2006 (quadratic hinges).
+ */
+#include <math.h>
+
+#include "cloth/mesh.h"
+#include "geom/vec.h"
+
+/* stiffness over mass at any node at most, in lattices: the step bound goes with the root, so a strip never costs more
+ * than a factor 1.5 in steps. Without it, the worst corner of one sliver would rule the whole garment */
+#define STRIP_LIMIT 2.25
+/* a triangle flatter than this part of the spacing squared gives no hinge: its angles mean nothing */
+#define STRIP_SLIVER 1e-6
+
+/* one side of one triangle */
+typedef struct strip_half {
+    int32_t high, opposite; /* greater end; corner opposite. The lesser end is the bucket */
+    bool strip;             /* of a strip triangle; else of a full cell */
+} strip_half;
+
+
+static const double *strip_rest(const mus__mesh *mesh, int32_t node)
+{
+    return mesh->cloth->rest + 2 * (ptrdiff_t)node;
+}
+
+
+/* foot along and height above the edge a b of the opposite corner */
+static void strip_wing(const mus__mesh *mesh, int32_t a, int32_t b, int32_t corner, double *foot, double *height)
+{
+    const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b), *r = strip_rest(mesh, corner);
+    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1], length = hypot(ux, uy);
+    *foot = (ux * vx + uy * vy) / length;
+    *height = fabs(ux * vy - uy * vx) / length;
+}
+
+
+bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, const double *foot,
+                     const double *height, double rigidity, mus__hinge *out)
+{
+    double sliver = STRIP_SLIVER * mesh->cloth->spacing * mesh->cloth->spacing;
+    if (!(length * height[0] > sliver && length * height[1] > sliver && rigidity > 0.0)) return false;
+    *out = (mus__hinge){.node = {node[0], node[1], node[2], node[3]},
+                        .coef = {(length - foot[0]) / height[0] + (length - foot[1]) / height[1],
+                                 foot[0] / height[0] + foot[1] / height[1], -length / height[0], -length / height[1]},
+                        .k = rigidity / (0.5 * length * (height[0] + height[1]))};
+    return true;
+}
+
+
+/* a spring and, between two triangles, a hinge for edge a b, whose one or two halves are given */
+static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32_t a, int32_t b,
+                             const strip_half *half, int32_t nhalf)
+{
+    mus_cloth *cloth = mesh->cloth;
+    const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b);
+    double length = mus__dist2(p, q), foot[2] = {0.0, 0.0}, height[2] = {0.0, 0.0}, shape = 0.0;
+    bool rim = false;
+    for (int32_t i = 0; i < nhalf; i++) {
+        strip_wing(mesh, a, b, half[i].opposite, &foot[i], &height[i]);
+        if (half[i].strip) shape += 0.5 * height[i] / length;
+        else rim = true;
+    }
+
+    /* direction in the frame of the fabric */
+    double x = (q[0] - p[0]) / length, y = (q[1] - p[1]) / length;
+    double weft = x * lattice->weft[0] + y * lattice->weft[1], warp = x * lattice->warp[0] + y * lattice->warp[1];
+    mus__spring spring = {a, b, MUS__SPRING_BORDER, mus__fabric_stretch(&cloth->fabric, weft, warp) * shape, length};
+    if (rim) {
+        spring.kind = fabs(warp) > fabs(weft) ? MUS__SPRING_WARP : MUS__SPRING_WEFT;
+        spring.k += 0.5 * mesh->constant.k[spring.kind];
+    }
+    mus_status status =
+        mus__reserve(mesh->context, &cloth->spring, &mesh->cap_spring, (int64_t)cloth->nspring + 1, sizeof spring);
+    if (status != MUS_OK) return status;
+    cloth->spring[cloth->nspring++] = spring;
+    if (nhalf < 2) return MUS_OK;
+
+    /* a hinge bends across its edge */
+    const int32_t node[4] = {a, b, half[0].opposite, half[1].opposite};
+    mus__hinge hinge;
+    if (!mus__mesh_hinge(mesh, node, length, foot, height, mus__fabric_bend(&cloth->fabric, warp, weft), &hinge))
+        return MUS_OK;
+    status = mus__reserve(mesh->context, &cloth->hinge, &mesh->cap_hinge, (int64_t)cloth->nhinge + 1, sizeof hinge);
+    if (status == MUS_OK) cloth->hinge[cloth->nhinge++] = hinge;
+    return status;
+}
+
+
+/* a side of one triangle only is a border side: keep the corner opposite, for hinges across seams */
+static void strip_border(mus__mesh *mesh, const mus__panel_mesh *panel, int32_t a, int32_t b, int32_t opposite)
+{
+    int32_t first = panel->first_node + panel->lattice_count;
+    mesh->wing[panel->first_border + (b == a + 1 ? a : b) - first] = opposite;
+}
+
+
+/* halves into buckets by their lesser end (`start` has a place more than nodes); within a bucket by the greater end */
+static void strip_sort(const mus__mesh *mesh, const mus__panel_mesh *panel, int32_t nstrip, int32_t *start,
+                       strip_half *half)
+{
+    const int32_t *triangle = mesh->cloth->triangle + 3 * (ptrdiff_t)panel->first_triangle;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t t = 0; t < panel->triangle_count; t++) {
+            const int32_t *v = triangle + 3 * (ptrdiff_t)t;
+            for (int k = 0; k < 3; k++) {
+                int32_t a = v[k], b = v[(k + 1) % 3], low = (a < b ? a : b) - panel->first_node;
+                if (pass == 0) {
+                    start[low + 1]++;
+                    continue;
+                }
+
+                /* insertion into the few that are there; places still empty hold 0 and stop the shift */
+                int32_t at = start[low]++, from = low > 0 ? start[low - 1] : 0;
+                strip_half own = {a < b ? b : a, v[(k + 2) % 3], t < nstrip};
+                for (; at > from && half[at - 1].high > own.high; at--) half[at] = half[at - 1];
+                half[at] = own;
+            }
+        }
+        if (pass == 0)
+            for (int32_t i = 0; i < panel->node_count; i++) start[i + 1] += start[i];
+    }
+}
+
+
+mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const mus__panel_mesh *panel, int32_t nstrip)
+{
+    int32_t *start = mus__new(mesh->context, (int64_t)panel->node_count + 1, sizeof *start);
+    strip_half *half = mus__new(mesh->context, 3 * (int64_t)panel->triangle_count, sizeof *half);
+    mus_status status = MUS_OK;
+    if (start == NULL || half == NULL) status = mus__fail_memory(mesh->context, "the sides of a panel's triangles");
+    else strip_sort(mesh, panel, nstrip, start, half);
+
+    /* after the sort, start[low] is where the bucket ends; the one before ends where it starts */
+    for (int32_t low = 0; status == MUS_OK && low < panel->node_count; low++)
+        for (int32_t at = low > 0 ? start[low - 1] : 0; status == MUS_OK && at < start[low];) {
+            int32_t n = at + 1 < start[low] && half[at + 1].high == half[at].high ? 2 : 1, a = panel->first_node + low;
+            if (half[at].strip || (n == 2 && half[at + 1].strip))
+                status = strip_edge(mesh, lattice, a, half[at].high, half + at, n);
+            if (n == 1) strip_border(mesh, panel, a, half[at].high, half[at].opposite);
+            at += n;
+        }
+    mus__free(mesh->context, start);
+    mus__free(mesh->context, half);
+    return status;
+}
+
+
+/* add the bound's row sums (numerics X5) of lattice runs to `fixed`, of what can be softened to `soft` */
+static void strip_sums(const mus_cloth *cloth, double *fixed, double *soft)
+{
+    for (int32_t r = 0; r < cloth->nrun; r++)
+        for (int32_t i = 0; i < cloth->run[r].count; i++) {
+            fixed[cloth->run[r].a + i] += 2.0 * cloth->run[r].k;
+            fixed[cloth->run[r].b + i] += 2.0 * cloth->run[r].k;
+        }
+    for (int32_t r = 0; r < cloth->nbend; r++)
+        for (int32_t i = 0; i < cloth->bend[r].count; i++) {
+            fixed[cloth->bend[r].a + i] += 4.0 * cloth->bend[r].k;
+            fixed[cloth->bend[r].b + i] += 8.0 * cloth->bend[r].k;
+            fixed[cloth->bend[r].c + i] += 4.0 * cloth->bend[r].k;
+        }
+    for (int32_t s = 0; s < cloth->nspring; s++) {
+        soft[cloth->spring[s].a] += 2.0 * cloth->spring[s].k;
+        soft[cloth->spring[s].b] += 2.0 * cloth->spring[s].k;
+    }
+    for (int32_t h = 0; h < cloth->nhinge + cloth->nseam_hinge; h++) {
+        const mus__hinge *hinge = h < cloth->nhinge ? &cloth->hinge[h] : &cloth->seam_hinge[h - cloth->nhinge];
+        double size = fabs(hinge->coef[0]) + fabs(hinge->coef[1]) + fabs(hinge->coef[2]) + fabs(hinge->coef[3]);
+        for (int k = 0; k < 4; k++) soft[hinge->node[k]] += hinge->k * size * fabs(hinge->coef[k]);
+    }
+}
+
+
+/* scale each spring and hinge by the least factor of its nodes */
+static void strip_soften(mus_cloth *cloth, const double *factor)
+{
+    for (int32_t s = 0; s < cloth->nspring; s++)
+        cloth->spring[s].k *= fmin(factor[cloth->spring[s].a], factor[cloth->spring[s].b]);
+    for (int32_t h = 0; h < cloth->nhinge + cloth->nseam_hinge; h++) {
+        mus__hinge *hinge = h < cloth->nhinge ? &cloth->hinge[h] : &cloth->seam_hinge[h - cloth->nhinge];
+        for (int k = 0; k < 2; k++)
+            hinge->k *= fmin(factor[hinge->node[2 * k]], factor[hinge->node[2 * k + 1]]);
+    }
+}
+
+
+mus_status mus__mesh_limit(mus__mesh *mesh)
+{
+    mus_cloth *cloth = mesh->cloth;
+    const mus__fabric_lattice *c = &mesh->constant;
+    double *fixed = mus__new(mesh->context, cloth->nnode, sizeof *fixed);
+    double *soft = mus__new(mesh->context, cloth->nnode, sizeof *soft);
+    if (fixed != NULL && soft != NULL) {
+        strip_sums(cloth, fixed, soft);
+
+        /* an inner node: two springs each way, four diagonals, stencils 4 + 8 + 4 in four directions */
+        double inner = 4.0 * (c->k[0] + c->k[1]) + 8.0 * c->shear + 16.0 * (c->bend[0] + c->bend[1] + 2.0 * c->cross);
+        double most = STRIP_LIMIT * inner / (cloth->fabric.weight * cloth->spacing * cloth->spacing);
+        for (int32_t i = 0; i < cloth->nnode; i++) {
+            double room = fmax(most * cloth->mass[i] - fixed[i], 0.0);
+            soft[i] = soft[i] > room ? room / soft[i] : 1.0;
+        }
+        strip_soften(cloth, soft);
+    }
+    bool done = fixed != NULL && soft != NULL;
+    mus__free(mesh->context, fixed);
+    mus__free(mesh->context, soft);
+    return done ? MUS_OK : mus__fail_memory(mesh->context, "the limit on stiffness");
+}

@@ -1,0 +1,162 @@
+/*
+ * pdf.c: the sheet as PDF by cairo: the cover when there is one, then each page that is not empty.
+ *
+ * Points are turned into the page's own (1/72 inch, y down) before cairo sees them, with no scale of its own: its paths
+ * are whole multiples of 1/256 point (1.4 um). A path that touches a page is drawn whole and clipped to the printed
+ * window, so that lengths can be measured on any page. No font is used and the date is fixed: the same sheet gives the
+ * same bytes.
+ */
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <string.h>
+
+#include "print/print_internal.h"
+
+#define POINTS (72.0 / 0.0254)               /* in a metre */
+#define PDF_DATE "1970-01-01T00:00:00Z"      /* cairo writes the time of day unless told one */
+
+/* a page under the pen: the sheet's x at its left and y at its upper edge */
+typedef struct pdf_page {
+    cairo_t *cairo;
+    double left, top;
+} pdf_page;
+
+
+static cairo_status_t pdf_collect(void *closure, const unsigned char *data, unsigned int length)
+{
+    mus__bytes *bytes = closure;
+    mus__bytes_add(bytes, data, length);
+    return bytes->status == MUS_OK ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+
+static void pdf_path(const pdf_page *page, const mus__drawing *drawing, const mus__path *path)
+{
+    const double *xy = drawing->xy + path->at;
+    double p[6];
+    cairo_new_path(page->cairo);
+    for (int32_t i = 0; i < path->nop; i++) {
+        unsigned char op = drawing->ops[path->op + i];
+        int32_t n = op == 'c' ? 3 : op == 'z' ? 0 : 1;
+        for (int32_t k = 0; k < n; k++) {
+            p[2 * k] = (xy[2 * k] - page->left) * POINTS;
+            p[2 * k + 1] = (page->top - xy[2 * k + 1]) * POINTS;
+        }
+        if (op == 'm') cairo_move_to(page->cairo, p[0], p[1]);
+        else if (op == 'l') cairo_line_to(page->cairo, p[0], p[1]);
+        else if (op == 'c') cairo_curve_to(page->cairo, p[0], p[1], p[2], p[3], p[4], p[5]);
+        else cairo_close_path(page->cairo);
+        xy += 2 * n;
+    }
+}
+
+
+/* all paths that touch the window (low x, y, high x, y; NULL: all) */
+static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const double *window)
+{
+    for (int32_t i = 0; i < drawing->npath; i++) {
+        const mus__path *path = &drawing->paths[i];
+        const mus__pen_style *style = &mus__pen_styles[path->pen];
+        double w = 0.5 * style->width, dash[2] = {style->dash[0] * POINTS, style->dash[1] * POINTS};
+        if (path->nop == 0) continue;
+        if (window != NULL && (path->box[0] - w > window[2] || path->box[2] + w < window[0] ||
+                               path->box[1] - w > window[3] || path->box[3] + w < window[1]))
+            continue;
+        pdf_path(page, drawing, path);
+        cairo_set_source_rgb(page->cairo, style->grey, style->grey, style->grey);
+        if (style->width == 0.0) {
+            cairo_fill(page->cairo);
+            continue;
+        }
+        cairo_set_dash(page->cairo, dash, dash[0] > 0.0 ? 2 : 0, 0.0);
+        cairo_set_line_width(page->cairo, style->width * POINTS);
+        /* round ends carry letters; a dash and the ends of cut lines must not grow */
+        bool letter = path->layer == MUS__LAYER_LABEL;
+        cairo_set_line_cap(page->cairo, letter ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_join(page->cairo, CAIRO_LINE_JOIN_ROUND);
+        cairo_stroke(page->cairo);
+    }
+}
+
+
+static mus_status pdf_cover(cairo_surface_t *surface, cairo_t *cairo, const mus_sheet *sheet)
+{
+    double size[2];
+    mus__drawing drawing;
+    mus__draw_init(&drawing, sheet->context);
+    mus__cover_size(sheet, size);
+    mus__cover_draw(sheet, &drawing);
+    mus_status status = drawing.status;
+    if (status == MUS_OK) {
+        const pdf_page page = {cairo, 0.0, size[1]};
+        cairo_pdf_surface_set_size(surface, size[0] * POINTS, size[1] * POINTS);
+        pdf_draw(&page, &drawing, NULL);
+        cairo_show_page(cairo);
+    }
+    mus__draw_free(&drawing);
+    return status;
+}
+
+
+static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_sheet *sheet, int32_t tile)
+{
+    double box[4], margin = sheet->def.margin;
+    mus__drawing drawing;
+    mus__draw_init(&drawing, sheet->context);
+    mus__tile_draw(sheet, tile, &drawing);
+    mus_status status = drawing.status;
+    if (status == MUS_OK) {
+        mus__tile_window(sheet, &sheet->tiles[tile], box);
+        const pdf_page own = {cairo, 0.0, sheet->page[1]}, page = {cairo, box[0] - margin, box[3] + margin};
+        cairo_pdf_surface_set_size(surface, sheet->page[0] * POINTS, sheet->page[1] * POINTS);
+
+        /* the pieces inside the window, then frame and marks */
+        cairo_save(cairo);
+        cairo_rectangle(cairo, margin * POINTS, margin * POINTS, (box[2] - box[0]) * POINTS, (box[3] - box[1]) * POINTS);
+        cairo_clip(cairo);
+        pdf_draw(&page, &sheet->drawing, box);
+        cairo_restore(cairo);
+        pdf_draw(&own, &drawing, NULL);
+        cairo_show_page(cairo);
+    }
+    mus__draw_free(&drawing);
+    return status;
+}
+
+
+static mus_status pdf_pages(const mus_sheet *sheet, mus__bytes *bytes)
+{
+    double width = sheet->page[0] * POINTS, height = sheet->page[1] * POINTS;
+    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(pdf_collect, bytes, width, height);
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, sheet->title);
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "muslin");
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, PDF_DATE);
+    cairo_t *cairo = cairo_create(surface);
+
+    mus_status status = sheet->tiled ? pdf_cover(surface, cairo, sheet) : MUS_OK;
+    for (int32_t i = 0; i < sheet->ntile && status == MUS_OK; i++) status = pdf_tile(surface, cairo, sheet, i);
+
+    /* what cairo itself could not do: memory, or a sink that refused bytes */
+    cairo_status_t trouble = cairo_status(cairo);
+    cairo_destroy(cairo);
+    cairo_surface_finish(surface);
+    if (trouble == CAIRO_STATUS_SUCCESS) trouble = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    if (status == MUS_OK) status = bytes->status;
+    if (status == MUS_OK && trouble != CAIRO_STATUS_SUCCESS)
+        status = mus__print_fail(sheet->context, trouble == CAIRO_STATUS_NO_MEMORY ? MUS_ERR_MEMORY : MUS_ERR_FILE,
+                                 "cairo: %s", cairo_status_to_string(trouble));
+    return status;
+}
+
+
+mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path)
+{
+    if (sheet == NULL) return MUS_ERR_ARG;
+    if (path == NULL) return mus_context_fail(sheet->context, MUS_ERR_ARG, "mus_sheet_write_pdf: path is NULL");
+    mus__bytes bytes = {.context = sheet->context};
+    mus_status status = pdf_pages(sheet, &bytes);
+    if (status == MUS_OK) status = mus__bytes_save(&bytes, path);
+    mus__print_free(sheet->context, bytes.data);
+    return status;
+}

@@ -1,0 +1,201 @@
+/*
+ * piece_label.c: what is written on a piece, and where it fits.
+ *
+ * The block of lines is tried at several sizes, upright and lying, on a lattice over the piece: the first size at which
+ * it fits inside the seam line, clear of grain line and marks, is taken, at the place nearest to the middle. A piece too
+ * small for any gets the smallest block in its middle.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "print/print_internal.h"
+
+#define LABEL_LINES 7
+#define LABEL_BYTES 256
+#define LABEL_LATTICE 24
+#define LABEL_PAD 0.004 /* kept free around the block */
+
+typedef struct label_line {
+    char text[LABEL_BYTES];
+    double height; /* of a capital, at full size [m] */
+    bool bold;
+} label_line;
+
+typedef struct label_block {
+    label_line lines[LABEL_LINES];
+    int32_t n;
+    double width, height; /* at full size */
+} label_block;
+
+/* segments that the block must not touch */
+typedef struct label_walls {
+    int32_t n, room;
+    double *xy; /* (n x 4) */
+} label_walls;
+
+/* where the block goes */
+typedef struct label_place {
+    double x, y, scale;
+    bool lying;
+} label_place;
+
+
+static label_line *label_add(label_block *block, double height, bool bold)
+{
+    label_line *line = &block->lines[block->n++];
+    line->height = height;
+    line->bold = bold;
+    return line;
+}
+
+
+/* the widths in the order of the outline, each once */
+static void label_allowance(const mus__piece *piece, char *out, size_t size)
+{
+    double seen[6];
+    int32_t n = 0;
+    size_t at = (size_t)snprintf(out, size, "Seam allowance included: ");
+    for (int32_t i = 0; i < piece->nside && n < 6; i++) {
+        int32_t k = 0;
+        while (k < n && fabs(seen[k] - piece->sides[i].width) > 5e-5) k++;
+        if (k < n) continue;
+        seen[n++] = piece->sides[i].width;
+        at += (size_t)snprintf(out + at, size - at, n > 1 ? ", " : "");
+        at += (size_t)mus__print_millimetres(out + at, size - at, piece->sides[i].width);
+    }
+    snprintf(out + at, size - at, " mm");
+    if (n == 1 && seen[0] == 0.0) snprintf(out, size, "No seam allowance included");
+}
+
+
+static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block)
+{
+    const mus__piece *piece = &sheet->pieces[index];
+    memset(block, 0, sizeof *block);
+
+    snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "%.120s", sheet->title);
+    label_line *name = label_add(block, 0.008, true);
+    snprintf(name->text, LABEL_BYTES, "%s", sheet->names[index]);
+    for (char *c = name->text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
+    snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "Piece %d of %d", index + 1, sheet->npiece);
+    snprintf(label_add(block, 0.0055, true)->text, LABEL_BYTES, piece->mirrored ? "Cut %d mirrored" : "Cut %d",
+             piece->copies);
+    if (sheet->person != NULL)
+        snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "For %.120s", sheet->person);
+    label_allowance(piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
+    snprintf(label_add(block, 0.0035, false)->text, LABEL_BYTES, "Scale 1:1");
+
+    for (int32_t i = 0; i < block->n; i++) {
+        double width = block->lines[i].height * mus__text_width(block->lines[i].text);
+        block->width = width > block->width ? width : block->width;
+        block->height += block->lines[i].height * (i > 0 ? 1.75 : 1.0);
+    }
+}
+
+
+static mus_status walls_add(mus_context *context, label_walls *walls, const double *a, const double *b)
+{
+    mus_status status = mus__print_reserve(context, &walls->xy, &walls->room, 4 * (int64_t)walls->n + 4,
+                                           sizeof *walls->xy);
+    if (status != MUS_OK) return status;
+    memcpy(walls->xy + 4 * walls->n, a, 2 * sizeof *a);
+    memcpy(walls->xy + 4 * walls->n + 2, b, 2 * sizeof *b);
+    walls->n++;
+    return MUS_OK;
+}
+
+
+static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece,
+                              const double *grain, label_walls *walls)
+{
+    const double low[2] = {grain[0], grain[1]}, high[2] = {grain[0], grain[2]};
+    mus_status status = walls_add(sheet->context, walls, low, high);
+    for (int32_t i = 0; i < piece->nflat && status == MUS_OK; i++)
+        status = walls_add(sheet->context, walls, piece->flat + 2 * i, piece->flat + 2 * ((i + 1) % piece->nflat));
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && status == MUS_OK; i++) {
+        int32_t panel, n;
+        const char *name;
+        const double *xy;
+        status = mus_pattern_mark(pattern, i, &panel, &name, &n, &xy);
+        if (status != MUS_OK || panel != piece->panel) continue;
+        for (int32_t k = 0; k < n && status == MUS_OK; k++) {
+            double a[2], b[2];
+            mus__piece_point(piece, xy + 2 * k, a);
+            mus__piece_point(piece, xy + 2 * (k + 1 < n ? k + 1 : k), b);
+            status = walls_add(sheet->context, walls, a, b);
+        }
+    }
+    return status;
+}
+
+
+/* the middle is inside the piece and no wall meets the box */
+static bool label_fits(const mus__piece *piece, const label_walls *walls, const double *box)
+{
+    double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
+    bool inside = false;
+    for (int32_t i = 0; i < piece->nflat; i++) {
+        const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
+        if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1])) inside = !inside;
+    }
+    for (int32_t i = 0; i < walls->n && inside; i++)
+        if (mus__segment_meets(walls->xy + 4 * i, walls->xy + 4 * i + 2, box)) inside = false;
+    return inside;
+}
+
+
+/* the place nearest to the middle of the seam line's box, at the largest size that has one */
+static label_place label_find(const mus__piece *piece, const label_walls *walls, const label_block *block)
+{
+    static const double scales[] = {1.0, 0.85, 0.7, 0.55, 0.42, 0.3};
+    double from[2] = {piece->flat[0], piece->flat[1]}, to[2] = {piece->flat[0], piece->flat[1]};
+    for (int32_t i = 0; i < 2 * piece->nflat; i++) {
+        from[i % 2] = piece->flat[i] < from[i % 2] ? piece->flat[i] : from[i % 2];
+        to[i % 2] = piece->flat[i] > to[i % 2] ? piece->flat[i] : to[i % 2];
+    }
+    double middle[2] = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
+    label_place best = {middle[0], middle[1], 0.3, to[1] - from[1] > to[0] - from[0]};
+    for (int32_t s = 0; s < (int32_t)(sizeof scales / sizeof scales[0]); s++) {
+        double nearest = HUGE_VAL;
+        for (int32_t i = 0; i < 2 * LABEL_LATTICE * LABEL_LATTICE; i++) {
+            int32_t lying = i % 2, column = i / 2 % LABEL_LATTICE, row = i / 2 / LABEL_LATTICE;
+            double x = from[0] + (to[0] - from[0]) * (column + 0.5) / LABEL_LATTICE;
+            double y = from[1] + (to[1] - from[1]) * (row + 0.5) / LABEL_LATTICE;
+            double w = 0.5 * scales[s] * (lying ? block->height : block->width) + LABEL_PAD * scales[s];
+            double h = 0.5 * scales[s] * (lying ? block->width : block->height) + LABEL_PAD * scales[s];
+            /* upright is better by a little */
+            double away = hypot(x - middle[0], y - middle[1]) + (lying ? 0.05 : 0.0);
+            if (away >= nearest || !label_fits(piece, walls, (const double[]){x - w, y - h, x + w, y + h})) continue;
+            nearest = away;
+            best = (label_place){x, y, scales[s], lying};
+        }
+        if (nearest < HUGE_VAL) break;
+    }
+    return best;
+}
+
+
+mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t index, const double *grain)
+{
+    const mus__piece *piece = &sheet->pieces[index];
+    label_walls walls = {0, 0, NULL};
+    label_block block;
+    label_fill(sheet, index, &block);
+    mus_status status = walls_build(sheet, pattern, piece, grain, &walls);
+    if (status == MUS_OK) {
+        label_place place = label_find(piece, &walls, &block);
+        double down = 0.5 * block.height * place.scale;
+        for (int32_t i = 0; i < block.n; i++) {
+            const label_line *line = &block.lines[i];
+            down -= line->height * place.scale * (i > 0 ? 1.75 : 1.0);
+            mus__text_style style = {line->height * place.scale, place.lying ? 0.0 : 1.0, place.lying ? 1.0 : 0.0, 0.5};
+            bool bold = line->bold && place.scale > 0.5;
+            mus__draw_path(&sheet->drawing, index, MUS__LAYER_LABEL, bold ? MUS__PEN_TITLE : MUS__PEN_TEXT);
+            mus__draw_text(&sheet->drawing, line->text, place.x - (place.lying ? down : 0.0),
+                           place.y + (place.lying ? 0.0 : down), &style);
+        }
+    }
+    mus__print_free(sheet->context, walls.xy);
+    return status;
+}

@@ -1,0 +1,248 @@
+/*
+ * piece_marks.c: the lines of a placed piece: cut line, seam line, notches, grain line, marks.
+ *
+ * The seam line is one path an edge, so that every edge can be measured on the paper. A notch stands on the cut line
+ * where the normal of the seam line at the notch meets it: one slit for the front, two for the back, three for centre
+ * back and others, 5 mm deep or to 2 mm before the seam line, whichever is less.
+ */
+#include <math.h>
+
+#include "print/print_internal.h"
+
+#define SLIT_DEPTH 0.005
+#define SLIT_CLEAR 0.002   /* left between slit and seam line, so that a slit never opens a seam */
+#define SLIT_LEAST 0.0025  /* below this a slit cannot be found on the cloth */
+#define SLIT_APART 0.004   /* between the slits of one notch */
+#define GRAIN_CHORDS 25    /* upright lines tried for the grain line */
+#define ARROW 0.006        /* length of an arrow head */
+
+
+static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)
+{
+    mus__draw_move(out, piece->spans[first].p[0], piece->spans[first].p[1]);
+    for (int32_t i = first; i <= last; i++) {
+        const mus__span *span = &piece->spans[i];
+        if (span->line) mus__draw_line(out, span->p[6], span->p[7]);
+        else mus__draw_curve(out, span->p + 2);
+    }
+}
+
+
+static void marks_cut(mus__drawing *out, const mus__piece *piece, int32_t index)
+{
+    double widest = 0.0;
+    for (int32_t i = 0; i < piece->nside; i++) widest = piece->sides[i].width > widest ? piece->sides[i].width : widest;
+
+    /* without any allowance the cut line is the seam line, curves and all */
+    mus__draw_path(out, index, MUS__LAYER_CUT, MUS__PEN_CUT);
+    if (widest == 0.0) {
+        marks_spans(out, piece, 0, piece->nspan - 1);
+        mus__draw_close(out);
+        return;
+    }
+    for (int32_t i = 0; i < piece->cut.nloop; i++) {
+        for (int32_t k = piece->cut.start[i]; k < piece->cut.start[i + 1]; k++) {
+            const double *p = piece->cut.xy + 2 * k;
+            if (k == piece->cut.start[i]) mus__draw_move(out, p[0], p[1]);
+            else mus__draw_line(out, p[0], p[1]);
+        }
+        mus__draw_close(out);
+    }
+}
+
+
+static void marks_seam(mus__drawing *out, const mus__piece *piece, int32_t index)
+{
+    for (int32_t i = 0, end; i < piece->nspan; i = end) {
+        for (end = i + 1; end < piece->nspan && piece->spans[end].side == piece->spans[i].side;) end++;
+        mus__draw_path(out, index, MUS__LAYER_SEAM, MUS__PEN_SEAM);
+        marks_spans(out, piece, i, end - 1);
+    }
+}
+
+
+/* how far from p along n the cut line is, at least `least`; `least` itself when the ray misses it */
+static double marks_reach(const mus__piece *piece, const double *p, const double *n, double least)
+{
+    double best = -1.0;
+    for (int32_t l = 0; l < piece->cut.nloop; l++) {
+        int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
+        for (int32_t i = start; i < end; i++) {
+            const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
+            double dx = b[0] - a[0], dy = b[1] - a[1], det = n[0] * dy - n[1] * dx;
+            if (det == 0.0) continue;
+            double cx = a[0] - p[0], cy = a[1] - p[1];
+            double t = (cx * dy - cy * dx) / det, u = (cx * n[1] - cy * n[0]) / det;
+            if (u < 0.0 || u > 1.0 || t < least - 1e-4) continue;
+            if (best < 0.0 || t < best) best = t;
+        }
+    }
+    return best < 0.0 ? least : best;
+}
+
+
+/* one slit at arc length s of a side */
+static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, const mus__side *side,
+                       double s, double length)
+{
+    double t = s / length, near = 1e-4, at[3], xy[6], p[6];
+    at[0] = t;
+    at[1] = t - near > 0.0 ? t - near : 0.0;
+    at[2] = t + near < 1.0 ? t + near : 1.0;
+    if (mus_pattern_edge_at(pattern, side->edge, 3, at, xy) != MUS_OK) return;
+    for (int32_t i = 0; i < 3; i++) mus__piece_point(piece, xy + 2 * i, p + 2 * i);
+
+    /* the outside is on the right of the way round */
+    double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
+    if (!(d > 0.0)) return;
+    const double n[2] = {dy / d, -dx / d};
+    double reach = marks_reach(piece, p, n, side->width), depth = side->width - SLIT_CLEAR;
+    depth = depth > SLIT_DEPTH ? SLIT_DEPTH : depth < SLIT_LEAST ? SLIT_LEAST : depth;
+    mus__draw_move(out, p[0] + reach * n[0], p[1] + reach * n[1]);
+    mus__draw_line(out, p[0] + (reach - depth) * n[0], p[1] + (reach - depth) * n[1]);
+}
+
+
+static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index)
+{
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t edge, kind, side = 0;
+        double s;
+        if (mus_pattern_notch(pattern, i, &edge, &s, &kind) != MUS_OK) continue;
+        while (side < piece->nside && piece->sides[side].edge != edge) side++;
+        if (side == piece->nside) continue;
+
+        double length = mus_pattern_edge_length(pattern, edge);
+        mus__draw_path(out, index, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH);
+        for (int32_t k = 0; k < kind; k++) {
+            double at = s + (k - 0.5 * (kind - 1)) * SLIT_APART;
+            at = at < 0.0 ? 0.0 : at > length ? length : at;
+            marks_slit(out, pattern, piece, &piece->sides[side], at, length);
+        }
+    }
+}
+
+
+/* the longest part of the upright line at x that lies inside the seam line */
+static double marks_chord(const mus__piece *piece, double x, double *low, double *high)
+{
+    double best = 0.0;
+    for (int32_t i = 0; i < piece->nflat; i++) {
+        const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
+        /* the inside lies above a chord that runs to the right */
+        if (!(a[0] <= x && b[0] > x)) continue;
+        double from = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]), to = HUGE_VAL;
+        for (int32_t k = 0; k < piece->nflat; k++) {
+            const double *c = piece->flat + 2 * k, *d = piece->flat + 2 * ((k + 1) % piece->nflat);
+            if (!(d[0] <= x && c[0] > x)) continue;
+            double y = c[1] + (d[1] - c[1]) * (x - c[0]) / (d[0] - c[0]);
+            if (y > from && y < to) to = y;
+        }
+        if (to < HUGE_VAL && to - from > best) {
+            best = to - from;
+            *low = from;
+            *high = to;
+        }
+    }
+    return best;
+}
+
+
+static void marks_arrow(mus__drawing *out, double x, double y, double up, double size)
+{
+    mus__draw_move(out, x, y);
+    mus__draw_line(out, x - 0.25 * size, y - up * size);
+    mus__draw_line(out, x + 0.25 * size, y - up * size);
+    mus__draw_close(out);
+}
+
+
+/* a double arrow; two thirds of the longest upright line there is, at 0.3 of the width if that line is long enough */
+static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t index, double *grain)
+{
+    double left = piece->flat[0], right = left, lengths[GRAIN_CHORDS], low[GRAIN_CHORDS], high[GRAIN_CHORDS], most = 0.0;
+    for (int32_t i = 1; i < piece->nflat; i++) {
+        left = piece->flat[2 * i] < left ? piece->flat[2 * i] : left;
+        right = piece->flat[2 * i] > right ? piece->flat[2 * i] : right;
+    }
+    for (int32_t i = 0; i < GRAIN_CHORDS; i++) {
+        lengths[i] = marks_chord(piece, left + (right - left) * (i + 0.5) / GRAIN_CHORDS, &low[i], &high[i]);
+        most = lengths[i] > most ? lengths[i] : most;
+    }
+    int32_t best = 0;
+    double nearest = HUGE_VAL;
+    for (int32_t i = 0; i < GRAIN_CHORDS; i++) {
+        double away = fabs((i + 0.5) / GRAIN_CHORDS - 0.3);
+        if (lengths[i] < 0.75 * most || away >= nearest) continue;
+        best = i;
+        nearest = away;
+    }
+    double half = lengths[best] / 3.0, middle = 0.5 * (low[best] + high[best]);
+    double size = half > 2.0 * ARROW ? ARROW : 0.5 * half;
+    grain[0] = left + (right - left) * (best + 0.5) / GRAIN_CHORDS;
+    grain[1] = middle - half;
+    grain[2] = middle + half;
+    mus__draw_path(out, index, MUS__LAYER_GRAIN, MUS__PEN_GRAIN);
+    mus__draw_move(out, grain[0], grain[1] + 0.5 * size);
+    mus__draw_line(out, grain[0], grain[2] - 0.5 * size);
+    mus__draw_path(out, index, MUS__LAYER_GRAIN, MUS__PEN_INK);
+    marks_arrow(out, grain[0], grain[2], 1.0, size);
+    marks_arrow(out, grain[0], grain[1], -1.0, size);
+}
+
+
+/* the name of a mark, along its line and readable from below or from the right */
+static void marks_name(mus__drawing *out, int32_t index, const char *name, const double *a, const double *b)
+{
+    double dx = b[0] - a[0], dy = b[1] - a[1], d = sqrt(dx * dx + dy * dy);
+    mus__text_style style = {0.0025, 1.0, 0.0, 0.5};
+    if (d > 0.0) {
+        double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
+        style.cosine = sign * dx / d;
+        style.sine = sign * dy / d;
+    }
+    double x = 0.5 * (a[0] + b[0]) - 0.003 * style.sine, y = 0.5 * (a[1] + b[1]) + 0.003 * style.cosine;
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
+    mus__draw_text(out, name, x, y, &style);
+}
+
+
+static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index)
+{
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        int32_t panel, n;
+        const char *name;
+        const double *xy;
+        if (mus_pattern_mark(pattern, i, &panel, &name, &n, &xy) != MUS_OK || panel != piece->panel || n < 1) continue;
+
+        double first[2], p[2];
+        mus__piece_point(piece, xy, first);
+        mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
+        if (n == 1) {
+            /* a drill point: a cross, 6 mm wide */
+            mus__draw_move(out, first[0] - 0.003, first[1]);
+            mus__draw_line(out, first[0] + 0.003, first[1]);
+            mus__draw_move(out, first[0], first[1] - 0.003);
+            mus__draw_line(out, first[0], first[1] + 0.003);
+        } else {
+            mus__draw_move(out, first[0], first[1]);
+        }
+        for (int32_t k = 1; k < n; k++) {
+            mus__piece_point(piece, xy + 2 * k, p);
+            mus__draw_line(out, p[0], p[1]);
+        }
+        if (n == 1) marks_name(out, index, name, first, first);
+        else marks_name(out, index, name, first, p);
+    }
+}
+
+
+void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
+                     double *grain)
+{
+    marks_cut(out, piece, index);
+    marks_seam(out, piece, index);
+    marks_notches(out, pattern, piece, index);
+    marks_grain(out, piece, index, grain);
+    marks_inside(out, pattern, piece, index);
+}

@@ -18,6 +18,9 @@
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
 #define BODY_CONTOUR_GAP 0.006
 
+/* outside of the thigh against that of the hip: so near that the two surfaces meet without a step */
+#define BODY_LEG_OUTER 0.985
+
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
@@ -43,38 +46,42 @@ static mus_status body_read_def(mus_context *context, const mus_body_def *def, m
 }
 
 
-/* contours of all limbs from the tape; legs stand under the outside of the torso's lowest contour */
-static mus_status body_contours(mus_body *body, const mus_tape *tape)
+/* check a limb's contours and scale each so that its sampled polygon has the girth it is for */
+static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double *xy, int32_t *work)
+{
+    mus__limb *limb = &body->limb[l];
+    mus_status status = mus__limb_check(body->context, limb, BODY_CONTOUR_GAP * body->skeleton.crown);
+    for (int32_t i = 0; i < limb->count && status == MUS_OK; i++) {
+        mus__contour *contour = &limb->contour[i];
+        if (body->def.ellipse) {
+            contour->n = 2.0;
+            contour->bump[0] = contour->bump[1] = 0.0;
+        }
+        if (contour->target > 0.0) mus__contour_fit(contour, contour->target, body->def.samples, turn, xy, work);
+    }
+    return status;
+}
+
+
+/* contours of all limbs from the tape; the legs stand under the outside of the fitted hip */
+static mus_status body_contours(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
 {
     mus__limb *limb = body->limb;
     const mus__skeleton *bone = &body->skeleton;
     mus__body_torso(tape, bone, &limb[MUS_LIMB_TORSO]);
-    double outer = 0.975 * limb[MUS_LIMB_TORSO].contour[0].a;
+    mus_status status = body_fit(body, MUS_LIMB_TORSO, turn, xy, work);
+
+    double outer = 0.0;
+    for (int32_t i = 0; i < limb[MUS_LIMB_TORSO].count; i++)
+        if (limb[MUS_LIMB_TORSO].contour[i].girth == MUS_MEASURE_HIP) outer = limb[MUS_LIMB_TORSO].contour[i].a;
     for (int32_t right = 0; right < 2; right++) {
         mus__body_arm(tape, bone, right, &limb[MUS_LIMB_ARM_LEFT + right]);
-        mus__body_leg(tape, bone, right, outer, &limb[MUS_LIMB_LEG_LEFT + right]);
+        mus__body_leg(tape, bone, right, BODY_LEG_OUTER * outer, &limb[MUS_LIMB_LEG_LEFT + right]);
         mus__body_foot(tape, bone, right, &limb[MUS_LIMB_FOOT_LEFT + right]);
     }
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
-        mus_status status = mus__limb_check(body->context, &limb[l], BODY_CONTOUR_GAP * bone->crown);
-        if (status != MUS_OK) return status;
-    }
-    return MUS_OK;
-}
-
-
-/* scale every contour so that its sampled polygon has the girth it is for */
-static void body_fit(mus_body *body, const double *turn, double *xy, int32_t *work)
-{
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
-        for (int32_t i = 0; i < body->limb[l].count; i++) {
-            mus__contour *contour = &body->limb[l].contour[i];
-            if (body->def.ellipse) {
-                contour->n = 2.0;
-                contour->bump[0] = contour->bump[1] = 0.0;
-            }
-            if (contour->target > 0.0) mus__contour_fit(contour, contour->target, body->def.samples, turn, xy, work);
-        }
+    for (int32_t l = MUS_LIMB_TORSO + 1; l < MUS_LIMB_COUNT && status == MUS_OK; l++)
+        status = body_fit(body, l, turn, xy, work);
+    return status;
 }
 
 
@@ -122,10 +129,9 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
         body->source[m] = mus_tape_source(tape, m);
     }
     mus__skeleton_make(tape, &body->skeleton);
-    mus_status status = body_contours(body, tape);
-    if (status != MUS_OK) return status;
 
     /* directions at equal angles, exact at the quarters */
+    mus_status status;
     double *turn = mus__new(body->context, 4 * (int64_t)n, sizeof(double));
     int32_t *work = mus__new(body->context, 2 * (int64_t)n, sizeof(int32_t));
     if (turn == NULL || work == NULL) {
@@ -137,8 +143,8 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
             turn[2 * k] = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
             turn[2 * k + 1] = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
         }
-        body_fit(body, turn, turn + 2 * (ptrdiff_t)n, work);
-        status = body_surface_of(body, turn);
+        status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
+        if (status == MUS_OK) status = body_surface_of(body, turn);
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);

@@ -50,7 +50,7 @@ void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 {
     double h = skeleton->crown, upper = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM);
     double wrist = mus_tape_value(tape, MUS_MEASURE_WRIST), hand = mus_tape_value(tape, MUS_MEASURE_HAND);
-    double length = skeleton->arm_length, ball = 1.06 * upper / (2.0 * MUS_PI), palm = 0.111 * h;
+    double length = skeleton->arm_length, ball = 1.10 * upper / (2.0 * MUS_PI), palm = 0.111 * h;
 
     /* frame: front is backwards (-Z) square to the axis, side = front x axis */
     memset(limb, 0, sizeof *limb);
@@ -64,10 +64,10 @@ void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 
     /* the ball of the shoulder: half a sphere before the joint */
     limb->pole[0] = -ball;
-    limb_add(limb, "ball_inner", -0.70 * ball, 0.714 * 1.06 * upper, 1.0, 2.0);
-    limb_add(limb, "ball", -0.35 * ball, 0.937 * 1.06 * upper, 1.0, 2.0);
-    limb_add(limb, "shoulder", 0.0, 1.06 * upper, 1.0, 2.0);
-    limb_add(limb, "deltoid", 0.13 * length, 1.075 * upper, 1.0, 2.0);
+    limb_add(limb, "ball_inner", -0.70 * ball, 0.714 * 1.10 * upper, 1.0, 2.0);
+    limb_add(limb, "ball", -0.35 * ball, 0.937 * 1.10 * upper, 1.0, 2.0);
+    limb_add(limb, "shoulder", 0.0, 1.10 * upper, 1.0, 2.0);
+    limb_add(limb, "deltoid", 0.13 * length, 1.10 * upper, 1.0, 2.0);
 
     /* upper arm to wrist; the tape's ends taper into each other when a given wrist is nearly the upper arm */
     double elbow = fmax(0.84 * upper, 1.02 * wrist), fore = fmax(0.86 * upper, 1.02 * wrist);
@@ -126,11 +126,11 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
         {"knee", MUS_MEASURE_KNEE, 0.40, knee, 1.00, 1.09, -0.012},
         {"above_knee", MUS_NONE, 0.31, knee + 0.20 * taper, 1.04, 1.09, -0.007},
         {"thigh_low", MUS_NONE, 0.22, knee + 0.47 * taper, 1.05, 1.10, -0.003},
-        {"thigh_mid", MUS_NONE, 0.12, knee + 0.81 * taper, 1.03, 1.06, 0.000},
-        {"thigh", MUS_MEASURE_THIGH, 0.02, thigh, 1.03, 1.04, 0.000},
+        {"thigh_mid", MUS_NONE, 0.12, knee + 0.81 * taper, 1.04, 1.06, -0.002},
+        {"thigh", MUS_MEASURE_THIGH, 0.02, thigh, 1.05, 1.05, -0.004},
     };
     int rows = (int)(sizeof row / sizeof *row);
-    double a0 = thigh / (2.0 * MUS_PI), top = fmax(outer - a0, 0.5 * a0);
+    double a0 = thigh / (MUS_PI * 2.05), top = fmax(outer - a0, 0.5 * a0);
     for (int i = 0; i < rows; i++) {
         double ratio = row[i].female + male * (row[i].male - row[i].female), s = crotch * (1.0 - row[i].u);
         mus__contour *contour = limb_add(limb, row[i].name, s, row[i].girth, ratio, 2.05);
@@ -142,12 +142,16 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     }
 
     /* the root of the leg, inside the torso */
-    const mus__contour *thick = &limb->contour[limb->count - 1];
-    double x = thick->ca;
-    mus__contour *root = limb_add(limb, "leg_root", crotch + 0.020 * h, 0.93 * thigh, 1.0, 2.05);
-    root->ca = x, root->wall = limb->wall, root->wall_side = side;
+    double x = limb->contour[limb->count - 1].ca;
+    const double root[2][2] = {{crotch + 0.016 * h, 1.02}, {crotch + 0.045 * h, 0.92}};
+    static const char *const roots[2] = {"leg_root", "leg_top"};
+    for (int i = 0; i < 2; i++) {
+        mus__contour *contour = limb_add(limb, roots[i], root[i][0], root[i][1] * thigh, 1.06, 2.05);
+        contour->ca = x, contour->cb = 0.005 * h;
+        contour->wall = limb->wall, contour->wall_side = side;
+    }
     limb->pole[0] = fmin(0.035 * crotch, 0.012 * h);
-    limb->pole[1] = crotch + 0.045 * h;
+    limb->pole[1] = crotch + 0.060 * h;
 }
 
 
@@ -166,8 +170,8 @@ void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t
         const char *name;
         double f, breadth, height, out;
     } row[] = {
-        {"heel_back", 0.030, 0.17, 0.19, 0.000},   {"heel", 0.11, 0.235, 0.28, 0.000},
-        {"ankle_joint", 0.24, 0.255, 0.34, 0.000}, {"instep", 0.40, 0.275, 0.295, 0.004},
+        {"heel_back", 0.030, 0.17, 0.19, 0.000},   {"heel", 0.11, 0.235, 0.22, 0.000},
+        {"ankle_joint", 0.24, 0.255, 0.28, 0.000}, {"instep", 0.40, 0.275, 0.275, 0.004},
         {"waist", 0.54, 0.325, 0.215, 0.012},      {"ball", 0.70, 0.375, 0.155, 0.020},
         {"toes", 0.84, 0.345, 0.115, 0.030},       {"toe_tips", 0.945, 0.245, 0.090, 0.036},
     };

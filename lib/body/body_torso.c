@@ -21,6 +21,55 @@
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
+/* shape of a contour: depth to breadth, superellipse exponent, forward offset of the centre in parts of the stature */
+typedef struct torso_shape {
+    const char *name;
+    struct {
+        double ratio, n, z;
+    } female, male;
+    double small, big; /* ratio of a child of 56 and of 164 cm */
+} torso_shape;
+
+enum {
+    TORSO_CROTCH,
+    TORSO_HIP,
+    TORSO_HIGH_HIP,
+    TORSO_WAIST,
+    TORSO_MIDRIFF,
+    TORSO_UNDERBUST,
+    TORSO_BUST,
+    TORSO_ARMPIT,
+    TORSO_ARMHOLE,
+    TORSO_SHOULDER,
+    TORSO_SLOPE,
+    TORSO_NECK,
+    TORSO_NAPE,
+    TORSO_CHIN,
+    TORSO_JAW,
+    TORSO_BROW
+};
+
+/* ratio and exponent: ANSUR II calipers and GarmentCode slices; offsets: the same, evened so that the profile of back
+ * and front has no steps */
+static const torso_shape torso_shapes[] = {
+    {"crotch", {0.58, 2.4, -0.0080}, {0.64, 2.4, -0.0050}, 0.78, 0.70},
+    {"hip", {0.655, 2.4, -0.0080}, {0.73, 2.3, -0.0080}, 0.78, 0.70},
+    {"high_hip", {0.755, 2.1, -0.0040}, {0.755, 2.1, -0.0050}, 0.80, 0.76},
+    {"waist", {0.77, 2.1, 0.0040}, {0.77, 2.15, 0.0010}, 0.85, 0.78},
+    {"midriff", {0.76, 2.15, 0.0050}, {0.76, 2.3, 0.0000}, 0.84, 0.78},
+    {"underbust", {0.757, 2.2, 0.0050}, {0.75, 2.4, 0.0000}, 0.82, 0.78},
+    {"bust", {0.73, 2.35, 0.0050}, {0.735, 2.6, 0.0000}, 0.80, 0.80},
+    {"high_bust", {0.69, 2.7, 0.0000}, {0.67, 2.7, -0.0040}, 0.72, 0.72},
+    {"armhole", {0.53, 2.3, -0.0090}, {0.50, 2.3, -0.0110}, 0.57, 0.57},
+    {"shoulder", {0.40, 2.0, -0.0125}, {0.38, 2.0, -0.0140}, 0.42, 0.42},
+    {"slope", {0.54, 2.0, -0.0090}, {0.50, 2.0, -0.0110}, 0.52, 0.52},
+    {"neck", {0.95, 2.0, -0.0040}, {0.95, 2.0, -0.0060}, 0.95, 0.95},
+    {"nape", {1.08, 2.0, 0.0030}, {1.08, 2.0, 0.0020}, 1.08, 1.08},
+    {"chin", {1.22, 2.0, 0.0140}, {1.22, 2.0, 0.0120}, 1.22, 1.22},
+    {"jaw", {1.30, 2.1, 0.0195}, {1.32, 2.1, 0.0170}, 1.30, 1.30},
+    {"brow", {1.29, 2.1, 0.0100}, {1.29, 2.1, 0.0100}, 1.29, 1.29},
+};
+
 /* what the contours of one torso are made from */
 typedef struct torso_plan {
     const mus_tape *tape;
@@ -32,18 +81,10 @@ typedef struct torso_plan {
 } torso_plan;
 
 
-/* women's or men's figure; a child's goes from `small` to the women's */
+/* women's or men's figure, the mean for an unset sex; children take the women's */
 static double torso_mix(const torso_plan *plan, double female, double male)
 {
     return plan->sex == MUS_SEX_MALE ? male : plan->sex == MUS_SEX_UNSET ? 0.5 * (female + male) : female;
-}
-
-
-static double torso_ratio(const torso_plan *plan, double female, double male, double child)
-{
-    if (plan->sex == MUS_SEX_CHILD) return child;
-    double ratio = torso_mix(plan, female, male);
-    return fmin(fmax(ratio, 0.35), 1.05);
 }
 
 
@@ -53,37 +94,46 @@ static double torso_value(const torso_plan *plan, int32_t measure)
 }
 
 
-/* add a contour on top of the others: its half breadth is 1 until it is fitted to `girth` */
-static mus__contour *torso_add(const torso_plan *plan, const char *name, double s, double ratio, double n, double z)
+/* put a contour of that shape on top of the others, its depth `more` of its breadth beyond the shape's, half breadth a
+ */
+static mus__contour *torso_put(const torso_plan *plan, int32_t shape, double s, double a, double more)
 {
+    const torso_shape *row = &torso_shapes[shape];
     mus__contour *contour = &plan->limb->contour[plan->limb->count++];
     memset(contour, 0, sizeof *contour);
-    contour->name = name;
-    contour->girth = contour->height = MUS_NONE;
+    contour->name = row->name;
+    contour->girth = contour->height = contour->ring = MUS_NONE;
     contour->s = s;
-    contour->a = 1.0, contour->b = ratio, contour->n = n;
-    contour->cb = -z;
+
+    /* no section is thinner than 0.35 or much deeper than broad, whatever the sheet says; heads are deeper */
+    double ratio = torso_mix(plan, row->female.ratio, row->male.ratio) + more;
+    if (plan->sex == MUS_SEX_CHILD) ratio = row->small + plan->grown * (row->big - row->small);
+    if (shape < TORSO_NECK) ratio = fmin(fmax(ratio, 0.35), 1.05);
+    contour->n = torso_mix(plan, row->female.n, row->male.n);
+    contour->a = a;
+    contour->b = ratio * a;
+    contour->cb = -torso_mix(plan, row->female.z, row->male.z) * plan->h;
     return contour;
 }
 
 
-/* a contour whose girth is `girth`; an estimate of its size now, the exact fit later */
-static mus__contour *torso_add_girth(const torso_plan *plan, const char *name, double s, double girth, double ratio,
-                                     double n, double z)
+/* the same to be fitted to a girth; its size is an estimate until then */
+static mus__contour *torso_put_girth(const torso_plan *plan, int32_t shape, double s, double girth, double more)
 {
-    mus__contour *contour = torso_add(plan, name, s, ratio, n, z);
+    mus__contour *contour = torso_put(plan, shape, s, 1.0, more);
+    double a = girth / (MUS_PI * (1.0 + contour->b) * (1.0 + 0.045 * (contour->n - 2.0)));
+    contour->b *= a;
+    contour->a = a;
     contour->target = girth;
-    contour->a = girth / (MUS_PI * (1.0 + ratio) * (1.0 + 0.045 * (n - 2.0)));
-    contour->b = ratio * contour->a;
-    contour->ring = MUS_NONE;
     return contour;
 }
 
 
-static mus__contour *torso_add_measure(const torso_plan *plan, const char *name, double s, int32_t girth,
-                                       int32_t height, double ratio, double n, double z)
+/* the same with a girth of the tape, at a height of the tape */
+static mus__contour *torso_put_measure(const torso_plan *plan, int32_t shape, double s, int32_t girth, int32_t height,
+                                       double more)
 {
-    mus__contour *contour = torso_add_girth(plan, name, s, torso_value(plan, girth), ratio, n, z);
+    mus__contour *contour = torso_put_girth(plan, shape, s, torso_value(plan, girth), more);
     contour->girth = girth;
     contour->height = height;
     contour->hard = mus_tape_source(plan->tape, girth) == MUS_SOURCE_GIVEN;
@@ -91,117 +141,87 @@ static mus__contour *torso_add_measure(const torso_plan *plan, const char *name,
 }
 
 
-static mus__contour *torso_add_breadth(const torso_plan *plan, const char *name, double s, double breadth, double ratio,
-                                       double n, double z)
-{
-    mus__contour *contour = torso_add(plan, name, s, ratio, n, z);
-    contour->a = 0.5 * breadth, contour->b = 0.5 * breadth * ratio;
-    return contour;
-}
-
-
-/* crotch to waist */
+/* crotch to waist; rounder the fuller the figure is for its stature */
 static void torso_seat(const torso_plan *plan)
 {
     const mus__skeleton *bone = plan->bone;
     double h = plan->h, hip = torso_value(plan, MUS_MEASURE_HIP), waist = torso_value(plan, MUS_MEASURE_WAIST);
-    double high = torso_value(plan, MUS_MEASURE_HIGH_HIP), child = 0.78 - 0.08 * plan->grown;
 
-    /* the hull of both thighs; it closes to the crotch, which is where the inside leg ends */
-    double room = fmin(0.020 * h, 0.45 * (bone->hip - bone->crotch));
-    mus__contour *crotch =
-        torso_add_girth(plan, "crotch", bone->crotch + room, 0.985 * hip, torso_ratio(plan, 0.59, 0.66, child), 2.5,
-                        torso_mix(plan, -0.008, -0.005) * h);
-    crotch->height = MUS_MEASURE_INLEG;
-    crotch->bump[1] = 0.004 * h, crotch->bump_angle[1] = 0.44;
+    /* between the thighs the torso closes to the crotch, where the inside leg ends */
     plan->limb->pole[0] = bone->crotch;
+    if (bone->hip - bone->crotch > 0.045 * h) {
+        mus__contour *crotch = torso_put_girth(plan, TORSO_CROTCH, bone->crotch + 0.022 * h, 0.93 * hip, 0.0);
+        crotch->height = MUS_MEASURE_INLEG;
+        crotch->bump[1] = 0.004 * h, crotch->bump_angle[1] = 0.44;
+    }
 
     /* buttocks: bumps 25 degrees off the back */
-    double ratio = torso_ratio(plan, 0.655 + 0.35 * (hip / h - 0.627), 0.73 + 0.6 * (hip / h - 0.581), child);
-    mus__contour *seat = torso_add_measure(plan, "hip", bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP, ratio,
-                                           torso_mix(plan, 2.4, 2.3), torso_mix(plan, -0.008, -0.006) * h);
+    mus__contour *seat = torso_put_measure(plan, TORSO_HIP, bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP,
+                                           torso_mix(plan, 0.35 * (hip / h - 0.627), 0.6 * (hip / h - 0.581)));
     seat->bump[1] = 0.009 * h, seat->bump_angle[1] = 0.44;
 
-    torso_add_measure(plan, "high_hip", bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP,
-                      torso_ratio(plan, 0.755, 0.755, 0.80 - 0.04 * plan->grown), 2.06,
-                      torso_mix(plan, 0.005, -0.001) * h);
-    torso_add_girth(plan, "navel", bone->waist - 0.36 * (bone->waist - bone->high_hip),
-                    waist + torso_mix(plan, 0.36, 0.16) * (high - waist),
-                    torso_ratio(plan, 0.745, 0.755, 0.84 - 0.07 * plan->grown), 2.1, torso_mix(plan, 0.012, 0.010) * h);
-    ratio = torso_mix(plan, 0.77, 0.77) + 0.4 * (waist / h - 0.48);
-    torso_add_measure(plan, "waist", bone->waist, MUS_MEASURE_WAIST, MUS_MEASURE_WAIST_HEIGHT,
-                      torso_ratio(plan, ratio, ratio, 0.85 - 0.07 * plan->grown), torso_mix(plan, 2.1, 2.15),
-                      torso_mix(plan, 0.014, 0.011) * h * plan->grown);
+    torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP, 0.0);
+    torso_put_measure(plan, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST, MUS_MEASURE_WAIST_HEIGHT,
+                      0.4 * (waist / h - 0.48));
 }
 
 
-/* underbust to armpit; breasts are bumps at the bust span, high enough for bust less high bust */
+/* above the waist to the armpit; breasts are bumps at the bust span, high enough for bust less high bust */
 static void torso_chest(const torso_plan *plan)
 {
     const mus__skeleton *bone = plan->bone;
     double h = plan->h, bust = torso_value(plan, MUS_MEASURE_BUST), high = torso_value(plan, MUS_MEASURE_HIGH_BUST);
-    double more = 0.9 * (bust / h - 0.57);
+    double waist = torso_value(plan, MUS_MEASURE_WAIST), under = torso_value(plan, MUS_MEASURE_UNDERBUST);
 
-    torso_add_measure(plan, "underbust", bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT,
-                      torso_ratio(plan, 0.757, 0.75, 0.82 - 0.04 * plan->grown), torso_mix(plan, 2.2, 2.4),
-                      torso_mix(plan, 0.005, 0.0) * h);
-    mus__contour *chest = torso_add_measure(plan, "bust", bone->bust, MUS_MEASURE_BUST, MUS_MEASURE_BUST_HEIGHT,
-                                            torso_ratio(plan, 0.80 + more, 0.70 + more, 0.80),
-                                            torso_mix(plan, 2.6, 2.8), torso_mix(plan, 0.008, -0.005) * h);
-    double span = torso_value(plan, MUS_MEASURE_BUST_SPAN);
+    torso_put_girth(plan, TORSO_MIDRIFF, 0.5 * (bone->waist + bone->underbust), 0.60 * waist + 0.40 * under, 0.0);
+    torso_put_measure(plan, TORSO_UNDERBUST, bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT, 0.0);
+    mus__contour *chest = torso_put_measure(plan, TORSO_BUST, bone->bust, MUS_MEASURE_BUST, MUS_MEASURE_BUST_HEIGHT,
+                                            0.9 * (bust / h - 0.57));
     if (plan->sex != MUS_SEX_MALE && plan->sex != MUS_SEX_CHILD && bust > high) {
-        chest->bump[0] = fmin((bust - high) / 2.6, 0.25 * chest->b);
-        chest->bump_angle[0] = atan2(0.5 * span, chest->b);
+        chest->bump[0] = fmin((bust - high) / 1.8, 0.25 * chest->b);
+        chest->bump_angle[0] = atan2(0.5 * torso_value(plan, MUS_MEASURE_BUST_SPAN), chest->b);
     }
-    mus__contour *armpit = torso_add_measure(plan, "high_bust", bone->armpit, MUS_MEASURE_HIGH_BUST,
-                                             MUS_MEASURE_SCYE_DEPTH, torso_ratio(plan, 0.69, 0.66, 0.72),
-                                             torso_mix(plan, 2.9, 3.0), torso_mix(plan, -0.002, -0.009) * h);
-    armpit->hard = false;
+    torso_put_measure(plan, TORSO_ARMPIT, bone->armpit, MUS_MEASURE_HIGH_BUST, MUS_MEASURE_SCYE_DEPTH, 0.0);
 }
 
 
-/* mid armhole to jaw: breadths at the shoulders, girths at the neck */
+/* mid armhole to nape: breadths at the shoulders, girths at the neck */
 static void torso_shoulders(const torso_plan *plan)
 {
     const mus__skeleton *bone = plan->bone;
-    double h = plan->h, neck = torso_value(plan, MUS_MEASURE_NECK);
-    double across = 0.98 * torso_value(plan, MUS_MEASURE_ACROSS_BACK);
+    double neck = torso_value(plan, MUS_MEASURE_NECK), across = torso_value(plan, MUS_MEASURE_ACROSS_BACK);
+    double slope_x = bone->neck_side_x + 0.42 * (bone->shoulder_x - bone->neck_side_x);
 
-    torso_add_breadth(plan, "armhole", 0.5 * (bone->armpit + bone->shoulder), across,
-                      torso_ratio(plan, 0.57, 0.57, 0.60), 2.3, torso_mix(plan, -0.012, -0.016) * h);
-    mus__contour *shoulder = torso_add_breadth(plan, "shoulder", bone->shoulder, 2.0 * bone->shoulder_x,
-                                               torso_ratio(plan, 0.38, 0.40, 0.42), 2.0, bone->shoulder_z);
+    torso_put(plan, TORSO_ARMHOLE, 0.5 * (bone->armpit + bone->shoulder), fmax(0.49 * across, 0.93 * bone->shoulder_x),
+              0.0);
+    mus__contour *shoulder = torso_put(plan, TORSO_SHOULDER, bone->shoulder, bone->shoulder_x, 0.0);
     shoulder->height = MUS_MEASURE_SHOULDER_SLOPE;
-    torso_add_breadth(plan, "slope", bone->shoulder + 0.57 * (bone->neck_side - bone->shoulder),
-                      2.0 * (bone->neck_side_x + 0.42 * (bone->shoulder_x - bone->neck_side_x)),
-                      torso_ratio(plan, 0.44, 0.44, 0.46), 2.0, torso_mix(plan, -0.012, -0.015) * h);
-    torso_add_measure(plan, "neck", bone->neck_side, MUS_MEASURE_NECK, MUS_MEASURE_NECK,
-                      torso_ratio(plan, 0.95, 0.95, 0.95), 2.0, torso_mix(plan, -0.004, -0.008) * h);
-    mus__contour *nape = torso_add_girth(plan, "nape", bone->nape, torso_mix(plan, 0.89, 0.915) * neck,
-                                         torso_mix(plan, 1.20, 1.13), 2.0, torso_mix(plan, 0.008, 0.004) * h);
+    torso_put(plan, TORSO_SLOPE, bone->shoulder + 0.57 * (bone->neck_side - bone->shoulder), slope_x, 0.0);
+    torso_put_measure(plan, TORSO_NECK, bone->neck_side, MUS_MEASURE_NECK, MUS_MEASURE_NECK, 0.0);
+    mus__contour *nape = torso_put_girth(plan, TORSO_NAPE, bone->nape, torso_mix(plan, 0.89, 0.915) * neck, 0.0);
     nape->height = MUS_MEASURE_NAPE_HEIGHT;
 }
 
 
-/* jaw and brow, and the ellipsoid from the brow to the crown */
+/* chin, jaw and brow, and the ellipsoid from the brow to the crown */
 static void torso_head(const torso_plan *plan)
 {
     const mus__skeleton *bone = plan->bone;
-    double h = plan->h, head = torso_value(plan, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
+    double head = torso_value(plan, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
 
-    torso_add_girth(plan, "jaw", bone->jaw, 0.80 * head, torso_mix(plan, 1.34, 1.38), 2.0,
-                    torso_mix(plan, 0.026, 0.021) * h);
-    mus__contour *brow =
-        torso_add_measure(plan, "brow", bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 1.29, 2.1, 0.010 * h);
-    brow->hard = mus_tape_source(plan->tape, MUS_MEASURE_HEAD) == MUS_SOURCE_GIVEN;
+    torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape), 0.69 * head, 0.0);
+    torso_put_girth(plan, TORSO_JAW, bone->jaw, 0.79 * head, 0.0);
+    torso_put_measure(plan, TORSO_BROW, bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 0.0);
 
     /* u of the way from brow to crown the ellipsoid has sqrt(1 - u^2) of the brow's girth */
     static const double steps[] = {0.40, 0.68, 0.86};
     static const char *const names[] = {"head_low", "head_mid", "head_top"};
     for (int i = 0; i < 3; i++) {
         double u = steps[i];
-        torso_add_girth(plan, names[i], bone->brow + u * top, sqrt(1.0 - u * u) * head, 1.29 + 0.04 * u, 2.1,
-                        (0.010 - 0.002 * u) * h);
+        mus__contour *contour =
+            torso_put_girth(plan, TORSO_BROW, bone->brow + u * top, sqrt(1.0 - u * u) * head, 0.04 * u);
+        contour->name = names[i];
+        contour->cb *= 1.0 - 0.2 * u;
     }
     plan->limb->pole[1] = bone->crown;
 }

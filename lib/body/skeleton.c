@@ -55,8 +55,8 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
     out->shoulder = out->neck_side - sh * sin(slope);
     out->neck_side_x = mus_tape_value(tape, MUS_MEASURE_NECK) / (2.0 * MUS_PI);
     out->shoulder_x = out->neck_side_x + sh * cos(slope) + skeleton_mix(mus_tape_sex(tape), 0.007, 0.0) * h;
-    out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.015, -0.018) * h;
-    out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.008, -0.005) * h;
+    out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.0125, -0.014) * h;
+    out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.005, 0.0) * h;
 
     /* the armpit: nine tenths of the scye depth (the tape hangs lower), clear of the bust and of the shoulder */
     double armpit = out->nape - 0.9 * mus_tape_value(tape, MUS_MEASURE_SCYE_DEPTH);
@@ -67,12 +67,12 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
 
 static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
 {
-    double h = out->crown, slope = mus_tape_value(tape, MUS_MEASURE_SHOULDER_SLOPE);
+    double h = out->crown;
     double down = mus_tape_value(tape, MUS_MEASURE_ARM_ANGLE);
 
     /* the ball of the shoulder touches the shoulder line from below, a little inside its end */
-    double ball = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM) / (2.0 * MUS_PI) * 1.06;
-    double x = out->shoulder_x - 0.45 * ball - sin(slope) * 0.4 * ball, y = out->shoulder - 0.90 * ball;
+    double ball = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM) / (2.0 * MUS_PI) * 1.10;
+    double x = out->shoulder_x - 0.33 * ball, y = out->shoulder - 0.78 * ball;
 
     /* the bent arm's tape is 5 % longer than the straight arm from acromion to wrist */
     out->arm_length = mus_tape_value(tape, MUS_MEASURE_ARM) / 1.05 - 0.25 * ball;

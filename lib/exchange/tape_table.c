@@ -171,7 +171,8 @@ static mus_status read_model(struct table *table, mus_tape *tape)
         status = table_number(table, column, &value, &set);
         if (status != MUS_OK || !set || value == 0.0) continue;
         int32_t measure = model_names[i].measure;
-        status = table_set(table, tape, measure, mus_measure_unit(measure) == 'm' ? value / 1000.0 : value * MUS_DEGREE);
+        status =
+            table_set(table, tape, measure, mus_measure_unit(measure) == 'm' ? value / 1000.0 : value * MUS_DEGREE);
     }
     double waist = mus_tape_value(tape, MUS_MEASURE_WAIST_HEIGHT);
     if (status != MUS_OK || waist != waist) return status;
@@ -200,8 +201,11 @@ static bool column_unit(const char *column, char *measure, size_t bytes, int32_t
         const char *ending;
         int32_t unit;
         double down;
-    } endings[] = {
-        {"_cm", 'm', 100.0}, {"_mm", 'm', 1000.0}, {"_m", 'm', 1.0}, {"_deg", 'r', 1.0 / MUS_DEGREE}, {"_rad", 'r', 1.0}};
+    } endings[] = {{"_cm", 'm', 100.0},
+                   {"_mm", 'm', 1000.0},
+                   {"_m", 'm', 1.0},
+                   {"_deg", 'r', 1.0 / MUS_DEGREE},
+                   {"_rad", 'r', 1.0}};
     size_t length = strlen(column);
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
         size_t n = strlen(endings[i].ending);

@@ -1,0 +1,144 @@
+/*
+ * test_tape_yaml.c: GarmentCode body files: the heights that follow from their lengths, by hand; the three real
+ * bodies complete; what is refused and in which words.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "muslin/exchange.h"
+#include "support.h"
+
+#define DEGREE (3.14159265358979323846 / 180.0)
+
+
+static mus_status read_text(mus_context *context, const char *text, mus_tape **out)
+{
+    char path[512];
+    support_spill(support_scratch("body.yaml", path, sizeof path), text, strlen(text));
+    return mus_tape_read(context, path, NULL, out);
+}
+
+
+START_TEST(heights_follow_from_the_lengths_of_the_file)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_status status = read_text(context,
+                                  "body:\n  height: 170 # crown\n  head_l: 25\n  waist_line: 40\n  hips_line: 20.5\n"
+                                  "  crotch_hip_diff: 9.5\n  vert_bust_line: 22\n  hips: 100\n  leg_circ: 60\n"
+                                  "  shoulder_w: 37\n  neck_w: 17\n  shoulder_incl: 60\n  bust_points: 17\n"
+                                  "  arm_pose_angle: 45\n  back_width: 47\n",
+                                  &tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    static const struct {
+        int32_t measure;
+        double value;
+    } hand[] = {
+        {MUS_MEASURE_STATURE, 1.70},
+        {MUS_MEASURE_NAPE_HEIGHT, 1.45},
+        {MUS_MEASURE_WAIST_HEIGHT, 1.05},
+        {MUS_MEASURE_WAIST_TO_HIP, .205},
+        {MUS_MEASURE_RISE, .30},
+        {MUS_MEASURE_INLEG, .75},
+        {MUS_MEASURE_BUST_HEIGHT, 1.23},
+        {MUS_MEASURE_BACK_WAIST, .40},
+        {MUS_MEASURE_HIP, 1.0},
+        {MUS_MEASURE_THIGH, .60},
+        {MUS_MEASURE_SHOULDER, .20},
+        {MUS_MEASURE_BUST_SPAN, .17},
+        {MUS_MEASURE_ARM_ANGLE, 45 * DEGREE},
+        {MUS_MEASURE_SHOULDER_SLOPE, 60 * DEGREE},
+    };
+    for (size_t i = 0; i < sizeof hand / sizeof hand[0]; i++)
+        ck_assert_double_eq_tol(mus_tape_value(tape, hand[i].measure), hand[i].value, 1e-12);
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_ACROSS_BACK), MUS_SOURCE_NONE);
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_BUST), MUS_SOURCE_NONE);
+    ck_assert_str_eq(mus_tape_name(tape), "body");
+    ck_assert_ptr_nonnull(strstr(support_log(), "not used: back_width"));
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+static const char *const bodies[] = {"mean_all", "mean_female", "m_smpl_average_A40"};
+
+
+START_TEST(real_bodies_complete_and_build)
+{
+    char relative[128], path[512];
+    snprintf(relative, sizeof relative, "garmentcode/bodies/%s.yaml", bodies[_i]);
+    if (support_data(relative, path, sizeof path) == NULL) return;
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_body *body;
+    mus_status status = mus_tape_read(context, path, NULL, &tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_str_eq(mus_tape_name(tape), bodies[_i]);
+    status = mus_tape_complete(tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    status = mus_body_create(context, tape, NULL, &body);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+static const struct {
+    const char *text;
+    mus_status status;
+    const char *words;
+} refusals[] = {
+    {"", MUS_ERR_FORMAT, "expected a map \"body:\""},
+    {"person:\n  height: 170\n", MUS_ERR_FORMAT, "body.yaml:2: expected a number, got a map"},
+    {"height: 170\n", MUS_ERR_FORMAT, "found none"},
+    {"body: 3\n", MUS_ERR_FORMAT, "body.yaml:1: body: expected a map"},
+    {"body:\n  height: 170,5\n", MUS_ERR_FORMAT, "body.yaml:2: height: expected a number"},
+    {"body:\n  height: .nan\n", MUS_ERR_FORMAT, "body.yaml:2: height: expected a number"},
+    {"body:\n  height: tall\n", MUS_ERR_FORMAT, "\"tall\" is not a number"},
+    {"body:\n  height: 1e999\n", MUS_ERR_FORMAT, "too large"},
+    {"body:\n  height:\n", MUS_ERR_FORMAT, "height"},
+    {"body:\n  height: 170\n  height: 171\n", MUS_ERR_FORMAT, "body.yaml:3: height: given a second time"},
+    {"body:\n  height: [1, 2]\n", MUS_ERR_FORMAT, "body.yaml:2: expected a map of measures, got a list"},
+    {"body:\n  height: &a 170\n  waist: *a\n", MUS_ERR_FORMAT, "alias"},
+    {"body:\n  height: {a: 1}\n", MUS_ERR_FORMAT, "got a map"},
+    {"- 1\n", MUS_ERR_FORMAT, "got a list"},
+    {"body\n", MUS_ERR_FORMAT, "body.yaml:1: expected a map"},
+    {"body:\n  height: 170\n waist: 3\n", MUS_ERR_FORMAT, "body.yaml:3: expected yaml"},
+    {"body:\n  height: \"170\n", MUS_ERR_FORMAT, "expected yaml"},
+    {"body:\n  height: \xff\n", MUS_ERR_FORMAT, "expected yaml"},
+    {"body:\n  height: 1e9\n", MUS_ERR_TAPE, "body.yaml: stature"},
+    {"body:\n  height: -5\n", MUS_ERR_TAPE, "body.yaml: stature"},
+    {"body:\n  height: 170\n  head_l: 169\n", MUS_ERR_TAPE, "body.yaml: nape_height"},
+};
+
+
+START_TEST(a_fault_is_named_with_its_line)
+{
+    mus_context *context = support_context();
+    mus_tape *tape = (mus_tape *)&context;
+    mus_status status = read_text(context, refusals[_i].text, &tape);
+    const char *error = mus_context_error(context);
+    ck_assert_msg(status == refusals[_i].status, "%d for %s: %s", (int)status, refusals[_i].text, error);
+    ck_assert_ptr_null(tape);
+    ck_assert_msg(strstr(error, refusals[_i].words) != NULL, "no \"%s\" in: %s", refusals[_i].words, error);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_tape_yaml(void);
+
+Suite *mus_suite_tape_yaml(void)
+{
+    Suite *suite = suite_create("tape_yaml");
+    TCase *tests = tcase_create("tape_yaml");
+    tcase_add_test(tests, heights_follow_from_the_lengths_of_the_file);
+    tcase_add_loop_test(tests, real_bodies_complete_and_build, 0, sizeof bodies / sizeof bodies[0]);
+    tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

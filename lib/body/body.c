@@ -18,9 +18,6 @@
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
 #define BODY_CONTOUR_GAP 0.006
 
-/* outside of the thigh against that of the hip: so near that the two surfaces meet without a step */
-#define BODY_LEG_OUTER 0.985
-
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
@@ -70,13 +67,13 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     const mus__skeleton *bone = &body->skeleton;
     mus__body_torso(tape, bone, &limb[MUS_LIMB_TORSO]);
     mus_status status = body_fit(body, MUS_LIMB_TORSO, turn, xy, work);
+    if (status != MUS_OK) return status;
 
-    double outer = 0.0;
-    for (int32_t i = 0; i < limb[MUS_LIMB_TORSO].count; i++)
-        if (limb[MUS_LIMB_TORSO].contour[i].girth == MUS_MEASURE_HIP) outer = limb[MUS_LIMB_TORSO].contour[i].a;
+    const mus__contour *hip = &limb[MUS_LIMB_TORSO].contour[0];
+    while (hip->girth != MUS_MEASURE_HIP) hip++;
     for (int32_t right = 0; right < 2; right++) {
         mus__body_arm(tape, bone, right, &limb[MUS_LIMB_ARM_LEFT + right]);
-        mus__body_leg(tape, bone, right, BODY_LEG_OUTER * outer, &limb[MUS_LIMB_LEG_LEFT + right]);
+        mus__body_leg(tape, bone, right, hip, &limb[MUS_LIMB_LEG_LEFT + right]);
         mus__body_foot(tape, bone, right, &limb[MUS_LIMB_FOOT_LEFT + right]);
     }
     for (int32_t l = MUS_LIMB_TORSO + 1; l < MUS_LIMB_COUNT && status == MUS_OK; l++)

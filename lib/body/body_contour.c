@@ -19,6 +19,22 @@
 #define CONTOUR_BUMP_WIDTH 0.35
 
 
+/* eq. 6 with b = q a is linear in a: p = pi a (3 (1 + q) - sqrt((1 + 3 q)(3 + q))); the factor for n > 2 is fitted to
+ * quadratures at q = 0.6 to 0.8 */
+double mus__contour_half_breadth(double girth, double ratio, double n)
+{
+    double q = ratio, p = MUS_PI * (3.0 * (1.0 + q) - sqrt((1.0 + 3.0 * q) * (3.0 + q)));
+    return girth / (p * (1.0 + 0.075 * (n - 2.0)));
+}
+
+
+/* a full thigh grows deep; p ~ pi (a + b) with a = 0.51 hip */
+double mus__contour_thigh_ratio(double girth, double hip)
+{
+    return fmin(fmax(girth / (MUS_PI * 0.51 * hip) - 1.0, 1.03), 1.40);
+}
+
+
 /* distance of two angles on the circle */
 static double contour_apart(double x, double y)
 {

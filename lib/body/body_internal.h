@@ -84,6 +84,10 @@ typedef struct mus__stack {
 
 /* ---- body_contour.c ---- */
 
+/* half breadth of a superellipse of that girth: exact for n = 2 (paper eq. 6), an estimate to 1 % up to n = 3 */
+double mus__contour_half_breadth(double girth, double ratio, double n);
+/* depth to breadth of a thigh of that girth which is to be no broader than half the hip of half breadth `hip` */
+double mus__contour_thigh_ratio(double girth, double hip);
 /* radius of a contour in the direction (cos, sin) */
 double mus__contour_radius(const mus__contour *contour, double cosine, double sine);
 /* girth of the contour sampled at n equal angles, as a tape lies; xy (2n), work (2n) */
@@ -95,7 +99,9 @@ void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const doub
 
 void mus__body_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__limb *limb);
 void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
-void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, double outer, mus__limb *limb);
+/* hip: the fitted contour of the torso that the legs grow out of */
+void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__contour *hip,
+                   mus__limb *limb);
 void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
 
 /* ---- body_stack.c ---- */

@@ -19,6 +19,9 @@
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
+/* the legs keep this far from the middle plane [m] */
+#define LEG_WALL 0.002
+
 
 static mus__contour *limb_add(mus__limb *limb, const char *name, double s, double girth, double ratio, double n)
 {
@@ -28,7 +31,7 @@ static mus__contour *limb_add(mus__limb *limb, const char *name, double s, doubl
     contour->girth = contour->height = contour->ring = MUS_NONE;
     contour->s = s;
     contour->target = girth;
-    contour->a = girth / (MUS_PI * (1.0 + ratio) * (1.0 + 0.045 * (n - 2.0)));
+    contour->a = mus__contour_half_breadth(girth, ratio, n);
     contour->b = ratio * contour->a;
     contour->n = n;
     return contour;
@@ -93,11 +96,34 @@ static double limb_leg_x(double h, double u, double top, double a)
 {
     double knee = 0.058 * h, ankle = 0.063 * h;
     double x = u < 0.40 ? top + (knee - top) * u / 0.40 : knee + (ankle - knee) * (u - 0.40) / 0.43;
-    return fmax(x, 0.90 * a + 0.002);
+    return fmax(x, 0.90 * a + LEG_WALL);
 }
 
 
-void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, double outer, mus__limb *limb)
+/* the root of the leg: its half of the hip, as deep as the thigh, inside the torso */
+static void limb_leg_root(const mus__contour *hip, double crotch, double h, double side, mus__limb *limb)
+{
+    static const struct {
+        const char *name;
+        double up, breadth, depth;
+    } row[] = {{"leg_root", 0.50, 0.965, 1.0}, {"leg_top", 1.0, 0.90, 0.88}};
+    double deep = limb->contour[limb->count - 1].b, cb = limb->contour[limb->count - 1].cb;
+    for (int i = 0; i < 2; i++) {
+        double s = crotch + row[i].up * (hip->s - crotch);
+        mus__contour *contour = limb_add(limb, row[i].name, s, 1.0, 1.0, 2.05);
+        contour->target = 0.0;
+        contour->a = 0.5 * (row[i].breadth * hip->a - LEG_WALL);
+        contour->b = row[i].depth * deep;
+        contour->ca = side * (LEG_WALL + contour->a);
+        contour->cb = cb;
+        contour->wall = LEG_WALL, contour->wall_side = side;
+    }
+    limb->pole[1] = hip->s + 0.02 * h;
+}
+
+
+void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__contour *hip,
+                   mus__limb *limb)
 {
     double h = skeleton->crown, crotch = skeleton->crotch, side = right ? -1.0 : 1.0;
     double thigh = mus_tape_value(tape, MUS_MEASURE_THIGH), knee = mus_tape_value(tape, MUS_MEASURE_KNEE);
@@ -107,10 +133,12 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     memset(limb, 0, sizeof *limb);
     limb->name = right ? "leg_right" : "leg_left";
     limb->side[0] = 1.0, limb->front[2] = -1.0, limb->axis[1] = 1.0;
-    limb->wall = 0.002, limb->wall_side = side;
+    limb->wall = LEG_WALL, limb->wall_side = side;
 
-    /* u from the crotch down, girth, depth to breadth of women and of men, Z / H; thigh girths between thigh and knee
-     * keep the mean body's taper */
+    double deep = mus__contour_thigh_ratio(thigh, hip->a);
+
+    /* u from the crotch down, girth, depth to breadth of women and of men, Z / H; girths between thigh and knee keep
+     * the mean body's taper */
     double taper = thigh - knee;
     const struct {
         const char *name;
@@ -126,11 +154,11 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
         {"knee", MUS_MEASURE_KNEE, 0.40, knee, 1.00, 1.09, -0.012},
         {"above_knee", MUS_NONE, 0.31, knee + 0.20 * taper, 1.04, 1.09, -0.007},
         {"thigh_low", MUS_NONE, 0.22, knee + 0.47 * taper, 1.05, 1.10, -0.003},
-        {"thigh_mid", MUS_NONE, 0.12, knee + 0.81 * taper, 1.04, 1.06, -0.002},
-        {"thigh", MUS_MEASURE_THIGH, 0.02, thigh, 1.05, 1.05, -0.004},
+        {"thigh_mid", MUS_NONE, 0.12, knee + 0.81 * taper, fmax(1.04, deep - 0.05), fmax(1.06, deep - 0.05), -0.002},
+        {"thigh", MUS_MEASURE_THIGH, 0.02, thigh, deep, deep, -0.004},
     };
     int rows = (int)(sizeof row / sizeof *row);
-    double a0 = thigh / (MUS_PI * 2.05), top = fmax(outer - a0, 0.5 * a0);
+    double a0 = mus__contour_half_breadth(thigh, deep, 2.05), top = fmax(0.985 * hip->a - a0, 0.5 * a0);
     for (int i = 0; i < rows; i++) {
         double ratio = row[i].female + male * (row[i].male - row[i].female), s = crotch * (1.0 - row[i].u);
         mus__contour *contour = limb_add(limb, row[i].name, s, row[i].girth, ratio, 2.05);
@@ -140,18 +168,8 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
         contour->cb = -row[i].z * h;
         contour->wall = limb->wall, contour->wall_side = side;
     }
-
-    /* the root of the leg, inside the torso */
-    double x = limb->contour[limb->count - 1].ca;
-    const double root[2][2] = {{crotch + 0.016 * h, 1.02}, {crotch + 0.045 * h, 0.92}};
-    static const char *const roots[2] = {"leg_root", "leg_top"};
-    for (int i = 0; i < 2; i++) {
-        mus__contour *contour = limb_add(limb, roots[i], root[i][0], root[i][1] * thigh, 1.06, 2.05);
-        contour->ca = x, contour->cb = 0.005 * h;
-        contour->wall = limb->wall, contour->wall_side = side;
-    }
+    limb_leg_root(hip, crotch, h, side, limb);
     limb->pole[0] = fmin(0.035 * crotch, 0.012 * h);
-    limb->pole[1] = crotch + 0.060 * h;
 }
 
 

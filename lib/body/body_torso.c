@@ -52,8 +52,8 @@ enum {
 /* ratio and exponent: ANSUR II calipers and GarmentCode slices; offsets: the same, evened so that the profile of back
  * and front has no steps */
 static const torso_shape torso_shapes[] = {
-    {"crotch", {0.58, 2.4, -0.0080}, {0.64, 2.4, -0.0050}, 0.78, 0.70},
-    {"hip", {0.655, 2.4, -0.0080}, {0.73, 2.3, -0.0080}, 0.78, 0.70},
+    {"crotch", {1.0, 2.4, -0.0045}, {1.0, 2.4, -0.0045}, 1.0, 1.0},
+    {"hip", {0.655, 2.4, -0.0080}, {0.685, 2.35, -0.0080}, 0.78, 0.70},
     {"high_hip", {0.755, 2.1, -0.0040}, {0.755, 2.1, -0.0050}, 0.80, 0.76},
     {"waist", {0.77, 2.1, 0.0040}, {0.77, 2.15, 0.0010}, 0.85, 0.78},
     {"midriff", {0.76, 2.15, 0.0050}, {0.76, 2.3, 0.0000}, 0.84, 0.78},
@@ -62,8 +62,8 @@ static const torso_shape torso_shapes[] = {
     {"high_bust", {0.69, 2.7, 0.0000}, {0.67, 2.7, -0.0040}, 0.72, 0.72},
     {"armhole", {0.53, 2.3, -0.0090}, {0.50, 2.3, -0.0110}, 0.57, 0.57},
     {"shoulder", {0.40, 2.0, -0.0125}, {0.38, 2.0, -0.0140}, 0.42, 0.42},
-    {"slope", {0.54, 2.0, -0.0090}, {0.50, 2.0, -0.0110}, 0.52, 0.52},
-    {"neck", {0.95, 2.0, -0.0040}, {0.95, 2.0, -0.0060}, 0.95, 0.95},
+    {"slope", {0.54, 2.0, -0.0065}, {0.50, 2.0, -0.0085}, 0.52, 0.52},
+    {"neck", {0.95, 2.0, -0.0040}, {0.95, 2.0, -0.0055}, 0.95, 0.95},
     {"nape", {1.08, 2.0, 0.0030}, {1.08, 2.0, 0.0020}, 1.08, 1.08},
     {"chin", {1.22, 2.0, 0.0140}, {1.22, 2.0, 0.0120}, 1.22, 1.22},
     {"jaw", {1.30, 2.1, 0.0195}, {1.32, 2.1, 0.0170}, 1.30, 1.30},
@@ -121,7 +121,7 @@ static mus__contour *torso_put(const torso_plan *plan, int32_t shape, double s, 
 static mus__contour *torso_put_girth(const torso_plan *plan, int32_t shape, double s, double girth, double more)
 {
     mus__contour *contour = torso_put(plan, shape, s, 1.0, more);
-    double a = girth / (MUS_PI * (1.0 + contour->b) * (1.0 + 0.045 * (contour->n - 2.0)));
+    double a = mus__contour_half_breadth(girth, contour->b, contour->n);
     contour->b *= a;
     contour->a = a;
     contour->target = girth;
@@ -147,18 +147,20 @@ static void torso_seat(const torso_plan *plan)
     const mus__skeleton *bone = plan->bone;
     double h = plan->h, hip = torso_value(plan, MUS_MEASURE_HIP), waist = torso_value(plan, MUS_MEASURE_WAIST);
 
-    /* between the thighs the torso closes to the crotch, where the inside leg ends */
+    /* the lowest contour is the hull of the thighs, a little within them; below it the torso closes to the crotch,
+     * where the inside leg ends */
+    double thigh = torso_value(plan, MUS_MEASURE_THIGH), room = fmin(0.010 * h, 0.2 * (bone->hip - bone->crotch));
+    mus__contour *crotch = torso_put(plan, TORSO_CROTCH, bone->crotch + room, 1.0, 0.0);
+    crotch->height = MUS_MEASURE_INLEG;
     plan->limb->pole[0] = bone->crotch;
-    if (bone->hip - bone->crotch > 0.045 * h) {
-        mus__contour *crotch = torso_put_girth(plan, TORSO_CROTCH, bone->crotch + 0.022 * h, 0.93 * hip, 0.0);
-        crotch->height = MUS_MEASURE_INLEG;
-        crotch->bump[1] = 0.004 * h, crotch->bump_angle[1] = 0.44;
-    }
 
     /* buttocks: bumps 25 degrees off the back */
     mus__contour *seat = torso_put_measure(plan, TORSO_HIP, bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP,
                                            torso_mix(plan, 0.35 * (hip / h - 0.627), 0.6 * (hip / h - 0.581)));
-    seat->bump[1] = 0.009 * h, seat->bump_angle[1] = 0.44;
+    seat->bump[1] = torso_mix(plan, 0.009, 0.006) * h, seat->bump_angle[1] = 0.44;
+    double deep = mus__contour_thigh_ratio(thigh, seat->a);
+    crotch->a = 0.97 * seat->a;
+    crotch->b = fmin(0.96 * deep * mus__contour_half_breadth(thigh, deep, 2.0), seat->b);
 
     torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP, 0.0);
     torso_put_measure(plan, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST, MUS_MEASURE_WAIST_HEIGHT,
@@ -192,7 +194,7 @@ static void torso_shoulders(const torso_plan *plan)
     double neck = torso_value(plan, MUS_MEASURE_NECK), across = torso_value(plan, MUS_MEASURE_ACROSS_BACK);
     double slope_x = bone->neck_side_x + 0.42 * (bone->shoulder_x - bone->neck_side_x);
 
-    torso_put(plan, TORSO_ARMHOLE, 0.5 * (bone->armpit + bone->shoulder), fmax(0.49 * across, 0.93 * bone->shoulder_x),
+    torso_put(plan, TORSO_ARMHOLE, 0.5 * (bone->armpit + bone->shoulder), fmax(0.49 * across, 0.90 * bone->shoulder_x),
               0.0);
     mus__contour *shoulder = torso_put(plan, TORSO_SHOULDER, bone->shoulder, bone->shoulder_x, 0.0);
     shoulder->height = MUS_MEASURE_SHOULDER_SLOPE;

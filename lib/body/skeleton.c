@@ -21,6 +21,13 @@ static double skeleton_mix(int32_t sex, double female, double male)
 }
 
 
+/* from the end of the shoulder line to the acromion, in parts of the stature: makes shoulder breadths those of ANSUR II */
+static double skeleton_wide(int32_t sex)
+{
+    return sex == MUS_SEX_CHILD ? -0.008 : skeleton_mix(sex, 0.007, 0.0);
+}
+
+
 static void skeleton_head(const mus_tape *tape, mus__skeleton *out)
 {
     double h = out->crown;
@@ -54,7 +61,7 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
     out->neck_side = out->nape - 0.0165 * h;
     out->shoulder = out->neck_side - sh * sin(slope);
     out->neck_side_x = mus_tape_value(tape, MUS_MEASURE_NECK) / (2.0 * MUS_PI);
-    out->shoulder_x = out->neck_side_x + sh * cos(slope) + skeleton_mix(mus_tape_sex(tape), 0.007, 0.0) * h;
+    out->shoulder_x = out->neck_side_x + sh * cos(slope) + skeleton_wide(mus_tape_sex(tape)) * h;
     out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.0125, -0.014) * h;
     out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.005, 0.0) * h;
 

@@ -7,7 +7,7 @@
  *
  *     beta = (4 B_bias - B_warp - B_weft) / 3,   alpha = B - beta / 2   along warp, weft.
  *
- * What a lattice of central springs cannot be is clamped: k to at least LEAST_STRETCH of C11 (a fabric that shears
+ * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that shears
  * harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft).
  *
  * Units of the sources: stretch from KES-FB1 is C11 = 490.33 N/m / EMT (the secant at 500 gf/cm, a 5 cm long and 20 cm
@@ -19,9 +19,9 @@
 
 #include "cloth/fabric.h"
 
-#define LEAST_STRETCH 0.1
+#define FABRIC_LEAST_STRETCH 0.1
 /* shear that a triangle of the strip has at least, of its stretch: without any, border nodes would hang on nothing */
-#define LEAST_SHEAR 1e-3
+#define FABRIC_LEAST_SHEAR 1e-3
 
 typedef struct fabric_row {
     const char *name, *source;
@@ -146,7 +146,7 @@ void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabri
     double square = spacing * spacing;
     double beta = fmax(0.0, (4.0 * fabric->bend[2] - fabric->bend[0] - fabric->bend[1]) / 3.0);
     for (int k = 0; k < 2; k++) {
-        out->k[k] = fmax(fabric->stretch[k] - fabric->shear, LEAST_STRETCH * fabric->stretch[k]);
+        out->k[k] = fmax(fabric->stretch[k] - fabric->shear, FABRIC_LEAST_STRETCH * fabric->stretch[k]);
         out->bend[k] = fmax(0.0, fabric->bend[k] - 0.5 * beta) / square;
     }
     out->shear = fabric->shear;
@@ -163,7 +163,7 @@ double mus__fabric_stretch(const mus_fabric *fabric, double x, double y)
 {
     mus__fabric_lattice lattice;
     mus__fabric_on_lattice(fabric, 1.0, &lattice);
-    double shear = fmax(lattice.shear, LEAST_SHEAR * fmin(lattice.k[0], lattice.k[1]));
+    double shear = fmax(lattice.shear, FABRIC_LEAST_SHEAR * fmin(lattice.k[0], lattice.k[1]));
     double warp = 1.0 / lattice.k[0], weft = 1.0 / lattice.k[1], xx = x * x, yy = y * y;
 
     /* the sum never falls below that of the stiffest direction */

@@ -69,6 +69,8 @@ COMMAND := $(wildcard examples/muslin/*.c)
 RENDER := $(wildcard examples/render/*.c)
 RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
 TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
+# what test files of one folder share; an archive, since one of them may be a program that a Python test compiles
+TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 
@@ -80,6 +82,7 @@ A_EXCHANGE := $(LIB)/libmuslin-exchange.a
 SO_CORE := $(LIB)/libmuslin.so.$(VERSION)
 SO_PRINT := $(LIB)/libmuslin-print.so.$(VERSION)
 SO_EXCHANGE := $(LIB)/libmuslin-exchange.so.$(VERSION)
+A_TESTS := $(OUT)/obj/tests/parts.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(SO_CORE) $(SO_PRINT) $(SO_EXCHANGE) $(PROGRAMS)
 
@@ -105,9 +108,9 @@ $(call objects,$(EXCHANGE)): PACKAGE := $(call pkg_flags,$(EXCHANGE_PKG))
 $(call objects,$(EXCHANGE)): | need-exchange
 $(call objects,$(COMMAND) $(RENDER)): PACKAGE := $(call pkg_flags,$(EXAMPLE_PKG)) -Iexamples
 $(call objects,$(COMMAND) $(RENDER)): | need-example
-$(call objects,$(TESTS)): PACKAGE := $(call pkg_flags,$(TEST_PKG) $(PRINT_PKG) $(EXCHANGE_PKG)) -Itests -Iexamples -I$(OUT)
-$(call objects,$(TESTS)): WARN := $(TEST_WARN)
-$(call objects,$(TESTS)): | need-test
+$(call objects,$(TESTS) $(TEST_PARTS)): PACKAGE := $(call pkg_flags,$(TEST_PKG) $(PRINT_PKG) $(EXCHANGE_PKG)) -Itests -Iexamples -I$(OUT)
+$(call objects,$(TESTS) $(TEST_PARTS)): WARN := $(TEST_WARN)
+$(call objects,$(TESTS) $(TEST_PARTS)): | need-test
 $(call objects,tests/main.c): $(OUT)/suites.h
 
 $(OUT)/obj/%.o: %.c
@@ -119,7 +122,8 @@ $(OUT)/obj/%.o: %.c
 $(A_CORE): $(call objects,$(CORE))
 $(A_PRINT): $(call objects,$(PRINT))
 $(A_EXCHANGE): $(call objects,$(EXCHANGE))
-$(A_CORE) $(A_PRINT) $(A_EXCHANGE):
+$(A_TESTS): $(call objects,$(TEST_PARTS))
+$(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(A_TESTS):
 	@mkdir -p $(@D)
 	@rm -f $@
 	$(AR) rcsD $@ $^
@@ -145,7 +149,8 @@ ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CORE)
 OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(EXAMPLE_PKG)) -ldl -lm
 $(BIN)/muslin: $(call objects,$(COMMAND) $(RENDER_SHARED)) $(ARCHIVES)
 $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
-$(BIN)/tests: $(call objects,$(TESTS)) $(ARCHIVES)
+$(BIN)/tests: $(call objects,$(TESTS)) $(A_TESTS) $(ARCHIVES)
+$(BIN)/tests: ARCHIVES := $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
 $(PROGRAMS) $(BIN)/tests:
 	@mkdir -p $(@D)
@@ -207,4 +212,4 @@ install: all
 clean:
 	rm -rf build
 
--include $(patsubst %.o,%.d,$(call objects,$(CORE) $(PRINT) $(EXCHANGE) $(COMMAND) $(RENDER) $(TESTS)))
+-include $(patsubst %.o,%.d,$(call objects,$(CORE) $(PRINT) $(EXCHANGE) $(COMMAND) $(RENDER) $(TESTS) $(TEST_PARTS)))

@@ -49,7 +49,8 @@ const char *support_log(void);
  * ../shared/data). Without that file: prints a line that the test is skipped, and returns NULL */
 const char *support_data(const char *relative, char *buffer, size_t size);
 
-/* a file name in a fresh scratch folder that is gone when the process ends; `buffer` is returned */
+/* a file name in a fresh scratch folder that is gone when the test has passed, and stays to be looked at when it has
+ * not; `buffer` is returned */
 const char *support_scratch(const char *name, char *buffer, size_t size);
 
 /* whole contents of a file with a zero byte after them (the caller frees), NULL if it cannot be read */

@@ -19,10 +19,10 @@
 #define LENS 25.0
 
 /* room round the scene: the picture is this much larger */
-#define FRAME 1.10
+#define FRAME 1.07
 
-/* texels a side of the key light's map: 1 mm on an adult; the filter of the shader is 6 mm */
-#define SHADOW_SIDE 2048
+/* texels a side of the key light's map: 2 mm on an adult; the filter of the shader is 9 mm */
+#define SHADOW_SIDE 1024
 
 #define SAMPLES 4
 
@@ -35,6 +35,8 @@ typedef struct draw_view {
     double fill[3];
     double rim[3];
     float matrix[16];
+    int32_t width;
+    int32_t joined[2]; /* left, right: nonzero where another view joins */
 } draw_view;
 
 
@@ -51,7 +53,7 @@ int render_create(render **out, render_error *error)
     r->samples = samples < SAMPLES ? samples : SAMPLES;
     if (render_programs_build(r, error)) goto fail;
 
-    /* two ways to look at one depth map */
+    /* depth maps are looked at by comparison */
     r->gl.GenVertexArrays(1, &r->empty_array);
     r->gl.GenSamplers(1, &r->compare);
     r->gl.SamplerParameteri(r->compare, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -60,11 +62,6 @@ int render_create(render **out, render_error *error)
     r->gl.SamplerParameteri(r->compare, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     r->gl.SamplerParameteri(r->compare, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     r->gl.SamplerParameteri(r->compare, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    r->gl.GenSamplers(1, &r->plain);
-    r->gl.SamplerParameteri(r->plain, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    r->gl.SamplerParameteri(r->plain, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    r->gl.SamplerParameteri(r->plain, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    r->gl.SamplerParameteri(r->plain, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     *out = r;
     return 0;
 
@@ -84,7 +81,6 @@ void render_destroy(render *r)
         render_programs_free(r);
         if (r->empty_array) r->gl.DeleteVertexArrays(1, &r->empty_array);
         if (r->compare) r->gl.DeleteSamplers(1, &r->compare);
-        if (r->plain) r->gl.DeleteSamplers(1, &r->plain);
     }
     render_egl_close(r->egl);
     free(r);
@@ -97,10 +93,13 @@ const char *render_device(const render *r)
 }
 
 
+/* of a closed part the far side is never seen */
 void render_part_draw(render *r, const render_part *part)
 {
+    if (part->closed) r->gl.Enable(GL_CULL_FACE);
     r->gl.BindVertexArray(part->array);
     r->gl.DrawElements(GL_TRIANGLES, part->index_count, GL_UNSIGNED_INT, NULL);
+    r->gl.Disable(GL_CULL_FACE);
 }
 
 
@@ -206,7 +205,7 @@ static int draw_target_make(render *r, int32_t w, int32_t h, render_target *t, r
 }
 
 
-/* what all lit programs share; the map is on unit 0 to compare and on unit 1 to read */
+/* what all lit programs share; the map is on unit 0, a print on unit 1 */
 static void draw_program_use(render *r, const render_program *p, const draw_view *view, const render_light *light)
 {
     const render_gl *gl = &r->gl;
@@ -220,25 +219,25 @@ static void draw_program_use(render *r, const render_program *p, const draw_view
     gl->Uniform3f(p->fill, (GLfloat)view->fill[0], (GLfloat)view->fill[1], (GLfloat)view->fill[2]);
     gl->Uniform3f(p->rim, (GLfloat)view->rim[0], (GLfloat)view->rim[1], (GLfloat)view->rim[2]);
     gl->Uniform1i(p->shadow, 0);
-    gl->Uniform1i(p->depth, 1);
-    gl->Uniform1i(p->print, 2);
+    gl->Uniform1i(p->print, 1);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D, light->map);
     gl->BindSampler(0, r->compare);
     gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, light->map);
-    gl->BindSampler(1, r->plain);
-    gl->ActiveTexture(GL_TEXTURE2);
 }
 
 
 /* multiplies what is behind by the shade; from below there is no floor to see */
 static void draw_floor(render *r, const render_part *part, const draw_view *view, const render_light *light)
 {
+    const render_program *p = &r->floor_program;
     const render_gl *gl = &r->gl;
 
     if (view->eye[1] <= r->low[1]) return;
-    draw_program_use(r, &r->floor_program, view, light);
+    draw_program_use(r, p, view, light);
+    gl->Uniform3f(p->middle, (GLfloat)r->centre[0], (GLfloat)r->centre[1], (GLfloat)r->centre[2]);
+    gl->Uniform2f(p->joined, (GLfloat)view->joined[0], (GLfloat)view->joined[1]);
+    gl->Uniform2f(p->size, (GLfloat)view->width, 1.0f);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ZERO, GL_SRC_COLOR);
     gl->DepthMask(GL_FALSE);
@@ -286,7 +285,6 @@ static void draw_scene(render *r, const draw_view *view, const render_light *lig
         for (int32_t i = 0; i < r->part_count; i++)
             if (r->parts[i].kind == kind) draw_body(r, &r->parts[i]);
     gl->BindSampler(0, 0);
-    gl->BindSampler(1, 0);
     gl->ActiveTexture(GL_TEXTURE0);
 }
 
@@ -316,17 +314,16 @@ static void draw_finish(render *r, const render_target *t, unsigned char *rgba, 
 
 
 /* one view into a column of a picture whose rows are `stride` bytes apart */
-static int draw_column(render *r, const render_camera *camera, int32_t width, int32_t height, unsigned char *rgba,
-                       size_t stride, render_error *error)
+static int draw_column(render *r, const draw_view *view, int32_t height, unsigned char *rgba, size_t stride,
+                       render_error *error)
 {
-    draw_view view;
     render_light light = {0};
     render_target target;
+    int32_t width = view->width;
 
-    draw_view_set(r, camera, (double)width / (double)height, &view);
-    if (render_light_map(r, view.key, SHADOW_SIDE, &light, error)) goto fail;
+    if (render_light_map(r, view->key, SHADOW_SIDE, &light, error)) goto fail;
     if (draw_target_make(r, width, height, &target, error)) goto fail;
-    draw_scene(r, &view, &light, &target);
+    draw_scene(r, view, &light, &target);
     draw_finish(r, &target, rgba, stride);
     draw_target_free(r, &target);
     r->gl.DeleteTextures(1, &light.map);
@@ -364,8 +361,9 @@ int render_picture(render *r, int32_t count, const render_camera *cameras, int32
     if (draw_check(r, count, cameras, width, height, error) || render_egl_enter(r->egl, error)) return -1;
     for (int32_t i = 0; i < count; i++) {
         int32_t left = (int32_t)((int64_t)width * i / count), right = (int32_t)((int64_t)width * (i + 1) / count);
-        if (draw_column(r, &cameras[i], right - left, height, rgba + 4 * (size_t)left, 4 * (size_t)width, error))
-            return -1;
+        draw_view view = {.width = right - left, .joined = {i > 0, i + 1 < count}};
+        draw_view_set(r, &cameras[i], (double)view.width / (double)height, &view);
+        if (draw_column(r, &view, height, rgba + 4 * (size_t)left, 4 * (size_t)width, error)) return -1;
     }
     return 0;
 }

@@ -76,36 +76,50 @@ fail:
 }
 
 
+/*
+ * Where the bytes of `path` go: standard output for "-"; what is there if that is no regular file (a device, a pipe);
+ * else a new file beside it, whose name is left in `beside`.
+ */
+static FILE *image_open(const char *path, char beside[PATH_LIMIT + 32])
+{
+    struct stat there;
+    FILE *file;
+    int fd;
+
+    beside[0] = '\0';
+    if (!strcmp(path, "-")) return stdout;
+    if (!stat(path, &there) && !S_ISREG(there.st_mode)) return fopen(path, "wb");
+    snprintf(beside, PATH_LIMIT + 32, "%s.%ld.part", path, (long)getpid());
+    fd = open(beside, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (fd < 0) return NULL;
+    file = fdopen(fd, "wb");
+    if (!file) {
+        close(fd);
+        unlink(beside);
+    }
+    return file;
+}
+
+
 int render_png_write(const char *path, int32_t width, int32_t height, const unsigned char *rgba, render_error *error)
 {
-    int to_output = !strcmp(path, "-"), bad, fd = -1;
     char beside[PATH_LIMIT + 32];
     render_error why = {""};
-    FILE *file = stdout;
+    FILE *file;
+    int bad;
 
     if (strlen(path) > PATH_LIMIT) return render_fail(error, "the path of the picture is longer than %d", PATH_LIMIT);
-    if (!to_output) {
-        snprintf(beside, sizeof beside, "%s.%ld.part", path, (long)getpid());
-        fd = open(beside, O_WRONLY | O_CREAT | O_EXCL, 0666);
-        file = fd >= 0 ? fdopen(fd, "wb") : NULL;
-        if (!file) {
-            int code = errno;
-            if (fd >= 0) {
-                close(fd);
-                unlink(beside);
-            }
-            return render_fail(error, "%s: cannot be written: %s", path, strerror(code));
-        }
-    }
+    file = image_open(path, beside);
+    if (!file) return render_fail(error, "%s: cannot be written: %s", path, strerror(errno));
 
     errno = 0;
     bad = image_encode(file, width, height, rgba, &why);
-    if (to_output ? fflush(file) : fclose(file)) bad = 1;
-    if (!bad && !to_output) bad = rename(beside, path);
+    if (file == stdout ? fflush(file) : fclose(file)) bad = 1;
+    if (!bad && beside[0]) bad = rename(beside, path);
     if (!bad) return 0;
     if (errno) render_fail(&why, "%s", strerror(errno));
-    if (!to_output) unlink(beside);
-    return render_fail(error, "%s: cannot be written: %.200s", to_output ? "standard output" : path,
+    if (beside[0]) unlink(beside);
+    return render_fail(error, "%s: cannot be written: %.200s", file == stdout ? "standard output" : path,
                        why.text[0] ? why.text : "unknown error");
 }
 

@@ -29,7 +29,7 @@ static const char usage[] =
     "  --view Y,P,Z         yaw and pitch in degrees and zoom of a view; may be given more than once,\n"
     "                       views stand side by side; without it: 0,5,1 and 40,8,1\n"
     "                       (a fourth number is the height of the middle of the picture in metres)\n"
-    "  --size WxH           of the whole picture in pixels, 1200x1200 if not given\n"
+    "  --size WxH           of the whole picture in pixels, 1500x1000 if not given\n"
     "  -o OUT.png           the picture; - is standard output\n"
     "  --help               print this\n";
 
@@ -165,7 +165,7 @@ static int main_draw(const main_request *q, const render_scene *scene, render_er
 
 int main(int argc, char **argv)
 {
-    main_request q = {.texture_width = 0.1, .width = 1200, .height = 1200};
+    main_request q = {.texture_width = 0.1, .width = 1500, .height = 1000};
     render_obj objs[GARMENTS_MAX + 1] = {0};
     render_mesh meshes[GARMENTS_MAX + 1] = {0};
     render_scene scene = {.meshes = meshes, .floor = 1};

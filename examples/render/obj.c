@@ -204,7 +204,8 @@ static int obj_join(const obj_reader *r, render_obj *out, int32_t *first, int32_
     memset(table, -1, slots * sizeof *table);
     for (int32_t i = 0; i < r->corner_count; i++) {
         const int32_t *c = r->corners + 3 * (ptrdiff_t)i;
-        uint64_t hash = (uint64_t)(uint32_t)c[0] * 0x9e3779b97f4a7c15u ^ (uint64_t)(uint32_t)c[1] * 0xc2b2ae3d27d4eb4fu ^
+        uint64_t hash = (uint64_t)(uint32_t)c[0] * 0x9e3779b97f4a7c15u ^
+                        (uint64_t)(uint32_t)c[1] * 0xc2b2ae3d27d4eb4fu ^
                         (uint64_t)(uint32_t)c[2] * 0x165667b19e3779f9u;
         size_t slot = (size_t)(hash ^ hash >> 29) & (slots - 1);
         while (table[slot] >= 0 && memcmp(r->corners + 3 * (ptrdiff_t)first[table[slot]], c, 3 * sizeof *c))

@@ -14,16 +14,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 6 x 8 maps of 320: texels of 6 mm on an adult, 4096 pixels or less a side of the whole */
-#define DIRECTIONS 48
-#define ACROSS 8
-#define SIDE 320
+/* 6 x 6 maps of 288: texels of 7 mm on an adult, 1728 pixels a side of the whole */
+#define DIRECTIONS 36
+#define ACROSS 6
+#define SIDE 288
 
 /* a vertex is tested this far off its surface, in texels: less shows the surface's own steps, more loses creases */
 #define LIFT 1.6
 
 /* rounds of averaging with neighbours: takes off the steps of a finite number of directions */
 #define SMOOTHING 2
+
+/* places round a vertex of the floor that are asked in each map */
+#define FLOOR_TAPS 16
 
 typedef struct occlusion_view {
     double towards[3];
@@ -76,14 +79,16 @@ static int occlusion_maps(render *r, occlusion_view *views, float *depth, render
 
 
 /* share of the four texels round a place of map `i` that do not hide it, weighted as bilinear filters do */
-static double occlusion_seen(const occlusion_view *view, const float *map, const double *p)
+static double occlusion_seen(const occlusion_view *view, const float *depth, int i, const double *p)
 {
-    const float *m = view->matrix;
+    const float *m = view->matrix, *map = depth + (ptrdiff_t)(i / ACROSS * SIDE) * ACROSS * SIDE + i % ACROSS * SIDE;
     double q[3], sum = 0;
     int x, y;
 
-    for (int k = 0; k < 3; k++)
-        q[k] = 0.5 + 0.5 * ((double)m[k] * p[0] + (double)m[4 + k] * p[1] + (double)m[8 + k] * p[2] + (double)m[12 + k]);
+    for (int k = 0; k < 3; k++) {
+        double clip = (double)m[k] * p[0] + (double)m[4 + k] * p[1] + (double)m[8 + k] * p[2] + (double)m[12 + k];
+        q[k] = 0.5 + 0.5 * clip;
+    }
     q[0] = q[0] * SIDE - 0.5;
     q[1] = q[1] * SIDE - 0.5;
     if (!(q[0] >= 0 && q[1] >= 0 && q[0] < SIDE - 1 && q[1] < SIDE - 1)) return 1.0;
@@ -99,26 +104,56 @@ static double occlusion_seen(const occlusion_view *view, const float *map, const
 }
 
 
+/*
+ * The same at a place of the floor, averaged over a disc that widens away from the feet: a direction stands for a cone
+ * of half angle 0.33, and what hides the sky from a far place stands in the middle, about as far away.
+ */
+static void occlusion_disc(const render *r, const render_vertex *v, double disc[FLOOR_TAPS][2])
+{
+    double away = hypot((double)v->position[0] - r->centre[0], (double)v->position[2] - r->centre[2]);
+
+    for (int i = 0; i < FLOOR_TAPS; i++) {
+        double a = 2.39996322972865332 * i, radius = 0.33 * away * sqrt((i + 0.5) / FLOOR_TAPS);
+        disc[i][0] = (double)v->position[0] + radius * cos(a);
+        disc[i][1] = (double)v->position[2] + radius * sin(a);
+    }
+}
+
+
+static void occlusion_floor(const render *r, const occlusion_view *views, const float *depth, render_vertex *v)
+{
+    double disc[FLOOR_TAPS][2], seen = 0, all = 0;
+
+    occlusion_disc(r, v, disc);
+    for (int i = 0; i < DIRECTIONS && views[i].towards[1] > 0; i++) {
+        double rise = views[i].towards[1];
+        for (int j = 0; j < FLOOR_TAPS; j++) {
+            double p[3] = {disc[j][0], (double)v->position[1] + 1.5 * LIFT * views[i].texel, disc[j][1]};
+            seen += rise * occlusion_seen(&views[i], depth, i, p);
+        }
+        all += rise * FLOOR_TAPS;
+    }
+    v->open[0] = (float)(seen / all);
+}
+
+
 /* openness of both sides of a vertex */
-static void occlusion_vertex(const occlusion_view *views, const float *depth, int kind, render_vertex *v)
+static void occlusion_vertex(const occlusion_view *views, const float *depth, render_vertex *v)
 {
     double seen[2] = {0, 0}, all[2] = {0, 0};
 
     for (int i = 0; i < DIRECTIONS; i++) {
-        const occlusion_view *view = &views[i];
-        const double *d = view->towards;
+        const double *d = views[i].towards;
         double cosine = (double)v->normal[0] * d[0] + (double)v->normal[1] * d[1] + (double)v->normal[2] * d[2];
         int side = cosine < 0;
-        double lift = LIFT * view->texel * (side ? -1.0 : 1.0), p[3];
-        const float *map = depth + (ptrdiff_t)(i / ACROSS * SIDE) * ACROSS * SIDE + i % ACROSS * SIDE;
+        double lift = LIFT * views[i].texel * (side ? -1.0 : 1.0), p[3];
 
-        if (side && kind != RENDER_CLOTH) continue;
-        for (int k = 0; k < 3; k++) p[k] = (double)v->position[k] + lift * (double)v->normal[k] + 0.5 * fabs(lift) * d[k];
+        for (int k = 0; k < 3; k++)
+            p[k] = (double)v->position[k] + lift * (double)v->normal[k] + 0.5 * fabs(lift) * d[k];
         all[side] += fabs(cosine);
-        seen[side] += fabs(cosine) * occlusion_seen(view, map, p);
+        seen[side] += fabs(cosine) * occlusion_seen(&views[i], depth, i, p);
     }
-    for (int side = 0; side < 2; side++)
-        if (all[side] > 0 && (side == 0 || kind == RENDER_CLOTH)) v->open[side] = (float)(seen[side] / all[side]);
+    for (int side = 0; side < 2; side++) v->open[side] = (float)(all[side] > 0 ? seen[side] / all[side] : 1.0);
 }
 
 
@@ -159,8 +194,12 @@ int render_occlusion(render *r, render_error *error)
     if (occlusion_maps(r, views, depth, error)) goto done;
     for (int32_t i = 0; i < r->part_count; i++) {
         render_part *part = &r->parts[i];
-        for (int32_t j = 0; j < part->vertex_count; j++) occlusion_vertex(views, depth, part->kind, &part->v[j]);
-        if (part->kind != RENDER_FLOOR && occlusion_smooth(part, error)) goto done;
+        int is_floor = part->kind == RENDER_FLOOR;
+        for (int32_t j = 0; j < part->vertex_count; j++) {
+            if (is_floor) occlusion_floor(r, views, depth, &part->v[j]);
+            else occlusion_vertex(views, depth, &part->v[j]);
+        }
+        if (!is_floor && occlusion_smooth(part, error)) goto done;
     }
     rc = 0;
 

@@ -32,7 +32,7 @@ typedef struct render_image {
 #define RENDER_CLOTH 1
 
 /* linear colour of the mannequin, as an initialiser */
-#define RENDER_SKIN {0.560, 0.548, 0.535}
+#define RENDER_SKIN {0.620, 0.602, 0.582}
 
 typedef struct render_mesh {
     int32_t kind; /* RENDER_BODY or RENDER_CLOTH */

@@ -24,6 +24,7 @@ typedef struct render_part {
     int32_t vertex_count;
     int32_t index_count;
     int32_t has_texcoords;
+    int32_t closed;     /* nonzero: encloses a volume, triangles wind outwards */
     GLuint array;
     GLuint vertices;
     GLuint indices;
@@ -49,9 +50,10 @@ typedef struct render_part {
     X(repeats)                 \
     X(print)                   \
     X(shadow)                  \
-    X(depth)                   \
-    X(texel)                   \
     X(spread)                  \
+    X(middle)                  \
+    X(joined)                  \
+    X(size)                    \
     X(picture)
 
 typedef struct render_program {
@@ -86,7 +88,6 @@ struct render {
     render_program finish_program; /* linear to bytes */
     GLuint empty_array;            /* for triangles that the shader makes up */
     GLuint compare;                /* sampler: depth comparison, bilinear */
-    GLuint plain;                  /* sampler: depth as it is */
 
     int32_t part_count;
     render_part *parts;            /* (part_count), the floor last */

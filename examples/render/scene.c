@@ -95,6 +95,36 @@ static int part_allocate(render_part *part, int32_t vertex_count, int32_t index_
 }
 
 
+/*
+ * Whether triangles enclose a volume and wind outwards: their area vectors (b - a) x (c - a) then sum to zero, and the
+ * sum of a . n, six times the volume, is positive.
+ */
+static int part_closed(const render_mesh *m)
+{
+    double sum[3] = {0, 0, 0}, area = 0, volume = 0;
+
+    for (int32_t i = 0; i < m->triangle_count; i++) {
+        const int32_t *t = m->triangles + 3 * (ptrdiff_t)i;
+        const double *a = m->positions + 3 * (ptrdiff_t)t[0], *b = m->positions + 3 * (ptrdiff_t)t[1];
+        const double *c = m->positions + 3 * (ptrdiff_t)t[2];
+        double u[3], v[3], n[3];
+
+        for (int k = 0; k < 3; k++) {
+            u[k] = b[k] - a[k];
+            v[k] = c[k] - a[k];
+        }
+        render_cross(n, u, v);
+        area += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (int k = 0; k < 3; k++) {
+            sum[k] += n[k];
+            volume += a[k] * n[k];
+        }
+    }
+    area *= 1e-4;
+    return m->kind == RENDER_BODY && volume > 0 && sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] < area * area;
+}
+
+
 static int part_fill(render_part *part, const render_mesh *m, render_error *error)
 {
     double *made = NULL;
@@ -121,6 +151,7 @@ static int part_fill(render_part *part, const render_mesh *m, render_error *erro
     memcpy(part->triangles, m->triangles, (size_t)part->index_count * sizeof *part->triangles);
     part->kind = m->kind;
     part->has_texcoords = m->texcoords != NULL;
+    part->closed = part_closed(m);
     free(made);
     return 0;
 }
@@ -208,7 +239,7 @@ static void part_upload(render *r, render_part *part)
     for (GLuint i = 0; i < 5; i++) {
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, layout[i].width, GL_FLOAT, GL_FALSE, (GLsizei)sizeof(render_vertex),
-                                (const char *)NULL + layout[i].offset);
+                                (const void *)(uintptr_t)layout[i].offset);
     }
     gl->GenBuffers(1, &part->indices);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, part->indices);

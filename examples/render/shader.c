@@ -3,9 +3,9 @@
  *
  * depth:  positions only, for shadow maps and occlusion
  * back:   a light gradient behind everything
- * floor:  takes light from the background: shadow of the key light with a penumbra that widens with the distance of
- *         what casts it (Fernando, Percentage-Closer Soft Shadows, 2005), computed per vertex of a fine grid, and
- *         occlusion of the sky
+ * floor:  takes light from the background: shadow of the key light with a penumbra that widens away from the feet, as
+ *         percentage-closer soft shadows do (Fernando, 2005), computed per vertex of a fine grid, and occlusion of the
+ *         sky
  * body:   body and cloth: key light with shadow, fill, rim, hemisphere of sky and floor times ambient occlusion with
  *         colour bleeding (Jimenez and others, Practical Realtime Strategies for Accurate Indirect Occlusion, 2016,
  *         eq. 10); skin has a broad highlight, cloth a sheen at grazing view and a woven pattern along the grain
@@ -52,46 +52,47 @@ static const char spiral[] = "vec2 spiral(int i, float n)\n"
                              "    return sqrt((float(i) + 0.5) / n) * vec2(cos(a), sin(a));\n"
                              "}\n";
 
+/* The key light spans 0.2 of its distance. What casts the shadow stands on the floor, so a shadow point that lies far
+ * from the middle is cast from high up: distance l / cos(rise), which is half of what its penumbra's width follows. */
 static const char floor_vertex[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 4) in vec2 a_open;\n"
     "uniform mat4 u_view;\n"
     "uniform mat4 u_light;\n"
     "uniform sampler2DShadow u_shadow;\n"
-    "uniform sampler2D u_depth;\n"
-    "uniform vec3 u_spread;\n" /* light's width and height, depth of its box [m] */
+    "uniform vec3 u_key;\n"
+    "uniform vec3 u_spread;\n" /* width, height and depth of the light's box [m] */
+    "uniform vec3 u_middle;\n"
     "out float v_lit;\n"
     "out vec2 v_open;\n"
     "void main() {\n"
     "    vec3 p = (u_light * vec4(a_position, 1.0)).xyz * 0.5 + 0.5;\n"
-    "    float here = min(p.z, 0.9999);\n"
-    /* how far above are the things between this point and the light */
-    "    float sum = 0.0, count = 0.0;\n"
-    "    for (int i = 0; i < 32; i++) {\n"
-    "        float d = textureLod(u_depth, p.xy + 0.16 * spiral(i, 32.0) / u_spread.xy, 0.0).r;\n"
-    "        if (d < here - 0.002) { sum += d; count += 1.0; }\n"
-    "    }\n"
-    "    float gap = count > 0.0 ? (p.z - sum / count) * u_spread.z : 0.0;\n"
-    /* the key light spans 0.3 of its distance */
-    "    vec2 radius = clamp(0.15 * gap, 0.012, 0.22) / u_spread.xy;\n"
+    "    float away = max(length(a_position.xz - u_middle.xz) - 0.06, 0.0) / length(u_key.xz);\n"
+    "    vec2 radius = (0.012 + 0.10 * away) / u_spread.xy;\n"
     "    float lit = 0.0;\n"
-    "    for (int i = 0; i < 64; i++)\n"
-    "        lit += textureLod(u_shadow, vec3(p.xy + radius * spiral(i, 64.0), here - 0.0015), 0.0);\n"
-    "    v_lit = count > 0.0 ? lit / 64.0 : 1.0;\n"
+    "    for (int i = 0; i < 80; i++)\n"
+    "        lit += textureLod(u_shadow, vec3(p.xy + radius * spiral(i, 80.0), min(p.z, 0.9999) - 0.0015), 0.0);\n"
+    "    v_lit = lit / 80.0;\n"
     "    v_open = a_open;\n"
     "    gl_Position = u_view * vec4(a_position, 1.0);\n"
     "}\n";
 
-/* the colour multiplies what is behind; nothing is left of it at the rim of the grid */
+/* the colour multiplies what is behind; nothing is left of it at the rim of the grid, and where another view joins */
 static const char floor_fragment[] =
     "in float v_lit;\n"
     "in vec2 v_open;\n" /* share of the sky; how much of the shade is shown */
     "out vec4 o_colour;\n"
+    "uniform vec2 u_joined;\n" /* left, right: 1 where another view joins */
+    "uniform vec2 u_size;\n"
     "void main() {\n"
-    "    float shade = v_open.y * (0.36 * (1.0 - v_lit) + 0.75 * (1.0 - v_open.x));\n"
+    "    float x = gl_FragCoord.x / u_size.x;\n"
+    "    float shown = v_open.y * smoothstep(0.0, 0.22, x + 1.0 - u_joined.x)\n"
+    "                  * smoothstep(0.0, 0.22, 2.0 - x - u_joined.y);\n"
+    "    float shade = shown * (0.34 * (1.0 - v_lit) + 0.95 * pow(1.0 - v_open.x, 1.6));\n"
     "    o_colour = vec4(1.0 - min(shade, 0.85) * vec3(1.0, 0.985, 0.965), 1.0);\n"
     "}\n";
 
+/* centroid: at the rim of a triangle all values are taken inside of it, or specks show along outlines */
 static const char body_vertex[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -99,11 +100,11 @@ static const char body_vertex[] =
     "layout(location = 3) in vec3 a_colour;\n"
     "layout(location = 4) in vec2 a_open;\n"
     "uniform mat4 u_view;\n"
-    "out vec3 v_position;\n"
-    "out vec3 v_normal;\n"
-    "out vec2 v_texcoord;\n"
-    "out vec3 v_colour;\n"
-    "out vec2 v_open;\n"
+    "centroid out vec3 v_position;\n"
+    "centroid out vec3 v_normal;\n"
+    "centroid out vec2 v_texcoord;\n"
+    "centroid out vec3 v_colour;\n"
+    "centroid out vec2 v_open;\n"
     "void main() {\n"
     "    v_position = a_position;\n"
     "    v_normal = a_normal;\n"
@@ -137,28 +138,30 @@ static const char weave[] =
     "{\n"
     "    float tone = 0.0;\n"
     "    vec2 slope = vec2(0.0);\n"
-    "    tone += 0.11 * seen(w, 0.0012) * (slub(at * vec2(2000.0, 60.0)) + slub(at.yx * vec2(2000.0, 60.0) + 77.0));\n"
-    "    tone += 0.07 * seen(w, 0.004) * (slub(at * vec2(500.0, 24.0) + 31.0) + slub(at.yx * vec2(500.0, 24.0) + 5.0));\n"
-    "    tone += 0.05 * seen(w, 0.012) * (slub(at * vec2(160.0, 11.0) + 9.0) + slub(at.yx * vec2(160.0, 11.0) + 3.0));\n"
-    "    float fine = seen(w, 0.001);\n"
+    "    vec2 a = vec2(2000.0, 60.0), b = vec2(500.0, 24.0), c = vec2(160.0, 11.0);\n"
+    "    tone += 0.11 * seen(w, 0.0012) * (slub(at * a) + slub(at.yx * a + 77.0));\n"
+    "    tone += 0.06 * seen(w, 0.004) * (slub(at * b + 31.0) + slub(at.yx * b + 5.0));\n"
+    "    tone += 0.035 * seen(w, 0.012) * (slub(at * c + 9.0) + slub(at.yx * c + 3.0));\n"
+    /* threads are a quarter of the picture's finest detail: they need ten pixels a repeat to be drawn without moire */
+    "    float fine = 1.0 - smoothstep(0.07, 0.16, w / 0.001);\n"
     "    if (fine > 0.0) {\n"
     "        vec2 t = at * 2000.0, i = floor(t), f = fract(t) - 0.5;\n"
     "        bool warp = mod(i.x + i.y, 2.0) < 0.5;\n"
     /* the thread on top is round across its run and arched along it */
     "        vec2 q = warp ? f : f.yx;\n"
     "        vec2 s = vec2(2.2 * q.x, 1.1 * q.y);\n"
-    "        tone -= fine * (0.9 * q.x * q.x * 2.0 + 0.35 * q.y * q.y * 2.0 - 0.2);\n"
+    "        tone += fine * (0.10 * cos(6.2832 * q.x) + 0.07 * cos(6.2832 * q.y) - 0.03);\n"
     "        slope = fine * (warp ? s : s.yx);\n"
     "    }\n"
     "    return vec3(1.0 + tone, slope);\n"
     "}\n";
 
 static const char body_head[] =
-    "in vec3 v_position;\n"
-    "in vec3 v_normal;\n"
-    "in vec2 v_texcoord;\n"
-    "in vec3 v_colour;\n"
-    "in vec2 v_open;\n"
+    "centroid in vec3 v_position;\n"
+    "centroid in vec3 v_normal;\n"
+    "centroid in vec2 v_texcoord;\n"
+    "centroid in vec3 v_colour;\n"
+    "centroid in vec2 v_open;\n"
     "out vec4 o_colour;\n"
     "uniform mat4 u_light;\n"
     "uniform vec3 u_eye;\n"
@@ -173,16 +176,17 @@ static const char body_head[] =
     "uniform sampler2DShadow u_shadow;\n"
     "uniform float u_texel;\n" /* side of a texel of the shadow map [m] */
     "uniform vec3 u_spread;\n"
-    /* share of the key light that arrives: off the surface by a little more than the filter is wide on a slope */
-    "float lit(vec3 p, vec3 n)\n"
+    /* share of the key light that arrives; off the surface by a little more than the filter is wide on a slope.
+     * `taps` is 0 where no light comes anyway: the loop is not entered */
+    "float lit(vec3 p, vec3 n, int taps)\n"
     "{\n"
     "    float slope = sqrt(max(1.0 - dot(n, u_key) * dot(n, u_key), 0.0));\n"
-    "    vec3 q = p + n * (0.0008 + 0.006 * slope) + u_key * 0.001;\n"
+    "    vec3 q = p + n * (0.0008 + 0.007 * slope) + u_key * 0.001;\n"
     "    q = (u_light * vec4(q, 1.0)).xyz * 0.5 + 0.5;\n"
     "    float sum = 0.0;\n"
-    "    for (int i = 0; i < 16; i++)\n"
-    "        sum += textureLod(u_shadow, vec3(q.xy + 0.006 * spiral(i, 16.0) / u_spread.xy, q.z), 0.0);\n"
-    "    return sum / 16.0;\n"
+    "    for (int i = 0; i < taps; i++)\n"
+    "        sum += textureLod(u_shadow, vec3(q.xy + 0.009 * spiral(i, float(taps)) / u_spread.xy, q.z), 0.0);\n"
+    "    return sum / float(max(taps, 1));\n"
     "}\n"
     /* light that was lost in a crease comes back coloured */
     "vec3 bleed(float open, vec3 base)\n"
@@ -199,12 +203,15 @@ static const char body_head[] =
 
 static const char body_fragment[] =
     "void main() {\n"
-    "    bool cloth = u_kind == 1, wrong = cloth && !gl_FrontFacing;\n"
+    "    bool cloth = u_kind == 1, wrong = !gl_FrontFacing;\n"
     "    vec3 v = normalize(u_eye - v_position);\n"
     "    vec3 n = normalize(v_normal) * (wrong ? -1.0 : 1.0);\n"
     "    vec3 base = v_colour;\n"
     "    float open = wrong ? v_open.y : v_open.x;\n"
-    "    float light = lit(v_position, n);\n"
+    "    float wrap = cloth ? 0.18 : 0.12;\n"
+    "    float facing = max((dot(n, u_key) + wrap) / (1.0 + wrap), 0.0);\n"
+    "    float through = cloth && wrong ? max(-dot(n, u_key), 0.0) : 0.0;\n"
+    "    float light = lit(v_position, facing > 0.0 ? n : -n, facing + through > 0.0 ? 10 : 0);\n"
     /* the cloth's own look, in the plane of its panel */
     "    if (u_printed != 0) {\n"
     "        vec4 print = texture(u_print, v_texcoord * u_repeats);\n"
@@ -220,20 +227,21 @@ static const char body_fragment[] =
     "        weft /= max(length(weft), 1e-9);\n"
     "        warp /= max(length(warp), 1e-9);\n"
     "        n = normalize(n + 0.35 * (weft * w.y + warp * w.z));\n"
+    "        facing = max((dot(n, u_key) + wrap) / (1.0 + wrap), 0.0);\n"
     "    }\n"
-    "    if (wrong) base *= 0.62;\n"
-    /* light */
-    "    float wrap = cloth ? 0.18 : 0.12;\n"
-    "    float key = max((dot(n, u_key) + wrap) / (1.0 + wrap), 0.0) * light;\n"
+    "    if (cloth && wrong) base *= 0.70;\n"
+    /* light; inside a garment, a fifth of what falls on its outside comes through */
+    "    float key = (facing + 0.2 * through) * light;\n"
+    "    if (cloth) open = mix(open, wrong ? v_open.x : v_open.y, 0.15);\n"
     "    float fill = max((dot(n, u_fill) + 0.5) / 1.5, 0.0) * open;\n"
     "    float rim = max(dot(n, u_rim), 0.0) * open;\n"
-    "    vec3 sky = mix(vec3(0.235, 0.225, 0.215), vec3(0.43, 0.44, 0.455), 0.5 + 0.5 * n.y);\n"
-    "    vec3 sum = base * (sky * bleed(open, base) + 0.62 * key * vec3(1.0, 0.975, 0.94)\n"
-    "                       + 0.17 * fill * vec3(0.94, 0.97, 1.0) + 0.12 * rim);\n"
+    "    vec3 sky = mix(vec3(0.185, 0.175, 0.165), vec3(0.370, 0.380, 0.395), 0.5 + 0.5 * n.y);\n"
+    "    vec3 sum = base * (sky * bleed(open, base) + 0.74 * key * vec3(1.0, 0.975, 0.94)\n"
+    "                       + 0.17 * fill * vec3(0.94, 0.97, 1.0) + 0.14 * rim);\n"
     /* gloss: skin has a broad highlight, cloth a nap that catches light at grazing view */
     "    float graze = pow(1.0 - clamp(dot(n, v), 0.0, 1.0), cloth ? 3.0 : 4.0);\n"
     "    if (cloth) {\n"
-    "        sum += graze * open * (0.05 + 0.30 * base) * (0.45 + 0.55 * light);\n"
+    "        sum += graze * open * (0.04 + 0.25 * base) * (0.45 + 0.55 * light);\n"
     "    } else {\n"
     "        float h = max(dot(n, normalize(u_key + v)), 0.0), g = max(dot(n, normalize(u_rim + v)), 0.0);\n"
     "        sum += 0.07 * pow(h, 18.0) * light + 0.05 * pow(g, 12.0) * open + 0.10 * graze * open;\n"

@@ -12,6 +12,10 @@
 #include "geom/curve.h"
 #include "pattern/pattern_internal.h"
 
+/* an arc is told by the point half way along it, so that is as far from one end as from the other; relative, and wide
+ * enough for files with rounded numbers */
+#define ARC_SLACK 1e-6
+
 
 double *mus__edge_block(mus_context *context, int32_t npiece, int32_t nxy)
 {
@@ -70,6 +74,24 @@ mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, 
     if (out != NULL) *out = pattern->npoint;
     pattern->npoint++;
     mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+/* do the arcs of a chain have their middle point in the middle? */
+static mus_status cell_arcs_check(const mus_pattern *pattern, const mus__edge *edge)
+{
+    const double *p = edge->xy;
+    for (int32_t i = 0; i < edge->npiece; i++) {
+        if (edge->kinds[i] == MUS_PIECE_ARC) {
+            double a = hypot(p[2] - p[0], p[3] - p[1]), b = hypot(p[2] - p[4], p[3] - p[5]);
+            if (fabs(a - b) > ARC_SLACK * (a + b))
+                return mus__fail(pattern->context, MUS_ERR_ARG,
+                                 "edge %s: the middle point of arc %d is %g m from one end and %g m from the other",
+                                 edge->name, (int)i, a, b);
+        }
+        p += 2 * (mus__curve_points(edge->kinds[i]) - 1);
+    }
     return MUS_OK;
 }
 
@@ -149,7 +171,8 @@ mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t 
     cell_chain_fill(pattern, &edge, kinds, xy);
 
     double length = edge.run[npiece];
-    if (!mus__finite(length) || !(length > 0.0))
+    status = cell_arcs_check(pattern, &edge);
+    if (status == MUS_OK && !(length > 0.0))
         status = mus__fail(context, MUS_ERR_ARG, "edge %s of panel %s: its length is %g m, it must be above 0",
                            edge.name, pattern->panel[edge.panel].name, length);
     if (status == MUS_OK)

@@ -9,6 +9,7 @@
 #ifndef MUS_TESTS_GARMENTS_H
 #define MUS_TESTS_GARMENTS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct garment {

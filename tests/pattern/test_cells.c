@@ -20,6 +20,7 @@ START_TEST(a_chain_comes_back_to_the_bit)
     int32_t kinds[4] = {MUS_PIECE_LINE, MUS_PIECE_CUBIC, MUS_PIECE_ARC, MUS_PIECE_QUADRATIC};
     double xy[14];
     for (int32_t i = 0; i < 14; i++) xy[i] = 0.1 * i + 1.0 / (3.0 + i);
+    xy[10] = xy[6], xy[11] = xy[7] + 2.0, xy[8] = xy[6] - 0.3, xy[9] = xy[7] + 1.0;
     ck_assert_int_eq(mus_pattern_add_edge(pattern, "long", a, b, 4, kinds, 7, xy, &edge), MUS_OK);
 
     int32_t npiece, nxy, start, end;
@@ -148,6 +149,9 @@ START_TEST(wrong_edges_are_refused)
     REFUSED(mus_pattern_add_edge(p, "e", a, a, 1, &line, 0, NULL, &out), "its length is 0 m");
     REFUSED(mus_pattern_add_edge(p, "e", a, a, 1, &cubic, 2, same, &out), "its length is 0 m");
     REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 2, far, &out), "point 0 (1e+200, 1e+308) is not within");
+    int32_t arc = MUS_PIECE_ARC;
+    double middle[2] = {0.1, 0.2};
+    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &arc, 1, middle, &out), "middle point of arc 0 is 0.223607 m from one");
     ck_assert_int_eq(out, MUS_NONE);
     ck_assert_int_eq(mus_pattern_add_edge(NULL, "e", a, b, 1, &line, 0, NULL, &out), MUS_ERR_ARG);
 

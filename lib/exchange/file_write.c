@@ -65,17 +65,18 @@ void mus__sink_add(mus_sink *sink, const void *bytes, size_t size)
 
 void mus__sink_print(mus_sink *sink, const char *format, ...)
 {
-    /* twice: once for the length, once for good */
+    /* nearly every call writes a short line: only a longer one is printed a second time */
+    if (!sink_reserve(sink, 256)) return;
+    size_t room = sink->capacity - sink->size;
     va_list list, again;
     va_start(list, format);
     va_copy(again, list);
-    int length = vsnprintf(NULL, 0, format, list);
+    int length = vsnprintf(sink->bytes + sink->size, room, format, list);
     va_end(list);
-    if (length > 0 && sink_reserve(sink, (size_t)length + 1)) {
+    if (length > 0 && (size_t)length >= room && sink_reserve(sink, (size_t)length + 1))
         vsnprintf(sink->bytes + sink->size, (size_t)length + 1, format, again);
-        sink->size += (size_t)length;
-    }
     va_end(again);
+    if (length > 0 && sink->status == MUS_OK) sink->size += (size_t)length;
 }
 
 

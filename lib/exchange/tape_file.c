@@ -320,19 +320,22 @@ mus_status mus_tape_read(mus_context *context, const char *path, const char *row
 }
 
 
-/* a value in centimetres or degrees when that reads back to the same double, else in metres or radians */
-static void write_value(mus_sink *sink, int32_t measure, double value)
+/* a value in the unit that takes the fewest digits to bring the same double back: cm or deg when that is one of them.
+ * A remark is for the eye and has 6 digits */
+static void write_value(mus_sink *sink, int32_t measure, double value, bool remark)
 {
-    size_t i = mus_measure_unit(measure) == 'm' ? 1 : 5;
-    double shown = value * tape_units[i].down / tape_units[i].up;
+    static const int32_t order[] = {1, 2, 0, 5, 4};
+    const int32_t *units = mus_measure_unit(measure) == 'm' ? order : order + 3;
+    int32_t n = mus_measure_unit(measure) == 'm' ? 3 : 2;
     char text[40];
-    for (int digits = 6; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, shown);
-        if (strtod(text, NULL) * tape_units[i].up / tape_units[i].down != value) continue;
-        mus__sink_print(sink, "%s %s", text, tape_units[i].name);
-        return;
-    }
-    mus__sink_print(sink, "%.17g %s", value, tape_units[i - 1].name);
+    for (int digits = 6; digits <= 17; digits++)
+        for (int32_t k = 0; k < n; k++) {
+            double up = tape_units[units[k]].up, down = tape_units[units[k]].down;
+            snprintf(text, sizeof text, "%.*g", digits, value * down / up);
+            if (!remark && strtod(text, NULL) * up / down != value) continue;
+            mus__sink_print(sink, "%s %s", text, tape_units[units[k]].name);
+            return;
+        }
 }
 
 
@@ -369,8 +372,9 @@ mus_status mus_tape_write(const mus_tape *tape, const char *path)
         bool derived = from == MUS_SOURCE_DERIVED;
         bool needed =
             i == MUS_MEASURE_STATURE || i == MUS_MEASURE_BUST || i == MUS_MEASURE_WAIST || i == MUS_MEASURE_HIP;
-        mus__sink_print(&sink, "%s%s ", derived && !needed ? "# " : "", mus_measure_name(i));
-        write_value(&sink, i, mus_tape_value(tape, i));
+        bool remark = derived && !needed;
+        mus__sink_print(&sink, "%s%s ", remark ? "# " : "", mus_measure_name(i));
+        write_value(&sink, i, mus_tape_value(tape, i), remark);
         mus__sink_print(&sink, "%s\n", derived ? " derived" : "");
     }
     status = mus__sink_save(&sink, path);

@@ -215,8 +215,8 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
 {
     static const struct {
         const char *name;
-        double metre;
-    } units[] = {{"mm", 0.001}, {"cm", 0.01}, {"inch", 0.0254}};
+        double up, down; /* metre = number * up / down: a division keeps 92 cm the double nearest to 0.92 */
+    } units[] = {{"mm", 1.0, 1000.0}, {"cm", 1.0, 100.0}, {"inch", 254.0, 10000.0}};
     size_t u = 0, n = sizeof units / sizeof units[0];
     while (u < n && strcmp(reader->unit, units[u].name) != 0) u++;
     if (u == n)
@@ -228,8 +228,9 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
         int32_t measure = vit_names[i].measure;
         bool set = mus_tape_source(tape, measure) != MUS_SOURCE_NONE;
         if (reader->value[i] != reader->value[i] || set) continue;
-        double scale = mus_measure_unit(measure) == 'm' ? units[u].metre : MUS_DEGREE;
-        status = mus_tape_set(tape, measure, reader->value[i] * scale, MUS_SOURCE_GIVEN);
+        bool length = mus_measure_unit(measure) == 'm';
+        double value = length ? reader->value[i] * units[u].up / units[u].down : reader->value[i] * MUS_DEGREE;
+        status = mus_tape_set(tape, measure, value, MUS_SOURCE_GIVEN);
         if (status != MUS_OK) status = mus__source_wrap(reader->source, reader->line[i], status);
     }
     if (status == MUS_OK && strcmp(reader->gender, "female") == 0) status = mus_tape_set_sex(tape, MUS_SEX_FEMALE);

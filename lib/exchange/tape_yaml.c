@@ -9,7 +9,8 @@
  *
  * Left out because muslin's measure of that name is another one: back_width and its like (half a girth at a level and
  * not across the back), armscye_depth (from the shoulder point and not the nape), bust_line and waist_over_bust_line
- * (from the middle of the shoulder). Source: GarmentCode, assets/bodies and its documentation of body measurements.
+ * (from the middle of the shoulder), neck_w (see below). Source: GarmentCode, assets/bodies and its documentation of
+ * body measurements.
  */
 #include <math.h>
 #include <string.h>
@@ -17,7 +18,6 @@
 
 #include "exchange/exchange_internal.h"
 
-#define CM 0.01
 
 /* what the file says, in its own names */
 #define BODY_LIST(X)                                                                                                   \
@@ -37,7 +37,6 @@
     X(CROTCH, "crotch_hip_diff")                                                                                       \
     X(BUST_POINTS, "bust_points")                                                                                      \
     X(SHOULDER, "shoulder_w")                                                                                          \
-    X(NECK, "neck_w")                                                                                                  \
     X(INCLINE, "shoulder_incl")
 
 #define BODY_ENUM(NAME, name) BODY_##NAME,
@@ -178,35 +177,61 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
     double waist = nape - v[BODY_WAIST_LINE];
     double rise = v[BODY_HIPS_LINE] + v[BODY_CROTCH];
 
-    /* the shoulder line runs down from the neck's side: its level part over the cosine */
-    double shoulder = 0.5 * (v[BODY_SHOULDER] - v[BODY_NECK]) / cos(v[BODY_INCLINE] * MUS_DEGREE);
     const struct {
         int32_t measure;
         double value;
     } measures[] = {
-        {MUS_MEASURE_STATURE, v[BODY_HEIGHT] * CM},
-        {MUS_MEASURE_BUST, v[BODY_BUST] * CM},
-        {MUS_MEASURE_UNDERBUST, v[BODY_UNDERBUST] * CM},
-        {MUS_MEASURE_WAIST, v[BODY_WAIST] * CM},
-        {MUS_MEASURE_HIP, v[BODY_HIPS] * CM},
-        {MUS_MEASURE_THIGH, v[BODY_THIGH] * CM},
-        {MUS_MEASURE_WRIST, v[BODY_WRIST] * CM},
-        {MUS_MEASURE_ARM, v[BODY_ARM] * CM},
+        {MUS_MEASURE_STATURE, v[BODY_HEIGHT] / 100.0},
+        {MUS_MEASURE_BUST, v[BODY_BUST] / 100.0},
+        {MUS_MEASURE_UNDERBUST, v[BODY_UNDERBUST] / 100.0},
+        {MUS_MEASURE_WAIST, v[BODY_WAIST] / 100.0},
+        {MUS_MEASURE_HIP, v[BODY_HIPS] / 100.0},
+        {MUS_MEASURE_THIGH, v[BODY_THIGH] / 100.0},
+        {MUS_MEASURE_WRIST, v[BODY_WRIST] / 100.0},
+        {MUS_MEASURE_ARM, v[BODY_ARM] / 100.0},
         {MUS_MEASURE_ARM_ANGLE, v[BODY_ARM_ANGLE] * MUS_DEGREE},
-        {MUS_MEASURE_SHOULDER, shoulder * CM},
         {MUS_MEASURE_SHOULDER_SLOPE, v[BODY_INCLINE] * MUS_DEGREE},
-        {MUS_MEASURE_BUST_SPAN, v[BODY_BUST_POINTS] * CM},
-        {MUS_MEASURE_BACK_WAIST, v[BODY_WAIST_LINE] * CM},
-        {MUS_MEASURE_NAPE_HEIGHT, nape * CM},
-        {MUS_MEASURE_BUST_HEIGHT, (nape - v[BODY_BUST_LINE]) * CM},
-        {MUS_MEASURE_WAIST_HEIGHT, waist * CM},
-        {MUS_MEASURE_WAIST_TO_HIP, v[BODY_HIPS_LINE] * CM},
-        {MUS_MEASURE_RISE, rise * CM},
-        {MUS_MEASURE_INLEG, (waist - rise) * CM},
+        {MUS_MEASURE_BUST_SPAN, v[BODY_BUST_POINTS] / 100.0},
+        {MUS_MEASURE_BACK_WAIST, v[BODY_WAIST_LINE] / 100.0},
+        {MUS_MEASURE_NAPE_HEIGHT, nape / 100.0},
+        {MUS_MEASURE_BUST_HEIGHT, (nape - v[BODY_BUST_LINE]) / 100.0},
+        {MUS_MEASURE_WAIST_HEIGHT, waist / 100.0},
+        {MUS_MEASURE_WAIST_TO_HIP, v[BODY_HIPS_LINE] / 100.0},
+        {MUS_MEASURE_RISE, rise / 100.0},
+        {MUS_MEASURE_INLEG, (waist - rise) / 100.0},
     };
     mus_status status = MUS_OK;
     for (size_t i = 0; i < sizeof measures / sizeof measures[0] && status == MUS_OK; i++)
         status = body_set(reader, tape, measures[i].measure, measures[i].value);
+    return status;
+}
+
+
+/*
+ * The shoulder line of the tape runs from the side of the neck base to the shoulder point; the file has the breadth
+ * between the shoulder points and the slope, but a neck width of its own kind (taken on the shoulder muscles). So the
+ * side of the neck comes from the girth that completion derives:
+ *
+ *     shoulder = (shoulder_w / 2 - neck / 2 pi) / cos(shoulder_incl)
+ */
+static mus_status body_shoulder(struct body_reader *reader, mus_tape *tape)
+{
+    double breadth = reader->value[BODY_SHOULDER] / 100.0, slope = reader->value[BODY_INCLINE] * MUS_DEGREE;
+    if (breadth != breadth || slope != slope) return MUS_OK;
+    mus_tape *whole;
+    mus_status status = mus_tape_copy(tape, &whole);
+    if (status != MUS_OK) return status;
+
+    /* a sheet that is not whole has no neck, and no shoulder then */
+    status = mus_tape_complete(whole);
+    if (status == MUS_OK) {
+        double side = mus_tape_value(whole, MUS_MEASURE_NECK) / (360.0 * MUS_DEGREE);
+        status = mus_tape_set(tape, MUS_MEASURE_SHOULDER, (0.5 * breadth - side) / cos(slope), MUS_SOURCE_GIVEN);
+        if (status != MUS_OK) status = mus__source_wrap(reader->source, 0, status);
+    } else if (status == MUS_ERR_TAPE) {
+        status = MUS_OK;
+    }
+    mus_tape_destroy(whole);
     return status;
 }
 
@@ -226,5 +251,6 @@ mus_status mus__tape_read_yaml(mus_source *source, mus_tape *tape)
 
     if (!reader.found) return mus__source_fail(source, 0, MUS_ERR_FORMAT, "expected a map \"body:\", found none");
     mus__unused_log(&reader.unused, source);
-    return body_measures(&reader, tape);
+    status = body_measures(&reader, tape);
+    return status == MUS_OK ? body_shoulder(&reader, tape) : status;
 }

@@ -29,7 +29,7 @@ static const char json_text[] =
     "\"bend_x\": 0},\n\"outline\": [[0, 1], [1, 1], [2, 1]]}],\n\"points\": [{\"panel\": 0, \"at\": [0, 0]}, "
     "{\"panel\": 0, "
     "\"at\": [1, 0]}, {\"panel\": 0, \"at\": [1, 1]}],\n\"edges\": [{\"start\": 0, \"end\": 1, \"pieces\": [{\"kind\": "
-    "\"line\", \"end\": [0.5, 0]}, {\"kind\": \"arc\", \"controls\": [[0.7, 0.1]]}]},\n{\"start\": 1, \"end\": 2, "
+    "\"line\", \"end\": [0.5, 0]}, {\"kind\": \"arc\", \"controls\": [[0.75, 0.1]]}]},\n{\"start\": 1, \"end\": 2, "
     "\"pieces\": [{\"kind\": \"cubic\", \"controls\": [[1.1, 0.2], [1.1, 0.8]]}]},\n{\"start\": 2, \"end\": 0, "
     "\"name\": "
     "\"fold\", \"allowance\": 0.01, \"pieces\": [{\"kind\": \"line\"}]}],\n\"seams\": [{\"a\": 1, \"b\": 2, "

@@ -20,6 +20,14 @@ static mus_status read_text(mus_context *context, const char *text, mus_pattern 
 }
 
 
+/* a point half way along an arc from a to b: on the line that is as far from both */
+static void arc_middle(const double *a, const double *b, double *out)
+{
+    out[0] = 0.5 * (a[0] + b[0]) - 0.3 * (b[1] - a[1]);
+    out[1] = 0.5 * (a[1] + b[1]) + 0.3 * (b[0] - a[0]);
+}
+
+
 /* a pattern with some of everything; points and edges of the panels are numbered in turns */
 static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
 {
@@ -46,6 +54,13 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
             static const int32_t controls[] = {0, 1, 2, 1};
             double xy[2 * 8];
             for (int i = 0; i < 16; i++) xy[i] = support_uniform(&seed, 2, 3) / 7.0;
+            if (p == 2) arc_middle(xy, xy + 4, xy + 2);
+            if (p == 1 && k == 1) {
+                double ends[4];
+                ck_assert_int_eq(mus_pattern_point(pattern, points[p][1], NULL, ends), MUS_OK);
+                ck_assert_int_eq(mus_pattern_point(pattern, points[p][2], NULL, ends + 2), MUS_OK);
+                arc_middle(ends, ends + 2, xy);
+            }
             int32_t npiece = p == 2 ? 4 : 1, n = p == 0 ? 0 : p == 1 ? controls[kinds[k]] : 4 + 3;
             mus_status status =
                 mus_pattern_add_edge(pattern, k == 2 ? "hem" : NULL, points[p][k], points[p][(k + 1) % 4], npiece,
@@ -393,6 +408,31 @@ START_TEST(a_pattern_written_by_hand_is_read)
 END_TEST
 
 
+START_TEST(the_example_of_the_manual_page_is_read)
+{
+    char *page = support_slurp("man/muslin_pattern.5", NULL);
+    if (page == NULL) {
+        printf("skipped: no man/muslin_pattern.5 here\n");
+        return;
+    }
+    char *text = strstr(page, "{\"muslin_pattern\""), *end = strstr(text, ".Ed");
+    ck_assert_ptr_nonnull(end);
+    *end = '\0';
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    int32_t faults;
+    mus_status status = read_text(context, text, &pattern);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(faults, 0);
+    assert_round_trip(context, pattern);
+    mus_pattern_destroy(pattern);
+    free(page);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(each_allocation_that_fails_is_a_status_and_no_leak)
 {
     char path[512];
@@ -429,6 +469,7 @@ Suite *mus_suite_pattern_json(void)
     tcase_add_test(tests, a_comma_locale_changes_no_byte);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_place, 0, sizeof damages / sizeof damages[0]);
     tcase_add_test(tests, a_pattern_written_by_hand_is_read);
+    tcase_add_test(tests, the_example_of_the_manual_page_is_read);
     tcase_add_test(tests, each_allocation_that_fails_is_a_status_and_no_leak);
     suite_add_tcase(suite, tests);
     return suite;

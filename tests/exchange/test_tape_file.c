@@ -248,6 +248,28 @@ START_TEST(a_comma_locale_changes_nothing)
 END_TEST
 
 
+START_TEST(the_example_of_the_manual_page_is_read)
+{
+    char *page = support_slurp("man/muslin_tape.5", NULL);
+    if (page == NULL) {
+        printf("skipped: no man/muslin_tape.5 here\n");
+        return;
+    }
+    char *text = strstr(page, "# measured on Tuesday"), *end = strstr(text, ".Ed");
+    ck_assert_ptr_nonnull(end);
+    *end = '\0';
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_status status = read_text(context, text, &tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+    mus_tape_destroy(tape);
+    free(page);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(each_allocation_that_fails_is_a_status_and_no_leak)
 {
     char path[512];
@@ -287,6 +309,7 @@ Suite *mus_suite_tape_file(void)
     tcase_add_test(tests, a_tape_that_is_written_reads_back_bit_for_bit);
     tcase_add_test(tests, derived_measures_are_remarks_and_come_back_by_completion);
     tcase_add_test(tests, a_comma_locale_changes_nothing);
+    tcase_add_test(tests, the_example_of_the_manual_page_is_read);
     tcase_add_test(tests, each_allocation_that_fails_is_a_status_and_no_leak);
     suite_add_tcase(suite, tests);
     return suite;

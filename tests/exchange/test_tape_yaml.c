@@ -27,7 +27,7 @@ START_TEST(heights_follow_from_the_lengths_of_the_file)
     mus_status status = read_text(context,
                                   "body:\n  height: 170 # crown\n  head_l: 25\n  waist_line: 40\n  hips_line: 20.5\n"
                                   "  crotch_hip_diff: 9.5\n  vert_bust_line: 22\n  hips: 100\n  leg_circ: 60\n"
-                                  "  shoulder_w: 37\n  neck_w: 17\n  shoulder_incl: 60\n  bust_points: 17\n"
+                                  "  shoulder_w: 37\n  neck_w: 17\n  shoulder_incl: 20\n  bust_points: 17\n"
                                   "  arm_pose_angle: 45\n  back_width: 47\n",
                                   &tape);
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
@@ -45,17 +45,39 @@ START_TEST(heights_follow_from_the_lengths_of_the_file)
         {MUS_MEASURE_BACK_WAIST, .40},
         {MUS_MEASURE_HIP, 1.0},
         {MUS_MEASURE_THIGH, .60},
-        {MUS_MEASURE_SHOULDER, .20},
         {MUS_MEASURE_BUST_SPAN, .17},
         {MUS_MEASURE_ARM_ANGLE, 45 * DEGREE},
-        {MUS_MEASURE_SHOULDER_SLOPE, 60 * DEGREE},
+        {MUS_MEASURE_SHOULDER_SLOPE, 20 * DEGREE},
     };
     for (size_t i = 0; i < sizeof hand / sizeof hand[0]; i++)
         ck_assert_double_eq_tol(mus_tape_value(tape, hand[i].measure), hand[i].value, 1e-12);
     ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_ACROSS_BACK), MUS_SOURCE_NONE);
     ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_BUST), MUS_SOURCE_NONE);
     ck_assert_str_eq(mus_tape_name(tape), "body");
-    ck_assert_ptr_nonnull(strstr(support_log(), "not used: back_width"));
+    ck_assert_ptr_nonnull(strstr(support_log(), "not used: neck_w, back_width"));
+
+    /* without bust and waist there is no neck, so no shoulder */
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_SHOULDER), MUS_SOURCE_NONE);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(the_shoulder_ends_where_the_file_has_the_shoulder_point)
+{
+    /* neck of stature 170, bust 92: 36.420 for women, 39.386 for men, mean 37.903; its side 6.0325 from the middle;
+     * (18.5 - 6.0325) / cos 20 = 13.2676 */
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_status status = read_text(context,
+                                  "body:\n  height: 170\n  bust: 92\n  waist: 76\n  hips: 100\n  shoulder_w: 37\n"
+                                  "  shoulder_incl: 20\n",
+                                  &tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_SHOULDER), 0.132676, 1e-6);
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_SHOULDER), MUS_SOURCE_GIVEN);
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_NECK), MUS_SOURCE_NONE);
     mus_tape_destroy(tape);
     support_context_end(context);
 }
@@ -137,6 +159,7 @@ Suite *mus_suite_tape_yaml(void)
     Suite *suite = suite_create("tape_yaml");
     TCase *tests = tcase_create("tape_yaml");
     tcase_add_test(tests, heights_follow_from_the_lengths_of_the_file);
+    tcase_add_test(tests, the_shoulder_ends_where_the_file_has_the_shoulder_point);
     tcase_add_loop_test(tests, real_bodies_complete_and_build, 0, sizeof bodies / sizeof bodies[0]);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);
     suite_add_tcase(suite, tests);

@@ -56,8 +56,9 @@ int render_normals(int32_t vertex_count, const double *positions, int32_t triang
     memset(normals, 0, 3 * (size_t)vertex_count * sizeof *normals);
     for (int32_t i = 0; i < triangle_count; i++) normal_triangle(positions, triangles + 3 * (ptrdiff_t)i, normals);
 
+    /* + 0.0 turns -0 into 0: both are one place */
     for (int32_t i = 0; i < vertex_count; i++) {
-        memcpy(places[i].p, positions + 3 * (ptrdiff_t)i, sizeof places[i].p);
+        for (int k = 0; k < 3; k++) places[i].p[k] = positions[3 * (ptrdiff_t)i + k] + 0.0;
         places[i].vertex = i;
     }
     qsort(places, (size_t)vertex_count, sizeof *places, normal_place_compare);

@@ -49,7 +49,7 @@ MUS_API mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);
 /** Add a panel without outline. Errors: MUS_ERR_ARG (name NULL, empty or taken), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out);
 
-/** Add a point to the plane of a panel. Errors: MUS_ERR_ARG (panel unknown, x or y not finite), MUS_ERR_MEMORY. */
+/** Add a point to the plane of a panel. Errors: MUS_ERR_ARG (panel unknown, x or y beyond 1e6 m), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
 
 /**
@@ -59,8 +59,8 @@ MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, do
  *          first and last point: for each piece its control points, then (but for the last piece) its end
  *          (so a single line has none, a single cubic 2, a line then a cubic 1 + 2)
  * `name` may be NULL; it names the edge within its panel ("hem", "shoulder_left").
- * Errors:  MUS_ERR_ARG (unknown points, points of two panels, wrong count `nxy` of xy points, not finite, an edge of
- *          length 0); MUS_ERR_MEMORY
+ * Errors:  MUS_ERR_ARG (unknown points, points of two panels, wrong count `nxy` of xy points, one not within 1e6 m, an
+ *          arc whose middle point is nearer to one end, an edge of length 0); MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t start, int32_t end,
                                         int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
@@ -69,7 +69,8 @@ MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, 
 /**
  * Give a panel its attaching map: `n` edges in order, direction[i] +1 along or -1 against the edge.
  *
- * Errors: MUS_ERR_ARG (an edge of another panel, or one that does not start where the last ended)
+ * Errors: MUS_ERR_ARG (an edge of another panel, or one that does not start where the one before ended; the first
+ *         follows the last: an outline is always closed)
  */
 MUS_API mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t n, const int32_t *edges,
                                            const int32_t *directions);
@@ -101,7 +102,7 @@ MUS_API mus_status mus_pattern_add_seam(mus_pattern *pattern, const mus_seam_def
 #define MUS_NOTCH_DOUBLE 2
 #define MUS_NOTCH_TRIPLE 3
 
-/** A notch on an edge at arc length s [m] from its start. Errors: MUS_ERR_ARG (s outside the edge). */
+/** A notch on an edge at arc length s [m] from its start. Errors: MUS_ERR_ARG (s more than 1e-9 outside the edge). */
 MUS_API mus_status mus_pattern_add_notch(mus_pattern *pattern, int32_t edge, double s, int32_t kind, int32_t *out);
 
 /** An interior line or mark of a panel: n points (n x 2), with a name ("centre front"). n = 1 is a drill point. */
@@ -196,7 +197,8 @@ MUS_API mus_status mus_pattern_seam(const mus_pattern *pattern, int32_t seam, mu
 /** The seam that an edge is in, or MUS_NONE. */
 MUS_API int32_t mus_pattern_edge_seam(const mus_pattern *pattern, int32_t edge);
 
-MUS_API mus_status mus_pattern_notch(const mus_pattern *pattern, int32_t notch, int32_t *edge, double *s, int32_t *kind);
+MUS_API mus_status mus_pattern_notch(const mus_pattern *pattern, int32_t notch, int32_t *edge, double *s,
+                                     int32_t *kind);
 MUS_API mus_status mus_pattern_mark(const mus_pattern *pattern, int32_t mark, int32_t *panel, const char **name,
                                     int32_t *n, const double **xy);
 
@@ -210,9 +212,9 @@ typedef struct mus_topology {
     int32_t faces;      /* panels */
     int32_t euler;      /* V - E + F */
     int32_t components; /* pieces that hang together */
-    int32_t loops;      /* boundary loops: openings */
+    int32_t loops;      /* boundary loops: openings; MUS_NONE when an edge class has more than two sheets */
     int32_t orientable; /* 1 or 0 */
-    int32_t manifold;   /* 1 when no edge class has more than two sheets */
+    int32_t manifold;   /* 1 when no edge class has more than two sheets and no outline pinches at a point */
     int32_t genus;      /* of a connected orientable manifold with boundary, else MUS_NONE */
 } mus_topology;
 
@@ -222,7 +224,8 @@ MUS_API void mus_topology_init(mus_topology *topology, size_t size);
 MUS_API mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology *out);
 
 /** Edges of boundary loop `loop` in order: at most `capacity` written, *count is how many there are, *length [m].
- * edges NULL counts only; length may be NULL. */
+ * edges NULL counts only; length may be NULL. Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline, more than
+ * two sheets at an edge), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_loop(const mus_pattern *pattern, int32_t loop, int32_t *edges, int32_t capacity,
                                     int32_t *count, double *length);
 

@@ -33,7 +33,8 @@ static const char *fault_number(double value, int32_t decimals, char *out)
         return out;
     }
     long long whole = (long long)scaled;
-    snprintf(out, 32, "%s%lld.%0*lld", value < 0.0 && whole > 0 ? "-" : "", whole / scale, (int)decimals, whole % scale);
+    snprintf(out, 32, "%s%lld.%0*lld", value < 0.0 && whole > 0 ? "-" : "", whole / scale, (int)decimals,
+             whole % scale);
     return out;
 }
 

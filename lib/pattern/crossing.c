@@ -72,7 +72,8 @@ static void crossing_sort(crossing_segment *s, int32_t n)
 /* do two segments whose boxes overlap in x meet? */
 static bool crossing_meet(const crossing_segment *s, const crossing_segment *t)
 {
-    if (fmax(s->a[1], s->b[1]) < fmin(t->a[1], t->b[1]) || fmax(t->a[1], t->b[1]) < fmin(s->a[1], s->b[1])) return false;
+    if (fmax(s->a[1], s->b[1]) < fmin(t->a[1], t->b[1]) || fmax(t->a[1], t->b[1]) < fmin(s->a[1], s->b[1]))
+        return false;
     double d1 = mus__orient2d(s->a, s->b, t->a), d2 = mus__orient2d(s->a, s->b, t->b);
     if ((d1 > 0.0 && d2 > 0.0) || (d1 < 0.0 && d2 < 0.0)) return false;
     double d3 = mus__orient2d(t->a, t->b, s->a), d4 = mus__orient2d(t->a, t->b, s->b);

@@ -110,7 +110,8 @@ mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t coun
 
     mus__panel *own = &pattern->panel[panel];
     if (count < 0 || count > 1000)
-        return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to 1000", own->name, (int)count);
+        return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to 1000", own->name,
+                         (int)count);
 
     /* a mirror of a mirror would leave both unprinted */
     if (mirror_of == panel || (mirror_of != MUS_NONE && pattern->panel[mirror_of].mirror_of != MUS_NONE))
@@ -161,8 +162,8 @@ static mus_status mark_placement_check(mus_context *context, const char *name, c
             worst = fmax(worst, fabs(dot - (i == j ? 1.0 : 0.0)));
         }
     }
-    double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
-                 r[2] * (r[3] * r[7] - r[4] * r[6]);
+    double det =
+        r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
     if (worst > ROTATION_SLACK || det < 0.0)
         return mus__fail(context, MUS_ERR_ARG,
                          "placement of panel %s: the matrix is no rotation (determinant %g, off by %g, limit %g)", name,

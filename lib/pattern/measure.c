@@ -61,7 +61,8 @@ mus_status mus_pattern_edge_at(const mus_pattern *pattern, int32_t edge, int32_t
         return mus__fail(context, MUS_ERR_ARG, "edge %d: %d points asked, or an array is NULL", (int)edge, (int)n);
     for (int32_t i = 0; i < n; i++) {
         if (!(t[i] >= 0.0 && t[i] <= 1.0))
-            return mus__fail(context, MUS_ERR_ARG, "edge %d: relative arc length %g is outside 0 to 1", (int)edge, t[i]);
+            return mus__fail(context, MUS_ERR_ARG, "edge %d: relative arc length %g is outside 0 to 1", (int)edge,
+                             t[i]);
     }
     for (int32_t i = 0; i < n; i++) measure_at(&pattern->edge[edge], t[i], out + 2 * (size_t)i);
     return MUS_OK;
@@ -77,8 +78,8 @@ mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, i
     mus_status status = mus__pattern_known(pattern, "edge", edge, pattern->nedge);
     if (status != MUS_OK) return status;
     if (chords < 1 || (xy != NULL && capacity < 0))
-        return mus__fail(context, MUS_ERR_ARG, "edge %d: %d chords, room for %d points", (int)edge,
-                         (int)chords, (int)capacity);
+        return mus__fail(context, MUS_ERR_ARG, "edge %d: %d chords, room for %d points", (int)edge, (int)chords,
+                         (int)capacity);
 
     const mus__edge *own = &pattern->edge[edge];
     int64_t need = 1;

@@ -70,8 +70,8 @@ mus_status mus__pattern_give(const mus_pattern *pattern, void *out, const void *
     size_t size;
     memcpy(&size, out, sizeof size);
     if (size != own_size)
-        return mus__fail(pattern->context, MUS_ERR_VERSION, "%s: size %zu, this library knows %zu; use its init function",
-                         name, size, own_size);
+        return mus__fail(pattern->context, MUS_ERR_VERSION,
+                         "%s: size %zu, this library knows %zu; use its init function", name, size, own_size);
     memcpy(out, own, own_size);
     memcpy(out, &size, sizeof size);
     return MUS_OK;

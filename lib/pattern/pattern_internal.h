@@ -5,8 +5,9 @@
  * chain of an edge, the word of a panel, the points of a mark) is a block of its own, so that views handed out stay
  * put while other cells are added. Texts are inside their cell.
  *
- * Invariants: coordinates are within MUS__FARTHEST; every outline is a closed word of edges of its own panel; every edge is longer than 0; all numbers are
- * finite (but for the allowance that is NaN: left to the sheet); every index points at something.
+ * Invariants: coordinates are within MUS__FARTHEST; every outline is a closed word of edges of its own panel; every
+ * edge is longer than 0; all numbers are finite (but for the allowance that is NaN: left to the sheet); every index
+ * points at something.
  */
 #ifndef MUS_PATTERN_INTERNAL_H
 #define MUS_PATTERN_INTERNAL_H
@@ -14,7 +15,7 @@
 #include "base/base_internal.h"
 #include "muslin/pattern.h"
 
-#define MUS__NAME_BYTES 128  /* names are 127 bytes and their end */
+#define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
 /* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
 #define MUS__FARTHEST 1e6
 #define MUS__FAULT_BYTES 768 /* five names and a sentence round them */

@@ -98,7 +98,8 @@ mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quo
         nword += pattern->panel[i].noutline;
     }
     if (nword > INT32_MAX)
-        return mus__fail(pattern->context, MUS_ERR_LIMIT, "outlines of %lld edges are more than 2^31", (long long)nword);
+        return mus__fail(pattern->context, MUS_ERR_LIMIT, "outlines of %lld edges are more than 2^31",
+                         (long long)nword);
     mus_status status = quotient_block(pattern, (int32_t)nword, out);
     if (status != MUS_OK) return status;
     quotient_words(pattern, out);
@@ -107,7 +108,7 @@ mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quo
     /* sheets at each class */
     for (int32_t k = 0; k < out->nword; k++) {
         int32_t class = out->root[out->edge[k]];
-        if (out->sheets[class] < 2) out->sheet[2 * (size_t)class + (size_t)out->sheets[class]] = k;
+        if (out->sheets[class] < 2) out->sheet[2 * (size_t) class + (size_t)out->sheets[class]] = k;
         out->sheets[class]++;
     }
     return MUS_OK;

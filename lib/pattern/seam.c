@@ -34,7 +34,8 @@ static mus_status seam_check(const mus_pattern *pattern, const mus_seam_def *def
     if (def->direction != MUS_SEAM_REVERSED && def->direction != MUS_SEAM_DIRECT)
         return mus__fail(context, MUS_ERR_ARG, "seam: direction %d is neither reversed (0) nor direct (1)",
                          (int)def->direction);
-    if (!mus__finite(def->ease)) return mus__fail(context, MUS_ERR_ARG, "seam: an ease of %g m is not finite", def->ease);
+    if (!mus__finite(def->ease))
+        return mus__fail(context, MUS_ERR_ARG, "seam: an ease of %g m is not finite", def->ease);
     if (!mus__finite(def->tolerance) || def->tolerance < 0.0)
         return mus__fail(context, MUS_ERR_ARG, "seam: a tolerance of %g m is not 0 or more", def->tolerance);
     return MUS_OK;

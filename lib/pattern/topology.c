@@ -41,7 +41,7 @@ static int32_t topology_rim_next(const mus__quotient *q, int32_t k, int32_t *ste
 {
     k = mus__quotient_next(q, k, *step);
     for (int32_t class = q->root[q->edge[k]]; q->sheets[class] == 2; class = q->root[q->edge[k]]) {
-        const int32_t *sheet = q->sheet + 2 * (size_t)class;
+        const int32_t *sheet = q->sheet + 2 * (size_t) class;
         int32_t other = sheet[0] == k ? sheet[1] : sheet[0];
         if (!mus__quotient_same_side(q, other, k)) *step = -*step;
         k = mus__quotient_next(q, other, *step);
@@ -75,9 +75,9 @@ static int32_t topology_rims(mus__quotient *q, int32_t wanted, int32_t *start)
 static int32_t topology_corners(mus__quotient *q, int32_t nedge)
 {
     mus__link_start(q->nword, q->link, q->bias);
-    for (int32_t class = 0; class < nedge; class++) {
+    for (int32_t class = 0; class < nedge; class ++) {
         if (q->sheets[class] != 2) continue;
-        int32_t j = q->sheet[2 * (size_t)class], k = q->sheet[2 * (size_t)class + 1];
+        int32_t j = q->sheet[2 * (size_t) class], k = q->sheet[2 * (size_t) class + 1];
         int32_t j_end = mus__quotient_next(q, j, 1), k_end = mus__quotient_next(q, k, 1);
         bool same = mus__quotient_same_side(q, j, k);
         mus__link_join(q->link, q->bias, j, same ? k_end : k, 1);

@@ -31,9 +31,9 @@ static inline sample sample_make(mus_context *context)
         int32_t kinds[2] = {MUS_PIECE_LINE, MUS_PIECE_CUBIC};
         double xy[6] = {0.3, 0.4, 0.2, 0.38, 0.1, 0.33};
         int32_t npiece = i == 2 ? 2 : 1, start = s.point[i], end = s.point[i % 4 == 3 ? i - 3 : i + 1];
-        ck_assert_int_eq(mus_pattern_add_edge(s.pattern, names[i % 4], start, end, npiece, kinds, i == 2 ? 3 : 0, xy,
-                                              &s.edge[i]),
-                         MUS_OK);
+        ck_assert_int_eq(
+            mus_pattern_add_edge(s.pattern, names[i % 4], start, end, npiece, kinds, i == 2 ? 3 : 0, xy, &s.edge[i]),
+            MUS_OK);
     }
     int32_t along[4] = {1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_set_outline(s.pattern, s.front, 4, s.edge, along), MUS_OK);

@@ -53,9 +53,9 @@ START_TEST(views_stay_put_while_other_cells_are_added)
     ck_assert_int_eq(mus_pattern_edge_pieces(s.pattern, s.edge[2], &npiece, &kinds, &nxy, &xy), MUS_OK);
     for (int32_t i = 0; i < 100; i++) {
         const char *name = mus_pattern_edge_name(s.pattern, s.edge[0]);
-        ck_assert_int_eq(mus_pattern_add_edge(s.pattern, name, s.point[2], s.point[3], npiece, kinds, nxy - 2, xy + 2,
-                                              &edge),
-                         MUS_OK);
+        ck_assert_int_eq(
+            mus_pattern_add_edge(s.pattern, name, s.point[2], s.point[3], npiece, kinds, nxy - 2, xy + 2, &edge),
+            MUS_OK);
         ck_assert_str_eq(mus_pattern_edge_name(s.pattern, edge), "hem");
     }
     double length = mus_pattern_edge_length(s.pattern, edge);
@@ -95,11 +95,11 @@ END_TEST
 
 
 /* a refused edit: the status, a sentence that holds `words`, and the pattern as it was */
-#define REFUSED(call, words)                                                                                       \
-    do {                                                                                                           \
-        ck_assert_int_eq(call, MUS_ERR_ARG);                                                                       \
-        ck_assert_msg(strstr(mus_context_error(context), words) != NULL, "'%s'", mus_context_error(context));      \
-        same_pattern(s.pattern, before);                                                                           \
+#define REFUSED(call, words)                                                                                           \
+    do {                                                                                                               \
+        ck_assert_int_eq(call, MUS_ERR_ARG);                                                                           \
+        ck_assert_msg(strstr(mus_context_error(context), words) != NULL, "'%s'", mus_context_error(context));          \
+        same_pattern(s.pattern, before);                                                                               \
     } while (0)
 
 
@@ -151,7 +151,8 @@ START_TEST(wrong_edges_are_refused)
     REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 2, far, &out), "point 0 (1e+200, 1e+308) is not within");
     int32_t arc = MUS_PIECE_ARC;
     double middle[2] = {0.1, 0.2};
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &arc, 1, middle, &out), "middle point of arc 0 is 0.223607 m from one");
+    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &arc, 1, middle, &out),
+            "middle point of arc 0 is 0.223607 m from one");
     ck_assert_int_eq(out, MUS_NONE);
     ck_assert_int_eq(mus_pattern_add_edge(NULL, "e", a, b, 1, &line, 0, NULL, &out), MUS_ERR_ARG);
 
@@ -187,8 +188,10 @@ START_TEST(an_outline_is_a_closed_word_of_its_own_edges)
     REFUSED(mus_pattern_set_outline(p, 0, 4, other, along), "edge sleeve.edge_6 is of another panel");
     REFUSED(mus_pattern_set_outline(p, 0, 4, e, wrong), "direction 0");
     REFUSED(mus_pattern_set_outline(p, 0, 4, e, mixed), "starts at point 2, the one before ends at point 1");
-    REFUSED(mus_pattern_set_outline(p, 0, 3, gap, along), "outline of panel front: edge front.edge_2 starts at point 2");
-    REFUSED(mus_pattern_set_outline(p, 0, 3, e, along), "edge front.hem starts at point 0, the one before ends at point 3");
+    REFUSED(mus_pattern_set_outline(p, 0, 3, gap, along),
+            "outline of panel front: edge front.edge_2 starts at point 2");
+    REFUSED(mus_pattern_set_outline(p, 0, 3, e, along),
+            "edge front.hem starts at point 0, the one before ends at point 3");
 
     /* against all edges is a closed word as well, and half of it is not */
     int32_t turned[4] = {e[3], e[2], e[1], e[0]}, back[4] = {-1, -1, -1, -1};

@@ -20,8 +20,8 @@ static faults check_of(mus_pattern *pattern)
     faults f = {0};
     ck_assert_int_eq(mus_pattern_check(pattern, &f.count), MUS_OK);
     for (int32_t i = 0; i < f.count && i < 8; i++) {
-        ck_assert_int_eq(
-            mus_pattern_fault(pattern, i, &f.kind[i], &f.panel[i], &f.edge[i], &f.seam[i], &f.text[i]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_fault(pattern, i, &f.kind[i], &f.panel[i], &f.edge[i], &f.seam[i], &f.text[i]),
+                         MUS_OK);
         ck_assert_uint_gt(strlen(f.text[i]), 20);
     }
     return f;
@@ -62,8 +62,10 @@ START_TEST(the_twisted_seam_is_named_wherever_it_stands)
         char text[256] = "";
         for (int32_t i = 0; i < 4; i++)
             sprintf(text + strlen(text), "%s%s%s", i > 0 ? "; " : "", seams[i], i == wrong ? " direct" : "");
-        mus_pattern *pattern = gluing_make(context, "F: hem sideL armL shL neck shR armR sideR;"
-                                                    "B: hem sideR armR shR neck shL armL sideL", text, 0);
+        mus_pattern *pattern = gluing_make(context,
+                                           "F: hem sideL armL shL neck shR armR sideR;"
+                                           "B: hem sideR armR shR neck shL armL sideL",
+                                           text, 0);
         faults f = check_of(pattern);
         ck_assert_int_eq(f.count, 1);
         ck_assert_int_eq(f.kind[0], MUS_FAULT_TWISTED_SEAM);
@@ -72,10 +74,12 @@ START_TEST(the_twisted_seam_is_named_wherever_it_stands)
     }
 
     /* all four direct: the back is drawn from its other side, and nothing is twisted */
-    mus_pattern *pattern = gluing_make(context, "F: hem sideL armL shL neck shR armR sideR;"
-                                                "B: hem sideL armL shL neck shR armR sideR",
+    mus_pattern *pattern = gluing_make(context,
+                                       "F: hem sideL armL shL neck shR armR sideR;"
+                                       "B: hem sideL armL shL neck shR armR sideR",
                                        "F.sideL B.sideL direct; F.sideR B.sideR direct; F.shL B.shL direct;"
-                                       "F.shR B.shR direct", 0);
+                                       "F.shR B.shR direct",
+                                       0);
     ck_assert_int_eq(check_of(pattern).count, 0);
     mus_pattern_destroy(pattern);
     support_context_end(context);
@@ -162,7 +166,8 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     for (int32_t i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(p, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < 4; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(p, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(p, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]),
+                         MUS_OK);
     f = check_of(p);
     ck_assert(f.count == 5 && f.kind[4] == MUS_FAULT_LOOSE_EDGE && f.edge[4] == edge[3] && f.panel[4] == panel);
     ck_assert_str_eq(f.text[4], "edge cuff.edge_11: it is part of no outline");
@@ -170,7 +175,8 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     ck_assert_int_eq(mus_pattern_set_outline(p, panel, 4, edge, along), MUS_OK);
     f = check_of(p);
     ck_assert(f.count == 2 && f.kind[0] == MUS_FAULT_CROSSING && f.panel[0] == panel && f.edge[0] == edge[1]);
-    ck_assert_str_eq(f.text[0], "panel cuff: its outline crosses or touches itself: edges cuff.edge_9 and cuff.edge_11");
+    ck_assert_str_eq(f.text[0],
+                     "panel cuff: its outline crosses or touches itself: edges cuff.edge_9 and cuff.edge_11");
     ck_assert(f.kind[1] == MUS_FAULT_SMALL_PANEL && f.panel[1] == panel);
     ck_assert_str_eq(f.text[1], "panel cuff: its area is 0.000 cm2, pieces below 1 cm2 cannot be sewn");
 
@@ -199,7 +205,8 @@ START_TEST(a_band_that_meets_itself_one_sidedly_is_named_by_its_edge)
     ck_assert(t.euler == 0 && t.loops == 1 && t.orientable == 0 && t.manifold == 1);
     faults f = check_of(pattern);
     bool found = false;
-    for (int32_t i = 0; i < f.count; i++) found = found || (f.kind[i] == MUS_FAULT_TWISTED_SEAM && f.seam[i] == MUS_NONE);
+    for (int32_t i = 0; i < f.count; i++)
+        found = found || (f.kind[i] == MUS_FAULT_TWISTED_SEAM && f.seam[i] == MUS_NONE);
     ck_assert(found);
     mus_pattern_destroy(pattern);
     support_context_end(context);

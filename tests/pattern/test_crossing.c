@@ -20,8 +20,8 @@ static mus_pattern *polygon_make(mus_context *context, int32_t n, const double *
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
         along[i] = 1;
-        ck_assert_int_eq(
-            mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]),
+                         MUS_OK);
     }
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, edge, along), MUS_OK);
     return pattern;
@@ -43,10 +43,10 @@ START_TEST(polygons_by_hand)
     mus_context *context = support_context();
     int32_t a, b;
     double square[8] = {0, 0, 1, 0, 1, 1, 0, 1}, bow[8] = {0, 0, 1, 0, 0, 1, 1, 1};
-    double touch[10] = {0, 0, 2, 0, 2, 2, 1, 0, 0, 2};   /* a corner on the first side */
+    double touch[10] = {0, 0, 2, 0, 2, 2, 1, 0, 0, 2};       /* a corner on the first side */
     double pinch[12] = {0, 0, 1, 1, 2, 0, 2, 2, 1, 1, 0, 2}; /* two corners at one place */
-    double spike[10] = {0, 0, 2, 0, 2, 1, 3, 1, 1, 1};   /* out and back over the same line */
-    double flat[8] = {0, 0, 1, 0, 2, 0, 1, 1};           /* three corners on a line are no fault */
+    double spike[10] = {0, 0, 2, 0, 2, 1, 3, 1, 1, 1};       /* out and back over the same line */
+    double flat[8] = {0, 0, 1, 0, 2, 0, 1, 1};               /* three corners on a line are no fault */
     ck_assert(!polygon_crosses(context, 4, square, &a, &b));
     ck_assert(polygon_crosses(context, 4, bow, &a, &b));
     ck_assert(a == 1 && b == 3);

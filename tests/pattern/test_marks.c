@@ -70,7 +70,8 @@ START_TEST(grain_is_a_unit_vector_that_survives_writing_and_reading)
     sample s = sample_make(context);
     uint64_t state = 5;
     for (int32_t i = 0; i < 10000; i++) {
-        double angle = support_uniform(&state, -4.0, 4.0), scale = exp(support_uniform(&state, -30.0, 30.0)), g[2], h[2];
+        double angle = support_uniform(&state, -4.0, 4.0), scale = exp(support_uniform(&state, -30.0, 30.0)), g[2],
+               h[2];
         ck_assert_int_eq(mus_pattern_set_grain(s.pattern, 0, scale * cos(angle), scale * sin(angle)), MUS_OK);
         ck_assert_int_eq(mus_pattern_grain(s.pattern, 0, g), MUS_OK);
         ck_assert_double_eq_tol(hypot(g[0], g[1]), 1.0, 4e-16);
@@ -139,9 +140,9 @@ START_TEST(a_placement_is_a_rotation)
 
     for (int32_t i = 0; i < 7; i++) {
         bad = good;
-        if (i == 0) bad.rotation[0] = -c;                                        /* not orthogonal */
-        if (i == 1) bad.rotation[4] = -1.0;                                      /* a mirror */
-        if (i == 2) bad.rotation[8] = c * 1.001;                                 /* scaled */
+        if (i == 0) bad.rotation[0] = -c;        /* not orthogonal */
+        if (i == 1) bad.rotation[4] = -1.0;      /* a mirror */
+        if (i == 2) bad.rotation[8] = c * 1.001; /* scaled */
         if (i == 3) bad.origin[2] = (double)NAN;
         if (i == 4) bad.rotation[3] = (double)INFINITY;
         if (i == 5) bad.bend = 1e-9;

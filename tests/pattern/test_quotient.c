@@ -66,8 +66,8 @@ START_TEST(a_point_passed_twice_is_a_pinch)
     for (int32_t i = 0; i < 5; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &p[i]), MUS_OK);
     for (int32_t i = 0; i < 6; i++)
-        ck_assert_int_eq(
-            mus_pattern_add_edge(pattern, NULL, p[ends[i][0]], p[ends[i][1]], 1, &line, 0, NULL, &e[i]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, p[ends[i][0]], p[ends[i][1]], 1, &line, 0, NULL, &e[i]),
+                         MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 6, e, along), MUS_OK);
     mus_topology t = quotient_topology(pattern);
     ck_assert(t.vertices == 5 && t.edges == 6 && t.euler == 0 && t.loops == 1);

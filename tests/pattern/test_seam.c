@@ -14,7 +14,8 @@ START_TEST(a_seam_comes_back_as_it_was_given)
     mus_seam_def_init(&def, sizeof def);
     ck_assert(def.edge_a == MUS_NONE && def.edge_b == MUS_NONE && def.direction == MUS_SEAM_REVERSED);
     ck_assert(def.ease == 0.0 && def.tolerance == 0.0005 && def.size == sizeof def);
-    def.edge_a = s.edge[0], def.edge_b = s.edge[6], def.direction = MUS_SEAM_DIRECT, def.ease = -0.0125, def.tolerance = 0.0;
+    def.edge_a = s.edge[0], def.edge_b = s.edge[6], def.direction = MUS_SEAM_DIRECT, def.ease = -0.0125,
+    def.tolerance = 0.0;
     int32_t seam;
     ck_assert_int_eq(mus_pattern_edge_seam(s.pattern, s.edge[0]), MUS_NONE);
     ck_assert_int_eq(mus_pattern_add_seam(s.pattern, &def, &seam), MUS_OK);

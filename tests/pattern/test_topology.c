@@ -146,9 +146,18 @@ static mus_pattern *gluing_pattern(mus_context *context, const gluing *g, uint64
  * Each n-gon becomes 2n triangles round a centre; half i0 of side i runs from its corner to its middle, half i1 on to
  * the next corner. Cells: vertices centre, corners, middles; edges spokes and halves. Classes by relabelling. */
 
-static int32_t at_corner(int32_t p, int32_t i) { return p * (2 * SIDES + 1) + 1 + i; }
-static int32_t at_middle(int32_t p, int32_t i) { return p * (2 * SIDES + 1) + 1 + SIDES + i; }
-static int32_t at_half(int32_t p, int32_t i, int32_t h) { return (p * SIDES + i) * 2 + h; }
+static int32_t at_corner(int32_t p, int32_t i)
+{
+    return p * (2 * SIDES + 1) + 1 + i;
+}
+static int32_t at_middle(int32_t p, int32_t i)
+{
+    return p * (2 * SIDES + 1) + 1 + SIDES + i;
+}
+static int32_t at_half(int32_t p, int32_t i, int32_t h)
+{
+    return (p * SIDES + i) * 2 + h;
+}
 
 
 static bool same(int32_t *label, int32_t a, int32_t b)
@@ -272,7 +281,8 @@ static int32_t brute_rims(const brute *b)
         for (int32_t i = 0; i < CELLS; i++) {
             for (int32_t j = 0; j < CELLS && open[i]; j++) {
                 const int32_t *v = b->vertex;
-                bool touch = v[b->to[i]] == v[b->to[j]] || v[b->from[i]] == v[b->to[j]] || v[b->from[i]] == v[b->from[j]];
+                bool touch =
+                    v[b->to[i]] == v[b->to[j]] || v[b->from[i]] == v[b->to[j]] || v[b->from[i]] == v[b->from[j]];
                 if (open[j] && touch) again |= same(rim, i, j);
             }
         }
@@ -376,7 +386,8 @@ END_TEST
 START_TEST(an_edge_dart_adds_two_points_and_two_edges)
 {
     /* waist -> w1 d1 d2 w2 with d1 ~ d2: three edges more, one seam: (V, E, F) + (2, 2, 0); sewn and unsewn */
-    const char *plain = "F: hem sideL waist sideR; B: hem sideR waist sideL", *sides = "F.sideL B.sideL; F.sideR B.sideR";
+    const char *plain = "F: hem sideL waist sideR; B: hem sideR waist sideL",
+               *sides = "F.sideL B.sideL; F.sideR B.sideR";
     const char *dart = "F: hem sideL w1 d1 d2 w2 sideR; B: hem sideR waist sideL";
     mus_context *context = support_context();
     mus_pattern *a = gluing_make(context, plain, sides, 0);

@@ -20,7 +20,7 @@ const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
     [MUS__PEN_TITLE] = {0.0005, {0, 0}, 0},         [MUS__PEN_SQUARE] = {0.00025, {0, 0}, 0},
     [MUS__PEN_FRAME] = {0.00015, {0, 0}, 0.5},      [MUS__PEN_JOIN] = {0.00015, {0.001, 0.001}, 0.5},
     [MUS__PEN_FAINT] = {0.0002, {0, 0}, 0.45},      [MUS__PEN_INK] = {0, {0, 0}, 0},
-    [MUS__PEN_GREY] = {0, {0, 0}, 0.82},
+    [MUS__PEN_GREY] = {0, {0, 0}, 0.82},            [MUS__PEN_SMALL] = {0.0002, {0, 0}, 0},
 };
 
 

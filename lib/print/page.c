@@ -162,9 +162,8 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out)
 void mus__cover_size(const mus_sheet *sheet, double *out)
 {
     /* on the paper of the pages, or A4 where those come from a copy shop */
-    bool letter = sheet->def.paper == MUS_PAPER_LETTER, a3 = sheet->def.paper == MUS_PAPER_A3;
-    out[0] = letter ? 0.2159 : a3 ? 0.297 : 0.210;
-    out[1] = letter ? 0.2794 : a3 ? 0.420 : 0.297;
+    int32_t paper = sheet->def.paper;
+    mus__paper_size(paper == MUS_PAPER_A0 || paper == MUS_PAPER_ROLL ? MUS_PAPER_A4 : paper, out);
 }
 
 
@@ -225,12 +224,15 @@ static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, do
     for (int32_t i = 0; i < sheet->npiece && y > low; i++, y -= 0.0055) {
         const mus__piece *piece = &sheet->pieces[i];
         char text[256];
-        if (y - 0.0055 <= low && i + 1 < sheet->npiece)
-            snprintf(text, sizeof text, "and %d more", sheet->npiece - i);
-        else snprintf(text, sizeof text, "%d  %.40s: cut %d%s", i + 1, sheet->names[i], piece->copies,
+        bool last = y - 0.0055 <= low && i + 1 < sheet->npiece;
+        snprintf(text, sizeof text, "%d", i + 1);
+        if (!last) page_text(out, MUS__PEN_TEXT, text, x + 0.005, y, 0.0025, 1.0);
+        if (last) snprintf(text, sizeof text, "and %d more", sheet->npiece - i);
+        else snprintf(text, sizeof text, "%.40s: cut %d%s", sheet->names[i], piece->copies,
                       piece->mirrored ? " mirrored" : "");
         for (char *c = text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
-        page_text(out, MUS__PEN_TEXT, text, x, y, 0.0025, 0.0);
+        page_text(out, MUS__PEN_TEXT, text, x + 0.0075, y, 0.0025, 0.0);
+        if (last) return;
     }
 }
 

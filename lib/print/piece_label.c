@@ -15,6 +15,8 @@
 #define LABEL_BYTES 256
 #define LABEL_LATTICE 24
 #define LABEL_PAD 0.004 /* kept free around the block */
+#define LYING 0.05      /* [m] of way that an upright block is worth */
+#define ACROSS 0.15     /* and one that no page edge cuts */
 
 typedef struct label_line {
     char text[LABEL_BYTES];
@@ -125,6 +127,13 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
             mus__piece_point(piece, xy + 2 * (k + 1 < n ? k + 1 : k), b);
             status = walls_add(sheet->context, walls, a, b);
         }
+        mus__caption caption;
+        if (status != MUS_OK || !mus__mark_caption(pattern, piece, i, &caption)) continue;
+        const mus__text_style *style = &caption.style;
+        double half = 0.5 * style->height * mus__text_width(caption.text);
+        const double from[2] = {caption.x - half * style->cosine, caption.y - half * style->sine};
+        const double to[2] = {caption.x + half * style->cosine, caption.y + half * style->sine};
+        status = walls_add(sheet->context, walls, from, to);
     }
     return status;
 }
@@ -145,8 +154,22 @@ static bool label_fits(const mus__piece *piece, const label_walls *walls, const 
 }
 
 
-/* the place nearest to the middle of the seam line's box, at the largest size that has one */
-static label_place label_find(const mus__piece *piece, const label_walls *walls, const label_block *block)
+/* true when one page shows the whole box */
+static bool label_on_page(const mus_sheet *sheet, const double *box)
+{
+    for (int32_t i = 0; i < sheet->ntile; i++) {
+        double window[4];
+        mus__tile_window(sheet, &sheet->tiles[i], window);
+        if (box[0] >= window[0] && box[1] >= window[1] && box[2] <= window[2] && box[3] <= window[3]) return true;
+    }
+    return false;
+}
+
+
+/* the place nearest to the middle of the seam line's box, at the largest size that has one; a block that lies down or
+ * runs over the edge of a page counts as farther away */
+static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, const label_walls *walls,
+                              const label_block *block)
 {
     static const double scales[] = {1.0, 0.85, 0.7, 0.55, 0.42, 0.3};
     double from[2] = {piece->flat[0], piece->flat[1]}, to[2] = {piece->flat[0], piece->flat[1]};
@@ -164,9 +187,10 @@ static label_place label_find(const mus__piece *piece, const label_walls *walls,
             double y = from[1] + (to[1] - from[1]) * (row + 0.5) / LABEL_LATTICE;
             double w = 0.5 * scales[s] * (lying ? block->height : block->width) + LABEL_PAD * scales[s];
             double h = 0.5 * scales[s] * (lying ? block->width : block->height) + LABEL_PAD * scales[s];
-            /* upright is better by a little */
-            double away = hypot(x - middle[0], y - middle[1]) + (lying ? 0.05 : 0.0);
-            if (away >= nearest || !label_fits(piece, walls, (const double[]){x - w, y - h, x + w, y + h})) continue;
+            const double box[4] = {x - w, y - h, x + w, y + h};
+            double away = hypot(x - middle[0], y - middle[1]) + (lying ? LYING : 0.0);
+            if (away < nearest && !label_on_page(sheet, box)) away += ACROSS;
+            if (away >= nearest || !label_fits(piece, walls, box)) continue;
             nearest = away;
             best = (label_place){x, y, scales[s], lying};
         }
@@ -184,14 +208,14 @@ mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t
     label_fill(sheet, index, &block);
     mus_status status = walls_build(sheet, pattern, piece, grain, &walls);
     if (status == MUS_OK) {
-        label_place place = label_find(piece, &walls, &block);
+        label_place place = label_find(sheet, piece, &walls, &block);
         double down = 0.5 * block.height * place.scale;
         for (int32_t i = 0; i < block.n; i++) {
             const label_line *line = &block.lines[i];
             down -= line->height * place.scale * (i > 0 ? 1.75 : 1.0);
             mus__text_style style = {line->height * place.scale, place.lying ? 0.0 : 1.0, place.lying ? 1.0 : 0.0, 0.5};
-            bool bold = line->bold && place.scale > 0.5;
-            mus__draw_path(&sheet->drawing, index, MUS__LAYER_LABEL, bold ? MUS__PEN_TITLE : MUS__PEN_TEXT);
+            mus__pen pen = style.height < 0.0025 ? MUS__PEN_SMALL : line->bold ? MUS__PEN_TITLE : MUS__PEN_TEXT;
+            mus__draw_path(&sheet->drawing, index, MUS__LAYER_LABEL, pen);
             mus__draw_text(&sheet->drawing, line->text, place.x - (place.lying ? down : 0.0),
                            place.y + (place.lying ? 0.0 : down), &style);
         }

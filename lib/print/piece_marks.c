@@ -15,6 +15,8 @@
 #define SLIT_APART 0.004   /* between the slits of one notch */
 #define GRAIN_CHORDS 25    /* upright lines tried for the grain line */
 #define ARROW 0.006        /* length of an arrow head */
+#define CAPTION 0.0025     /* height of the name of a mark */
+#define CAPTION_CLEAR 0.004 /* its base line from the mark */
 
 
 static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)
@@ -191,19 +193,26 @@ static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t inde
 }
 
 
-/* the name of a mark, along its line and readable from below or from the right */
-static void marks_name(mus__drawing *out, int32_t index, const char *name, const double *a, const double *b)
+/* along the line from its first to its last point, readable from below or from the right */
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t mark, mus__caption *out)
 {
+    int32_t panel, n;
+    const double *xy;
+    double a[2], b[2];
+    if (mus_pattern_mark(pattern, mark, &panel, &out->text, &n, &xy) != MUS_OK || panel != piece->panel || n < 1)
+        return false;
+    mus__piece_point(piece, xy, a);
+    mus__piece_point(piece, xy + 2 * (n - 1), b);
     double dx = b[0] - a[0], dy = b[1] - a[1], d = sqrt(dx * dx + dy * dy);
-    mus__text_style style = {0.0025, 1.0, 0.0, 0.5};
+    out->style = (mus__text_style){CAPTION, 1.0, 0.0, 0.5};
     if (d > 0.0) {
         double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
-        style.cosine = sign * dx / d;
-        style.sine = sign * dy / d;
+        out->style.cosine = sign * dx / d;
+        out->style.sine = sign * dy / d;
     }
-    double x = 0.5 * (a[0] + b[0]) - 0.003 * style.sine, y = 0.5 * (a[1] + b[1]) + 0.003 * style.cosine;
-    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, name, x, y, &style);
+    out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
+    out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
+    return true;
 }
 
 
@@ -231,8 +240,10 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             mus__piece_point(piece, xy + 2 * k, p);
             mus__draw_line(out, p[0], p[1]);
         }
-        if (n == 1) marks_name(out, index, name, first, first);
-        else marks_name(out, index, name, first, p);
+        mus__caption caption;
+        if (!mus__mark_caption(pattern, piece, i, &caption)) continue;
+        mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
+        mus__draw_text(out, caption.text, caption.x, caption.y, &caption.style);
     }
 }
 

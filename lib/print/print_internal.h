@@ -44,6 +44,7 @@ typedef enum mus__pen {
     MUS__PEN_GRAIN,  /* grain line */
     MUS__PEN_MARK,   /* lines inside a piece */
     MUS__PEN_TEXT,   /* letters */
+    MUS__PEN_SMALL,  /* small letters */
     MUS__PEN_TITLE,  /* large letters */
     MUS__PEN_SQUARE, /* test squares */
     MUS__PEN_FRAME,  /* edge of a page, page map */
@@ -111,6 +112,8 @@ typedef struct mus__text_style {
     double align; /* 0: x is the left end, 0.5 the middle, 1 the right end */
 } mus__text_style;
 
+/* the next character of UTF-8 text, or 0 at its end; a wrong byte counts as one character U+FFFD */
+uint32_t mus__text_character(const char **text);
 /* width of UTF-8 text at capital height 1 */
 double mus__text_width(const char *text);
 /* add text to the path in hand, its base line through (x, y) */
@@ -204,6 +207,8 @@ struct mus_sheet {
  * work (n) int32_t, sky (2n + 2) x 3 doubles */
 double mus__pack(int32_t n, const double *size, double width, double gap, double *at, int32_t *work, double *sky);
 
+/* width and height of a paper held upright */
+void mus__paper_size(int32_t paper, double *out);
 /* refuse paper that its margins and overlap use up */
 mus_status mus__paper_check(const mus_sheet *sheet);
 /* place the pieces: sets extent, tiled, page, columns, rows, tiles */
@@ -234,6 +239,15 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out);
 /* cut and seam line, notches, grain line (its x, low y, high y to `grain`), marks */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain);
+/* the name of a mark and where it stands */
+typedef struct mus__caption {
+    const char *text;
+    double x, y;
+    mus__text_style style;
+} mus__caption;
+
+/* false when the mark is not on the piece */
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t mark, mus__caption *out);
 mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t index, const double *grain);
 
 /* ---- bytes and files (paper_file.c) ---- */

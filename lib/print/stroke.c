@@ -22,7 +22,7 @@
 
 static const char *const glyphs[95] = {
     /* space ! " # $ % & ' */
-    "4", "0m0el07m04l05", "2m0el0bm2el2b", "8m3el14m7el54m0bl8bm07l87", "7m7cv4eh0bv49h76v44h06m4fl43",
+    "2", "0m0el07m04l05", "2m0el0bm2el2b", "8m3el14m7el54m0bl8bm07l87", "7m7cv4eh0bv49h76v44h06m4fl43",
     "8m8el04m2eh0cv2ah4cv2em68h46v64h86v68", "8m84l1bv3eh5bl07v34h88", "0m0el0b",
     /* ( ) * + , - . / */
     "2m2fl0cl06l23", "2m0fl2cl26l03", "4m2dl27m0cl48m4cl08", "6m08l68m35l3b", "1m15l02", "4m08l48", "0m04l05",
@@ -59,8 +59,7 @@ static const char latin_a[] = "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiI
                               "RrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 
 
-/* the next character of UTF-8 text, or 0 at its end; a wrong byte counts as one unknown character */
-static uint32_t stroke_character(const char **text)
+uint32_t mus__text_character(const char **text)
 {
     const unsigned char *p = (const unsigned char *)*text;
     if (p[0] == 0) return 0;
@@ -72,7 +71,9 @@ static uint32_t stroke_character(const char **text)
         code = code << 6 | (p[i] & 0x3fU);
         *text += 1;
     }
-    return code;
+    /* longer than needed, or beyond Unicode */
+    static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
+    return code < least[more] || code > 0x10ffff ? 0xfffd : code;
 }
 
 
@@ -99,7 +100,7 @@ static int32_t stroke_digit(char c)
 double mus__text_width(const char *text)
 {
     int32_t width = 0;
-    for (uint32_t code; (code = stroke_character(&text)) != 0;) width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
+    for (uint32_t code; (code = mus__text_character(&text)) != 0;) width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
     return width > 0 ? (width - SPACING) / CAPITAL : 0.0;
 }
 
@@ -145,7 +146,7 @@ void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y,
 {
     double back = style->align * style->height * mus__text_width(text);
     text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine, style->sine};
-    for (uint32_t code; (code = stroke_character(&text)) != 0;) {
+    for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);
         double advance = (stroke_digit(glyph[0]) + SPACING) * f.unit;

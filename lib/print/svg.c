@@ -29,40 +29,51 @@ static void svg_number(mus__bytes *bytes, double x)
 }
 
 
-/* text of an element: marked-up characters escaped, what XML does not know as '?' */
+/* text of an element: marked-up characters escaped, what is no XML or no UTF-8 as '?' */
 static void svg_text(mus__bytes *bytes, const char *text)
 {
-    for (; *text != '\0'; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c == '<') mus__bytes_print(bytes, "&lt;");
-        else if (c == '>') mus__bytes_print(bytes, "&gt;");
-        else if (c == '&') mus__bytes_print(bytes, "&amp;");
-        else mus__bytes_add(bytes, c < 0x20 || c == 0x7f ? "?" : text, 1);
+    while (*text != '\0') {
+        const char *from = text;
+        uint32_t code = mus__text_character(&text);
+        bool surrogate = code >= 0xd800 && code < 0xe000;
+        if (code == '<') mus__bytes_print(bytes, "&lt;");
+        else if (code == '>') mus__bytes_print(bytes, "&gt;");
+        else if (code == '&') mus__bytes_print(bytes, "&amp;");
+        else if (code < 0x20 || code == 0x7f || surrogate || (code >= 0xfffd && code < 0x10000)) mus__bytes_print(bytes, "?");
+        else mus__bytes_add(bytes, from, (size_t)(text - from));
     }
 }
 
 
-/* the name of a piece as an identifier: letters, digits, "-", "." and all beyond ASCII stay, the rest becomes "_"; a
- * name that an earlier piece has too gets its number */
-static void svg_identifier(const mus_sheet *sheet, int32_t index, char *out, size_t size)
+#define SVG_NAME 160 /* bytes of an identifier: a name of 127, a sign before and a number behind it */
+
+
+/* a name as an identifier: ASCII letters, digits, "-" and "." stay, the rest becomes "_"; it starts with a letter or _ */
+static void svg_clean(const char *name, char *out)
 {
-    snprintf(out, size, "%s", sheet->names[index]);
-    for (int32_t i = 0; i <= index; i++) {
-        char other[sizeof *sheet->names];
-        memcpy(other, sheet->names[i], sizeof other);
-        for (char *c = i < index ? other : out; *c != '\0'; c++) {
-            unsigned char u = (unsigned char)*c;
-            bool letter = (u >= 'a' && u <= 'z') || (u >= 'A' && u <= 'Z') || (u >= '0' && u <= '9') || u >= 0x80;
-            if (!letter && u != '-' && u != '.') *c = '_';
-        }
+    size_t at = 0;
+    bool first = (*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z');
+    if (!first) out[at++] = '_';
+    for (; *name != '\0' && at < SVG_NAME - 16; name++) {
+        char c = *name;
+        bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+        out[at++] = good ? c : '_';
     }
-    for (int32_t i = 0; i < index; i++) {
-        char other[sizeof *sheet->names + 16];
-        svg_identifier(sheet, i, other, sizeof other);
-        if (strcmp(other, out) != 0) continue;
-        snprintf(out + strlen(out), size - strlen(out), "_%d", index + 1);
-        break;
+    out[at] = '\0';
+}
+
+
+/* the identifier of a piece; one that an earlier piece or the scale has too gets the number of the piece */
+static void svg_identifier(const mus_sheet *sheet, int32_t index, char *out)
+{
+    svg_clean(sheet->names[index], out);
+    bool taken = strcmp(out, "scale") == 0;
+    for (int32_t i = 0; i < index && !taken; i++) {
+        char other[SVG_NAME];
+        svg_clean(sheet->names[i], other);
+        taken = strcmp(other, out) == 0;
     }
+    if (taken) snprintf(out + strlen(out), 16, "_%d", index + 1);
 }
 
 
@@ -103,8 +114,8 @@ static void svg_path(mus__bytes *bytes, const mus__drawing *drawing, const mus__
 
 static void svg_piece(mus__bytes *bytes, const mus_sheet *sheet, int32_t index)
 {
-    char name[sizeof *sheet->names + 16];
-    svg_identifier(sheet, index, name, sizeof name);
+    char name[SVG_NAME];
+    svg_identifier(sheet, index, name);
     mus__bytes_print(bytes, "<g id=\"%s\">\n<title>", name);
     svg_text(bytes, sheet->names[index]);
     mus__bytes_print(bytes, "</title>\n");

@@ -17,15 +17,24 @@
 #define SHEET_BORDER 0.003   /* between cut line and edge of the printed window */
 #define MORE_COLUMNS 10      /* widths tried beyond the least */
 #define TILES_MAX 10000      /* a pattern of 25 m on A4 */
-#define ROLL_LONGEST 5.0     /* [m]; PDF ends at 14400 pt = 5.08 m */
-#define ROLL_SHORTEST 0.3
+#define POINT (0.0254 / 72.0) /* [m] */
+#define ROLL_LONGEST 14000.0 /* [points]; PDF ends at 14400, which is 5.08 m */
+#define ROLL_SHORTEST 850.0
 #define PRINTED_LEAST 0.05    /* of the paper's width between the margins */
 
-/* portrait: width and height */
+/* portrait, in whole points: programs that round the size of a page up and then shrink it to the paper (pdftocairo
+ * does, by 0.12 % on 595.28) find nothing to round, so that the scale stays true. Within 0.1 mm of the ISO sizes */
 static const double papers[][2] = {
-    [MUS_PAPER_A4] = {0.210, 0.297}, [MUS_PAPER_LETTER] = {0.2159, 0.2794},  [MUS_PAPER_A3] = {0.297, 0.420},
-    [MUS_PAPER_A0] = {0.841, 1.189}, [MUS_PAPER_ROLL] = {0.914, ROLL_LONGEST},
+    [MUS_PAPER_A4] = {595, 842},   [MUS_PAPER_LETTER] = {612, 792},           [MUS_PAPER_A3] = {842, 1191},
+    [MUS_PAPER_A0] = {2384, 3370}, [MUS_PAPER_ROLL] = {2591, ROLL_LONGEST},
 };
+
+
+void mus__paper_size(int32_t paper, double *out)
+{
+    out[0] = papers[paper][0] * POINT;
+    out[1] = papers[paper][1] * POINT;
+}
 
 
 /* Liang and Barsky's clip: true when something of the segment is left */
@@ -138,7 +147,7 @@ static bool layout_pack(const mus_sheet *sheet, layout *l, int32_t nbox, int32_t
 
     double need = used + 2.0 * SHEET_BORDER;
     if (sheet->def.paper == MUS_PAPER_ROLL)
-        l->page[1] = fmin(ROLL_LONGEST, fmax(ROLL_SHORTEST, need + 2.0 * margin));
+        l->page[1] = POINT * fmin(ROLL_LONGEST, fmax(ROLL_SHORTEST, ceil((need + 2.0 * margin) / POINT)));
     double step = l->page[1] - 2.0 * margin - overlap, rows = ceil((need - overlap) / step - 1e-9);
     l->columns = columns;
     l->rows = rows < 1.0 ? 1 : rows > TILES_MAX ? TILES_MAX : (int32_t)rows;
@@ -198,7 +207,8 @@ static mus_status layout_compare(mus_sheet *sheet, layout *l, layout *best)
 /* paper one way round, widths of the sheet from the least on */
 static mus_status layout_search(mus_sheet *sheet, layout *l, bool landscape, layout *best)
 {
-    const double *paper = papers[sheet->def.paper];
+    double paper[2];
+    mus__paper_size(sheet->def.paper, paper);
     l->page[0] = paper[landscape ? 1 : 0];
     l->page[1] = paper[landscape ? 0 : 1];
     double step = l->page[0] - 2.0 * sheet->def.margin - sheet->def.overlap, widest = 0.0;
@@ -220,7 +230,8 @@ static mus_status layout_search(mus_sheet *sheet, layout *l, bool landscape, lay
 /* everything and the test squares on one page */
 static bool layout_single(mus_sheet *sheet, layout *l, bool landscape)
 {
-    const double *paper = papers[sheet->def.paper];
+    double paper[2];
+    mus__paper_size(sheet->def.paper, paper);
     int32_t n = sheet->npiece;
     bool beside = paper[landscape ? 1 : 0] - 2.0 * sheet->def.margin >= 0.3;
     mus__squares_size(beside, l->size + 2 * n);
@@ -285,7 +296,7 @@ mus_status mus__paper_check(const mus_sheet *sheet)
 {
     const mus_sheet_def *def = &sheet->def;
     static const char *const names[] = {"A4", "Letter", "A3", "A0", "roll"};
-    double narrow = papers[def->paper][0] - 2.0 * def->margin;
+    double narrow = papers[def->paper][0] * POINT - 2.0 * def->margin;
     if (narrow >= PRINTED_LEAST && narrow >= 2.0 * def->overlap) return MUS_OK;
     char margin[32], overlap[32], left[32], least[32];
     mus__print_millimetres(margin, sizeof margin, def->margin);

@@ -1,0 +1,214 @@
+/*
+ * test_piece_marks.c: what is drawn on a piece: seam line edge by edge, slits on the cut line, grain, marks, label.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "print/print_internal.h"
+#include "print/sample_patterns.h"
+#include "support.h"
+
+static mus_context *context;
+static mus_pattern *pattern;
+static mus_sheet *sheet;
+
+
+static void setup(void)
+{
+    mus_sheet_def def;
+    context = support_context();
+    pattern = sample_shirt(context);
+    ck_assert_ptr_nonnull(pattern);
+    mus_sheet_def_init(&def, sizeof def);
+    def.person = "Ada";
+    ck_assert_int_eq(mus_sheet_create(context, pattern, &def, &sheet), MUS_OK);
+}
+
+
+static void teardown(void)
+{
+    mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+
+
+static double segment_distance(const double *p, const double *a, const double *b)
+{
+    double dx = b[0] - a[0], dy = b[1] - a[1], t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
+    t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+    return hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
+}
+
+
+static double distance(int32_t n, const double *xy, const double *p)
+{
+    double best = HUGE_VAL;
+    for (int32_t i = 0; i < n; i++) best = fmin(best, segment_distance(p, xy + 2 * i, xy + 2 * ((i + 1) % n)));
+    return best;
+}
+
+
+/* paths of a piece in a layer with a pen */
+static int32_t count(int32_t piece, mus__layer layer, mus__pen pen)
+{
+    int32_t n = 0;
+    for (int32_t i = 0; i < sheet->drawing.npath; i++) {
+        const mus__path *path = &sheet->drawing.paths[i];
+        n += path->piece == piece && path->layer == layer && path->pen == pen;
+    }
+    return n;
+}
+
+
+START_TEST(each_edge_is_a_seam_path_of_its_own)
+{
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        ck_assert_int_eq(count(i, MUS__LAYER_SEAM, MUS__PEN_SEAM), sheet->pieces[i].nside);
+        ck_assert_int_eq(count(i, MUS__LAYER_CUT, MUS__PEN_CUT), 1);
+    }
+}
+END_TEST
+
+
+START_TEST(slits_start_on_the_cut_line_and_stop_before_the_seam)
+{
+    static const int32_t expected[] = {1 + 1 + 3, 2 + 2 + 3, 1 + 2, 0};
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const mus__piece *piece = &sheet->pieces[i];
+        int32_t slits = 0;
+        for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+            const mus__path *path = &sheet->drawing.paths[k];
+            if (path->piece != i || path->layer != MUS__LAYER_NOTCHES) continue;
+            const double *xy = sheet->drawing.xy + path->at;
+            for (int32_t m = 0; m < path->nop / 2; m++, xy += 4, slits++) {
+                ck_assert_double_lt(distance(piece->cut.n, piece->cut.xy, xy), 1e-5);
+                ck_assert_double_gt(distance(piece->nflat, piece->flat, xy + 2), 0.002 - 1e-5);
+                double depth = hypot(xy[2] - xy[0], xy[3] - xy[1]);
+                ck_assert_double_gt(depth, 0.004);
+                ck_assert_double_lt(depth, 0.006);
+                /* along the normal: the inner end is nearer to the seam line by the whole depth */
+                double outer = distance(piece->nflat, piece->flat, xy), inner = distance(piece->nflat, piece->flat, xy + 2);
+                ck_assert_double_eq_tol(outer - inner, depth, 2e-5);
+            }
+        }
+        ck_assert_int_eq(slits, expected[i]);
+    }
+}
+END_TEST
+
+
+START_TEST(a_notch_stands_at_its_arc_length)
+{
+    /* the middle of the hem of the front: three slits round x = 0 of the panel, 4 mm apart */
+    const mus__piece *piece = &sheet->pieces[0];
+    double middle[2], seen[3];
+    int32_t n = 0;
+    mus__piece_point(piece, (const double[2]){0, 0}, middle);
+    for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+        const mus__path *path = &sheet->drawing.paths[k];
+        if (path->piece != 0 || path->layer != MUS__LAYER_NOTCHES || path->nop != 6) continue;
+        for (int32_t m = 0; m < 3; m++) seen[n++] = sheet->drawing.xy[path->at + 4 * m];
+    }
+    ck_assert_int_eq(n, 3);
+    for (int32_t k = 0; k < 3; k++) ck_assert_double_eq_tol(seen[k], middle[0] + 0.004 * (k - 1), 1e-6);
+}
+END_TEST
+
+
+START_TEST(the_grain_line_is_upright_inside_and_long)
+{
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const mus__piece *piece = &sheet->pieces[i];
+        ck_assert_int_eq(count(i, MUS__LAYER_GRAIN, MUS__PEN_GRAIN), 1);
+        for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+            const mus__path *path = &sheet->drawing.paths[k];
+            if (path->piece != i || path->pen != MUS__PEN_GRAIN) continue;
+            ck_assert_double_eq(path->box[0], path->box[2]);
+            ck_assert_double_ge(path->box[3] - path->box[1], (piece->box[3] - piece->box[1]) / 3.0);
+            for (int32_t m = 0; m <= 20; m++) {
+                const double p[2] = {path->box[0], path->box[1] + (path->box[3] - path->box[1]) * m / 20.0};
+                ck_assert_double_gt(distance(piece->nflat, piece->flat, p), 0.003);
+            }
+        }
+    }
+}
+END_TEST
+
+
+START_TEST(labels_stand_inside_the_seam_line_clear_of_grain_and_marks)
+{
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const mus__piece *piece = &sheet->pieces[i];
+        double box[4] = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+        int32_t lines = 0;
+        for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+            const mus__path *path = &sheet->drawing.paths[k];
+            if (path->piece != i || path->layer != MUS__LAYER_LABEL) continue;
+            for (int32_t m = 0; m < 2; m++) {
+                box[m] = fmin(box[m], path->box[m]);
+                box[2 + m] = fmax(box[2 + m], path->box[2 + m]);
+            }
+            lines++;
+        }
+        ck_assert_int_eq(lines, 7);
+        for (int32_t k = 0; k < piece->nflat; k++)
+            ck_assert(!mus__segment_meets(piece->flat + 2 * k, piece->flat + 2 * ((k + 1) % piece->nflat), box));
+        for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+            const mus__path *path = &sheet->drawing.paths[k];
+            if (path->piece != i || (path->layer != MUS__LAYER_GRAIN && path->layer != MUS__LAYER_MARKS)) continue;
+            ck_assert(path->box[0] > box[2] || path->box[2] < box[0] || path->box[1] > box[3] || path->box[3] < box[1]);
+        }
+    }
+}
+END_TEST
+
+
+START_TEST(without_allowance_cut_line_and_seam_line_are_one)
+{
+    mus_sheet_def def;
+    mus_sheet_def_init(&def, sizeof def);
+    def.allowance = 0.0;
+    const double xy[] = {0, 0, 0.3, 0, 0.3, 0.2, 0, 0.2};
+    mus_pattern *square = sample_polygon(context, 4, xy);
+    int32_t id;
+    ck_assert_int_eq(mus_pattern_add_notch(square, 0, 0.1, MUS_NOTCH_SINGLE, &id), MUS_OK);
+    mus_sheet_destroy(sheet);
+    ck_assert_int_eq(mus_sheet_create(context, square, &def, &sheet), MUS_OK);
+    const double *box = sheet->drawing.paths[0].box, *own = sheet->pieces[0].box;
+    for (int32_t k = 0; k < 4; k++) ck_assert_double_eq_tol(box[k], own[k], 1e-15);
+    ck_assert_double_eq_tol(own[2] - own[0], 0.3, 1e-15);
+    ck_assert_int_eq(count(0, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH), 1);
+    mus_pattern_destroy(square);
+}
+END_TEST
+
+
+START_TEST(very_small_pieces_keep_a_label)
+{
+    const double xy[] = {0, 0, 0.02, 0, 0.02, 0.012, 0, 0.012};
+    mus_pattern *patch = sample_polygon(context, 4, xy);
+    mus_sheet_destroy(sheet);
+    ck_assert_int_eq(mus_sheet_create(context, patch, NULL, &sheet), MUS_OK);
+    ck_assert_int_ge(count(0, MUS__LAYER_LABEL, MUS__PEN_SMALL), 6);
+    mus_pattern_destroy(patch);
+}
+END_TEST
+
+
+Suite *mus_suite_piece_marks(void);
+Suite *mus_suite_piece_marks(void)
+{
+    Suite *suite = suite_create("piece_marks");
+    TCase *test = tcase_create("piece_marks");
+    tcase_add_checked_fixture(test, setup, teardown);
+    tcase_add_test(test, each_edge_is_a_seam_path_of_its_own);
+    tcase_add_test(test, slits_start_on_the_cut_line_and_stop_before_the_seam);
+    tcase_add_test(test, a_notch_stands_at_its_arc_length);
+    tcase_add_test(test, the_grain_line_is_upright_inside_and_long);
+    tcase_add_test(test, labels_stand_inside_the_seam_line_clear_of_grain_and_marks);
+    tcase_add_test(test, without_allowance_cut_line_and_seam_line_are_one);
+    tcase_add_test(test, very_small_pieces_keep_a_label);
+    suite_add_tcase(suite, test);
+    return suite;
+}

@@ -7,7 +7,7 @@ set -eu
 
 build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcairo2-dev
        libjansson-dev libyaml-dev libexpat1-dev"
-test="check poppler-utils mandoc python3 python3-pytest python3-numpy g++"
+test="check poppler-utils mandoc python3 python3-pytest python3-numpy g++ locales"
 ci="clang cmake"
 
 wanted=""

@@ -20,13 +20,13 @@ typedef struct MUS_FIELD(field) {
 } MUS_FIELD(field);
 
 
-/* depth of p (3) in the field, positive inside; *near gets 0 when p is out of reach by more than `margin`, else 1, and
- * normal (3) the outward normal */
+/* depth of p (3) in the field, positive inside, with *near 1 and normal (3) the outward normal; or *near 0: p is more
+ * than `margin` off the surface; or *near -1: p is beyond an end of the limb, how far is not known */
 static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REAL *p, MUS_REAL margin,
                                         MUS_REAL *normal, int32_t *near)
 {
     const MUS_REAL rx = p[0] - f->origin[0], ry = p[1] - f->origin[1], rz = p[2] - f->origin[2];
-    *near = 0;
+    *near = -1;
 
     /* ring */
     MUS_REAL u = (rx * f->axis[0] + ry * f->axis[1] + rz * f->axis[2] - f->s0) * f->ds_inverse;
@@ -42,6 +42,7 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REA
     const MUS_REAL ua = a - (c[0] + t * dca), ub = b - (c[1] + t * dcb);
     const MUS_REAL rho2 = ua * ua + ub * ub;
     const MUS_REAL reach = f->largest[k] + 4 * margin; /* 4: a steep surface is near though its radius is far */
+    *near = 0;
     if (rho2 > reach * reach) return 0;
 
     /* diamond angle */

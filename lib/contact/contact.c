@@ -89,6 +89,9 @@ static void limb_box(const mus__field *field, const double *origin, double *box)
 mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, mus__collider **out)
 {
     *out = NULL;
+    if (body->nfield > MUS_LIMBS_MOST)
+        return mus__fail(context, MUS_ERR_LIMIT, "body: %d limbs, at most %d can be collided with", (int)body->nfield,
+                         MUS_LIMBS_MOST);
     mus__collider *collider = mus__new(context, 1, sizeof *collider);
     if (collider == NULL) return mus__fail_memory(context, "a collider");
     collider->context = context;
@@ -142,7 +145,7 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
         double n[3];
         int32_t near;
         const double depth = mus__f64_query(&collider->field64[l], p, margin, n, &near);
-        if (!near || depth <= deepest) continue;
+        if (near != 1 || depth <= deepest) continue;
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
     }

@@ -29,6 +29,8 @@
 #undef MUS_REAL
 #undef MUS_FIELD
 
+#define MUS_LIMBS_MOST 64
+
 typedef struct mus__collider {
     mus_context *context;
     int32_t nlimb;
@@ -51,12 +53,13 @@ typedef struct mus__contact_rule {
     double clearance; /* nodes are kept this far off [m] */
     double friction;
     double push;      /* a node is put back by at most this in one call [m] */
+    double travel;    /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
 } mus__contact_rule;
 
 /* nodes first .. last-1 of n: x, v planes (3 x n); mobile (n) 0 for nodes that are held. Returns field queries made. */
 int64_t mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                         int32_t last, const float *mobile, float *x, float *v);
+                         int32_t last, const float *mobile, uint8_t *rest, float *x, float *v);
 int64_t mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                         int32_t last, const double *mobile, double *x, double *v);
+                         int32_t last, const double *mobile, uint8_t *rest, double *x, double *v);
 
 #endif

@@ -5,6 +5,10 @@
  * the skin, and its sliding velocity shrinks by the friction impulse mu |v_n|.
  */
 
+#define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
+#define SIT_OUT_MOST 100    /* calls */
+
+
 /* one node against one limb it may touch: x, v (3) are corrected in place */
 static inline void MUS_FIELD(respond)(MUS_REAL lift, MUS_REAL push, MUS_REAL friction, const MUS_REAL *normal,
                                       MUS_REAL *x, MUS_REAL *v)
@@ -23,34 +27,58 @@ static inline void MUS_FIELD(respond)(MUS_REAL lift, MUS_REAL push, MUS_REAL fri
 }
 
 
-int64_t MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                    int32_t last, const MUS_REAL *mobile, MUS_REAL *x, MUS_REAL *v)
+/* one node against all limbs, in place; box (nlimb x 6) is widened by `margin` already. Returns a lower bound of the
+ * node's distance to the body, at most `margin` */
+static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
+                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL *p, MUS_REAL *w,
+                                        int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)rule->clearance, friction = (MUS_REAL)rule->friction;
-    const MUS_REAL push = (MUS_REAL)rule->push;
-    int64_t queries = 0;
+    MUS_REAL distance = margin;
+    for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
+        if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
+            continue;
 
-    for (int32_t l = 0; l < collider->nlimb; l++) {
-        const MUS_FIELD(field) *field = &collider->MUS_FIELDS[l];
-        const double *box = collider->box + 6 * l;
-        const MUS_REAL lx = (MUS_REAL)box[0] - clearance, ly = (MUS_REAL)box[1] - clearance;
-        const MUS_REAL lz = (MUS_REAL)box[2] - clearance, hx = (MUS_REAL)box[3] + clearance;
-        const MUS_REAL hy = (MUS_REAL)box[4] + clearance, hz = (MUS_REAL)box[5] + clearance;
-        for (int32_t i = first; i < last; i++) {
-            MUS_REAL p[3] = {x[i], x[n + i], x[2 * (int64_t)n + i]};
-            if (p[0] < lx || p[0] > hx || p[1] < ly || p[1] > hy || p[2] < lz || p[2] > hz || mobile[i] == 0) continue;
-
-            MUS_REAL normal[3];
-            int32_t near;
-            queries++;
-            const MUS_REAL depth = MUS_FIELD(query)(field, p, clearance, normal, &near);
-            if (!near || depth <= -clearance) continue;
-
-            MUS_REAL w[3] = {v[i], v[n + i], v[2 * (int64_t)n + i]};
-            MUS_FIELD(respond)(depth + clearance, push, friction, normal, p, w);
-            x[i] = p[0], x[n + i] = p[1], x[2 * (int64_t)n + i] = p[2];
-            v[i] = w[0], v[n + i] = w[1], v[2 * (int64_t)n + i] = w[2];
+        MUS_REAL normal[3];
+        int32_t near;
+        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
+        (*queries)++;
+        if (near == 0) continue;
+        if (near < 0) {
+            distance = 0;
+            continue;
         }
+        if (-depth < distance) distance = -depth;
+        if (depth > -clearance) MUS_FIELD(respond)(depth + clearance, (MUS_REAL)rule->push, friction, normal, p, w);
+    }
+    return distance;
+}
+
+
+int64_t MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                    int32_t last, const MUS_REAL *mobile, uint8_t *rest, MUS_REAL *x, MUS_REAL *v)
+{
+    /* a node sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
+    const MUS_REAL margin = (MUS_REAL)(rule->travel > 0.0 ? rule->clearance + SIT_OUT_MARGIN : rule->clearance);
+    const MUS_REAL calls = (MUS_REAL)(rule->travel > 0.0 ? 0.5 / rule->travel : 0.0);
+    MUS_REAL box[6 * MUS_LIMBS_MOST];
+    for (int32_t k = 0; k < 6 * collider->nlimb; k++)
+        box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
+
+    int64_t queries = 0;
+    for (int32_t i = first; i < last; i++) {
+        if (rest[i] > 0) {
+            rest[i]--;
+            continue;
+        }
+        if (mobile[i] == 0) continue;
+        MUS_REAL p[3] = {x[i], x[n + i], x[2 * (int64_t)n + i]};
+        MUS_REAL w[3] = {v[i], v[n + i], v[2 * (int64_t)n + i]};
+        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, p, w, &queries);
+        const MUS_REAL off = (distance - (MUS_REAL)rule->clearance) * calls;
+        rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
+        x[i] = p[0], x[n + i] = p[1], x[2 * (int64_t)n + i] = p[2];
+        v[i] = w[0], v[n + i] = w[1], v[2 * (int64_t)n + i] = w[2];
     }
     return queries;
 }

@@ -22,4 +22,16 @@
 #define MUS_CLONES
 #endif
 
+/* inlined into the cloned function, so that it is compiled for each width */
+#define MUS_INLINE inline __attribute__((always_inline))
+
+/* "no two elements of these arrays overlap": the loop may be vectorised without a check */
+#if defined(__clang__)
+#define MUS_IVDEP _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define MUS_IVDEP _Pragma("GCC ivdep")
+#else
+#define MUS_IVDEP
+#endif
+
 #endif

@@ -73,6 +73,7 @@ static mus_status take_memory(mus_drape *drape)
     drape->v = mus__new(context, 3 * n, sizeof *drape->v);
     drape->force = mus__new(context, 3 * n, sizeof *drape->force);
     drape->mean = mus__new(context, 3 * n, sizeof *drape->mean);
+    drape->work = mus__new(context, 6 * n, sizeof *drape->work);
     drape->mass = mus__new(context, n, sizeof *drape->mass);
     drape->stiffness = mus__new(context, n, sizeof *drape->stiffness);
     drape->rep = mus__new(context, n, sizeof *drape->rep);
@@ -84,9 +85,11 @@ static mus_status take_memory(mus_drape *drape)
     sim->weight = mus__new(context, n, sim->ops->real);
     sim->work = mus__new(context, 18 * n, sim->ops->real);
     sim->good = mus__new(context, 6 * n, sim->ops->real);
-    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->mass == NULL ||
+    sim->rest = mus__new(context, n, sizeof *sim->rest);
+    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->work == NULL || drape->mass == NULL ||
         drape->stiffness == NULL || drape->rep == NULL || drape->pinned == NULL || sim->y == NULL || sim->f == NULL ||
-        sim->g == NULL || sim->inverse == NULL || sim->weight == NULL || sim->work == NULL || sim->good == NULL)
+        sim->g == NULL || sim->inverse == NULL || sim->weight == NULL || sim->work == NULL || sim->good == NULL ||
+        sim->rest == NULL)
         return mus__fail_memory(context, "the state of a drape");
     return MUS_OK;
 }
@@ -191,9 +194,10 @@ void mus_drape_destroy(mus_drape *drape)
     mus__collider_destroy(drape->collider);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
-    void *blocks[] = {drape->x,      drape->v,     drape->force,       drape->mean,       drape->mass,
+    void *blocks[] = {drape->x,      drape->v,     drape->force,       drape->mean,       drape->work, drape->mass,
                       drape->stiffness, drape->rep, drape->pinned,     drape->sim.y,      drape->sim.f,
-                      drape->sim.g,  drape->sim.inverse, drape->sim.weight, drape->sim.work, drape->sim.good};
+                      drape->sim.g,  drape->sim.inverse, drape->sim.weight, drape->sim.work, drape->sim.good,
+                      drape->sim.rest};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }
@@ -235,7 +239,8 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 double mus__drape_inertia(mus_drape *drape, int32_t scaled)
 {
-    mus__plan_stiffness(&drape->plan, drape->n, drape->stiffness);
+    if (scaled) mus__plan_stiffness_at(&drape->plan, drape->n, drape->x, drape->stiffness, drape->work);
+    else mus__plan_stiffness(&drape->plan, drape->n, drape->stiffness);
 
     /* the lattice's own rate: the largest over nodes that only runs act on; without any, over all */
     double lattice = 0.0, all = 0.0;

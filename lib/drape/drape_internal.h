@@ -26,6 +26,7 @@ struct mus_drape {
     double *x, *v;      /* (n x 3) what the caller sees */
     double *force;      /* (n x 3) scratch of reports */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
+    double *work;       /* (n x 6) scratch of the stiffness at a pose */
     double *mass;       /* (n) after welding; 0 for nodes that another stands for */
     double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
     int32_t *rep;       /* (n) node that stands for each; itself when not welded */
@@ -46,8 +47,9 @@ struct mus_drape {
 void mus__drape_publish(mus_drape *drape);
 /* x and v to the sim */
 void mus__drape_push(mus_drape *drape);
-/* masses, stiffness and inertia anew. scaled nonzero: inertia is raised where the stiffness would ask for a smaller
- * step than the lattice needs (rest shapes do not depend on inertia). Returns the step bound of RK4 [s]. */
+/* masses, stiffness and inertia anew. scaled 0: true masses, a bound for every pose. scaled nonzero: the bound at the
+ * pose that x holds, and inertia raised where the stiffness would ask for a smaller step than the lattice needs (rest
+ * shapes do not depend on inertia). Returns the step bound of RK4 [s]. */
 double mus__drape_inertia(mus_drape *drape, int32_t scaled);
 /* note `steps` of `h` on the clock and in the counters */
 void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluations);

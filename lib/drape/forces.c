@@ -4,7 +4,7 @@
  *
  *   spring  E = 1/2 k (l - rest)^2       f_a = k (1 - rest/l) (x_b - x_a)
  *   bend    E = 1/2 k |a - 2 b + c|^2    hinge  E = 1/2 k |sum c_i x_i|^2
- * Half runs see each lattice spring twice, half bends three times, so energies are weighted by 1/2 and 1/3.
+ * Half runs see each lattice spring twice, so their energy is halved; a stencil's energy is taken at its middle.
  */
 #include <math.h>
 #include <string.h>
@@ -30,16 +30,27 @@ static double add_spring(const double *x, int32_t a, int32_t b, double k, double
 }
 
 
+/* a bend term's force on its owner; returns the energy of the stencil whose middle the owner is */
 static double add_bend(const double *x, const mus__half_bend *bend, int32_t at, double *f)
 {
     double energy = 0.0;
     for (int32_t i = 0; i < 3; i++) {
-        const double e = x[3 * (int64_t)(bend->a + at) + i] - 2.0 * x[3 * (int64_t)(bend->b + at) + i] +
-                         x[3 * (int64_t)(bend->c + at) + i];
-        if (f != NULL) f[3 * (int64_t)(bend->o + at) + i] += bend->w * e;
+        const double o = x[3 * (int64_t)(bend->o + at) + i], a = x[3 * (int64_t)(bend->a + at) + i];
+        const double b = x[3 * (int64_t)(bend->b + at) + i], c = x[3 * (int64_t)(bend->c + at) + i];
+        double e, force;
+        if (bend->whole) {
+            const double d = x[3 * (int64_t)(bend->d + at) + i];
+            e = b - 2.0 * o + c;
+            force = -bend->w * (a - 4.0 * b + 6.0 * o - 4.0 * c + d);
+        } else {
+            e = a - 2.0 * b + c;
+            force = bend->w * e;
+        }
+        if (f != NULL) f[3 * (int64_t)(bend->o + at) + i] += force;
         energy += e * e;
     }
-    /* the centre's weight is +2k, the ends' -k: k once, shared by three visits */
+    /* the middle's weight is +2k, the ends' -k, whole k: each stencil is counted at its middle alone */
+    if (bend->whole) return 0.5 * bend->w * energy;
     return bend->w > 0.0 ? 0.25 * bend->w * energy : 0.0;
 }
 

@@ -71,12 +71,121 @@ static void spread_runs(const mus_cloth *cloth, mus__plan *plan, int32_t write)
                 const int32_t at = part.offset;
                 if (write)
                     plan->half_bend[row->bend + row->nbend] =
-                        (mus__half_bend){owners[side] + at, bend->a + at,  bend->b + at,
-                                         bend->c + at,      part.count, side == 1 ? 2.0 * bend->k : -bend->k};
+                        (mus__half_bend){.o = owners[side] + at,
+                                         .a = bend->a + at,
+                                         .b = bend->b + at,
+                                         .c = bend->c + at,
+                                         .count = part.count,
+                                         .w = side == 1 ? 2.0 * bend->k : -bend->k};
                 row->nbend++;
             }
         }
     }
+}
+
+
+/* the part of `bend` for owners first .. last-1 */
+static mus__half_bend slice(mus__half_bend bend, int32_t first, int32_t last)
+{
+    const int32_t skip = first - bend.o;
+    bend.a += skip, bend.b += skip, bend.c += skip, bend.d += skip;
+    bend.o = first;
+    bend.count = last - first;
+    return bend;
+}
+
+
+/* take owners first .. last-1 out of entry i of the list: what is left before it stays, what is behind is appended */
+static void take_out(mus__half_bend *list, int32_t *n, int32_t i, int32_t first, int32_t last)
+{
+    const mus__half_bend whole = list[i];
+    const int32_t end = whole.o + whole.count;
+    list[i] = slice(whole, whole.o, first);
+    if (last < end) list[(*n)++] = slice(whole, last, end);
+}
+
+
+/*
+ * Where a node is the end of one stencil, the middle of the next and the start of a third on the same line, the three
+ * become one term of five points: half the loads. Makes one such term of entries m, e, s if they fit; returns whether.
+ */
+static int32_t merge_three(mus__half_bend *list, int32_t *n, int32_t m, int32_t e, int32_t s)
+{
+    const mus__half_bend middle = list[m], end = list[e], start = list[s];
+    if (middle.whole || end.whole || start.whole || middle.o != middle.b || end.o != end.c || start.o != start.a)
+        return 0;
+    if (end.b - end.o != middle.a - middle.o || start.b - start.o != middle.c - middle.o) return 0;
+    if (end.w != start.w || 2.0 * end.w != -middle.w) return 0;
+
+    /* the owners that all three have */
+    int32_t first = middle.o, last = middle.o + middle.count;
+    if (end.o > first) first = end.o;
+    if (start.o > first) first = start.o;
+    if (end.o + end.count < last) last = end.o + end.count;
+    if (start.o + start.count < last) last = start.o + start.count;
+    if (first >= last) return 0;
+
+    mus__half_bend whole = {.o = first, .count = last - first, .whole = 1, .w = -end.w};
+    whole.a = first + end.a - end.o, whole.b = first + middle.a - middle.o;
+    whole.c = first + middle.c - middle.o, whole.d = first + start.c - start.o;
+    take_out(list, n, m, first, last);
+    take_out(list, n, e, first, last);
+    take_out(list, n, s, first, last);
+    list[(*n)++] = whole;
+    return 1;
+}
+
+
+static int32_t merge_any(mus__half_bend *list, int32_t *n)
+{
+    for (int32_t m = 0; m < *n; m++)
+        for (int32_t e = 0; e < *n; e++)
+            for (int32_t s = 0; s < *n; s++)
+                if (merge_three(list, n, m, e, s)) return 1;
+    return 0;
+}
+
+
+/* one row's bend terms, merged as far as there is room for the pieces left over; returns how many there are */
+static int32_t merge_bends(mus__half_bend *list, int32_t n, int32_t room)
+{
+    while (n + 4 <= room && merge_any(list, &n)) {
+    }
+    int32_t kept = 0;
+    for (int32_t i = 0; i < n; i++)
+        if (list[i].count > 0) list[kept++] = list[i];
+    return kept;
+}
+
+
+/* all rows' bend terms through merge_bends, packed */
+static mus_status merge_rows(mus_context *context, mus__plan *plan)
+{
+    int32_t longest = 0;
+    for (int32_t r = 0; r < plan->nrow; r++)
+        if (plan->row[r].nbend > longest) longest = plan->row[r].nbend;
+    mus__half_bend *packed = mus__new(context, 4 * (int64_t)plan->nhalf_bend, sizeof *packed);
+    mus__half_bend *list = mus__new(context, 4 * (int64_t)longest, sizeof *list);
+    if (packed == NULL || list == NULL) {
+        mus__free(context, packed);
+        mus__free(context, list);
+        return mus__fail_memory(context, "the bending of a drape");
+    }
+    int32_t total = 0;
+    for (int32_t r = 0; r < plan->nrow; r++) {
+        mus__plan_row *row = &plan->row[r];
+        memcpy(list, plan->half_bend + row->bend, (size_t)row->nbend * sizeof *list);
+        const int32_t n = merge_bends(list, row->nbend, 4 * row->nbend);
+        memcpy(packed + total, list, (size_t)n * sizeof *list);
+        row->bend = total;
+        row->nbend = n;
+        total += n;
+    }
+    mus__free(context, list);
+    mus__free(context, plan->half_bend);
+    plan->half_bend = packed;
+    plan->nhalf_bend = total;
+    return MUS_OK;
 }
 
 
@@ -103,7 +212,7 @@ static mus_status build_rows(mus_context *context, const mus_cloth *cloth, mus__
     plan->half_bend = mus__new(context, plan->nhalf_bend, sizeof *plan->half_bend);
     if (plan->half_run == NULL || plan->half_bend == NULL) return mus__fail_memory(context, "the runs of a drape");
     spread_runs(cloth, plan, 1);
-    return MUS_OK;
+    return merge_rows(context, plan);
 }
 
 
@@ -268,30 +377,3 @@ void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
     for (int32_t r = 0; r < cloth->nbend; r++) plan->spring_evaluations += cloth->bend[r].count;
 }
 
-
-void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t)
-{
-    memset(t, 0, (size_t)nnode * sizeof *t);
-    for (int32_t r = 0; r < plan->nhalf_run; r++)
-        for (int32_t i = 0; i < plan->half_run[r].count; i++) t[plan->half_run[r].a + i] += 2.0 * plan->half_run[r].k;
-    for (int32_t r = 0; r < plan->nhalf_bend; r++) {
-        const mus__half_bend *bend = &plan->half_bend[r];
-        const double part = 4.0 * (bend->w < 0.0 ? -bend->w : bend->w);
-        for (int32_t i = 0; i < bend->count; i++) t[bend->o + i] += part;
-    }
-    for (int32_t s = 0; s < plan->nspring; s++) {
-        t[plan->spring[s].a] += 2.0 * plan->spring[s].k;
-        t[plan->spring[s].b] += 2.0 * plan->spring[s].k;
-    }
-    for (int32_t h = 0; h < plan->nhinge; h++) {
-        const mus__hinge *hinge = &plan->hinge[h];
-        double size = 0.0;
-        for (int32_t k = 0; k < 4; k++) size += hinge->coef[k] < 0.0 ? -hinge->coef[k] : hinge->coef[k];
-        for (int32_t k = 0; k < 4; k++)
-            t[hinge->node[k]] += hinge->k * size * (hinge->coef[k] < 0.0 ? -hinge->coef[k] : hinge->coef[k]);
-    }
-    for (int32_t p = 0; p < plan->npair; p++) {
-        t[plan->pair[p].a] += 2.0 * plan->pair[p].k;
-        t[plan->pair[p].b] += 2.0 * plan->pair[p].k;
-    }
-}

@@ -20,8 +20,11 @@ typedef struct mus__half_run { /* node a+i is pulled towards b+i */
     double k, rest, dashpot;
 } mus__half_run;
 
-typedef struct mus__half_bend { /* node o+i feels w (x[a+i] - 2 x[b+i] + x[c+i]) */
-    int32_t o, a, b, c, count;
+/* node o+i feels w (x[a+i] - 2 x[b+i] + x[c+i]); or, whole, all three terms of a node between its neighbours in one:
+ * -w (x[a+i] - 4 x[b+i] + 6 x[o+i] - 4 x[c+i] + x[d+i]) with a, b before and c, d behind it on the line */
+typedef struct mus__half_bend {
+    int32_t o, a, b, c, d, count;
+    int32_t whole;
     double w;
 } mus__half_bend;
 
@@ -70,5 +73,8 @@ void mus__plan_clear(mus_context *context, mus__plan *plan);
 void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
 /* diagonal bound of the stiffness: t (nnode) gets T_i = sum k S |w|, identity in place of n n^T [N/m] */
 void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t);
+/* the same at the pose x (nnode x 3): t (nnode) gets a bound of the largest eigenvalue of the 3 x 3 T_i, with n n^T for
+ * what pulls along the spring and (1 - rest/l) (1 - n n^T) for a stretched one; work (6 nnode) */
+void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *x, double *t, double *work);
 
 #endif

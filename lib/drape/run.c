@@ -3,6 +3,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <math.h>
+#include <string.h>
 #include <time.h>
 
 #include "drape/drape_internal.h"
@@ -84,7 +85,8 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     for (int32_t d = 0; d < 3; d++) sim->gravity[d] = drape->def.gravity[d];
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9};
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0};
+    memset(sim->rest, 0, (size_t)drape->n);
     mus_status status = MUS_OK;
     for (int32_t done = 0; done < steps && status == MUS_OK;) {
         const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;

@@ -40,13 +40,11 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     if (drape == NULL) return MUS_ERR_ARG;
 
     mus__sim *sim = &drape->sim;
-    const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), all = drape->def.settle_seconds;
+    const double all = drape->def.settle_seconds;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->drag = SETTLE_DRAG;
     sim->speed_limit = SETTLE_SPEED;
     sim->dashpots = 0;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * SETTLE_SPEED * h};
-    const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
 
     mus__run run;
     mus__run_start(&run, "settle", progress, user);
@@ -54,6 +52,9 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     int32_t stop = 0;
     drape->settled = 0;
     for (double t = 0.0; t < all && !drape->settled && !stop && status == MUS_OK;) {
+        const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
+        const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
+        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
         if (status != MUS_OK) break;

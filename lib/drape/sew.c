@@ -12,10 +12,11 @@
 
 #include "drape/drape_internal.h"
 
-#define CHECK_STEPS 32
+#define CHECK_STEPS 64
 #define SAFETY 0.7      /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
 #define SEW_DRAG 8.0    /* [1/s]: a panel's speed follows its pull */
 #define SEW_SPEED 3.0   /* [m/s] limit: a step then moves a node less than the clearance */
+#define SEW_GRIP 0.5    /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
 #define RAMP_START 0.02 /* of the full pull at the beginning */
 #define RAMP_SECONDS 1.5
 #define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
@@ -55,12 +56,11 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
 
     mus__sim *sim = &drape->sim;
-    const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), all = drape->def.sew_seconds;
+    const double all = drape->def.sew_seconds;
     memset(sim->gravity, 0, sizeof sim->gravity);
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;
-    sim->rule = (mus__contact_rule){drape->def.clearance, 0.0, 2.0 * SEW_SPEED * h};
 
     mus__run run;
     mus__run_start(&run, "sew", progress, user);
@@ -68,6 +68,9 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     int32_t open = pairs, stop = 0;
     mus_status status = MUS_OK;
     for (double t = 0.0; open > 0 && t < all && !stop && status == MUS_OK;) {
+        mus__drape_publish(drape);
+        const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
+        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
         status = mus__drape_guard(drape);

@@ -47,6 +47,7 @@ struct mus__sim {
     void *weight;  /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
     void *work;    /* (18 n) of RK4 */
     void *good;    /* (6 n) last good state */
+    uint8_t *rest; /* (n) contact calls that a node may sit out */
     int32_t elements; /* capacity of g */
 
     /* what the passes use; set between steps, never inside */

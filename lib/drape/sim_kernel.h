@@ -9,34 +9,44 @@
 #define TINY ((MUS_REAL)1e-20)
 
 
-MUS_CLONES
-static void MUS_FN(run_pull)(int32_t count, MUS_REAL k, MUS_REAL rest, const MUS_REAL *restrict ax,
-                             const MUS_REAL *restrict ay, const MUS_REAL *restrict az, const MUS_REAL *restrict bx,
-                             const MUS_REAL *restrict by, const MUS_REAL *restrict bz, MUS_REAL *restrict fx,
-                             MUS_REAL *restrict fy, MUS_REAL *restrict fz)
+/* f += k (1 - rest/l) (b - a) on `count` pairs; planes are `n` apart */
+static MUS_INLINE void MUS_FN(run_pull)(int64_t n, int32_t count, MUS_REAL k, MUS_REAL rest, const MUS_REAL *restrict a,
+                                        const MUS_REAL *restrict b, MUS_REAL *restrict f)
 {
     const MUS_REAL krest = k * rest;
+    MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
-        const MUS_REAL dx = bx[i] - ax[i], dy = by[i] - ay[i], dz = bz[i] - az[i];
+        const MUS_REAL dx = b[i] - a[i], dy = b[n + i] - a[n + i], dz = b[2 * n + i] - a[2 * n + i];
         const MUS_REAL s = k - krest / MUS_SQRT(dx * dx + dy * dy + dz * dz + TINY);
-        fx[i] += s * dx, fy[i] += s * dy, fz[i] += s * dz;
+        f[i] += s * dx, f[n + i] += s * dy, f[2 * n + i] += s * dz;
     }
 }
 
 
 /* f += w (a - 2 b + c) on one plane */
-MUS_CLONES
-static void MUS_FN(bend_pull)(int32_t count, MUS_REAL w, const MUS_REAL *restrict a, const MUS_REAL *restrict b,
-                              const MUS_REAL *restrict c, MUS_REAL *restrict f)
+static MUS_INLINE void MUS_FN(bend_pull)(int32_t count, MUS_REAL w, const MUS_REAL *restrict a,
+                                         const MUS_REAL *restrict b, const MUS_REAL *restrict c, MUS_REAL *restrict f)
 {
+    MUS_IVDEP
     for (int32_t i = 0; i < count; i++) f[i] += w * (a[i] - 2 * b[i] + c[i]);
 }
 
 
-/* dashpot along the spring: c ((v_b - v_a).n) n */
-MUS_CLONES
-static void MUS_FN(run_dash)(int32_t n, int32_t count, MUS_REAL c, const MUS_REAL *a, const MUS_REAL *b, MUS_REAL *f)
+/* the three bend terms of a node between its neighbours, in one: f -= k (a - 4 b + 6 x - 4 c + d) */
+static MUS_INLINE void MUS_FN(bend_whole)(int32_t count, MUS_REAL k, const MUS_REAL *restrict a,
+                                          const MUS_REAL *restrict b, const MUS_REAL *restrict x,
+                                          const MUS_REAL *restrict c, const MUS_REAL *restrict d, MUS_REAL *restrict f)
 {
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) f[i] -= k * ((a[i] + d[i]) - 4 * (b[i] + c[i]) + 6 * x[i]);
+}
+
+
+/* dashpot along the spring: c ((v_b - v_a).n) n */
+static MUS_INLINE void MUS_FN(run_dash)(int64_t n, int32_t count, MUS_REAL c, const MUS_REAL *restrict a,
+                                        const MUS_REAL *restrict b, MUS_REAL *restrict f)
+{
+    MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS_REAL dx = b[i] - a[i], dy = b[n + i] - a[n + i], dz = b[2 * n + i] - a[2 * n + i];
         const MUS_REAL vx = b[3 * n + i] - a[3 * n + i], vy = b[4 * n + i] - a[4 * n + i];
@@ -48,39 +58,39 @@ static void MUS_FN(run_dash)(int32_t n, int32_t count, MUS_REAL c, const MUS_REA
 
 
 /* phase: lattice rows of one share */
+MUS_CLONES
 static void MUS_FN(rows)(mus__sim *sim, int32_t first, int32_t last)
 {
     const mus__plan *plan = sim->plan;
     const int64_t n = sim->n;
-    const MUS_REAL *y = sim->phase_y, *x0 = y, *x1 = y + n, *x2 = y + 2 * n;
-    MUS_REAL *f0 = sim->f, *f1 = f0 + n, *f2 = f0 + 2 * n;
+    const MUS_REAL *y = sim->phase_y;
+    MUS_REAL *f = sim->f;
     for (int32_t r = first; r < last; r++) {
         const mus__plan_row *row = &plan->row[r];
         const size_t bytes = (size_t)row->count * sizeof(MUS_REAL);
-        memset(f0 + row->first, 0, bytes);
-        memset(f1 + row->first, 0, bytes);
-        memset(f2 + row->first, 0, bytes);
+        for (int32_t d = 0; d < 3; d++) memset(f + d * n + row->first, 0, bytes);
         for (int32_t h = row->run; h < row->run + row->nrun; h++) {
             const mus__half_run *run = &plan->half_run[h];
-            const int32_t a = run->a, b = run->b;
-            MUS_FN(run_pull)(run->count, (MUS_REAL)run->k, (MUS_REAL)run->rest, x0 + a, x1 + a, x2 + a, x0 + b, x1 + b,
-                             x2 + b, f0 + a, f1 + a, f2 + a);
+            MUS_FN(run_pull)(n, run->count, (MUS_REAL)run->k, (MUS_REAL)run->rest, y + run->a, y + run->b, f + run->a);
         }
         for (int32_t h = row->bend; h < row->bend + row->nbend; h++) {
             const mus__half_bend *bend = &plan->half_bend[h];
             const MUS_REAL w = (MUS_REAL)bend->w;
-            const int32_t a = bend->a, b = bend->b, c = bend->c, o = bend->o;
-            MUS_FN(bend_pull)(bend->count, w, x0 + a, x0 + b, x0 + c, f0 + o);
-            MUS_FN(bend_pull)(bend->count, w, x1 + a, x1 + b, x1 + c, f1 + o);
-            MUS_FN(bend_pull)(bend->count, w, x2 + a, x2 + b, x2 + c, f2 + o);
+            for (int32_t d = 0; d < 3; d++) {
+                const MUS_REAL *x = y + d * n;
+                if (bend->whole)
+                    MUS_FN(bend_whole)(bend->count, w, x + bend->a, x + bend->b, x + bend->o, x + bend->c, x + bend->d,
+                                       f + d * n + bend->o);
+                else
+                    MUS_FN(bend_pull)(bend->count, w, x + bend->a, x + bend->b, x + bend->c, f + d * n + bend->o);
+            }
         }
     }
     if (!sim->dashpots) return;
-    for (int32_t r = first; r < last; r++)
-        for (int32_t h = plan->row[r].run; h < plan->row[r].run + plan->row[r].nrun; h++) {
-            const mus__half_run *run = &plan->half_run[h];
-            MUS_FN(run_dash)((int32_t)n, run->count, (MUS_REAL)run->dashpot, y + run->a, y + run->b, f0 + run->a);
-        }
+    for (int32_t h = plan->row[first].run; first < last && h < plan->row[last - 1].run + plan->row[last - 1].nrun; h++) {
+        const mus__half_run *run = &plan->half_run[h];
+        MUS_FN(run_dash)(n, run->count, (MUS_REAL)run->dashpot, y + run->a, y + run->b, f + run->a);
+    }
 }
 
 
@@ -215,7 +225,7 @@ static void MUS_FN(phase_contact)(void *user, int32_t part, int32_t parts)
     mus__sim *sim = user;
     MUS_REAL *x = sim->y;
     sim->part_queries[part] += MUS_CONTACT(sim->collider, &sim->rule, sim->n, mus__share(sim->n, part, parts),
-                                           mus__share(sim->n, part + 1, parts), sim->weight, x,
+                                           mus__share(sim->n, part + 1, parts), sim->weight, sim->rest, x,
                                            x + 3 * (int64_t)sim->n);
 }
 
@@ -313,6 +323,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
             y[d * n + i] = (MUS_REAL)(x[3 * i + d] - sim->origin[d]);
             y[(3 + d) * n + i] = v != NULL ? (MUS_REAL)v[3 * i + d] : 0;
         }
+    memset(sim->rest, 0, (size_t)n);
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -370,6 +381,7 @@ static void MUS_FN(snapshot)(mus__sim *sim)
 static void MUS_FN(restore)(mus__sim *sim)
 {
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
+    memset(sim->rest, 0, (size_t)sim->n);
 }
 
 

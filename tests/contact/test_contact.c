@@ -111,9 +111,10 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, cylinder_radius);
     const double mobile[1] = {1.0};
-    const mus__contact_rule rule = {clearance, friction, push};
+    const mus__contact_rule rule = {clearance, friction, push, 0.0};
+    uint8_t rest[1] = {0};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
-    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, x, v), 1);
+    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, rest, x, v), 1);
     x[0] += collider->origin[0];
     mus__collider_destroy(collider);
     support_context_end(context);
@@ -169,18 +170,19 @@ START_TEST(float_and_double_respond_alike)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, sphere_radius);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0};
     uint64_t random = 3;
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
+    uint8_t rest[100] = {0};
     for (int i = 0; i < 300; i++) {
         x[i] = support_uniform(&random, -0.2, 0.2) - collider->origin[i / 100];
         v[i] = support_uniform(&random, -1.0, 1.0);
         xf[i] = (float)x[i], vf[i] = (float)v[i];
         mobile[i % 100] = mobilef[i % 100] = 1;
     }
-    const int64_t asked = mus__contact_f64(collider, &rule, 100, 0, 100, mobile, x, v);
-    ck_assert_int_eq((int)asked, (int)mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, xf, vf));
+    const int64_t asked = mus__contact_f64(collider, &rule, 100, 0, 100, mobile, rest, x, v);
+    ck_assert_int_eq((int)asked, (int)mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, rest, xf, vf));
     for (int i = 0; i < 300; i++) {
         ck_assert_double_eq_tol(x[i], (double)xf[i], 2e-5);
         ck_assert_double_eq_tol(v[i], (double)vf[i], 2e-3);
@@ -195,12 +197,43 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, sphere_radius);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0};
     const double mobile[1] = {1.0};
+    uint8_t rest[1] = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
-    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, x, v), 0);
+    ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, rest, x, v), 0);
     ck_assert_double_eq(x[0], 10.0);
     ck_assert_double_eq(v[0], -100.0);
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a node that flies in at the limit never gets through, though it sits out most calls */
+START_TEST(sitting_out_lets_nothing_through)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, cylinder_radius);
+    const double step = 5e-4, mobile[1] = {1.0};
+    const mus__contact_rule rule = {0.002, 0.0, 1.0, step};
+    uint64_t random = 4;
+    int64_t asked = 0, calls = 0;
+    for (int k = 0; k < 200; k++) {
+        const double turn = support_uniform(&random, 0.0, 6.283), off = support_uniform(&random, -0.08, 0.08);
+        const double d[2] = {cos(turn), sin(turn)};
+        uint8_t rest[1] = {0};
+        double x[3] = {0.3 * d[0] - off * d[1] - collider->origin[0], -collider->origin[1],
+                       0.3 * d[1] + off * d[0] - collider->origin[2]};
+        double v[3] = {-d[0], 0.0, -d[1]};
+        for (int i = 0; i < 500; i++, calls++) {
+            for (int c = 0; c < 3; c++) x[c] += step * v[c];
+            asked += mus__contact_f64(collider, &rule, 1, 0, 1, mobile, rest, x, v);
+            const double p[3] = {x[0] + collider->origin[0], x[1] + collider->origin[1], x[2] + collider->origin[2]};
+            ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 1.5 * step);
+        }
+    }
+    ck_assert_int_lt((int)asked, (int)(0.8 * (double)calls));
     mus__collider_destroy(collider);
     support_context_end(context);
 }
@@ -240,6 +273,7 @@ Suite *mus_suite_contact(void)
     tcase_add_test(tests, a_swallowed_node_leaves_at_bounded_speed);
     tcase_add_test(tests, float_and_double_respond_alike);
     tcase_add_test(tests, out_of_reach_costs_no_query_and_changes_nothing);
+    tcase_add_test(tests, sitting_out_lets_nothing_through);
     tcase_add_test(tests, each_failing_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

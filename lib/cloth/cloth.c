@@ -59,8 +59,7 @@ static mus_status cloth_build(mus__mesh *mesh)
 }
 
 
-mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
-                            mus_cloth **out)
+mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def, mus_cloth **out)
 {
     if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
@@ -91,8 +90,10 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     if (status == MUS_OK) status = cloth_build(&mesh);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
-    if (status == MUS_OK) *out = cloth;
-    else mus_cloth_destroy(cloth);
+    if (status == MUS_OK)
+        *out = cloth;
+    else
+        mus_cloth_destroy(cloth);
     return status;
 }
 
@@ -110,9 +111,9 @@ mus_cloth *mus__cloth_retain(const mus_cloth *cloth)
 void mus_cloth_destroy(mus_cloth *cloth)
 {
     if (cloth == NULL || --cloth->references > 0) return;
-    void *blocks[] = {cloth->panel, cloth->rest,   cloth->mass,  cloth->node_panel, cloth->triangle,
-                      cloth->border, cloth->row,   cloth->run,   cloth->bend,       cloth->spring,
-                      cloth->hinge, cloth->seam_hinge, cloth->pair, cloth->pair_seam, cloth->pair_length};
+    void *blocks[] = {cloth->panel,  cloth->rest,       cloth->mass, cloth->node_panel, cloth->triangle,
+                      cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
+                      cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length};
     mus_context *context = cloth->context;
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);
     mus__free(context, cloth);

@@ -29,7 +29,7 @@ typedef struct mus__spring {
     double k, rest;
 } mus__spring;
 
-typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2], node[3] */
+typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2..3] */
     int32_t node[4];
     double coef[4];
     double k;

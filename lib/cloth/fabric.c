@@ -7,8 +7,8 @@
  *
  *     beta = (4 B_bias - B_warp - B_weft) / 3,   alpha = B - beta / 2   along warp, weft.
  *
- * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that shears
- * harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft).
+ * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that
+ * shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft).
  *
  * Units of the sources: stretch from KES-FB1 is C11 = 490.33 N/m / EMT (the secant at 500 gf/cm, a 5 cm long and 20 cm
  * wide piece cannot narrow); shear 1 gf/(cm deg) = 56.188 N/m; bending 1 gf cm^2/cm = 9.80665e-5 N m.
@@ -30,16 +30,16 @@ typedef struct fabric_row {
 
 #define FABRIC_COMMON " Bending is taken as isotropic, damping 0.1 is assumed."
 
+/* clang-format off */
 static const fabric_row fabric_table[] = {
     {"jersey",
      "Single jersey, assumed throughout as a light T-shirt knit: 0.16 kg/m2, C11 300 and 200 N/m at small strain, "
-     "G 40 N/m (0.7 gf/(cm deg)), B 5e-6 N m; friction 0.4 is the dry-skin value of Vilhena and Ramalho 2016 rounded."
-     FABRIC_COMMON,
+     "G 40 N/m (0.7 gf/(cm deg)), B 5e-6 N m, thickness 0.6 mm, friction 0.4 on dry skin." FABRIC_COMMON,
      0.16, {300.0, 200.0}, 40.0, {5e-6, 5e-6, 5e-6}, 0.1, 0.4, 0.6e-3},
     {"cotton",
-     "Plain woven cotton: weight and thickness Penava 2014; C11 from EMT 2.29 % of the control cotton in Polymers "
-     "17(15):2013; B of broadcloth, Matsudaira et al. 2015 (J. Textile Eng. 61(6)); G 60 N/m assumed; friction between "
-     "forearm 0.31 and chest 0.90 of Temel 2022, 0.4 assumed." FABRIC_COMMON,
+     "Plain woven cotton: weight and thickness Penava 2014; C11 from EMT 2.29 % of a control cotton (Polymers "
+     "17(15):2013, Materials 11(12):2466); B of broadcloth, Matsudaira et al. 2015 (J. Textile Eng. 61(6)); friction "
+     "between forearm 0.31 and chest 0.90 of Temel 2022; G 60 N/m and the friction of 0.4 assumed." FABRIC_COMMON,
      0.1503, {21412.0, 21412.0}, 60.0, {11.57e-6, 11.57e-6, 11.57e-6}, 0.1, 0.4, 0.318e-3},
     {"denim",
      "Denim A of J. Textiles 2016, 4614168, table 5: thickness, B, G, and C11 from EMT 5.5 %, both ways the same; its "
@@ -51,14 +51,15 @@ static const fabric_row fabric_table[] = {
      "7.5-18 % weft); friction 0.4 assumed." FABRIC_COMMON,
      0.2348, {10433.0, 3846.0}, 32.5, {6.57e-6, 6.57e-6, 6.57e-6}, 0.1, 0.4, 0.568e-3},
     {"silk",
-     "Light plain silk: all assumed, so chosen that its bending length is 1.5 cm, as its drape coefficient of 20-40 % "
-     "asks (Matsudaira and Yang 2003): 0.065 kg/m2, C11 5000 N/m, G 15 N/m, B 2e-6 N m, friction 0.25." FABRIC_COMMON,
+     "Light plain silk, all assumed, so chosen that its bending length is 1.5 cm, as published drape coefficients of "
+     "20-40 % ask: 0.065 kg/m2, C11 5000 N/m, G 15 N/m, B 2e-6 N m, thickness 0.15 mm, friction 0.25." FABRIC_COMMON,
      0.065, {5000.0, 5000.0}, 15.0, {2e-6, 2e-6, 2e-6}, 0.1, 0.25, 0.15e-3},
     {"polyester",
      "Woven polyester: weight and thickness Penava 2014; B of faille, Matsudaira et al. 2015; C11 8000 N/m, G 30 N/m "
      "and friction 0.3 assumed." FABRIC_COMMON,
      0.1646, {8000.0, 8000.0}, 30.0, {1.86e-6, 1.86e-6, 1.86e-6}, 0.1, 0.3, 0.252e-3},
 };
+/* clang-format on */
 
 enum { FABRIC_COUNT = sizeof fabric_table / sizeof *fabric_table };
 

@@ -18,10 +18,10 @@
 
 #include "cloth/lattice.h"
 
-/* least distance of a lattice node to the border, in spacings. Smaller makes slivers in the strip, larger long triangles.
- * Over skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm, 0.5 / 0.6 / 0.75 / 0.9 gave a least angle of 23 / 26 /
- * 26 / 26 degrees and a strip that asks for steps 1.5 / 1.44 / 1.32 / 1.18 times smaller than the lattice; at 0.9 the
- * lattice begins to miss narrow panels */
+/* least distance of a lattice node to the border, in spacings. Smaller makes slivers in the strip, larger long
+ * triangles. Over skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm, 0.5 / 0.6 / 0.75 / 0.9 gave a least angle of
+ * 23 / 26 / 26 / 26 degrees and a strip that asks for steps 1.5 / 1.44 / 1.32 / 1.18 times smaller than the lattice; at
+ * 0.9 the lattice begins to miss narrow panels */
 #define LATTICE_CLEAR 0.75
 /* least distance of the border to a full cell, in spacings */
 #define LATTICE_MARGIN 0.25
@@ -70,8 +70,8 @@ static mus_status lattice_frame(mus_context *context, int32_t n, const double *x
         size[k] = 2.0 * (steps + phase) + 1.0;
     }
     if (!(size[0] * size[1] < (double)LATTICE_MOST))
-        return mus__fail(context, MUS_ERR_LIMIT, "%.0f x %.0f lattice places are more than 2^27: the spacing is too small",
-                         size[0], size[1]);
+        return mus__fail(context, MUS_ERR_LIMIT,
+                         "%.0f x %.0f lattice places are more than 2^27: the spacing is too small", size[0], size[1]);
     lattice->columns = (int32_t)size[0], lattice->rows = (int32_t)size[1];
     for (int k = 0; k < 2; k++)
         lattice->origin[k] += lattice->spacing * (start[0] * lattice->weft[k] + start[1] * lattice->warp[k]);

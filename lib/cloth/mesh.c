@@ -75,8 +75,10 @@ mus_status mus__mesh_edges(mus__mesh *mesh)
             if (status != MUS_OK) break;
             mus__edge_nodes *a = &mesh->edge[seam.edge_a], *b = &mesh->edge[seam.edge_b];
             if (a->count == b->count) continue;
-            if (a->count < b->count) a->count = b->count;
-            else b->count = a->count;
+            if (a->count < b->count)
+                a->count = b->count;
+            else
+                b->count = a->count;
             moved = true;
         }
     }
@@ -106,7 +108,8 @@ static mus_status mesh_reserve_nodes(mus__mesh *mesh, int64_t more, int64_t bord
     if (status == MUS_OK)
         status = mus__reserve(mesh->context, &cloth->mass, &mesh->cap_mass, need, sizeof *cloth->mass);
     if (status == MUS_OK)
-        status = mus__reserve(mesh->context, &cloth->node_panel, &mesh->cap_node_panel, need, sizeof *cloth->node_panel);
+        status =
+            mus__reserve(mesh->context, &cloth->node_panel, &mesh->cap_node_panel, need, sizeof *cloth->node_panel);
     need = cloth->nborder + border;
     if (status == MUS_OK)
         status = mus__reserve(mesh->context, &cloth->border, &mesh->cap_border, need, sizeof *cloth->border);
@@ -149,9 +152,9 @@ static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, do
 /* what the triangulation of the strip works on: border points, then the lattice nodes that full cells do not enclose */
 typedef struct mesh_strip {
     int32_t n, nborder, nside, count;
-    double *xy;       /* (n x 2) */
-    int32_t *node;    /* (n) node of the panel */
-    int32_t *side;    /* (nside x 2) */
+    double *xy;        /* (n x 2) */
+    int32_t *node;     /* (n) node of the panel */
+    int32_t *side;     /* (nside x 2) */
     int32_t *triangle; /* (count x 3) */
 } mesh_strip;
 
@@ -261,7 +264,8 @@ static mus_status mesh_nodes(mus__mesh *mesh, const mus__lattice *lattice, const
         mus__lattice_point(lattice, (int32_t)(p % lattice->columns), (int32_t)(p / lattice->columns),
                            cloth->rest + 2 * (ptrdiff_t)node);
         if (lattice->node[p - 1] == MUS_NONE) {
-            status = mus__reserve(mesh->context, &cloth->row, &mesh->cap_row, (int64_t)cloth->nrow + 1, sizeof *cloth->row);
+            status =
+                mus__reserve(mesh->context, &cloth->row, &mesh->cap_row, (int64_t)cloth->nrow + 1, sizeof *cloth->row);
             if (status != MUS_OK) break;
             cloth->row[cloth->nrow++] = (mus__row){node, 0};
         }
@@ -307,7 +311,8 @@ static void mesh_masses(mus__mesh *mesh, const mus__lattice *lattice, int32_t in
 
 
 /* lattice, strip and triangles of the panel whose border points are known */
-static mus_status mesh_fill(mus__mesh *mesh, int32_t index, const double *border, mus__lattice *lattice, int32_t *nstrip)
+static mus_status mesh_fill(mus__mesh *mesh, int32_t index, const double *border, mus__lattice *lattice,
+                            int32_t *nstrip)
 {
     mus_cloth *cloth = mesh->cloth;
     mus__panel_mesh *panel = &cloth->panel[index];
@@ -321,9 +326,9 @@ static mus_status mesh_fill(mus__mesh *mesh, int32_t index, const double *border
         status = mus__triangulate_sides(mesh->context, strip.n, strip.xy, strip.nborder, strip.nside, strip.side,
                                         &strip.triangle, &strip.count);
     if (status == MUS_ERR_MESH)
-        status = mus__fail(mesh->context, MUS_ERR_MESH, "panel '%s' cannot be meshed at a spacing of %g m: %s",
-                           mus_pattern_panel_name(mesh->pattern, index), cloth->spacing,
-                           mus_context_error(mesh->context));
+        status =
+            mus__fail(mesh->context, MUS_ERR_MESH, "panel '%s' cannot be meshed at a spacing of %g m: %s",
+                      mus_pattern_panel_name(mesh->pattern, index), cloth->spacing, mus_context_error(mesh->context));
     if (status != MUS_OK) goto done;
 
     mesh_drop(lattice, &strip);

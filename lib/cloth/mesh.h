@@ -33,7 +33,7 @@ mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice
 /* node at step k, 0 .. count, along an edge in its own direction */
 int32_t mus__mesh_edge_node(const mus__mesh *mesh, int32_t edge, int32_t k);
 
-/* run.c: springs and stencils of the full cells of the panel last meshed */
+/* spring.c: springs and stencils of the full cells of the panel last meshed */
 mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t first_node);
 /* strip.c: springs, hinges and wings of the rest of it */
 mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const mus__panel_mesh *panel, int32_t nstrip);

@@ -100,8 +100,9 @@ static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
     if (status != MUS_OK) return status;
 
     /* the mean length of the two intervals; half of it at both ends. A dart's legs may share their end node */
-    double step = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +
-                         mus_pattern_edge_length(mesh->pattern, seam.edge_b)) / n;
+    double step =
+        0.5 *
+        (mus_pattern_edge_length(mesh->pattern, seam.edge_a) + mus_pattern_edge_length(mesh->pattern, seam.edge_b)) / n;
     for (int32_t k = 0; k <= n; k++) {
         int32_t a = mus__mesh_edge_node(mesh, seam.edge_a, k);
         int32_t b = mus__mesh_edge_node(mesh, seam.edge_b, pairs_partner(mesh, &seam, k));

@@ -6,8 +6,8 @@
  * half a lattice spring. Each inner edge that a strip triangle touches is a hinge: with x0 x1 the edge, x2 and x3 the
  * corners opposite, s their feet along the edge of length l and h their heights,
  *
- *     c = ((l - s2) / h2 + (l - s3) / h3,  s2 / h2 + s3 / h3,  -l / h2,  -l / h3),   sum c_i x_i = l * (angle) * normal,
- *     E = 1/2 B / (A2 + A3) |sum c_i x_i|^2.
+ *     c = ((l - s2) / h2 + (l - s3) / h3,  s2 / h2 + s3 / h3,  -l / h2,  -l / h3),   sum c_i x_i = l * (angle) *
+ * normal, E = 1/2 B / (A2 + A3) |sum c_i x_i|^2.
  *
  * The factor 1 (Bergou et al. print 3) is the one that bends a sheet of equilateral triangles with rigidity B (Seung
  * and Nelson 1988: hinge 2 B / sqrt(3)); measured on cylinders of every direction: 1.00 there, 0.97 to 1.5 on half
@@ -62,8 +62,8 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
 
 
 /* a spring and, between two triangles, a hinge for edge a b, whose one or two halves are given */
-static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32_t a, int32_t b,
-                             const strip_half *half, int32_t nhalf)
+static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32_t a, int32_t b, const strip_half *half,
+                             int32_t nhalf)
 {
     mus_cloth *cloth = mesh->cloth;
     const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b);
@@ -71,8 +71,10 @@ static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32
     bool rim = false;
     for (int32_t i = 0; i < nhalf; i++) {
         strip_wing(mesh, a, b, half[i].opposite, &foot[i], &height[i]);
-        if (half[i].strip) shape += 0.5 * height[i] / length;
-        else rim = true;
+        if (half[i].strip)
+            shape += 0.5 * height[i] / length;
+        else
+            rim = true;
     }
 
     /* direction in the frame of the fabric */
@@ -141,8 +143,10 @@ mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const m
     int32_t *start = mus__new(mesh->context, (int64_t)panel->node_count + 1, sizeof *start);
     strip_half *half = mus__new(mesh->context, 3 * (int64_t)panel->triangle_count, sizeof *half);
     mus_status status = MUS_OK;
-    if (start == NULL || half == NULL) status = mus__fail_memory(mesh->context, "the sides of a panel's triangles");
-    else strip_sort(mesh, panel, nstrip, start, half);
+    if (start == NULL || half == NULL)
+        status = mus__fail_memory(mesh->context, "the sides of a panel's triangles");
+    else
+        strip_sort(mesh, panel, nstrip, start, half);
 
     /* after the sort, start[low] is where the bucket ends; the one before ends where it starts */
     for (int32_t low = 0; status == MUS_OK && low < panel->node_count; low++)
@@ -192,8 +196,7 @@ static void strip_soften(mus_cloth *cloth, const double *factor)
         cloth->spring[s].k *= fmin(factor[cloth->spring[s].a], factor[cloth->spring[s].b]);
     for (int32_t h = 0; h < cloth->nhinge + cloth->nseam_hinge; h++) {
         mus__hinge *hinge = h < cloth->nhinge ? &cloth->hinge[h] : &cloth->seam_hinge[h - cloth->nhinge];
-        for (int k = 0; k < 2; k++)
-            hinge->k *= fmin(factor[hinge->node[2 * k]], factor[hinge->node[2 * k + 1]]);
+        for (int k = 0; k < 2; k++) hinge->k *= fmin(factor[hinge->node[2 * k]], factor[hinge->node[2 * k + 1]]);
     }
 }
 

@@ -114,7 +114,8 @@ static double curve_gauss(int32_t kind, const double *p, double a, double b)
                                      0.0622535239386478929, 0.0271524594117540949};
     double middle = 0.5 * (a + b), half = 0.5 * (b - a), sum = 0.0;
     for (int i = 0; i < 8; i++)
-        sum += weight[i] * (curve_speed(kind, p, middle - half * node[i]) + curve_speed(kind, p, middle + half * node[i]));
+        sum +=
+            weight[i] * (curve_speed(kind, p, middle - half * node[i]) + curve_speed(kind, p, middle + half * node[i]));
     return sum * half;
 }
 
@@ -156,15 +157,21 @@ void mus__curve_at(int32_t kind, const double *p, double t, double *out)
     double s = 1.0 - t;
     if (kind == MUS__ARC) {
         /* the ends are met to the bit */
-        if (t == 0.0) out[0] = p[0], out[1] = p[1];
-        else if (t == 1.0) out[0] = p[4], out[1] = p[5];
-        else curve_arc_at(p, t, out, NULL);
+        if (t == 0.0)
+            out[0] = p[0], out[1] = p[1];
+        else if (t == 1.0)
+            out[0] = p[4], out[1] = p[5];
+        else
+            curve_arc_at(p, t, out, NULL);
         return;
     }
     for (int i = 0; i < 2; i++) {
-        if (kind == MUS__LINE) out[i] = s * p[i] + t * p[2 + i];
-        else if (kind == MUS__QUADRATIC) out[i] = s * s * p[i] + 2.0 * s * t * p[2 + i] + t * t * p[4 + i];
-        else out[i] = s * s * s * p[i] + 3.0 * s * t * (s * p[2 + i] + t * p[4 + i]) + t * t * t * p[6 + i];
+        if (kind == MUS__LINE)
+            out[i] = s * p[i] + t * p[2 + i];
+        else if (kind == MUS__QUADRATIC)
+            out[i] = s * s * p[i] + 2.0 * s * t * p[2 + i] + t * t * p[4 + i];
+        else
+            out[i] = s * s * s * p[i] + 3.0 * s * t * (s * p[2 + i] + t * p[4 + i]) + t * t * t * p[6 + i];
     }
 }
 
@@ -183,8 +190,10 @@ void mus__curve_tangent(int32_t kind, const double *p, double t, double *out)
             continue;
         }
         double b = p[4 + i] - p[2 + i];
-        if (kind == MUS__QUADRATIC) out[i] = 2.0 * (s * a + t * b);
-        else out[i] = 3.0 * (s * s * a + 2.0 * s * t * b + t * t * (p[6 + i] - p[4 + i]));
+        if (kind == MUS__QUADRATIC)
+            out[i] = 2.0 * (s * a + t * b);
+        else
+            out[i] = 3.0 * (s * s * a + 2.0 * s * t * b + t * t * (p[6 + i] - p[4 + i]));
     }
 }
 
@@ -218,8 +227,10 @@ double mus__curve_param(int32_t kind, const double *p, double s)
     /* Newton on length(t) = s within a bracket that shrinks at every turn */
     double low = 0.0, high = 1.0, at = curve_between(kind, p, 0.0, t);
     for (int i = 0; i < 100 && fabs(at - s) > 1e-14 * length; i++) {
-        if (at > s) high = t;
-        else low = t;
+        if (at > s)
+            high = t;
+        else
+            low = t;
         double speed = curve_speed(kind, p, t), next = speed > 0.0 ? t - (at - s) / speed : low;
         if (!(next > low && next < high)) next = 0.5 * (low + high);
         if (next == t) break;
@@ -238,7 +249,8 @@ double mus__curve_area(int32_t kind, const double *p)
     case MUS__QUADRATIC: return (2.0 * CROSS(0, 1) + CROSS(0, 2) + 2.0 * CROSS(1, 2)) / 6.0;
     case MUS__CUBIC:
         return (6.0 * CROSS(0, 1) + 3.0 * CROSS(0, 2) + CROSS(0, 3) + 3.0 * CROSS(1, 2) + 3.0 * CROSS(1, 3) +
-                6.0 * CROSS(2, 3)) / 20.0;
+                6.0 * CROSS(2, 3)) /
+               20.0;
     default: {
         curve_arc arc;
         curve_arc_read(p, &arc);

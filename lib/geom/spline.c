@@ -87,16 +87,18 @@ double mus__spline_at(int32_t n, const double *x, const double *y, const double 
     int32_t low = 0, high = n - 1;
     while (high - low > 1) {
         int32_t middle = low + (high - low) / 2;
-        if (x[middle] <= t) low = middle;
-        else high = middle;
+        if (x[middle] <= t)
+            low = middle;
+        else
+            high = middle;
     }
     double h = x[low + 1] - x[low], slope = (y[low + 1] - y[low]) / h;
 
     /* before the first and after the last knot the tangent goes on */
     if (t < x[0] || t > x[n - 1]) {
         bool before = t < x[0];
-        double tangent = before ? slope - h * (2.0 * m[low] + m[low + 1]) / 6.0
-                                : slope + h * (m[low] + 2.0 * m[low + 1]) / 6.0;
+        double tangent =
+            before ? slope - h * (2.0 * m[low] + m[low + 1]) / 6.0 : slope + h * (m[low] + 2.0 * m[low + 1]) / 6.0;
         if (derivative != NULL) *derivative = tangent;
         return before ? y[0] + tangent * (t - x[0]) : y[n - 1] + tangent * (t - x[n - 1]);
     }
@@ -105,6 +107,5 @@ double mus__spline_at(int32_t n, const double *x, const double *y, const double 
     double a = (x[low + 1] - t) / h, b = (t - x[low]) / h;
     if (derivative != NULL)
         *derivative = slope + h / 6.0 * ((3.0 * b * b - 1.0) * m[low + 1] - (3.0 * a * a - 1.0) * m[low]);
-    return a * y[low] + b * y[low + 1] +
-           ((a * a - 1.0) * a * m[low] + (b * b - 1.0) * b * m[low + 1]) * h * h / 6.0;
+    return a * y[low] + b * y[low + 1] + ((a * a - 1.0) * a * m[low] + (b * b - 1.0) * b * m[low + 1]) * h * h / 6.0;
 }

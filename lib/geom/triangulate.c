@@ -30,12 +30,12 @@
 
 typedef struct tri_mesh {
     mus_context *context;
-    int32_t n, count, last;  /* points; triangles; where the walk starts */
-    double *xy;              /* (n + 3) x 2 */
-    int32_t *v, *across;     /* (triangles x 3) */
-    unsigned char *fixed;    /* (triangles x 3): the edge opposite to this corner is a side */
-    int32_t *of;             /* (n + 3): some triangle at each vertex */
-    int32_t *order;          /* (n): in which points go in */
+    int32_t n, count, last;            /* points; triangles; where the walk starts */
+    double *xy;                        /* (n + 3) x 2 */
+    int32_t *v, *across;               /* (triangles x 3) */
+    unsigned char *fixed;              /* (triangles x 3): the edge opposite to this corner is a side */
+    int32_t *of;                       /* (n + 3): some triangle at each vertex */
+    int32_t *order;                    /* (n): in which points go in */
     int32_t *stack, nstack, cap_stack; /* edges to look at, as pairs of vertices */
     int32_t *queue, nqueue, cap_queue; /* edges that cross the side in work, as pairs of vertices */
 } tri_mesh;
@@ -94,7 +94,8 @@ static void tri_relink(tri_mesh *mesh, int32_t t, int32_t old, int32_t now)
 
 static mus_status tri_push(tri_mesh *mesh, int32_t a, int32_t b)
 {
-    mus_status status = mus__reserve(mesh->context, &mesh->stack, &mesh->cap_stack, (int64_t)mesh->nstack + 2, sizeof a);
+    mus_status status =
+        mus__reserve(mesh->context, &mesh->stack, &mesh->cap_stack, (int64_t)mesh->nstack + 2, sizeof a);
     if (status != MUS_OK) return status;
     mesh->stack[mesh->nstack++] = a, mesh->stack[mesh->nstack++] = b;
     return MUS_OK;
@@ -103,7 +104,8 @@ static mus_status tri_push(tri_mesh *mesh, int32_t a, int32_t b)
 
 static mus_status tri_enqueue(tri_mesh *mesh, int32_t a, int32_t b)
 {
-    mus_status status = mus__reserve(mesh->context, &mesh->queue, &mesh->cap_queue, (int64_t)mesh->nqueue + 2, sizeof a);
+    mus_status status =
+        mus__reserve(mesh->context, &mesh->queue, &mesh->cap_queue, (int64_t)mesh->nqueue + 2, sizeof a);
     if (status != MUS_OK) return status;
     mesh->queue[mesh->nqueue++] = a, mesh->queue[mesh->nqueue++] = b;
     return MUS_OK;
@@ -302,7 +304,8 @@ static mus_status tri_collect(tri_mesh *mesh, int32_t a, int32_t b)
     /* across that edge, and so on until b */
     for (;;) {
         if (mesh->fixed[3 * t + k])
-            return mus__fail(mesh->context, MUS_ERR_MESH, "side %d-%d crosses side %d-%d", (int)a, (int)b, (int)r, (int)l);
+            return mus__fail(mesh->context, MUS_ERR_MESH, "side %d-%d crosses side %d-%d", (int)a, (int)b, (int)r,
+                             (int)l);
         mus_status status = tri_enqueue(mesh, r, l);
         if (status != MUS_OK) return status;
         t = mesh->across[3 * t + k];
@@ -314,8 +317,10 @@ static mus_status tri_collect(tri_mesh *mesh, int32_t a, int32_t b)
             goto touch;
         }
         k = tri_corner(mesh, t, side < 0.0 ? r : l);
-        if (side < 0.0) r = next;
-        else l = next;
+        if (side < 0.0)
+            r = next;
+        else
+            l = next;
     }
 
 touch:
@@ -342,8 +347,10 @@ static mus_status tri_recover(tri_mesh *mesh, int32_t a, int32_t b)
         }
         tri_flip(mesh, t, k);
         double at_p = tri_side(mesh, a, b, p), at_q = tri_side(mesh, a, b, q);
-        if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0)) status = tri_enqueue(mesh, p, q);
-        else status = tri_push(mesh, p, q);
+        if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0))
+            status = tri_enqueue(mesh, p, q);
+        else
+            status = tri_push(mesh, p, q);
     }
     if (status != MUS_OK) return status;
 
@@ -486,14 +493,15 @@ static mus_status tri_flood(tri_mesh *mesh, unsigned char *outside)
 }
 
 
-/* copy the inside out; a vertex without triangle was outside, a wrong count (Euler) means a polygon that is not simple */
+/* copy the inside out; a vertex without triangle was outside, a wrong count (Euler) means a polygon that is not simple
+ */
 static mus_status tri_harvest(tri_mesh *mesh, int32_t nborder, int32_t **triangles, int32_t *count)
 {
     int64_t expected = nborder - 2 + 2 * ((int64_t)mesh->n - nborder), kept = 0;
     int32_t *out = mus__new(mesh->context, 3 * expected, sizeof *out);
     unsigned char *outside = mus__new(mesh->context, mesh->count, 1), *seen = mus__new(mesh->context, mesh->n, 1);
     mus_status status = out != NULL && outside != NULL && seen != NULL ? tri_flood(mesh, outside)
-                                                                      : mus__fail_memory(mesh->context, "triangles");
+                                                                       : mus__fail_memory(mesh->context, "triangles");
     for (int32_t t = 0; status == MUS_OK && t < mesh->count; t++) {
         if (outside[t]) continue;
         if (kept < expected) memcpy(out + 3 * kept, mesh->v + 3 * (ptrdiff_t)t, 3 * sizeof *out);
@@ -508,8 +516,10 @@ static mus_status tri_harvest(tri_mesh *mesh, int32_t nborder, int32_t **triangl
 
     mus__free(mesh->context, outside);
     mus__free(mesh->context, seen);
-    if (status == MUS_OK) *triangles = out, *count = (int32_t)kept;
-    else mus__free(mesh->context, out);
+    if (status == MUS_OK)
+        *triangles = out, *count = (int32_t)kept;
+    else
+        mus__free(mesh->context, out);
     return status;
 }
 

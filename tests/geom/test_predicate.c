@@ -50,7 +50,8 @@ START_TEST(orientation_has_the_sign_of_integers)
     uint64_t state = 1;
     int zeros = 0;
     for (int i = 0; i < 20000; i++) {
-        int64_t ux = (int64_t)(support_random(&state) % 1000000) + 1, uy = (int64_t)(support_random(&state) % 1000000) + 1;
+        int64_t ux = (int64_t)(support_random(&state) % 1000000) + 1,
+                uy = (int64_t)(support_random(&state) % 1000000) + 1;
         int64_t s = (int64_t)(support_random(&state) % 1000000000), t = (int64_t)(support_random(&state) % 1000000000);
         int64_t p[3][2] = {{0, 0}, {s * ux, s * uy}, {t * ux, t * uy}};
         p[2][i % 2] += (int64_t)(support_random(&state) % 3) - 1;
@@ -73,7 +74,8 @@ START_TEST(the_circle_has_the_sign_of_integers)
     int zeros = 0;
     for (int i = 0; i < 20000; i++) {
         int64_t scale = (int64_t)(support_random(&state) % 1000000) + 1, p[4][2];
-        int64_t far[2] = {(int64_t)(support_random(&state) % 1000000000), (int64_t)(support_random(&state) % 1000000000)};
+        int64_t far[2] = {(int64_t)(support_random(&state) % 1000000000),
+                          (int64_t)(support_random(&state) % 1000000000)};
         int first = (int)(support_random(&state) % 8);
         for (int k = 0; k < 8; k++) p[k / 2][k % 2] = far[k % 2] + scale * on[(first + k / 2 * 3) % 8][k % 2];
         p[3][i % 2] += (int64_t)(support_random(&state) % 3) - 1;

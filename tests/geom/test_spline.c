@@ -121,8 +121,8 @@ START_TEST(a_periodic_spline_solves_its_cycle)
         for (int32_t i = 0; i < n; i++) {
             int32_t b = (i + n - 1) % n, a = (i + 1) % n;
             double h0 = i > 0 ? x[i] - x[b] : last, h1 = i < n - 1 ? x[a] - x[i] : last;
-            near(h0 * m[b] + 2.0 * (h0 + h1) * m[i] + h1 * m[a],
-                 6.0 * ((y[a] - y[i]) / h1 - (y[i] - y[b]) / h0), 1e-11);
+            near(h0 * m[b] + 2.0 * (h0 + h1) * m[i] + h1 * m[a], 6.0 * ((y[a] - y[i]) / h1 - (y[i] - y[b]) / h0),
+                 1e-11);
         }
     }
 }
@@ -131,7 +131,8 @@ END_TEST
 
 START_TEST(heights_that_do_not_ascend_are_refused)
 {
-    const double equal[] = {0, 1, 1}, down[] = {0, 2, 1}, bad[] = {0, (double)NAN, 2}, good[] = {0, 1, 2}, y[] = {0, 1, 0};
+    const double equal[] = {0, 1, 1}, down[] = {0, 2, 1}, bad[] = {0, (double)NAN, 2}, good[] = {0, 1, 2},
+                 y[] = {0, 1, 0};
     double m[3], work[12];
     ck_assert(!mus__spline_natural(3, equal, y, m, work));
     ck_assert(!mus__spline_natural(3, down, y, m, work));

@@ -53,8 +53,8 @@ static void check_mesh(int32_t n, const double *xy, int32_t nborder, int32_t nsi
     for (int32_t t = 0; t < count; t++) {
         const int32_t *v = triangles + 3 * t;
         ck_assert(mus__orient2d(xy + 2 * v[0], xy + 2 * v[1], xy + 2 * v[2]) > 0.0);
-        const double corner[6] = {xy[2 * v[0]], xy[2 * v[0] + 1], xy[2 * v[1]], xy[2 * v[1] + 1], xy[2 * v[2]],
-                                  xy[2 * v[2] + 1]};
+        const double corner[6] = {xy[2 * v[0]],     xy[2 * v[0] + 1], xy[2 * v[1]],
+                                  xy[2 * v[1] + 1], xy[2 * v[2]],     xy[2 * v[2] + 1]};
         area += mus__polygon_area(3, corner);
         for (int k = 0; k < 3; k++) edges[3 * t + k] = (edge){v[k], v[(k + 1) % 3], v[(k + 2) % 3]};
     }
@@ -70,8 +70,7 @@ static void check_mesh(int32_t n, const double *xy, int32_t nborder, int32_t nsi
         if (other == NULL || is_side(nborder, nside, sides, e->a, e->b)) continue;
         ck_assert(mus__incircle(xy + 2 * e->a, xy + 2 * e->b, xy + 2 * e->opposite, xy + 2 * other->opposite) <= 0.0);
     }
-    for (int32_t s = 0; s < nside; s++)
-        ck_assert(find(edges, 3 * count, sides[2 * s], sides[2 * s + 1]) != NULL);
+    for (int32_t s = 0; s < nside; s++) ck_assert(find(edges, 3 * count, sides[2 * s], sides[2 * s + 1]) != NULL);
     free(edges);
 }
 

@@ -1,5 +1,5 @@
 /*
- * run.c: springs and bending stencils of full cells, gathered into runs.
+ * spring.c: springs and bending stencils of full cells, gathered into runs.
  *
  * A spring along the lattice stands here when both of its cells are full; beside one full cell it belongs to the strip
  * (strip.c), with half of its stiffness from the cell. Each full cell has both diagonals. The stencil at a node along
@@ -25,7 +25,8 @@ static mus_status run_spring(mus__mesh *mesh, int32_t a, int32_t b, int32_t kind
         last->count++;
         return MUS_OK;
     }
-    mus_status status = mus__reserve(mesh->context, &cloth->run, &mesh->cap_run, (int64_t)cloth->nrun + 1, sizeof *last);
+    mus_status status =
+        mus__reserve(mesh->context, &cloth->run, &mesh->cap_run, (int64_t)cloth->nrun + 1, sizeof *last);
     if (status == MUS_OK) cloth->run[cloth->nrun++] = (mus__spring_run){a, b, 1, kind, k, rest};
     return status;
 }
@@ -56,8 +57,8 @@ static mus_status run_springs(mus__mesh *mesh, const mus__lattice *lattice, int3
     mus_status status = MUS_OK;
     for (int64_t p = columns; status == MUS_OK && p < places; p++)
         if (lattice->full[p] && lattice->full[p - beside])
-            status = run_spring(mesh, first + lattice->node[p], first + lattice->node[p + step], kind, k,
-                                lattice->spacing);
+            status =
+                run_spring(mesh, first + lattice->node[p], first + lattice->node[p + step], kind, k, lattice->spacing);
     return status;
 }
 
@@ -71,9 +72,9 @@ static mus_status run_diagonals(mus__mesh *mesh, const mus__lattice *lattice, in
     for (int64_t p = columns; status == MUS_OK && p < places; p++) {
         if (!lattice->full[p]) continue;
         const int32_t *node = lattice->node + p;
-        status = run_spring(mesh, first + (rising ? node[0] : node[1]),
-                            first + (rising ? node[columns + 1] : node[columns]), MUS__SPRING_SHEAR,
-                            mesh->constant.shear, rest);
+        status =
+            run_spring(mesh, first + (rising ? node[0] : node[1]), first + (rising ? node[columns + 1] : node[columns]),
+                       MUS__SPRING_SHEAR, mesh->constant.shear, rest);
     }
     return status;
 }
@@ -91,10 +92,14 @@ static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int
         const unsigned char *full = lattice->full + p;
         const unsigned char cell[4] = {full[-columns - 1], full[-columns], full[0], full[-1]};
         bool whole;
-        if (step == 1) whole = (cell[0] || cell[3]) && (cell[1] || cell[2]);
-        else if (step == columns) whole = (cell[0] || cell[1]) && (cell[2] || cell[3]);
-        else if (step == columns + 1) whole = cell[0] && cell[2];
-        else whole = cell[1] && cell[3];
+        if (step == 1)
+            whole = (cell[0] || cell[3]) && (cell[1] || cell[2]);
+        else if (step == columns)
+            whole = (cell[0] || cell[1]) && (cell[2] || cell[3]);
+        else if (step == columns + 1)
+            whole = cell[0] && cell[2];
+        else
+            whole = cell[1] && cell[3];
         if (whole)
             status = run_bend(mesh, first + lattice->node[p - step], first + lattice->node[p],
                               first + lattice->node[p + step], 0.25 * k * mus__lattice_around(lattice, p));

@@ -1,0 +1,173 @@
+/*
+ * test_fabric.c: named fabrics are in their ranges and say their source; constants of the lattice and of the strip
+ * agree with each other and with the modulus they came from.
+ */
+#include "cut.h"
+
+#include "cloth/fabric.h"
+
+
+static void near(double got, double want, double tolerance)
+{
+    ck_assert_msg(fabs(got - want) <= tolerance, "%.17g, expected %.17g within %g", got, want, tolerance);
+}
+
+
+START_TEST(every_named_fabric_is_found_and_has_a_source)
+{
+    mus_context *context = support_context();
+    const char *asked[] = {"jersey", "cotton", "denim", "wool", "silk", "polyester"};
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
+        ck_assert_int_eq(mus_fabric_find(asked[i], &fabric), MUS_OK);
+
+    for (int32_t i = 0; i < mus_fabric_count(); i++) {
+        ck_assert_int_eq(mus_fabric_find(mus_fabric_name(i), &fabric), MUS_OK);
+        ck_assert_int_eq(mus__fabric_check(context, &fabric), MUS_OK);
+        ck_assert_int_gt((int)strlen(mus_fabric_source(i)), 40);
+        ck_assert_ptr_nonnull(strstr(mus_fabric_source(i), "assumed"));
+
+        /* sizes of numerics.md section 4: cloth, not paper or steel */
+        ck_assert(fabric.weight >= 0.05 && fabric.weight <= 0.5);
+        ck_assert(fabric.shear >= 10.0 && fabric.shear <= 190.0);
+        for (int k = 0; k < 3; k++) ck_assert(fabric.bend[k] >= 1e-6 && fabric.bend[k] <= 1.3e-4);
+    }
+    ck_assert_ptr_null(mus_fabric_name(-1));
+    ck_assert_ptr_null(mus_fabric_name(mus_fabric_count()));
+    ck_assert_ptr_null(mus_fabric_source(mus_fabric_count()));
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(measured_rows_are_their_conversions)
+{
+    /* numerics.md section 4: 490.33 N/m over EMT; denim A 5.5 %, control cotton 2.29 % */
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    mus_fabric_find("denim", &fabric);
+    near(fabric.stretch[0], 490.33 / 0.055, 1.0);
+    near(fabric.shear, 122.0, 0.0);
+    near(fabric.bend[0], 16.9e-6, 0.0);
+    mus_fabric_find("cotton", &fabric);
+    near(fabric.stretch[1], 490.33 / 0.0229, 1.0);
+    mus_fabric_find("wool", &fabric);
+    near(fabric.stretch[0], 490.33 / 0.047, 1.0);
+    near(fabric.stretch[1], 490.33 / 0.1275, 1.0);
+}
+END_TEST
+
+
+START_TEST(the_default_is_jersey)
+{
+    mus_fabric fabric, jersey;
+    mus_fabric_init(&fabric, sizeof fabric);
+    mus_fabric_init(&jersey, sizeof jersey);
+    mus_fabric_find("wool", &jersey);
+    ck_assert_int_ne(memcmp(&fabric, &jersey, sizeof fabric), 0);
+    mus_fabric_find("jersey", &jersey);
+    ck_assert_int_eq(memcmp(&fabric, &jersey, sizeof fabric), 0);
+    ck_assert_int_eq(mus_fabric_find("tweed", &fabric), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_fabric_find(NULL, &fabric), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_fabric_find("wool", NULL), MUS_ERR_ARG);
+    fabric.size = 8;
+    ck_assert_int_eq(mus_fabric_find("wool", &fabric), MUS_ERR_VERSION);
+    mus_fabric_init(NULL, sizeof fabric);
+}
+END_TEST
+
+
+START_TEST(values_outside_their_range_are_named)
+{
+    mus_context *context = support_context();
+    mus_fabric good, bad;
+    mus_fabric_init(&good, sizeof good);
+    double *field[] = {&bad.weight,  &bad.stretch[0], &bad.stretch[1], &bad.shear,    &bad.bend[0],
+                       &bad.bend[1], &bad.bend[2],    &bad.damping,    &bad.friction, &bad.thickness};
+    const char *name[] = {"weight",    "warp stretch", "weft stretch", "shear",    "warp bend",
+                          "weft bend", "bias bend",    "damping",      "friction", "thickness"};
+    const double wrong[] = {-1.0, 1e30, (double)NAN, (double)INFINITY};
+    for (int i = 0; i < 10; i++)
+        for (int k = 0; k < 4; k++) {
+            bad = good;
+            *field[i] = wrong[k];
+            ck_assert_int_eq(mus__fabric_check(context, &bad), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), name[i]));
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(half_a_cell_as_a_triangle_has_the_springs_of_half_a_cell)
+{
+    /* k = C area / length^2 on the legs of the triangle is half of the lattice's, on the long side one diagonal's,
+     * which stands for its own half of the two */
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    for (int32_t i = 0; i < mus_fabric_count(); i++) {
+        mus_fabric_find(mus_fabric_name(i), &fabric);
+        mus__fabric_lattice lattice;
+        mus__fabric_on_lattice(&fabric, 0.01, &lattice);
+        near(0.5 * mus__fabric_stretch(&fabric, 0.0, 1.0), 0.5 * lattice.k[0], 1e-9 * lattice.k[0]);
+        near(0.5 * mus__fabric_stretch(&fabric, 1.0, 0.0), 0.5 * lattice.k[1], 1e-9 * lattice.k[1]);
+        near(0.25 * mus__fabric_stretch(&fabric, sqrt(0.5), sqrt(0.5)), lattice.shear, 1e-9 * lattice.shear);
+
+        /* between them no direction is stiffer than the stiffest line */
+        for (double angle = 0.0; angle < 3.2; angle += 0.01) {
+            double stiff = mus__fabric_stretch(&fabric, cos(angle), sin(angle));
+            ck_assert(stiff > 0.0 &&
+                      stiff <= fmax(fmax(lattice.k[0], lattice.k[1]), 4.0 * lattice.shear) * (1 + 1e-12));
+        }
+    }
+}
+END_TEST
+
+
+START_TEST(what_a_lattice_cannot_be_is_clamped)
+{
+    mus__fabric_lattice lattice;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+
+    /* sheared harder than stretched: a tenth of the stretch is left */
+    fabric.stretch[0] = 50.0, fabric.shear = 100.0;
+    mus__fabric_on_lattice(&fabric, 0.01, &lattice);
+    near(lattice.k[0], 5.0, 1e-12);
+    ck_assert(mus__fabric_stretch(&fabric, 0.3, 0.9) > 0.0);
+
+    /* numerics.md section 5: beta = (4 bias - warp - weft) / 3, alpha = B - beta / 2; both at least 0 */
+    const double bend[3] = {4e-6, 2e-6, 3e-6}, soft[3] = {4e-6, 2e-6, 1e-6}, hard[3] = {2e-6, 2e-6, 9e-6};
+    memcpy(fabric.bend, bend, sizeof bend);
+    mus__fabric_on_lattice(&fabric, 0.01, &lattice);
+    near(lattice.cross, 2e-6 / 4e-4, 1e-15);
+    near(lattice.bend[0], 3e-6 / 1e-4, 1e-15);
+    near(lattice.bend[1], 1e-6 / 1e-4, 1e-15);
+    memcpy(fabric.bend, soft, sizeof soft);
+    mus__fabric_on_lattice(&fabric, 0.01, &lattice);
+    near(lattice.cross, 0.0, 0.0);
+    near(lattice.bend[0], 4e-6 / 1e-4, 1e-15);
+    memcpy(fabric.bend, hard, sizeof hard);
+    mus__fabric_on_lattice(&fabric, 0.01, &lattice);
+    near(lattice.bend[0], 0.0, 0.0);
+    near(mus__fabric_bend(&fabric, sqrt(0.5), sqrt(0.5)), 9e-6, 1e-18);
+    near(mus__fabric_bend(&fabric, 1.0, 0.0), 2e-6, 1e-18);
+}
+END_TEST
+
+
+Suite *mus_suite_fabric(void);
+Suite *mus_suite_fabric(void)
+{
+    Suite *suite = suite_create("fabric");
+    TCase *tests = tcase_create("fabric");
+    tcase_add_test(tests, every_named_fabric_is_found_and_has_a_source);
+    tcase_add_test(tests, measured_rows_are_their_conversions);
+    tcase_add_test(tests, the_default_is_jersey);
+    tcase_add_test(tests, values_outside_their_range_are_named);
+    tcase_add_test(tests, half_a_cell_as_a_triangle_has_the_springs_of_half_a_cell);
+    tcase_add_test(tests, what_a_lattice_cannot_be_is_clamped);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

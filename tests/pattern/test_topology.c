@@ -211,7 +211,8 @@ static void brute_glue(const gluing *g, brute *b)
             int32_t a0 = at_corner(s[0], s[1]), a1 = at_corner(s[0], i2);
             int32_t b0 = at_corner(s[2], s[3]), b1 = at_corner(s[2], j2);
             again |= same(b->vertex, at_middle(s[0], s[1]), at_middle(s[2], s[3]));
-            again |= same(b->vertex, a0, s[4] ? b0 : b1) | same(b->vertex, a1, s[4] ? b1 : b0);
+            again |= same(b->vertex, a0, s[4] ? b0 : b1);
+            again |= same(b->vertex, a1, s[4] ? b1 : b0);
             again |= same(b->half, at_half(s[0], s[1], 0), at_half(s[2], s[3], s[4] ? 0 : 1));
             again |= same(b->half, at_half(s[0], s[1], 1), at_half(s[2], s[3], s[4] ? 1 : 0));
         }

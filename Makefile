@@ -6,7 +6,8 @@
 #   make check      every test; the last line counts them
 #   make bench      speed table
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
-#   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/
+#   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
+#                   hands options to tests/corpus/run.py)
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
 # config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors.
@@ -201,7 +202,7 @@ corpus:
 	@sh tests/guard/packages.sh build
 	@$(call again,corpus-now)
 corpus-now: all
-	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS)
+	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
 
 check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb

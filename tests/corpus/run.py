@@ -48,9 +48,9 @@ def dress(job, options, panels):
     result.update(file=row["file"], type=row["type"], sleeves="no" if "sleeveless" in row["styles"] else "")
     start = time.monotonic()
     try:
-        done = subprocess.run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet",
-                               "--spacing", str(options.spacing), "--report", report_path],
-                              capture_output=True, text=True, timeout=options.limit)
+        spacing = ["--spacing", str(options.spacing)] if options.spacing else []
+        done = subprocess.run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet", *spacing,
+                               "--report", report_path], capture_output=True, text=True, timeout=options.limit)
         code, said = done.returncode, done.stderr.strip().splitlines()
     except subprocess.TimeoutExpired:
         code, said = None, []
@@ -96,8 +96,8 @@ def main():
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--limit", type=float, default=120, help="seconds a garment may take")
-    parser.add_argument("--spacing", type=float, default=15, help="mm")
+    parser.add_argument("--limit", type=float, default=900, help="seconds a garment may take")
+    parser.add_argument("--spacing", type=float, help="of the lattice [mm], default that of the command")
     parser.add_argument("--every", type=int, default=1, help="take each n-th specification only")
     options = parser.parse_args()
     if not (options.data / "garmentcode" / "index.json").exists():

@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 6 x 6 maps of 288: texels of 7 mm on an adult, 1728 pixels a side of the whole */
-#define DIRECTIONS 36
+/* 5 x 6 maps of 288: texels of 7 mm on an adult, 1440 x 1728 pixels in all */
+#define DIRECTIONS 30
 #define ACROSS 6
 #define SIDE 288
 
@@ -106,14 +106,14 @@ static double occlusion_seen(const occlusion_view *view, const float *depth, int
 
 /*
  * The same at a place of the floor, averaged over a disc that widens away from the feet: a direction stands for a cone
- * of half angle 0.33, and what hides the sky from a far place stands in the middle, about as far away.
+ * of half angle 0.36, and what hides the sky from a far place stands in the middle, about as far away.
  */
 static void occlusion_disc(const render *r, const render_vertex *v, double disc[FLOOR_TAPS][2])
 {
     double away = hypot((double)v->position[0] - r->centre[0], (double)v->position[2] - r->centre[2]);
 
     for (int i = 0; i < FLOOR_TAPS; i++) {
-        double a = 2.39996322972865332 * i, radius = 0.33 * away * sqrt((i + 0.5) / FLOOR_TAPS);
+        double a = 2.39996322972865332 * i, radius = 0.36 * away * sqrt((i + 0.5) / FLOOR_TAPS);
         disc[i][0] = (double)v->position[0] + radius * cos(a);
         disc[i][1] = (double)v->position[2] + radius * sin(a);
     }

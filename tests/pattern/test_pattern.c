@@ -249,6 +249,8 @@ START_TEST(no_pattern_is_an_answer_and_not_a_crash)
     ck_assert_int_eq(counts, 0);
     ck_assert_int_eq(mus_pattern_create(context, "x", &pattern), MUS_OK);
     ck_assert_int_eq(mus_pattern_copy(pattern, NULL), MUS_ERR_ARG);
+    ck_assert_ptr_eq(mus_pattern_context(pattern), context);
+    ck_assert_ptr_null(mus_pattern_context(NULL));
     mus_pattern_destroy(pattern);
     support_context_end(context);
 }

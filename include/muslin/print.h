@@ -36,7 +36,7 @@ MUS_API void mus_sheet_def_init(mus_sheet_def *def, size_t size);
 typedef struct mus_sheet mus_sheet;
 
 /** Lay out a pattern. Errors: MUS_ERR_ARG (value out of range, paper smaller than its margins), MUS_ERR_PATTERN (a
- * fault of the pattern), MUS_ERR_MEMORY. The pattern is read, not kept. */
+ * fault of the pattern), MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_MEMORY. The pattern is read, not kept. */
 MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def,
                                     mus_sheet **out);
 MUS_API void mus_sheet_destroy(mus_sheet *sheet);

@@ -8,8 +8,8 @@
  *      +---+   +------           highest step below it. The place with the lowest top wins, then the one on the left.
  *      |       |
  *
- * Source: Chazelle, The bottom-left bin-packing heuristic, 1983; skyline form as in Jylanki, A thousand ways to pack the
- * bin, 2010, section 2.4.
+ * Source: Chazelle, The bottom-left bin-packing heuristic, 1983; skyline form as in Jylanki, A thousand ways to pack
+ * the bin, 2010, section 2.4.
  */
 #include "print/print_internal.h"
 

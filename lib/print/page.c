@@ -22,7 +22,8 @@
 #define COVER_HEIGHT 0.255
 
 
-static void page_text(mus__drawing *out, mus__pen pen, const char *text, double x, double y, double height, double align)
+static void page_text(mus__drawing *out, mus__pen pen, const char *text, double x, double y, double height,
+                      double align)
 {
     const mus__text_style style = {height, 1.0, 0.0, align};
     mus__draw_path(out, MUS_NONE, MUS__LAYER_LABEL, pen);
@@ -255,7 +256,8 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
     page_text(out, MUS__PEN_TITLE, sheet->title, left, y -= letter + 0.001, letter, 0.0);
     snprintf(text, sizeof text, "%s%.100s%s%d page%s after this one, %d x %d, scale 1:1",
              sheet->person != NULL ? "For " : "", sheet->person != NULL ? sheet->person : "",
-             sheet->person != NULL ? ".  " : "", sheet->ntile, sheet->ntile == 1 ? "" : "s", sheet->columns, sheet->rows);
+             sheet->person != NULL ? ".  " : "", sheet->ntile, sheet->ntile == 1 ? "" : "s", sheet->columns,
+             sheet->rows);
     double small = 0.003, span = mus__text_width(text);
     if (small * span > right - left) small = (right - left) / span;
     page_text(out, MUS__PEN_TEXT, text, left, y -= 0.007, small, 0.0);

@@ -112,7 +112,8 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
 
         /* the pieces inside the window, then frame and marks */
         cairo_save(cairo);
-        cairo_rectangle(cairo, margin * POINTS, margin * POINTS, (box[2] - box[0]) * POINTS, (box[3] - box[1]) * POINTS);
+        double width = (box[2] - box[0]) * POINTS, height = (box[3] - box[1]) * POINTS;
+        cairo_rectangle(cairo, margin * POINTS, margin * POINTS, width, height);
         cairo_clip(cairo);
         pdf_draw(&page, &sheet->drawing, box);
         cairo_restore(cairo);

@@ -2,8 +2,8 @@
  * piece_label.c: what is written on a piece, and where it fits.
  *
  * The block of lines is tried at several sizes, upright and lying, on a lattice over the piece: the first size at which
- * it fits inside the seam line, clear of grain line and marks, is taken, at the place nearest to the middle. A piece too
- * small for any gets the smallest block in its middle.
+ * it fits inside the seam line, clear of grain line and marks, is taken, at the place nearest to the middle. A piece
+ * too small for any gets the smallest block in its middle.
  */
 #include <math.h>
 #include <stdio.h>

@@ -162,7 +162,8 @@ static void marks_arrow(mus__drawing *out, double x, double y, double up, double
 /* a double arrow; two thirds of the longest upright line there is, at 0.3 of the width if that line is long enough */
 static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t index, double *grain)
 {
-    double left = piece->flat[0], right = left, lengths[GRAIN_CHORDS], low[GRAIN_CHORDS], high[GRAIN_CHORDS], most = 0.0;
+    double left = piece->flat[0], right = left, most = 0.0;
+    double lengths[GRAIN_CHORDS], low[GRAIN_CHORDS], high[GRAIN_CHORDS];
     for (int32_t i = 1; i < piece->nflat; i++) {
         left = piece->flat[2 * i] < left ? piece->flat[2 * i] : left;
         right = piece->flat[2 * i] > right ? piece->flat[2 * i] : right;

@@ -88,7 +88,7 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
     int32_t npanel = mus_pattern_panel_count(pattern), count, mirror;
     sheet->pieces = mus__print_new(sheet->context, npanel, sizeof *sheet->pieces);
     sheet->names = mus__print_new(sheet->context, npanel, sizeof *sheet->names);
-    if (sheet->pieces == NULL || sheet->names == NULL) return mus__print_memory(sheet->context, "the pieces of a sheet");
+    if (sheet->pieces == NULL || sheet->names == NULL) return mus__print_memory(sheet->context, "the pieces");
 
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < npanel && status == MUS_OK; i++) {

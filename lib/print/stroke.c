@@ -100,7 +100,8 @@ static int32_t stroke_digit(char c)
 double mus__text_width(const char *text)
 {
     int32_t width = 0;
-    for (uint32_t code; (code = mus__text_character(&text)) != 0;) width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
+    for (uint32_t code; (code = mus__text_character(&text)) != 0;)
+        width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
     return width > 0 ? (width - SPACING) / CAPITAL : 0.0;
 }
 
@@ -145,7 +146,8 @@ static void text_glyph(mus__drawing *drawing, const char *glyph, const text_fram
 void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
 {
     double back = style->align * style->height * mus__text_width(text);
-    text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine, style->sine};
+    text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
+                    style->sine};
     for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);

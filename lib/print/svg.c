@@ -1,9 +1,9 @@
 /*
  * svg.c: the sheet as SVG at true scale: width and height in millimetres, one unit of the drawing a millimetre.
  *
- * A group for each piece, named as its panel, and in it the groups NAME.cut, .seam, .notches, .grain, .marks, .label, so
- * that a plotter or an editor can pick lines by name; "scale" holds the test squares. Written by hand: names survive,
- * and numbers are made of integers, so no locale can put a comma into them.
+ * A group for each piece, named as its panel, and in it the groups NAME.cut, .seam, .notches, .grain, .marks, .label,
+ * so that a plotter or an editor can pick lines by name; "scale" holds the test squares. Written by hand: names
+ * survive, and numbers are made of integers, so no locale can put a comma into them.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -35,11 +35,12 @@ static void svg_text(mus__bytes *bytes, const char *text)
     while (*text != '\0') {
         const char *from = text;
         uint32_t code = mus__text_character(&text);
+        bool control = code < 0x20 || code == 0x7f, beyond = code >= 0xfffd && code < 0x10000;
         bool surrogate = code >= 0xd800 && code < 0xe000;
         if (code == '<') mus__bytes_print(bytes, "&lt;");
         else if (code == '>') mus__bytes_print(bytes, "&gt;");
         else if (code == '&') mus__bytes_print(bytes, "&amp;");
-        else if (code < 0x20 || code == 0x7f || surrogate || (code >= 0xfffd && code < 0x10000)) mus__bytes_print(bytes, "?");
+        else if (control || surrogate || beyond) mus__bytes_print(bytes, "?");
         else mus__bytes_add(bytes, from, (size_t)(text - from));
     }
 }
@@ -48,7 +49,7 @@ static void svg_text(mus__bytes *bytes, const char *text)
 #define SVG_NAME 160 /* bytes of an identifier: a name of 127, a sign before and a number behind it */
 
 
-/* a name as an identifier: ASCII letters, digits, "-" and "." stay, the rest becomes "_"; it starts with a letter or _ */
+/* a name as an identifier: ASCII letters, digits, "-" and "." stay, the rest becomes "_"; a letter or "_" is first */
 static void svg_clean(const char *name, char *out)
 {
     size_t at = 0;

@@ -1,7 +1,8 @@
 /*
  * sample_patterns.h: patterns for the tests of print, made through the public functions: a T-shirt-like set of pieces
- * with curves of every kind, allowances, notches and marks; a single polygon. Sizes are those of a medium shirt; nothing
- * here is drafted from a tape. Functions stand in this header because the programs that use them are built apart.
+ * with curves of every kind, allowances, notches and marks; a single polygon. Sizes are those of a medium shirt;
+ * nothing here is drafted from a tape. Functions stand in this header because the programs that use them are built
+ * apart.
  */
 #ifndef MUS_TESTS_SAMPLE_PATTERNS_H
 #define MUS_TESTS_SAMPLE_PATTERNS_H
@@ -22,8 +23,8 @@ typedef struct sample_step {
 
 
 /* panel with an outline of single-piece edges; first edge index to *first, true when all went well */
-static inline bool sample_add_piece(mus_pattern *pattern, const char *name, int32_t n, const sample_step *steps, int32_t *panel,
-                      int32_t *first)
+static inline bool sample_add_piece(mus_pattern *pattern, const char *name, int32_t n, const sample_step *steps,
+                                    int32_t *panel, int32_t *first)
 {
     int32_t points[16], edges[16], directions[16];
     static const int32_t controls[] = {0, 1, 2, 1};
@@ -34,7 +35,8 @@ static inline bool sample_add_piece(mus_pattern *pattern, const char *name, int3
         directions[i] = 1;
         good = mus_pattern_add_edge(pattern, steps[i].label, points[i], points[(i + 1) % n], 1, &steps[i].kind,
                                     controls[steps[i].kind], steps[i].c, &edges[i]) == MUS_OK;
-        if (good && steps[i].label != NULL) good = mus_pattern_set_edge_label(pattern, edges[i], steps[i].label) == MUS_OK;
+        if (good && steps[i].label != NULL)
+            good = mus_pattern_set_edge_label(pattern, edges[i], steps[i].label) == MUS_OK;
         if (good) good = mus_pattern_set_edge_allowance(pattern, edges[i], steps[i].allowance) == MUS_OK;
     }
     if (good) *first = edges[0];
@@ -111,8 +113,9 @@ static inline mus_pattern *sample_shirt(mus_context *context)
 {
     mus_pattern *pattern;
     if (mus_pattern_create(context, "Shirt für Åsa", &pattern) != MUS_OK) return NULL;
-    if (sample_add_body(pattern, "front", 0.11, MUS_NOTCH_SINGLE) && sample_add_body(pattern, "back", 0.03, MUS_NOTCH_DOUBLE) &&
-        sample_add_sleeve(pattern) && sample_add_rib(pattern))
+    if (sample_add_body(pattern, "front", 0.11, MUS_NOTCH_SINGLE) &&
+        sample_add_body(pattern, "back", 0.03, MUS_NOTCH_DOUBLE) && sample_add_sleeve(pattern) &&
+        sample_add_rib(pattern))
         return pattern;
     mus_pattern_destroy(pattern);
     return NULL;
@@ -134,8 +137,8 @@ static inline mus_pattern *sample_polygon(mus_context *context, int32_t n, const
         last = point;
     }
     for (int32_t i = 0; i < n && good; i++)
-        good = mus_pattern_add_edge(pattern, NULL, first + i, first + i < last ? first + i + 1 : first, 1, &line, 0, NULL,
-                                    &edges[i]) == MUS_OK;
+        good = mus_pattern_add_edge(pattern, NULL, first + i, first + i < last ? first + i + 1 : first, 1, &line, 0,
+                                    NULL, &edges[i]) == MUS_OK;
     if (good && mus_pattern_set_outline(pattern, panel, n, edges, directions) == MUS_OK) return pattern;
     mus_pattern_destroy(pattern);
     return NULL;

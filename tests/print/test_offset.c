@@ -108,7 +108,8 @@ static int32_t crossings(int32_t n, const double *xy)
 static void star(uint64_t *seed, int32_t n, double *xy)
 {
     for (int32_t i = 0; i < n; i++) {
-        double angle = 2.0 * MUS_PRINT_PI * (i + support_uniform(seed, 0.0, 0.9)) / n, r = support_uniform(seed, 0.1, 0.4);
+        double angle = 2.0 * MUS_PRINT_PI * (i + support_uniform(seed, 0.0, 0.9)) / n;
+        double r = support_uniform(seed, 0.1, 0.4);
         xy[2 * i] = r * cos(angle);
         xy[2 * i + 1] = r * sin(angle);
     }
@@ -177,7 +178,8 @@ START_TEST(sides_of_their_own_width_keep_the_least_of_them)
         for (int32_t i = 0; i < STAR_POINTS; i++) {
             const double *a = xy + 2 * i, *b = xy + 2 * ((i + 1) % STAR_POINTS);
             double dx = b[0] - a[0], dy = b[1] - a[1], d = hypot(dx, dy), s = support_uniform(&seed, 0.05, 0.95);
-            const double p[2] = {a[0] + s * dx + (width[i] - 1e-6) * dy / d, a[1] + s * dy - (width[i] - 1e-6) * dx / d};
+            double w = width[i] - 1e-6;
+            const double p[2] = {a[0] + s * dx + w * dy / d, a[1] + s * dy - w * dx / d};
             ck_assert(inside(loops.start[1], loops.xy, p));
         }
     }
@@ -257,9 +259,8 @@ START_TEST(a_slot_narrower_than_its_allowances_closes)
 {
     /* a slot 15 mm wide, 200 deep, from above; at exactly 20 mm its two cut lines are one */
     for (int32_t k = 0; k < 2; k++) {
-        double slot = k == 0 ? 0.015 : 0.02;
-        const double xy[] = {0, 0, 0.3, 0, 0.3, 0.3, 0.15 + 0.5 * slot, 0.3, 0.15 + 0.5 * slot, 0.1, 0.15 - 0.5 * slot, 0.1,
-                             0.15 - 0.5 * slot, 0.3, 0, 0.3};
+        double half = k == 0 ? 0.0075 : 0.01, left = 0.15 - half, right = 0.15 + half;
+        const double xy[] = {0, 0, 0.3, 0, 0.3, 0.3, right, 0.3, right, 0.1, left, 0.1, left, 0.3, 0, 0.3};
         double width[8], highest = 0.0;
         for (int32_t i = 0; i < 8; i++) width[i] = 0.01;
         offset(8, xy, width, NULL);

@@ -97,7 +97,8 @@ START_TEST(spans_lie_on_the_edges)
                     for (int32_t m = 1; m <= 500; m++) {
                         mus__cubic_at(piece.spans[s].p, m / 500.0, b);
                         double dx = b[0] - a[0], dy = b[1] - a[1], dd = dx * dx + dy * dy;
-                        double u = dd > 0.0 ? fmin(1.0, fmax(0.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / dd)) : 0.0;
+                        double along = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy;
+                        double u = dd > 0.0 ? fmin(1.0, fmax(0.0, along / dd)) : 0.0;
                         nearest = fmin(nearest, hypot(p[0] - a[0] - u * dx, p[1] - a[1] - u * dy));
                         a[0] = b[0];
                         a[1] = b[1];

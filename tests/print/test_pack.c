@@ -13,11 +13,13 @@ START_TEST(boxes_lie_inside_the_strip_and_apart)
     uint64_t seed = 7;
     for (int32_t round = 0; round < 200; round++) {
         int32_t n = 1 + (int32_t)(support_random(&seed) % BOXES), work[BOXES];
-        double size[2 * BOXES], at[2 * BOXES], sky[3 * (2 * BOXES + 2)], gap = support_uniform(&seed, 0.0, 0.02), area = 0.0;
+        double size[2 * BOXES], at[2 * BOXES], sky[3 * (2 * BOXES + 2)], area = 0.0;
+        double gap = support_uniform(&seed, 0.0, 0.02);
         for (int32_t i = 0; i < n; i++) {
             /* round numbers too: equal heights and exact fits are the hard cases */
-            size[2 * i] = round % 2 ? 0.1 * (double)(1 + support_random(&seed) % 5) : support_uniform(&seed, 0.01, 0.6);
-            size[2 * i + 1] = round % 2 ? 0.1 * (double)(1 + support_random(&seed) % 5) : support_uniform(&seed, 0.01, 0.9);
+            for (int32_t k = 0; k < 2; k++)
+                size[2 * i + k] = round % 2 ? 0.1 * (double)(1 + support_random(&seed) % 5)
+                                            : support_uniform(&seed, 0.01, 0.6 + 0.3 * k);
             area += size[2 * i] * size[2 * i + 1];
         }
         double high = mus__pack(n, size, 1.0, gap, at, work, sky), most = 0.0;

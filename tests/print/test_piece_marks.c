@@ -88,7 +88,8 @@ START_TEST(slits_start_on_the_cut_line_and_stop_before_the_seam)
                 ck_assert_double_gt(depth, 0.004);
                 ck_assert_double_lt(depth, 0.006);
                 /* along the normal: the inner end is nearer to the seam line by the whole depth */
-                double outer = distance(piece->nflat, piece->flat, xy), inner = distance(piece->nflat, piece->flat, xy + 2);
+                double outer = distance(piece->nflat, piece->flat, xy);
+                double inner = distance(piece->nflat, piece->flat, xy + 2);
                 ck_assert_double_eq_tol(outer - inner, depth, 2e-5);
             }
         }

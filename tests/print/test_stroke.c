@@ -61,8 +61,8 @@ START_TEST(capitals_are_as_high_as_asked_and_differ_from_each_other)
             const mus__path *other = &drawing.paths[k];
             bool same = other->nop == path->nop && memcmp(drawing.ops + other->op, drawing.ops + path->op,
                                                           (size_t)path->nop) == 0;
-            int32_t count = drawing.nxy - path->at;
-            if (same) ck_assert(memcmp(drawing.xy + other->at, drawing.xy + path->at, (size_t)count * sizeof(double)) != 0);
+            size_t bytes = (size_t)(drawing.nxy - path->at) * sizeof(double);
+            if (same) ck_assert(memcmp(drawing.xy + other->at, drawing.xy + path->at, bytes) != 0);
         }
     }
 }
@@ -72,7 +72,8 @@ END_TEST
 START_TEST(accents_fall_back_to_base_letters)
 {
     static const char *const pairs[][2] = {
-        {"für Åsa", "fur Asa"}, {"ÄÖÜäöüß", "AOUaous"}, {"Čeština", "Cestina"}, {"Łódź", "Lodz"}, {"a–b", "a-b"}, {"日", "?"}};
+        {"für Åsa", "fur Asa"}, {"ÄÖÜäöüß", "AOUaous"}, {"Čeština", "Cestina"},
+        {"Łódź", "Lodz"},       {"a–b", "a-b"},         {"日", "?"}};
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
         ck_assert_double_eq(mus__text_width(pairs[i][0]), mus__text_width(pairs[i][1]));
     const char *text = "ü";

@@ -201,7 +201,7 @@ START_TEST(one_page_has_no_cover_and_its_own_squares)
     ck_assert_double_eq_tol(page[2], 0.914, 1e-4);
     ck_assert_double_lt(page[3], 5.08);
     mus__squares_size(sheet->squares_beside, size);
-    const double box[4] = {sheet->squares[0], sheet->squares[1], sheet->squares[0] + size[0], sheet->squares[1] + size[1]};
+    const double *at = sheet->squares, box[4] = {at[0], at[1], at[0] + size[0], at[1] + size[1]};
     for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], box));
     ck_assert(shown(box[0], box[1]) && shown(box[2], box[3]));
 }

@@ -11,7 +11,7 @@ status=0
 # names behind MUS_API in the headers given
 declared()
 {
-    cat "$@" | tr '\n' ' ' | grep -o 'MUS_API [^;(]*(' | grep -v 'define' | sed 's/ *($//; s/.*[ *]//' | sort -u
+    sed '/^#/d' "$@" | tr '\n' ' ' | grep -o 'MUS_API [^;(]*(' | sed 's/ *($//; s/.*[ *]//' | sort -u
 }
 
 compare() # NAME HEADER...

@@ -4,9 +4,11 @@
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -119,6 +121,33 @@ START_TEST(an_output_that_cannot_be_written_is_named_and_leaves_nothing)
 END_TEST
 
 
+START_TEST(a_disk_that_fills_up_leaves_the_old_file_and_nothing_beside_it)
+{
+    /* a limit on the size of files stands in for the disk: the new file breaks off after 10 bytes */
+    mus_context *context = support_context();
+    mus_tape *tape = make_tape(context);
+    char path[512];
+    support_spill(support_scratch("full.tape", path, sizeof path), "old", 3);
+    struct rlimit before;
+    ck_assert_int_eq(getrlimit(RLIMIT_FSIZE, &before), 0);
+    struct rlimit small = {10, before.rlim_max};
+    signal(SIGXFSZ, SIG_IGN);
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &small), 0);
+    mus_status status = mus_tape_write(tape, path);
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &before), 0);
+    signal(SIGXFSZ, SIG_DFL);
+    ck_assert_int_eq(status, MUS_ERR_FILE);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), strerror(EFBIG)));
+    char *text = support_slurp(path, NULL);
+    ck_assert_str_eq(text, "old");
+    free(text);
+    ck_assert_int_eq(count_files(path), 1);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(the_old_file_is_whole_when_memory_runs_out)
 {
     char path[512];
@@ -192,6 +221,7 @@ Suite *mus_suite_file_write(void)
     tcase_add_test(tests, a_new_file_replaces_the_old_one_and_leaves_nothing_beside_it);
     tcase_add_test(tests, a_link_stays_a_link);
     tcase_add_test(tests, an_output_that_cannot_be_written_is_named_and_leaves_nothing);
+    tcase_add_test(tests, a_disk_that_fills_up_leaves_the_old_file_and_nothing_beside_it);
     tcase_add_test(tests, the_old_file_is_whole_when_memory_runs_out);
     tcase_add_test(tests, files_left_by_a_killed_run_do_not_stand_in_the_way);
     tcase_add_test(tests, a_dash_is_standard_output);

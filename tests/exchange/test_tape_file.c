@@ -2,12 +2,13 @@
  * test_tape_file.c: the text form of a tape: what a person may write, what is refused and in which words, and that
  * writing and reading give every bit back.
  */
-#include <locale.h>
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "comma_locale.h"
 #include "muslin/exchange.h"
 #include "support.h"
 
@@ -225,13 +226,7 @@ END_TEST
 
 START_TEST(a_comma_locale_changes_nothing)
 {
-    const char *comma = NULL;
-    const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8", "de_DE", "es_ES.UTF-8"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0] && comma == NULL; i++) comma = setlocale(LC_ALL, names[i]);
-    if (comma == NULL) {
-        printf("skipped: no locale with a decimal comma\n");
-        return;
-    }
+    if (!comma_locale()) return;
     mus_context *context = support_context();
     mus_tape *tape;
     char path[512];

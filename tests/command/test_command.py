@@ -1,0 +1,276 @@
+"""The command end to end: what it writes, what it says, how it ends."""
+import json
+import os
+import subprocess
+
+import pytest
+
+COMMANDS = ["body", "designs", "draft", "dress", "print", "convert", "bench"]
+TAPES = ["w40", "m50", "child116"]
+REPORT_KEYS = {"status", "nodes", "springs", "seams_closed", "max_seam_gap_mm", "max_penetration_mm", "max_strain",
+               "seconds", "steps", "step_s", "step_bound_s", "spring_evaluations", "contact_queries", "skipped",
+               "state_hash"}
+
+
+def comma_locale():
+    """Environment of a locale whose decimal point is a comma, or None where the machine has none."""
+    for name in ("de_DE.UTF-8", "fr_FR.UTF-8"):
+        environment = {**os.environ, "LC_ALL": name}
+        done = subprocess.run(["locale", "decimal_point"], capture_output=True, text=True, env=environment)
+        if done.stdout.strip() == ",":
+            return environment
+    return None
+
+
+@pytest.fixture(scope="module")
+def tape(root):
+    return root / "examples" / "tapes" / "w40.tape"
+
+
+@pytest.fixture(scope="module")
+def skirt(tmp_path_factory, command, tape):
+    """A drafted skirt as muslin JSON."""
+    path = tmp_path_factory.mktemp("draft") / "skirt.json"
+    command("draft", "--design", "skirt", "--tape", tape, "-o", path)
+    return path
+
+
+# ---- help ----
+
+def test_help_names_every_command(command):
+    text = command("--help").stdout.decode()
+    for name in COMMANDS:
+        assert name in text
+        assert "usage: muslin " + name in command(name, "--help").stdout.decode()
+
+
+def test_version_is_that_of_the_header(command, root):
+    header = (root / "include/muslin/base.h").read_text()
+    numbers = [line.split()[2] for line in header.splitlines() if line.startswith("#define MUS_VERSION_")]
+    assert command("--version").stdout.decode().split()[-1] == ".".join(numbers)
+
+
+# ---- body ----
+
+@pytest.mark.parametrize("name", TAPES)
+def test_every_girth_asked_is_made_within_a_millimetre(command, root, name):
+    done = command("body", "--tape", root / f"examples/tapes/{name}.tape", "--json")
+    report = json.loads(done.stdout)
+    measures = {row["name"]: row for row in report["measures"]}
+    girths = ["bust", "waist", "hip", "neck", "upper_arm", "wrist", "thigh", "knee", "head"]
+    for girth in girths:
+        assert measures[girth]["made_m"] == pytest.approx(measures[girth]["asked_m"], abs=0.001), girth
+    assert not measures["bust"]["derived"] and measures["bust"]["asked_m"] > 0
+    assert 0.01 < report["volume_m3"] < 0.2
+
+
+def test_a_body_takes_less_than_50_ms(command, tape):
+    assert min(json.loads(command("body", "--tape", tape, "--json").stdout)["seconds"] for _ in range(5)) < 0.05
+
+
+def test_json_goes_to_standard_output_and_nothing_else(command, tape):
+    for arguments in (["designs"], ["body", "--tape", tape]):
+        done = command(*arguments, "--json")
+        json.loads(done.stdout)
+        assert done.stderr == b""
+
+
+# ---- draft and convert ----
+
+def test_designs_have_name_family_and_title(command):
+    rows = json.loads(command("designs", "--json").stdout)
+    assert {"tshirt", "skirt"} <= {row["name"] for row in rows}
+    assert all(set(row) >= {"name", "family", "title"} for row in rows)
+
+
+def test_a_dash_writes_the_same_pattern_to_standard_output(command, tape, skirt):
+    assert command("draft", "--design", "skirt", "--tape", tape, "-o", "-").stdout == skirt.read_bytes()
+
+
+def test_converting_a_pattern_to_its_own_form_changes_no_byte(command, skirt, tmp_path):
+    command("convert", skirt, tmp_path / "again.json")
+    assert (tmp_path / "again.json").read_bytes() == skirt.read_bytes()
+
+
+def test_a_tape_written_again_makes_the_same_body(command, root, tmp_path):
+    for name in TAPES:
+        source = root / f"examples/tapes/{name}.tape"
+        command("convert", source, tmp_path / "again.tape")
+        first, again = (json.loads(command("body", "--tape", path, "--json").stdout)
+                        for path in (source, tmp_path / "again.tape"))
+        assert first["measures"] == again["measures"]
+
+
+def test_a_garmentcode_specification_becomes_a_pattern(command, data, tmp_path):
+    command("convert", data("garmentcode/specs/d11_002_mean_all_specification.json"), tmp_path / "out.json")
+    command("convert", tmp_path / "out.json", tmp_path / "again.json")
+    assert (tmp_path / "out.json").read_bytes() == (tmp_path / "again.json").read_bytes()
+
+
+# ---- dress ----
+
+@pytest.fixture(scope="module")
+def dressed(tmp_path_factory, command, tape, skirt):
+    folder = tmp_path_factory.mktemp("dress")
+    command("dress", "--pattern", skirt, "--tape", tape, "--spacing", 25, "--png", folder / "a.png", "--glb",
+            folder / "a.glb", "--obj", folder / "a.obj", "--report", folder / "r.json")
+    return folder
+
+
+def test_a_dressed_skirt_is_settled_closed_and_outside_the_body(dressed):
+    report = json.loads((dressed / "r.json").read_text())
+    assert report["status"] == "settled"
+    assert report["seams_closed"] == report["seams"] and report["max_seam_gap_mm"] <= 1
+    assert report["max_penetration_mm"] < 2
+    assert report["step_s"] > 0 and report["steps"] > 0 and report["nodes"] > 100
+
+
+def test_the_report_has_the_keys_that_scripts_rely_on(dressed):
+    report = json.loads((dressed / "r.json").read_text())
+    assert REPORT_KEYS <= set(report)
+    assert {"draft", "mesh", "sew", "settle", "render"} <= set(report["seconds"])
+    assert len(report["state_hash"]) == 16 and int(report["state_hash"], 16) >= 0
+
+
+def test_picture_and_meshes_are_what_their_names_say(dressed):
+    assert (dressed / "a.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+    assert (dressed / "a.glb").read_bytes()[:4] == b"glTF"
+    names = [line for line in (dressed / "a.obj").read_text().splitlines() if line.startswith("o ")]
+    assert len(names) == 2
+
+
+def test_the_state_does_not_depend_on_threads(command, tape, skirt, tmp_path):
+    hashes = set()
+    for threads in (1, 2, 3):
+        command("dress", "--pattern", skirt, "--tape", tape, "--spacing", 30, "--threads", threads, "--report",
+                tmp_path / "r.json")
+        hashes.add(json.loads((tmp_path / "r.json").read_text())["state_hash"])
+    assert len(hashes) == 1
+
+
+# ---- print ----
+
+@pytest.mark.parametrize("paper", ["a4", "letter", "a3", "a0", "roll"])
+def test_paper_is_tiled_to_cover_the_sheet(command, skirt, tmp_path, paper):
+    done = command("print", "--pattern", skirt, "--pdf", tmp_path / "p.pdf", "--svg", tmp_path / "p.svg", "--paper",
+                   paper, "--json")
+    plan = json.loads(done.stdout)
+    assert plan["pages"] >= plan["columns"] * plan["rows"] == len(plan["tiles"])
+    assert max(tile["x_m"] + tile["width_m"] for tile in plan["tiles"]) >= plan["width_m"] - 1e-9
+    assert (tmp_path / "p.pdf").read_bytes()[:5] == b"%PDF-"
+    assert b"<svg" in (tmp_path / "p.svg").read_bytes()[:400]
+
+
+# ---- locale ----
+
+def test_a_comma_locale_changes_no_byte(command, tape, skirt, tmp_path):
+    environment = comma_locale()
+    if environment is None:
+        pytest.skip("no locale with a decimal comma (package locales)")  # make check makes one where it can
+    for name, options in {"plain": {}, "comma": {"env": environment}}.items():
+        folder = tmp_path / name
+        folder.mkdir()
+        command("draft", "--design", "skirt", "--tape", tape, "-o", folder / "skirt.json", **options)
+        command("print", "--pattern", skirt, "--pdf", folder / "p.pdf", "--svg", folder / "p.svg", **options)
+        command("body", "--tape", tape, "--obj", folder / "b.obj", **options)
+        command("convert", tape, folder / "t.tape", **options)
+    for file in sorted((tmp_path / "plain").iterdir()):
+        assert file.read_bytes() == (tmp_path / "comma" / file.name).read_bytes(), file.name
+
+
+# ---- bad input: one line that says what and where, exit 2, no file ----
+
+BAD_TAPES = {
+    "waist 76": "unit",
+    "waist 76,5 cm": "76,5",
+    "waist nan cm": "nan",
+    "waist 1e9 cm": "waist",
+    "waist -3 cm": "waist",
+    "wiast 76 cm": "wiast",
+    "waist": "waist",
+    "sex other": "other",
+    "waist 76 cm\nwaist 77 cm": "waist",
+}
+
+
+def one_line(done):
+    text = done.stderr.decode()
+    assert done.stdout == b""
+    assert text.startswith("muslin") and text.count("\n") == 1 and text.endswith("\n"), text
+    return text
+
+
+@pytest.mark.parametrize("line", BAD_TAPES, ids=lambda line: line.replace("\n", "|"))
+def test_a_bad_line_of_a_tape_is_named(command, tmp_path, line):
+    path = tmp_path / "bad.tape"
+    path.write_text(f"# a tape\nstature 168 cm\nbust 92 cm\nhip 100 cm\n{line}\n")
+    text = one_line(command("body", "--tape", path, code=2))
+    assert BAD_TAPES[line] in text and "bad.tape" in text
+    assert ":5" in text or ":6" in text or "line 5" in text or "line 6" in text, text
+
+
+def test_a_tape_in_contradiction_is_refused_with_both_names(command, tmp_path):
+    path = tmp_path / "bad.tape"
+    path.write_text("sex female\nstature 168 cm\nbust 92 cm\nwaist 76 cm\nhip 100 cm\n"
+                    "waist_height 104 cm\nrise 26 cm\ninleg 60 cm\n")
+    text = one_line(command("body", "--tape", path, code=2))
+    assert "inleg" in text and "waist_height" in text
+
+
+@pytest.mark.parametrize("arguments, word", [
+    (["sew"], "sew"),
+    (["body", "--tap", "x"], "--tap"),
+    (["body", "--tape"], "--tape"),
+    (["body"], "--tape"),
+    (["body", "--tape", "no/such.tape"], "no/such.tape"),
+    (["draft", "--design", "spacesuit", "--size", "W40", "-o", "-"], "spacesuit"),
+    (["draft", "--design", "skirt", "--size", "W41", "-o", "-"], "W41"),
+    (["draft", "--design", "skirt", "--size", "W40"], "-o"),
+    (["dress", "--design", "skirt"], "--tape"),
+    (["dress", "--size", "W40"], "--design"),
+    (["dress", "--design", "skirt", "--size", "W40", "--spacing", "0"], "--spacing"),
+    (["dress", "--design", "skirt", "--size", "W40", "--spacing", "nan"], "--spacing"),
+    (["dress", "--design", "skirt", "--size", "W40", "--spacing", "12,5"], "--spacing"),
+    (["dress", "--design", "skirt", "--size", "W40", "--threads", "1e9"], "--threads"),
+    (["dress", "--design", "skirt", "--size", "W40", "--fabric", "lead"], "lead"),
+    (["print", "--design", "skirt", "--size", "W40"], "--pdf"),
+    (["print", "--design", "skirt", "--size", "W40", "--pdf", "x.pdf", "--paper", "a9"], "a9"),
+    (["convert", "only-one.json"], "two files"),
+], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
+def test_bad_arguments_are_named(command, tmp_path, arguments, word):
+    assert word in one_line(command(*arguments, code=2, cwd=tmp_path))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_pattern_cut_short_anywhere_is_refused_or_whole(command, skirt, tmp_path):
+    whole = skirt.read_bytes()
+    cut = tmp_path / "cut.json"
+    for n in sorted({0, 1, 2, len(whole) // 3, len(whole) // 2, len(whole) - 40, len(whole) - 3}):
+        cut.write_bytes(whole[:n])
+        assert "cut.json" in one_line(command("convert", cut, tmp_path / "out.json", code=2))
+        assert not (tmp_path / "out.json").exists()
+
+
+@pytest.mark.parametrize("text", ["[]", "{}", "null", '"pattern"', "{\"pattern\": 5}", "\x00\xff", "[" * 100000,
+                                  '{"pattern": {"panels": {}, "stitches": 1e9}, "properties": {}}'],
+                         ids=["list", "empty", "null", "text", "number", "bytes", "deep", "count"])
+def test_a_file_that_is_no_pattern_is_refused(command, tmp_path, text):
+    path = tmp_path / "bad.json"
+    path.write_bytes(text.encode("latin-1"))
+    assert "bad.json" in one_line(command("convert", path, tmp_path / "out.json", code=2))
+    assert not (tmp_path / "out.json").exists()
+
+
+@pytest.mark.parametrize("option", ["--pdf", "--svg"])
+def test_an_output_that_cannot_be_written_leaves_nothing(command, skirt, tmp_path, option):
+    done = command("print", "--pattern", skirt, option, tmp_path / "missing" / "p.out", code=None)
+    assert done.returncode in (1, 2) and "missing" in one_line(done)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_old_output_survives_a_failed_one(command, tmp_path, tape):
+    old = tmp_path / "out.json"
+    old.write_text("old")
+    command("convert", tmp_path / "not-there.json", old, code=2)
+    command("draft", "--design", "spacesuit", "--tape", tape, "-o", old, code=2)
+    assert old.read_text() == "old"

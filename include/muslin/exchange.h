@@ -38,7 +38,8 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 /**
  * Read a pattern: muslin JSON or GarmentCode specification, told apart by their content.
  *
- * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_LIMIT, MUS_ERR_MEMORY
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
+ *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
 

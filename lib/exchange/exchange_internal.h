@@ -116,6 +116,9 @@ mus_status mus__json_text(const mus_json_at *at, const char **out);
 
 /* ---- forms of a pattern: each fills an empty pattern ---- */
 
+/* no garment has more; a panel is found by its name, one after the other, so the limit bounds the time of reading */
+#define MUS_FILE_PANELS_MAX 10000
+
 mus_status mus__pattern_read_json(const mus_json_at *root, mus_pattern *pattern);
 mus_status mus__pattern_read_garmentcode(const mus_json_at *root, mus_pattern *pattern);
 

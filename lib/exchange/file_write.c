@@ -176,9 +176,9 @@ mus_status mus__sink_save(mus_sink *sink, const char *path)
     if (strcmp(path, "-") == 0)
         return save_bytes(sink, stdout) ? MUS_OK : save_fail(sink, "standard output", "written");
 
-    /* a new file */
+    /* a new file; an empty name is none */
     struct stat info;
-    if (stat(path, &info) != 0) return save_renamed(sink, path);
+    if (stat(path, &info) != 0) return path[0] != '\0' ? save_renamed(sink, path) : save_fail(sink, path, "written");
 
     /* a device or a pipe */
     if (!S_ISREG(info.st_mode)) {

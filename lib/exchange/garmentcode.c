@@ -18,8 +18,8 @@
 
 #include "exchange/exchange_internal.h"
 
-#define GC_COUNT_MAX 1000000 /* vertices of a panel: far above any drawn by hand, far below what int32 holds */
-#define GC_CHORD_SLACK 1e-6  /* a chord may exceed the diameter by this: a half circle written with few digits */
+#define GC_COUNT_MAX 100000 /* vertices of a panel, stitches: far above any garment, far below what int32 holds */
+#define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this: a half circle written with few digits */
 
 /* what a stitch needs to know of a panel */
 struct gc_panel {
@@ -336,6 +336,8 @@ mus_status mus__pattern_read_garmentcode(const mus_json_at *root, mus_pattern *p
     size_t count = json_object_size(panels.json), nstitch = 0;
     if (status == MUS_OK) status = mus__json_array(&stitches, 0, GC_COUNT_MAX, &nstitch);
     if (status == MUS_OK && count == 0) status = mus__json_fail(&panels, MUS_ERR_FORMAT, "expected a panel, got none");
+    if (status == MUS_OK && count > MUS_FILE_PANELS_MAX)
+        status = mus__json_fail(&panels, MUS_ERR_LIMIT, "%zu panels, the limit is %d", count, MUS_FILE_PANELS_MAX);
     if (status != MUS_OK) return status;
     reader.panels = mus_context_alloc(root->source->context, NULL, count * sizeof *reader.panels);
     if (reader.panels == NULL) return mus__json_fail(&panels, MUS_ERR_MEMORY, "no memory for %zu panels", count);

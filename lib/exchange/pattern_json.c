@@ -51,6 +51,8 @@ static mus_status read_list(const mus_json_at *root, const char *key, json_cell_
 
 static mus_status read_panel(const mus_json_at *at, mus_pattern *pattern)
 {
+    if (at->index >= MUS_FILE_PANELS_MAX)
+        return mus__json_fail(at, MUS_ERR_LIMIT, "the limit is %d panels", MUS_FILE_PANELS_MAX);
     const char *name, *label;
     int32_t panel;
     double grain[2];

@@ -407,6 +407,26 @@ START_TEST(a_pattern_written_by_hand_is_read)
 END_TEST
 
 
+START_TEST(a_file_of_panels_without_end_is_refused_in_time)
+{
+    /* 20000 panels that are whole so far: the reader stops at its limit */
+    static const char head[] = "{\"muslin_pattern\": 1, \"unit\": \"m\", \"name\": \"\", \"panels\": [";
+    char *text = malloc(20000 * 48 + sizeof head + 2);
+    ck_assert_ptr_nonnull(text);
+    size_t at = (size_t)sprintf(text, "%s", head);
+    for (int i = 0; i < 20000; i++)
+        at += (size_t)sprintf(text + at, "%s{\"name\": \"p%d\", \"grain\": [0, 1]}", i > 0 ? "," : "", i);
+    memcpy(text + at, "]}", 3);
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    ck_assert_int_eq(read_text(context, text, &pattern), MUS_ERR_LIMIT);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "at panels[10000]: the limit is 10000 panels"));
+    free(text);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(the_example_of_the_manual_page_is_read)
 {
     char *page = support_slurp("man/muslin_pattern.5", NULL);
@@ -468,6 +488,7 @@ Suite *mus_suite_pattern_json(void)
     tcase_add_test(tests, a_comma_locale_changes_no_byte);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_place, 0, sizeof damages / sizeof damages[0]);
     tcase_add_test(tests, a_pattern_written_by_hand_is_read);
+    tcase_add_test(tests, a_file_of_panels_without_end_is_refused_in_time);
     tcase_add_test(tests, the_example_of_the_manual_page_is_read);
     tcase_add_test(tests, each_allocation_that_fails_is_a_status_and_no_leak);
     suite_add_tcase(suite, tests);

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PIXELS_WIDE 1600
-#define PIXELS_HIGH 1400
+#define PIXELS_WIDE 1800
+#define PIXELS_HIGH 1200
 
 /* a tailor's dummy in unbleached linen; the garment's default is a mid blue (linear) */
 static const double dummy_colour[3] = {0.62, 0.57, 0.51};

@@ -202,7 +202,7 @@ void mus__piece_edge_add(mus__piece *piece, const char *name, const char *label,
 /* edges first..last again in reverse as mirror images, 'L' at the end of their names turned to 'R' and back */
 void mus__piece_unfold(mus__piece *piece, int32_t first, int32_t last);
 /* turn the drawing, or its mirror image, into a panel with outline, grain along y, cut 1 */
-void mus__piece_make(mus__piece *piece, const char *name, const char *label, bool mirror);
+void mus__piece_panel(mus__piece *piece, const char *name, const char *label, bool mirror);
 /* index of an edge in the pattern, MUS_NONE if there is none */
 int32_t mus__piece_edge_find(const mus__piece *piece, const char *name);
 /* at arc length s from the start of the edge as drawn */

@@ -75,7 +75,7 @@ static void skirt_panel(mus__draft *draft, const mus__skirt *skirt, bool front, 
     mus__chain_unfold(&chain);
     mus__piece_edge_add(piece, "waist", "waist", SEAM, &chain);
     mus__piece_unfold(piece, 1, last);
-    mus__piece_make(piece, front ? "front" : "back", "body", false);
+    mus__piece_panel(piece, front ? "front" : "back", "body", false);
 
     /* hip notches from the hem, centre of waist and hem */
     const double hip = half->side_length - half->side_high_length;

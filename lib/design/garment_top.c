@@ -102,7 +102,7 @@ static void top_shirt_panel(mus__draft *draft, const top_shirt *shirt, bool fron
     mus__chain_unfold(&chain);
     mus__piece_edge_add(piece, "neck", "neck", NECK_SEAM, &chain);
     mus__piece_unfold(piece, 1, 3);
-    mus__piece_make(piece, front ? "front" : "back", "body", false);
+    mus__piece_panel(piece, front ? "front" : "back", "body", false);
 
     /* pitch: single in front, double behind; centre of neck and hem */
     const char *near = front ? "armL" : "armR", *far = front ? "armR" : "armL";
@@ -162,7 +162,7 @@ static void top_sleeve(mus__draft *draft, const mus__sleeve *sleeve, const mus__
     mus__piece_edge_add(piece, "capF", NULL, SEAM, &chain);
     mus__chain_line(&chain, front, front_hem);
     mus__piece_edge_add(piece, "underF", NULL, SEAM, &chain);
-    mus__piece_make(piece, side == 0 ? "sleeve_left" : "sleeve_right", "arm", side == 1);
+    mus__piece_panel(piece, side == 0 ? "sleeve_left" : "sleeve_right", "arm", side == 1);
 
     /* pitches at the armholes' own, from the underarm */
     mus__piece_notch(piece, "capF", sleeve->front_length - bodice->front.arm_low_length, MUS_NOTCH_SINGLE);
@@ -281,7 +281,7 @@ static void top_bodice_panel(mus__draft *draft, const mus__bodice *bodice, bool 
     mus__piece_edge_add(piece, "sh", NULL, SEAM, &chain);
     top_neck(half, &chain);
     mus__piece_edge_add(piece, "neck", "neck", NECK_SEAM, &chain);
-    mus__piece_make(piece, names[front][mirror], "body", mirror);
+    mus__piece_panel(piece, names[front][mirror], "body", mirror);
     mus__piece_notch(piece, "arm", half->arm_low_length, front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
     mus__place_torso(piece, front, half->under[0], draft->skeleton.waist);
 }

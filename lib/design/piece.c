@@ -50,7 +50,7 @@ void mus__piece_unfold(mus__piece *piece, int32_t first, int32_t last)
 
 
 /* one edge between two points of the panel */
-static mus_status piece_make_edge(mus_pattern *pattern, mus__piece_edge *edge, const mus__chain *chain, int32_t start,
+static mus_status piece_panel_edge(mus_pattern *pattern, mus__piece_edge *edge, const mus__chain *chain, int32_t start,
                                   int32_t end)
 {
     mus_status status = mus_pattern_add_edge(pattern, edge->name, start, end, chain->npiece, chain->kinds,
@@ -62,7 +62,7 @@ static mus_status piece_make_edge(mus_pattern *pattern, mus__piece_edge *edge, c
 }
 
 
-void mus__piece_make(mus__piece *piece, const char *name, const char *label, bool mirror)
+void mus__piece_panel(mus__piece *piece, const char *name, const char *label, bool mirror)
 {
     mus__draft *draft = piece->draft;
     if (draft->status != MUS_OK) return;
@@ -82,7 +82,7 @@ void mus__piece_make(mus__piece *piece, const char *name, const char *label, boo
     for (int32_t i = 0; i < n && status == MUS_OK; i++)
         status = mus_pattern_add_point(pattern, piece->panel, chain[i].xy[0], chain[i].xy[1], &point[i]);
     for (int32_t i = 0; i < n && status == MUS_OK; i++) {
-        status = piece_make_edge(pattern, order[i], &chain[i], point[i], point[(i + 1) % n]);
+        status = piece_panel_edge(pattern, order[i], &chain[i], point[i], point[(i + 1) % n]);
         edges[i] = order[i]->edge;
         forward[i] = 1;
     }

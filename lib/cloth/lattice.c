@@ -2,8 +2,8 @@
  * lattice.c: which lattice places of a panel become nodes, and which of its cells are full.
  *
  * A place is a node when it is inside the border and at least LATTICE_CLEAR spacings away from it; a cell is full when
- * its corners are nodes and the border stays LATTICE_MARGIN spacings away from it (a dart's tip can stand between
- * four nodes). What is not full is the strip, which mesh.c triangulates.
+ * its four corners are nodes. A dart's tip cannot stand in a full cell, because no point of a cell is further than
+ * sqrt(1/2) spacings from a corner. What is not full is the strip, which mesh.c triangulates.
  *
  *      border  ____________________
  *             / \/ \/ \/ \/ \/ \/ /     strip
@@ -21,10 +21,8 @@
 /* least distance of a lattice node to the border, in spacings. Smaller makes slivers in the strip, larger long
  * triangles. Over skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm, 0.5 / 0.6 / 0.75 / 0.9 gave a least angle of
  * 23 / 26 / 26 / 26 degrees and a strip that asks for steps 1.5 / 1.44 / 1.32 / 1.18 times smaller than the lattice; at
- * 0.9 the lattice begins to miss narrow panels */
+ * 0.9 the lattice begins to miss narrow panels. Must stay above sqrt(1/2) */
 #define LATTICE_CLEAR 0.75
-/* least distance of the border to a full cell, in spacings */
-#define LATTICE_MARGIN 0.25
 /* more places than this would take 640 MB: a panel far larger than its spacing, or a long thin one on the bias */
 #define LATTICE_MOST (INT64_C(1) << 27)
 
@@ -112,20 +110,6 @@ static void lattice_clear(mus__lattice *lattice, const double *a, const double *
 }
 
 
-/* cells that the side a b comes near to are not full: separating axes of a segment and a box */
-static void lattice_pierce(mus__lattice *lattice, const double *a, const double *b)
-{
-    const double reach = 0.5 + LATTICE_MARGIN;
-    int32_t i0 = (int32_t)(fmin(a[0], b[0]) - LATTICE_MARGIN), i1 = (int32_t)(fmax(a[0], b[0]) + LATTICE_MARGIN);
-    int32_t j0 = (int32_t)(fmin(a[1], b[1]) - LATTICE_MARGIN), j1 = (int32_t)(fmax(a[1], b[1]) + LATTICE_MARGIN);
-    double nx = a[1] - b[1], ny = b[0] - a[0], span = reach * (fabs(nx) + fabs(ny));
-    for (int32_t j = j0; j <= j1; j++)
-        for (int32_t i = i0; i <= i1; i++)
-            if (fabs(nx * (i + 0.5 - a[0]) + ny * (j + 0.5 - a[1])) <= span)
-                lattice->full[(int64_t)j * lattice->columns + i] = 0;
-}
-
-
 /* call `visit` for each border side in lattice units */
 static void lattice_sides(mus__lattice *lattice, int32_t n, const double *xy,
                           void (*visit)(mus__lattice *lattice, const double *a, const double *b))
@@ -172,7 +156,6 @@ mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy,
         lattice->full[p] = at[0] != MUS_NONE && at[1] != MUS_NONE && at[lattice->columns] != MUS_NONE &&
                            at[lattice->columns + 1] != MUS_NONE;
     }
-    lattice_sides(lattice, n, xy, lattice_pierce);
     return MUS_OK;
 }
 

@@ -65,22 +65,14 @@ mus_status mus__mesh_edges(mus__mesh *mesh)
     for (int32_t p = 0; status == MUS_OK && p < mus_pattern_panel_count(mesh->pattern); p++)
         status = mesh_intervals(mesh, p);
 
-    /* both sides of a seam take the greater number; again while a chain of seams passes one on */
-    for (bool moved = true; status == MUS_OK && moved;) {
-        moved = false;
-        for (int32_t s = 0; status == MUS_OK && s < mus_pattern_seam_count(mesh->pattern); s++) {
-            mus_seam_def seam;
-            mus_seam_def_init(&seam, sizeof seam);
-            status = mus_pattern_seam(mesh->pattern, s, &seam);
-            if (status != MUS_OK) break;
-            mus__edge_nodes *a = &mesh->edge[seam.edge_a], *b = &mesh->edge[seam.edge_b];
-            if (a->count == b->count) continue;
-            if (a->count < b->count)
-                a->count = b->count;
-            else
-                b->count = a->count;
-            moved = true;
-        }
+    /* both sides of a seam take the greater number; a checked pattern has each edge in one seam at most */
+    for (int32_t s = 0; status == MUS_OK && s < mus_pattern_seam_count(mesh->pattern); s++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        status = mus_pattern_seam(mesh->pattern, s, &seam);
+        if (status != MUS_OK) break;
+        mus__edge_nodes *a = &mesh->edge[seam.edge_a], *b = &mesh->edge[seam.edge_b];
+        a->count = b->count = a->count > b->count ? a->count : b->count;
     }
     return status;
 }

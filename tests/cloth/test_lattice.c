@@ -7,7 +7,7 @@
 #include "geom/polygon.h"
 
 #define CLEAR 0.75
-#define MARGIN 0.25
+#define MARGIN 0.55 /* sqrt(0.75^2 - 0.5^2) from the middle of a cell's side */
 
 
 START_TEST(nodes_are_the_places_inside_and_clear_of_the_border)

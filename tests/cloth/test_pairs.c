@@ -117,6 +117,32 @@ START_TEST(an_outline_that_runs_against_its_edges_pairs_the_same)
 END_TEST
 
 
+START_TEST(a_reversed_seam_makes_one_sheet_of_two)
+{
+    /* a slanted side, so that the two corners opposite stand at different feet */
+    mus_context *context = support_context();
+    mus_pattern *pattern = cut_begin(context);
+    int32_t left[4], right[4];
+    const double a[] = {0, 0, 0.1, 0, 0.13, 0.1, 0, 0.1}, b[] = {0.1, 0, 0.2, 0, 0.2, 0.1, 0.13, 0.1};
+    cut_panel(pattern, "left", 4, a, left);
+    cut_panel(pattern, "right", 4, b, right);
+    cut_seam(pattern, left[1], right[3], MUS_SEAM_REVERSED);
+    mus_cloth *cloth = cut_cloth(context, pattern, 0.01, NULL);
+    ck_assert_int_eq(cloth->nseam_hinge, 10);
+    for (int32_t h = 0; h < cloth->nseam_hinge; h++)
+        for (int m = 0; m < 2; m++) {
+            const mus__hinge *hinge = &cloth->seam_hinge[h];
+            double sum = 0.0;
+            for (int k = 0; k < 4; k++) sum += hinge->coef[k] * cloth->rest[2 * hinge->node[k] + m];
+            near(sum, 0.0, 1e-15);
+        }
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(legs_of_a_dart_share_their_tip)
 {
     mus_context *context = support_context();
@@ -142,9 +168,9 @@ START_TEST(legs_of_a_dart_share_their_tip)
 END_TEST
 
 
-START_TEST(a_chain_of_seams_has_one_number_of_intervals)
+START_TEST(the_longer_side_of_each_seam_decides)
 {
-    /* short to middle, middle (other side) to long: the longest side of each seam decides, and no edge is left over */
+    /* short to middle, and the middle's other side to long */
     mus_context *context = support_context();
     mus_pattern *pattern = cut_begin(context);
     int32_t a[4], b[4], c[4];
@@ -173,8 +199,9 @@ Suite *mus_suite_pairs(void)
     TCase *tests = tcase_create("pairs");
     tcase_add_test(tests, partners_stand_at_equal_relative_arc_length);
     tcase_add_test(tests, an_outline_that_runs_against_its_edges_pairs_the_same);
+    tcase_add_test(tests, a_reversed_seam_makes_one_sheet_of_two);
     tcase_add_test(tests, legs_of_a_dart_share_their_tip);
-    tcase_add_test(tests, a_chain_of_seams_has_one_number_of_intervals);
+    tcase_add_test(tests, the_longer_side_of_each_seam_decides);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -151,3 +151,17 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
     }
     return deepest;
 }
+
+
+int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals)
+{
+    const double p[3] = {point[0] - collider->origin[0], point[1] - collider->origin[1],
+                         point[2] - collider->origin[2]};
+    int32_t count = 0;
+    for (int32_t l = 0; l < collider->nlimb && count < MUS_TOUCH_MOST; l++) {
+        int32_t near;
+        const double depth = mus__f64_query(&collider->field64[l], p, reach, normals + 3 * (int64_t)count, &near);
+        if (near == 1 && depth > -reach) count++;
+    }
+    return count;
+}

@@ -73,6 +73,7 @@ static mus_status take_memory(mus_drape *drape)
     drape->v = mus__new(context, 3 * n, sizeof *drape->v);
     drape->force = mus__new(context, 3 * n, sizeof *drape->force);
     drape->mean = mus__new(context, 3 * n, sizeof *drape->mean);
+    drape->before = mus__new(context, 3 * n, sizeof *drape->before);
     drape->work = mus__new(context, 6 * n, sizeof *drape->work);
     drape->mass = mus__new(context, n, sizeof *drape->mass);
     drape->stiffness = mus__new(context, n, sizeof *drape->stiffness);
@@ -86,7 +87,7 @@ static mus_status take_memory(mus_drape *drape)
     sim->work = mus__new(context, 18 * n, sim->ops->real);
     sim->good = mus__new(context, 6 * n, sim->ops->real);
     sim->rest = mus__new(context, n, sizeof *sim->rest);
-    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->work == NULL || drape->mass == NULL ||
+    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->before == NULL || drape->work == NULL || drape->mass == NULL ||
         drape->stiffness == NULL || drape->rep == NULL || drape->pinned == NULL || sim->y == NULL || sim->f == NULL ||
         sim->g == NULL || sim->inverse == NULL || sim->weight == NULL || sim->work == NULL || sim->good == NULL ||
         sim->rest == NULL)
@@ -194,7 +195,7 @@ void mus_drape_destroy(mus_drape *drape)
     mus__collider_destroy(drape->collider);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
-    void *blocks[] = {drape->x,      drape->v,     drape->force,       drape->mean,       drape->work, drape->mass,
+    void *blocks[] = {drape->x,      drape->v,     drape->force,       drape->mean,       drape->work, drape->before, drape->mass,
                       drape->stiffness, drape->rep, drape->pinned,     drape->sim.y,      drape->sim.f,
                       drape->sim.g,  drape->sim.inverse, drape->sim.weight, drape->sim.work, drape->sim.good,
                       drape->sim.rest};

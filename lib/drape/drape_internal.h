@@ -26,6 +26,7 @@ struct mus_drape {
     double *x, *v;      /* (n x 3) what the caller sees */
     double *force;      /* (n x 3) scratch of reports */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
+    double *before;     /* (n x 3) mean place at the check before */
     double *work;       /* (n x 6) scratch of the stiffness at a pose */
     double *mass;       /* (n) after welding; 0 for nodes that another stands for */
     double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */

@@ -12,6 +12,7 @@
 #include "drape/drape_internal.h"
 
 #define TINY_LENGTH 1e-150
+#define TOUCH_SLACK 0.0005 /* [m] a node this much beyond the clearance is still held by the skin */
 
 
 /* adds the pull of one spring to f at a (and, if both, its opposite at b); returns its energy */
@@ -136,14 +137,14 @@ double mus__drape_residual(mus_drape *drape, const double *x)
     mus__plan_force(&drape->plan, drape->n, x, f);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        double *r = f + 3 * (int64_t)i, normal[3];
+        double *r = f + 3 * (int64_t)i;
         const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
-        if (drape->collider != NULL) {
-            const double touch = drape->def.clearance + 0.0005;
-            if (mus__collider_depth(drape->collider, x + 3 * (int64_t)i, touch, normal) > -touch)
-                carry(r, normal, drape->friction);
-        }
+        double normal[3 * MUS_TOUCH_MOST];
+        const int32_t touching = drape->collider == NULL ? 0
+                                 : mus__collider_touching(drape->collider, x + 3 * (int64_t)i,
+                                                          drape->def.clearance + TOUCH_SLACK, normal);
+        for (int32_t k = 0; k < touching; k++) carry(r, normal + 3 * (int64_t)k, drape->friction);
         sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
         count++;
     }

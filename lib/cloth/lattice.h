@@ -15,7 +15,7 @@ typedef struct mus__lattice {
     double spacing, origin[2], warp[2], weft[2];
     int32_t columns, rows, count; /* count: nodes */
     int32_t *node;                /* (rows x columns) number of the node, row by row, or MUS_NONE */
-    unsigned char *full;          /* (rows x columns) 1 when all corners are nodes; the border is then half a spacing away */
+    unsigned char *full;          /* (rows x columns) 1 when all corners are nodes: the border is half a spacing off */
 } mus__lattice;
 
 /* lattice of the polygon of `n` border points (n x 2) with warp direction `grain`; free it even after a failure */

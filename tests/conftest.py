@@ -7,8 +7,8 @@ import sys
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-BIN = pathlib.Path(os.environ.get("MUSLIN_BIN", ROOT / "build" / "bin"))
-DATA = pathlib.Path(os.environ.get("MUSLIN_DATA", ROOT.parent / "shared" / "data"))
+BIN = pathlib.Path(os.environ.get("MUSLIN_BIN", ROOT / "build" / "bin")).resolve()
+DATA = pathlib.Path(os.environ.get("MUSLIN_DATA", ROOT.parent / "shared" / "data")).resolve()
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 
 

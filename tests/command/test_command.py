@@ -155,7 +155,8 @@ def test_paper_is_tiled_to_cover_the_sheet(command, skirt, tmp_path, paper):
     done = command("print", "--pattern", skirt, "--pdf", tmp_path / "p.pdf", "--svg", tmp_path / "p.svg", "--paper",
                    paper, "--json")
     plan = json.loads(done.stdout)
-    assert plan["pages"] >= plan["columns"] * plan["rows"] == len(plan["tiles"])
+    assert 0 < len(plan["tiles"]) <= plan["columns"] * plan["rows"]  # tiles without ink are left out
+    assert plan["pages"] >= len(plan["tiles"])
     assert max(tile["x_m"] + tile["width_m"] for tile in plan["tiles"]) >= plan["width_m"] - 1e-9
     assert (tmp_path / "p.pdf").read_bytes()[:5] == b"%PDF-"
     assert b"<svg" in (tmp_path / "p.svg").read_bytes()[:400]

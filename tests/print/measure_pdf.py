@@ -18,6 +18,7 @@ import numpy
 
 MM = 25.4 / 72.0
 SEAM_DASH = (3.0, 1.5)
+INK = 76  # darker than this is a line
 TOKEN = re.compile(r"[MLCZ]|-?[0-9.]+(?:e-?[0-9]+)?")
 
 
@@ -29,20 +30,19 @@ def page_count(pdf):
 # ---- squares ----
 
 def raster(pdf, page, dpi=254):
-    """A page as an array of darkness, 0 to 1."""
+    """A page as an array of darkness, 0 to 255."""
     out = subprocess.run(["pdftoppm", "-r", str(dpi), "-f", str(page), "-l", str(page), "-gray", str(pdf)],
                          capture_output=True, check=True).stdout
-    _, width, height, top = out.split(None, 4)[:4]
-    width, height = int(width), int(height)
-    return 1.0 - numpy.frombuffer(out[-width * height:], numpy.uint8).reshape(height, width) / float(top)
+    width, height = map(int, out[:40].split(None, 4)[1:3])
+    return 255 - numpy.frombuffer(out, numpy.uint8, offset=len(out) - width * height).reshape(height, width)
 
 
 def long_runs(dark, least):
     """Level lines: (start, end, centre) in pixels for each run of ink of at least `least`; rows of one line are one."""
     dark = numpy.ascontiguousarray(dark)
     lines = []
-    for y in numpy.flatnonzero((dark > 0.3).sum(axis=1) >= least):
-        ink = numpy.concatenate(([0], (dark[y] > 0.3).astype(numpy.int8), [0]))
+    for y in numpy.flatnonzero(numpy.count_nonzero(dark > INK, axis=1) >= least):
+        ink = numpy.concatenate(([0], (dark[y] > INK).astype(numpy.int8), [0]))
         change = numpy.diff(ink)
         for start, end in zip(numpy.flatnonzero(change == 1), numpy.flatnonzero(change == -1)):
             if end - start < least:

@@ -1,13 +1,19 @@
 /*
  * args.c: options of a subcommand.
+ *
+ * Outputs are looked at before the work: a drape of a minute should not end in a folder that is not there.
  */
+#define _POSIX_C_SOURCE 200809L /* access, stat */
 #include "args.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 
 int complain(int code, const char *command, const char *format, ...)
@@ -74,22 +80,65 @@ static bool take_value(const char *command, const option *o, const char *text)
         list->at[list->count++] = text;
         return true;
     }
-    if (o->kind == OPTION_NUMBER) {
+    if (o->kind == OPTION_NUMBER || o->kind == OPTION_WHOLE) {
         double value;
-        if (!number_read(text, &value) || value < o->low || value > o->high)
-            return REFUSE(command, "%s %s: expected a number from %g to %g", o->name, text, o->low, o->high);
+        const bool whole = o->kind == OPTION_WHOLE;
+        if (!number_read(text, &value) || value < o->low || value > o->high || (whole && floor(value) != value))
+            return REFUSE(command, "%s %s: expected a %snumber from %g to %g", o->name, text, whole ? "whole " : "",
+                          o->low, o->high);
         *(double *)o->value = value;
         return true;
     }
-    const char **slot = o->value;
-    if (*slot != NULL) return REFUSE(command, "%s is given twice", o->name);
-    *slot = text;
+    *(const char **)o->value = text;
+    return true;
+}
+
+
+bool is_stdout(const char *path)
+{
+    return path != NULL && strcmp(path, "-") == 0;
+}
+
+
+bool output_check(const char *command, const char *path)
+{
+    /* the folder is what counts: the file is written beside its name and renamed */
+    char folder[4096];
+    struct stat there;
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    if (is_stdout(path)) return true;
+    if (path[0] == '\0') return REFUSE(command, "the name of an output is empty");
+    if (strlen(path) >= sizeof folder - 64) return REFUSE(command, "%.60s...: the name is too long", path);
+    if (stat(path, &there) == 0 && S_ISDIR(there.st_mode))
+        return REFUSE(command, "%s: cannot be written: a folder", path);
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return true;
+    memcpy(folder, length == 0 ? "." : path, length == 0 ? 1 : length);
+    folder[length == 0 ? 1 : length] = '\0';
+    if (access(folder, W_OK) != 0) return REFUSE(command, "%s: cannot be written: %s", path, strerror(errno));
+    return true;
+}
+
+
+/* every output can be written, at most one of them to standard output */
+static bool check_outputs(const char *command, const option *options)
+{
+    const option *first = NULL;
+    for (const option *o = options; o->name != NULL; o++) {
+        if (o->kind != OPTION_OUTPUT && o->kind != OPTION_STDOUT) continue;
+        const char *path = o->kind == OPTION_OUTPUT ? *(const char **)o->value : NULL;
+        if (path != NULL && !output_check(command, path)) return false;
+        if (o->kind == OPTION_OUTPUT ? !is_stdout(path) : !*(bool *)o->value) continue;
+        if (first != NULL) return REFUSE(command, "%s and %s both write to standard output", first->name, o->name);
+        first = o;
+    }
     return true;
 }
 
 
 bool args_read(const char *command, const char *summary, const option *options, int argc, char **argv)
 {
+    uint64_t seen = 0;
     for (int i = 0; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_help(command, summary, options);
@@ -104,12 +153,14 @@ bool args_read(const char *command, const char *summary, const option *options, 
             if (!take_value(command, o, argv[i])) return false;
             continue;
         }
-        if (o->kind == OPTION_FLAG) {
+        if (o->kind != OPTION_LIST && (seen >> (o - options) & 1)) return REFUSE(command, "%s is given twice", argv[i]);
+        seen |= UINT64_C(1) << (o - options);
+        if (o->kind == OPTION_FLAG || o->kind == OPTION_STDOUT) {
             *(bool *)o->value = true;
             continue;
         }
         if (i + 1 == argc) return REFUSE(command, "%s needs a value", argv[i]);
         if (!take_value(command, o, argv[++i])) return false;
     }
-    return true;
+    return check_outputs(command, options);
 }

@@ -9,8 +9,20 @@
 #define EXIT_FAILED 1 /* a run that failed */
 #define EXIT_INPUT 2  /* bad input */
 
-/* Kinds of option: a flag (bool), text (const char *), a number (double), a list (texts) and a plain argument. */
-typedef enum option_kind { OPTION_FLAG, OPTION_TEXT, OPTION_NUMBER, OPTION_LIST, OPTION_PLAIN } option_kind;
+/*
+ * Kinds of option: a flag (bool); text (const char *); a number (double), whole or not; a list (texts); a file that
+ * will be written (const char *), "-" for standard output; a flag (bool) that takes standard output; a plain argument.
+ */
+typedef enum option_kind {
+    OPTION_FLAG,
+    OPTION_TEXT,
+    OPTION_NUMBER,
+    OPTION_WHOLE,
+    OPTION_LIST,
+    OPTION_OUTPUT,
+    OPTION_STDOUT,
+    OPTION_PLAIN
+} option_kind;
 
 typedef struct texts {
     int32_t count;
@@ -26,10 +38,17 @@ typedef struct option {
 } option;
 
 /*
- * Read the arguments behind the subcommand. Prints the help and exits 0 at --help; prints one line and returns false
- * when an option is unknown, lacks its value, is given twice (lists apart) or is out of range.
+ * Read the arguments behind the subcommand; a table has at most 64 options. Prints the help and exits 0 at --help;
+ * prints one line and returns false when an option is unknown, lacks its value, is given twice (lists apart) or is out
+ * of range, when a file cannot be written where it should go, and when two outputs would share standard output.
  */
 bool args_read(const char *command, const char *summary, const option *options, int argc, char **argv);
+
+/* Is the output `path` (NULL when not asked) standard output? Then no line for people may go there. */
+bool is_stdout(const char *path);
+
+/* Can `path` be written, as far as one can tell before the work? False and a line when not. */
+bool output_check(const char *command, const char *path);
 
 /* One line on standard error, "muslin COMMAND: text". Returns `code`. */
 int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));

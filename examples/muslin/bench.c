@@ -258,7 +258,7 @@ static int run_all(scene *s, bool as_json, json *j)
 int command_bench(int argc, char **argv)
 {
     bool as_json = false;
-    const option options[] = {{"--json", OPTION_FLAG, &as_json, 0, 0, "as JSON"},
+    const option options[] = {{"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("bench", "Speed table: node evaluations a CPU second.", options, argc, argv)) return EXIT_INPUT;
 

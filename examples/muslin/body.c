@@ -24,15 +24,19 @@ static void body_view(const mus_body *body, mus_mesh_view *view)
 
 static void write_table(const mus_body *body, double spent)
 {
-    printf("%-16s %10s %10s %8s\n", "measure", "asked", "made", "error");
+    printf("%-16s %9s   %9s   %9s\n", "measure", "asked", "made", "error");
     for (int32_t m = 0; m < mus_measure_count(); m++) {
         const double asked = mus_body_asked(body, m), made = mus_body_made(body, m);
         if (!isfinite(asked)) continue;
         const int angle = mus_measure_unit(m) == 'r';
-        printf("%-16s %8.2f %s", mus_measure_name(m), asked * (angle ? 57.295779513082 : 100.0), angle ? "o" : "cm");
-        if (isfinite(made)) printf(" %8.2fcm %6.2fmm", 100.0 * made, 1000.0 * (made - asked));
-        else printf(" %10s %8s", "", "");
-        printf("%s\n", mus_body_source(body, m) == MUS_SOURCE_DERIVED ? "  derived" : "");
+        const char *note = mus_body_source(body, m) == MUS_SOURCE_DERIVED ? "  derived" : "";
+        printf("%-16s %8.2f %-3s", mus_measure_name(m), asked * (angle ? 57.295779513082 : 100.0),
+               angle ? "deg" : "cm");
+        const double off = fabs(made - asked) < 5e-6 ? 0.0 : 1000.0 * (made - asked); /* no "-0.00" */
+        if (isfinite(made))
+            printf(" %8.2f cm %6.2f mm%s\n", 100.0 * made, off, note);
+        else
+            printf("%s%s\n", note[0] != '\0' ? "                      " : "", note);
     }
     printf("volume %.1f l, %.1f ms\n", 1000.0 * mus_body_volume(body), 1000.0 * spent);
 }
@@ -63,8 +67,8 @@ int command_body(int argc, char **argv)
     const char *obj = NULL;
     bool as_json = false;
     const option options[] = {SOURCE_TAPE(from),
-                              {"--obj", OPTION_TEXT, &obj, 0, 0, "FILE  write the surface"},
-                              {"--json", OPTION_FLAG, &as_json, 0, 0, "measures as JSON on standard output"},
+                              {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
+                              {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("body", "Make the body of a tape; show the girths asked and the girths made.", options, argc, argv))
         return EXIT_INPUT;
@@ -88,7 +92,7 @@ int command_body(int argc, char **argv)
         } else if (as_json) {
             write_json(body, spent, &j);
             if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
-        } else {
+        } else if (!is_stdout(obj)) {
             write_table(body, spent);
         }
     }

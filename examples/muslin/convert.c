@@ -1,7 +1,8 @@
 /*
  * convert.c: muslin convert: a pattern or tape file to another form, by its extension.
  *
- * Patterns: muslin JSON or GarmentCode in, muslin JSON, .svg or .pdf out. Tapes: any tape in, .tape out.
+ * Patterns: muslin JSON or GarmentCode in, muslin JSON, .svg or .pdf out. Tapes: any tape in, .tape out. --to names
+ * the form where the name of the file does not say it ("-" is standard output).
  */
 #include <string.h>
 
@@ -26,29 +27,37 @@ static bool is_tape(const char *name)
 }
 
 
-static int convert_tape(scene *s, const char *in, const char *row, const char *out)
+/* is `out` to be of the form `name` ("json")? */
+static bool is_form(const char *out, const char *to, const char *name)
 {
-    if (!ends_with(out, ".tape") && !ends_with(out, ".txt"))
-        return complain(EXIT_INPUT, "convert", "%s: a tape is written as .tape or .txt", out);
+    if (to != NULL) return strcmp(to, name) == 0;
+    const size_t n = strlen(out), m = strlen(name);
+    return n > m && out[n - m - 1] == '.' && strcmp(out + n - m, name) == 0;
+}
+
+
+static int convert_tape(scene *s, const char *in, const char *row, const char *out, const char *to)
+{
+    if (!is_form(out, to, "tape") && !is_form(out, to, "txt") && (to != NULL || !is_stdout(out)))
+        return complain(EXIT_INPUT, "convert", "%s: a tape is written as tape or txt", to != NULL ? to : out);
     mus_status status = mus_tape_read(s->context, in, row, &s->tape);
     if (status == MUS_OK) status = mus_tape_write(s->tape, out);
     return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
 }
 
 
-static int convert_pattern(scene *s, const char *in, const char *out)
+static int convert_pattern(scene *s, const char *in, const char *out, const char *to)
 {
+    const bool svg = is_form(out, to, "svg"), pdf = is_form(out, to, "pdf");
+    if (!svg && !pdf && !is_form(out, to, "json") && (to != NULL || !is_stdout(out)))
+        return complain(EXIT_INPUT, "convert", "%s: a pattern is written as json, svg or pdf", to != NULL ? to : out);
+
     mus_sheet *sheet = NULL;
     mus_status status = mus_pattern_read(s->context, in, &s->pattern);
-    if (status == MUS_OK && (ends_with(out, ".json") || strcmp(out, "-") == 0)) {
-        status = mus_pattern_write(s->pattern, out);
-    } else if (status == MUS_OK && (ends_with(out, ".svg") || ends_with(out, ".pdf"))) {
-        status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
-        if (status == MUS_OK)
-            status = ends_with(out, ".svg") ? mus_sheet_write_svg(sheet, out) : mus_sheet_write_pdf(sheet, out);
-    } else if (status == MUS_OK) {
-        return complain(EXIT_INPUT, "convert", "%s: a pattern is written as .json, .svg or .pdf", out);
-    }
+    if (status == MUS_OK && !svg && !pdf) status = mus_pattern_write(s->pattern, out);
+    if (status == MUS_OK && (svg || pdf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
+    if (status == MUS_OK && svg) status = mus_sheet_write_svg(sheet, out);
+    if (status == MUS_OK && pdf) status = mus_sheet_write_pdf(sheet, out);
     mus_sheet_destroy(sheet);
     return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
 }
@@ -56,17 +65,21 @@ static int convert_pattern(scene *s, const char *in, const char *out)
 
 int command_convert(int argc, char **argv)
 {
-    const char *in = NULL, *out = NULL, *row = NULL;
-    const option options[] = {{"IN", OPTION_PLAIN, &in, 0, 0, "a pattern or a tape"},
-                              {"OUT", OPTION_PLAIN, &out, 0, 0, "the file to write; its extension says the form"},
-                              {"--row", OPTION_TEXT, &row, 0, 0, "NAME  which line of a .csv"},
-                              {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
+    const char *in = NULL, *out = NULL, *row = NULL, *to = NULL;
+    const option options[] = {
+        {"IN", OPTION_PLAIN, &in, 0, 0, "a pattern or a tape"},
+        {"OUT", OPTION_PLAIN, &out, 0, 0, "the file to write; its extension says the form; - standard output"},
+        {"--to", OPTION_TEXT, &to, 0, 0, "FORM  json, svg or pdf; tape or txt"},
+        {"--row", OPTION_TEXT, &row, 0, 0, "NAME  which line of a .csv"},
+        {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("convert", "Convert a pattern or a tape.", options, argc, argv)) return EXIT_INPUT;
     if (in == NULL || out == NULL) return complain(EXIT_INPUT, "convert", "two files are needed: IN OUT");
+    if (row != NULL && !is_tape(in)) return complain(EXIT_INPUT, "convert", "--row %s: %s is no tape", row, in);
+    if (!output_check("convert", out)) return EXIT_INPUT;
 
     scene s;
     int code = scene_open(&s, "convert");
-    if (code == EXIT_DONE) code = is_tape(in) ? convert_tape(&s, in, row, out) : convert_pattern(&s, in, out);
+    if (code == EXIT_DONE) code = is_tape(in) ? convert_tape(&s, in, row, out, to) : convert_pattern(&s, in, out, to);
     scene_close(&s);
     return code;
 }

@@ -11,7 +11,7 @@
 int command_designs(int argc, char **argv)
 {
     bool as_json = false;
-    const option options[] = {{"--json", OPTION_FLAG, &as_json, 0, 0, "as JSON"},
+    const option options[] = {{"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("designs", "List the named designs.", options, argc, argv)) return EXIT_INPUT;
 
@@ -38,7 +38,7 @@ int command_draft(int argc, char **argv)
     const char *out = NULL;
     const option options[] = {{"--design", OPTION_TEXT, &from.design, 0, 0, "NAME  a named design"},
                               SOURCE_TAPE(from),
-                              {"-o", OPTION_TEXT, &out, 0, 0, "FILE  the pattern as muslin JSON; - standard output"},
+                              {"-o", OPTION_OUTPUT, &out, 0, 0, "FILE  the pattern as muslin JSON; - standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("draft", "Draft a design to a tape.", options, argc, argv)) return EXIT_INPUT;
     if (out == NULL) return complain(EXIT_INPUT, "draft", "no output is given: -o FILE");

@@ -1,7 +1,8 @@
 /*
  * dress.c: muslin dress: place, sew, settle; picture, meshes, report.
  *
- * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1.
+ * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1. One line
+ * on standard error: an output that could not be written comes first, since the report holds the reason of the run.
  */
 #define _POSIX_C_SOURCE 200809L /* isatty */
 #include <math.h>
@@ -19,7 +20,8 @@ typedef struct dress {
     scene s;
     source from;
     look look;
-    const char *fabric, *png, *glb, *obj, *report;
+    mus_fabric fabric;
+    const char *fabric_name, *png, *glb, *obj, *report;
     double spacing_mm, threads, precision, friction;
     bool as_json, quiet;
 
@@ -59,19 +61,14 @@ static const char *status_word(mus_status status)
 static mus_status prepare(dress *d)
 {
     double start = seconds();
-    mus_status status = MUS_OK;
-    if (d->s.tape != NULL) status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
+    mus_status status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
     d->body_seconds = seconds() - start;
     if (status != MUS_OK) return status;
 
     start = seconds();
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
-    if (d->fabric != NULL && mus_fabric_find(d->fabric, &cut.fabric) != MUS_OK) {
-        char text[128];
-        snprintf(text, sizeof text, "--fabric %.60s: no such fabric", d->fabric);
-        return mus_context_fail(d->s.context, MUS_ERR_ARG, text);
-    }
+    cut.fabric = d->fabric;
     cut.spacing = 0.001 * d->spacing_mm;
     status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
     d->mesh_seconds = seconds() - start;
@@ -160,12 +157,10 @@ static int write_shapes(dress *d)
     if (d->png == NULL && d->glb == NULL && d->obj == NULL) return EXIT_DONE;
     garment g;
     int code = garment_make(&d->s, &d->look, d->body, d->cloth, d->drape, &g);
-    const int32_t skip = d->body == NULL ? 1 : 0;
     mus_status status = MUS_OK;
-    if (code == EXIT_DONE && d->glb != NULL)
-        status = mus_mesh_write_glb(d->s.context, d->glb, 2 - skip, g.view + skip);
+    if (code == EXIT_DONE && d->glb != NULL) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
     if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
-        status = mus_mesh_write_obj(d->s.context, d->obj, 2 - skip, g.view + skip);
+        status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
     if (status != MUS_OK) code = scene_fail(&d->s, status);
     const double start = seconds();
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
@@ -184,16 +179,31 @@ static int write_report(const dress *d)
     if (d->report != NULL && !json_write(&j, "dress", d->report)) code = EXIT_FAILED;
     if (d->as_json && !json_write(&j, "dress", "-")) code = EXIT_FAILED;
     json_free(&j);
-    if (d->as_json || d->drape == NULL || (d->report != NULL && strcmp(d->report, "-") == 0)) return code;
+    if (d->as_json || d->drape == NULL || is_stdout(d->report) || is_stdout(d->png) || is_stdout(d->glb) ||
+        is_stdout(d->obj))
+        return code;
 
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
         printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, strain %.1f %%, %.1f s\n",
-               mus_pattern_name(d->s.pattern), status_word(d->outcome), (int)r.nodes, (int)r.seams_closed,
-               (int)r.seams, 1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
+               mus_pattern_name(d->s.pattern), status_word(d->outcome), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
+               1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
                d->mesh_seconds + d->sew_seconds + d->settle_seconds);
     return code;
+}
+
+
+static int find_fabric(dress *d)
+{
+    mus_fabric_init(&d->fabric, sizeof d->fabric);
+    if (d->fabric_name == NULL || mus_fabric_find(d->fabric_name, &d->fabric) == MUS_OK) return EXIT_DONE;
+    char names[512] = "";
+    for (int32_t i = 0; i < mus_fabric_count(); i++) {
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s%s", i == 0 ? "" : ", ", mus_fabric_name(i));
+    }
+    return complain(EXIT_INPUT, "dress", "--fabric %s: expected one of %s", d->fabric_name, names);
 }
 
 
@@ -207,7 +217,8 @@ static int read_options(dress *d, int argc, char **argv)
     const option options[] = {
         SOURCE_PATTERN(d->from),
         SOURCE_TAPE(d->from),
-        {"--fabric", OPTION_TEXT, &d->fabric, 0, 0, "NAME  jersey (default), cotton, denim, wool, silk, ..."},
+        {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
+         "NAME  jersey (default), cotton, denim, wool, silk, polyester"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
@@ -215,19 +226,27 @@ static int read_options(dress *d, int argc, char **argv)
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
         {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
         {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
-        {"--png", OPTION_TEXT, &d->png, 0, 0, "FILE  the picture"},
-        {"--glb", OPTION_TEXT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0"},
-        {"--obj", OPTION_TEXT, &d->obj, 0, 0, "FILE  body and garment as OBJ"},
-        {"--report", OPTION_TEXT, &d->report, 0, 0, "FILE  what happened, as JSON"},
-        {"--json", OPTION_FLAG, &d->as_json, 0, 0, "the report on standard output"},
-        {"--threads", OPTION_NUMBER, &d->threads, 1, 64, "N  threads, default 1; the result is the same"},
-        {"--precision", OPTION_NUMBER, &d->precision, 32, 64, "BITS  of the state: 32 (default) or 64"},
+        {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  the picture"},
+        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0"},
+        {"--obj", OPTION_OUTPUT, &d->obj, 0, 0, "FILE  body and garment as OBJ"},
+        {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  what happened, as JSON"},
+        {"--json", OPTION_STDOUT, &d->as_json, 0, 0, "the report on standard output"},
+        {"--threads", OPTION_WHOLE, &d->threads, 1, 64, "N  threads, default 1; the result is the same"},
+        {"--precision", OPTION_WHOLE, &d->precision, 32, 64, "BITS  of the state: 32 (default) or 64"},
         {"--quiet", OPTION_FLAG, &d->quiet, 0, 0, "no progress on the terminal"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("dress", "Sew a garment round a body and let it come to rest.", options, argc, argv))
         return EXIT_INPUT;
-    if (floor(d->threads) != d->threads) return complain(EXIT_INPUT, "dress", "--threads: expected a whole number");
-    return EXIT_DONE;
+    if (d->precision != 32.0 && d->precision != 64.0)
+        return complain(EXIT_INPUT, "dress", "--precision %g: expected 32 or 64", d->precision);
+    return find_fabric(d);
+}
+
+
+static int run_failed(const dress *d)
+{
+    return complain(failure_code(d->outcome), "dress", "%s",
+                    d->reason[0] != '\0' ? d->reason : mus_status_text(d->outcome));
 }
 
 
@@ -243,19 +262,18 @@ int command_dress(int argc, char **argv)
 
     code = scene_open(&d->s, "dress");
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
-    if (code == EXIT_DONE && (d->from.tape != NULL || d->from.size != NULL)) code = scene_tape(&d->s, &d->from);
+    if (code == EXIT_DONE) code = scene_tape(&d->s, &d->from);
     if (code == EXIT_DONE) code = scene_pattern(&d->s, &d->from);
     if (code == EXIT_DONE) {
         d->outcome = prepare(d);
-        if (d->outcome == MUS_OK) run(d);
-        else snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
-        if (d->outcome != MUS_OK) code = scene_fail(&d->s, d->outcome);
-        if (d->drape != NULL) {
-            const int shapes = write_shapes(d);
-            if (code == EXIT_DONE) code = shapes;
-        }
+        if (d->outcome == MUS_OK)
+            run(d);
+        else
+            snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+        if (d->drape != NULL) code = write_shapes(d);
         const int report = write_report(d);
         if (code == EXIT_DONE) code = report;
+        if (code == EXIT_DONE && d->outcome != MUS_OK) code = run_failed(d);
     }
     mus_drape_destroy(d->drape);
     mus_cloth_destroy(d->cloth);

@@ -1,6 +1,7 @@
 /*
  * json.c: JSON text in a growing buffer. A file is written beside its name and renamed.
  */
+#define _POSIX_C_SOURCE 200809L /* getpid, stat */
 #include "json.h"
 
 #include <errno.h>
@@ -8,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "args.h"
 
@@ -36,9 +39,12 @@ static void put_string(json *j, const char *value)
     put(j, "\"", 1);
     for (const unsigned char *c = (const unsigned char *)value; *c != '\0'; c++) {
         char escape[8];
-        if (*c == '"' || *c == '\\') snprintf(escape, sizeof escape, "\\%c", *c);
-        else if (*c < 0x20) snprintf(escape, sizeof escape, "\\u%04x", *c);
-        else snprintf(escape, sizeof escape, "%c", *c);
+        if (*c == '"' || *c == '\\')
+            snprintf(escape, sizeof escape, "\\%c", *c);
+        else if (*c < 0x20)
+            snprintf(escape, sizeof escape, "\\u%04x", *c);
+        else
+            snprintf(escape, sizeof escape, "%c", *c);
         put(j, escape, strlen(escape));
     }
     put(j, "\"", 1);
@@ -121,20 +127,34 @@ void json_free(json *j)
 }
 
 
+static bool put_all(const json *j, FILE *file)
+{
+    return fwrite(j->text, 1, j->length, file) == j->length && fputc('\n', file) != EOF;
+}
+
+
 bool json_write(const json *j, const char *command, const char *path)
 {
     if (j->failed) return complain(EXIT_FAILED, command, "no memory for %s", path) == EXIT_DONE;
-    if (strcmp(path, "-") == 0) return fwrite(j->text, 1, j->length, stdout) == j->length && putchar('\n') != EOF;
+    if (is_stdout(path)) {
+        if (put_all(j, stdout) && fflush(stdout) == 0) return true;
+        return complain(EXIT_FAILED, command, "standard output: cannot be written: %s", strerror(errno)) == EXIT_DONE;
+    }
 
+    /* a device or a pipe is written to; a file is made beside its name and renamed */
     char name[4096];
-    if (snprintf(name, sizeof name, "%s.part", path) >= (int)sizeof name)
-        return complain(EXIT_FAILED, command, "%s: the name is too long", path) == EXIT_DONE;
-    FILE *file = fopen(name, "wb");
-    if (file == NULL) return complain(EXIT_FAILED, command, "%s cannot be written: %s", path, strerror(errno)) == EXIT_DONE;
-    bool done = fwrite(j->text, 1, j->length, file) == j->length && fputc('\n', file) != EOF;
-    done = fclose(file) == 0 && done && rename(name, path) == 0;
+    struct stat there;
+    const bool direct = stat(path, &there) == 0 && !S_ISREG(there.st_mode);
+    const int length = direct ? snprintf(name, sizeof name, "%s", path)
+                              : snprintf(name, sizeof name, "%s.%ld.part", path, (long)getpid());
+    if (length >= (int)sizeof name)
+        return complain(EXIT_FAILED, command, "%.60s...: the name is too long", path) == EXIT_DONE;
+    FILE *file = fopen(name, direct ? "wb" : "wbx");
+    bool done = file != NULL && put_all(j, file) && fflush(file) == 0;
+    int reason = errno;
+    if (file != NULL && fclose(file) != 0 && done) done = false, reason = errno;
+    if (done && !direct && rename(name, path) != 0) done = false, reason = errno;
     if (done) return true;
-    const int reason = errno;
-    remove(name);
-    return complain(EXIT_FAILED, command, "%s cannot be written: %s", path, strerror(reason)) == EXIT_DONE;
+    if (!direct && file != NULL) remove(name);
+    return complain(EXIT_FAILED, command, "%s: cannot be written: %s", path, strerror(reason)) == EXIT_DONE;
 }

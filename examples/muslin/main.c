@@ -27,22 +27,22 @@ static const struct {
 #define COMMANDS (sizeof commands / sizeof commands[0])
 
 
-static void usage(FILE *out)
+static void usage(void)
 {
-    fprintf(out, "usage: muslin COMMAND [options]\n\n");
-    for (size_t i = 0; i < COMMANDS; i++) fprintf(out, "  %-10s %s\n", commands[i].name, commands[i].help);
-    fprintf(out, "\nmuslin COMMAND --help tells the options; muslin --version the version.\n");
+    printf("usage: muslin COMMAND [options]\n\n");
+    for (size_t i = 0; i < COMMANDS; i++) printf("  %-10s %s\n", commands[i].name, commands[i].help);
+    printf("\nmuslin COMMAND --help tells the options; muslin --version the version.\n");
 }
 
 
 int main(int argc, char **argv)
 {
     if (argc < 2) {
-        usage(stderr);
+        fprintf(stderr, "muslin: no command is given; see muslin --help\n");
         return EXIT_INPUT;
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
-        usage(stdout);
+        usage();
         return EXIT_DONE;
     }
     if (strcmp(argv[1], "--version") == 0) {
@@ -53,7 +53,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[1], commands[i].name) != 0) continue;
         const int code = commands[i].run(argc - 2, argv + 2);
         if (fflush(stdout) != 0 && code == EXIT_DONE)
-            return complain(EXIT_FAILED, argv[1], "standard output cannot be written");
+            return complain(EXIT_FAILED, argv[1], "standard output: cannot be written");
         return code;
     }
     fprintf(stderr, "muslin: command \"%s\" is unknown; see muslin --help\n", argv[1]);

@@ -27,6 +27,10 @@ int look_check(const scene *s, const look *l)
     for (int32_t i = 0; i < l->views.count; i++)
         if (render_view_parse(l->views.at[i], &camera, &error) != 0)
             return complain(EXIT_INPUT, s->command, "--view: %s", error.text);
+    render_image print = {0};
+    if (l->texture != NULL && render_png_read(l->texture, &print, &error) != 0)
+        return complain(EXIT_INPUT, s->command, "--texture: %s", error.text);
+    render_image_free(&print);
     return EXIT_DONE;
 }
 

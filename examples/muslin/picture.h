@@ -12,7 +12,7 @@ typedef struct look {
     double repeat; /* width of one repeat of the texture [m] */
 } look;
 
-/* Check the texts before the long work. Returns an exit code. */
+/* Check the texts, and that the texture can be read, before the long work. Returns an exit code. */
 int look_check(const scene *s, const look *l);
 
 /* The garment's arrays, made once for picture and files. */

@@ -12,7 +12,10 @@
 static const struct {
     const char *name;
     int32_t paper;
-} papers[] = {{"a4", MUS_PAPER_A4}, {"letter", MUS_PAPER_LETTER}, {"a3", MUS_PAPER_A3}, {"a0", MUS_PAPER_A0},
+} papers[] = {{"a4", MUS_PAPER_A4},
+              {"letter", MUS_PAPER_LETTER},
+              {"a3", MUS_PAPER_A3},
+              {"a0", MUS_PAPER_A0},
               {"roll", MUS_PAPER_ROLL}};
 
 
@@ -62,14 +65,15 @@ int command_print(int argc, char **argv)
     const option options[] = {
         SOURCE_PATTERN(from),
         SOURCE_TAPE(from),
-        {"--pdf", OPTION_TEXT, &pdf, 0, 0, "FILE  tiled PDF at true scale"},
-        {"--svg", OPTION_TEXT, &svg, 0, 0, "FILE  one sheet as SVG with named groups"},
+        {"--pdf", OPTION_OUTPUT, &pdf, 0, 0, "FILE  tiled PDF at true scale"},
+        {"--svg", OPTION_OUTPUT, &svg, 0, 0, "FILE  one sheet as SVG with named groups"},
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
         {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the design says none"},
-        {"--json", OPTION_FLAG, &as_json, 0, 0, "pages and their places on the sheet, as JSON"},
+        {"--json", OPTION_STDOUT, &as_json, 0, 0, "pages and their places on the sheet, as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Print a pattern ready to cut, at true scale.", options, argc, argv)) return EXIT_INPUT;
-    if (pdf == NULL && svg == NULL) return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE or --svg FILE");
+    if (pdf == NULL && svg == NULL)
+        return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE or --svg FILE");
     if (asked != NULL) paper = asked;
     if (find_paper(paper) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--paper %s: expected a4, letter, a3, a0 or roll", paper);
@@ -78,7 +82,7 @@ int command_print(int argc, char **argv)
     mus_sheet *sheet = NULL;
     json j = {0};
     int code = scene_open(&s, "print");
-    if (code == EXIT_DONE && (from.tape != NULL || from.size != NULL)) code = scene_tape(&s, &from);
+    if (code == EXIT_DONE && (from.tape != NULL || from.size != NULL || from.row != NULL)) code = scene_tape(&s, &from);
     if (code == EXIT_DONE) code = scene_pattern(&s, &from);
     if (code == EXIT_DONE) {
         mus_sheet_def def;
@@ -94,8 +98,9 @@ int command_print(int argc, char **argv)
     if (code == EXIT_DONE && as_json) {
         describe(sheet, &j);
         if (!json_write(&j, "print", "-")) code = EXIT_FAILED;
-    } else if (code == EXIT_DONE && pdf != NULL) {
-        printf("%s: %d pages of %s\n", pdf, (int)mus_sheet_page_count(sheet), paper);
+    } else if (code == EXIT_DONE && pdf != NULL && !is_stdout(pdf) && !is_stdout(svg)) {
+        const int pages = (int)mus_sheet_page_count(sheet);
+        printf("%s: %d page%s of %s\n", pdf, pages, pages == 1 ? "" : "s", paper);
     }
     json_free(&j);
     mus_sheet_destroy(sheet);

@@ -45,13 +45,18 @@ void scene_close(scene *s)
 }
 
 
-int scene_fail(const scene *s, mus_status status)
+int failure_code(mus_status status)
 {
-    /* bad input, or a run that failed */
     const int run = status == MUS_ERR_MEMORY || status == MUS_ERR_DIVERGED || status == MUS_ERR_SEW ||
                     status == MUS_ERR_UNSETTLED || status == MUS_ERR_STEP;
+    return run ? EXIT_FAILED : EXIT_INPUT;
+}
+
+
+int scene_fail(const scene *s, mus_status status)
+{
     const char *text = mus_context_error(s->context);
-    return complain(run ? EXIT_FAILED : EXIT_INPUT, s->command, "%s", text[0] != '\0' ? text : mus_status_text(status));
+    return complain(failure_code(status), s->command, "%s", text[0] != '\0' ? text : mus_status_text(status));
 }
 
 
@@ -60,6 +65,8 @@ int scene_tape(scene *s, const source *from)
     mus_status status;
     if (from->tape != NULL && from->size != NULL)
         return complain(EXIT_INPUT, s->command, "--tape and --size exclude each other");
+    if (from->row != NULL && from->tape == NULL)
+        return complain(EXIT_INPUT, s->command, "--row %s: goes with --tape FILE.csv", from->row);
     if (from->tape != NULL) {
         status = mus_tape_read(s->context, from->tape, from->row, &s->tape);
     } else if (from->size != NULL) {
@@ -80,15 +87,17 @@ int scene_pattern(scene *s, const source *from)
 {
     const double start = seconds();
     mus_status status;
-    if ((from->design != NULL) == (from->pattern != NULL))
-        return complain(EXIT_INPUT, s->command, "one of --design NAME and --pattern FILE is needed");
+    if (from->design != NULL && from->pattern != NULL)
+        return complain(EXIT_INPUT, s->command, "--design and --pattern exclude each other");
+    if (from->design == NULL && from->pattern == NULL)
+        return complain(EXIT_INPUT, s->command, "no garment is given: --design NAME or --pattern FILE");
     if (from->pattern != NULL) {
         status = mus_pattern_read(s->context, from->pattern, &s->pattern);
     } else {
         const int32_t design = mus_design_find(from->design);
         if (design == MUS_NONE)
-            return complain(EXIT_INPUT, s->command, "design \"%s\" is unknown; muslin designs lists them", from->design);
-        if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs a tape: --tape FILE or --size SIZE");
+            return complain(EXIT_INPUT, s->command, "--design %s: unknown; muslin designs lists them", from->design);
+        if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs --tape FILE or --size SIZE");
         status = mus_design_draft(s->context, design, s->tape, NULL, &s->pattern);
     }
     s->draft_seconds = seconds() - start;

@@ -39,6 +39,9 @@ int scene_tape(scene *s, const source *from);
 /* Draft the design or read the pattern. */
 int scene_pattern(scene *s, const source *from);
 
+/* The exit code that fits a status that is not MUS_OK. */
+int failure_code(mus_status status);
+
 /* One line for a status that is not MUS_OK, and the exit code that fits it. */
 int scene_fail(const scene *s, mus_status status);
 

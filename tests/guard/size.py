@@ -3,7 +3,6 @@
 a line at most 120 columns; two blank lines between functions of lib and examples."""
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -38,10 +37,9 @@ def check(path):
 
 
 def main():
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "lib", "include", "examples", "tests"],
-                            cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
-    faults = [fault for path in listed if path.endswith((".c", ".h", ".cpp")) and (ROOT / path).exists()
-              for fault in check(path)]
+    files = [file for folder in ("lib", "include", "examples", "tests") for file in sorted((ROOT / folder).rglob("*"))]
+    faults = [fault for file in files if file.suffix in (".c", ".h", ".cpp")
+              for fault in check(file.relative_to(ROOT).as_posix())]
     print("\n".join(faults), end="\n" if faults else "")
     return 1 if faults else 0
 

@@ -116,15 +116,26 @@ double mus__plan_strain(const mus__plan *plan, const double *x)
 }
 
 
-/* what contact and friction can carry of force r at a node with outward normal: the rest stays in r */
-static void carry(double *r, const double *normal, double friction)
+/*
+ * What skin in contact carries of the force r at a node: pushes p_k >= 0 along the outward normals n_k that leave the
+ * least (projected Gauss-Seidel on |r + sum p_k n_k|), then friction against what is left, up to mu sum p_k. The rest
+ * stays in r.
+ */
+static void carry(double *r, const double *normals, int32_t count, double friction)
 {
-    const double rn = r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
-    if (rn >= 0.0) return;
-    for (int32_t i = 0; i < 3; i++) r[i] -= rn * normal[i];
-    const double rt = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = -friction * rn;
-    const double left = rt > grip ? (rt - grip) / rt : 0.0;
-    for (int32_t i = 0; i < 3; i++) r[i] *= left;
+    double push[MUS_TOUCH_MOST] = {0.0}, all = 0.0;
+    for (int32_t sweep = 0; sweep < (count > 1 ? 32 : 1); sweep++)
+        for (int32_t k = 0; k < count; k++) {
+            const double *n = normals + 3 * k;
+            const double more = -(r[0] * n[0] + r[1] * n[1] + r[2] * n[2]);
+            const double now = push[k] + more > 0.0 ? push[k] + more : 0.0, change = now - push[k];
+            push[k] = now;
+            for (int32_t i = 0; i < 3; i++) r[i] += change * n[i];
+        }
+    for (int32_t k = 0; k < count; k++) all += push[k];
+    const double left = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = friction * all;
+    const double part = left > grip ? (left - grip) / left : 0.0;
+    for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }
 
 
@@ -144,7 +155,7 @@ double mus__drape_residual(mus_drape *drape, const double *x)
         const int32_t touching = drape->collider == NULL ? 0
                                  : mus__collider_touching(drape->collider, x + 3 * (int64_t)i,
                                                           drape->def.clearance + TOUCH_SLACK, normal);
-        for (int32_t k = 0; k < touching; k++) carry(r, normal + 3 * (int64_t)k, drape->friction);
+        carry(r, normal, touching, drape->friction);
         sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
         count++;
     }

@@ -1,7 +1,8 @@
 /*
  * settle.c: to rest under gravity.
  *
- * Symplectic Euler with drag on inertia that is raised where the mesh is stiffer than its lattice (rest does not depend
+ * First the cloth falls and swings with light drag, then heavier drag takes the ripples out of its folds.
+ * Symplectic Euler on inertia that is raised where the mesh is stiffer than its lattice (rest does not depend
  * on inertia). Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the
  * node's weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
  * averages out), and the drift of that mean place from one check to the next. It is never judged by energy. A garment
@@ -13,14 +14,20 @@
 #include "drape/drape_internal.h"
 
 #define CHECK_SECONDS 0.1  /* of cloth time between residuals */
-#define MEAN_STEPS 64      /* places averaged before a residual */
+#define MEAN_STEPS 96      /* places averaged before a residual: of every step, or ripples would alias */
 #define SAFETY 0.75        /* of the bound of symplectic Euler */
-#define SETTLE_DRAG 4.0    /* [1/s]: near critical for a garment's swing */
 #define SETTLE_SPEED 4.0   /* [m/s] limit */
 #define REST_DRIFT 0.002   /* [m/s]: no node's mean place drifts faster at rest */
 
 
-/* `steps` steps, of which the last MEAN_STEPS are averaged into drape->mean */
+/* drag [1/s] at time t: near critical for a garment's swing, then more for what is left */
+static double drag_at(double t)
+{
+    return t < 0.8 ? 4.0 : t < 2.5 ? 10.0 : 20.0;
+}
+
+
+/* `steps` steps, with the mean place of the last MEAN_STEPS into drape->mean */
 static void advance_mean(mus_drape *drape, int32_t steps, double h)
 {
     mus__sim *sim = &drape->sim;
@@ -68,7 +75,6 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     mus__sim *sim = &drape->sim;
     const double all = drape->def.settle_seconds;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
-    sim->drag = SETTLE_DRAG;
     sim->speed_limit = SETTLE_SPEED;
     sim->dashpots = 0;
 
@@ -82,6 +88,7 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     for (double t = 0.0; t < all && !drape->settled && !stop && !slid;) {
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
+        sim->drag = drag_at(t);
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);

@@ -385,6 +385,16 @@ static void MUS_FN(restore)(mus__sim *sim)
 }
 
 
-const mus__sim_ops MUS_SIM = {sizeof(MUS_REAL), MUS_FN(force),    MUS_FN(euler),     MUS_FN(rk4),
-                              MUS_FN(put),      MUS_FN(get),      MUS_FN(get_force), MUS_FN(set_node),
-                              MUS_FN(speed2),   MUS_FN(snapshot), MUS_FN(restore)};
+const mus__sim_ops MUS_SIM = {
+    .real = sizeof(MUS_REAL),
+    .force = MUS_FN(force),
+    .euler = MUS_FN(euler),
+    .rk4 = MUS_FN(rk4),
+    .put = MUS_FN(put),
+    .get = MUS_FN(get),
+    .get_force = MUS_FN(get_force),
+    .set_node = MUS_FN(set_node),
+    .speed2 = MUS_FN(speed2),
+    .snapshot = MUS_FN(snapshot),
+    .restore = MUS_FN(restore),
+};

@@ -34,13 +34,14 @@ typedef struct fabric_row {
 static const fabric_row fabric_table[] = {
     {"jersey",
      "Single jersey, assumed throughout as a light T-shirt knit: 0.16 kg/m2, C11 300 and 200 N/m at small strain, "
-     "G 40 N/m (0.7 gf/(cm deg)), B 5e-6 N m, thickness 0.6 mm, friction 0.4 on dry skin." FABRIC_COMMON,
-     0.16, {300.0, 200.0}, 40.0, {5e-6, 5e-6, 5e-6}, 0.1, 0.4, 0.6e-3},
+     "G 40 N/m (0.7 gf/(cm deg)), B 5e-6 N m, thickness 0.6 mm; friction 0.6: mean of cotton on chest 0.90 "
+     "and forearm 0.31 (static, Temel 2022)." FABRIC_COMMON,
+     0.16, {300.0, 200.0}, 40.0, {5e-6, 5e-6, 5e-6}, 0.1, 0.6, 0.6e-3},
     {"cotton",
      "Plain woven cotton: weight and thickness Penava 2014; C11 from EMT 2.29 % of a control cotton (Polymers "
      "17(15):2013, Materials 11(12):2466); B of broadcloth, Matsudaira et al. 2015 (J. Textile Eng. 61(6)); friction "
-     "between forearm 0.31 and chest 0.90 of Temel 2022; G 60 N/m and the friction of 0.4 assumed." FABRIC_COMMON,
-     0.1503, {21412.0, 21412.0}, 60.0, {11.57e-6, 11.57e-6, 11.57e-6}, 0.1, 0.4, 0.318e-3},
+     "0.6: mean of chest 0.90 and forearm 0.31 (static, Temel 2022); G 60 N/m assumed." FABRIC_COMMON,
+     0.1503, {21412.0, 21412.0}, 60.0, {11.57e-6, 11.57e-6, 11.57e-6}, 0.1, 0.6, 0.318e-3},
     {"denim",
      "Denim A of J. Textiles 2016, 4614168, table 5: thickness, B, G, and C11 from EMT 5.5 %, both ways the same; its "
      "weight column cannot be right, 0.40 kg/m2 (12 oz/yd2) and friction 0.45 are assumed." FABRIC_COMMON,

@@ -50,6 +50,7 @@ typedef struct mus__limb {
     mus__contour contour[MUS_LIMB_CONTOURS];
     bool limited[MUS_LIMB_CONTOURS]; /* slopes held monotone here: the natural spline would overshoot */
     double pole[2];                  /* s of the closing points below and above */
+    int32_t end[2];                  /* measures that set them, or MUS_NONE */
     double wall, wall_side;          /* as the contours', for all in-between contours too */
     int32_t first_vertex, vertices, first_triangle, triangles, rings;
 } mus__limb;

@@ -58,6 +58,7 @@ void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     /* frame: front is backwards (-Z) square to the axis, side = front x axis */
     memset(limb, 0, sizeof *limb);
     limb->name = right ? "arm_right" : "arm_left";
+    limb->end[0] = MUS_MEASURE_UPPER_ARM, limb->end[1] = MUS_MEASURE_ARM;
     memcpy(limb->origin, skeleton->joint[right], sizeof limb->origin);
     memcpy(limb->axis, skeleton->arm_axis[right], sizeof limb->axis);
     double along = limb->axis[2];
@@ -132,6 +133,7 @@ void mus__body_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 
     memset(limb, 0, sizeof *limb);
     limb->name = right ? "leg_right" : "leg_left";
+    limb->end[0] = limb->end[1] = MUS_MEASURE_INLEG;
     limb->side[0] = 1.0, limb->front[2] = -1.0, limb->axis[1] = 1.0;
     limb->wall = LEG_WALL, limb->wall_side = side;
 
@@ -181,6 +183,7 @@ void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t
     /* frame: b is up, s forwards */
     memset(limb, 0, sizeof *limb);
     limb->name = right ? "foot_right" : "foot_left";
+    limb->end[0] = limb->end[1] = MUS_MEASURE_FOOT;
     limb->side[0] = 1.0, limb->front[1] = 1.0, limb->axis[2] = 1.0;
 
     /* part of the length from the heel; breadth and height in parts of the length; outwards shift */

@@ -61,12 +61,16 @@ mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
     }
 
     /* the caps need room as well */
-    mus__contour *bottom = &limb->contour[0], *top = &limb->contour[limb->count - 1];
-    if (limb->count < 2 || bottom->s - limb->pole[0] < 0.25 * gap || limb->pole[1] - top->s < 0.25 * gap)
+    for (int end = 0; end < 2; end++) {
+        const mus__contour *last = &limb->contour[end == 0 ? 0 : limb->count - 1];
+        double room = end == 0 ? last->s - limb->pole[0] : limb->pole[1] - last->s;
+        if (room >= 0.25 * gap) continue;
+        const char *name = mus_measure_name(limb->end[end]);
         return mus__fail(context, MUS_ERR_BODY,
-                         "contours cross: %s has no room between %s (%s at %s) and %s (%s at %s)", limb->name,
-                         bottom->name, stack_word(bottom), mus__tape_text(0, bottom->s, low), top->name,
-                         stack_word(top), mus__tape_text(0, top->s, high));
+                         "contours cross: no room between %s (%s at %s) and the end of %s (%s at %s)", last->name,
+                         stack_word(last), mus__tape_text(0, last->s, low), limb->name,
+                         name != NULL ? name : limb->name, mus__tape_text(0, limb->pole[end], high));
+    }
     return MUS_OK;
 }
 

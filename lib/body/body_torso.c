@@ -236,6 +236,7 @@ void mus__body_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__l
 
     memset(limb, 0, sizeof *limb);
     limb->name = "torso";
+    limb->end[0] = MUS_MEASURE_INLEG, limb->end[1] = MUS_MEASURE_STATURE;
     limb->side[0] = 1.0, limb->front[2] = -1.0, limb->axis[1] = 1.0;
     torso_seat(&plan);
     torso_chest(&plan);

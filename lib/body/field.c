@@ -92,7 +92,7 @@ double mus__field_depth(const mus__field *field, const double *p, double *normal
 
     int32_t near;
     double depth = mus__body_query(&f, p, FIELD_MARGIN, normal, &near);
-    if (near) return depth;
+    if (near > 0) return depth;
     normal[0] = normal[1] = normal[2] = 0.0;
     return -1e30;
 }

@@ -1,0 +1,190 @@
+/* test_body_surface.c: shells closed and outward, the paper's conditions on contours (3.1) and triangles (3.3),
+ * normals. */
+#include "body/body_internal.h"
+#include "geom/polygon.h"
+#include "geom/vec.h"
+#include "people.h"
+
+
+/* one edge of a triangle, packed: from < to, and its direction */
+static int compare_edges(const void *x, const void *y)
+{
+    int64_t a = *(const int64_t *)x, b = *(const int64_t *)y;
+    return a < b ? -1 : a > b;
+}
+
+
+/* every edge is used once in each direction; returns the volume inside */
+static double check_shell(const mus_body *body, const int32_t *range, const char *who)
+{
+    const int32_t *triangles = mus_body_triangles(body) + 3 * (ptrdiff_t)range[2];
+    const double *x = mus_body_vertices(body);
+    int64_t *edge = malloc((size_t)range[3] * 3 * sizeof *edge);
+    double volume = 0.0;
+    for (int32_t t = 0; t < range[3]; t++) {
+        const int32_t *v = triangles + 3 * (ptrdiff_t)t;
+        double cross[3];
+        mus__cross3(x + 3 * (ptrdiff_t)v[1], x + 3 * (ptrdiff_t)v[2], cross);
+        volume += mus__dot3(x + 3 * (ptrdiff_t)v[0], cross) / 6.0;
+        for (int k = 0; k < 3; k++) {
+            int64_t a = v[k], b = v[(k + 1) % 3], low = a < b ? a : b, high = a < b ? b : a;
+            ck_assert(a >= range[0] && a < range[0] + range[1]);
+            edge[3 * (ptrdiff_t)t + k] = (low * INT32_MAX + high) * 2 + (a < b);
+        }
+    }
+    qsort(edge, (size_t)range[3] * 3, sizeof *edge, compare_edges);
+    for (int32_t i = 0; i < 3 * range[3]; i += 2)
+        ck_assert_msg(edge[i] / 2 == edge[i + 1] / 2 && edge[i] % 2 == 0 && edge[i + 1] % 2 == 1, "%s: open edge", who);
+    free(edge);
+    return volume;
+}
+
+
+START_TEST(shells_of_all_limbs_are_closed_and_outward)
+{
+    mus_context *context = support_context();
+    for (int32_t size = 0; size < mus_tape_size_count(); size++) {
+        mus_body *body = people_body(context, mus_tape_size_name(size), NULL);
+        int32_t vertices = 0, triangles = 0, range[4];
+        for (int32_t l = 0; l < mus_body_limb_count(body); l++) {
+            ck_assert_int_eq(mus_body_limb_range(body, l, range), MUS_OK);
+            ck_assert_int_eq(range[0], vertices);
+            ck_assert_int_eq(range[2], triangles);
+            ck_assert_double_gt(check_shell(body, range, mus_body_limb_name(body, l)), 0.0);
+            ck_assert_int_eq(range[1] - range[3] * 3 / 2 + range[3], 2); /* V - E + F of a sphere */
+            vertices += range[1], triangles += range[3];
+        }
+        ck_assert_int_eq(vertices, mus_body_vertex_count(body));
+        ck_assert_int_eq(triangles, mus_body_triangle_count(body));
+        mus_body_destroy(body);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* paper 3.1: closed (samples are cyclic), no contour crosses itself, all turn the same way, none crosses another of its
+ * stack (their planes are parallel and ascend) */
+START_TEST(contours_keep_the_conditions_of_the_paper)
+{
+    mus_context *context = support_context();
+    for (int32_t size = 0; size < mus_tape_size_count(); size++) {
+        mus_body *body = people_body(context, mus_tape_size_name(size), NULL);
+        int32_t n = body->def.samples, work[96], i, j;
+        for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+            const mus__limb *limb = &body->limb[l];
+            double last = -1e9, xy[2 * 96];
+            for (int32_t ring = 0; ring < limb->rings; ring++) {
+                const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * n);
+                double s = mus__dot3(x, limb->axis);
+                ck_assert_msg(s > last, "%s ring %d", limb->name, ring);
+                last = s;
+                for (int32_t k = 0; k < n; k++) {
+                    ck_assert_double_eq_tol(mus__dot3(x + 3 * (ptrdiff_t)k, limb->axis), s, 1e-12);
+                    xy[2 * k] = mus__dot3(x + 3 * (ptrdiff_t)k, limb->side);
+                    xy[2 * k + 1] = mus__dot3(x + 3 * (ptrdiff_t)k, limb->front);
+                }
+                ck_assert_double_gt(mus__polygon_area(n, xy), 0.0);
+                ck_assert_msg(!mus__polygon_crosses(n, xy, &i, &j, work), "%s %s ring %d", mus_tape_size_name(size),
+                              limb->name, ring);
+            }
+        }
+        mus_body_destroy(body);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(triangles_take_two_neighbours_of_a_contour_at_most)
+{
+    mus_context *context = support_context();
+    mus_body *body = people_body(context, "W40", NULL);
+    int32_t n = body->def.samples;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        const mus__limb *limb = &body->limb[l];
+        for (int32_t t = 0; t < limb->triangles; t++) {
+            const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
+            int32_t ring[3], at[3];
+            for (int k = 0; k < 3; k++) {
+                int32_t i = v[k] - limb->first_vertex;
+                ring[k] = i == 0 ? -1 : i == limb->vertices - 1 ? limb->rings : (i - 1) / n;
+                at[k] = (i - 1) % n;
+            }
+            ck_assert(!(ring[0] == ring[1] && ring[1] == ring[2]));
+            for (int k = 0; k < 3; k++) {
+                int m = (k + 1) % 3, apart = abs(at[k] - at[m]);
+                if (ring[k] == ring[m]) ck_assert(apart == 1 || apart == n - 1);
+            }
+        }
+    }
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(normals_are_unit_outward_and_smooth)
+{
+    mus_context *context = support_context();
+    mus_body *body = people_body(context, "M50", NULL);
+    const double *normal = mus_body_normals(body), *x = mus_body_vertices(body);
+    const int32_t *triangles = mus_body_triangles(body);
+    for (int32_t i = 0; i < mus_body_vertex_count(body); i++)
+        ck_assert_double_eq_tol(mus__norm3(normal + 3 * (ptrdiff_t)i), 1.0, 1e-12);
+    for (int32_t t = 0; t < mus_body_triangle_count(body); t++) {
+        const int32_t *v = triangles + 3 * (ptrdiff_t)t;
+        double u[3], w[3], area[3];
+        for (int i = 0; i < 3; i++) {
+            u[i] = x[3 * (ptrdiff_t)v[1] + i] - x[3 * (ptrdiff_t)v[0] + i];
+            w[i] = x[3 * (ptrdiff_t)v[2] + i] - x[3 * (ptrdiff_t)v[0] + i];
+        }
+        mus__cross3(u, w, area);
+        mus__unit3(area);
+        for (int c = 0; c < 3; c++) ck_assert_double_gt(mus__dot3(area, normal + 3 * (ptrdiff_t)v[c]), 0.5);
+    }
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* rings stand no further apart than asked, measured along the surface */
+START_TEST(rings_are_as_close_as_asked)
+{
+    mus_context *context = support_context();
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
+    def.ring_spacing = 0.02;
+    mus_body *body = people_body(context, "W40", &def);
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        const mus__limb *limb = &body->limb[l];
+        const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1);
+        for (int32_t i = 3 * def.samples * limb->contour[0].ring;
+             i < 3 * def.samples * limb->contour[limb->count - 1].ring; i += 3) {
+            double d[3] = {x[i] - x[i + 3 * def.samples], x[i + 1] - x[i + 1 + 3 * def.samples],
+                           x[i + 2] - x[i + 2 + 3 * def.samples]};
+            ck_assert_msg(mus__norm3(d) < 1.6 * 0.02, "%s %g", limb->name,
+                          mus__norm3(d)); /* a cubic is up to 1.5 steeper */
+        }
+    }
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_body_surface(void);
+Suite *mus_suite_body_surface(void)
+{
+    Suite *suite = suite_create("body_surface");
+    TCase *tests = tcase_create("body_surface");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, shells_of_all_limbs_are_closed_and_outward);
+    tcase_add_test(tests, contours_keep_the_conditions_of_the_paper);
+    tcase_add_test(tests, triangles_take_two_neighbours_of_a_contour_at_most);
+    tcase_add_test(tests, normals_are_unit_outward_and_smooth);
+    tcase_add_test(tests, rings_are_as_close_as_asked);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

@@ -10,6 +10,7 @@
 #include "contact/contact.h"
 
 #define BIG 1e30
+#define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
 
 
 /* largest radius of rings k and k+1, into out (nring) */
@@ -160,7 +161,8 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
     int32_t count = 0;
     for (int32_t l = 0; l < collider->nlimb && count < MUS_TOUCH_MOST; l++) {
         int32_t near;
-        const double depth = mus__f64_query(&collider->field64[l], p, reach, normals + 3 * (int64_t)count, &near);
+        const double depth =
+            mus__f64_query(&collider->field64[l], p, reach + STEEP_MARGIN, normals + 3 * (int64_t)count, &near);
         if (near == 1 && depth > -reach) count++;
     }
     return count;

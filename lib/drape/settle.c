@@ -1,7 +1,7 @@
 /*
  * settle.c: to rest under gravity.
  *
- * First the cloth falls and swings with light drag, then heavier drag takes the ripples out of its folds.
+ * The cloth falls and swings with light drag, then with more and more damping (stages below).
  * Symplectic Euler on inertia that is raised where the mesh is stiffer than its lattice (rest does not depend
  * on inertia). Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the
  * node's weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
@@ -15,15 +15,30 @@
 
 #define CHECK_SECONDS 0.1  /* of cloth time between residuals */
 #define MEAN_STEPS 96      /* places averaged before a residual: of every step, or ripples would alias */
-#define SAFETY 0.75        /* of the bound of symplectic Euler */
 #define SETTLE_SPEED 4.0   /* [m/s] limit */
 #define REST_DRIFT 0.002   /* [m/s]: no node's mean place drifts faster at rest */
 
 
-/* drag [1/s] at time t: near critical for a garment's swing, then more for what is left */
-static double drag_at(double t)
+/*
+ * What damps at time t of a settle. First light drag, near critical for a garment's swing; then heavier drag for its
+ * folds; last, for the ripples of a tight crease, the springs' own dashpots and a smaller part of the step bound.
+ */
+typedef struct stage {
+    double from;     /* [s] */
+    double drag;     /* [1/s] */
+    double safety;   /* of the bound of symplectic Euler */
+    int32_t dashpots;
+} stage;
+
+static const stage stages[] = {{0.0, 4.0, 0.75, 0}, {0.8, 10.0, 0.75, 0}, {2.5, 20.0, 0.5, 1}};
+
+
+static const stage *stage_at(double t)
 {
-    return t < 0.8 ? 4.0 : t < 2.5 ? 10.0 : 20.0;
+    const stage *now = stages;
+    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++)
+        if (t >= stages[i].from) now = &stages[i];
+    return now;
 }
 
 
@@ -76,7 +91,6 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     const double all = drape->def.settle_seconds;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->speed_limit = SETTLE_SPEED;
-    sim->dashpots = 0;
 
     mus__run run;
     mus__run_start(&run, "settle", progress, user);
@@ -86,9 +100,11 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     drape->settled = 0;
     memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
     for (double t = 0.0; t < all && !drape->settled && !stop && !slid;) {
-        const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
+        const stage *now = stage_at(t);
+        const double h = now->safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
-        sim->drag = drag_at(t);
+        sim->drag = now->drag;
+        sim->dashpots = now->dashpots && drape->plan.dashpots;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);

@@ -36,8 +36,9 @@ static double skirt_waist_excess(const void *data, double x)
 }
 
 
-/* dart k of n: mouth of equal widths on the waist edge, point on the perpendicular of the mouth, legs of `leg` */
-static void skirt_dart(mus__skirt_half *half, double middle, double width, double leg)
+/* next dart: a mouth of `width` about arc length `middle` of the waist edge, point on the perpendicular of the mouth,
+ * legs of `leg`, which must be longer than the mouth is wide */
+static mus_status skirt_dart(mus_context *context, mus__skirt_half *half, double middle, double width, double leg)
 {
     double *dart = half->dart[half->ndart], *s = half->dart_s[half->ndart];
     s[0] = middle - 0.5 * width, s[1] = middle + 0.5 * width;
@@ -45,10 +46,28 @@ static void skirt_dart(mus__skirt_half *half, double middle, double width, doubl
     mus__curve_at(MUS__CUBIC, half->waist, mus__curve_param(MUS__CUBIC, half->waist, s[1]), dart + 4);
 
     double x = dart[4] - dart[0], y = dart[5] - dart[1], chord = sqrt(x * x + y * y);
+    if (!(leg > chord))
+        return mus__fail(context, MUS_ERR_DESIGN, "skirt dart: %d mm wide, more than its length of %d mm (hip, waist, ease)",
+                         mus__millimetres(width), mus__millimetres(leg));
     double height = sqrt(leg * leg - 0.25 * chord * chord);
     dart[2] = 0.5 * (dart[0] + dart[4]) + height * y / chord;
     dart[3] = 0.5 * (dart[1] + dart[5]) - height * x / chord;
     half->ndart++;
+    return MUS_OK;
+}
+
+
+/* one dart in the middle of the net waist, or two at 0.36 and 0.70 of it */
+static mus_status skirt_darts(mus_context *context, const mus__skirt_def *def, bool front, double net,
+                              mus__skirt_half *half)
+{
+    const double d = half->dart_width;
+    const double long_leg = (front ? 0.50 : 0.68) * def->depth, short_leg = (front ? 0.45 : 0.60) * def->depth;
+    if (!(d > 0.0)) return MUS_OK;
+    if (d <= (front ? 3.2 : 2.8) * MUS__CM) return skirt_dart(context, half, 0.5 * net + 0.5 * d, d, long_leg);
+    mus_status status = skirt_dart(context, half, 0.36 * net + 0.25 * d, 0.5 * d, long_leg);
+    if (status == MUS_OK) status = skirt_dart(context, half, 0.70 * net + 0.75 * d, 0.5 * d, short_leg);
+    return status;
 }
 
 
@@ -64,6 +83,13 @@ static double skirt_side_in(const mus__skirt_def *def, double t, mus__skirt_half
 }
 
 
+/* mean half width of front and back at hip level; a waist that is nearly as large as the hip counts for it */
+static double skirt_hip(const mus__skirt_def *def)
+{
+    return (fmax(def->hip, 0.98 * def->waist) + def->hip_ease) / 4.0;
+}
+
+
 /* side [(x, r), (x + .45 (hip - x), r - .30 depth), (hip, -.55 depth), (hip, -depth)], below it straight or flared */
 static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
 {
@@ -72,8 +98,9 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
     mus__cubic_set(half->side_high, top, top[0] + 0.45 * (half->hip - top[0]), top[1] - 0.30 * def->depth, half->hip,
                    -0.55 * def->depth, hip);
 
-    /* flare: the last handle gives the angle at the hem; the hem rises by 0.6 of a full cone's rise */
-    double tilt = atan2(def->flare, below), rise = 0.6 * (half->hip + def->flare) * tan(0.5 * tilt);
+    /* flare: the last handle gives the angle at the hem; the hem rises by 0.6 of a full cone's rise, front and back
+     * alike */
+    double mean = skirt_hip(def), tilt = atan2(def->flare, below), rise = 0.6 * (mean + def->flare) * tan(0.5 * tilt);
     double hem[2] = {half->hip + def->flare, -def->length + rise};
     mus__cubic_set(half->side_low, hip, half->hip, -def->depth - 0.25 * below, hem[0] - 0.4 * (below - rise) * tan(tilt),
                    hem[1] + 0.4 * (below - rise), hem);
@@ -89,9 +116,9 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
 static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bool front, mus__skirt_half *half)
 {
     /* half widths: front 5 mm more, back 5 mm less */
-    double shift = (front ? 0.5 : -0.5) * MUS__CM, hip = fmax(def->hip, 0.98 * def->waist);
+    double shift = (front ? 0.5 : -0.5) * MUS__CM;
     double net = (def->waist + def->waist_ease) / 4.0 + shift;
-    half->hip = (hip + def->hip_ease) / 4.0 + shift;
+    half->hip = skirt_hip(def) + shift;
     double side = skirt_side_in(def, half->hip - net, half);
 
     /* waist edge */
@@ -105,16 +132,8 @@ static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bo
     skirt_waist(&problem, x, half->waist);
     half->waist_length = mus__cubic_length(half->waist) - d;
 
-    /* darts: one in the middle of the net waist, two at 0.36 and 0.70 of it */
-    double long_leg = (front ? 0.50 : 0.68) * def->depth, short_leg = (front ? 0.45 : 0.60) * def->depth;
-    if (d > 0.0 && d <= (front ? 3.2 : 2.8) * MUS__CM) {
-        skirt_dart(half, 0.5 * net + 0.5 * d, d, long_leg);
-    } else if (d > 0.0) {
-        skirt_dart(half, 0.36 * net + 0.25 * d, 0.5 * d, long_leg);
-        skirt_dart(half, 0.70 * net + 0.75 * d, 0.5 * d, short_leg);
-    }
     skirt_side(def, half);
-    return MUS_OK;
+    return skirt_darts(context, def, front, net, half);
 }
 
 

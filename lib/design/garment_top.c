@@ -41,6 +41,7 @@ typedef struct top_shirt {
     mus__bodice bodice;
     double widen; /* of the hem against the bust line, a half */
     double hem;   /* y */
+    bool sleeves; /* else its armholes are openings */
 } top_shirt;
 
 
@@ -60,7 +61,7 @@ static void top_open_neck(const mus__measures *measures, mus__bodice *bodice)
 }
 
 
-static void top_shirt_blocks(mus__draft *draft, top_shirt *shirt)
+static void top_shirt_blocks(mus__draft *draft, bool sleeves, top_shirt *shirt)
 {
     const mus__measures *measures = &draft->measures;
     const double *m = measures->v, k = mus__measures_scale(measures);
@@ -70,13 +71,14 @@ static void top_shirt_blocks(mus__draft *draft, top_shirt *shirt)
     def.scye_ease = 1.5 * k * MUS__CM;
     def.balance = 0.4 * MUS__CM;
     def.darts = false;
+    shirt->sleeves = sleeves;
     draft->status = mus__bodice_draft(draft->context, measures, &def, &shirt->bodice);
     if (draft->status != MUS_OK) return;
     top_open_neck(measures, &shirt->bodice);
 
-    /* the hem clears the hip by 4 cm; front and back widen alike, so their sides stay equal */
+    /* the hem clears the hip by 4 cm and lies 6 cm below it; front and back widen alike, so their sides stay equal */
     const double hip = m[MUS_MEASURE_HIP] + 4.0 * k * MUS__CM, bust = m[MUS_MEASURE_BUST] + def.bust_ease;
-    const double length = isnan(draft->def.length) ? m[MUS_MEASURE_WAIST_TO_HIP] + 2.0 * MUS__CM : draft->def.length;
+    const double length = isnan(draft->def.length) ? m[MUS_MEASURE_WAIST_TO_HIP] + 6.0 * k * MUS__CM : draft->def.length;
     const double part = fmin(1.0, length / m[MUS_MEASURE_WAIST_TO_HIP]);
     shirt->hem = -length;
     shirt->widen = part * fmax(0.0, (hip - bust) / 4.0);
@@ -95,7 +97,7 @@ static void top_shirt_panel(mus__draft *draft, const top_shirt *shirt, bool fron
     mus__chain_line(&chain, hem, half->under);
     mus__piece_edge_add(piece, front ? "sideL" : "sideR", NULL, SEAM, &chain);
     top_armhole(half, &chain);
-    mus__piece_edge_add(piece, front ? "armL" : "armR", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, front ? "armL" : "armR", shirt->sleeves ? NULL : "armhole", SEAM, &chain);
     mus__chain_line(&chain, half->tip, half->snp);
     mus__piece_edge_add(piece, front ? "shL" : "shR", NULL, SEAM, &chain);
     top_neck(half, &chain);
@@ -133,7 +135,15 @@ static void top_sleeve_block(mus__draft *draft, const mus__bodice *bodice, mus__
     const double cap = def.front + def.back, arm = m[MUS_MEASURE_UPPER_ARM];
     def.width = fmax(arm + 4.0 * k * MUS__CM, fmin(arm + 12.0 * k * MUS__CM, mus__sleeve_width(cap, 0.25)));
     def.width = fmin(def.width, cap / 1.03);
-    def.length = isnan(draft->def.sleeve) ? 0.36 * m[MUS_MEASURE_ARM] : draft->def.sleeve;
+
+    /* 0.36 of the arm long, and 2.5 cm below the cap at least, which a small child's arm asks for */
+    def.length = draft->def.sleeve;
+    if (isnan(def.length)) {
+        def.length = m[MUS_MEASURE_ARM];
+        draft->status = mus__sleeve_draft(draft->context, &def, sleeve);
+        if (draft->status != MUS_OK) return;
+        def.length = fmax(0.36 * m[MUS_MEASURE_ARM], sleeve->height + 2.5 * MUS__CM);
+    }
 
     /* the hem narrows from the biceps towards the hand with the length */
     const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM);
@@ -177,7 +187,7 @@ void mus__draft_tshirt(mus__draft *draft)
     top_shirt shirt;
     mus__sleeve sleeve;
     mus__piece front, back, arm[2];
-    top_shirt_blocks(draft, &shirt);
+    top_shirt_blocks(draft, true, &shirt);
     if (draft->status == MUS_OK) top_sleeve_block(draft, &shirt.bodice, &sleeve);
     if (draft->status != MUS_OK) return;
     top_shirt_panel(draft, &shirt, true, &front);
@@ -198,7 +208,7 @@ void mus__draft_sleeveless(mus__draft *draft)
 {
     top_shirt shirt;
     mus__piece front, back;
-    top_shirt_blocks(draft, &shirt);
+    top_shirt_blocks(draft, false, &shirt);
     if (draft->status != MUS_OK) return;
     top_shirt_panel(draft, &shirt, true, &front);
     top_shirt_panel(draft, &shirt, false, &back);

@@ -36,8 +36,9 @@ static mus_status body_read_def(mus_context *context, const mus_body_def *def, m
     mus_status status = MUS_OK;
     if (def != NULL) status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_body_def");
     if (status != MUS_OK) return status;
-    if (own->samples < 16 || own->samples > 512 || own->samples % 4 != 0)
-        return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to 512", (int)own->samples);
+    if (own->samples < 16 || own->samples > MUS_BODY_SAMPLES || own->samples % 4 != 0)
+        return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to %d", (int)own->samples,
+                         MUS_BODY_SAMPLES);
     if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "ring_spacing is outside 0.001 to 0.1 m");
     return MUS_OK;

@@ -15,6 +15,7 @@
 
 #define MUS_LIMB_COUNT 7
 #define MUS_LIMB_CONTOURS 32
+#define MUS_BODY_SAMPLES 512 /* most samples round a contour */
 
 /* which limb is which in mus_body.limb */
 enum {

@@ -123,22 +123,47 @@ static double measure_outside(const double *depth)
 }
 
 
+/* depths in the other limbs of a ring of the surface */
+static void measure_row(const mus_body *body, int32_t own, int32_t ring, double *depth)
+{
+    const double *x = measure_ring(body, &body->limb[own], ring);
+    for (int32_t k = 0; k < body->def.samples; k++) depth[k] = measure_other_depth(body, own, x + 3 * (ptrdiff_t)k);
+}
+
+
+/* six times the volume under a triangle, the part outside the other limbs */
+static double measure_wedge(const mus_body *body, const int32_t *v, const double *depth)
+{
+    double cross[3];
+    mus__cross3(body->vertices + 3 * (ptrdiff_t)v[1], body->vertices + 3 * (ptrdiff_t)v[2], cross);
+    return measure_outside(depth) * mus__dot3(body->vertices + 3 * (ptrdiff_t)v[0], cross);
+}
+
+
 double mus_body_volume(const mus_body *body)
 {
     if (body == NULL) return NAN;
-    double volume = 0.0;
+    double volume = 0.0, row[2][MUS_BODY_SAMPLES], pole[2];
+    int32_t n = body->def.samples;
     for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
+        const double *x = body->vertices + 3 * (ptrdiff_t)limb->first_vertex;
+        pole[0] = measure_other_depth(body, l, x);
+        pole[1] = measure_other_depth(body, l, x + 3 * ((ptrdiff_t)limb->vertices - 1));
+        measure_row(body, l, 0, row[0]);
+
+        /* triangles come ring by ring: a fan, strips, a fan; two rows of depths are enough */
         for (int32_t t = 0; t < limb->triangles; t++) {
+            if (t % (2 * n) == n && t / (2 * n) + 1 < limb->rings)
+                measure_row(body, l, t / (2 * n) + 1, row[(t / (2 * n) + 1) % 2]);
             const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
-            const double *p = body->vertices + 3 * (ptrdiff_t)v[0], *q = body->vertices + 3 * (ptrdiff_t)v[1];
-            const double *r = body->vertices + 3 * (ptrdiff_t)v[2];
-            double depth[3] = {measure_other_depth(body, l, p), measure_other_depth(body, l, q),
-                               measure_other_depth(body, l, r)};
-            double cross[3];
-            mus__cross3(q, r, cross);
-            volume += measure_outside(depth) * mus__dot3(p, cross) / 6.0;
+            double depth[3];
+            for (int c = 0; c < 3; c++) {
+                int32_t i = v[c] - limb->first_vertex - 1;
+                depth[c] = i < 0 ? pole[0] : i == limb->rings * n ? pole[1] : row[i / n % 2][i % n];
+            }
+            volume += measure_wedge(body, v, depth);
         }
     }
-    return volume;
+    return volume / 6.0;
 }

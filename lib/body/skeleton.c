@@ -21,7 +21,7 @@ static double skeleton_mix(int32_t sex, double female, double male)
 }
 
 
-/* from the end of the shoulder line to the acromion, in parts of the stature: makes shoulder breadths those of ANSUR II */
+/* from the end of the shoulder line to the acromion, in parts of the stature: shoulder breadths as in ANSUR II */
 static double skeleton_wide(int32_t sex)
 {
     return sex == MUS_SEX_CHILD ? -0.008 : skeleton_mix(sex, 0.007, 0.0);

@@ -164,6 +164,31 @@ def test_a_pattern_built_by_hand_is_an_annulus_when_sewn(context):
     assert sorted(length for _, length in pattern.loops()) == pytest.approx([1, 1])
 
 
+def test_what_is_said_of_a_pattern_is_what_it_answers(context):
+    pattern = tube(context)
+    edge = pattern.add_edge(0, 2, ["quadratic"], [(0.3, 0.1)], name="cut line")
+    assert pattern.edge(0, "cut line") == edge and pattern.panel("wall") == 0
+    with pytest.raises(KeyError):
+        pattern.panel("floor")
+    pattern.set_label(0, "hem")
+    pattern.set_allowance(0, 0.03)
+    pattern.set_grain(0, 3, 4)
+    pattern.set_cut(0, 2)
+    pattern.add_notch(0, 0.25, 2)
+    pattern.add_mark(0, "centre", [(0.6, 0.0), (0.6, 0.4)])
+    assert pattern.edge_label(0) == "hem" and pattern.edge_label(1) == ""
+    assert pattern.edge_allowance(0) == 0.03 and pattern.edge_allowance(1) is None
+    assert pattern.grain(0) == pytest.approx((0.6, 0.8))
+    assert pattern.cut(0) == (2, None)
+    assert pattern.notches() == [(0, 0.25, 2)]
+    assert pattern.marks() == [(0, "centre", [(0.6, 0.0), (0.6, 0.4)])]
+    assert [tuple(row) for row in pattern.edge_at(0, [0, 0.5, 1])] == [(0, 0), pytest.approx((0.6, 0)), (1.2, 0)]
+    assert pattern.outline(0) == [(0, 1), (1, 1), (2, 1), (3, 1)]
+    assert pattern.placement(0)["bend"] == pytest.approx(1.2 / (2 * math.pi))
+    assert pattern.seam(0)["edge_b"] == 3 and pattern.edge_ends(1) == (1, 2)
+    assert pattern.copy().marks() == pattern.marks()
+
+
 def test_an_exception_in_progress_stops_the_run_and_comes_out(scene):
     _, body, _, cloth = scene
     drape = muslin.Drape(cloth, body)

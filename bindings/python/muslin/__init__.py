@@ -10,8 +10,8 @@
     muslin.Sheet(pattern).write_pdf("tshirt.pdf")
 
 Units are SI: metre, kilogram, second, radian. X to the wearer's left, Y up, Z forward, floor at Y = 0. A status that is
-not MUS_OK becomes a MuslinError with the library's own sentence. Nothing is computed in Python; numpy is used for arrays
-when it is installed, memoryviews stand in when it is not.
+not MUS_OK becomes a MuslinError with the library's own sentence. Nothing is computed in Python. Arrays are numpy's when
+it is installed, memoryviews when it is not.
 """
 from ._abi import VERSION as __version__
 from ._library import version

@@ -1,5 +1,6 @@
 """pattern.py: a sewing pattern as a cell complex: points, edges, panels, and seams between edges."""
 import ctypes
+import math
 
 from . import _abi
 from ._library import lib
@@ -73,9 +74,26 @@ class Pattern(Object):
     def add_notch(self, edge, s, kind=1):
         return self._add("add_notch", edge, s, kind)
 
+    def add_mark(self, panel, name, points):
+        """A line or (one point) a drill point inside a panel."""
+        places, n = doubles(points, 2)
+        return self._add("add_mark", panel, text(name), n, places)
+
     def set_label(self, edge, label):
         """The opening or role of an edge ("hem", "neck")."""
         self.do("set_edge_label", edge, text(label))
+
+    def set_allowance(self, edge, allowance):
+        """Seam allowance of an edge [m]; None leaves it to the sheet."""
+        self.do("set_edge_allowance", edge, math.nan if allowance is None else allowance)
+
+    def set_grain(self, panel, x, y):
+        """Direction of the warp in the plane of a panel."""
+        self.do("set_grain", panel, x, y)
+
+    def set_cut(self, panel, count, mirror_of=_abi.MUS_NONE):
+        """How many pieces are cut, and of which panel it is the mirror image."""
+        self.do("set_cut", panel, count, mirror_of)
 
     def set_placement(self, panel, **options):
         """Where a panel starts: origin, rotation, bend, bend_x (mus_placement)."""
@@ -119,6 +137,63 @@ class Pattern(Object):
         n, edges, signs = ctypes.c_int32(), ctypes.POINTER(ctypes.c_int32)(), ctypes.POINTER(ctypes.c_int32)()
         self.do("outline", panel, ctypes.byref(n), ctypes.byref(edges), ctypes.byref(signs))
         return [(edges[i], signs[i]) for i in range(n.value)]
+
+    def panel(self, name):
+        """Number of a panel by name; KeyError."""
+        index = self.get("find_panel", text(name))
+        if index == _abi.MUS_NONE:
+            raise KeyError(name)
+        return index
+
+    def edge(self, panel, name):
+        """Number of an edge by its panel's number and its name; KeyError."""
+        index = self.get("find_edge", panel, text(name))
+        if index == _abi.MUS_NONE:
+            raise KeyError(name)
+        return index
+
+    def grain(self, panel):
+        """(x, y) of the warp."""
+        place = (ctypes.c_double * 2)()
+        self.do("grain", panel, place)
+        return tuple(place)
+
+    def cut(self, panel):
+        """(count, mirror_of) of a panel; mirror_of None when it is no mirror image."""
+        count, mirror = ctypes.c_int32(), ctypes.c_int32()
+        self.do("cut", panel, ctypes.byref(count), ctypes.byref(mirror))
+        return count.value, None if mirror.value == _abi.MUS_NONE else mirror.value
+
+    def edge_allowance(self, edge):
+        """[m], None where the sheet decides."""
+        value = self.get("edge_allowance", edge)
+        return None if math.isnan(value) else value
+
+    def edge_at(self, edge, t):
+        """Points (n x 2) of an edge at relative arc lengths t (0 start .. 1 end)."""
+        places, n = doubles(t)
+        points = (ctypes.c_double * (2 * n))()
+        self.do("edge_at", edge, n, places, points)
+        return result(points, 2)
+
+    def notches(self):
+        """[(edge, arc length [m], kind)]."""
+        return [self._notch(i) for i in range(self.get("notch_count"))]
+
+    def _notch(self, notch):
+        edge, s, kind = ctypes.c_int32(), ctypes.c_double(), ctypes.c_int32()
+        self.do("notch", notch, ctypes.byref(edge), ctypes.byref(s), ctypes.byref(kind))
+        return edge.value, s.value, kind.value
+
+    def marks(self):
+        """[(panel, name, points)]."""
+        return [self._mark(i) for i in range(self.get("mark_count"))]
+
+    def _mark(self, mark):
+        panel, name, n = ctypes.c_int32(), ctypes.c_char_p(), ctypes.c_int32()
+        points = ctypes.POINTER(ctypes.c_double)()
+        self.do("mark", mark, ctypes.byref(panel), ctypes.byref(name), ctypes.byref(n), ctypes.byref(points))
+        return panel.value, name.value.decode(), [(points[2 * i], points[2 * i + 1]) for i in range(n.value)]
 
     def point(self, point):
         """(panel, x, y) of a point."""

@@ -1,6 +1,6 @@
 """setup.py: build the shared libraries by the Makefile of the repository, and put them beside the package's modules.
 
-All else stands in pyproject.toml. The wheel holds no code for one Python only: it serves every Python 3 of its platform.
+All else stands in pyproject.toml. The wheel serves every Python 3 of its platform.
 """
 import pathlib
 import shutil

@@ -37,8 +37,8 @@ def check(path):
 
 
 def main():
-    files = [file for folder in ("lib", "include", "examples", "tests", "bindings") for file in sorted((ROOT / folder).rglob("*"))]
-    faults = [fault for file in files if file.suffix in (".c", ".h", ".cpp", ".py")
+    files = [file for folder in ("lib", "include", "examples", "tests") for file in sorted((ROOT / folder).rglob("*"))]
+    faults = [fault for file in files if file.suffix in (".c", ".h", ".cpp")
               for fault in check(file.relative_to(ROOT).as_posix())]
     print("\n".join(faults), end="\n" if faults else "")
     return 1 if faults else 0

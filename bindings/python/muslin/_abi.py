@@ -2,8 +2,8 @@
 
 Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 """
-from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint64,
-                    c_void_p)
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t,
+                    c_uint64, c_void_p)
 
 VERSION = "0.1.0"
 

@@ -6,7 +6,7 @@ from .context import Context, make_def, text
 
 
 class Mesh:
-    """A mesh to write: positions (n x 3), triangles (m x 3); optional normals (n x 3), texcoords (n x 2), colour RGBA."""
+    """A mesh to write: positions (n x 3), triangles (m x 3), normals (n x 3), texcoords (n x 2), colour (RGBA)."""
 
     def __init__(self, name, positions, triangles, normals=None, texcoords=None, colour=None, two_sided=False):
         self._positions, n = doubles(positions, 3)

@@ -62,8 +62,8 @@ static const torso_shape torso_shapes[] = {
     {"high_bust", {0.69, 2.7, 0.0000}, {0.67, 2.7, -0.0040}, 0.72, 0.72},
     {"armhole", {0.53, 2.3, -0.0090}, {0.50, 2.3, -0.0110}, 0.57, 0.57},
     {"shoulder", {0.40, 2.0, -0.0125}, {0.38, 2.0, -0.0140}, 0.42, 0.42},
-    {"slope", {0.54, 2.0, -0.0065}, {0.50, 2.0, -0.0085}, 0.52, 0.52},
-    {"neck", {0.95, 2.0, -0.0040}, {0.95, 2.0, -0.0055}, 0.95, 0.95},
+    {"slope", {0.54, 2.0, -0.0065}, {0.52, 2.0, -0.0090}, 0.60, 0.56},
+    {"neck", {0.95, 2.0, -0.0040}, {0.95, 2.0, -0.0035}, 0.95, 0.95},
     {"nape", {1.08, 2.0, 0.0030}, {1.08, 2.0, 0.0020}, 1.08, 1.08},
     {"chin", {1.22, 2.0, 0.0140}, {1.22, 2.0, 0.0120}, 1.22, 1.22},
     {"jaw", {1.30, 2.1, 0.0195}, {1.32, 2.1, 0.0170}, 1.30, 1.30},
@@ -211,8 +211,10 @@ static void torso_head(const torso_plan *plan)
     const mus__skeleton *bone = plan->bone;
     double head = torso_value(plan, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
 
-    torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape), 0.69 * head, 0.0);
-    torso_put_girth(plan, TORSO_JAW, bone->jaw, 0.79 * head, 0.0);
+    /* a small child has little face below the brow */
+    torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape), (0.58 + 0.11 * plan->grown) * head,
+                    0.0);
+    torso_put_girth(plan, TORSO_JAW, bone->jaw, (0.75 + 0.04 * plan->grown) * head, 0.0);
     torso_put_measure(plan, TORSO_BROW, bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 0.0);
 
     /* u of the way from brow to crown the ellipsoid has sqrt(1 - u^2) of the brow's girth */

@@ -38,6 +38,13 @@ bool number_read(const char *text, double *out)
 }
 
 
+int output_end(const char *command)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout)) return EXIT_DONE;
+    return complain(EXIT_FAILED, command, "standard output: cannot be written");
+}
+
+
 static void print_help(const char *command, const char *summary, const option *options)
 {
     printf("usage: muslin %s", command);
@@ -142,7 +149,7 @@ bool args_read(const char *command, const char *summary, const option *options, 
     for (int i = 0; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_help(command, summary, options);
-            exit(EXIT_DONE);
+            exit(output_end(command));
         }
         const option *o = find_option(options, argv[i]);
         if (o == NULL && argv[i][0] == '-' && argv[i][1] != '\0')

@@ -53,7 +53,10 @@ bool output_check(const char *command, const char *path);
 /* One line on standard error, "muslin COMMAND: text". Returns `code`. */
 int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* A whole number with a decimal point, whatever the locale; false when `text` is not one. */
+/* Is all of standard output out? EXIT_DONE, or a line and EXIT_FAILED. */
+int output_end(const char *command);
+
+/* A finite number with a decimal point, whatever the locale; false when `text` is not one. */
 bool number_read(const char *text, double *out);
 
 #endif

@@ -43,18 +43,16 @@ int main(int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         usage();
-        return EXIT_DONE;
+        return output_end("--help");
     }
     if (strcmp(argv[1], "--version") == 0) {
         printf("muslin %d.%d.%d\n", MUS_VERSION_MAJOR, MUS_VERSION_MINOR, MUS_VERSION_PATCH);
-        return EXIT_DONE;
+        return output_end("--version");
     }
     for (size_t i = 0; i < COMMANDS; i++) {
         if (strcmp(argv[1], commands[i].name) != 0) continue;
         const int code = commands[i].run(argc - 2, argv + 2);
-        if (fflush(stdout) != 0 && code == EXIT_DONE)
-            return complain(EXIT_FAILED, argv[1], "standard output: cannot be written");
-        return code;
+        return code == EXIT_DONE ? output_end(argv[1]) : code;
     }
     fprintf(stderr, "muslin: command \"%s\" is unknown; see muslin --help\n", argv[1]);
     return EXIT_INPUT;

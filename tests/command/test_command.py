@@ -1,7 +1,5 @@
 """The command end to end: what it writes, what it says, how it ends."""
 import json
-import os
-import subprocess
 
 import pytest
 
@@ -12,27 +10,10 @@ REPORT_KEYS = {"status", "nodes", "springs", "seams_closed", "max_seam_gap_mm", 
                "state_hash"}
 
 
-def comma_locale():
-    """Environment of a locale whose decimal point is a comma, or None where the machine has none."""
-    for name in ("de_DE.UTF-8", "fr_FR.UTF-8"):
-        environment = {**os.environ, "LC_ALL": name}
-        done = subprocess.run(["locale", "decimal_point"], capture_output=True, text=True, env=environment)
-        if done.stdout.strip() == ",":
-            return environment
-    return None
-
-
 @pytest.fixture(scope="module")
-def tape(root):
-    return root / "examples" / "tapes" / "w40.tape"
-
-
-@pytest.fixture(scope="module")
-def skirt(tmp_path_factory, command, tape):
+def skirt(patterns):
     """A drafted skirt as muslin JSON."""
-    path = tmp_path_factory.mktemp("draft") / "skirt.json"
-    command("draft", "--design", "skirt", "--tape", tape, "-o", path)
-    return path
+    return patterns("skirt")
 
 
 # ---- help ----
@@ -164,11 +145,8 @@ def test_paper_is_tiled_to_cover_the_sheet(command, skirt, tmp_path, paper):
 
 # ---- locale ----
 
-def test_a_comma_locale_changes_no_byte(command, tape, skirt, tmp_path):
-    environment = comma_locale()
-    if environment is None:
-        pytest.skip("no locale with a decimal comma (package locales)")  # make check makes one where it can
-    for name, options in {"plain": {}, "comma": {"env": environment}}.items():
+def test_a_comma_locale_changes_no_byte(command, tape, skirt, tmp_path, comma):
+    for name, options in {"plain": {}, "comma": comma}.items():
         folder = tmp_path / name
         folder.mkdir()
         command("draft", "--design", "skirt", "--tape", tape, "-o", folder / "skirt.json", **options)
@@ -194,15 +172,8 @@ BAD_TAPES = {
 }
 
 
-def one_line(done):
-    text = done.stderr.decode()
-    assert done.stdout == b""
-    assert text.startswith("muslin") and text.count("\n") == 1 and text.endswith("\n"), text
-    return text
-
-
 @pytest.mark.parametrize("line", BAD_TAPES, ids=lambda line: line.replace("\n", "|"))
-def test_a_bad_line_of_a_tape_is_named(command, tmp_path, line):
+def test_a_bad_line_of_a_tape_is_named(command, tmp_path, line, one_line):
     path = tmp_path / "bad.tape"
     path.write_text(f"# a tape\nstature 168 cm\nbust 92 cm\nhip 100 cm\n{line}\n")
     text = one_line(command("body", "--tape", path, code=2))
@@ -210,7 +181,7 @@ def test_a_bad_line_of_a_tape_is_named(command, tmp_path, line):
     assert ":5" in text or ":6" in text or "line 5" in text or "line 6" in text, text
 
 
-def test_a_tape_in_contradiction_is_refused_with_both_names(command, tmp_path):
+def test_a_tape_in_contradiction_is_refused_with_both_names(command, tmp_path, one_line):
     path = tmp_path / "bad.tape"
     path.write_text("sex female\nstature 168 cm\nbust 92 cm\nwaist 76 cm\nhip 100 cm\n"
                     "waist_height 104 cm\nrise 26 cm\ninleg 60 cm\n")
@@ -238,12 +209,12 @@ def test_a_tape_in_contradiction_is_refused_with_both_names(command, tmp_path):
     (["print", "--design", "skirt", "--size", "W40", "--pdf", "x.pdf", "--paper", "a9"], "a9"),
     (["convert", "only-one.json"], "two files"),
 ], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
-def test_bad_arguments_are_named(command, tmp_path, arguments, word):
+def test_bad_arguments_are_named(command, tmp_path, arguments, word, one_line):
     assert word in one_line(command(*arguments, code=2, cwd=tmp_path))
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_pattern_cut_short_anywhere_is_refused_or_whole(command, skirt, tmp_path):
+def test_a_pattern_cut_short_anywhere_is_refused_or_whole(command, skirt, tmp_path, one_line):
     whole = skirt.read_bytes()
     cut = tmp_path / "cut.json"
     for n in sorted({0, 1, 2, len(whole) // 3, len(whole) // 2, len(whole) - 40, len(whole) - 3}):
@@ -255,7 +226,7 @@ def test_a_pattern_cut_short_anywhere_is_refused_or_whole(command, skirt, tmp_pa
 @pytest.mark.parametrize("text", ["[]", "{}", "null", '"pattern"', "{\"pattern\": 5}", "\x00\xff", "[" * 100000,
                                   '{"pattern": {"panels": {}, "stitches": 1e9}, "properties": {}}'],
                          ids=["list", "empty", "null", "text", "number", "bytes", "deep", "count"])
-def test_a_file_that_is_no_pattern_is_refused(command, tmp_path, text):
+def test_a_file_that_is_no_pattern_is_refused(command, tmp_path, text, one_line):
     path = tmp_path / "bad.json"
     path.write_bytes(text.encode("latin-1"))
     assert "bad.json" in one_line(command("convert", path, tmp_path / "out.json", code=2))
@@ -263,7 +234,7 @@ def test_a_file_that_is_no_pattern_is_refused(command, tmp_path, text):
 
 
 @pytest.mark.parametrize("option", ["--pdf", "--svg"])
-def test_an_output_that_cannot_be_written_leaves_nothing(command, skirt, tmp_path, option):
+def test_an_output_that_cannot_be_written_leaves_nothing(command, skirt, tmp_path, option, one_line):
     done = command("print", "--pattern", skirt, option, tmp_path / "missing" / "p.out", code=None)
     assert done.returncode in (1, 2) and "missing" in one_line(done)
     assert list(tmp_path.iterdir()) == []

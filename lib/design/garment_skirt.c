@@ -138,11 +138,12 @@ void mus__draft_skirt(mus__draft *draft)
 }
 
 
-/* no dart and no opening: the top edge passes half of what the hip is wider, and rests above the hip */
+/* no dart, so little shaping: the top edge is wider than the waist by 0.3 of what the hip is, and rests above the hip,
+ * which it must therefore not pass: 0.95 of the hip at most */
 void mus__draft_skirt_plain(mus__draft *draft)
 {
     mus__skirt_def def = skirt_def(draft);
-    def.waist_ease = fmax(def.waist_ease, 0.5 * (def.hip - def.waist));
+    def.waist_ease = fmin(0.3 * (def.hip - def.waist), 0.95 * def.hip - def.waist);
     def.flare = 0.10 * def.length;
     def.darts = false;
     skirt_make(draft, &def);

@@ -45,12 +45,12 @@ typedef struct top_shirt {
 } top_shirt;
 
 
-/* neckline: side neck 1.5 cm out, back 0.5 cm and front 2 cm down, then down again until the head passes */
+/* neckline: side neck 1.5 cm out, back 1.5 cm and front 2 cm down, then down again until the head passes */
 static void top_open_neck(const mus__measures *measures, mus__bodice *bodice)
 {
     const double k = mus__measures_scale(measures), need = measures->v[MUS_MEASURE_HEAD] + 2.0 * MUS__CM;
     mus__bodice_lower_neck(&bodice->front, 1.5 * k * MUS__CM, 2.0 * k * MUS__CM);
-    mus__bodice_lower_neck(&bodice->back, 1.5 * k * MUS__CM, 0.5 * k * MUS__CM);
+    mus__bodice_lower_neck(&bodice->back, 1.5 * k * MUS__CM, 1.5 * k * MUS__CM);
     for (int i = 0; i < 40; i++) {
         const double girth = 2.0 * (bodice->front.neck_length + bodice->back.neck_length);
         if (girth * JERSEY_STRETCH >= need) return;
@@ -61,20 +61,33 @@ static void top_open_neck(const mus__measures *measures, mus__bodice *bodice)
 }
 
 
+/* a shirt lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is off the body, and not
+ * beyond the shoulder point, where the arm turns down: up to 0.15 shorter */
+static void top_shirt_shoulder(const mus__draft *draft, mus__measures *measures)
+{
+    double *m = measures->v;
+    m[MUS_MEASURE_SHOULDER_SLOPE] -= 0.08;
+    const double neck = m[MUS_MEASURE_NECK] / 6.0 + 0.85 * MUS__CM, along = cos(m[MUS_MEASURE_SHOULDER_SLOPE]);
+    const double reach = (draft->skeleton.shoulder_x - neck) / along;
+    m[MUS_MEASURE_SHOULDER] = fmax(0.85 * m[MUS_MEASURE_SHOULDER], fmin(m[MUS_MEASURE_SHOULDER], reach));
+}
+
+
 static void top_shirt_blocks(mus__draft *draft, bool sleeves, top_shirt *shirt)
 {
-    const mus__measures *measures = &draft->measures;
-    const double *m = measures->v, k = mus__measures_scale(measures);
+    mus__measures measures = draft->measures;
+    const double *m = measures.v, k = mus__measures_scale(&measures);
     mus__bodice_def def;
-    mus__bodice_def_init(&def, measures);
+    top_shirt_shoulder(draft, &measures);
+    mus__bodice_def_init(&def, &measures);
     def.bust_ease = isnan(draft->def.ease) ? 8.0 * k * MUS__CM : draft->def.ease;
     def.scye_ease = 1.5 * k * MUS__CM;
     def.balance = 0.4 * MUS__CM;
     def.darts = false;
     shirt->sleeves = sleeves;
-    draft->status = mus__bodice_draft(draft->context, measures, &def, &shirt->bodice);
+    draft->status = mus__bodice_draft(draft->context, &measures, &def, &shirt->bodice);
     if (draft->status != MUS_OK) return;
-    top_open_neck(measures, &shirt->bodice);
+    top_open_neck(&measures, &shirt->bodice);
 
     /* the hem clears the hip by 4 cm and lies 6 cm below it; front and back widen alike, so their sides stay equal */
     const double hip = m[MUS_MEASURE_HIP] + 4.0 * k * MUS__CM, bust = m[MUS_MEASURE_BUST] + def.bust_ease;

@@ -1,14 +1,11 @@
 """What the Python tests share: where the programs, the data and the package are."""
-import os
-import pathlib
 import subprocess
 import sys
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-BIN = pathlib.Path(os.environ.get("MUSLIN_BIN", ROOT / "build" / "bin")).resolve()
-DATA = pathlib.Path(os.environ.get("MUSLIN_DATA", ROOT.parent / "shared" / "data")).resolve()
+from places import BIN, DATA, ROOT
+
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 
 

@@ -12,7 +12,7 @@ import pytest
 
 np = pytest.importorskip("numpy")
 
-from conftest import BIN, DATA  # noqa: E402
+from places import BIN, DATA  # noqa: E402
 
 PROGRAM = BIN / "muslin-render"
 SIZE = (240, 240)

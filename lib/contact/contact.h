@@ -49,7 +49,8 @@ void mus__collider_destroy(mus__collider *collider);
 /* largest depth of a point of the body frame over the limbs, positive inside; -1e30 out of reach of all */
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
 
-/* outward normals of the limbs that are nearer to a point of the body frame than `reach`: out (most x 3), their number */
+/* outward normals of the limbs that are nearer to a point of the body frame than `reach`: out (most x 3), their
+ * number */
 #define MUS_TOUCH_MOST 4
 int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals);
 

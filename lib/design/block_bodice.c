@@ -144,7 +144,8 @@ static mus_status bodice_bust(mus_context *context, const mus__measures *measure
     double nw = m[MUS_MEASURE_NECK] / 6.0 + 0.7 * MUS__CM, reach = width - bs2;
     double q2 = bd * bd - (bs2 - nw) * (bs2 - nw);
     if (q2 < 1e-4 || reach < 2.0 * MUS__CM)
-        return mus__fail(context, MUS_ERR_DESIGN, "bust point: bust_span %d mm and bust_depth %d mm do not fit bust %d mm",
+        return mus__fail(context, MUS_ERR_DESIGN,
+                         "bust point: bust_span %d mm and bust_depth %d mm do not fit bust %d mm",
                          mus__millimetres(2.0 * bs2), mus__millimetres(bd), mus__millimetres(m[MUS_MEASURE_BUST]));
     double q = sqrt(q2);
 
@@ -219,7 +220,8 @@ static mus_status bodice_front(mus_context *context, const mus__measures *measur
 
     /* armhole */
     const double *u = front->under, *t = front->tip;
-    front->pitch[0] = fmin(fmin(m[MUS_MEASURE_ACROSS_FRONT] / 2.0 + 0.2 * MUS__CM, u[0] - 1.5 * MUS__CM), t[0] - 0.8 * MUS__CM);
+    front->pitch[0] =
+        fmin(fmin(m[MUS_MEASURE_ACROSS_FRONT] / 2.0 + 0.2 * MUS__CM, u[0] - 1.5 * MUS__CM), t[0] - 0.8 * MUS__CM);
     front->pitch[1] = u[1] + 0.42 * (t[1] - u[1]);
     if (t[1] - u[1] < 3.0 * MUS__CM || front->pitch[0] < 0.5 * front->snp[0])
         return mus__fail(context, MUS_ERR_DESIGN,

@@ -107,7 +107,8 @@ void mus__chain_reverse(mus__chain *chain)
 {
     mus__chain from = *chain;
     for (int32_t i = 0; i < from.npiece; i++) chain->kinds[i] = from.kinds[from.npiece - 1 - i];
-    for (int32_t i = 0; i < from.nxy; i++) memcpy(chain->xy + 2 * i, from.xy + 2 * (from.nxy - 1 - i), 2 * sizeof *from.xy);
+    for (int32_t i = 0; i < from.nxy; i++)
+        memcpy(chain->xy + 2 * i, from.xy + 2 * (from.nxy - 1 - i), 2 * sizeof *from.xy);
 }
 
 

@@ -22,8 +22,8 @@ typedef struct skirt_waist_problem {
 static void skirt_waist(const skirt_waist_problem *problem, double x, double *out)
 {
     double centre[2] = {0.0, 0.0}, side[2] = {x, problem->rise}, reach = 0.33 * x;
-    mus__cubic_set(out, centre, 0.4 * x, 0.0, x - reach * cos(problem->tilt), problem->rise - reach * sin(problem->tilt),
-                   side);
+    mus__cubic_set(out, centre, 0.4 * x, 0.0, x - reach * cos(problem->tilt),
+                   problem->rise - reach * sin(problem->tilt), side);
 }
 
 
@@ -47,7 +47,8 @@ static mus_status skirt_dart(mus_context *context, mus__skirt_half *half, double
 
     double x = dart[4] - dart[0], y = dart[5] - dart[1], chord = sqrt(x * x + y * y);
     if (!(leg > chord))
-        return mus__fail(context, MUS_ERR_DESIGN, "skirt dart: %d mm wide, more than its length of %d mm (hip, waist, ease)",
+        return mus__fail(context, MUS_ERR_DESIGN,
+                         "skirt dart: %d mm wide, more than its length of %d mm (hip, waist, ease)",
                          mus__millimetres(width), mus__millimetres(leg));
     double height = sqrt(leg * leg - 0.25 * chord * chord);
     dart[2] = 0.5 * (dart[0] + dart[4]) + height * y / chord;
@@ -102,11 +103,12 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
      * alike */
     double mean = skirt_hip(def), tilt = atan2(def->flare, below), rise = 0.6 * (mean + def->flare) * tan(0.5 * tilt);
     double hem[2] = {half->hip + def->flare, -def->length + rise};
-    mus__cubic_set(half->side_low, hip, half->hip, -def->depth - 0.25 * below, hem[0] - 0.4 * (below - rise) * tan(tilt),
-                   hem[1] + 0.4 * (below - rise), hem);
+    mus__cubic_set(half->side_low, hip, half->hip, -def->depth - 0.25 * below,
+                   hem[0] - 0.4 * (below - rise) * tan(tilt), hem[1] + 0.4 * (below - rise), hem);
 
     double centre[2] = {0.0, -def->length}, reach = 0.3 * hem[0];
-    mus__cubic_set(half->hem, centre, 0.5 * hem[0], centre[1], hem[0] - reach * cos(tilt), hem[1] - reach * sin(tilt), hem);
+    mus__cubic_set(half->hem, centre, 0.5 * hem[0], centre[1], hem[0] - reach * cos(tilt), hem[1] - reach * sin(tilt),
+                   hem);
     half->hem_width = hem[0];
     half->side_high_length = mus__cubic_length(half->side_high);
     half->side_length = half->side_high_length + mus__cubic_length(half->side_low);
@@ -141,7 +143,8 @@ mus_status mus__skirt_draft(mus_context *context, const mus__skirt_def *def, mus
 {
     memset(out, 0, sizeof *out);
     if (def->depth < 1.0 * MUS__CM || def->length < def->depth + 2.0 * MUS__CM)
-        return mus__fail(context, MUS_ERR_DESIGN, "skirt: length %d mm does not reach below the hip (waist_to_hip, %d mm down)",
+        return mus__fail(context, MUS_ERR_DESIGN,
+                         "skirt: length %d mm does not reach below the hip (waist_to_hip, %d mm down)",
                          mus__millimetres(def->length), mus__millimetres(def->depth));
     if (def->hip + def->hip_ease < 0.1 || def->waist + def->waist_ease < 0.1)
         return mus__fail(context, MUS_ERR_DESIGN, "skirt: ease %d mm on hip %d mm leaves nothing to wear",

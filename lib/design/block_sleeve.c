@@ -22,7 +22,8 @@ typedef struct sleeve_cap_problem {
 } sleeve_cap_problem;
 
 
-/* front [F, (F.x + .55 dx, 0), (T.x - .44 dx, h), T], dx = T.x - F.x; back [T, (T.x + .48 dx, h), (K.x - .45 dx, 0), K] */
+/* front [F, (F.x + .55 dx, 0), (T.x - .44 dx, h), T], dx = T.x - F.x; back [T, (T.x + .48 dx, h), (K.x - .45 dx, 0),
+ * K] */
 static void sleeve_cap(double width, double height, double crown, double *front, double *back)
 {
     double f[2] = {-0.5 * width, 0.0}, k[2] = {0.5 * width, 0.0}, t[2] = {crown, height};

@@ -112,7 +112,8 @@ static void design_check(mus__draft *draft)
     draft->status = mus_pattern_check(draft->pattern, &faults);
     if (draft->status != MUS_OK || faults == 0) return;
     mus_pattern_fault(draft->pattern, 0, NULL, NULL, NULL, NULL, &text);
-    draft->status = mus__fail(draft->context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(draft->pattern), text);
+    draft->status =
+        mus__fail(draft->context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(draft->pattern), text);
 }
 
 
@@ -136,7 +137,8 @@ mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape
     if (status == MUS_OK) status = mus_tape_copy(tape, &copy);
     if (status == MUS_OK && !mus_tape_is_complete(copy)) status = mus_tape_complete(copy);
     if (status != MUS_OK) {
-        if (mus_tape_context(tape) != context) mus__fail(context, status, "%s", mus_context_error(mus_tape_context(tape)));
+        if (mus_tape_context(tape) != context)
+            mus__fail(context, status, "%s", mus_context_error(mus_tape_context(tape)));
         mus_tape_destroy(copy);
         return status;
     }

@@ -94,7 +94,8 @@ static void skirt_sew_darts(const mus__piece *piece)
 {
     static const char *const legs[][2] = {{"d1L", "d2L"}, {"d3L", "d4L"}, {"d1R", "d2R"}, {"d3R", "d4R"}};
     for (int i = 0; i < 4; i++)
-        if (mus__piece_edge_find(piece, legs[i][0]) != MUS_NONE) mus__piece_seam(piece, legs[i][0], piece, legs[i][1], 0.0);
+        if (mus__piece_edge_find(piece, legs[i][0]) != MUS_NONE)
+            mus__piece_seam(piece, legs[i][0], piece, legs[i][1], 0.0);
 }
 
 

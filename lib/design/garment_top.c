@@ -91,7 +91,8 @@ static void top_shirt_blocks(mus__draft *draft, bool sleeves, top_shirt *shirt)
 
     /* the hem clears the hip by 4 cm and lies 6 cm below it; front and back widen alike, so their sides stay equal */
     const double hip = m[MUS_MEASURE_HIP] + 4.0 * k * MUS__CM, bust = m[MUS_MEASURE_BUST] + def.bust_ease;
-    const double length = isnan(draft->def.length) ? m[MUS_MEASURE_WAIST_TO_HIP] + 6.0 * k * MUS__CM : draft->def.length;
+    const double length =
+        isnan(draft->def.length) ? m[MUS_MEASURE_WAIST_TO_HIP] + 6.0 * k * MUS__CM : draft->def.length;
     const double part = fmin(1.0, length / m[MUS_MEASURE_WAIST_TO_HIP]);
     shirt->hem = -length;
     shirt->widen = part * fmax(0.0, (hip - bust) / 4.0);
@@ -315,7 +316,8 @@ static void top_sew_darts(const mus__piece *piece)
 {
     static const char *const legs[][2] = {{"wd1", "wd2"}, {"wd3", "wd4"}, {"bd1", "bd2"}};
     for (int i = 0; i < 3; i++)
-        if (mus__piece_edge_find(piece, legs[i][0]) != MUS_NONE) mus__piece_seam(piece, legs[i][0], piece, legs[i][1], 0.0);
+        if (mus__piece_edge_find(piece, legs[i][0]) != MUS_NONE)
+            mus__piece_seam(piece, legs[i][0], piece, legs[i][1], 0.0);
 }
 
 

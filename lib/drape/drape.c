@@ -87,10 +87,10 @@ static mus_status take_memory(mus_drape *drape)
     sim->work = mus__new(context, 18 * n, sim->ops->real);
     sim->good = mus__new(context, 6 * n, sim->ops->real);
     sim->rest = mus__new(context, n, sizeof *sim->rest);
-    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->before == NULL || drape->work == NULL || drape->mass == NULL ||
-        drape->stiffness == NULL || drape->rep == NULL || drape->pinned == NULL || sim->y == NULL || sim->f == NULL ||
-        sim->g == NULL || sim->inverse == NULL || sim->weight == NULL || sim->work == NULL || sim->good == NULL ||
-        sim->rest == NULL)
+    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->before == NULL ||
+        drape->work == NULL || drape->mass == NULL || drape->stiffness == NULL || drape->rep == NULL ||
+        drape->pinned == NULL || sim->y == NULL || sim->f == NULL || sim->g == NULL || sim->inverse == NULL ||
+        sim->weight == NULL || sim->work == NULL || sim->good == NULL || sim->rest == NULL)
         return mus__fail_memory(context, "the state of a drape");
     return MUS_OK;
 }
@@ -195,10 +195,10 @@ void mus_drape_destroy(mus_drape *drape)
     mus__collider_destroy(drape->collider);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
-    void *blocks[] = {drape->x,      drape->v,     drape->force,       drape->mean,       drape->work, drape->before, drape->mass,
-                      drape->stiffness, drape->rep, drape->pinned,     drape->sim.y,      drape->sim.f,
-                      drape->sim.g,  drape->sim.inverse, drape->sim.weight, drape->sim.work, drape->sim.good,
-                      drape->sim.rest};
+    void *blocks[] = {drape->x,        drape->v,        drape->force,     drape->mean,        drape->work,
+                      drape->before,   drape->mass,     drape->stiffness, drape->rep,         drape->pinned,
+                      drape->sim.y,    drape->sim.f,    drape->sim.g,     drape->sim.inverse, drape->sim.weight,
+                      drape->sim.work, drape->sim.good, drape->sim.rest};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

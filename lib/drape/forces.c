@@ -169,7 +169,8 @@ double mus__drape_gap(const mus_drape *drape, int32_t *seam)
     double most = 0.0;
     if (seam != NULL) *seam = MUS_NONE;
     for (int32_t p = 0; p < cloth->npair; p++) {
-        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
+                     *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
         const double gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         if (gap <= most && p > 0) continue;

@@ -1,4 +1,5 @@
-/* kernel_f32.c: the passes of a drape in float. Flags of this file: see the Makefile (errno of sqrt stops vectorising). */
+/* kernel_f32.c: the passes of a drape in float. Flags of this file: see the Makefile (errno of sqrt stops
+ * vectorising). */
 #include <math.h>
 #include <string.h>
 

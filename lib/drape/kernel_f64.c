@@ -1,4 +1,5 @@
-/* kernel_f64.c: the passes of a drape in double. Flags of this file: see the Makefile (errno of sqrt stops vectorising). */
+/* kernel_f64.c: the passes of a drape in double. Flags of this file: see the Makefile (errno of sqrt stops
+ * vectorising). */
 #include <math.h>
 #include <string.h>
 

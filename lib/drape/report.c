@@ -35,7 +35,8 @@ static int32_t closed_seams(const mus_drape *drape)
     const mus_cloth *cloth = drape->cloth;
     int32_t closed = cloth->nseam, last = MUS_NONE;
     for (int32_t p = 0; p < cloth->npair; p++) {
-        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
+                     *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
         if (mus__norm3(d) <= drape->def.collision_distance || cloth->pair_seam[p] == last) continue;
         closed--;
@@ -110,7 +111,8 @@ mus_status mus_drape_gaps(const mus_drape *drape, double *out)
     if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
     const mus_cloth *cloth = drape->cloth;
     for (int32_t p = 0; p < cloth->npair; p++) {
-        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p], *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
+                     *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
         out[p] = mus__norm3(d);
     }

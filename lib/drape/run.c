@@ -75,7 +75,8 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     if (drape == NULL) return MUS_ERR_ARG;
     mus_context *context = drape->context;
     if (steps < 0) return mus__fail(context, MUS_ERR_ARG, "drape: steps is %d, expected 0 or more", (int)steps);
-    if (!(dt >= 0.0) || !mus__finite(dt)) return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or more", dt);
+    if (!(dt >= 0.0) || !mus__finite(dt))
+        return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or more", dt);
     const double bound = mus__drape_inertia(drape, 0);
     if (dt > bound)
         return mus__fail(context, MUS_ERR_STEP, "drape: step %.9g s is above the stability bound %.9g s", dt, bound);

@@ -121,7 +121,8 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     mus__drape_publish(drape);
     if (status != MUS_OK || stop || drape->settled) return status;
     if (slid) return mus__fail(drape->context, MUS_ERR_UNSETTLED, "slid off the body after %.1f s", drape->settle_time);
-    return mus__fail(drape->context, MUS_ERR_UNSETTLED,
-                     "not at rest after %.2f s: residual %.3g of a node's weight (%.3g allowed), drift %.2g mm/s (%.2g)",
-                     drape->settle_time, drape->residual, drape->def.settle_residual, 1e3 * drift, 1e3 * REST_DRIFT);
+    return mus__fail(
+        drape->context, MUS_ERR_UNSETTLED,
+        "not at rest after %.2f s: residual %.3g of a node's weight (%.3g allowed), drift %.2g mm/s (%.2g)",
+        drape->settle_time, drape->residual, drape->def.settle_residual, 1e3 * drift, 1e3 * REST_DRIFT);
 }

@@ -1,7 +1,7 @@
 /*
  * stiffness.c: how stiff each node is held, for the step bound (reference: numerics.md X5).
  *
- *   T_i = sum over items e at node i of  k_e S_e |w_ei| N_e,   S_e = sum_j |w_ej|,   omega_max^2 <= max_i lambda(T_i)/m_i
+ *   T_i = sum over items e at node i of  k_e S_e |w_ei| N_e,  S_e = sum_j |w_ej|,  omega_max^2 <= max_i lambda(T_i)/m_i
  *
  * from |sum w x|^2 <= sum |w| sum |w| |x|^2. A spring gives 2k to both ends, a second difference 4k, 8k, 4k. N is the
  * identity (every pose), or, at one pose, n n^T + max(0, 1 - rest/l) (1 - n n^T): the tangent stiffness without the

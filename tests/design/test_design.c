@@ -50,13 +50,15 @@ START_TEST(options_take_effect)
     ck_assert_int_eq(design_with(context, "tshirt", "W40", &def, &plain), MUS_OK);
     ck_assert_double_eq(drafts_length(own, "front", "sideL"), drafts_length(plain, "front", "sideL"));
 
-    /* 8 cm of ease more make each hem 4 cm longer where the hip does not ask for more; 10 cm length lengthen the side */
+    /* 8 cm of ease more make each hem 4 cm longer where the hip does not ask for more; 10 cm length lengthen the
+     * side */
     def.ease = 0.24, def.length = 0.35, def.sleeve = 0.30;
     ck_assert_int_eq(design_with(context, "tshirt", "W40", &def, &wide), MUS_OK);
     const mus__measures measures = drafts_measures(context, "W40");
     ck_assert_double_eq_tol(drafts_length(wide, "front", "hem") + drafts_length(wide, "back", "hem"),
                             measures.v[MUS_MEASURE_BUST] + 0.24, 1e-9);
-    ck_assert_double_gt(drafts_length(wide, "sleeve_left", "underF"), drafts_length(own, "sleeve_left", "underF") + 0.05);
+    ck_assert_double_gt(drafts_length(wide, "sleeve_left", "underF"),
+                        drafts_length(own, "sleeve_left", "underF") + 0.05);
     double xy[2];
     int32_t start, panel;
     ck_assert_int_eq(mus_pattern_edge_ends(wide, drafts_edge(wide, "front", "hem"), &start, NULL), MUS_OK);

@@ -40,17 +40,17 @@ END_TEST
  * V, E, F, Euler, loops of the quotients.
  *
  * T-shirt: front and back of 8 edges, two sleeves of 5: 26 edges, 10 seams: E 16; V 10; chi -2; 4 openings.
- * Sleeveless: without the sleeves' 10 edges and 10 points, their 2 underarm and 4 armhole seams: 16 edges, 4 seams: E 12.
- *   16 points; each of 4 seams joins 2 pairs: V 8. chi = 8 - 12 + 2 = -2; hem, neck, two armholes.
- * Bodice without darts: 4 halves of 6 edges (centre, waist, side, armhole, shoulder, neck): 24 edges, 8 + 2 - 4 = 6 seams
- *   (2 shoulders, 2 sides, 2 centres): E 18. 24 points: neck centres 4 to 2, waists at the centre 4 to 2, at the side 4 to
- *   2, underarms 4 to 2, shoulder points 4 to 2, side necks 4 to 2: V 12. chi = 12 - 18 + 4 = -2.
+ * Sleeveless: without the sleeves' 10 edges and 10 points, their 2 underarm and 4 armhole seams: 16 edges, 4 seams:
+ *   E 12. 16 points; each of 4 seams joins 2 pairs: V 8. chi = 8 - 12 + 2 = -2; hem, neck, two armholes.
+ * Bodice without darts: 4 halves of 6 edges (centre, waist, side, armhole, shoulder, neck): 24 edges, 8 + 2 - 4 = 6
+ *   seams (2 shoulders, 2 sides, 2 centres): E 18. 24 points: neck centres 4 to 2, waists at the centre 4 to 2, at
+ *   the side 4 to 2, underarms 4 to 2, shoulder points 4 to 2, side necks 4 to 2: V 12. chi = 12 - 18 + 4 = -2.
  * Each dart whose mouth lies on an open edge adds (V, E, F) = (2, 2, 0): its edge falls in two (+1 E, +1 V: the sewn
  *   mouth) and its legs become one inner edge that ends in its point (+1 E, +1 V). So with waist darts in 4 halves
  *   V 20, E 26. A bust dart lies on the side seam: the seam falls in two (+1 E, +1 V: the mouth, one point with that of
  *   the back), and the legs add 1 and 1: with two of them V 24, E 30. chi -2.
- * Skirt without darts: front and back of 4 edges, 2 seams: E 6, V 4, F 2, chi 0; waist and hem. With n darts in front and
- *   behind together: V 4 + 2 n, E 6 + 2 n, chi 0 still. A half of a table size has n = 0, 1 or 2 darts, so a whole
+ * Skirt without darts: front and back of 4 edges, 2 seams: E 6, V 4, F 2, chi 0; waist and hem. With n darts in front
+ *   and behind together: V 4 + 2 n, E 6 + 2 n, chi 0 still. A half of a table size has n = 0, 1 or 2 darts, so a whole
  *   front or back has 2 n: W40 has 8 (V 20, E 22), W52 and M50 4 (V 12, E 14), C56 none.
  */
 static const struct {
@@ -61,7 +61,8 @@ static const struct {
     {"sleeveless", "W40", 8, 12, 2, -2, 4}, {"sleeveless", "M60", 8, 12, 2, -2, 4},
     {"bodice", "W40", 24, 30, 4, -2, 4},  {"bodice", "W34", 24, 30, 4, -2, 4},  {"bodice", "W52", 24, 30, 4, -2, 4},
     {"bodice", "M50", 12, 18, 4, -2, 4},  {"bodice", "C56", 12, 18, 4, -2, 4},
-    {"skirt_plain", "W40", 4, 6, 2, 0, 2}, {"skirt_plain", "M50", 4, 6, 2, 0, 2}, {"skirt_plain", "C152", 4, 6, 2, 0, 2},
+    {"skirt_plain", "W40", 4, 6, 2, 0, 2}, {"skirt_plain", "M50", 4, 6, 2, 0, 2},
+    {"skirt_plain", "C152", 4, 6, 2, 0, 2},
     {"skirt", "W40", 20, 22, 2, 0, 2},    {"skirt", "W34", 20, 22, 2, 0, 2},    {"skirt", "W52", 12, 14, 2, 0, 2},
     {"skirt", "M50", 12, 14, 2, 0, 2},    {"skirt", "C104", 12, 14, 2, 0, 2},   {"skirt", "C56", 4, 6, 2, 0, 2},
 };
@@ -154,7 +155,8 @@ START_TEST(body_passes_the_openings)
         ck_assert_double_le(girth, fmax(1.5 * m[MUS_MEASURE_NECK], (m[MUS_MEASURE_HEAD] + 2.0 * CM) / 1.15 + 1.5 * CM));
         garments_openings(pattern, "hem", &girth);
         ck_assert_double_ge(girth, m[MUS_MEASURE_HIP] + 2.0 * k * CM);
-        if (garments_openings(pattern, "cuff", &girth) > 0) ck_assert_double_ge(girth, m[MUS_MEASURE_UPPER_ARM] + 1.5 * k * CM);
+        if (garments_openings(pattern, "cuff", &girth) > 0)
+            ck_assert_double_ge(girth, m[MUS_MEASURE_UPPER_ARM] + 1.5 * k * CM);
         mus_pattern_destroy(pattern);
     }
     mus_pattern *pattern = drafts_pattern(context, "skirt_plain", size);
@@ -178,7 +180,8 @@ static double garments_lowest(const mus_pattern *pattern, const char *panel)
 }
 
 
-/* a T-shirt ends just below the hip; its sleeve covers half the upper arm, and of a small child what the cap asks for */
+/* a T-shirt ends just below the hip; its sleeve covers half the upper arm, and of a small child what the cap asks
+ * for */
 START_TEST(shirts_end_below_the_hip)
 {
     mus_context *context = support_context();

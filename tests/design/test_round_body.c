@@ -188,13 +188,15 @@ START_TEST(panels_face_outwards)
     static const struct {
         const char *panel;
         double normal[3];
-    } list[] = {{"front", {0, 0, 1}}, {"back", {0, 0, -1}}, {"sleeve_left", {0.5, 0.5, 0}}, {"sleeve_right", {-0.5, 0.5, 0}}};
+    } list[] = {
+        {"front", {0, 0, 1}}, {"back", {0, 0, -1}}, {"sleeve_left", {0.5, 0.5, 0}}, {"sleeve_right", {-0.5, 0.5, 0}}};
     mus_context *context = support_context();
     mus_pattern *pattern = drafts_pattern(context, "tshirt", "W40");
     for (int i = 0; i < 4; i++) {
         mus_placement place;
         mus_placement_init(&place, sizeof place);
-        ck_assert_int_eq(mus_pattern_placement(pattern, mus_pattern_find_panel(pattern, list[i].panel), &place), MUS_OK);
+        ck_assert_int_eq(mus_pattern_placement(pattern, mus_pattern_find_panel(pattern, list[i].panel), &place),
+                         MUS_OK);
         const double *r = place.rotation;
         ck_assert_double_gt(r[2] * list[i].normal[0] + r[5] * list[i].normal[1] + r[8] * list[i].normal[2], 0.3);
 

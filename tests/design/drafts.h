@@ -12,7 +12,7 @@
 #include "support.h"
 
 #define CM 0.01
-#define GOLDEN 0.05 /* cm */
+#define GOLDEN 0.011 /* cm: the golden numbers are printed to 0.01 */
 
 /* a figure [m or m2] against a golden number in `unit`, within `tolerance` of that unit */
 #define CK_GOLDEN(size, what, value, unit, expected, tolerance)                                                 \

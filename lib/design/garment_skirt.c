@@ -114,7 +114,7 @@ static void skirt_make(mus__draft *draft, const mus__skirt_def *def)
 }
 
 
-/* what both skirts share */
+/* what both skirts share. They hang on the waist by being tighter than the hip: where that is hardly wider, no ease */
 static mus__skirt_def skirt_def(const mus__draft *draft)
 {
     const double *m = draft->measures.v;
@@ -123,7 +123,7 @@ static mus__skirt_def skirt_def(const mus__draft *draft)
     def.waist = m[MUS_MEASURE_WAIST];
     def.hip = m[MUS_MEASURE_HIP];
     def.depth = m[MUS_MEASURE_WAIST_TO_HIP];
-    def.waist_ease = 2.0 * MUS__CM;
+    def.waist_ease = fmin(2.0 * MUS__CM, 0.1 * fmax(0.0, def.hip - def.waist));
     def.hip_ease = isnan(draft->def.ease) ? 4.0 * MUS__CM : draft->def.ease;
     def.length = isnan(draft->def.length) ? 0.36 * m[MUS_MEASURE_STATURE] : draft->def.length;
     def.rise = 1.2 * MUS__CM;
@@ -139,12 +139,12 @@ void mus__draft_skirt(mus__draft *draft)
 }
 
 
-/* no dart, so little shaping: the top edge is wider than the waist by 0.3 of what the hip is, and rests above the hip,
+/* no dart, so little shaping: the top edge is wider than the waist by 0.15 of what the hip is, and rests above the hip,
  * which it must therefore not pass: 0.95 of the hip at most */
 void mus__draft_skirt_plain(mus__draft *draft)
 {
     mus__skirt_def def = skirt_def(draft);
-    def.waist_ease = fmin(0.3 * (def.hip - def.waist), 0.95 * def.hip - def.waist);
+    def.waist_ease = fmin(0.15 * (def.hip - def.waist), 0.95 * def.hip - def.waist);
     def.flare = 0.10 * def.length;
     def.darts = false;
     skirt_make(draft, &def);

@@ -46,18 +46,20 @@ typedef struct top_shirt {
 
 
 /* neckline: side neck 1.5 cm out, back 1.5 cm and front 2 cm down, then down again until the head passes */
-static void top_open_neck(const mus__measures *measures, mus__bodice *bodice)
+static mus_status top_open_neck(mus_context *context, const mus__measures *measures, mus__bodice *bodice)
 {
     const double k = mus__measures_scale(measures), need = measures->v[MUS_MEASURE_HEAD] + 2.0 * MUS__CM;
     mus__bodice_lower_neck(&bodice->front, 1.5 * k * MUS__CM, 2.0 * k * MUS__CM);
     mus__bodice_lower_neck(&bodice->back, 1.5 * k * MUS__CM, 1.5 * k * MUS__CM);
     for (int i = 0; i < 40; i++) {
         const double girth = 2.0 * (bodice->front.neck_length + bodice->back.neck_length);
-        if (girth * JERSEY_STRETCH >= need) return;
+        if (girth * JERSEY_STRETCH >= need) return MUS_OK;
         const double out = fmin(0.2 * MUS__CM, 0.05 * bodice->front.shoulder_length);
         mus__bodice_lower_neck(&bodice->front, out, 0.3 * MUS__CM);
         mus__bodice_lower_neck(&bodice->back, out, 0.1 * MUS__CM);
     }
+    return mus__fail(context, MUS_ERR_DESIGN, "neckline: head %g m does not pass neck %g m, opened as far as it goes",
+                     measures->v[MUS_MEASURE_HEAD], measures->v[MUS_MEASURE_NECK]);
 }
 
 
@@ -87,7 +89,8 @@ static void top_shirt_blocks(mus__draft *draft, bool sleeves, top_shirt *shirt)
     shirt->sleeves = sleeves;
     draft->status = mus__bodice_draft(draft->context, &measures, &def, &shirt->bodice);
     if (draft->status != MUS_OK) return;
-    top_open_neck(&measures, &shirt->bodice);
+    draft->status = top_open_neck(draft->context, &measures, &shirt->bodice);
+    if (draft->status != MUS_OK) return;
 
     /* the hem clears the hip by 4 cm and lies 6 cm below it; front and back widen alike, so their sides stay equal */
     const double hip = m[MUS_MEASURE_HIP] + 4.0 * k * MUS__CM, bust = m[MUS_MEASURE_BUST] + def.bust_ease;

@@ -16,6 +16,8 @@
 #define CHECK_SECONDS 0.1  /* of cloth time between residuals */
 #define MEAN_STEPS 96      /* places averaged before a residual: of every step, or ripples would alias */
 #define SETTLE_SPEED 4.0   /* [m/s] limit */
+#define FALL_SECONDS 1.0   /* of cloth time in which a loose garment drops onto the body */
+#define OFF_THE_BODY 0.005 /* [m]: no node this near: nothing carries the garment */
 #define REST_DRIFT 0.002   /* [m/s]: no node's mean place drifts faster at rest */
 
 
@@ -73,12 +75,16 @@ static double take_drift(mus_drape *drape)
 }
 
 
-/* nonzero when nothing is held and the whole cloth is a metre below the floor, on which bodies stand */
+/* nonzero when nothing is held and no node is near the body any more */
 static int32_t has_slid_off(const mus_drape *drape)
 {
+    double normal[3 * MUS_TOUCH_MOST];
     if (drape->collider == NULL) return 0;
-    for (int32_t i = 0; i < drape->n; i++)
-        if (drape->pinned[i] || drape->mean[3 * (int64_t)i + 1] > -1.0) return 0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->pinned[i]) return 0;
+        if (drape->mass[i] <= 0.0) continue;
+        if (mus__collider_touching(drape->collider, drape->mean + 3 * (int64_t)i, OFF_THE_BODY, normal) > 0) return 0;
+    }
     return 1;
 }
 
@@ -115,7 +121,7 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
         drape->residual = mus__drape_residual(drape, drape->mean);
         drift = take_drift(drape) / (batch * h);
         drape->settled = drape->residual <= drape->def.settle_residual && drift <= REST_DRIFT;
-        slid = has_slid_off(drape);
+        slid = t > FALL_SECONDS && has_slid_off(drape);
         stop = mus__run_report(&run, t / all);
     }
     mus__drape_publish(drape);

@@ -82,7 +82,7 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     }
     mus__drape_publish(drape);
     if (status != MUS_OK || stop) return status;
-    if (open > 0) return fail_open(drape);
+    if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);
     mus__drape_weld(drape);
     return MUS_OK;
 }

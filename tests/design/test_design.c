@@ -138,6 +138,23 @@ START_TEST(any_allowed_option_drafts_or_is_refused_with_reason)
 END_TEST
 
 
+/* a head that no neckline passes is named, with the neck */
+START_TEST(a_head_that_does_not_pass_is_refused)
+{
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, "C104");
+    mus_pattern *pattern;
+    ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_HEAD, 0.80, MUS_SOURCE_GIVEN), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, &pattern), MUS_ERR_DESIGN);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "head"));
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "neck"));
+    ck_assert_ptr_null(pattern);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(bad_arguments_are_refused)
 {
     mus_context *context = support_context();
@@ -288,6 +305,7 @@ Suite *mus_suite_design(void)
     tcase_add_test(tcase, options_take_effect);
     tcase_add_test(tcase, refused_options_name_item_value_and_limit);
     tcase_add_test(tcase, any_allowed_option_drafts_or_is_refused_with_reason);
+    tcase_add_test(tcase, a_head_that_does_not_pass_is_refused);
     tcase_add_test(tcase, bad_arguments_are_refused);
     tcase_add_test(tcase, an_incomplete_tape_is_completed_on_a_copy);
     tcase_add_test(tcase, a_draft_made_twice_is_the_same_to_the_bit);

@@ -312,6 +312,34 @@ START_TEST(a_hanging_cloth_comes_to_rest)
 END_TEST
 
 
+/* a cloth let go beside the body touches nothing and is told so, long before its time is up */
+START_TEST(a_cloth_beside_the_body_slides_off)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_body *body;
+    mus_drape *drape;
+    mus_pattern *pattern = scene_square(context, 0.1);
+    scene_move(pattern, 0, 1.5, 1.0, 0.0);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, NULL, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_ERR_UNSETTLED);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "slid off"));
+    ck_assert_double_lt(mus_drape_time(drape), 2.0);
+    mus_drape_destroy(drape);
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(each_failing_allocation_is_a_status)
 {
     for (int64_t n = 0;; n++) {
@@ -402,6 +430,7 @@ Suite *mus_suite_drape(void)
     tcase_add_loop_test(tests, the_state_is_the_same_for_any_number_of_threads, 0, 2);
     tcase_add_test(tests, sewing_stepping_and_settling_allocate_nothing);
     tcase_add_test(tests, a_hanging_cloth_comes_to_rest);
+    tcase_add_test(tests, a_cloth_beside_the_body_slides_off);
     tcase_add_test(tests, each_failing_allocation_is_a_status);
     tcase_add_test(tests, the_cloth_may_go_before_the_drape);
     tcase_add_test(tests, bad_numbers_are_refused_at_the_door);

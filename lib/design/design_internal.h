@@ -177,10 +177,10 @@ typedef struct mus__draft {
 } mus__draft;
 
 #define MUS__PIECE_EDGES 24
-#define MUS__NAME_BYTES 16
+#define MUS__EDGE_NAME_BYTES 16
 
 typedef struct mus__piece_edge {
-    char name[MUS__NAME_BYTES];
+    char name[MUS__EDGE_NAME_BYTES];
     const char *label;
     double allowance;
     mus__chain chain; /* as drawn */

@@ -9,8 +9,8 @@
 
 #include "design/design_internal.h"
 
-#define SEAM (1.0 * MUS__CM)
-#define HEM (4.0 * MUS__CM)
+#define SKIRT_SEAM (1.0 * MUS__CM)
+#define SKIRT_HEM (4.0 * MUS__CM)
 
 
 /* part of the waist edge between two arc lengths from the centre, walked towards the centre */
@@ -33,7 +33,7 @@ static void skirt_waist_near(mus__piece *piece, const mus__skirt_half *half, cha
     for (int32_t d = half->ndart - 1; d >= 0; d--) {
         const double *dart = half->dart[d];
         skirt_waist_part(half, half->dart_s[d][1], s, &chain);
-        mus__piece_edge_add(piece, name, "waist", SEAM, &chain);
+        mus__piece_edge_add(piece, name, "waist", SKIRT_SEAM, &chain);
         name[1]++;
         mus__chain_line(&chain, dart + 4, dart + 2);
         mus__piece_edge_add(piece, leg, NULL, 0.0, &chain);
@@ -60,12 +60,12 @@ static void skirt_panel(mus__draft *draft, const mus__skirt *skirt, bool front, 
     mus__chain_reverse(&chain);
     mus__chain_unfold(&chain);
     mus__chain_reverse(&chain);
-    mus__piece_edge_add(piece, "hem", "hem", HEM, &chain);
+    mus__piece_edge_add(piece, "hem", "hem", SKIRT_HEM, &chain);
     mus__chain_cubic(&chain, half->side_high);
     mus__chain_cubic(&low, half->side_low);
     mus__chain_append(&chain, &low);
     mus__chain_reverse(&chain);
-    mus__piece_edge_add(piece, name, NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, name, NULL, SKIRT_SEAM, &chain);
 
     /* waist: near half, the middle across the centre, far half; the far side down */
     skirt_waist_near(piece, half, side);
@@ -73,7 +73,7 @@ static void skirt_panel(mus__draft *draft, const mus__skirt *skirt, bool front, 
     const double inner = half->ndart > 0 ? half->dart_s[0][0] : half->waist_length + half->dart_width;
     skirt_waist_part(half, 0.0, inner, &chain);
     mus__chain_unfold(&chain);
-    mus__piece_edge_add(piece, "waist", "waist", SEAM, &chain);
+    mus__piece_edge_add(piece, "waist", "waist", SKIRT_SEAM, &chain);
     mus__piece_unfold(piece, 1, last);
     mus__piece_panel(piece, front ? "front" : "back", "body", false);
 

@@ -10,9 +10,9 @@
 
 #include "design/design_internal.h"
 
-#define SEAM (1.0 * MUS__CM)
-#define NECK_SEAM (0.7 * MUS__CM)
-#define HEM (2.5 * MUS__CM)
+#define TOP_SEAM (1.0 * MUS__CM)
+#define TOP_NECK_SEAM (0.7 * MUS__CM)
+#define TOP_HEM (2.5 * MUS__CM)
 #define JERSEY_STRETCH 1.15 /* a jersey neckline stretches so far over the head */
 
 
@@ -110,16 +110,16 @@ static void top_shirt_panel(mus__draft *draft, const top_shirt *shirt, bool fron
     mus__chain chain;
     mus__piece_begin(piece, draft);
     mus__chain_line(&chain, other, hem);
-    mus__piece_edge_add(piece, "hem", "hem", HEM, &chain);
+    mus__piece_edge_add(piece, "hem", "hem", TOP_HEM, &chain);
     mus__chain_line(&chain, hem, half->under);
-    mus__piece_edge_add(piece, front ? "sideL" : "sideR", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, front ? "sideL" : "sideR", NULL, TOP_SEAM, &chain);
     top_armhole(half, &chain);
-    mus__piece_edge_add(piece, front ? "armL" : "armR", shirt->sleeves ? NULL : "armhole", SEAM, &chain);
+    mus__piece_edge_add(piece, front ? "armL" : "armR", shirt->sleeves ? NULL : "armhole", TOP_SEAM, &chain);
     mus__chain_line(&chain, half->tip, half->snp);
-    mus__piece_edge_add(piece, front ? "shL" : "shR", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, front ? "shL" : "shR", NULL, TOP_SEAM, &chain);
     top_neck(half, &chain);
     mus__chain_unfold(&chain);
-    mus__piece_edge_add(piece, "neck", "neck", NECK_SEAM, &chain);
+    mus__piece_edge_add(piece, "neck", "neck", TOP_NECK_SEAM, &chain);
     mus__piece_unfold(piece, 1, 3);
     mus__piece_panel(piece, front ? "front" : "back", "body", false);
 
@@ -178,17 +178,17 @@ static void top_sleeve(mus__draft *draft, const mus__sleeve *sleeve, const mus__
     mus__chain chain;
     mus__piece_begin(piece, draft);
     mus__chain_line(&chain, front_hem, back_hem);
-    mus__piece_edge_add(piece, "hem", "cuff", HEM, &chain);
+    mus__piece_edge_add(piece, "hem", "cuff", TOP_HEM, &chain);
     mus__chain_line(&chain, back_hem, back);
-    mus__piece_edge_add(piece, "underB", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "underB", NULL, TOP_SEAM, &chain);
     mus__chain_cubic(&chain, sleeve->cap_back);
     mus__chain_reverse(&chain);
-    mus__piece_edge_add(piece, "capB", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "capB", NULL, TOP_SEAM, &chain);
     mus__chain_cubic(&chain, sleeve->cap_front);
     mus__chain_reverse(&chain);
-    mus__piece_edge_add(piece, "capF", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "capF", NULL, TOP_SEAM, &chain);
     mus__chain_line(&chain, front, front_hem);
-    mus__piece_edge_add(piece, "underF", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "underF", NULL, TOP_SEAM, &chain);
     mus__piece_panel(piece, side == 0 ? "sleeve_left" : "sleeve_right", "arm", side == 1);
 
     /* pitches at the armholes' own, from the underarm */
@@ -245,7 +245,7 @@ static void top_waist(mus__piece *piece, const mus__bodice_half *half)
     for (int32_t d = 0; d < half->ndart; d++) {
         const double *dart = half->dart[d];
         mus__chain_line(&chain, at, dart);
-        mus__piece_edge_add(piece, name, "waist", SEAM, &chain);
+        mus__piece_edge_add(piece, name, "waist", TOP_SEAM, &chain);
         mus__chain_line(&chain, dart, dart + 2);
         mus__piece_edge_add(piece, leg, NULL, 0.0, &chain);
         leg[2]++;
@@ -256,7 +256,7 @@ static void top_waist(mus__piece *piece, const mus__bodice_half *half)
         at = dart + 4;
     }
     mus__chain_line(&chain, at, half->side);
-    mus__piece_edge_add(piece, name, "waist", SEAM, &chain);
+    mus__piece_edge_add(piece, name, "waist", TOP_SEAM, &chain);
 }
 
 
@@ -267,7 +267,7 @@ static void top_bodice_side(mus__piece *piece, const mus__bodice *bodice, bool f
     mus__chain chain;
     if (!(darted->theta > 0.0)) {
         mus__chain_line(&chain, half->side, half->under);
-        mus__piece_edge_add(piece, "side", NULL, SEAM, &chain);
+        mus__piece_edge_add(piece, "side", NULL, TOP_SEAM, &chain);
         return;
     }
     const double low = hypot(darted->mouth[2] - darted->side[0], darted->mouth[3] - darted->side[1]);
@@ -278,7 +278,7 @@ static void top_bodice_side(mus__piece *piece, const mus__bodice *bodice, bool f
         upper[i] = front ? half->mouth[i] : lower[i];
     }
     mus__chain_line(&chain, half->side, lower);
-    mus__piece_edge_add(piece, "side1", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "side1", NULL, TOP_SEAM, &chain);
     if (front) {
         mus__chain_line(&chain, lower, half->apex);
         mus__piece_edge_add(piece, "bd1", NULL, 0.0, &chain);
@@ -286,7 +286,7 @@ static void top_bodice_side(mus__piece *piece, const mus__bodice *bodice, bool f
         mus__piece_edge_add(piece, "bd2", NULL, 0.0, &chain);
     }
     mus__chain_line(&chain, upper, half->under);
-    mus__piece_edge_add(piece, "side2", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "side2", NULL, TOP_SEAM, &chain);
 }
 
 
@@ -299,15 +299,15 @@ static void top_bodice_panel(mus__draft *draft, const mus__bodice *bodice, bool 
     mus__chain chain;
     mus__piece_begin(piece, draft);
     mus__chain_line(&chain, half->centre, waist);
-    mus__piece_edge_add(piece, front ? "cf" : "cb", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, front ? "cf" : "cb", NULL, TOP_SEAM, &chain);
     top_waist(piece, half);
     top_bodice_side(piece, bodice, front);
     top_armhole(half, &chain);
-    mus__piece_edge_add(piece, "arm", "armhole", SEAM, &chain);
+    mus__piece_edge_add(piece, "arm", "armhole", TOP_SEAM, &chain);
     mus__chain_line(&chain, half->tip, half->snp);
-    mus__piece_edge_add(piece, "sh", NULL, SEAM, &chain);
+    mus__piece_edge_add(piece, "sh", NULL, TOP_SEAM, &chain);
     top_neck(half, &chain);
-    mus__piece_edge_add(piece, "neck", "neck", NECK_SEAM, &chain);
+    mus__piece_edge_add(piece, "neck", "neck", TOP_NECK_SEAM, &chain);
     mus__piece_panel(piece, names[front][mirror], "body", mirror);
     mus__piece_notch(piece, "arm", half->arm_low_length, front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
     mus__place_torso(piece, front, half->under[0], draft->skeleton.waist);

@@ -25,7 +25,7 @@ void mus__piece_edge_add(mus__piece *piece, const char *name, const char *label,
     MUS_ASSERT(piece->n < MUS__PIECE_EDGES);
     mus__piece_edge *edge = &piece->edges[piece->n++];
     memset(edge->name, 0, sizeof edge->name);
-    memcpy(edge->name, name, strlen(name) < MUS__NAME_BYTES ? strlen(name) : MUS__NAME_BYTES - 1);
+    memcpy(edge->name, name, strlen(name) < MUS__EDGE_NAME_BYTES ? strlen(name) : MUS__EDGE_NAME_BYTES - 1);
     edge->label = label;
     edge->allowance = allowance;
     edge->chain = *chain;
@@ -37,7 +37,7 @@ void mus__piece_unfold(mus__piece *piece, int32_t first, int32_t last)
 {
     for (int32_t i = last; i >= first; i--) {
         const mus__piece_edge *from = &piece->edges[i];
-        char name[MUS__NAME_BYTES];
+        char name[MUS__EDGE_NAME_BYTES];
         memcpy(name, from->name, sizeof name);
         char *side = name + strlen(name) - 1;
         if (*side == 'L') *side = 'R';

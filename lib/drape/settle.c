@@ -32,7 +32,7 @@ typedef struct stage {
     int32_t dashpots;
 } stage;
 
-static const stage stages[] = {{0.0, 4.0, 0.75, 0}, {0.8, 10.0, 0.75, 0}, {2.5, 20.0, 0.5, 1}};
+static const stage stages[] = {{0.0, 4.0, 0.75, 0}, {0.8, 10.0, 0.75, 0}, {1.8, 20.0, 0.75, 0}, {3.5, 20.0, 0.5, 1}};
 
 
 static const stage *stage_at(double t)

@@ -18,10 +18,10 @@ void mus__drape_open(mus_drape *drape)
     }
     mus__plan_weld(drape->cloth, NULL, &drape->plan);
 
-    /* near the end a pair is as stiff as the cloth it joins */
+    /* near the end a pair is stiffer than the cloth it joins, so that a tight seam closes within the distance */
     const double *stretch = drape->cloth->fabric.stretch;
     const double k = stretch[0] > stretch[1] ? stretch[0] : stretch[1];
-    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = 2.0 * k;
+    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = 8.0 * k;
     drape->plan.seam_pull = drape->def.seam_pull;
 }
 

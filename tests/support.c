@@ -4,7 +4,7 @@
  * The allocator puts a guard word on either side of each block, checks the sizes that it is told against the sizes
  * that it gave, and counts; a wrong old size or a written guard ends the test at once.
  */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* mkdtemp, P_tmpdir */
 #include "support.h"
 
 #include <inttypes.h>
@@ -170,7 +170,7 @@ const char *support_scratch(const char *name, char *buffer, size_t size)
 {
     if (state.scratch[0] == '\0') {
         const char *base = getenv("TMPDIR");
-        snprintf(state.scratch, sizeof state.scratch, "%s/muslin-test-XXXXXX", base != NULL ? base : "/tmp");
+        snprintf(state.scratch, sizeof state.scratch, "%s/muslin-test-XXXXXX", base != NULL ? base : P_tmpdir);
         ck_assert_ptr_nonnull(mkdtemp(state.scratch));
         atexit(scratch_remove);
     }

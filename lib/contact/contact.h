@@ -59,6 +59,7 @@ typedef struct mus__contact_rule {
     double friction;
     double push;      /* a node is put back by at most this in one call [m] */
     double travel;    /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
+    double slip;      /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
 } mus__contact_rule;
 
 /* nodes first .. last-1 of n: x, v planes (3 x n); mobile (n) 0 for nodes that are held. Returns field queries made. */

@@ -2,18 +2,24 @@
  * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT).
  *
  * A node nearer than the clearance is put back along the outward normal (by at most `push`), loses its velocity into
- * the skin, and its sliding velocity shrinks by the friction impulse mu |v_n|.
+ * the skin, and its sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node
+ * with the velocity it had before the impulse; `slip` times the change takes that sliding back, so that what sticks
+ * does not creep by h^2 f/m a step.
  */
+
+/* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
+#define TOUCH_BAND 2e-6
 
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
 
 /* one node against one limb it may touch: x, v (3) are corrected in place */
-static inline void MUS_FIELD(respond)(MUS_REAL lift, MUS_REAL push, MUS_REAL friction, const MUS_REAL *normal,
+static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, const MUS_REAL *normal,
                                       MUS_REAL *x, MUS_REAL *v)
 {
-    const MUS_REAL move = lift < push ? lift : push;
+    const MUS_REAL push = (MUS_REAL)rule->push, friction = (MUS_REAL)rule->friction, slip = (MUS_REAL)rule->slip;
+    const MUS_REAL move = lift < 0 ? 0 : lift < push ? lift : push;
     for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
 
     const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
@@ -23,7 +29,10 @@ static inline void MUS_FIELD(respond)(MUS_REAL lift, MUS_REAL push, MUS_REAL fri
     const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
     const MUS_REAL loss = -friction * vn;
     const MUS_REAL keep = speed > loss ? (speed - loss) / speed : 0;
-    for (int32_t i = 0; i < 3; i++) v[i] = keep * t[i];
+    for (int32_t i = 0; i < 3; i++) {
+        v[i] = keep * t[i];
+        x[i] -= slip * (t[i] - v[i]);
+    }
 }
 
 
@@ -33,7 +42,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
                                         const MUS_REAL *box, MUS_REAL margin, MUS_REAL *p, MUS_REAL *w,
                                         int64_t *queries)
 {
-    const MUS_REAL clearance = (MUS_REAL)rule->clearance, friction = (MUS_REAL)rule->friction;
+    const MUS_REAL clearance = (MUS_REAL)rule->clearance, band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = margin;
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
         if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
@@ -49,7 +58,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
             continue;
         }
         if (-depth < distance) distance = -depth;
-        if (depth > -clearance) MUS_FIELD(respond)(depth + clearance, (MUS_REAL)rule->push, friction, normal, p, w);
+        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, normal, p, w);
     }
     return distance;
 }

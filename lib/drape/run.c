@@ -86,7 +86,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     for (int32_t d = 0; d < 3; d++) sim->gravity[d] = drape->def.gravity[d];
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0};
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0, 0.5 * dt};
     memset(sim->rest, 0, (size_t)drape->n);
     mus_status status = MUS_OK;
     for (int32_t done = 0; done < steps && status == MUS_OK;) {

@@ -111,7 +111,7 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = now->drag;
         sim->dashpots = now->dashpots && drape->plan.dashpots;
-        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel};
+        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
         if (status != MUS_OK) break;

@@ -70,7 +70,7 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     for (double t = 0.0; open > 0 && t < all && !stop && status == MUS_OK;) {
         mus__drape_publish(drape);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
-        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel};
+        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
         status = mus__drape_guard(drape);

@@ -111,7 +111,7 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, cylinder_radius);
     const double mobile[1] = {1.0};
-    const mus__contact_rule rule = {clearance, friction, push, 0.0};
+    const mus__contact_rule rule = {clearance, friction, push, 0.0, 0.0};
     uint8_t rest[1] = {0};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
     ck_assert_int_eq((int)mus__contact_f64(collider, &rule, 1, 0, 1, mobile, rest, x, v), 1);
@@ -170,7 +170,7 @@ START_TEST(float_and_double_respond_alike)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, sphere_radius);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0};
     uint64_t random = 3;
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
@@ -197,7 +197,7 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, sphere_radius);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0};
     const double mobile[1] = {1.0};
     uint8_t rest[1] = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
@@ -216,7 +216,7 @@ START_TEST(sitting_out_lets_nothing_through)
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, cylinder_radius);
     const double step = 5e-4, mobile[1] = {1.0};
-    const mus__contact_rule rule = {0.002, 0.0, 1.0, step};
+    const mus__contact_rule rule = {0.002, 0.0, 1.0, step, 0.0};
     uint64_t random = 4;
     int64_t asked = 0, calls = 0;
     for (int k = 0; k < 200; k++) {

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/ieee.h"
 #include "muslin/base.h"
 
 /* for what no caller can cause; off in release */

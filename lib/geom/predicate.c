@@ -10,6 +10,7 @@
  */
 #include <math.h>
 
+#include "base/ieee.h"
 #include "geom/predicate.h"
 
 /* half an ulp of 1, and the bounds A of the source */

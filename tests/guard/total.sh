@@ -72,6 +72,7 @@ guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
 guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
+guard fastmath sh tests/guard/fastmath.sh
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"
 

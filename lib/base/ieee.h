@@ -1,0 +1,13 @@
+/*
+ * ieee.h: refuses a compiler that was told to be loose with numbers. The library tells broken numbers from good ones by
+ * NaN and infinity, splits numbers into exact parts (geom/predicate.c), and promises the same bits from every compiler.
+ */
+#ifndef MUS_BASE_IEEE_H
+#define MUS_BASE_IEEE_H
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
+#error "muslin needs the arithmetic of IEEE 754: build it without -ffast-math, -Ofast and what they stand for"
+#endif
+
+#endif

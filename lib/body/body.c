@@ -40,7 +40,7 @@ static mus_status body_read_def(mus_context *context, const mus_body_def *def, m
         return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to %d", (int)own->samples,
                          MUS_BODY_SAMPLES);
     if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
-        return mus__fail(context, MUS_ERR_ARG, "ring_spacing is outside 0.001 to 0.1 m");
+        return mus__fail(context, MUS_ERR_ARG, "ring_spacing %g m is outside 0.001 to 0.1 m", own->ring_spacing);
     return MUS_OK;
 }
 

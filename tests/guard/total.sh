@@ -73,6 +73,7 @@ guard symbols sh tests/guard/symbols.sh "$out/lib"
 guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
 guard fastmath sh tests/guard/fastmath.sh
+guard setters "$python" tests/guard/setters.py
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"
 

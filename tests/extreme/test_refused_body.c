@@ -1,0 +1,112 @@
+/*
+ * test_refused_body.c: numbers that are not finite at the doors of tape and body (numerics.md X23): refused by name, and
+ * the object is as it was. NaN unsets a measure: that is its meaning there.
+ */
+#include "muslin/body.h"
+#include "refused.h"
+
+Suite *mus_suite_refused_body(void);
+
+/* mus_tape_set */
+
+
+/* X23: each measure of a complete tape */
+START_TEST(an_infinite_measure_leaves_the_tape_as_it_was)
+{
+    mus_context *context = support_context();
+    mus_tape *tape, *before;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_copy(tape, &before), MUS_OK);
+    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++)
+        for (int32_t v = 1; v < 3; v++)
+            for (int32_t source = MUS_SOURCE_GIVEN; source <= MUS_SOURCE_DERIVED; source++) {
+                ck_assert_int_eq(mus_tape_set(tape, m, refused_values[v], source), MUS_ERR_ARG);
+                ck_assert_msg(strstr(mus_context_error(context), mus_measure_name(m)) != NULL, "%s",
+                              mus_context_error(context));
+            }
+
+    /* X8: zero, negative and denormal lengths too */
+    const double none[] = {0.0, -0.0, -1.0, 1e-310, 1e300};
+    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++)
+        for (size_t v = 0; v < sizeof none / sizeof *none; v++)
+            ck_assert_int_eq(mus_tape_set(tape, m, none[v], MUS_SOURCE_GIVEN), MUS_ERR_TAPE);
+    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) {
+        const double value[2] = {mus_tape_value(tape, m), mus_tape_value(before, m)};
+        ck_assert(value[0] == value[1] || (isnan(value[0]) && isnan(value[1])));
+        ck_assert_int_eq(mus_tape_source(tape, m), mus_tape_source(before, m));
+    }
+    ck_assert_int_ne(mus_tape_is_complete(tape), 0);
+    mus_tape_destroy(tape);
+    mus_tape_destroy(before);
+    support_context_end(context);
+}
+END_TEST
+
+
+static mus_status try_body(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    mus_tape *tape;
+    mus_body *body;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    const mus_status status = mus_body_create(context, tape, def, &body);
+    ck_assert_int_eq(status == MUS_OK, body != NULL);
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    return status;
+}
+
+
+/* X23 */
+START_TEST(a_body_def_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {REFUSED(mus_body_def, ring_spacing, 1, false, "ring_spacing")};
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
+    def.samples = 16;
+    def.ring_spacing = 0.05;
+    refused_fields(fields, 1, &def, sizeof def, try_body, NULL);
+}
+END_TEST
+
+
+/* X23: a question, not a setter: a point that is nowhere is out of reach of every limb, and no memory is touched */
+/* mus_body_depth */
+START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_body *body;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    const double far[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, 1e18, -1e18};
+    for (size_t v = 0; v < sizeof far / sizeof *far; v++)
+        for (int32_t mask = 1; mask < 8; mask++) {
+            double point[3] = {0.0, 1.1, 0.0}, depth = 0.0, normal[3];
+            for (int32_t d = 0; d < 3; d++)
+                if (mask >> d & 1) point[d] = far[v];
+            ck_assert_int_eq(mus_body_depth(body, 1, point, &depth, normal), MUS_OK);
+            ck_assert_msg(depth < 0.0, "a point at %g, %g, %g is %g m deep", point[0], point[1], point[2], depth);
+            for (int32_t d = 0; d < 3; d++) ck_assert_msg(isfinite(normal[d]), "%g, %g, %g", point[0], point[1], point[2]);
+        }
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_refused_body(void)
+{
+    Suite *suite = suite_create("refused_body");
+    TCase *tests = tcase_create("refused_body");
+    tcase_add_test(tests, an_infinite_measure_leaves_the_tape_as_it_was);
+    tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

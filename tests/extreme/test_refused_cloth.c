@@ -1,0 +1,153 @@
+/*
+ * test_refused_cloth.c: numbers that are not finite, and masses that are none, at every door of fabric, cloth and drape
+ * (numerics.md X8, X23): refused by name, and the state is as it was, to the bit.
+ */
+#include <stdlib.h>
+
+#include "drape/scenes.h"
+#include "refused.h"
+
+Suite *mus_suite_refused_cloth(void);
+
+
+static mus_status try_cloth(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth;
+    const mus_status status = mus_cloth_create(context, pattern, def, &cloth);
+    ck_assert_int_eq(status == MUS_OK, cloth != NULL);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+/* X23 */
+START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {
+        REFUSED(mus_cloth_def, spacing, 1, false, "spacing"),
+        REFUSED(mus_cloth_def, fabric.weight, 1, false, "weight"),
+        REFUSED(mus_cloth_def, fabric.stretch, 2, false, "stretch"),
+        REFUSED(mus_cloth_def, fabric.shear, 1, false, "shear"),
+        REFUSED(mus_cloth_def, fabric.bend, 3, false, "bend"),
+        REFUSED(mus_cloth_def, fabric.damping, 1, false, "damping"),
+        REFUSED(mus_cloth_def, fabric.friction, 1, false, "friction"),
+        REFUSED(mus_cloth_def, fabric.thickness, 1, false, "thickness"),
+    };
+    mus_cloth_def def;
+    mus_cloth_def_init(&def, sizeof def);
+    def.spacing = 0.02;
+    refused_fields(fields, sizeof fields / sizeof *fields, &def, sizeof def, try_cloth, NULL);
+}
+END_TEST
+
+
+/* X8: a fabric that weighs nothing, less than nothing or a denormal has no mass to move */
+START_TEST(a_fabric_without_weight_is_refused)
+{
+    mus_context *context = support_context();
+    const double none[] = {0.0, -0.0, -0.15, 1e-310, 1e-200};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        mus_cloth_def def;
+        mus_cloth_def_init(&def, sizeof def);
+        def.fabric.weight = none[i];
+        ck_assert_int_eq(try_cloth(context, &def, NULL), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "weight"));
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+static mus_status try_drape(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *drape;
+    const mus_status status = mus_drape_create(context, cloth, NULL, def, &drape);
+    ck_assert_int_eq(status == MUS_OK, drape != NULL);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+/* X23: friction NaN is the fabric's */
+START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {
+        REFUSED(mus_drape_def, gravity, 3, false, "gravity"),
+        REFUSED(mus_drape_def, collision_distance, 1, false, "collision_distance"),
+        REFUSED(mus_drape_def, clearance, 1, false, "clearance"),
+        REFUSED(mus_drape_def, friction, 1, true, "friction"),
+        REFUSED(mus_drape_def, drag, 1, false, "drag"),
+        REFUSED(mus_drape_def, seam_pull, 1, false, "seam_pull"),
+        REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
+        REFUSED(mus_drape_def, settle_seconds, 1, false, "settle_seconds"),
+        REFUSED(mus_drape_def, settle_residual, 1, false, "settle_residual"),
+    };
+    mus_drape_def def;
+    mus_drape_def_init(&def, sizeof def);
+    refused_fields(fields, sizeof fields / sizeof *fields, &def, sizeof def, try_drape, NULL);
+}
+END_TEST
+
+
+/* X23: the moving state: first and last node, each coordinate; then a step that is no number */
+/* mus_drape_set_state mus_drape_step */
+START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.02);
+    mus_drape *drape = scene_drape(context, cloth, _i ? 64 : 32, 1);
+    const double h = 0.5 * mus_drape_step_bound(drape);
+    ck_assert_int_eq(mus_drape_step(drape, 10, h), MUS_OK);
+    const uint64_t before = mus_drape_hash(drape);
+    const double time = mus_drape_time(drape), bound = mus_drape_step_bound(drape);
+    const int32_t n = mus_drape_node_count(drape);
+    double *x = malloc(3 * (size_t)n * sizeof *x), *v = calloc(3 * (size_t)n, sizeof *v);
+    memcpy(x, mus_drape_positions(drape), 3 * (size_t)n * sizeof *x);
+    for (int32_t value = 0; value < 3; value++)
+        for (int32_t k = 0; k < 6; k++) {
+            const int32_t at = k < 3 ? k : 3 * n - 6 + k;
+            const double was = x[at];
+            x[at] = refused_values[value];
+            ck_assert_int_eq(mus_drape_set_state(drape, x, v), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), "node"));
+            x[at] = was;
+            v[at] = refused_values[value];
+            ck_assert_int_eq(mus_drape_set_state(drape, x, v), MUS_ERR_ARG);
+            v[at] = 0.0;
+        }
+    for (int32_t value = 0; value < 3; value++)
+        ck_assert_int_eq(mus_drape_step(drape, 1, refused_values[value]), MUS_ERR_ARG);
+    ck_assert_uint_eq(mus_drape_hash(drape), before);
+    ck_assert_double_eq(mus_drape_time(drape), time);
+    ck_assert_double_eq(mus_drape_step_bound(drape), bound);
+    ck_assert_int_eq(mus_drape_step(drape, 1, h), MUS_OK);
+    free(x);
+    free(v);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_refused_cloth(void)
+{
+    Suite *suite = suite_create("refused_cloth");
+    TCase *tests = tcase_create("refused_cloth");
+    tcase_add_test(tests, a_cloth_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_fabric_without_weight_is_refused);
+    tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

@@ -38,6 +38,32 @@ MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
  */
 MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
 
+/** A limb given by its contours: superellipses |a/A|^n + |b/B|^n = 1 on a straight axis. */
+typedef struct mus_limb {
+    size_t size;
+    const char *name;      /* copied, cut at 31 bytes; default "limb" */
+    double origin[3];      /* where s is 0 [m], default 0 */
+    double axis[3];        /* the way s grows, of any length, default (0, 1, 0) */
+    double side[3];        /* the way a grows; what is along the axis is taken off; default (1, 0, 0) */
+    double pole[2];        /* s of the points that close it below and above its contours [m] */
+    int32_t contours;      /* 2 to 128 */
+    const double *contour; /* (contours x 6) s ascending, centre a, centre b, half breadth A, half depth B [m],
+                              exponent n 1..16 (2: an ellipse); b = axis x side */
+} mus_limb;
+
+MUS_API void mus_limb_init(mus_limb *limb, size_t size);
+
+/**
+ * Make a body of given limbs: a form, a dummy, a single limb.
+ *
+ * Shapes:  limb (limbs), 1 to 64; all is copied. `def` may be NULL.
+ * Such a body has no measures and no landmarks. An end closes by a quarter of an ellipse from the last contour to its
+ * pole.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (contours that do not ascend, poles within)
+ */
+MUS_API mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_limb *limb,
+                                         const mus_body_def *def, mus_body **out);
+
 MUS_API void mus_body_destroy(mus_body *body);
 
 /** Limbs: number, and name ("torso", "arm_left", "leg_right", ...), NULL outside the range. */
@@ -91,7 +117,7 @@ MUS_API mus_status mus_body_contour_points(const mus_body *body, int32_t limb, i
 #define MUS_LANDMARK_ANKLE_RIGHT 11
 #define MUS_LANDMARK_COUNT 12
 
-/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG. */
+/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG (also: a body of given limbs has none). */
 MUS_API mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out);
 
 /**

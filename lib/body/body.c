@@ -11,9 +11,8 @@
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
-/* contact field: steps of the diamond angle, and distance of rings in parts of the stature (3.7 mm at 1.68 m): depths
- * of the surface then stay under 0.5 mm even at the steep shoulders */
-#define BODY_FIELD_ANGLES 128
+/* contact field: distance of rings in parts of the stature (3.7 mm at 1.68 m): depths of the surface then stay under
+ * 0.5 mm even at the steep shoulders */
 #define BODY_FIELD_SPACING 0.0022
 
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
@@ -30,7 +29,7 @@ void mus_body_def_init(mus_body_def *def, size_t size)
 }
 
 
-static mus_status body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own)
+mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own)
 {
     mus_body_def_init(own, sizeof *own);
     mus_status status = MUS_OK;
@@ -84,42 +83,6 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
 }
 
 
-static mus_status body_surface_of(mus_body *body, const double *turn)
-{
-    mus__stack stack[MUS_LIMB_COUNT];
-    memset(stack, 0, sizeof stack);
-    mus_status status = MUS_OK;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT && status == MUS_OK; l++) {
-        status = mus__stack_make(body->context, &body->limb[l], body->def.samples, turn, &stack[l]);
-        if (status == MUS_OK) mus__stack_limit(&stack[l], &body->limb[l]);
-    }
-    if (status == MUS_OK) status = mus__body_surface(body, stack);
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) mus__stack_free(body->context, &stack[l]);
-    if (status == MUS_OK) status = mus__body_remeasure(body);
-    return status;
-}
-
-
-static mus_status body_fields(mus_body *body)
-{
-    double turn[2 * BODY_FIELD_ANGLES];
-    mus__field_turns(BODY_FIELD_ANGLES, turn);
-    body->field = mus__new(body->context, MUS_LIMB_COUNT, sizeof *body->field);
-    if (body->field == NULL) return mus__fail_memory(body->context, "contact fields");
-
-    mus_status status = MUS_OK;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT && status == MUS_OK; l++) {
-        mus__stack stack;
-        status = mus__stack_make(body->context, &body->limb[l], BODY_FIELD_ANGLES, turn, &stack);
-        if (status != MUS_OK) break;
-        status = mus__field_make(body->context, &stack, BODY_FIELD_SPACING * body->skeleton.crown, &body->field[l]);
-        mus__stack_free(body->context, &stack);
-        if (status == MUS_OK) body->nfield = l + 1;
-    }
-    return status;
-}
-
-
 static mus_status body_make(mus_body *body, const mus_tape *tape)
 {
     int32_t n = body->def.samples;
@@ -127,27 +90,23 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
         body->asked[m] = mus_tape_value(tape, m);
         body->source[m] = mus_tape_source(tape, m);
     }
+    body->measured = true;
     mus__skeleton_make(tape, &body->skeleton);
 
-    /* directions at equal angles, exact at the quarters */
     mus_status status;
     double *turn = mus__new(body->context, 4 * (int64_t)n, sizeof(double));
     int32_t *work = mus__new(body->context, 2 * (int64_t)n, sizeof(int32_t));
     if (turn == NULL || work == NULL) {
         status = mus__fail_memory(body->context, "the directions of contours");
     } else {
-        for (int32_t k = 0; k < n; k++) {
-            double angle = 2.0 * MUS_PI * (k % (n / 4)) / n, c = cos(angle), s = sin(angle);
-            int32_t quarter = k / (n / 4);
-            turn[2 * k] = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
-            turn[2 * k + 1] = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
-        }
+        mus__body_turns(n, turn);
         status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
-        if (status == MUS_OK) status = body_surface_of(body, turn);
+        if (status == MUS_OK) status = mus__body_surface_of(body, turn);
+        if (status == MUS_OK) status = mus__body_remeasure(body);
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);
-    return status == MUS_OK ? body_fields(body) : status;
+    return status == MUS_OK ? mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown) : status;
 }
 
 
@@ -161,7 +120,7 @@ mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus
     mus_body_def own;
     mus_tape *copy = NULL;
     mus_body *body = NULL;
-    mus_status status = body_read_def(context, def, &own);
+    mus_status status = mus__body_read_def(context, def, &own);
     if (status != MUS_OK) return status;
     if (!mus_tape_is_complete(tape)) {
         status = mus_tape_copy(tape, &copy);
@@ -177,7 +136,8 @@ mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus
     }
     body->context = context;
     body->def = own;
-    status = body_make(body, tape);
+    status = mus__body_limbs(body, MUS_LIMB_COUNT);
+    if (status == MUS_OK) status = body_make(body, tape);
     if (status != MUS_OK) goto fail;
     mus_tape_destroy(copy);
     *out = body;
@@ -196,8 +156,9 @@ fail:
 void mus_body_destroy(mus_body *body)
 {
     if (body == NULL) return;
-    for (int32_t l = 0; body->field != NULL && l < MUS_LIMB_COUNT; l++) mus__field_free(body->context, &body->field[l]);
+    for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
     mus__free(body->context, body->field);
+    mus__free(body->context, body->limb);
     mus__free(body->context, body->vertices);
     mus__free(body->context, body->normals);
     mus__free(body->context, body->triangles);
@@ -207,13 +168,13 @@ void mus_body_destroy(mus_body *body)
 
 int32_t mus_body_limb_count(const mus_body *body)
 {
-    return body != NULL ? MUS_LIMB_COUNT : 0;
+    return body != NULL ? body->limb_count : 0;
 }
 
 
 static const mus__limb *body_limb(const mus_body *body, int32_t limb)
 {
-    return body != NULL && limb >= 0 && limb < MUS_LIMB_COUNT ? &body->limb[limb] : NULL;
+    return body != NULL && limb >= 0 && limb < body->limb_count ? &body->limb[limb] : NULL;
 }
 
 
@@ -278,7 +239,7 @@ mus_status mus_body_limb_range(const mus_body *body, int32_t limb, int32_t *rang
     const mus__limb *found = body_limb(body, limb);
     if (found == NULL || range == NULL)
         return mus__fail(body->context, MUS_ERR_ARG, "limb %d is not one of 0 to %d, or range is NULL", (int)limb,
-                         MUS_LIMB_COUNT - 1);
+                         (int)body->limb_count - 1);
     range[0] = found->first_vertex, range[1] = found->vertices;
     range[2] = found->first_triangle, range[3] = found->triangles;
     return MUS_OK;
@@ -338,6 +299,8 @@ static bool body_contour_centre(const mus__limb *limb, const char *name, double 
 mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out)
 {
     if (body == NULL || out == NULL) return MUS_ERR_ARG;
+    if (!body->measured)
+        return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no landmark %d", (int)landmark);
     const mus__limb *limb = body->limb, *torso = &limb[MUS_LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
     out[0] = out[1] = out[2] = 0.0;

@@ -13,8 +13,10 @@
 #include "body/skeleton.h"
 #include "muslin/body.h"
 
-#define MUS_LIMB_COUNT 7
-#define MUS_LIMB_CONTOURS 32
+#define MUS_LIMB_COUNT 7        /* of a body made from a tape */
+#define MUS_LIMB_CONTOURS 128
+#define MUS_LIMB_NAME_BYTES 32
+#define MUS_BODY_ANGLES 128     /* steps of the diamond angle in contact fields */
 #define MUS_BODY_SAMPLES 512 /* most samples round a contour */
 
 /* which limb is which in mus_body.limb */
@@ -46,6 +48,7 @@ typedef struct mus__contour {
 
 typedef struct mus__limb {
     const char *name;
+    char own_name[MUS_LIMB_NAME_BYTES]; /* `name` of a given limb */
     double origin[3], side[3], front[3], axis[3];
     int32_t count;
     mus__contour contour[MUS_LIMB_CONTOURS];
@@ -62,7 +65,9 @@ struct mus_body {
     mus__skeleton skeleton;
     double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
     int32_t source[MUS_MEASURE_COUNT];
-    mus__limb limb[MUS_LIMB_COUNT];
+    bool measured;   /* made from a tape: it has landmarks and measures */
+    mus__limb *limb; /* (limb_count) */
+    int32_t limb_count;
     int32_t vertex_count, triangle_count;
     double *vertices;   /* (vertex_count x 3) */
     double *normals;    /* (vertex_count x 3) */
@@ -117,9 +122,21 @@ void mus__stack_limit(mus__stack *stack, mus__limb *limb);
 /* the in-between contour at s: centre (2), radius (n) */
 void mus__stack_ring(const mus__stack *stack, double s, double *centre, double *radius);
 
+/* ---- body.c, body_make.c: what bodies from a tape and bodies of given limbs share ---- */
+
+mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own);
+/* room for `count` limbs, empty */
+mus_status mus__body_limbs(mus_body *body, int32_t count);
+/* n directions (n x 2) at equal angles, exact at the quarters; n a multiple of 4 */
+void mus__body_turns(int32_t n, double *turn);
+/* stacks of all limbs to the surface; turn (def.samples x 2) */
+mus_status mus__body_surface_of(mus_body *body, const double *turn);
+/* contact fields of all limbs, rings about `spacing` apart */
+mus_status mus__body_fields(mus_body *body, double spacing);
+
 /* ---- body_surface.c, body_measure.c ---- */
 
-/* triangulate all limbs; stack (MUS_LIMB_COUNT) sampled at def.samples equal angles */
+/* triangulate all limbs; stack (limb_count) sampled at def.samples equal angles */
 mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
 /* fill body->made from the vertices */
 mus_status mus__body_remeasure(mus_body *body);

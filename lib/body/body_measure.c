@@ -145,7 +145,7 @@ double mus_body_volume(const mus_body *body)
     if (body == NULL) return NAN;
     double volume = 0.0, row[2][MUS_BODY_SAMPLES], pole[2];
     int32_t n = body->def.samples;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < body->limb_count; l++) {
         const mus__limb *limb = &body->limb[l];
         const double *x = body->vertices + 3 * (ptrdiff_t)limb->first_vertex;
         pole[0] = measure_other_depth(body, l, x);

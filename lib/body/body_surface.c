@@ -133,7 +133,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
 
     /* sizes first */
     int32_t most = 0;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
         limb->rings = surface_rings(&stack[l], limb, spacing, NULL);
         limb->vertices = limb->rings * n + 2;
@@ -154,7 +154,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         return mus__fail_memory(body->context, "the surface of a body");
     }
 
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
         surface_rings(&stack[l], limb, spacing, work);
         surface_vertices(&stack[l], limb, work, work + most, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);

@@ -172,6 +172,11 @@ class mus_body_def(Structure):
     _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32)]
 
 
+class mus_limb(Structure):
+    _fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
+                ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double))]
+
+
 class mus_seam_def(Structure):
     _fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
                 ("ease", c_double), ("tolerance", c_double)]
@@ -267,6 +272,9 @@ FUNCTIONS = {
     "mus_body_def_init": ("core", None, [POINTER(mus_body_def), c_size_t]),
     "mus_body_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_tape), POINTER(mus_body_def),
                                           POINTER(POINTER(mus_body))]),
+    "mus_limb_init": ("core", None, [POINTER(mus_limb), c_size_t]),
+    "mus_body_create_limbs": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_limb),
+                                                POINTER(mus_body_def), POINTER(POINTER(mus_body))]),
     "mus_body_destroy": ("core", None, [POINTER(mus_body)]),
     "mus_body_limb_count": ("core", c_int32, [POINTER(mus_body)]),
     "mus_body_limb_name": ("core", c_char_p, [POINTER(mus_body), c_int32]),

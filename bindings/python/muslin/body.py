@@ -5,7 +5,7 @@ import math
 from . import _abi
 from ._library import lib
 from .arrays import doubles, result, view
-from .context import Object, create, make_def
+from .context import Context, Object, create, fill, make_def
 from .tape import measures
 
 _LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars(_abi).items()
@@ -17,11 +17,29 @@ class Body(Object):
 
     _kind = "body"
 
-    def __init__(self, tape, **options):
+    def __init__(self, tape, _handle=None, **options):
+        context = tape if _handle is not None else tape.context
+        if _handle is None:
+            definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
+            _handle = create(context, "body", "mus_body_create", context.handle, tape.handle, ctypes.byref(definition))
+        super().__init__(context, _handle)
+
+    @classmethod
+    def of_limbs(cls, limbs, context=None, **options):
+        """A body of given limbs without a tape. Each limb is a dict with the fields of mus_limb: contour, rows of
+        (s, centre a, centre b, half breadth, half depth, exponent), pole (below, above), and name, origin, axis, side
+        where the defaults do not fit."""
+        context = context or Context.of_thread()
+        kept, structs = [], (_abi.mus_limb * len(limbs))()
+        for struct, limb in zip(structs, limbs):
+            rows = [number for row in limb["contour"] for number in row]
+            kept.append((ctypes.c_double * len(rows))(*rows))
+            given = {**limb, "contour": kept[-1], "contours": len(limb["contour"])}
+            lib.mus_limb_init(ctypes.byref(struct), ctypes.sizeof(struct))
+            fill(struct, given)
         definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
-        context = tape.context
-        super().__init__(context, create(context, "body", "mus_body_create", context.handle, tape.handle,
-                                         ctypes.byref(definition)))
+        return cls(context, _handle=create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
+                                           ctypes.byref(definition)))
 
     @property
     def vertices(self):

@@ -1,0 +1,155 @@
+/*
+ * body_given.c: a body of limbs that the caller gives by their contours, without a tape.
+ *
+ * Each limb is a stack of superellipses on a straight axis; frame, contours and closing points are checked here and
+ * become the limbs that body_make.c turns into a surface and contact fields. Such a body has no measures and no
+ * landmarks. For forms, dummies, single limbs, and solids whose answers are known.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+#define GIVEN_LIMBS 64       /* most limbs */
+#define GIVEN_GAP 1e-5       /* least distance of two contours, and of an end from its closing point [m] */
+#define GIVEN_RINGS 160.0    /* rings of the contact field along a limb, at least */
+
+
+void mus_limb_init(mus_limb *limb, size_t size)
+{
+    if (limb == NULL || size < sizeof limb->size) return;
+    mus_limb own = {sizeof own, "limb", {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0}, 0, NULL};
+    memset(limb, 0, size);
+    memcpy(limb, &own, size < sizeof own ? size : sizeof own);
+    limb->size = size;
+}
+
+
+/* one number of limb l: within low..high */
+static mus_status given_number(mus_context *context, int32_t l, const char *what, double value, double low, double high)
+{
+    if (value >= low && value <= high) return MUS_OK;
+    return mus__fail(context, MUS_ERR_ARG, "limb %d: %s is %g, expected %g to %g", (int)l, what, value, low, high);
+}
+
+
+/* unit axis, side square to it, front = axis x side */
+static mus_status given_frame(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
+{
+    mus_status status = MUS_OK;
+    for (int i = 0; i < 3 && status == MUS_OK; i++) {
+        status = given_number(context, l, "origin", from->origin[i], -1e3, 1e3);
+        if (status == MUS_OK) status = given_number(context, l, "axis", from->axis[i], -1e3, 1e3);
+        if (status == MUS_OK) status = given_number(context, l, "side", from->side[i], -1e3, 1e3);
+        to->origin[i] = from->origin[i], to->axis[i] = from->axis[i], to->side[i] = from->side[i];
+    }
+    if (status != MUS_OK) return status;
+
+    mus__unit3(to->axis);
+    mus__unit3(to->side);
+    double along = mus__dot3(to->side, to->axis);
+    for (int i = 0; i < 3; i++) to->side[i] -= along * to->axis[i];
+    if (mus__norm3(to->axis) < 0.5 || mus__norm3(to->side) < 1e-3)
+        return mus__fail(context, MUS_ERR_ARG, "limb %d: axis or side is zero, or both point the same way", (int)l);
+    mus__unit3(to->side);
+    mus__cross3(to->axis, to->side, to->front);
+    return MUS_OK;
+}
+
+
+/* contours ascend and are neither points nor lines */
+static mus_status given_contours(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
+{
+    static const struct {
+        const char *what;
+        double low, high;
+    } row[6] = {{"s of a contour", -100, 100},         {"centre of a contour", -100, 100},
+                {"centre of a contour", -100, 100},    {"half breadth of a contour", 1e-4, 100},
+                {"half depth of a contour", 1e-4, 100}, {"exponent of a contour", 1, 16}};
+    mus_status status = MUS_OK;
+    to->count = from->contours;
+    for (int32_t i = 0; i < to->count; i++) {
+        const double *c = from->contour + 6 * (ptrdiff_t)i;
+        for (int k = 0; k < 6 && status == MUS_OK; k++)
+            status = given_number(context, l, row[k].what, c[k], row[k].low, row[k].high);
+        if (status != MUS_OK) return status;
+        if (i > 0 && !(c[0] >= c[-6] + GIVEN_GAP))
+            return mus__fail(context, MUS_ERR_BODY, "limb %d: contour %d at s = %g m is not above contour %d at %g m",
+                             (int)l, (int)i, c[0], (int)i - 1, c[-6]);
+        to->contour[i] = (mus__contour){.name = "contour", .girth = MUS_NONE, .height = MUS_NONE, .hard = true,
+                                        .s = c[0], .ca = c[1], .cb = c[2], .a = c[3], .b = c[4], .n = c[5]};
+    }
+
+    const double low = to->contour[0].s - from->pole[0], high = from->pole[1] - to->contour[to->count - 1].s;
+    to->pole[0] = from->pole[0], to->pole[1] = from->pole[1];
+    if (low >= GIVEN_GAP && high >= GIVEN_GAP && to->pole[1] - to->pole[0] <= 100.0) return MUS_OK;
+    return mus__fail(context, MUS_ERR_BODY,
+                     "limb %d: it closes at s = %g and %g m, expected outside the contours, which are at %g to %g m",
+                     (int)l, from->pole[0], from->pole[1], to->contour[0].s, to->contour[to->count - 1].s);
+}
+
+
+static mus_status given_limb(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
+{
+    if (from->size != sizeof *from)
+        return mus__fail(context, MUS_ERR_VERSION, "limb %d: size unknown; use mus_limb_init", (int)l);
+    if (from->contours < 2 || from->contours > MUS_LIMB_CONTOURS || from->contour == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "limb %d: %d contours, expected 2 to %d", (int)l, (int)from->contours,
+                         MUS_LIMB_CONTOURS);
+    mus_status status = given_frame(context, l, from, to);
+    if (status == MUS_OK) status = given_contours(context, l, from, to);
+    if (status != MUS_OK) return status;
+
+    /* the name is cut at the room there is */
+    const char *name = from->name != NULL ? from->name : "limb";
+    for (int i = 0; i + 1 < MUS_LIMB_NAME_BYTES && name[i] != '\0'; i++) to->own_name[i] = name[i];
+    to->name = to->own_name;
+    to->end[0] = to->end[1] = MUS_NONE;
+    return MUS_OK;
+}
+
+
+/* limbs, surface, fields; the fields as fine as the shortest limb needs */
+static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb)
+{
+    mus_status status = mus__body_limbs(body, limbs);
+    double spacing = 0.25 * body->def.ring_spacing;
+    for (int32_t l = 0; l < limbs && status == MUS_OK; l++) {
+        status = given_limb(body->context, l, &limb[l], &body->limb[l]);
+        spacing = fmin(spacing, (limb[l].pole[1] - limb[l].pole[0]) / GIVEN_RINGS);
+        for (int32_t i = 0; body->def.ellipse && i < body->limb[l].count; i++) body->limb[l].contour[i].n = 2.0;
+    }
+    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->asked[m] = body->made[m] = NAN;
+    if (status != MUS_OK) return status;
+
+    double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);
+    if (turn == NULL) return mus__fail_memory(body->context, "the directions of contours");
+    mus__body_turns(body->def.samples, turn);
+    status = mus__body_surface_of(body, turn);
+    mus__free(body->context, turn);
+    return status == MUS_OK ? mus__body_fields(body, spacing) : status;
+}
+
+
+mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_limb *limb, const mus_body_def *def,
+                                 mus_body **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (limbs < 1 || limbs > GIVEN_LIMBS || limb == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "%d limbs of a body, expected 1 to %d", (int)limbs, GIVEN_LIMBS);
+    mus_body_def own;
+    mus_status status = mus__body_read_def(context, def, &own);
+    if (status != MUS_OK) return status;
+
+    mus_body *body = mus__new(context, 1, sizeof *body);
+    if (body == NULL) return mus__fail_memory(context, "a body");
+    body->context = context;
+    body->def = own;
+    status = given_make(body, limbs, limb);
+    if (status == MUS_OK) *out = body;
+    else mus_body_destroy(body);
+    return status;
+}

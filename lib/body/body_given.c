@@ -81,9 +81,12 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
                                         .s = c[0], .ca = c[1], .cb = c[2], .a = c[3], .b = c[4], .n = c[5]};
     }
 
+    for (int k = 0; k < 2 && status == MUS_OK; k++)
+        status = given_number(context, l, "pole", from->pole[k], -100, 100);
+    if (status != MUS_OK) return status;
     const double low = to->contour[0].s - from->pole[0], high = from->pole[1] - to->contour[to->count - 1].s;
     to->pole[0] = from->pole[0], to->pole[1] = from->pole[1];
-    if (low >= GIVEN_GAP && high >= GIVEN_GAP && to->pole[1] - to->pole[0] <= 100.0) return MUS_OK;
+    if (low >= GIVEN_GAP && high >= GIVEN_GAP) return MUS_OK;
     return mus__fail(context, MUS_ERR_BODY,
                      "limb %d: it closes at s = %g and %g m, expected outside the contours, which are at %g to %g m",
                      (int)l, from->pole[0], from->pole[1], to->contour[0].s, to->contour[to->count - 1].s);

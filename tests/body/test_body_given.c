@@ -123,7 +123,7 @@ START_TEST(each_refusal_names_limb_and_value)
         case 0: rows[6] = 0.0, expect = MUS_ERR_BODY; break; /* two at one height */
         case 1: rows[6] = 0.3, expect = MUS_ERR_BODY; break;
         case 2: limb.pole[0] = 0.0, expect = MUS_ERR_BODY; break;
-        case 3: limb.pole[1] = NAN, expect = MUS_ERR_BODY; break;
+        case 3: limb.pole[1] = NAN; break;
         case 4: rows[9] = 0.0; break; /* shrunk to a line */
         case 5: rows[10] = -0.1; break; /* turned inside out */
         case 6: rows[3] = NAN; break;

@@ -73,6 +73,48 @@ START_TEST(a_body_def_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+static mus_status try_limb(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    mus_body *body;
+    const mus_status status = mus_body_create_limbs(context, 1, def, NULL, &body);
+    ck_assert_int_eq(status == MUS_OK, body != NULL);
+    mus_body_destroy(body);
+    return status;
+}
+
+
+/* X23; mus_limb.contour: each number of each row */
+START_TEST(a_limb_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {
+        REFUSED(mus_limb, origin, 3, false, "origin"),
+        REFUSED(mus_limb, axis, 3, false, "axis"),
+        REFUSED(mus_limb, side, 3, false, "side"),
+        REFUSED(mus_limb, pole, 2, false, "pole"),
+    };
+    double rows[12] = {0.0, 0.0, 0.0, 0.1, 0.1, 2.0, 0.5, 0.0, 0.0, 0.1, 0.1, 2.0};
+    mus_limb limb;
+    mus_limb_init(&limb, sizeof limb);
+    limb.pole[0] = -0.1, limb.pole[1] = 0.6;
+    limb.contours = 2;
+    limb.contour = rows;
+    refused_fields(fields, sizeof fields / sizeof *fields, &limb, sizeof limb, try_limb, NULL);
+
+    mus_context *context = support_context();
+    for (int i = 0; i < 12; i++)
+        for (int v = 0; v < 3; v++) {
+            const double good = rows[i];
+            rows[i] = refused_values[v];
+            ck_assert_int_eq(try_limb(context, &limb, NULL), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), "contour"));
+            rows[i] = good;
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* X23: a question, not a setter: a point that is nowhere is out of reach of every limb, and no memory is touched */
 /* mus_body_depth */
 START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
@@ -106,6 +148,7 @@ Suite *mus_suite_refused_body(void)
     TCase *tests = tcase_create("refused_body");
     tcase_add_test(tests, an_infinite_measure_leaves_the_tape_as_it_was);
     tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_limb_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);
     suite_add_tcase(suite, tests);
     return suite;

@@ -63,7 +63,7 @@ TEST_PKG = check
 
 # ---- what there is ----
 
-CORE := $(wildcard $(addsuffix /*.c,$(addprefix lib/,base geom body pattern design cloth contact drape)))
+CORE := $(wildcard $(addsuffix /*.c,$(addprefix lib/,base geom integrate body pattern design cloth contact drape)))
 PRINT := $(wildcard lib/print/*.c)
 EXCHANGE := $(wildcard lib/exchange/*.c)
 COMMAND := $(wildcard examples/muslin/*.c)
@@ -103,6 +103,7 @@ need-print need-exchange need-example need-test: need-%:
 
 $(OUT)/obj/lib/drape/kernel%.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/contact/%.o: HOT = $(HOT_$(config))
+$(OUT)/obj/lib/integrate/%.o: HOT = $(HOT_$(config))
 $(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
 $(call objects,$(PRINT)): | need-print
 $(call objects,$(EXCHANGE)): PACKAGE := $(call pkg_flags,$(EXCHANGE_PKG))

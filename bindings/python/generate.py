@@ -14,10 +14,10 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TARGET = pathlib.Path(__file__).parent / "muslin" / "_abi.py"
-ORDER = ["base", "tape", "body", "pattern", "design", "cloth", "drape", "print", "exchange"]
+ORDER = ["base", "tape", "body", "pattern", "design", "cloth", "integrate", "drape", "print", "exchange"]
 LIBRARY = {"print": "print", "exchange": "exchange"}  # all else is libmuslin
 SCALAR = {"mus_status": "c_int32", "int32_t": "c_int32", "int64_t": "c_int64", "uint64_t": "c_uint64",
-          "size_t": "c_size_t", "double": "c_double", "char": "c_char", "int": "c_int"}
+          "size_t": "c_size_t", "double": "c_double", "float": "c_float", "char": "c_char", "int": "c_int"}
 
 
 class Headers:
@@ -111,8 +111,8 @@ def render(headers):
     version = ".".join(str(headers.constants[f"MUS_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
     out = ['"""_abi.py: the C interface as ctypes sees it, and nothing else.',
            "", "Written by bindings/python/generate.py from include/muslin/*.h; do not edit.", '"""',
-           "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t,",
-           "                    c_uint64, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
+           "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,",
+           "                    c_size_t, c_uint64, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
     out += [f"{name} = {value}" for name, value in headers.constants.items()]
     out += ["", "# names of the lists, by number"]
     for kind, names in headers.names.items():

@@ -11,6 +11,7 @@
 #include "muslin/pattern.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"
+#include "muslin/integrate.h"
 #include "muslin/drape.h"
 
 #endif

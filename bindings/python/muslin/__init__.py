@@ -22,9 +22,11 @@ from .design import designs, draft
 from .drape import Drape
 from .errors import MuslinError
 from .exchange import Mesh, write_glb, write_obj
+from .integrate import integrate
 from .pattern import Pattern
 from .print import Sheet
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "MuslinError", "Pattern", "Sheet", "Tape",
-           "designs", "draft", "fabrics", "measures", "sizes", "version", "write_glb", "write_obj", "__version__"]
+           "designs", "draft", "fabrics", "integrate", "measures", "sizes", "version", "write_glb", "write_obj",
+           "__version__"]

@@ -2,8 +2,8 @@
 
 Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 """
-from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t,
-                    c_uint64, c_void_p)
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,
+                    c_size_t, c_uint64, c_void_p)
 
 VERSION = "0.1.0"
 
@@ -107,6 +107,9 @@ MUS_FAULT_TWISTED_SEAM = 4
 MUS_FAULT_SEWN_TWICE = 5
 MUS_FAULT_SMALL_PANEL = 6
 MUS_FAULT_LOOSE_EDGE = 7
+MUS_METHOD_RK4 = 0
+MUS_METHOD_VERLET = 1
+MUS_METHOD_EULER = 2
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -158,6 +161,10 @@ class mus_sheet(Structure):
 # callbacks
 mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
 mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+mus_rate_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double), POINTER(c_double))
+mus_rate32_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_float), POINTER(c_float))
+mus_energy_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_double))
+mus_energy32_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_float))
 mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
 
 # structs
@@ -204,6 +211,13 @@ class mus_fabric(Structure):
 
 class mus_cloth_def(Structure):
     _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric)]
+
+
+class mus_integrate_def(Structure):
+    _fields_ = [("size", c_size_t), ("method", c_int32), ("guard_every", c_int32), ("start", c_double),
+                ("step", c_double), ("rate", mus_rate_fn), ("energy", mus_energy_fn), ("rate32", mus_rate32_fn),
+                ("energy32", mus_energy32_fn), ("energy_growth", c_double), ("energy_floor", c_double),
+                ("user", c_void_p)]
 
 
 class mus_drape_def(Structure):
@@ -395,6 +409,12 @@ FUNCTIONS = {
     "mus_cloth_panel_range": ("core", c_int32, [POINTER(mus_cloth), c_int32, POINTER(c_int32)]),
     "mus_cloth_panel_border": ("core", c_int32, [POINTER(mus_cloth), c_int32, POINTER(c_int32),
                                                  POINTER(POINTER(c_int32))]),
+    "mus_integrate_def_init": ("core", None, [POINTER(mus_integrate_def), c_size_t]),
+    "mus_integrate_work": ("core", c_int64, [c_int32, c_int64]),
+    "mus_integrate": ("core", c_int32, [POINTER(mus_context), POINTER(mus_integrate_def), c_int64,
+                                        POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_int64)]),
+    "mus_integrate_f32": ("core", c_int32, [POINTER(mus_context), POINTER(mus_integrate_def), c_int64,
+                                            POINTER(c_float), c_int64, POINTER(c_float), POINTER(c_int64)]),
     "mus_drape_def_init": ("core", None, [POINTER(mus_drape_def), c_size_t]),
     "mus_drape_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_body),
                                            POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),

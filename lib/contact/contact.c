@@ -4,31 +4,59 @@
  * Boxes are of the capsule-like hull of the axis: the span of the axis widened by the reach of the contours. A node
  * outside every box pays six comparisons a limb and nothing else.
  */
+#include <math.h>
 #include <string.h>
 
 #include "body/body_internal.h"
 #include "contact/contact.h"
 
 #define BIG 1e30
+#define STEEPEST 5.0 /* slope of a limb's end that the wider surface still follows */
 #define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
 
 
-/* largest radius of rings k and k+1, into out (nring) */
-static double ring_largest(const mus__field *field, int32_t k)
+/* largest radius of rings k and k+1 of a table (nring x nangle) */
+static double ring_largest(const mus__field *field, const double *radius, int32_t k)
 {
     double largest = 0.0;
     const int32_t end = k + 1 < field->nring ? k + 2 : k + 1;
-    for (int32_t r = k; r < end; r++)
-        for (int32_t j = 0; j < field->nangle; j++) {
-            const double radius = field->radius[(int64_t)r * field->nangle + j];
-            if (radius > largest) largest = radius;
-        }
+    for (int64_t i = (int64_t)k * field->nangle; i < (int64_t)end * field->nangle; i++)
+        if (radius[i] > largest) largest = radius[i];
     return largest;
 }
 
 
+/*
+ * Radius of the surface `skin` off the field's, at ring k and angle step j: R + skin |grad F| with F = rho - R(s, q),
+ *     |grad F|^2 = 1 + (R_q / R (a^2 + b^2))^2 + (R_s + centre's drift)^2,   (a, b) the diamond angle's point, |a| + |b| = 1
+ * by central differences. A steep end counts as no steeper than STEEPEST, where the ring would run away.
+ */
+static double offset_radius(const mus__field *field, int32_t k, int32_t j, double skin)
+{
+    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
+    const double *ring = field->radius + (int64_t)k * n, span = field->ds * (high > low ? high - low : 1);
+    const double radius = ring[j], q = 4.0 * j / n, corner = q - floor(q);
+    if (!(radius > 0.0) || skin == 0.0) return radius;
+    const double slope_q = (ring[(j + 1) % n] - ring[(j + n - 1) % n]) * n / 8.0;
+    const double turn = slope_q / radius * (corner * corner + (1.0 - corner) * (1.0 - corner));
+    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
+    const double slope_s =
+        (field->radius[(int64_t)high * n + j] - field->radius[(int64_t)low * n + j]) / span;
+
+    /* direction of the ray, and the gradient in the contour's plane */
+    const double a = q < 1.0 || q >= 3.0 ? 1.0 : -1.0, b = q < 2.0 ? 1.0 : -1.0;
+    const double along = (int32_t)q % 2 == 0 ? 1.0 - corner : corner, across = 1.0 - along;
+    const double length = sqrt(along * along + across * across);
+    const double ua = a * along / length, ub = b * across / length;
+    const double ga = ua + turn * ub, gb = ub - turn * ua;
+    const double gs = -slope_s - (ga * (c1[0] - c0[0]) + gb * (c1[1] - c0[1])) / span;
+    const double steep = sqrt(ga * ga + gb * gb + gs * gs);
+    return radius + skin * (steep < STEEPEST ? steep : STEEPEST);
+}
+
+
 /* table of one limb in double: centre, radius, largest, in this order */
-static void fill_double(const mus__field *from, const double *origin, mus__f64_field *to, double *table)
+static void fill_double(const mus__field *from, const double *origin, double skin, mus__f64_field *to, double *table)
 {
     const int64_t nring = from->nring, nradius = nring * from->nangle;
     for (int32_t i = 0; i < 3; i++) to->origin[i] = from->origin[i] - origin[i];
@@ -42,8 +70,11 @@ static void fill_double(const mus__field *from, const double *origin, mus__f64_f
     to->nring = from->nring;
     to->nangle = from->nangle;
     memcpy(table, from->centre, (size_t)(2 * nring) * sizeof *table);
-    memcpy(table + 2 * nring, from->radius, (size_t)nradius * sizeof *table);
-    for (int32_t k = 0; k < from->nring; k++) table[2 * nring + nradius + k] = ring_largest(from, k);
+    double *radius = table + 2 * nring;
+    for (int32_t k = 0; k < from->nring; k++)
+        for (int32_t j = 0; j < from->nangle; j++)
+            radius[(int64_t)k * from->nangle + j] = offset_radius(from, k, j, skin);
+    for (int32_t k = 0; k < from->nring; k++) table[2 * nring + nradius + k] = ring_largest(from, radius, k);
     to->centre = table;
     to->radius = table + 2 * nring;
     to->largest = table + 2 * nring + nradius;
@@ -87,7 +118,8 @@ static void limb_box(const mus__field *field, const double *origin, double *box)
 }
 
 
-mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, mus__collider **out)
+mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, double skin,
+                                mus__collider **out)
 {
     *out = NULL;
     if (body->nfield > MUS_LIMBS_MOST)
@@ -96,6 +128,7 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
     mus__collider *collider = mus__new(context, 1, sizeof *collider);
     if (collider == NULL) return mus__fail_memory(context, "a collider");
     collider->context = context;
+    collider->skin = skin;
     memcpy(collider->origin, origin, sizeof collider->origin);
     const int32_t n = collider->nlimb = body->nfield;
 
@@ -114,7 +147,7 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
 
     int64_t at = 0;
     for (int32_t l = 0; l < n; l++) {
-        fill_double(&body->field[l], origin, &collider->field64[l], collider->table64 + at);
+        fill_double(&body->field[l], origin, skin, &collider->field64[l], collider->table64 + at);
         fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
         limb_box(&body->field[l], origin, collider->box + 6 * l);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
@@ -145,7 +178,7 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
     for (int32_t l = 0; l < collider->nlimb; l++) {
         double n[3];
         int32_t near;
-        const double depth = mus__f64_query(&collider->field64[l], p, margin, n, &near);
+        const double depth = mus__f64_query(&collider->field64[l], p, margin, n, &near) - collider->skin;
         if (near != 1 || depth <= deepest) continue;
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
@@ -163,7 +196,7 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
         int32_t near;
         const double depth =
             mus__f64_query(&collider->field64[l], p, reach + STEEP_MARGIN, normals + 3 * (int64_t)count, &near);
-        if (near == 1 && depth > -reach) count++;
+        if (near == 1 && depth > collider->skin - reach) count++;
     }
     return count;
 }

@@ -34,6 +34,7 @@
 typedef struct mus__collider {
     mus_context *context;
     int32_t nlimb;
+    double skin;             /* the fields are this much wider than the body [m] */
     double origin[3];        /* of the state's coordinates in the body frame */
     mus__f32_field *field32; /* (nlimb) */
     mus__f64_field *field64; /* (nlimb) */
@@ -42,8 +43,10 @@ typedef struct mus__collider {
     double *table64;
 } mus__collider;
 
-/* fields and boxes are relative to `origin` (3), as the state is: float keeps its digits near it */
-mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, mus__collider **out);
+/* fields and boxes are relative to `origin` (3), as the state is: float keeps its digits near it. The fields are those
+ * of the surface `skin` [m] off the body, where cloth is to rest; depths that callers get are from the body itself. */
+mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, double skin,
+                                mus__collider **out);
 void mus__collider_destroy(mus__collider *collider);
 
 /* largest depth of a point of the body frame over the limbs, positive inside; -1e30 out of reach of all */

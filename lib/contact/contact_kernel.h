@@ -1,7 +1,8 @@
 /*
  * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT).
  *
- * A node nearer than the clearance is put back along the outward normal (by at most `push`), loses its velocity into
+ * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
+ * rests: a depth of first order jumps a little from ring to ring, but not at zero. A node nearer than the clearance is put back along the outward normal (by at most `push`), loses its velocity into
  * the skin, and its sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node
  * with the velocity it had before the impulse; `slip` times the change takes that sliding back, so that what sticks
  * does not creep by h^2 f/m a step.
@@ -12,7 +13,6 @@
 
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
-
 
 /* one node against one limb it may touch: x, v (3) are corrected in place */
 static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, const MUS_REAL *normal,
@@ -42,7 +42,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
                                         const MUS_REAL *box, MUS_REAL margin, MUS_REAL *p, MUS_REAL *w,
                                         int64_t *queries)
 {
-    const MUS_REAL clearance = (MUS_REAL)rule->clearance, band = clearance + (MUS_REAL)TOUCH_BAND;
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = margin;
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
         if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
@@ -84,7 +84,7 @@ int64_t MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule
         MUS_REAL p[3] = {x[i], x[n + i], x[2 * (int64_t)n + i]};
         MUS_REAL w[3] = {v[i], v[n + i], v[2 * (int64_t)n + i]};
         const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, p, w, &queries);
-        const MUS_REAL off = (distance - (MUS_REAL)rule->clearance) * calls;
+        const MUS_REAL off = (distance - (MUS_REAL)(rule->clearance - collider->skin)) * calls;
         rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
         x[i] = p[0], x[n + i] = p[1], x[2 * (int64_t)n + i] = p[2];
         v[i] = w[0], v[n + i] = w[1], v[2 * (int64_t)n + i] = w[2];

@@ -161,7 +161,7 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     if (status == MUS_OK) status = take_memory(drape);
     if (status == MUS_OK) choose_origin(drape);
     if (status == MUS_OK && body != NULL)
-        status = mus__collider_create(context, body, drape->sim.origin, &drape->collider);
+        status = mus__collider_create(context, body, drape->sim.origin, own.clearance, &drape->collider);
     if (status != MUS_OK) {
         mus_drape_destroy(drape);
         return status;

@@ -59,7 +59,7 @@ static mus__collider *make_collider(mus_context *context, double (*radius)(doubl
     mus__field field;
     mus__collider *collider;
     contact_body(context, radius, &body, &field);
-    ck_assert_int_eq(mus__collider_create(context, &body, origin, &collider), MUS_OK);
+    ck_assert_int_eq(mus__collider_create(context, &body, origin, 0.0, &collider), MUS_OK);
     return collider;
 }
 
@@ -250,7 +250,7 @@ START_TEST(each_failing_allocation_is_a_status)
         mus__collider *collider;
         contact_body(context, sphere_radius, &body, &field);
         support_fail_after(n, false);
-        const mus_status status = mus__collider_create(context, &body, origin, &collider);
+        const mus_status status = mus__collider_create(context, &body, origin, 0.0, &collider);
         support_fail_never();
         mus__collider_destroy(collider);
         support_context_end(context);

@@ -86,7 +86,7 @@ static void MUS_FN(rows)(mus__sim *sim, int32_t first, int32_t last)
             }
         }
     }
-    if (!sim->dashpots) return;
+    if (!sim->dashpots || first == last) return;
     for (int32_t h = plan->row[first].run; first < last && h < plan->row[last - 1].run + plan->row[last - 1].nrun;
          h++) {
         const mus__half_run *run = &plan->half_run[h];

@@ -5,6 +5,9 @@
  * partners at equal relative arc length, and a triangulated strip between. Springs are structural, shear and bend
  * (Metaaphanon and Kanongchaiyos 2005, section 2.1); bending is by second differences, which keep a rigidity on a
  * flat cloth. A cloth knows nothing of time or body.
+ *
+ * Two more ways lead to a cloth, for experiments and verification: a rectangle that is one pure lattice, and bare nodes
+ * with springs, bends and pins of the caller.
  */
 #ifndef MUSLIN_CLOTH_H
 #define MUSLIN_CLOTH_H
@@ -60,6 +63,50 @@ MUS_API void mus_cloth_def_init(mus_cloth_def *def, size_t size);
  */
 MUS_API mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
                                     mus_cloth **out);
+
+/**
+ * Make a rectangle that is one pure lattice: rows x columns nodes, node r * columns + c at (c * cell[0], r * cell[1]).
+ *
+ * cell (2) is the spacing along weft (x) and warp (y) [m]; def->spacing is not read. Springs and masses on the border
+ * carry half, corners a quarter. A direction with one node stands for a strip one cell wide and has no diagonals. There
+ * is one panel, without seams, in the plane z = 0. `def` may be NULL.
+ * Errors:  MUS_ERR_ARG (rows or columns below 1, cell outside 1e-6 to 10 m, fabric); MUS_ERR_VERSION;
+ *          MUS_ERR_LIMIT (more than 2^24 nodes); MUS_ERR_MEMORY
+ * Cost:    proportional to the nodes
+ */
+MUS_API mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t columns, const double *cell,
+                                         const mus_cloth_def *def, mus_cloth **out);
+
+/** A cloth made of bare nodes: no fabric, no panels, no triangles. */
+typedef struct mus_bare {
+    size_t size;
+    int32_t nodes;
+    int32_t springs;
+    int32_t bends;
+    int32_t pins;
+    const double *place;          /* (nodes x 3) where a drape starts [m] */
+    const double *mass;           /* (nodes) 1e-15 to 1e15 kg; 0 is allowed at a pin */
+    const int32_t *spring;        /* (springs x 2) nodes a b: E = k/2 (|x_b - x_a| - length)^2 */
+    const double *length;         /* (springs) at rest, 0 or more [m] */
+    const double *stiffness;      /* (springs) k, 0 to 1e15 [N/m] */
+    const double *dashpot;        /* (springs) 0 to 1e15 [N s/m], along the spring; NULL: none */
+    const int32_t *bend;          /* (bends x 3) nodes a b c: E = k/2 |x_a - 2 x_b + x_c|^2 */
+    const double *bend_stiffness; /* (bends) k, 0 to 1e15 [N/m] */
+    const int32_t *pin;           /* (pins) nodes that a drape holds from the start */
+} mus_bare;
+
+/** Zero `bare` and write its size: no nodes. */
+MUS_API void mus_bare_init(mus_bare *bare, size_t size);
+
+/**
+ * Make a cloth of bare nodes. The arrays are copied; those whose count is 0 may be NULL.
+ *
+ * A drape of it starts at `place`, with the pins held, and returns there by mus_drape_place(). mus_cloth_rest() is
+ * `place` without z; node panels are MUS_NONE.
+ * Errors:  MUS_ERR_ARG (a count, node, number: which, with value and limit); MUS_ERR_VERSION;
+ *          MUS_ERR_LIMIT (more than 2^24 nodes, 2^28 springs or 2^26 bends); MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_cloth_create_bare(mus_context *context, const mus_bare *bare, mus_cloth **out);
 
 MUS_API void mus_cloth_destroy(mus_cloth *cloth);
 

@@ -19,6 +19,24 @@ void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 }
 
 
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own)
+{
+    mus_cloth_def_init(own, sizeof *own);
+    mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
+    return status == MUS_OK ? mus__fabric_check(context, &own->fabric) : status;
+}
+
+
+mus_cloth *mus__cloth_new(mus_context *context)
+{
+    mus_cloth *cloth = mus__new(context, 1, sizeof *cloth);
+    if (cloth == NULL) return NULL;
+    cloth->context = context;
+    cloth->references = 1;
+    return cloth;
+}
+
+
 /* a faulty pattern is refused with the text of its first fault */
 static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 {
@@ -67,9 +85,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", pattern == NULL ? "pattern" : "out");
 
     mus_cloth_def own;
-    mus_cloth_def_init(&own, sizeof own);
-    mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_cloth_def");
-    if (status == MUS_OK) status = mus__fabric_check(context, &own.fabric);
+    mus_status status = mus__cloth_def_read(context, def, &own);
     if (status != MUS_OK) return status;
     if (!(own.spacing >= 0.001 && own.spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
@@ -78,9 +94,8 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     if (status != MUS_OK) return status;
 
     mus__mesh mesh = {.context = context, .pattern = pattern};
-    mus_cloth *cloth = mus__new(context, 1, sizeof *cloth);
+    mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
-    cloth->context = context, cloth->references = 1;
     cloth->fabric = own.fabric, cloth->spacing = own.spacing;
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
@@ -113,7 +128,8 @@ void mus_cloth_destroy(mus_cloth *cloth)
     if (cloth == NULL || --cloth->references > 0) return;
     void *blocks[] = {cloth->panel,  cloth->rest,       cloth->mass, cloth->node_panel, cloth->triangle,
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
-                      cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length};
+                      cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
+                      cloth->place,  cloth->dashpot,    cloth->pin};
     mus_context *context = cloth->context;
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);
     mus__free(context, cloth);

@@ -29,7 +29,8 @@ typedef struct mus__spring {
     double k, rest;
 } mus__spring;
 
-typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2..3] */
+typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2..3];
+                             a bare bend has its middle as both ends of the edge, with -1 each */
     int32_t node[4];
     double coef[4];
     double k;
@@ -69,7 +70,18 @@ struct mus_cloth {
     int32_t *pair;             /* (npair x 2) */
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
+
+    /* of bare nodes only, else NULL: no panel places them and no fabric damps them */
+    int32_t npin;
+    double *place;             /* (nnode x 3) */
+    double *dashpot;           /* (nspring) [N s/m] */
+    int32_t *pin;              /* (npin) */
 };
+
+/* a cloth with one owner and nothing in it, and its own `spacing` and fabric left zero; NULL without memory */
+mus_cloth *mus__cloth_new(mus_context *context);
+/* defaults, then the caller's def, checked without its spacing */
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own);
 
 /* one more owner; mus_cloth_destroy() gives one up and frees at the last */
 mus_cloth *mus__cloth_retain(const mus_cloth *cloth);

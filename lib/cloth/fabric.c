@@ -7,6 +7,11 @@
  *
  *     beta = (4 B_bias - B_warp - B_weft) / 3,   alpha = B - beta / 2   along warp, weft.
  *
+ * A cell of a along a line and b across it takes (the same, where a = b)
+ *
+ *     k_d = G (a^2 + b^2) / (2 a b),            k = C11 b / a - G a / b,
+ *     bias stencils  beta / (4 a b),            along the line  (B - beta a^2 / (2 b^2)) b / a^3.
+ *
  * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that
  * shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft).
  *
@@ -143,16 +148,24 @@ mus_status mus__fabric_check(mus_context *context, const mus_fabric *fabric)
 }
 
 
-void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out)
+void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out)
 {
-    double square = spacing * spacing;
     double beta = fmax(0.0, (4.0 * fabric->bend[2] - fabric->bend[0] - fabric->bend[1]) / 3.0);
     for (int k = 0; k < 2; k++) {
-        out->k[k] = fmax(fabric->stretch[k] - fabric->shear, FABRIC_LEAST_STRETCH * fabric->stretch[k]);
-        out->bend[k] = fmax(0.0, fabric->bend[k] - 0.5 * beta) / square;
+        /* along the line, across it */
+        double a = cell[1 - k], b = cell[k], line = fabric->stretch[k] * (b / a);
+        out->k[k] = fmax(line - fabric->shear * (a / b), FABRIC_LEAST_STRETCH * line);
+        out->bend[k] = fmax(0.0, fabric->bend[k] - 0.5 * beta * ((a * a) / (b * b))) * (b / a) / (a * a);
     }
-    out->shear = fabric->shear;
-    out->cross = beta / (4.0 * square);
+    out->shear = fabric->shear * ((cell[0] * cell[0] + cell[1] * cell[1]) / (2.0 * (cell[0] * cell[1])));
+    out->cross = beta / (4.0 * (cell[0] * cell[1]));
+}
+
+
+void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out)
+{
+    const double cell[2] = {spacing, spacing};
+    mus__fabric_on_cell(fabric, cell, out);
 }
 
 

@@ -175,11 +175,13 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     sim->collision_distance = own.collision_distance;
     name_skipped(drape);
 
-    /* flat in the panels' planes until placed */
+    /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
     for (int32_t i = 0; i < drape->n; i++) {
         double *x = drape->x + 3 * (int64_t)i;
         x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
     }
+    if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
+    for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
     mus__drape_open(drape);
     mus__drape_push(drape);
     *out = drape;

@@ -1,5 +1,6 @@
 /*
- * place.c: panels to where the pattern says they start: flat or rolled, turned, moved (mus_placement).
+ * place.c: panels to where the pattern says they start: flat or rolled, turned, moved (mus_placement). Bare nodes know
+ * their places themselves.
  */
 #include <math.h>
 #include <string.h>
@@ -24,6 +25,10 @@ static void place_point(const mus_placement *place, double x, double y, double *
 
 void mus__cloth_place(const mus_cloth *cloth, double *x)
 {
+    if (cloth->place != NULL) {
+        memcpy(x, cloth->place, 3 * (size_t)cloth->nnode * sizeof *x);
+        return;
+    }
     for (int32_t i = 0; i < cloth->nnode; i++) {
         const mus_placement *place = &cloth->panel[cloth->node_panel[i]].placement;
         place_point(place, cloth->rest[2 * (int64_t)i], cloth->rest[2 * (int64_t)i + 1], x + 3 * (int64_t)i);

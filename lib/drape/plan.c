@@ -313,6 +313,8 @@ mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, mus__pl
     if (status == MUS_OK) status = build_elements(context, cloth, plan);
     if (status != MUS_OK) return status;
     plan->dashpots = cloth->fabric.damping > 0.0;
+    for (int32_t s = 0; cloth->dashpot != NULL && s < cloth->nspring; s++)
+        if (cloth->dashpot[s] > 0.0) plan->dashpots = 1;
     mus__plan_weld(cloth, NULL, plan);
     return MUS_OK;
 }
@@ -336,15 +338,16 @@ void mus__plan_clear(mus_context *context, mus__plan *plan)
 }
 
 
-/* append hinges with their nodes renamed; a hinge that folded onto itself (two nodes the same) is left out */
+/* append hinges with their nodes renamed; a hinge that welding folded onto itself (two nodes the same) is left out */
 static void add_hinges(mus__plan *plan, const mus__hinge *hinges, int32_t n, const int32_t *rep)
 {
     for (int32_t h = 0; h < n; h++) {
         mus__hinge hinge = hinges[h];
-        for (int32_t k = 0; k < 4; k++)
-            if (rep != NULL) hinge.node[k] = rep[hinge.node[k]];
-        const int32_t *i = hinge.node;
-        if (i[0] == i[1] || i[2] == i[3] || i[0] == i[2] || i[0] == i[3] || i[1] == i[2] || i[1] == i[3]) continue;
+        if (rep != NULL) {
+            int32_t *i = hinge.node;
+            for (int32_t k = 0; k < 4; k++) i[k] = rep[i[k]];
+            if (i[0] == i[1] || i[2] == i[3] || i[0] == i[2] || i[0] == i[3] || i[1] == i[2] || i[1] == i[3]) continue;
+        }
         plan->hinge[plan->nhinge++] = hinge;
     }
 }
@@ -358,7 +361,9 @@ void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
         const double mass = 0.5 * (cloth->mass[spring.a] + cloth->mass[spring.b]);
         if (rep != NULL) spring.a = rep[spring.a], spring.b = rep[spring.b];
         if (spring.a == spring.b) continue;
-        plan->spring_dashpot[plan->nspring] = 2.0 * cloth->fabric.damping * sqrt(0.5 * spring.k * mass);
+        plan->spring_dashpot[plan->nspring] = cloth->dashpot != NULL
+                                                  ? cloth->dashpot[s]
+                                                  : 2.0 * cloth->fabric.damping * sqrt(0.5 * spring.k * mass);
         plan->spring[plan->nspring++] = spring;
     }
     add_hinges(plan, cloth->hinge, cloth->nhinge, rep);

@@ -239,3 +239,21 @@ def test_a_body_of_given_limbs(context):
     assert abs(depths[0] - 0.04) < 1e-8 and abs(depths[1] + 0.02) < 1e-8
     with pytest.raises(muslin.MuslinError, match="limb 0"):
         muslin.Body.of_limbs([{**tube, "pole": (0.1, 0.6)}], context=context)
+
+
+def test_a_cloth_without_a_pattern(context):
+    grid = muslin.Cloth.grid(3, 4, (0.02, 0.01), fabric="denim", context=context)
+    assert len(grid) == 12 and abs(grid.mass - 0.40 * 0.06 * 0.02) < 1e-15
+    assert (grid.rest[5, 0], grid.rest[5, 1]) == (0.02, 0.01)
+    rod = muslin.Cloth.bare([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [0, 1, 1],
+                            springs=[(0, 1, 1.0, 100.0), (1, 2, 1.0, 100.0, 2)],
+                            bends=[(0, 1, 2, 3.0)], pins=[0], context=context)
+    assert len(rod) == 3 and rod.spring_count == 3 and rod.mass == 2.0
+    drape = muslin.Drape(rod, precision=64)
+    drape.step(10, 1e-3)
+    x = drape.positions
+    assert (x[0, 0], x[0, 1], x[0, 2]) == (0, 0, 0) and x[2, 1] < 0
+    with pytest.raises(muslin.MuslinError, match="spring 0 names node 5"):
+        muslin.Cloth.bare([(0, 0, 0)], [1], springs=[(0, 5, 1, 1)], context=context)
+    with pytest.raises(ValueError, match="2 masses for 1 nodes"):
+        muslin.Cloth.bare([(0, 0, 0)], [1, 1], context=context)

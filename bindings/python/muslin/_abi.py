@@ -213,6 +213,13 @@ class mus_cloth_def(Structure):
     _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric)]
 
 
+class mus_bare(Structure):
+    _fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("bends", c_int32), ("pins", c_int32),
+                ("place", POINTER(c_double)), ("mass", POINTER(c_double)), ("spring", POINTER(c_int32)),
+                ("length", POINTER(c_double)), ("stiffness", POINTER(c_double)), ("dashpot", POINTER(c_double)),
+                ("bend", POINTER(c_int32)), ("bend_stiffness", POINTER(c_double)), ("pin", POINTER(c_int32))]
+
+
 class mus_integrate_def(Structure):
     _fields_ = [("size", c_size_t), ("method", c_int32), ("guard_every", c_int32), ("start", c_double),
                 ("step", c_double), ("rate", mus_rate_fn), ("energy", mus_energy_fn), ("rate32", mus_rate32_fn),
@@ -392,6 +399,10 @@ FUNCTIONS = {
     "mus_cloth_def_init": ("core", None, [POINTER(mus_cloth_def), c_size_t]),
     "mus_cloth_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_cloth_def),
                                            POINTER(POINTER(mus_cloth))]),
+    "mus_cloth_create_grid": ("core", c_int32, [POINTER(mus_context), c_int32, c_int32, POINTER(c_double),
+                                                POINTER(mus_cloth_def), POINTER(POINTER(mus_cloth))]),
+    "mus_bare_init": ("core", None, [POINTER(mus_bare), c_size_t]),
+    "mus_cloth_create_bare": ("core", c_int32, [POINTER(mus_context), POINTER(mus_bare), POINTER(POINTER(mus_cloth))]),
     "mus_cloth_destroy": ("core", None, [POINTER(mus_cloth)]),
     "mus_cloth_node_count": ("core", c_int32, [POINTER(mus_cloth)]),
     "mus_cloth_triangle_count": ("core", c_int32, [POINTER(mus_cloth)]),

@@ -3,8 +3,8 @@ import ctypes
 
 from . import _abi
 from ._library import lib
-from .arrays import view
-from .context import Object, create, fill, make_def, read_struct, text
+from .arrays import doubles, integers, view
+from .context import Context, Object, create, fill, make_def, read_struct, text
 
 
 def fabrics():
@@ -38,6 +38,42 @@ class Cloth(Object):
         context = pattern.context
         super().__init__(context, create(context, "cloth", "mus_cloth_create", context.handle, pattern.handle,
                                          ctypes.byref(definition)))
+
+    @classmethod
+    def _own(cls, context, function, *arguments):
+        self = cls.__new__(cls)
+        Object.__init__(self, context, create(context, "cloth", function, context.handle, *arguments))
+        return self
+
+    @classmethod
+    def grid(cls, rows, columns, cell, fabric=None, context=None):
+        """A rectangle that is one pure lattice; cell: (along weft, along warp) [m]. Node r * columns + c."""
+        definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init)
+        if fabric is not None:
+            definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+        return cls._own(context or Context.of_thread(), "mus_cloth_create_grid", rows, columns,
+                        (ctypes.c_double * 2)(*cell), ctypes.byref(definition))
+
+    @classmethod
+    def bare(cls, place, mass, springs=(), bends=(), pins=(), context=None):
+        """Bare nodes at `place` (n x 3) with `mass` (n).
+
+        springs: (a, b, length, stiffness) or (a, b, length, stiffness, dashpot) each; bends: (a, b, c, stiffness) with
+        E = stiffness / 2 |a - 2 b + c|^2; pins: nodes.
+        """
+        springs, bends = list(springs), list(bends)
+        bare = make_def(_abi.mus_bare, lib.mus_bare_init)
+        bare.place, bare.nodes = doubles(place, 3)
+        bare.mass, count = doubles(mass)
+        if count != bare.nodes:
+            raise ValueError(f"{count} masses for {bare.nodes} nodes")
+        bare.spring, bare.springs = integers([spring[:2] for spring in springs], 2)
+        bare.length, bare.stiffness, bare.dashpot = (
+            doubles([spring[i] if i < len(spring) else 0.0 for spring in springs])[0] for i in (2, 3, 4))
+        bare.bend, bare.bends = integers([bend[:3] for bend in bends], 3)
+        bare.bend_stiffness = doubles([bend[3] for bend in bends])[0]
+        bare.pin, bare.pins = integers(pins)
+        return cls._own(context or Context.of_thread(), "mus_cloth_create_bare", ctypes.byref(bare))
 
     def __len__(self):
         return self.get("node_count")

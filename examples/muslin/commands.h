@@ -9,5 +9,6 @@ int command_dress(int argc, char **argv);
 int command_print(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_bench(int argc, char **argv);
+int command_verify(int argc, char **argv);
 
 #endif

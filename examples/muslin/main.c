@@ -22,6 +22,7 @@ static const struct {
     {"print", command_print, "ready-to-cut paper: PDF, SVG"},
     {"convert", command_convert, "one pattern or tape file to another form"},
     {"bench", command_bench, "speed table"},
+    {"verify", command_verify, "cases with exact answers: error and tolerance"},
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

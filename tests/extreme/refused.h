@@ -20,8 +20,10 @@ typedef struct refused_field {
     const char *word; /* that the message must hold */
 } refused_field;
 
-#define REFUSED(type, member, count, nan_is_default, word) \
-    {#type "." #member, offsetof(type, member), count, nan_is_default, word}
+#define REFUSED(type, member, count, nan_is_default, word)                                                             \
+    {                                                                                                                  \
+#type "." #member, offsetof(type, member), count, nan_is_default, word                                         \
+    }
 
 static const double refused_values[] = {NAN, INFINITY, -INFINITY};
 
@@ -29,7 +31,8 @@ static const double refused_values[] = {NAN, INFINITY, -INFINITY};
 typedef mus_status (*refused_try)(mus_context *context, const void *def, void *user);
 
 
-/* every field of `def` (a good one, `size` bytes) in turn not finite: refused by name, no byte kept, the next call good */
+/* every field of `def` (a good one, `size` bytes) in turn not finite: refused by name, no byte kept, the next call good
+ */
 static inline void refused_fields(const refused_field *fields, size_t count, const void *def, size_t size,
                                   refused_try attempt, void *user)
 {

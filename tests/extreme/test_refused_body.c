@@ -1,6 +1,6 @@
 /*
- * test_refused_body.c: numbers that are not finite at the doors of tape and body (numerics.md X23): refused by name, and
- * the object is as it was. NaN unsets a measure: that is its meaning there.
+ * test_refused_body.c: numbers that are not finite at the doors of tape and body (numerics.md X23): refused by name,
+ * and the object is as it was. NaN unsets a measure: that is its meaning there.
  */
 #include "muslin/body.h"
 #include "refused.h"
@@ -133,7 +133,8 @@ START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
                 if (mask >> d & 1) point[d] = far[v];
             ck_assert_int_eq(mus_body_depth(body, 1, point, &depth, normal), MUS_OK);
             ck_assert_msg(depth < 0.0, "a point at %g, %g, %g is %g m deep", point[0], point[1], point[2], depth);
-            for (int32_t d = 0; d < 3; d++) ck_assert_msg(isfinite(normal[d]), "%g, %g, %g", point[0], point[1], point[2]);
+            for (int32_t d = 0; d < 3; d++)
+                ck_assert_msg(isfinite(normal[d]), "%g, %g, %g", point[0], point[1], point[2]);
         }
     mus_body_destroy(body);
     mus_tape_destroy(tape);

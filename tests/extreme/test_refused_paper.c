@@ -57,7 +57,8 @@ START_TEST(a_mesh_that_is_not_finite_makes_no_file)
             view.vertex_count = 3, view.triangle_count = 1, view.triangles = corner;
             view.positions = number, view.normals = number + 9, view.texcoords = number + 18;
             memcpy(view.colour, number + 24, sizeof view.colour);
-            ck_assert_int_eq(_i ? mus_mesh_write_glb(context, path, 1, &view) : mus_mesh_write_obj(context, path, 1, &view),
+            ck_assert_int_eq(_i ? mus_mesh_write_glb(context, path, 1, &view)
+                                : mus_mesh_write_obj(context, path, 1, &view),
                              MUS_ERR_ARG);
             ck_assert_ptr_nonnull(strstr(mus_context_error(context), "mesh 0"));
             ck_assert_int_ne(access(path, F_OK), 0);

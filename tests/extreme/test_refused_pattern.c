@@ -68,11 +68,16 @@ static mus_status call_set_placement(const sample *s, int32_t k, double bad)
     mus_placement place;
     mus_placement_init(&place, sizeof place);
     place.bend = 0.2;
-    if (k < 3) place.origin[k] = bad;
-    else if (k < 12) place.rotation[k - 3] = bad;
-    else if (k == 12) place.bend = bad;
-    else if (k == 13) place.bend_x = bad;
-    else return MUS_NONE;
+    if (k < 3)
+        place.origin[k] = bad;
+    else if (k < 12)
+        place.rotation[k - 3] = bad;
+    else if (k == 12)
+        place.bend = bad;
+    else if (k == 13)
+        place.bend_x = bad;
+    else
+        return MUS_NONE;
     return mus_pattern_set_placement(s->pattern, s->front, &place);
 }
 
@@ -83,9 +88,12 @@ static mus_status call_add_seam(const sample *s, int32_t k, double bad)
     mus_seam_def def;
     mus_seam_def_init(&def, sizeof def);
     def.edge_a = s->edge[0], def.edge_b = s->edge[4];
-    if (k == 0) def.ease = bad;
-    else if (k == 1) def.tolerance = bad;
-    else return MUS_NONE;
+    if (k == 0)
+        def.ease = bad;
+    else if (k == 1)
+        def.tolerance = bad;
+    else
+        return MUS_NONE;
     int32_t out;
     return mus_pattern_add_seam(s->pattern, &def, &out);
 }
@@ -105,10 +113,14 @@ static const struct {
     const char *name;
     pattern_call call;
 } pattern_calls[] = {
-    {"mus_pattern_add_point", call_add_point},         {"mus_pattern_add_edge", call_add_edge},
-    {"mus_pattern_add_notch", call_add_notch},         {"mus_pattern_set_edge_allowance", call_set_edge_allowance},
-    {"mus_pattern_add_mark", call_add_mark},           {"mus_pattern_set_grain", call_set_grain},
-    {"mus_pattern_set_placement", call_set_placement}, {"mus_pattern_add_seam", call_add_seam},
+    {"mus_pattern_add_point", call_add_point},
+    {"mus_pattern_add_edge", call_add_edge},
+    {"mus_pattern_add_notch", call_add_notch},
+    {"mus_pattern_set_edge_allowance", call_set_edge_allowance},
+    {"mus_pattern_add_mark", call_add_mark},
+    {"mus_pattern_set_grain", call_set_grain},
+    {"mus_pattern_set_placement", call_set_placement},
+    {"mus_pattern_add_seam", call_add_seam},
     {"mus_pattern_edge_at", call_edge_at},
 };
 

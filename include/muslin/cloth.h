@@ -4,7 +4,7 @@
  * Each panel is meshed by a lattice along warp and weft, boundary nodes spaced so that the two sides of a seam have
  * partners at equal relative arc length, and a triangulated strip between. Springs are structural, shear and bend
  * (Metaaphanon and Kanongchaiyos 2005, section 2.1); bending is by second differences, which keep a rigidity on a
- * flat cloth. A cloth knows nothing of time or body.
+ * flat cloth, or on request by the paper's own springs over one node. A cloth knows nothing of time or body.
  *
  * Two more ways lead to a cloth, for experiments and verification: a rectangle that is one pure lattice, and bare nodes
  * with springs, bends and pins of the caller.
@@ -44,11 +44,17 @@ MUS_API mus_status mus_fabric_find(const char *name, mus_fabric *out);
 
 typedef struct mus_cloth mus_cloth;
 
+/** Models of bending. */
+#define MUS_BEND_PLATE 0 /* second differences, and hinges off the lattice: the fabric's rigidity at any curvature */
+#define MUS_BEND_PAPER 1 /* springs over one node (Metaaphanon and Kanongchaiyos 2005): right at one curvature only */
+
 /** Options of a cloth. */
 typedef struct mus_cloth_def {
     size_t size;
-    double spacing;    /* of the lattice [m], default 0.01, 0.001..0.1 */
-    mus_fabric fabric; /* default: the default fabric */
+    double spacing;         /* of the lattice [m], default 0.01, 0.001..0.1 */
+    mus_fabric fabric;      /* default: the default fabric */
+    int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
+    double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
 } mus_cloth_def;
 
 MUS_API void mus_cloth_def_init(mus_cloth_def *def, size_t size);

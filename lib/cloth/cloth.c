@@ -12,7 +12,7 @@
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 {
     if (def == NULL || size < sizeof def->size) return;
-    mus_cloth_def own = {.size = size, .spacing = 0.01};
+    mus_cloth_def own = {.size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0};
     mus_fabric_init(&own.fabric, sizeof own.fabric);
     memset(def, 0, size);
     memcpy(def, &own, size < sizeof own ? size : sizeof own);
@@ -23,7 +23,13 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
 {
     mus_cloth_def_init(own, sizeof *own);
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
-    return status == MUS_OK ? mus__fabric_check(context, &own->fabric) : status;
+    if (status == MUS_OK) status = mus__fabric_check(context, &own->fabric);
+    if (status != MUS_OK) return status;
+    if (own->bending != MUS_BEND_PLATE && own->bending != MUS_BEND_PAPER)
+        return mus__fail(context, MUS_ERR_ARG, "bending %d is neither plate (0) nor paper (1)", (int)own->bending);
+    if (!(own->paper_curvature >= 0.1 && own->paper_curvature <= 1000.0))
+        return mus__fail(context, MUS_ERR_ARG, "paper_curvature %g /m is outside 0.1 to 1000 /m", own->paper_curvature);
+    return MUS_OK;
 }
 
 
@@ -60,7 +66,9 @@ static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 static mus_status cloth_build(mus__mesh *mesh)
 {
     mus_cloth *cloth = mesh->cloth;
-    mus__fabric_on_lattice(&cloth->fabric, cloth->spacing, &mesh->constant);
+    const double cell[2] = {cloth->spacing, cloth->spacing};
+    mus__fabric_on_cell(&cloth->fabric, cell, &mesh->constant);
+    if (mesh->paper > 0.0) mus__fabric_on_paper(&cloth->fabric, cell, mesh->paper, &mesh->constant);
     mus_status status = mus__mesh_edges(mesh);
     for (int32_t p = 0; status == MUS_OK && p < cloth->npanel; p++) {
         mus__lattice lattice = {0};
@@ -93,7 +101,9 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     status = cloth_check(context, pattern);
     if (status != MUS_OK) return status;
 
-    mus__mesh mesh = {.context = context, .pattern = pattern};
+    mus__mesh mesh = {.context = context,
+                      .pattern = pattern,
+                      .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
     cloth->fabric = own.fabric, cloth->spacing = own.spacing;

@@ -12,7 +12,13 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
-enum { MUS__SPRING_WARP = 0, MUS__SPRING_WEFT = 1, MUS__SPRING_SHEAR = 2, MUS__SPRING_BORDER = 3 };
+enum {
+    MUS__SPRING_WARP = 0,
+    MUS__SPRING_WEFT = 1,
+    MUS__SPRING_SHEAR = 2,
+    MUS__SPRING_BORDER = 3,
+    MUS__SPRING_SKIP = 4 /* the paper's bending: over one node */
+};
 
 typedef struct mus__spring_run { /* E = 1/2 k (|x_b - x_a| - rest)^2, each spring once */
     int32_t a, b, count, kind;

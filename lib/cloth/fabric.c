@@ -159,6 +159,27 @@ void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabr
     }
     out->shear = fabric->shear * ((cell[0] * cell[0] + cell[1] * cell[1]) / (2.0 * (cell[0] * cell[1])));
     out->cross = beta / (4.0 * (cell[0] * cell[1]));
+    out->skip[0] = out->skip[1] = 0.0;
+}
+
+
+/*
+ * A spring over the middle of three nodes a apart shortens by a^3 K^2 / 4 at curvature K, so its energy goes with K^4:
+ * no rigidity on a flat cloth. Its moment k_b a^5 K^3 / (8 b) is the fabric's B K at one curvature only:
+ *
+ *     k_b = 8 B b / (a^5 K^2)
+ *
+ * It stretches too, as 4 k_b a / b of C11: taken from the line's spring as far as that has it.
+ */
+void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double curvature, mus__fabric_lattice *out)
+{
+    for (int k = 0; k < 2; k++) {
+        double a = cell[1 - k], b = cell[k], line = fabric->stretch[k] * (b / a), square = a * a;
+        out->skip[k] = 8.0 * fabric->bend[k] * (b / a) / (square * square * curvature * curvature);
+        out->k[k] = fmax(out->k[k] - 4.0 * out->skip[k], FABRIC_LEAST_STRETCH * line);
+        out->bend[k] = 0.0;
+    }
+    out->cross = 0.0;
 }
 
 

@@ -11,12 +11,15 @@
 typedef struct mus__fabric_lattice {
     double k[2], shear;    /* [N/m] */
     double bend[2], cross; /* of |x_a - 2 x_b + x_c|^2 / 2 along warp, weft, both diagonals [N/m] */
+    double skip[2];        /* the paper's springs over one node, in place of bend and cross [N/m] */
 } mus__fabric_lattice;
 
 /* Errors: MUS_ERR_ARG naming the value, MUS_ERR_VERSION */
 mus_status mus__fabric_check(mus_context *context, const mus_fabric *fabric);
 /* of cells cell[0] along the weft by cell[1] along the warp; and of square ones */
 void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out);
+/* turn the constants of a cell to the paper's bending, which stands for the fabric's at `curvature` */
+void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double curvature, mus__fabric_lattice *out);
 void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out);
 /* stiffness of an edge spring in a triangle, k = this * area / length^2; (x, y) is its unit vector along weft, warp */
 double mus__fabric_stretch(const mus_fabric *fabric, double x, double y);

@@ -71,6 +71,19 @@ static void grid_springs(grid *g, int32_t r)
 }
 
 
+/* the paper's springs over the middle nodes of row r, in place of stencils */
+static void grid_skips(grid *g, int32_t r)
+{
+    const int32_t n = g->columns, first = r * n, kind = MUS__SPRING_SKIP;
+    const double *skip = g->constant.skip, x = 2.0 * g->cell[0], y = 2.0 * g->cell[1];
+    grid_spring(g, first, first + 2, n - 2, kind, skip[1] * grid_share(r, g->rows), x);
+    if (r == 0 || r + 1 == g->rows) return;
+    grid_spring(g, first - n, first + n, 1, kind, skip[0] * grid_share(0, n), y);
+    grid_spring(g, first + 1 - n, first + 1 + n, n - 2, kind, skip[0], y);
+    if (n > 1) grid_spring(g, first - 1, first + 2 * n - 1, 1, kind, skip[0] * 0.5, y);
+}
+
+
 /* stencils whose middle is in row r: along it, across it, and along both diagonals */
 static void grid_bends(grid *g, int32_t r)
 {
@@ -157,7 +170,7 @@ static bool grid_take(const grid *g)
     cloth->triangle = mus__new(context, 3 * (int64_t)cloth->ntriangle, sizeof *cloth->triangle);
     cloth->border = mus__new(context, cloth->nborder, sizeof *cloth->border);
     cloth->row = mus__new(context, rows, sizeof *cloth->row);
-    cloth->run = mus__new(context, 6 * rows, sizeof *cloth->run);
+    cloth->run = mus__new(context, 10 * rows, sizeof *cloth->run);
     cloth->bend = mus__new(context, 6 * rows, sizeof *cloth->bend);
     return cloth->panel != NULL && cloth->rest != NULL && cloth->mass != NULL && cloth->node_panel != NULL &&
            cloth->triangle != NULL && cloth->border != NULL && cloth->row != NULL && cloth->run != NULL &&
@@ -166,7 +179,7 @@ static bool grid_take(const grid *g)
 
 
 /* springs by cell; a single line has no diagonals and carries C11 and its own bending in full */
-static void grid_constants(grid *g)
+static void grid_constants(grid *g, double paper)
 {
     mus_fabric fabric = g->cloth->fabric;
     if (g->rows == 1 || g->columns == 1) {
@@ -174,6 +187,7 @@ static void grid_constants(grid *g)
         fabric.bend[2] = 0.0;
     }
     mus__fabric_on_cell(&fabric, g->cell, &g->constant);
+    if (paper > 0.0) mus__fabric_on_paper(&fabric, g->cell, paper, &g->constant);
 }
 
 
@@ -213,13 +227,14 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         mus_cloth_destroy(g.cloth);
         return mus__fail_memory(context, "a grid of cloth");
     }
-    grid_constants(&g);
+    grid_constants(&g, own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0);
     grid_nodes(&g);
     grid_triangles(&g);
     grid_border(&g);
     for (int32_t r = 0; r < rows; r++) {
         grid_springs(&g, r);
         grid_bends(&g, r);
+        grid_skips(&g, r);
     }
     *out = g.cloth;
     return MUS_OK;

@@ -24,6 +24,7 @@ typedef struct mus__mesh {
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
     mus__fabric_lattice constant;
+    double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
 } mus__mesh;
 
 /* mesh.c: intervals of all edges; then one panel after the other: nodes, triangles, lattice (the caller frees);

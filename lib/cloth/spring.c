@@ -21,7 +21,8 @@ static mus_status run_spring(mus__mesh *mesh, int32_t a, int32_t b, int32_t kind
 {
     mus_cloth *cloth = mesh->cloth;
     mus__spring_run *last = cloth->nrun > 0 ? &cloth->run[cloth->nrun - 1] : NULL;
-    if (last != NULL && last->kind == kind && last->a + last->count == a && last->b + last->count == b) {
+    if (last != NULL && last->kind == kind && last->k == k && last->a + last->count == a &&
+        last->b + last->count == b) {
         last->count++;
         return MUS_OK;
     }
@@ -80,7 +81,8 @@ static mus_status run_diagonals(mus__mesh *mesh, const mus__lattice *lattice, in
 }
 
 
-/* stencils along one direction: `step` places from the middle to the last node */
+/* stencils along one direction: `step` places from the middle to the last node; or the paper's springs, over the middle
+ */
 static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int32_t first, int64_t step, double k)
 {
     const int64_t columns = lattice->columns, places = columns * lattice->rows;
@@ -100,9 +102,12 @@ static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int
             whole = cell[0] && cell[2];
         else
             whole = cell[1] && cell[3];
-        if (whole)
-            status = run_bend(mesh, first + lattice->node[p - step], first + lattice->node[p],
-                              first + lattice->node[p + step], 0.25 * k * mus__lattice_around(lattice, p));
+        if (!whole) continue;
+        const int32_t before = first + lattice->node[p - step], after = first + lattice->node[p + step];
+        const double share = 0.25 * k * mus__lattice_around(lattice, p);
+        status = mesh->paper > 0.0
+                     ? run_spring(mesh, before, after, MUS__SPRING_SKIP, share, 2.0 * lattice->spacing)
+                     : run_bend(mesh, before, first + lattice->node[p], after, share);
     }
     return status;
 }
@@ -118,7 +123,8 @@ mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t 
     for (int k = 0; k < 2; k++)
         if (status == MUS_OK && constant->shear > 0.0) status = run_diagonals(mesh, lattice, first_node, k == 0);
     const int64_t step[4] = {lattice->columns, 1, lattice->columns + 1, lattice->columns - 1};
-    const double stiff[4] = {constant->bend[0], constant->bend[1], constant->cross, constant->cross};
+    const double stiff[4] = {constant->bend[0] + constant->skip[0], constant->bend[1] + constant->skip[1],
+                             constant->cross, constant->cross};
     for (int k = 0; k < 4; k++)
         if (status == MUS_OK && stiff[k] > 0.0) status = run_stencils(mesh, lattice, first_node, step[k], stiff[k]);
     return status;

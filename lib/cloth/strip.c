@@ -64,6 +64,28 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
 }
 
 
+/*
+ * The paper's bending across an edge of length l: a spring between both wings, D apart in the flat. A fold by the angle
+ * t shortens it by h2 h3 t^2 / (2 D), so its moment is k (h2 h3)^2 t^3 / (2 D^2); the hinge's is 2 B l t / (h2 + h3).
+ * Both are equal at t = K (h2 + h3) / 2, the fold of a cylinder of curvature K.
+ */
+static mus_status strip_skip(mus__mesh *mesh, int32_t a, int32_t b, double length, const double *height,
+                             double rigidity)
+{
+    mus_cloth *cloth = mesh->cloth;
+    double flat = mus__dist2(strip_rest(mesh, a), strip_rest(mesh, b)), wide = height[0] + height[1];
+    double product = height[0] * height[1] * mesh->paper;
+    double sliver = STRIP_SLIVER * mesh->cloth->spacing * mesh->cloth->spacing;
+    if (!(length * height[0] > sliver && length * height[1] > sliver && rigidity > 0.0)) return MUS_OK;
+    mus__spring spring = {a, b, MUS__SPRING_SKIP, 0.0, flat};
+    spring.k = 16.0 * rigidity * length * flat * flat / (wide * wide * wide * product * product);
+    mus_status status =
+        mus__reserve(mesh->context, &cloth->spring, &mesh->cap_spring, (int64_t)cloth->nspring + 1, sizeof spring);
+    if (status == MUS_OK) cloth->spring[cloth->nspring++] = spring;
+    return status;
+}
+
+
 /* a spring and, between two triangles, a hinge for edge a b, whose one or two halves are given */
 static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32_t a, int32_t b, const strip_half *half,
                              int32_t nhalf)
@@ -96,9 +118,10 @@ static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32
 
     /* a hinge bends across its edge */
     const int32_t node[4] = {a, b, half[0].opposite, half[1].opposite};
+    const double rigidity = mus__fabric_bend(&cloth->fabric, warp, weft);
+    if (mesh->paper > 0.0) return strip_skip(mesh, node[2], node[3], length, height, rigidity);
     mus__hinge hinge;
-    if (!mus__mesh_hinge(mesh, node, length, foot, height, mus__fabric_bend(&cloth->fabric, warp, weft), &hinge))
-        return MUS_OK;
+    if (!mus__mesh_hinge(mesh, node, length, foot, height, rigidity, &hinge)) return MUS_OK;
     status = mus__reserve(mesh->context, &cloth->hinge, &mesh->cap_hinge, (int64_t)cloth->nhinge + 1, sizeof hinge);
     if (status == MUS_OK) cloth->hinge[cloth->nhinge++] = hinge;
     return status;
@@ -252,7 +275,8 @@ mus_status mus__mesh_limit(mus__mesh *mesh)
         double *room = work, *sum = room + cloth->nnode, *level = sum + cloth->nnode, *low = level + cloth->nnode;
 
         /* an inner node: two springs each way, four diagonals, stencils 4 + 8 + 4 in four directions */
-        double inner = 4.0 * (c->k[0] + c->k[1]) + 8.0 * c->shear + 16.0 * (c->bend[0] + c->bend[1] + 2.0 * c->cross);
+        double inner = 4.0 * (c->k[0] + c->k[1]) + 8.0 * c->shear + 16.0 * (c->bend[0] + c->bend[1] + 2.0 * c->cross) +
+                       4.0 * (c->skip[0] + c->skip[1]);
         double most = STRIP_LIMIT * inner / (cloth->fabric.weight * cloth->spacing * cloth->spacing);
         strip_fixed(cloth, sum);
         for (int32_t i = 0; i < cloth->nnode; i++) room[i] = fmax(most * cloth->mass[i] - sum[i], 0.0), sum[i] = 0.0;

@@ -149,6 +149,79 @@ START_TEST(a_grid_bends_as_its_fabric_in_any_cell)
 END_TEST
 
 
+static mus_cloth *grid_paper(mus_context *context, const double *cell, double stretch, double curvature)
+{
+    mus_cloth_def def;
+    mus_cloth *cloth;
+    mus_cloth_def_init(&def, sizeof def);
+    ck_assert_int_eq(def.bending, MUS_BEND_PLATE);
+    ck_assert_double_eq(def.paper_curvature, 30.0);
+    def.bending = MUS_BEND_PAPER;
+    def.paper_curvature = curvature;
+    def.fabric.stretch[0] = stretch, def.fabric.stretch[1] = 0.8 * stretch;
+    ck_assert_msg(mus_cloth_create_grid(context, 9, 31, cell, &def, &cloth) == MUS_OK, "%s",
+                  mus_context_error(context));
+    return cloth;
+}
+
+
+/* moment of the springs over one node a width of cloth, by differences of the energy on a cylinder round the warp */
+static double grid_moment(const mus_cloth *cloth, double curvature)
+{
+    double energy[2] = {0.0, 0.0};
+    const double width = mus_cloth_rest(cloth)[2 * (31 * 8) + 1], length = mus_cloth_rest(cloth)[2 * 30];
+    for (int side = 0; side < 2; side++) {
+        const double at = curvature * (side ? 1.001 : 0.999);
+        for (int32_t n = 0; n < cloth->nrun; n++) {
+            const mus__spring_run *run = &cloth->run[n];
+            if (run->kind != MUS__SPRING_SKIP || run->b != run->a + 2) continue;
+
+            /* two chords of a cell each */
+            const double cell = 0.5 * run->rest, half = asin(0.5 * at * cell);
+            const double stretch = 2.0 * cell * cos(half) - run->rest;
+            energy[side] += run->count * 0.5 * run->k * stretch * stretch;
+        }
+    }
+    return (energy[1] - energy[0]) / (0.002 * curvature) / (width * length * 29.0 / 30.0);
+}
+
+
+/* numerics B6: fitted at one curvature, limp below it */
+START_TEST(the_springs_of_the_paper_are_right_at_one_curvature)
+{
+    static const double cell[2][2] = {{0.01, 0.01}, {0.005, 0.02}};
+    mus_context *context = support_context();
+    for (int k = 0; k < 2; k++) {
+        mus_cloth *cloth = grid_paper(context, cell[k], 3000.0, 20.0);
+        ck_assert_int_eq(cloth->nbend, 0);
+
+        /* chords of a cell: the fold is (K a)^2 / 12 away from an arc's */
+        grid_near(grid_moment(cloth, 20.0), 5e-6 * 20.0, 0.02);
+        grid_near(grid_moment(cloth, 2.0) / (5e-6 * 2.0), 0.01, 0.02);
+
+        /* what they stretch is taken from the lines */
+        const double area = 30 * cell[k][0] * 8 * cell[k][1], *skip = cell[k];
+        mus__fabric_lattice c;
+        mus__fabric_on_cell(&cloth->fabric, skip, &c);
+        mus__fabric_on_paper(&cloth->fabric, skip, 20.0, &c);
+        const double missing = 4.0 * c.skip[1] * skip[0] / skip[1] / 30.0;
+        grid_near(2.0 * grid_strained(cloth, area, 1.0, 0.0, 0.0), 2400.0 - missing, 1e-12);
+        mus_cloth_destroy(cloth);
+    }
+
+    /* a knit on a fine lattice has less stretch than these springs take: the lines keep a tenth */
+    const double fine[2] = {0.002, 0.002};
+    mus_cloth *cloth = grid_paper(context, fine, 300.0, 30.0);
+    double least = INFINITY;
+    for (int32_t r = 0; r < cloth->nrun; r++)
+        if (cloth->run[r].kind == MUS__SPRING_WARP && cloth->run[r].count > 1) least = fmin(least, cloth->run[r].k);
+    grid_near(least, 30.0, 1e-12);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_square_grid_is_the_lattice_of_a_panel)
 {
     mus_context *context = support_context();
@@ -328,6 +401,11 @@ START_TEST(a_grid_that_cannot_be_is_refused)
     grid_refused(context, INT32_MAX, INT32_MAX, 0.01, 0.01, &def, MUS_ERR_LIMIT, "2^24");
     def.fabric.shear = (double)INFINITY;
     grid_refused(context, 3, 3, 0.01, 0.01, &def, MUS_ERR_ARG, "shear");
+    mus_cloth_def_init(&def, sizeof def);
+    def.bending = 2;
+    grid_refused(context, 3, 3, 0.01, 0.01, &def, MUS_ERR_ARG, "bending 2");
+    def.bending = MUS_BEND_PAPER, def.paper_curvature = 0.0;
+    grid_refused(context, 3, 3, 0.01, 0.01, &def, MUS_ERR_ARG, "paper_curvature 0");
     def.size = 3;
     grid_refused(context, 3, 3, 0.01, 0.01, &def, MUS_ERR_VERSION, "mus_cloth_def");
     mus_cloth *cloth;
@@ -368,6 +446,7 @@ Suite *mus_suite_grid(void)
     tcase_add_test(tests, a_grid_weighs_its_area);
     tcase_add_test(tests, a_grid_is_the_measured_membrane_in_any_cell);
     tcase_add_test(tests, a_grid_bends_as_its_fabric_in_any_cell);
+    tcase_add_test(tests, the_springs_of_the_paper_are_right_at_one_curvature);
     tcase_add_test(tests, a_square_grid_is_the_lattice_of_a_panel);
     tcase_add_test(tests, springs_of_a_grid_are_counted);
     tcase_add_test(tests, what_a_fabric_lacks_makes_no_items);

@@ -95,6 +95,60 @@ START_TEST(equilateral_triangles_bend_with_the_rigidity)
 END_TEST
 
 
+START_TEST(the_strip_bends_by_the_springs_of_the_paper_too)
+{
+    /* at the curvature they are fitted at, near the hinges; at a tenth of it, a hundredth */
+    mus_context *context = support_context();
+    mus_pattern *pattern = cut_begin(context);
+    cut_rectangle(pattern, "sheet", 0.1, 0.08, NULL);
+    mus_cloth_def def;
+    mus_cloth *cloth;
+    mus_cloth_def_init(&def, sizeof def);
+    def.bending = MUS_BEND_PAPER, def.paper_curvature = 10.0;
+    CUT(mus_cloth_create(context, pattern, &def, &cloth));
+    ck_assert_int_eq(cloth->nhinge + cloth->nbend, 0);
+    double *x = malloc(3 * (size_t)cloth->nnode * sizeof *x), energy[2][3];
+    for (int k = 0; k < 3; k++) {
+        const double bow = k == 2 ? 1.0 : k == 1 ? 10.01 : 9.99;
+        for (int way = 0; way < 2; way++) {
+            for (int32_t i = 0; i < cloth->nnode; i++) {
+                double u = cloth->rest[2 * i + way], v = cloth->rest[2 * i + 1 - way];
+                x[3 * i] = sin(u * bow) / bow, x[3 * i + 1] = v, x[3 * i + 2] = (1.0 - cos(u * bow)) / bow;
+            }
+            energy[way][k] = 0.0;
+            for (int32_t s = 0; s < cloth->nspring; s++) {
+                const mus__spring *spring = &cloth->spring[s];
+                if (spring->kind != MUS__SPRING_SKIP) continue;
+                const double *p = x + 3 * spring->a, *q = x + 3 * spring->b;
+                const double stretch = sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) +
+                                            (q[2] - p[2]) * (q[2] - p[2])) - spring->rest;
+                energy[way][k] += 0.5 * spring->k * stretch * stretch;
+            }
+        }
+    }
+    mus_cloth *plate = cut_cloth(context, pattern, 0.01, NULL);
+    for (int way = 0; way < 2; way++) {
+        const double moment = (energy[way][1] - energy[way][0]) / 0.02;
+        double hinges = 0.0;
+        for (int32_t i = 0; i < cloth->nnode; i++) {
+            double u = cloth->rest[2 * i + way], v = cloth->rest[2 * i + 1 - way];
+            x[3 * i] = sin(u), x[3 * i + 1] = v, x[3 * i + 2] = 1.0 - cos(u);
+        }
+        for (int32_t h = 0; h < plate->nhinge; h++) hinges += 2.0 * cut_hinge_energy(&plate->hinge[h], x);
+
+        /* a spring over a diagonal feels the curvature along it where a hinge feels the fold alone: within 0.8 to 2 */
+        ck_assert_double_lt(energy[way][2], 0.00011 * energy[way][0]);
+        ck_assert_msg(moment > 0.8 * 10.0 * hinges && moment < 2.0 * 10.0 * hinges, "%g of %g", moment, 10 * hinges);
+    }
+    free(x);
+    mus_cloth_destroy(plate);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(the_strip_bends_about_as_the_lattice_does)
 {
     /* a whole panel on a cylinder: 1/2 B bow^2 area in every direction, less at the free rim, more on the bias of half
@@ -208,6 +262,7 @@ Suite *mus_suite_strip(void)
     tcase_add_test(tests, a_flat_cloth_is_at_rest);
     tcase_add_test(tests, hinges_push_and_pull_alike);
     tcase_add_test(tests, equilateral_triangles_bend_with_the_rigidity);
+    tcase_add_test(tests, the_strip_bends_by_the_springs_of_the_paper_too);
     tcase_add_test(tests, the_strip_bends_about_as_the_lattice_does);
     tcase_add_test(tests, the_strip_costs_less_than_half_a_step_more);
     tcase_add_test(tests, a_splinter_does_not_rule_the_step);

@@ -245,6 +245,8 @@ def test_a_cloth_without_a_pattern(context):
     grid = muslin.Cloth.grid(3, 4, (0.02, 0.01), fabric="denim", context=context)
     assert len(grid) == 12 and abs(grid.mass - 0.40 * 0.06 * 0.02) < 1e-15
     assert (grid.rest[5, 0], grid.rest[5, 1]) == (0.02, 0.01)
+    paper = muslin.Cloth.grid(5, 5, (0.01, 0.01), context=context, bending=muslin.cloth.PAPER, paper_curvature=20)
+    assert paper.spring_count == 40 + 32 + 30
     rod = muslin.Cloth.bare([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [0, 1, 1],
                             springs=[(0, 1, 1.0, 100.0), (1, 2, 1.0, 100.0, 2)],
                             bends=[(0, 1, 2, 3.0)], pins=[0], context=context)

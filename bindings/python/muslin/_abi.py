@@ -107,6 +107,8 @@ MUS_FAULT_TWISTED_SEAM = 4
 MUS_FAULT_SEWN_TWICE = 5
 MUS_FAULT_SMALL_PANEL = 6
 MUS_FAULT_LOOSE_EDGE = 7
+MUS_BEND_PLATE = 0
+MUS_BEND_PAPER = 1
 MUS_METHOD_RK4 = 0
 MUS_METHOD_VERLET = 1
 MUS_METHOD_EULER = 2
@@ -210,7 +212,8 @@ class mus_fabric(Structure):
 
 
 class mus_cloth_def(Structure):
-    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric)]
+    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric), ("bending", c_int32),
+                ("paper_curvature", c_double)]
 
 
 class mus_bare(Structure):

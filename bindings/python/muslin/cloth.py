@@ -7,6 +7,10 @@ from .arrays import doubles, integers, view
 from .context import Context, Object, create, fill, make_def, read_struct, text
 
 
+# models of bending
+PLATE, PAPER = _abi.MUS_BEND_PLATE, _abi.MUS_BEND_PAPER
+
+
 def fabrics():
     """{name: where its numbers come from} of the named fabrics."""
     return {lib.mus_fabric_name(i).decode(): lib.mus_fabric_source(i).decode() for i in range(lib.mus_fabric_count())}
@@ -25,16 +29,23 @@ class Fabric:
         return read_struct(self.struct)
 
 
+def _definition(fabric, options):
+    definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init, options)
+    if fabric is not None:
+        definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+    return definition
+
+
 class Cloth(Object):
-    """A pattern cut in cloth. fabric: a name or a Fabric; spacing of the lattice [m]."""
+    """A pattern cut in cloth. fabric: a name or a Fabric; spacing of the lattice [m]; options: fields of mus_cloth_def
+    (bending=muslin.cloth.PAPER)."""
 
     _kind = "cloth"
 
-    def __init__(self, pattern, fabric=None, spacing=None):
-        definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init,
-                              {"spacing": spacing} if spacing is not None else {})
-        if fabric is not None:
-            definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+    def __init__(self, pattern, fabric=None, spacing=None, **options):
+        if spacing is not None:
+            options["spacing"] = spacing
+        definition = _definition(fabric, options)
         context = pattern.context
         super().__init__(context, create(context, "cloth", "mus_cloth_create", context.handle, pattern.handle,
                                          ctypes.byref(definition)))
@@ -46,11 +57,9 @@ class Cloth(Object):
         return self
 
     @classmethod
-    def grid(cls, rows, columns, cell, fabric=None, context=None):
+    def grid(cls, rows, columns, cell, fabric=None, context=None, **options):
         """A rectangle that is one pure lattice; cell: (along weft, along warp) [m]. Node r * columns + c."""
-        definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init)
-        if fabric is not None:
-            definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+        definition = _definition(fabric, options)
         return cls._own(context or Context.of_thread(), "mus_cloth_create_grid", rows, columns,
                         (ctypes.c_double * 2)(*cell), ctypes.byref(definition))
 

@@ -90,8 +90,10 @@ double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double
 }
 
 
+/* a spring without length has no strain */
 static double strain_of(const double *x, int32_t a, int32_t b, double rest)
 {
+    if (rest <= 0.0) return 0.0;
     const double *p = x + 3 * (int64_t)a, *q = x + 3 * (int64_t)b;
     const double d[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / rest - 1.0;

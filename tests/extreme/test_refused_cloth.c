@@ -61,63 +61,6 @@ START_TEST(a_fabric_without_weight_is_refused)
 END_TEST
 
 
-/* X23 */
-/* mus_cloth_create_grid */
-START_TEST(a_cell_that_is_not_finite_is_refused_by_name)
-{
-    mus_context *context = support_context();
-    for (int32_t k = 0; k < 2; k++)
-        for (int32_t v = 0; v < 3; v++) {
-            double cell[2] = {0.01, 0.01};
-            mus_cloth *cloth;
-            cell[k] = refused_values[v];
-            ck_assert_int_eq(mus_cloth_create_grid(context, 3, 3, cell, NULL, &cloth), MUS_ERR_ARG);
-            ck_assert_ptr_null(cloth);
-            ck_assert_ptr_nonnull(strstr(mus_context_error(context), k ? "warp" : "weft"));
-        }
-    ck_assert_uint_eq(mus_context_bytes(context), 0);
-    support_context_end(context);
-}
-END_TEST
-
-
-/* X8, X23: each number of bare nodes; a mass of 0 is for pins alone */
-/* mus_bare.place mus_bare.mass mus_bare.length mus_bare.stiffness mus_bare.dashpot mus_bare.bend_stiffness */
-START_TEST(a_number_of_bare_nodes_that_is_not_finite_is_refused_by_name)
-{
-    static const struct {
-        const char *name;
-        int32_t first, count;
-    } rows[] = {{"place", 0, 9},      {"mass", 9, 3},     {"length", 12, 2},
-                {"stiffness", 14, 2}, {"dashpot", 16, 2}, {"bend_stiffness", 18, 1}};
-    const int32_t spring[4] = {0, 1, 1, 2}, bend[3] = {0, 1, 2};
-    mus_context *context = support_context();
-    double number[19] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 1, 1, 1, 9, 9, 0.1, 0.1, 1};
-    mus_bare bare;
-    mus_bare_init(&bare, sizeof bare);
-    bare.nodes = 3, bare.springs = 2, bare.bends = 1;
-    bare.spring = spring, bare.bend = bend, bare.place = number, bare.mass = number + 9, bare.length = number + 12;
-    bare.stiffness = number + 14, bare.dashpot = number + 16, bare.bend_stiffness = number + 18;
-    const double wrong[] = {NAN, INFINITY, -INFINITY, -1.0, 0.0, 1e-310, -0.0};
-    mus_cloth *cloth;
-    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
-        for (int32_t i = 0; i < rows[r].count; i++)
-            for (int32_t v = 0; v < (r == 1 ? 7 : r > 1 ? 4 : 3); v++) {
-                const double was = number[rows[r].first + i];
-                number[rows[r].first + i] = wrong[v];
-                ck_assert_int_eq(mus_cloth_create_bare(context, &bare, &cloth), MUS_ERR_ARG);
-                ck_assert_ptr_null(cloth);
-                ck_assert_ptr_nonnull(strstr(mus_context_error(context), rows[r].name));
-                number[rows[r].first + i] = was;
-            }
-    ck_assert_uint_eq(mus_context_bytes(context), 0);
-    ck_assert_int_eq(mus_cloth_create_bare(context, &bare, &cloth), MUS_OK);
-    mus_cloth_destroy(cloth);
-    support_context_end(context);
-}
-END_TEST
-
-
 static mus_status try_drape(mus_context *context, const void *def, void *user)
 {
     (void)user;
@@ -203,8 +146,6 @@ Suite *mus_suite_refused_cloth(void)
     TCase *tests = tcase_create("refused_cloth");
     tcase_add_test(tests, a_cloth_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_fabric_without_weight_is_refused);
-    tcase_add_test(tests, a_cell_that_is_not_finite_is_refused_by_name);
-    tcase_add_test(tests, a_number_of_bare_nodes_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
     suite_add_tcase(suite, tests);

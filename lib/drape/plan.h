@@ -76,5 +76,10 @@ void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t);
 /* the same at the pose x (nnode x 3): t (nnode) gets a bound of the largest eigenvalue of the 3 x 3 T_i, with n n^T for
  * what pulls along the spring and (1 - rest/l) (1 - n n^T) for a stretched one; work (6 nnode) */
 void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *x, double *t, double *work);
+/* diagonal bound of the damping: t (nnode) gets sum 2 c [N s/m]; ratio the largest dashpot over its spring's k [s],
+ * infinite without a spring */
+void mus__plan_dashpots(const mus__plan *plan, int32_t nnode, double *t, double *ratio);
+/* largest step [s] that RK4 is stable with: omega^2 <= rate2, damping per mass <= gamma, drag included */
+double mus__plan_step(double rate2, double gamma, double ratio, double drag);
 
 #endif

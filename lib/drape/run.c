@@ -60,13 +60,15 @@ mus_status mus__drape_guard(mus_drape *drape)
 double mus_drape_step_bound(const mus_drape *drape)
 {
     if (drape == NULL) return 0.0;
-    double rate2 = 0.0;
+    double rate2 = 0.0, gamma = 0.0, ratio = 0.0, *dashpots = drape->work;
     mus__plan_stiffness(&drape->plan, drape->n, drape->stiffness);
+    if (drape->plan.dashpots) mus__plan_dashpots(&drape->plan, drape->n, dashpots, &ratio);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         if (drape->stiffness[i] > rate2 * drape->mass[i]) rate2 = drape->stiffness[i] / drape->mass[i];
+        if (drape->plan.dashpots && dashpots[i] > gamma * drape->mass[i]) gamma = dashpots[i] / drape->mass[i];
     }
-    return rate2 > 0.0 ? 2.62 / sqrt(rate2) : 1e9;
+    return mus__plan_step(rate2, gamma + drape->def.drag, ratio, drape->def.drag);
 }
 
 
@@ -77,7 +79,8 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     if (steps < 0) return mus__fail(context, MUS_ERR_ARG, "drape: steps is %d, expected 0 or more", (int)steps);
     if (!(dt >= 0.0) || !mus__finite(dt))
         return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or more", dt);
-    const double bound = mus__drape_inertia(drape, 0);
+    mus__drape_inertia(drape, 0);
+    const double bound = mus_drape_step_bound(drape);
     if (dt > bound)
         return mus__fail(context, MUS_ERR_STEP, "drape: step %.9g s is above the stability bound %.9g s", dt, bound);
     if (steps == 0 || dt == 0.0) return MUS_OK;

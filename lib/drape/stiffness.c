@@ -104,3 +104,43 @@ void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *
     add_isotropic(plan, t);
     for (int32_t i = 0; i < nnode; i++) t[i] += largest_eigenvalue(work + 6 * (int64_t)i);
 }
+
+
+void mus__plan_dashpots(const mus__plan *plan, int32_t nnode, double *t, double *ratio)
+{
+    memset(t, 0, (size_t)nnode * sizeof *t);
+    *ratio = 0.0;
+    for (int32_t r = 0; r < plan->nhalf_run; r++) {
+        const mus__half_run *run = &plan->half_run[r];
+        for (int32_t i = 0; i < run->count; i++) t[run->a + i] += 2.0 * run->dashpot;
+        if (run->dashpot > *ratio * run->k) *ratio = run->dashpot / run->k;
+    }
+    for (int32_t s = 0; s < plan->nspring; s++) {
+        const double dashpot = plan->spring_dashpot[s];
+        t[plan->spring[s].a] += 2.0 * dashpot;
+        t[plan->spring[s].b] += 2.0 * dashpot;
+        if (dashpot > *ratio * plan->spring[s].k) *ratio = dashpot / plan->spring[s].k;
+    }
+}
+
+
+/*
+ * An eigenvalue s of M s^2 + C s + K solves, with its own vector u, s^2 + gamma s + omega^2 = 0 where omega^2 = u*Ku/u*Mu
+ * and gamma = u*Cu/u*Mu; so omega^2 <= rate2, gamma <= gamma_max, and gamma - drag <= ratio omega^2 (each dashpot is at
+ * most ratio times its spring).
+ *
+ *   complex: |s| = omega, and the half disc of radius 2.62 lies in the stability region of RK4
+ *   real:    -s <= (gamma + sqrt(gamma^2 - 4 omega^2)) / 2, which grows with gamma and falls with omega: largest at
+ *            gamma_max and the least omega^2 = (gamma_max - drag) / ratio; the region reaches -2.785
+ */
+double mus__plan_step(double rate2, double gamma, double ratio, double drag)
+{
+    const double least = gamma > drag && ratio > 0.0 ? (gamma - drag) / ratio : 0.0;
+    const double root2 = gamma * gamma - 4.0 * least;
+    double real = root2 > 0.0 ? 0.5 * (gamma + sqrt(root2)) : 0.0;
+    if (drag > real) real = drag;
+
+    double h = rate2 > 0.0 ? 2.62 / sqrt(rate2) : 1e9;
+    if (real > 0.0 && 2.785 / real < h) h = 2.785 / real;
+    return h;
+}

@@ -34,4 +34,11 @@
 #define MUS_IVDEP
 #endif
 
+/* the loop of at most eight turns below is written out */
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 8)
+#define MUS_UNROLL _Pragma("GCC unroll 8")
+#else
+#define MUS_UNROLL
+#endif
+
 #endif

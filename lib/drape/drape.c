@@ -66,9 +66,8 @@ static mus_status take_memory(mus_drape *drape)
     mus_context *context = drape->context;
     const int64_t n = drape->n;
     mus__sim *sim = &drape->sim;
-    const mus__plan *plan = &drape->plan;
-    sim->elements = plan->spring_capacity + plan->hinge_capacity + drape->cloth->npair;
-
+    sim->n = drape->n;
+    sim->plan = &drape->plan;
     drape->x = mus__new(context, 3 * n, sizeof *drape->x);
     drape->v = mus__new(context, 3 * n, sizeof *drape->v);
     drape->force = mus__new(context, 3 * n, sizeof *drape->force);
@@ -79,20 +78,11 @@ static mus_status take_memory(mus_drape *drape)
     drape->stiffness = mus__new(context, n, sizeof *drape->stiffness);
     drape->rep = mus__new(context, n, sizeof *drape->rep);
     drape->pinned = mus__new(context, n, sizeof *drape->pinned);
-    sim->y = mus__new(context, 6 * n, sim->ops->real);
-    sim->f = mus__new(context, 3 * n, sim->ops->real);
-    sim->g = mus__new(context, 3 * (int64_t)sim->elements, sim->ops->real);
-    sim->inverse = mus__new(context, n, sim->ops->real);
-    sim->weight = mus__new(context, n, sim->ops->real);
-    sim->work = mus__new(context, 18 * n, sim->ops->real);
-    sim->good = mus__new(context, 6 * n, sim->ops->real);
-    sim->rest = mus__new(context, n, sizeof *sim->rest);
     if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->before == NULL ||
         drape->work == NULL || drape->mass == NULL || drape->stiffness == NULL || drape->rep == NULL ||
-        drape->pinned == NULL || sim->y == NULL || sim->f == NULL || sim->g == NULL || sim->inverse == NULL ||
-        sim->weight == NULL || sim->work == NULL || sim->good == NULL || sim->rest == NULL)
+        drape->pinned == NULL)
         return mus__fail_memory(context, "the state of a drape");
-    return MUS_OK;
+    return mus__sim_create(context, sim);
 }
 
 
@@ -157,7 +147,7 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     drape->friction = isnan(own.friction) ? cloth->fabric.friction : own.friction;
     drape->sim.ops = own.precision == 64 ? &mus__sim_f64 : &mus__sim_f32;
     status = mus__pool_create(context, own.threads, &drape->pool);
-    if (status == MUS_OK) status = mus__plan_build(context, cloth, &drape->plan);
+    if (status == MUS_OK) status = mus__plan_build(context, cloth, drape->sim.ops->real, &drape->plan);
     if (status == MUS_OK) status = take_memory(drape);
     if (status == MUS_OK) choose_origin(drape);
     if (status == MUS_OK && body != NULL)
@@ -168,8 +158,6 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     }
 
     mus__sim *sim = &drape->sim;
-    sim->n = drape->n;
-    sim->plan = &drape->plan;
     sim->pool = drape->pool;
     sim->collider = drape->collider;
     sim->collision_distance = own.collision_distance;
@@ -197,10 +185,9 @@ void mus_drape_destroy(mus_drape *drape)
     mus__collider_destroy(drape->collider);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
-    void *blocks[] = {drape->x,        drape->v,        drape->force,     drape->mean,        drape->work,
-                      drape->before,   drape->mass,     drape->stiffness, drape->rep,         drape->pinned,
-                      drape->sim.y,    drape->sim.f,    drape->sim.g,     drape->sim.inverse, drape->sim.weight,
-                      drape->sim.work, drape->sim.good, drape->sim.rest};
+    mus__sim_destroy(context, &drape->sim);
+    void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean, drape->before,
+                      drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

@@ -36,22 +36,13 @@ static double add_bend(const double *x, const mus__half_bend *bend, int32_t at, 
 {
     double energy = 0.0;
     for (int32_t i = 0; i < 3; i++) {
-        const double o = x[3 * (int64_t)(bend->o + at) + i], a = x[3 * (int64_t)(bend->a + at) + i];
-        const double b = x[3 * (int64_t)(bend->b + at) + i], c = x[3 * (int64_t)(bend->c + at) + i];
-        double e, force;
-        if (bend->whole) {
-            const double d = x[3 * (int64_t)(bend->d + at) + i];
-            e = b - 2.0 * o + c;
-            force = -bend->w * (a - 4.0 * b + 6.0 * o - 4.0 * c + d);
-        } else {
-            e = a - 2.0 * b + c;
-            force = bend->w * e;
-        }
-        if (f != NULL) f[3 * (int64_t)(bend->o + at) + i] += force;
+        const double a = x[3 * (int64_t)(bend->a + at) + i], b = x[3 * (int64_t)(bend->b + at) + i];
+        const double c = x[3 * (int64_t)(bend->c + at) + i];
+        const double e = a - 2.0 * b + c;
+        if (f != NULL) f[3 * (int64_t)(bend->o + at) + i] += bend->w * e;
         energy += e * e;
     }
-    /* the middle's weight is +2k, the ends' -k, whole k: each stencil is counted at its middle alone */
-    if (bend->whole) return 0.5 * bend->w * energy;
+    /* the middle's weight is +2k, the ends' -k: each stencil is counted at its middle alone */
     return bend->w > 0.0 ? 0.25 * bend->w * energy : 0.0;
 }
 

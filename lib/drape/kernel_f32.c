@@ -4,13 +4,11 @@
 #include <string.h>
 
 #include "drape/clones.h"
-#include "drape/rk4.h"
 #include "drape/sim.h"
 
 #define MUS_REAL float
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
-#define MUS_RK4 mus__rk4_f32
 #define MUS_CONTACT mus__contact_f32
 #define MUS_SIM mus__sim_f32
 #include "drape/sim_kernel.h"

@@ -4,13 +4,11 @@
 #include <string.h>
 
 #include "drape/clones.h"
-#include "drape/rk4.h"
 #include "drape/sim.h"
 
 #define MUS_REAL double
 #define MUS_FN(name) sim_f64_##name
 #define MUS_SQRT sqrt
-#define MUS_RK4 mus__rk4_f64
 #define MUS_CONTACT mus__contact_f64
 #define MUS_SIM mus__sim_f64
 #include "drape/sim_kernel.h"

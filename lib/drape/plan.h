@@ -1,30 +1,41 @@
 /*
- * plan.h: what a force evaluation does, worked out once: runs as half springs that each write to one row, and the
- * irregular rest as elements with a list of nodes that gather them.
+ * plan.h: what a force evaluation does, worked out once.
  *
- * Every force is computed so that a node is written by one place only, in an order fixed here. So any split of rows,
- * elements and nodes over threads gives the same bits (design.md, Determinism).
+ * The cloth's items stand here twice. Plainly, for reports, energies and bounds: runs as half springs, bend terms, and
+ * the irregular rest as springs, hinges and seam pairs. And as the kernels want them (blocks.c): every node is written
+ * by one place only, in an order fixed here, so that any split over threads gives the same bits.
  *
- *   rows:      f[o + i] = sum over half springs of  k (1 - rest/l) (x[b + i] - x[o + i])
- *                       + sum over bend terms of     w (x[a + i] - 2 x[b + i] + x[c + i])
- *   elements:  g[e] = the spring's pull, the hinge's k sum c x, or the seam pair's pull
- *   gather:    f[node] (+)= sum of coefficient * g[element]
+ *   block:   16 or 8 neighbouring lattice nodes, one a lane, whose neighbours stand at the same offsets (a shape). What a
+ *            lane does not have is a zero in its table: rows need not be of one length, and no lane is special.
+ *
+ *               F . F . F      near (N): f += (kk - krest / l - ...) (x[N] - x),  kk = k + w  of spring and bending
+ *               . N N N .      far  (F): f += w (x[F] - x)
+ *               F N o N F      A stencil k |a - 2 b + c|^2 / 2 is linear, and its weights sum to 0: all of a node's
+ *               . N N N .      bending is a sum of w times differences that springs need anyhow, but for the far ones.
+ *               F . F . F
+ *
+ *   gather:  a node with irregular items adds half springs and w (x[other] - x) over listed nodes
+ *   pair:    a seam's pull, on either end
+ *   chunk:   some hundred nodes in a row with their blocks, gather nodes and pair ends: what a thread takes at a time.
+ *            Forces live in its scratch until the step has used them
  */
 #ifndef MUS_DRAPE_PLAN_H
 #define MUS_DRAPE_PLAN_H
 
 #include "cloth/cloth_internal.h"
 
+#define MUS_LANES_MOST 16
+#define MUS_SLOTS 8       /* near and far neighbours of a block, each */
+#define MUS_CHUNK 512     /* nodes of a chunk at most: its forces and a stage stay in the first cache */
+
 typedef struct mus__half_run { /* node a+i is pulled towards b+i */
     int32_t a, b, count;
     double k, rest, dashpot;
 } mus__half_run;
 
-/* node o+i feels w (x[a+i] - 2 x[b+i] + x[c+i]); or, whole, all three terms of a node between its neighbours in one:
- * -w (x[a+i] - 4 x[b+i] + 6 x[o+i] - 4 x[c+i] + x[d+i]) with a, b before and c, d behind it on the line */
+/* node o+i feels w (x[a+i] - 2 x[b+i] + x[c+i]) */
 typedef struct mus__half_bend {
-    int32_t o, a, b, c, d, count;
-    int32_t whole;
+    int32_t o, a, b, c, count;
     double w;
 } mus__half_bend;
 
@@ -41,36 +52,101 @@ typedef struct mus__pair {
     double length;   /* of seam that the pair stands for [m] */
 } mus__pair;
 
+typedef struct mus__shape { /* index differences, ascending; 0 past the last */
+    int32_t near[MUS_SLOTS], far[MUS_SLOTS];
+} mus__shape;
+
+typedef struct mus__block {
+    int32_t first, shape, table;
+} mus__block;
+
+typedef struct mus__chunk {
+    int32_t first, count;
+    int32_t block, nblock;   /* 0: no lattice node among them */
+    int32_t gather, ngather; /* gather nodes of the chunk */
+    int32_t end, nend;       /* in pair_end */
+} mus__chunk;
+
+typedef struct mus__pair_end {
+    int32_t node, other, pair;
+} mus__pair_end;
+
 typedef struct mus__plan {
     int32_t nrow, nhalf_run, nhalf_bend;
     mus__plan_row *row;
     mus__half_run *half_run;
     mus__half_bend *half_bend;
 
-    int32_t nspring, nhinge, npair; /* elements: springs, then hinges, then pairs */
+    int32_t nspring, nhinge, npair;
     mus__spring *spring;
     double *spring_dashpot; /* (nspring) */
     mus__hinge *hinge;
     mus__pair *pair;
 
-    int32_t ngather;
-    int32_t *gather_node;    /* (ngather) ascending */
-    int32_t *gather_lattice; /* (ngather) 1: the row pass wrote this node already */
-    int32_t *gather_start;   /* (ngather + 1) */
-    int32_t *gather_element; /* (gather_start[ngather]) */
-    double *gather_coef;
+    /* for the kernels; constants (void *) are float or double by `real` */
+    size_t real;
+    int32_t lanes;        /* of a block */
+    int32_t near, far;    /* slots that any block has: 4 or 8, and 0, 4 or 8; (4, 8) is not made */
+    int32_t nblock, nshape, ntable, nchunk;
+    mus__block *block;    /* (nblock) */
+    mus__shape *shape;    /* (nshape) */
+    void *table;          /* (ntable x slots x lanes): kk, krest of near, w of far, then with dashpots c of near */
+    mus__chunk *chunk;    /* (nchunk) ascending, every node in one */
 
-    int32_t spring_capacity, hinge_capacity, gather_capacity;
+    int32_t ngather;
+    int32_t *gather_node; /* (ngather) ascending: the nodes that springs, hinges or pairs name */
+    int32_t *half_start;  /* (ngather + 1) */
+    int32_t *half_other;  /* (half_start[ngather]) */
+    void *half_constant;  /* (half_start[ngather] x 3): kk, krest, c */
+    int32_t *linear_start;  /* (ngather + 1) */
+    int32_t *linear_other;  /* (linear_start[ngather]) */
+    void *linear_weight;    /* (linear_start[ngather]) */
+    mus__pair_end *pair_end; /* (2 npair) ascending by node */
+
+    int32_t spring_capacity, hinge_capacity;
+    int32_t shape_capacity, table_capacity;
     int64_t spring_evaluations; /* a force evaluation makes, each spring counted once */
     int32_t dashpots;           /* nonzero: any dashpot constant is */
     double seam_pull;           /* tension that the pairs pull with now [N per m] */
 } mus__plan;
 
-/* make the plan of a cloth with open seams; frees nothing on failure (call mus__plan_clear) */
-mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+/* make the plan of a cloth with open seams for numbers of `real` bytes; frees nothing on failure (call
+ * mus__plan_clear) */
+mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__plan *plan);
 void mus__plan_clear(mus_context *context, mus__plan *plan);
 /* open seams again (rep NULL) or weld: rep (nnode) is the node that stands for each; within the memory of build */
 void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
+
+/* ---- parts of the two above (blocks.c, gather.c) ---- */
+
+/* blocks and chunks of the lattice rows */
+mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+/* memory of the gather lists, then the lists themselves from springs, hinges and pairs */
+mus_status mus__plan_gather_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan);
+
+/* write or read number i of an array of the plan's precision */
+static inline void mus__plan_put(const mus__plan *plan, void *array, int64_t i, double value)
+{
+    if (plan->real == sizeof(float)) ((float *)array)[i] = (float)value;
+    else ((double *)array)[i] = value;
+}
+
+
+static inline double mus__plan_number(const mus__plan *plan, const void *array, int64_t i)
+{
+    return plan->real == sizeof(float) ? (double)((const float *)array)[i] : ((const double *)array)[i];
+}
+
+
+/* numbers in one table */
+static inline int32_t mus__plan_table_size(const mus__plan *plan)
+{
+    return ((plan->dashpots ? 3 : 2) * plan->near + plan->far) * plan->lanes;
+}
+
+/* ---- bounds (stiffness.c) ---- */
+
 /* diagonal bound of the stiffness: t (nnode) gets T_i = sum k S |w|, identity in place of n n^T [N/m] */
 void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t);
 /* the same at the pose x (nnode x 3): t (nnode) gets a bound of the largest eigenvalue of the 3 x 3 T_i, with n n^T for

@@ -1,8 +1,11 @@
 /*
- * sim.h: the state of a drape and its passes, the same in float and double.
+ * sim.h: the state of a drape and its steps, the same in float and double.
  *
- * A sim works on planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n each. mus__sim_ops is the table of its passes, chosen
- * once at create; no pass reads an option inside a loop.
+ * A sim works on planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n each. A step is one to four phases. In each a thread takes
+ * its share of the plan's chunks: forces of the chunk into a scratch, then at once what the step does with them. What
+ * a phase reads of neighbours it never writes: it writes to another plane (a stage) and they change places.
+ *
+ * mus__sim_ops is the table of what a sim can do, chosen once at create; no loop reads an option.
  */
 #ifndef MUS_DRAPE_SIM_H
 #define MUS_DRAPE_SIM_H
@@ -24,7 +27,7 @@ typedef struct mus__sim_ops {
     /* copies between the planes and the (n x 3) arrays of doubles */
     void (*put)(mus__sim *sim, const double *x, const double *v);
     void (*get)(const mus__sim *sim, double *x, double *v);
-    /* forces of the last evaluation, (n x 3) */
+    /* forces of the last `force`, (n x 3) */
     void (*get_force)(const mus__sim *sim, double *f);
     void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);
     /* largest speed squared; NaN when any number is not finite */
@@ -40,17 +43,19 @@ struct mus__sim {
     const mus__collider *collider; /* NULL: no contact pass */
     int32_t n;
     double origin[3]; /* of the state in the body frame: float keeps its digits near it; 0 in double */
-    void *y;       /* (6 n) positions and velocities */
-    void *f;       /* (3 n) */
-    void *g;       /* (3 x elements) */
-    void *inverse; /* (n) 1/inertia, 0 for held or welded nodes */
-    void *weight;  /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
-    void *work;    /* (18 n) of RK4 */
-    void *good;    /* (6 n) last good state */
-    uint8_t *rest; /* (n) contact calls that a node may sit out */
-    int32_t elements; /* capacity of g */
 
-    /* what the passes use; set between steps, never inside */
+    void *memory;   /* all of the following but rest, in one block */
+    void *y;        /* (6 n) positions and velocities */
+    void *next;     /* (6 n) stage; where a step of Euler writes: it and y change places */
+    void *stage;    /* (3 n) second stage of RK4; (6 n) with dashpots, which read velocities of neighbours */
+    void *f;        /* (3 n) forces; in a step of RK4 its first acceleration */
+    void *second;   /* (3 n) second acceleration of RK4 */
+    void *inverse;  /* (n) 1/inertia, 0 for held or welded nodes */
+    void *weight;   /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
+    void *good;     /* (6 n) last good state */
+    uint8_t *rest;  /* (n) contact calls that a node may sit out */
+
+    /* what the steps use; set between steps, never inside */
     double gravity[3];
     double drag;        /* [1/s] */
     double speed_limit; /* [m/s], of euler */
@@ -62,11 +67,17 @@ struct mus__sim {
     int64_t force_evaluations;
 
     /* arguments of the phase now running */
-    const void *phase_y;
+    int32_t phase;
+    const void *phase_y; /* where forces are taken */
+    void *phase_touch;   /* the state that meets the body after the phase; NULL: none does */
     double phase_h;
 };
 
 extern const mus__sim_ops mus__sim_f32;
 extern const mus__sim_ops mus__sim_f64;
+
+/* memory of the sim of `plan` (n, ops and plan set); nothing is kept on failure */
+mus_status mus__sim_create(mus_context *context, mus__sim *sim);
+void mus__sim_destroy(mus_context *context, mus__sim *sim);
 
 #endif

@@ -1,256 +1,150 @@
 /*
- * sim_kernel.h: the passes of a sim, as a template on the floating type.
+ * sim_kernel.h: the steps of a sim, as a template on the floating type.
  *
- * Define MUS_REAL, MUS_FN(name) (names of that type), MUS_SQRT, MUS_RK4 and MUS_CONTACT, then include. Loops are plain
+ * Define MUS_REAL, MUS_FN(name) (names of that type), MUS_SQRT, MUS_CONTACT and MUS_SIM, then include. Loops are plain
  * and counted over planes, so that the compiler vectorises them; the plan's order fixes every sum.
+ *
+ * RK4 in the form that needs least memory (a_i the acceleration at stage i; v does not depend on the order of nodes):
+ *
+ *   x2 = x + h/2 v      v2 = v + h/2 a1      x' = x + h v + h^2/6 (a1 + a2 + a3)
+ *   x3 = x + h/2 v2     v3 = v + h/2 a2      v' = v + h/6 (a1 + 2 a2 + 2 a3 + a4)
+ *   x4 = x + h v3       v4 = v + h a3        a  = f/m + g - drag v
  */
+#include "drape/force_kernel.h"
 
-/* sqrt(l2 + TINY) keeps coincident nodes finite: the force is then 0 times a finite number */
-#define TINY ((MUS_REAL)1e-20)
+enum { PHASE_FORCE, PHASE_RK1, PHASE_RK2, PHASE_RK3, PHASE_RK4, PHASE_EULER };
 
 
-/* f += k (1 - rest/l) (b - a) on `count` pairs; planes are `n` apart */
-static MUS_INLINE void MUS_FN(run_pull)(int64_t n, int32_t count, MUS_REAL k, MUS_REAL rest, const MUS_REAL *restrict a,
-                                        const MUS_REAL *restrict b, MUS_REAL *restrict f)
+/* ---- what a step does with the forces of nodes first .. first+count-1, f (3 x SPAN) in the scratch ---- */
+
+static void MUS_FN(keep_force)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
 {
-    const MUS_REAL krest = k * rest;
+    for (int64_t d = 0; d < 3; d++)
+        memcpy((MUS_REAL *)sim->f + d * sim->n + first, f + d * SPAN, (size_t)count * sizeof *f);
+}
+
+
+/* a stage of RK4; `dash` as a constant: velocities of stages are wanted by neighbours */
+static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int32_t dash, int64_t at, int32_t count,
+                                        MUS_REAL gravity, const MUS_REAL *f)
+{
+    const MUS_REAL h = (MUS_REAL)sim->phase_h, half = h / 2, sixth = h / 6, square = h * h / 6;
+    const MUS_REAL drag = (MUS_REAL)sim->drag;
+    const int64_t n3 = 3 * (int64_t)sim->n;
+    const MUS_REAL *inverse = (const MUS_REAL *)sim->inverse + at % sim->n;
+    const MUS_REAL *weight = (const MUS_REAL *)sim->weight + at % sim->n;
+    MUS_REAL *x = (MUS_REAL *)sim->y + at, *v = x + n3;
+    MUS_REAL *next = (MUS_REAL *)sim->next + at, *other = (MUS_REAL *)sim->stage + at;
+    MUS_REAL *one = (MUS_REAL *)sim->f + at, *two = (MUS_REAL *)sim->second + at;
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
-        const MUS_REAL dx = b[i] - a[i], dy = b[n + i] - a[n + i], dz = b[2 * n + i] - a[2 * n + i];
-        const MUS_REAL s = k - krest / MUS_SQRT(dx * dx + dy * dy + dz * dz + TINY);
-        f[i] += s * dx, f[n + i] += s * dy, f[2 * n + i] += s * dz;
-    }
-}
-
-
-/* f += w (a - 2 b + c) on one plane */
-static MUS_INLINE void MUS_FN(bend_pull)(int32_t count, MUS_REAL w, const MUS_REAL *restrict a,
-                                         const MUS_REAL *restrict b, const MUS_REAL *restrict c, MUS_REAL *restrict f)
-{
-    MUS_IVDEP
-    for (int32_t i = 0; i < count; i++) f[i] += w * (a[i] - 2 * b[i] + c[i]);
-}
-
-
-/* the three bend terms of a node between its neighbours, in one: f -= k (a - 4 b + 6 x - 4 c + d) */
-static MUS_INLINE void MUS_FN(bend_whole)(int32_t count, MUS_REAL k, const MUS_REAL *restrict a,
-                                          const MUS_REAL *restrict b, const MUS_REAL *restrict x,
-                                          const MUS_REAL *restrict c, const MUS_REAL *restrict d, MUS_REAL *restrict f)
-{
-    MUS_IVDEP
-    for (int32_t i = 0; i < count; i++) f[i] -= k * ((a[i] + d[i]) - 4 * (b[i] + c[i]) + 6 * x[i]);
-}
-
-
-/* dashpot along the spring: c ((v_b - v_a).n) n */
-static MUS_INLINE void MUS_FN(run_dash)(int64_t n, int32_t count, MUS_REAL c, const MUS_REAL *restrict a,
-                                        const MUS_REAL *restrict b, MUS_REAL *restrict f)
-{
-    MUS_IVDEP
-    for (int32_t i = 0; i < count; i++) {
-        const MUS_REAL dx = b[i] - a[i], dy = b[n + i] - a[n + i], dz = b[2 * n + i] - a[2 * n + i];
-        const MUS_REAL vx = b[3 * n + i] - a[3 * n + i], vy = b[4 * n + i] - a[4 * n + i];
-        const MUS_REAL vz = b[5 * n + i] - a[5 * n + i];
-        const MUS_REAL s = c * (dx * vx + dy * vy + dz * vz) / (dx * dx + dy * dy + dz * dz + TINY);
-        f[i] += s * dx, f[n + i] += s * dy, f[2 * n + i] += s * dz;
-    }
-}
-
-
-/* phase: lattice rows of one share */
-MUS_CLONES
-static void MUS_FN(rows)(mus__sim *sim, int32_t first, int32_t last)
-{
-    const mus__plan *plan = sim->plan;
-    const int64_t n = sim->n;
-    const MUS_REAL *y = sim->phase_y;
-    MUS_REAL *f = sim->f;
-    for (int32_t r = first; r < last; r++) {
-        const mus__plan_row *row = &plan->row[r];
-        const size_t bytes = (size_t)row->count * sizeof(MUS_REAL);
-        for (int32_t d = 0; d < 3; d++) memset(f + d * n + row->first, 0, bytes);
-        for (int32_t h = row->run; h < row->run + row->nrun; h++) {
-            const mus__half_run *run = &plan->half_run[h];
-            MUS_FN(run_pull)(n, run->count, (MUS_REAL)run->k, (MUS_REAL)run->rest, y + run->a, y + run->b, f + run->a);
-        }
-        for (int32_t h = row->bend; h < row->bend + row->nbend; h++) {
-            const mus__half_bend *bend = &plan->half_bend[h];
-            const MUS_REAL w = (MUS_REAL)bend->w;
-            for (int32_t d = 0; d < 3; d++) {
-                const MUS_REAL *x = y + d * n;
-                if (bend->whole)
-                    MUS_FN(bend_whole)(bend->count, w, x + bend->a, x + bend->b, x + bend->o, x + bend->c, x + bend->d,
-                                       f + d * n + bend->o);
-                else
-                    MUS_FN(bend_pull)(bend->count, w, x + bend->a, x + bend->b, x + bend->c, f + d * n + bend->o);
-            }
-        }
-    }
-    if (!sim->dashpots || first == last) return;
-    for (int32_t h = plan->row[first].run; first < last && h < plan->row[last - 1].run + plan->row[last - 1].nrun;
-         h++) {
-        const mus__half_run *run = &plan->half_run[h];
-        MUS_FN(run_dash)(n, run->count, (MUS_REAL)run->dashpot, y + run->a, y + run->b, f + run->a);
-    }
-}
-
-
-/* pull of spring s on its node a, into out (3) */
-static inline void MUS_FN(spring_pull)(const mus__sim *sim, int32_t s, MUS_REAL *out)
-{
-    const mus__spring *spring = &sim->plan->spring[s];
-    const int64_t n = sim->n;
-    const MUS_REAL *a = (const MUS_REAL *)sim->phase_y + spring->a, *b = (const MUS_REAL *)sim->phase_y + spring->b;
-    const MUS_REAL dx = b[0] - a[0], dy = b[n] - a[n], dz = b[2 * n] - a[2 * n];
-    const MUS_REAL l2 = dx * dx + dy * dy + dz * dz + TINY, k = (MUS_REAL)spring->k;
-    MUS_REAL pull = k - k * (MUS_REAL)spring->rest / MUS_SQRT(l2);
-    if (sim->dashpots) {
-        const MUS_REAL along =
-            dx * (b[3 * n] - a[3 * n]) + dy * (b[4 * n] - a[4 * n]) + dz * (b[5 * n] - a[5 * n]);
-        pull += (MUS_REAL)sim->plan->spring_dashpot[s] * along / l2;
-    }
-    out[0] = pull * dx, out[1] = pull * dy, out[2] = pull * dz;
-}
-
-
-/* pull of a seam pair on its node a: k d, at most the tension times the length it stands for */
-static inline void MUS_FN(pair_pull)(const mus__sim *sim, const mus__pair *pair, MUS_REAL *out)
-{
-    const int64_t n = sim->n;
-    const MUS_REAL *a = (const MUS_REAL *)sim->phase_y + pair->a, *b = (const MUS_REAL *)sim->phase_y + pair->b;
-    const MUS_REAL dx = b[0] - a[0], dy = b[n] - a[n], dz = b[2 * n] - a[2 * n];
-    const MUS_REAL cap = (MUS_REAL)(sim->plan->seam_pull * pair->length), k = pair->locked ? 0 : (MUS_REAL)pair->k;
-    const MUS_REAL most = cap / MUS_SQRT(dx * dx + dy * dy + dz * dz + TINY);
-    const MUS_REAL pull = k < most ? k : most;
-    out[0] = pull * dx, out[1] = pull * dy, out[2] = pull * dz;
-}
-
-
-/* phase: elements of one share, into g */
-static void MUS_FN(elements)(mus__sim *sim, int32_t first, int32_t last)
-{
-    const mus__plan *plan = sim->plan;
-    const int64_t n = sim->n;
-    const MUS_REAL *y = sim->phase_y;
-    MUS_REAL *g = sim->g;
-    for (int32_t e = first; e < last; e++) {
-        MUS_REAL *out = g + 3 * (int64_t)e;
-        if (e < plan->nspring) {
-            MUS_FN(spring_pull)(sim, e, out);
-        } else if (e < plan->nspring + plan->nhinge) {
-            const mus__hinge *hinge = &plan->hinge[e - plan->nspring];
-            const MUS_REAL k = (MUS_REAL)hinge->k;
-            for (int32_t d = 0; d < 3; d++) {
-                const MUS_REAL *x = y + d * n;
-                MUS_REAL sum = 0;
-                for (int32_t c = 0; c < 4; c++) sum += (MUS_REAL)hinge->coef[c] * x[hinge->node[c]];
-                out[d] = k * sum;
-            }
+        const MUS_REAL push = f[i] * inverse[i] + gravity * weight[i];
+        if (stage == 1) {
+            const MUS_REAL a = push - drag * v[i];
+            one[i] = a;
+            next[i] = x[i] + half * v[i];
+            if (dash) next[n3 + i] = v[i] + half * a;
+        } else if (stage == 2) {
+            const MUS_REAL now = v[i] + half * one[i], a = push - drag * now;
+            two[i] = a;
+            other[i] = x[i] + half * now;
+            if (dash) other[n3 + i] = v[i] + half * a;
+        } else if (stage == 3) {
+            const MUS_REAL now = v[i] + half * two[i], a = push - drag * now, last = v[i] + h * a;
+            next[i] = x[i] + h * now;
+            if (dash) next[n3 + i] = last;
+            x[i] += h * v[i] + square * (one[i] + two[i] + a);
+            v[i] += sixth * (one[i] + 2 * (two[i] + a));
+            two[i] = last;
         } else {
-            MUS_FN(pair_pull)(sim, &plan->pair[e - plan->nspring - plan->nhinge], out);
+            v[i] += sixth * (push - drag * two[i]);
         }
     }
 }
 
 
-/* phase: nodes of one share gather their elements */
-static void MUS_FN(gather)(mus__sim *sim, int32_t first, int32_t last)
-{
-    const mus__plan *plan = sim->plan;
-    const int64_t n = sim->n;
-    const MUS_REAL *g = sim->g;
-    MUS_REAL *f = sim->f;
-    for (int32_t i = first; i < last; i++) {
-        const int32_t node = plan->gather_node[i];
-        MUS_REAL s0 = 0, s1 = 0, s2 = 0;
-        for (int32_t k = plan->gather_start[i]; k < plan->gather_start[i + 1]; k++) {
-            const MUS_REAL *e = g + 3 * (int64_t)plan->gather_element[k];
-            const MUS_REAL c = (MUS_REAL)plan->gather_coef[k];
-            s0 += c * e[0], s1 += c * e[1], s2 += c * e[2];
-        }
-        if (plan->gather_lattice[i]) {
-            f[node] += s0, f[n + node] += s1, f[2 * n + node] += s2;
-        } else {
-            f[node] = s0, f[n + node] = s1, f[2 * n + node] = s2;
-        }
-    }
-}
-
-
-/* v = (v + h (f/m + g)) / (1 + h drag), limited; x += h v; on one share of the nodes */
 MUS_CLONES
-static void MUS_FN(advance)(mus__sim *sim, int32_t first, int32_t last)
+static void MUS_FN(rk_stage)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
+{
+    for (int64_t d = 0; d < 3; d++) {
+        const MUS_REAL g = (MUS_REAL)sim->gravity[d];
+        const int64_t at = d * sim->n + first;
+        switch (2 * sim->phase + (sim->dashpots != 0)) {
+        case 2 * PHASE_RK1: MUS_FN(rk_plane)(sim, 1, 0, at, count, g, f + d * SPAN); break;
+        case 2 * PHASE_RK2: MUS_FN(rk_plane)(sim, 2, 0, at, count, g, f + d * SPAN); break;
+        case 2 * PHASE_RK3: MUS_FN(rk_plane)(sim, 3, 0, at, count, g, f + d * SPAN); break;
+        case 2 * PHASE_RK1 + 1: MUS_FN(rk_plane)(sim, 1, 1, at, count, g, f + d * SPAN); break;
+        case 2 * PHASE_RK2 + 1: MUS_FN(rk_plane)(sim, 2, 1, at, count, g, f + d * SPAN); break;
+        case 2 * PHASE_RK3 + 1: MUS_FN(rk_plane)(sim, 3, 1, at, count, g, f + d * SPAN); break;
+        default: MUS_FN(rk_plane)(sim, 4, 0, at, count, g, f + d * SPAN); break;
+        }
+    }
+}
+
+
+/* v' = (v + h (f/m + g)) / (1 + h drag), limited; x' = x + h v'; into `next` */
+MUS_CLONES
+static void MUS_FN(advance)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *restrict f)
 {
     const int64_t n = sim->n;
     const MUS_REAL h = (MUS_REAL)sim->phase_h, keep = (MUS_REAL)(1.0 / (1.0 + sim->phase_h * sim->drag));
     const MUS_REAL limit = (MUS_REAL)sim->speed_limit;
     const MUS_REAL g0 = (MUS_REAL)sim->gravity[0], g1 = (MUS_REAL)sim->gravity[1], g2 = (MUS_REAL)sim->gravity[2];
-    MUS_REAL *restrict x = sim->y;
-    MUS_REAL *restrict v = x + 3 * n;
-    const MUS_REAL *restrict f = sim->f;
-    const MUS_REAL *restrict inverse = sim->inverse, *restrict weight = sim->weight;
-    for (int32_t i = first; i < last; i++) {
-        MUS_REAL v0 = keep * (v[i] + h * (f[i] * inverse[i] + g0 * weight[i]));
-        MUS_REAL v1 = keep * (v[n + i] + h * (f[n + i] * inverse[i] + g1 * weight[i]));
-        MUS_REAL v2 = keep * (v[2 * n + i] + h * (f[2 * n + i] * inverse[i] + g2 * weight[i]));
+    const MUS_REAL *restrict x = (const MUS_REAL *)sim->y + first;
+    MUS_REAL *restrict to = (MUS_REAL *)sim->next + first;
+    const MUS_REAL *restrict inverse = (const MUS_REAL *)sim->inverse + first;
+    const MUS_REAL *restrict weight = (const MUS_REAL *)sim->weight + first;
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) {
+        MUS_REAL v0 = keep * (x[3 * n + i] + h * (f[i] * inverse[i] + g0 * weight[i]));
+        MUS_REAL v1 = keep * (x[4 * n + i] + h * (f[SPAN + i] * inverse[i] + g1 * weight[i]));
+        MUS_REAL v2 = keep * (x[5 * n + i] + h * (f[2 * SPAN + i] * inverse[i] + g2 * weight[i]));
         const MUS_REAL speed = MUS_SQRT(v0 * v0 + v1 * v1 + v2 * v2 + TINY);
         const MUS_REAL scale = speed > limit ? limit / speed : 1;
         v0 *= scale, v1 *= scale, v2 *= scale;
-        v[i] = v0, v[n + i] = v1, v[2 * n + i] = v2;
-        x[i] += h * v0, x[n + i] += h * v1, x[2 * n + i] += h * v2;
+        to[3 * n + i] = v0, to[4 * n + i] = v1, to[5 * n + i] = v2;
+        to[i] = x[i] + h * v0, to[n + i] = x[n + i] + h * v1, to[2 * n + i] = x[2 * n + i] + h * v2;
     }
 }
 
 
 /* ---- phases as the pool runs them ---- */
 
-static void MUS_FN(phase_springs)(void *user, int32_t part, int32_t parts)
+static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
 {
     mus__sim *sim = user;
     const mus__plan *plan = sim->plan;
-    const int32_t elements = plan->nspring + plan->nhinge + plan->npair;
-    MUS_FN(rows)(sim, mus__share(plan->nrow, part, parts), mus__share(plan->nrow, part + 1, parts));
-    MUS_FN(elements)(sim, mus__share(elements, part, parts), mus__share(elements, part + 1, parts));
+    const int32_t first = mus__share(plan->nchunk, part, parts), last = mus__share(plan->nchunk, part + 1, parts);
+    MUS_REAL f[3 * SPAN];
+    for (int32_t c = first; c < last; c++) {
+        const mus__chunk *chunk = &plan->chunk[c];
+        MUS_FN(chunk_force)(sim, chunk, f);
+        if (sim->phase == PHASE_FORCE) MUS_FN(keep_force)(sim, chunk->first, chunk->count, f);
+        else if (sim->phase == PHASE_EULER) MUS_FN(advance)(sim, chunk->first, chunk->count, f);
+        else MUS_FN(rk_stage)(sim, chunk->first, chunk->count, f);
+    }
+    if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
+    MUS_REAL *x = sim->phase_touch;
+    sim->part_queries[part] += MUS_CONTACT(sim->collider, &sim->rule, sim->n, plan->chunk[first].first,
+                                           plan->chunk[last - 1].first + plan->chunk[last - 1].count, sim->weight,
+                                           sim->rest, x, x + 3 * (int64_t)sim->n);
 }
 
 
-static void MUS_FN(phase_gather)(void *user, int32_t part, int32_t parts)
+/* forces at y, and what the phase makes of them; `touch` meets the body then */
+static void MUS_FN(run_phase)(mus__sim *sim, int32_t phase, const void *y, void *touch)
 {
-    mus__sim *sim = user;
-    MUS_FN(gather)(sim, mus__share(sim->plan->ngather, part, parts), mus__share(sim->plan->ngather, part + 1, parts));
-}
-
-
-static void MUS_FN(phase_contact)(void *user, int32_t part, int32_t parts)
-{
-    mus__sim *sim = user;
-    MUS_REAL *x = sim->y;
-    sim->part_queries[part] += MUS_CONTACT(sim->collider, &sim->rule, sim->n, mus__share(sim->n, part, parts),
-                                           mus__share(sim->n, part + 1, parts), sim->weight, sim->rest, x,
-                                           x + 3 * (int64_t)sim->n);
-}
-
-
-static void MUS_FN(phase_advance)(void *user, int32_t part, int32_t parts)
-{
-    mus__sim *sim = user;
-    MUS_FN(advance)(sim, mus__share(sim->n, part, parts), mus__share(sim->n, part + 1, parts));
-    if (sim->collider != NULL) MUS_FN(phase_contact)(user, part, parts);
-}
-
-
-static void MUS_FN(evaluate)(mus__sim *sim, const MUS_REAL *y)
-{
+    sim->phase = phase;
     sim->phase_y = y;
-    mus__pool_run(sim->pool, MUS_FN(phase_springs), sim);
-    mus__pool_run(sim->pool, MUS_FN(phase_gather), sim);
+    sim->phase_touch = touch;
+    mus__pool_run(sim->pool, MUS_FN(phase_part), sim);
     sim->force_evaluations++;
 }
 
 
 static void MUS_FN(force)(mus__sim *sim)
 {
-    MUS_FN(evaluate)(sim, sim->y);
+    MUS_FN(run_phase)(sim, PHASE_FORCE, sim->y, NULL);
 }
 
 
@@ -281,35 +175,22 @@ static void MUS_FN(stitch)(mus__sim *sim)
 
 static void MUS_FN(euler)(mus__sim *sim, double h)
 {
-    MUS_FN(evaluate)(sim, sim->y);
     sim->phase_h = h;
-    mus__pool_run(sim->pool, MUS_FN(phase_advance), sim);
+    MUS_FN(run_phase)(sim, PHASE_EULER, sim->y, sim->next);
+    void *const was = sim->y;
+    sim->y = sim->next;
+    sim->next = was;
     if (sim->plan->npair > 0) MUS_FN(stitch)(sim);
-}
-
-
-/* dy = (v, f/m + g - drag v) */
-static void MUS_FN(rhs)(void *user, const MUS_REAL *y, MUS_REAL *dy)
-{
-    mus__sim *sim = user;
-    const int64_t n = sim->n;
-    MUS_FN(evaluate)(sim, y);
-    const MUS_REAL drag = (MUS_REAL)sim->drag;
-    const MUS_REAL *f = sim->f, *inverse = sim->inverse, *weight = sim->weight;
-    memcpy(dy, y + 3 * n, (size_t)(3 * n) * sizeof *dy);
-    for (int32_t d = 0; d < 3; d++) {
-        const MUS_REAL g = (MUS_REAL)sim->gravity[d];
-        const MUS_REAL *v = y + (3 + d) * n;
-        MUS_REAL *a = dy + (3 + d) * n;
-        for (int64_t i = 0; i < n; i++) a[i] = f[d * n + i] * inverse[i] + g * weight[i] - drag * v[i];
-    }
 }
 
 
 static void MUS_FN(rk4)(mus__sim *sim, double h)
 {
-    MUS_RK4(6 * (int64_t)sim->n, sim->y, (MUS_REAL)h, MUS_FN(rhs), sim, sim->work);
-    if (sim->collider != NULL) mus__pool_run(sim->pool, MUS_FN(phase_contact), sim);
+    sim->phase_h = h;
+    MUS_FN(run_phase)(sim, PHASE_RK1, sim->y, NULL);
+    MUS_FN(run_phase)(sim, PHASE_RK2, sim->next, NULL);
+    MUS_FN(run_phase)(sim, PHASE_RK3, sim->stage, NULL);
+    MUS_FN(run_phase)(sim, PHASE_RK4, sim->next, sim->y);
 }
 
 

@@ -18,7 +18,7 @@ static void add_isotropic(const mus__plan *plan, double *t)
 {
     for (int32_t r = 0; r < plan->nhalf_bend; r++) {
         const mus__half_bend *bend = &plan->half_bend[r];
-        const double part = (bend->whole ? 16.0 : 4.0) * fabs(bend->w);
+        const double part = 4.0 * fabs(bend->w);
         for (int32_t i = 0; i < bend->count; i++) t[bend->o + i] += part;
     }
     for (int32_t h = 0; h < plan->nhinge; h++) {

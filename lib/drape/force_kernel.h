@@ -1,0 +1,159 @@
+/*
+ * force_kernel.h: forces of one chunk of a plan, as a template on the floating type (MUS_REAL, MUS_FN, MUS_SQRT).
+ *
+ * The loop over the lanes of a block has a constant count and no branch: it becomes straight vector code, sums in
+ * registers, each force stored once. Lanes without a node write behind the chunk's nodes, where the next block, or
+ * nothing, follows. Loops differ by what the cloth has, and are chosen once a chunk.
+ */
+
+/* sqrt(l2 + TINY) keeps coincident nodes finite: the force is then 0 times a finite number */
+#define TINY ((MUS_REAL)1e-20)
+#define LANES ((int32_t)(64 / sizeof(MUS_REAL)))
+#define SPAN (MUS_CHUNK + MUS_LANES_MOST) /* from plane to plane of a chunk's forces */
+
+
+/* one block; y at its first node, planes n apart; f in the scratch. `near`, `far` and `dash` are constants */
+static MUS_INLINE void MUS_FN(block_pull)(int64_t n, const MUS_REAL *restrict y, const mus__shape *restrict shape,
+                                          const MUS_REAL *restrict table, int32_t near, int32_t far, int32_t dash,
+                                          MUS_REAL *restrict f)
+{
+    const MUS_REAL *restrict krest = table + near * LANES, *restrict w = krest + near * LANES;
+    const MUS_REAL *restrict damp = w + far * LANES;
+    MUS_IVDEP
+    for (int32_t i = 0; i < LANES; i++) {
+        const MUS_REAL x0 = y[i], x1 = y[n + i], x2 = y[2 * n + i];
+        MUS_REAL f0 = 0, f1 = 0, f2 = 0;
+        MUS_UNROLL
+        for (int32_t k = 0; k < near; k++) {
+            const MUS_REAL *p = y + shape->near[k];
+            const MUS_REAL d0 = p[i] - x0, d1 = p[n + i] - x1, d2 = p[2 * n + i] - x2;
+            const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
+            MUS_REAL s = table[k * LANES + i] - krest[k * LANES + i] / MUS_SQRT(l2);
+            if (dash) {
+                const MUS_REAL v0 = p[3 * n + i] - y[3 * n + i], v1 = p[4 * n + i] - y[4 * n + i];
+                const MUS_REAL v2 = p[5 * n + i] - y[5 * n + i];
+                s += damp[k * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
+            }
+            f0 += s * d0, f1 += s * d1, f2 += s * d2;
+        }
+        MUS_UNROLL
+        for (int32_t k = 0; k < far; k++) {
+            const MUS_REAL *p = y + shape->far[k];
+            const MUS_REAL s = w[k * LANES + i];
+            f0 += s * (p[i] - x0), f1 += s * (p[n + i] - x1), f2 += s * (p[2 * n + i] - x2);
+        }
+        f[i] = f0, f[SPAN + i] = f1, f[2 * SPAN + i] = f2;
+    }
+}
+
+
+/* the blocks of a chunk, with one kind of loop */
+#define MUS_BLOCKS(name, near, far, dash)                                                                              \
+    MUS_CLONES                                                                                                         \
+    static void MUS_FN(name)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)                                \
+    {                                                                                                                  \
+        const mus__plan *plan = sim->plan;                                                                             \
+        const int64_t size = mus__plan_table_size(plan);                                                               \
+        for (int32_t b = chunk->block; b < chunk->block + chunk->nblock; b++) {                                        \
+            const mus__block *block = &plan->block[b];                                                                 \
+            MUS_FN(block_pull)(sim->n, (const MUS_REAL *)sim->phase_y + block->first, &plan->shape[block->shape],      \
+                               (const MUS_REAL *)plan->table + size * block->table, near, far, dash,                   \
+                               f + (block->first - chunk->first));                                                     \
+        }                                                                                                              \
+    }
+
+MUS_BLOCKS(blocks_near4, 4, 0, 0)
+MUS_BLOCKS(blocks_near4_far4, 4, 4, 0)
+MUS_BLOCKS(blocks_near8, 8, 0, 0)
+MUS_BLOCKS(blocks_near8_far4, 8, 4, 0)
+MUS_BLOCKS(blocks_near8_far8, 8, 8, 0)
+MUS_BLOCKS(blocks_near4_dash, 4, 0, 1)
+MUS_BLOCKS(blocks_near4_far4_dash, 4, 4, 1)
+MUS_BLOCKS(blocks_near8_dash, 8, 0, 1)
+MUS_BLOCKS(blocks_near8_far4_dash, 8, 4, 1)
+MUS_BLOCKS(blocks_near8_far8_dash, 8, 8, 1)
+
+
+/* the loop for what the plan has */
+static void MUS_FN(blocks)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    switch (10 * sim->plan->near + sim->plan->far + (sim->dashpots ? 100 : 0)) {
+    case 40: MUS_FN(blocks_near4)(sim, chunk, f); break;
+    case 44: MUS_FN(blocks_near4_far4)(sim, chunk, f); break;
+    case 80: MUS_FN(blocks_near8)(sim, chunk, f); break;
+    case 84: MUS_FN(blocks_near8_far4)(sim, chunk, f); break;
+    case 88: MUS_FN(blocks_near8_far8)(sim, chunk, f); break;
+    case 140: MUS_FN(blocks_near4_dash)(sim, chunk, f); break;
+    case 144: MUS_FN(blocks_near4_far4_dash)(sim, chunk, f); break;
+    case 180: MUS_FN(blocks_near8_dash)(sim, chunk, f); break;
+    case 184: MUS_FN(blocks_near8_far4_dash)(sim, chunk, f); break;
+    default: MUS_FN(blocks_near8_far8_dash)(sim, chunk, f); break;
+    }
+}
+
+
+/* ---- irregular nodes ---- */
+
+/* gather nodes of a chunk: half springs and weighted differences, added to f */
+static MUS_INLINE void MUS_FN(gather_pull)(const mus__sim *sim, const mus__chunk *chunk, int32_t dash, MUS_REAL *f)
+{
+    const mus__plan *plan = sim->plan;
+    const int64_t n = sim->n;
+    const MUS_REAL *y = sim->phase_y, *constant = plan->half_constant, *weight = plan->linear_weight;
+    for (int32_t g = chunk->gather; g < chunk->gather + chunk->ngather; g++) {
+        const int32_t node = plan->gather_node[g];
+        const MUS_REAL *x = y + node;
+        const MUS_REAL x0 = x[0], x1 = x[n], x2 = x[2 * n];
+        MUS_REAL f0 = 0, f1 = 0, f2 = 0;
+        for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
+            const MUS_REAL *p = y + plan->half_other[h], *k = constant + 3 * (int64_t)h;
+            const MUS_REAL d0 = p[0] - x0, d1 = p[n] - x1, d2 = p[2 * n] - x2;
+            const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
+            MUS_REAL s = k[0] - k[1] / MUS_SQRT(l2);
+            if (dash) {
+                const MUS_REAL v0 = p[3 * n] - x[3 * n], v1 = p[4 * n] - x[4 * n], v2 = p[5 * n] - x[5 * n];
+                s += k[2] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
+            }
+            f0 += s * d0, f1 += s * d1, f2 += s * d2;
+        }
+        for (int32_t h = plan->linear_start[node]; h < plan->linear_start[node + 1]; h++) {
+            const MUS_REAL *p = y + plan->linear_other[h];
+            const MUS_REAL w = weight[h];
+            f0 += w * (p[0] - x0), f1 += w * (p[n] - x1), f2 += w * (p[2 * n] - x2);
+        }
+        MUS_REAL *out = f + (node - chunk->first);
+        out[0] += f0, out[SPAN] += f1, out[2 * SPAN] += f2;
+    }
+}
+
+
+/* ends of seam pairs of a chunk: k d, at most the tension times the length that the pair stands for */
+static void MUS_FN(pair_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    const mus__plan *plan = sim->plan;
+    const int64_t n = sim->n;
+    const MUS_REAL *y = sim->phase_y;
+    for (int32_t e = chunk->end; e < chunk->end + chunk->nend; e++) {
+        const mus__pair_end *end = &plan->pair_end[e];
+        const mus__pair *pair = &plan->pair[end->pair];
+        const MUS_REAL *a = y + end->node, *b = y + end->other;
+        const MUS_REAL d0 = b[0] - a[0], d1 = b[n] - a[n], d2 = b[2 * n] - a[2 * n];
+        const MUS_REAL cap = (MUS_REAL)(plan->seam_pull * pair->length), k = pair->locked ? 0 : (MUS_REAL)pair->k;
+        const MUS_REAL most = cap / MUS_SQRT(d0 * d0 + d1 * d1 + d2 * d2 + TINY);
+        const MUS_REAL pull = k < most ? k : most;
+        MUS_REAL *out = f + (end->node - chunk->first);
+        out[0] += pull * d0, out[SPAN] += pull * d1, out[2 * SPAN] += pull * d2;
+    }
+}
+
+
+/* all forces of a chunk at phase_y into f (3 x SPAN) */
+static void MUS_FN(chunk_force)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    if (chunk->nblock > 0) MUS_FN(blocks)(sim, chunk, f);
+    else
+        for (int32_t d = 0; d < 3; d++) memset(f + d * SPAN, 0, (size_t)chunk->count * sizeof *f);
+    if (sim->dashpots) MUS_FN(gather_pull)(sim, chunk, 1, f);
+    else MUS_FN(gather_pull)(sim, chunk, 0, f);
+    MUS_FN(pair_pull)(sim, chunk, f);
+}

@@ -1,0 +1,49 @@
+/*
+ * sim.c: the memory of a sim: one block of numbers, cut in arrays, and a byte a node.
+ *
+ *   numbers = (31 + 3 with dashpots) n + padding
+ *
+ * Lanes of a block that have no node in them read up to a block before and behind an array; what they read counts
+ * nothing, but must be there, be finite, and not be written meanwhile. So there are zeros between any two arrays.
+ */
+#include <string.h>
+
+#include "drape/sim.h"
+
+#define GAP MUS_LANES_MOST
+
+
+mus_status mus__sim_create(mus_context *context, mus__sim *sim)
+{
+    const int64_t n = sim->n, stage = sim->plan->dashpots ? 6 : 3;
+    const struct {
+        void **array;
+        int64_t planes;
+    } arrays[] = {{&sim->y, 6}, {&sim->next, 6},    {&sim->stage, stage}, {&sim->f, 3}, {&sim->second, 3},
+                  {&sim->inverse, 1}, {&sim->weight, 1}, {&sim->good, 6}};
+    const int32_t count = (int32_t)(sizeof arrays / sizeof arrays[0]);
+    int64_t total = GAP;
+    for (int32_t i = 0; i < count; i++) total += arrays[i].planes * n + GAP;
+    sim->memory = mus__new(context, total, sim->ops->real);
+    sim->rest = mus__new(context, n, sizeof *sim->rest);
+    if (sim->memory == NULL || sim->rest == NULL) {
+        mus__sim_destroy(context, sim);
+        return mus__fail_memory(context, "the state of a drape");
+    }
+
+    size_t at = GAP;
+    for (int32_t i = 0; i < count; i++) {
+        *arrays[i].array = (char *)sim->memory + at * sim->ops->real;
+        at += (size_t)(arrays[i].planes * n) + GAP;
+    }
+    return MUS_OK;
+}
+
+
+void mus__sim_destroy(mus_context *context, mus__sim *sim)
+{
+    mus__free(context, sim->memory);
+    mus__free(context, sim->rest);
+    sim->memory = NULL;
+    sim->rest = NULL;
+}

@@ -44,7 +44,7 @@ WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstr
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
-# the loops that a drape spends its time in: -O3 vectorises them (numbers: lib/drape/kernel.c), and sqrt without errno
+# the loops that a drape spends its time in: -O3 vectorises them (numbers: muslin bench), and sqrt without errno
 # is one instruction; debug builds keep their own level
 HOT_release = -O3 -fno-math-errno
 # the same bits from every compiler: no fused multiply-add, whatever CFLAGS say

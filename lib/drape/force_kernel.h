@@ -19,7 +19,6 @@ static MUS_INLINE void MUS_FN(block_pull)(int64_t n, const MUS_REAL *restrict y,
 {
     const MUS_REAL *restrict krest = table + near * LANES, *restrict w = krest + near * LANES;
     const MUS_REAL *restrict damp = w + far * LANES;
-    MUS_IVDEP
     for (int32_t i = 0; i < LANES; i++) {
         const MUS_REAL x0 = y[i], x1 = y[n + i], x2 = y[2 * n + i];
         MUS_REAL f0 = 0, f1 = 0, f2 = 0;

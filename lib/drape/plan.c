@@ -147,11 +147,11 @@ mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t 
 
 void mus__plan_clear(mus_context *context, mus__plan *plan)
 {
-    void *blocks[] = {plan->row,          plan->half_run,      plan->half_bend,    plan->spring,
-                      plan->spring_dashpot, plan->hinge,       plan->pair,         plan->block,
-                      plan->shape,        plan->table,         plan->chunk,        plan->gather_node,
-                      plan->half_start,   plan->half_other,    plan->half_constant, plan->linear_start,
-                      plan->linear_other, plan->linear_weight, plan->pair_end};
+    void *blocks[] = {
+        plan->row,          plan->half_run,     plan->half_bend,     plan->spring,     plan->spring_dashpot,
+        plan->hinge,        plan->pair,         plan->block,         plan->shape,      plan->table,
+        plan->chunk,        plan->gather_node,  plan->half_start,    plan->half_other, plan->half_constant,
+        plan->linear_start, plan->linear_other, plan->linear_weight, plan->pair_end};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     memset(plan, 0, sizeof *plan);
 }

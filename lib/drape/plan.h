@@ -5,8 +5,8 @@
  * the irregular rest as springs, hinges and seam pairs. And as the kernels want them (blocks.c): every node is written
  * by one place only, in an order fixed here, so that any split over threads gives the same bits.
  *
- *   block:   16 or 8 neighbouring lattice nodes, one a lane, whose neighbours stand at the same offsets (a shape). What a
- *            lane does not have is a zero in its table: rows need not be of one length, and no lane is special.
+ *   block:   16 or 8 neighbouring lattice nodes, one a lane, whose neighbours stand at the same offsets (a shape).
+ *            What a lane does not have is a zero in its table: rows need not be of one length, and no lane is special.
  *
  *               F . F . F      near (N): f += (kk - krest / l - ...) (x[N] - x),  kk = k + w  of spring and bending
  *               . N N N .      far  (F): f += w (x[F] - x)

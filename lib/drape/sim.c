@@ -19,8 +19,8 @@ mus_status mus__sim_create(mus_context *context, mus__sim *sim)
     const struct {
         void **array;
         int64_t planes;
-    } arrays[] = {{&sim->y, 6}, {&sim->next, 6},    {&sim->stage, stage}, {&sim->f, 3}, {&sim->second, 3},
-                  {&sim->inverse, 1}, {&sim->weight, 1}, {&sim->good, 6}};
+    } arrays[] = {{&sim->y, 6},      {&sim->next, 6},    {&sim->stage, stage}, {&sim->f, 3},
+                  {&sim->second, 3}, {&sim->inverse, 1}, {&sim->weight, 1},    {&sim->good, 6}};
     const int32_t count = (int32_t)(sizeof arrays / sizeof arrays[0]);
     int64_t total = GAP;
     for (int32_t i = 0; i < count; i++) total += arrays[i].planes * n + GAP;

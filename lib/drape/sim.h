@@ -1,9 +1,9 @@
 /*
  * sim.h: the state of a drape and its steps, the same in float and double.
  *
- * A sim works on planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n each. A step is one to four phases. In each a thread takes
- * its share of the plan's chunks: forces of the chunk into a scratch, then at once what the step does with them. What
- * a phase reads of neighbours it never writes: it writes to another plane (a stage) and they change places.
+ * A sim works on planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n each. A step is one to four phases. In each a thread
+ * takes its share of the plan's chunks: forces of the chunk into a scratch, then at once what the step does with them.
+ * What a phase reads of neighbours it never writes: it writes to another plane (a stage) and they change places.
  *
  * mus__sim_ops is the table of what a sim can do, chosen once at create; no loop reads an option.
  */

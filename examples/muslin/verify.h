@@ -46,5 +46,6 @@ void verify_broken(verify *v, const char *id, const char *quantity, mus_status s
 /* The families: numerics.md 1a and D of 1d; 1b; 1c; F, V, C of 1d. Each returns an exit code: EXIT_DONE also when rows
  * fail. */
 int verify_step(verify *v);
+int verify_motion(verify *v);
 
 #endif

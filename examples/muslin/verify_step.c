@@ -271,7 +271,8 @@ static void pendulum_orders(verify *v)
         const char *name;
         int32_t method;
         double order;
-    } methods[] = {{"Runge-Kutta", MUS_METHOD_RK4, 4}, {"Verlet", MUS_METHOD_VERLET, 2}, {"Euler", MUS_METHOD_EULER, 1}};
+    } methods[] = {
+        {"Runge-Kutta", MUS_METHOD_RK4, 4}, {"Verlet", MUS_METHOD_VERLET, 2}, {"Euler", MUS_METHOD_EULER, 1}};
     for (int m = 0; m < 3; m++)
         for (int64_t n = 256; n <= 512; n *= 2) {
             char text[80];

@@ -67,7 +67,7 @@ MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
  * With O^2 = max_i lambda_max(T_i) / m_i, T_i the sum over springs at node i of k S |w| n n^T (n n^T replaced by the
  * identity, which holds for every pose), G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
  *
- *   h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where the root is of less than 0
+ *   h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
  *
  * Source: every root lies in a half disc or on the real axis (proof: lib/drape/stiffness.c); Runge-Kutta is stable in
  * the half disc of radius 2.62 and from -2.785 to 0.

@@ -125,9 +125,9 @@ void mus__plan_dashpots(const mus__plan *plan, int32_t nnode, double *t, double 
 
 
 /*
- * An eigenvalue s of M s^2 + C s + K solves, with its own vector u, s^2 + gamma s + omega^2 = 0 where omega^2 = u*Ku/u*Mu
- * and gamma = u*Cu/u*Mu; so omega^2 <= rate2, gamma <= gamma_max, and gamma - drag <= ratio omega^2 (each dashpot is at
- * most ratio times its spring).
+ * An eigenvalue s of M s^2 + C s + K solves, with its own vector u, s^2 + gamma s + omega^2 = 0 where omega^2 =
+ * u*Ku/u*Mu and gamma = u*Cu/u*Mu; so omega^2 <= rate2, gamma <= gamma_max, and gamma - drag <= ratio omega^2 (each
+ * dashpot is at most ratio times its spring).
  *
  *   complex: |s| = omega, and the half disc of radius 2.62 lies in the stability region of RK4
  *   real:    -s <= (gamma + sqrt(gamma^2 - 4 omega^2)) / 2, which grows with gamma and falls with omega: largest at

@@ -55,6 +55,7 @@ typedef struct mus_cloth_def {
     mus_fabric fabric;      /* default: the default fabric */
     int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
     double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
+    int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start */
 } mus_cloth_def;
 
 MUS_API void mus_cloth_def_init(mus_cloth_def *def, size_t size);

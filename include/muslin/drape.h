@@ -55,6 +55,16 @@ MUS_API void mus_drape_destroy(mus_drape *drape);
 /** Put the nodes where the pattern's placement says, at rest, and open all seams again. */
 MUS_API mus_status mus_drape_place(mus_drape *drape);
 
+/**
+ * Put the cloth where the cloth of another drape lies, at rest: a refit after a change of fabric, spacing, body or (a
+ * little) of the pattern. Seams are welded when those of `from` are.
+ *
+ * Panels correspond by index, places in a panel relative to its box. `from` may have another spacing and precision.
+ * Errors:  MUS_ERR_ARG (NULL, another number of panels), MUS_ERR_MEMORY; the drape is as it was
+ * Cost:    about 1 us a node
+ */
+MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
+
 /** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
@@ -91,11 +101,18 @@ typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progres
 /**
  * Pull all seams shut and weld them. Gravity is off meanwhile.
  *
- * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED
+ * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser).
+ * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED,
+ *         MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
 
-/** Let the cloth come to rest under gravity. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED. */
+/**
+ * Let the cloth come to rest under gravity, on coarser cuts first when it is far from rest.
+ *
+ * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED, MUS_ERR_MEMORY
+ * Memory:  the first sew or settle makes the coarser doubles, a third of the drape, kept until it is destroyed
+ */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 
 /** Positions and velocities (nodes x 3): the drape's own output arrays, written anew at the end of place, set_state,
@@ -129,7 +146,8 @@ typedef struct mus_drape_report {
     int64_t spring_evaluations; /* since create */
     int64_t contact_queries;    /* node against limb, since create */
     double sew_time;            /* cloth time spent sewing [s] */
-    double settle_time;         /* cloth time spent settling [s] */
+    double settle_time;         /* cloth time spent settling, on all cuts [s] */
+    double rest_distance;       /* what the last settle expects its farthest node still to go [m] */
 } mus_drape_report;
 
 MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);

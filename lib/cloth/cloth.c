@@ -12,7 +12,8 @@
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 {
     if (def == NULL || size < sizeof def->size) return;
-    mus_cloth_def own = {.size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0};
+    mus_cloth_def own = {
+        .size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
     mus_fabric_init(&own.fabric, sizeof own.fabric);
     memset(def, 0, size);
     memcpy(def, &own, size < sizeof own ? size : sizeof own);
@@ -113,6 +114,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
     if (cloth->panel == NULL || mesh.edge == NULL) status = mus__fail_memory(context, "a cloth");
     if (status == MUS_OK) status = cloth_build(&mesh);
+    if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
     if (status == MUS_OK)
@@ -141,6 +143,7 @@ void mus_cloth_destroy(mus_cloth *cloth)
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
                       cloth->place,  cloth->dashpot,    cloth->pin};
     mus_context *context = cloth->context;
+    mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);
     mus__free(context, cloth);
 }

@@ -76,6 +76,7 @@ struct mus_cloth {
     int32_t *pair;             /* (npair x 2) */
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
+    mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 
     /* of bare nodes only, else NULL: no panel places them and no fabric damps them */
     int32_t npin;

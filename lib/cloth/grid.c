@@ -236,6 +236,8 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         grid_bends(&g, r);
         grid_skips(&g, r);
     }
-    *out = g.cloth;
-    return MUS_OK;
+    status = mus__grid_coarsen(context, rows, columns, cell, &own, g.cloth);
+    if (status == MUS_OK) *out = g.cloth;
+    else mus_cloth_destroy(g.cloth);
+    return status;
 }

@@ -43,6 +43,11 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
                      const double *height, double rigidity, mus__hinge *out);
 /* strip.c: soften what would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
+/* coarse.c: the coarser cut of a cloth, where it has one. Errors: MUS_ERR_MEMORY alone */
+mus_status mus__cloth_coarsen(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
+                              mus_cloth *cloth);
+mus_status mus__grid_coarsen(mus_context *context, int32_t rows, int32_t columns, const double *cell,
+                             const mus_cloth_def *def, mus_cloth *cloth);
 /* pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
 

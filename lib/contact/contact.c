@@ -28,8 +28,8 @@ static double ring_largest(const mus__field *field, const double *radius, int32_
 
 /*
  * Radius of the surface `skin` off the field's, at ring k and angle step j: R + skin |grad F| with F = rho - R(s, q),
- *     |grad F|^2 = 1 + (R_q / R (a^2 + b^2))^2 + (R_s + centre's drift)^2,   (a, b) the diamond angle's point, |a| + |b| = 1
- * by central differences. A steep end counts as no steeper than STEEPEST, where the ring would run away.
+ *     |grad F|^2 = 1 + (R_q / R (a^2 + b^2))^2 + (R_s + centre's drift)^2,
+ * (a, b) the diamond angle's point, |a| + |b| = 1, by central differences. A steep end counts as no steeper than STEEPEST, where the ring would run away.
  */
 static double offset_radius(const mus__field *field, int32_t k, int32_t j, double skin)
 {

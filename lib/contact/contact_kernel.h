@@ -2,10 +2,10 @@
  * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT).
  *
  * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
- * rests: a depth of first order jumps a little from ring to ring, but not at zero. A node nearer than the clearance is put back along the outward normal (by at most `push`), loses its velocity into
- * the skin, and its sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node
- * with the velocity it had before the impulse; `slip` times the change takes that sliding back, so that what sticks
- * does not creep by h^2 f/m a step.
+ * rests: a depth of first order jumps a little from ring to ring, but not at zero. A node nearer than the clearance is
+ * put back along the outward normal (by at most `push`), loses its velocity into the skin, and its sliding velocity
+ * shrinks by the friction impulse mu |v_n|. The step that led here moved the node with the velocity it had before the
+ * impulse; `slip` times the change takes that sliding back, so that what sticks does not creep by h^2 f/m a step.
  */
 
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */

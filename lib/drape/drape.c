@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/level.h"
 
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
@@ -71,16 +71,13 @@ static mus_status take_memory(mus_drape *drape)
     drape->x = mus__new(context, 3 * n, sizeof *drape->x);
     drape->v = mus__new(context, 3 * n, sizeof *drape->v);
     drape->force = mus__new(context, 3 * n, sizeof *drape->force);
-    drape->mean = mus__new(context, 3 * n, sizeof *drape->mean);
-    drape->before = mus__new(context, 3 * n, sizeof *drape->before);
     drape->work = mus__new(context, 6 * n, sizeof *drape->work);
     drape->mass = mus__new(context, n, sizeof *drape->mass);
     drape->stiffness = mus__new(context, n, sizeof *drape->stiffness);
     drape->rep = mus__new(context, n, sizeof *drape->rep);
     drape->pinned = mus__new(context, n, sizeof *drape->pinned);
-    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->mean == NULL || drape->before == NULL ||
-        drape->work == NULL || drape->mass == NULL || drape->stiffness == NULL || drape->rep == NULL ||
-        drape->pinned == NULL)
+    if (drape->x == NULL || drape->v == NULL || drape->force == NULL || drape->work == NULL || drape->mass == NULL ||
+        drape->stiffness == NULL || drape->rep == NULL || drape->pinned == NULL)
         return mus__fail_memory(context, "the state of a drape");
     return mus__sim_create(context, sim);
 }
@@ -126,6 +123,66 @@ static void name_skipped(mus_drape *drape)
 }
 
 
+/* collider and threads: those of the parent, or new ones */
+static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
+{
+    const mus_drape *parent = drape->parent;
+    if (parent != NULL) {
+        memcpy(drape->sim.origin, parent->sim.origin, sizeof drape->sim.origin);
+        drape->pool = parent->pool;
+        drape->collider = parent->collider;
+        return MUS_OK;
+    }
+    mus_status status = mus__pool_create(drape->context, drape->def.threads, &drape->pool);
+    if (status == MUS_OK) choose_origin(drape);
+    if (status == MUS_OK && body != NULL)
+        status = mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->collider);
+    return status;
+}
+
+
+mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
+                           const mus_drape_def *def, mus_drape **out)
+{
+    *out = NULL;
+    mus_drape *drape = mus__new(context, 1, sizeof *drape);
+    if (drape == NULL) return mus__fail_memory(context, "a drape");
+    drape->context = context;
+    drape->def = *def;
+    drape->n = cloth->nnode;
+    drape->parent = parent;
+    drape->cloth = mus__cloth_retain(cloth);
+    drape->friction = isnan(def->friction) ? cloth->fabric.friction : def->friction;
+    drape->sim.ops = def->precision == 64 ? &mus__sim_f64 : &mus__sim_f32;
+    mus_status status = mus__plan_build(context, cloth, drape->sim.ops->real, &drape->plan);
+    if (status == MUS_OK) status = take_memory(drape);
+    if (status == MUS_OK) status = take_surroundings(drape, body);
+    if (status != MUS_OK) {
+        mus_drape_destroy(drape);
+        return status;
+    }
+
+    mus__sim *sim = &drape->sim;
+    sim->pool = drape->pool;
+    sim->collider = drape->collider;
+    sim->collision_distance = def->collision_distance;
+    name_skipped(drape);
+
+    /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
+    for (int32_t i = 0; i < drape->n; i++) {
+        double *x = drape->x + 3 * (int64_t)i;
+        x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
+    }
+    if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
+    for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
+    drape->cold = 1;
+    mus__drape_open(drape);
+    mus__drape_push(drape);
+    *out = drape;
+    return MUS_OK;
+}
+
+
 mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
                             const mus_drape_def *def, mus_drape **out)
 {
@@ -136,44 +193,7 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     mus_drape_def_init(&own, sizeof own);
     mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_drape_def");
     if (status == MUS_OK) status = check_def(context, &own);
-    if (status != MUS_OK) return status;
-
-    mus_drape *drape = mus__new(context, 1, sizeof *drape);
-    if (drape == NULL) return mus__fail_memory(context, "a drape");
-    drape->context = context;
-    drape->def = own;
-    drape->n = cloth->nnode;
-    drape->cloth = mus__cloth_retain(cloth);
-    drape->friction = isnan(own.friction) ? cloth->fabric.friction : own.friction;
-    drape->sim.ops = own.precision == 64 ? &mus__sim_f64 : &mus__sim_f32;
-    status = mus__pool_create(context, own.threads, &drape->pool);
-    if (status == MUS_OK) status = mus__plan_build(context, cloth, drape->sim.ops->real, &drape->plan);
-    if (status == MUS_OK) status = take_memory(drape);
-    if (status == MUS_OK) choose_origin(drape);
-    if (status == MUS_OK && body != NULL)
-        status = mus__collider_create(context, body, drape->sim.origin, own.clearance, &drape->collider);
-    if (status != MUS_OK) {
-        mus_drape_destroy(drape);
-        return status;
-    }
-
-    mus__sim *sim = &drape->sim;
-    sim->pool = drape->pool;
-    sim->collider = drape->collider;
-    sim->collision_distance = own.collision_distance;
-    name_skipped(drape);
-
-    /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
-    for (int32_t i = 0; i < drape->n; i++) {
-        double *x = drape->x + 3 * (int64_t)i;
-        x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
-    }
-    if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
-    for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
-    mus__drape_open(drape);
-    mus__drape_push(drape);
-    *out = drape;
-    return MUS_OK;
+    return status == MUS_OK ? mus__drape_make(context, cloth, body, NULL, &own, out) : status;
 }
 
 
@@ -181,13 +201,16 @@ void mus_drape_destroy(mus_drape *drape)
 {
     if (drape == NULL) return;
     mus_context *context = drape->context;
-    mus__pool_destroy(drape->pool);
-    mus__collider_destroy(drape->collider);
+    mus__drape_coarse_destroy(drape);
+    if (drape->parent == NULL) {
+        mus__pool_destroy(drape->pool);
+        mus__collider_destroy(drape->collider);
+    }
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);
-    void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean, drape->before,
-                      drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned};
+    void *blocks[] = {drape->x,    drape->v,      drape->force,     drape->mean, drape->work,  drape->before,
+                      drape->left, drape->mass,   drape->stiffness, drape->rep,  drape->pinned};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }
@@ -276,6 +299,7 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
         if (drape->pinned[i]) memset(drape->v + 3 * i, 0, 3 * sizeof *drape->v);
     mus__drape_push(drape);
     mus__drape_publish(drape);
+    drape->cold = 1;
     return MUS_OK;
 }
 

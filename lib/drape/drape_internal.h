@@ -9,6 +9,7 @@
 
 #include "drape/plan.h"
 #include "drape/sim.h"
+#include "drape/transfer.h"
 #include "muslin/drape.h"
 
 struct mus_drape {
@@ -17,16 +18,23 @@ struct mus_drape {
     mus_cloth *cloth;
     mus__collider *collider; /* NULL without a body */
     mus__pool *pool;
+    mus_drape *parent;       /* of a coarser double, which borrows its collider and pool; NULL */
+    mus_drape *coarse;       /* the coarser double, NULL until sew or settle want it (level.c) */
+    mus__transfer up, down;  /* from the double and to it */
     mus__plan plan;
     mus__sim sim;
     double friction;
     int32_t n;
     int32_t welded, settled;
+    int32_t cold;            /* nonzero: not near rest, so a settle starts on the coarse cut */
 
     double *x, *v;      /* (n x 3) what the caller sees */
     double *force;      /* (n x 3) scratch of reports */
+    /* of settle, NULL before the first */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
     double *before;     /* (n x 3) mean place at the check before */
+    double *left;       /* (n x 3) force left over at the check before */
+
     double *work;       /* (n x 6) scratch of the stiffness at a pose */
     double *mass;       /* (n) after welding; 0 for nodes that another stands for */
     double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
@@ -37,13 +45,17 @@ struct mus_drape {
     double time0, dt;
     int64_t count;
     int64_t steps;
-    int64_t spring_evaluations;
+    int64_t spring_evaluations, contact_queries; /* contact_queries: those of the coarser doubles */
     double sew_time, settle_time, residual;
+    double distance;    /* expected from rest at the last check [m] */
     char skipped[96];
 };
 
 /* ---- state (drape.c) ---- */
 
+/* a drape round a body, or the coarser double of `parent` */
+mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
+                           const mus_drape_def *def, mus_drape **out);
 /* positions and velocities of the sim to x and v; welded nodes get the place of the node that stands for them */
 void mus__drape_publish(mus_drape *drape);
 /* x and v to the sim */
@@ -81,11 +93,13 @@ typedef struct mus__run {
     void *user;
     const char *phase;
     double next_call; /* wall time of the next progress call */
+    int32_t stop;     /* nonzero: the caller's function wants to stop */
+    int32_t slid;     /* nonzero: the garment slid off the body */
 } mus__run;
 
 void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, void *user);
-/* nonzero: the caller's function wants to stop */
-int32_t mus__run_report(mus__run *run, double progress);
+/* calls the caller's function if it is time, and notes in run->stop what it wants */
+void mus__run_report(mus__run *run, double progress);
 /* MUS_ERR_DIVERGED (and the last good state restored) when a number is not finite, else a new good state */
 mus_status mus__drape_guard(mus_drape *drape);
 

@@ -47,5 +47,45 @@ mus_status mus_drape_place(mus_drape *drape)
     drape->time0 = 0.0;
     drape->count = 0;
     drape->settled = 0;
+    drape->cold = 1;
+    return MUS_OK;
+}
+
+
+/* where the nodes of `drape` lie in the cloth of `from`; bare nodes have no panels and correspond one by one */
+static mus_status find_places(mus_drape *drape, const mus_drape *from)
+{
+    const mus_cloth *cloth = drape->cloth;
+    if (cloth->npanel != from->cloth->npanel)
+        return mus__fail(drape->context, MUS_ERR_ARG, "drape: %d panels cannot start where a cloth of %d panels lies",
+                         (int)cloth->npanel, (int)from->cloth->npanel);
+    if (cloth->npanel == 0 && drape->n != from->n)
+        return mus__fail(drape->context, MUS_ERR_ARG, "drape: %d bare nodes cannot start where %d lie", (int)drape->n,
+                         (int)from->n);
+    mus__transfer transfer;
+    const mus_status status = mus__transfer_build(drape->context, from->cloth, cloth, &transfer);
+    if (status == MUS_OK) mus__transfer_apply(&transfer, from->x, drape->force);
+    mus__transfer_clear(drape->context, &transfer);
+    if (cloth->npanel == 0) memcpy(drape->force, from->x, 3 * (size_t)drape->n * sizeof *drape->force);
+    return status;
+}
+
+
+mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (from == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: the drape to start from is NULL");
+    const mus_status status = find_places(drape, from);
+    if (status != MUS_OK) return status;
+    mus__drape_open(drape);
+    memcpy(drape->x, drape->force, 3 * (size_t)drape->n * sizeof *drape->x);
+    memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
+    mus__drape_push(drape);
+    if (from->welded) mus__drape_weld(drape);
+    mus__drape_publish(drape);
+    drape->time0 = 0.0;
+    drape->count = 0;
+    drape->settled = 0;
+    drape->cold = 0;
     return MUS_OK;
 }

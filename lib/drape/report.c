@@ -76,9 +76,11 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.step_bound = mus_drape_step_bound(drape);
     report.steps = drape->steps;
     report.spring_evaluations = drape->spring_evaluations;
+    report.contact_queries = drape->contact_queries;
     for (int32_t part = 0; part < 64; part++) report.contact_queries += drape->sim.part_queries[part];
     report.sew_time = drape->sew_time;
     report.settle_time = drape->settle_time;
+    report.rest_distance = drape->distance;
     *out = report;
     return MUS_OK;
 }

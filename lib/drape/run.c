@@ -26,17 +26,18 @@ void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, 
     run->progress = progress;
     run->user = user;
     run->phase = phase;
+    run->stop = run->slid = 0;
     run->next_call = progress != NULL ? wall_time() : 0.0;
 }
 
 
-int32_t mus__run_report(mus__run *run, double progress)
+void mus__run_report(mus__run *run, double progress)
 {
-    if (run->progress == NULL) return 0;
+    if (run->progress == NULL) return;
     const double now = wall_time();
-    if (now < run->next_call) return 0;
+    if (now < run->next_call) return;
     run->next_call = now + CALL_SECONDS;
-    return run->progress(run->user, run->phase, progress < 0.0 ? 0.0 : progress > 1.0 ? 1.0 : progress);
+    run->stop = run->progress(run->user, run->phase, progress < 0.0 ? 0.0 : progress > 1.0 ? 1.0 : progress);
 }
 
 

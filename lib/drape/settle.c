@@ -1,47 +1,46 @@
 /*
- * settle.c: to rest under gravity.
+ * settle.c: to rest under gravity, coarse to fine.
  *
- * The cloth falls and swings with light drag, then with more and more damping (stages below).
- * Symplectic Euler on inertia that is raised where the mesh is stiffer than its lattice (rest does not depend
- * on inertia). Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the
- * node's weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
+ * A cloth that is far from rest falls on its coarsest cut first; each finer cut starts where the coarser one came to.
+ * On each: symplectic Euler with inertia that is raised where the mesh is stiffer than its lattice (rest does not
+ * depend on inertia) and air drag that is critical for the slowest motion left, measured from check to check. Measured
+ * on the T-shirt and against kinetic damping: halting all nodes at peaks of the kinetic energy lets cloth that friction
+ * holds slip (9 mm on the T-shirt), so drag it is.
+ *
+ * Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the node's
+ * weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
  * averages out), and the drift of that mean place from one check to the next. It is never judged by energy. A garment
  * that no longer touches the body and falls is told so at once.
  */
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/level.h"
 
-#define CHECK_SECONDS 0.1  /* of cloth time between residuals */
-#define MEAN_STEPS 96      /* places averaged before a residual: of every step, or ripples would alias */
-#define SETTLE_SPEED 4.0   /* [m/s] limit */
-#define FALL_SECONDS 1.0   /* of cloth time in which a loose garment drops onto the body */
-#define OFF_THE_BODY 0.005 /* [m]: no node this near: nothing carries the garment */
-#define REST_DRIFT 0.002   /* [m/s]: no node's mean place drifts faster at rest */
+#define CHECK_SECONDS 0.1    /* of cloth time between residuals */
+#define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
+#define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define SETTLE_SPEED 4.0     /* [m/s] limit */
+#define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
+#define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
+#define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
+#define DRAG_LEAST 1.0
+#define DRAG_GROWTH 1.5      /* from one check to the next at most */
+#define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
+#define OFF_THE_BODY 0.005   /* [m]: no node this near: nothing carries the garment */
+#define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
 
+/* what a coarser cut is for: the place, not the folds. Rest of a tenth of a weight, or so much cloth time */
+#define ROUGH_RESIDUAL 0.1
+#define ROUGH_DRIFT 0.01
+#define ROUGH_SECONDS 4.0    /* on the coarsest cut, fall included */
+#define MIDDLE_SECONDS 0.6   /* on those between */
 
-/*
- * What damps at time t of a settle. First light drag, near critical for a garment's swing; then heavier drag for its
- * folds; last, for the ripples of a tight crease, the springs' own dashpots and a smaller part of the step bound.
- */
-typedef struct stage {
-    double from;     /* [s] */
-    double drag;     /* [1/s] */
-    double safety;   /* of the bound of symplectic Euler */
-    int32_t dashpots;
-} stage;
-
-static const stage stages[] = {{0.0, 4.0, 0.75, 0}, {0.8, 10.0, 0.75, 0}, {1.8, 20.0, 0.75, 0}, {3.5, 20.0, 0.5, 1}};
-
-
-static const stage *stage_at(double t)
-{
-    const stage *now = stages;
-    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++)
-        if (t >= stages[i].from) now = &stages[i];
-    return now;
-}
+typedef struct settling {
+    double fall;            /* [s] of falling first */
+    double seconds;         /* budget */
+    double residual, drift; /* goal */
+} settling;
 
 
 /* `steps` steps, with the mean place of the last MEAN_STEPS into drape->mean */
@@ -60,8 +59,32 @@ static void advance_mean(mus_drape *drape, int32_t steps, double h)
 }
 
 
+/*
+ * Drag that is critical for the slowest motion left. Between two checks the mean place moved by d and the force left
+ * over changed by g: the Rayleigh quotient  w^2 = - d.g / d.M d  is a mean of the squared rates of what moved, weighted
+ * by how far it moved, so slow motion rules it; critical drag is 2 w. It grows slowly: quick ripples after a change of
+ * cut must not freeze the folds.
+ */
+static double critical_drag(const mus_drape *drape, double now)
+{
+    double work = 0.0, moved = 0.0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        double dd = 0.0;
+        for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++) {
+            const double d = drape->mean[k] - drape->before[k];
+            work -= d * (drape->force[k] - drape->left[k]);
+            dd += d * d;
+        }
+        moved += drape->mass[i] * dd;
+    }
+    if (!(moved > 0.0) || !(work > 0.0)) return now;
+    return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), DRAG_GROWTH * now);
+}
+
+
 /* largest distance between the mean places of this check and the last, which becomes this one's */
-static double take_drift(mus_drape *drape)
+static double take_move(mus_drape *drape)
 {
     double most2 = 0.0;
     for (int32_t i = 0; i < drape->n; i++) {
@@ -71,6 +94,7 @@ static double take_drift(mus_drape *drape)
         if (drape->mass[i] > 0.0 && move2 > most2) most2 = move2;
     }
     memcpy(drape->before, drape->mean, 3 * (size_t)drape->n * sizeof *drape->before);
+    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
     return sqrt(most2);
 }
 
@@ -89,46 +113,111 @@ static int32_t has_slid_off(const mus_drape *drape)
 }
 
 
-mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user)
+/* what is still to go if moves go on shrinking as from the last check to this one; all of ten moves when they do not */
+static double expected_distance(double move, double last)
 {
-    if (drape == NULL) return MUS_ERR_ARG;
+    const double ratio = last > 0.0 ? move / last : 1.0;
+    return ratio < 0.9 ? move * ratio / (1.0 - ratio) : 10.0 * move;
+}
 
+
+/* what a settle needs beside the state: taken by the first, kept until the drape is destroyed */
+static mus_status take_scratch(mus_drape *drape)
+{
+    double **array[] = {&drape->mean, &drape->before, &drape->left};
+    for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
+        if (*array[i] == NULL) *array[i] = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof **array[i]);
+        if (*array[i] == NULL) return mus__fail_memory(drape->context, "a settle");
+    }
+    return MUS_OK;
+}
+
+
+/* on this cut, from where it is. MUS_OK: at rest or stopped */
+static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
+{
+    mus_status status = take_scratch(drape);
+    if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
-    const double all = drape->def.settle_seconds;
+    double drag = goal->fall > 0.0 ? FALL_DRAG : START_DRAG, move = 0.0, drift = 0.0;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->speed_limit = SETTLE_SPEED;
-
-    mus__run run;
-    mus__run_start(&run, "settle", progress, user);
-    mus_status status = MUS_OK;
-    int32_t stop = 0, slid = 0;
-    double drift = 0.0;
+    sim->dashpots = 0;
     drape->settled = 0;
     memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
-    for (double t = 0.0; t < all && !drape->settled && !stop && !slid;) {
-        const stage *now = stage_at(t);
-        const double h = now->safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
+    drape->residual = mus__drape_residual(drape, drape->x);
+    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
+    for (double t = 0.0; t < goal->seconds && !drape->settled && !run->stop && !run->slid;) {
+        const double h = SAFETY_STEP * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
-        sim->drag = now->drag;
-        sim->dashpots = now->dashpots && drape->plan.dashpots;
+        sim->drag = drag;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
-        if (status != MUS_OK) break;
+        if (status != MUS_OK) return status;
         mus__drape_tick(drape, batch, h, 1);
         t += batch * h;
         drape->settle_time += batch * h;
         drape->residual = mus__drape_residual(drape, drape->mean);
-        drift = take_drift(drape) / (batch * h);
-        drape->settled = drape->residual <= drape->def.settle_residual && drift <= REST_DRIFT;
-        slid = t > FALL_SECONDS && has_slid_off(drape);
-        stop = mus__run_report(&run, t / all);
+        drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, drag);
+        const double last = move;
+        move = take_move(drape);
+        drift = move / (batch * h);
+        drape->distance = expected_distance(move, last);
+        drape->settled = drape->residual <= goal->residual && drift <= goal->drift;
+        run->slid = t > LOOSE_SECONDS && has_slid_off(drape);
+        mus__run_report(run, t / goal->seconds);
     }
-    mus__drape_publish(drape);
-    if (status != MUS_OK || stop || drape->settled) return status;
-    if (slid) return mus__fail(drape->context, MUS_ERR_UNSETTLED, "slid off the body after %.1f s", drape->settle_time);
+    if (drape->settled || run->stop) return MUS_OK;
+    if (run->slid)
+        return mus__fail(drape->context, MUS_ERR_UNSETTLED, "slid off the body after %.1f s", drape->settle_time);
     return mus__fail(
         drape->context, MUS_ERR_UNSETTLED,
         "not at rest after %.2f s: residual %.3g of a node's weight (%.3g allowed), drift %.2g mm/s (%.2g)",
-        drape->settle_time, drape->residual, drape->def.settle_residual, 1e3 * drift, 1e3 * REST_DRIFT);
+        drape->settle_time, drape->residual, goal->residual, 1e3 * drift, 1e3 * goal->drift);
+}
+
+
+/* coarser cuts first; one that diverges or slides off is not followed */
+static mus_status settle_levels(mus_drape *drape, mus__run *run, const settling *goal)
+{
+    mus_drape *coarse;
+    mus_status status = mus__drape_coarse(drape, &coarse);
+    if (status != MUS_OK) return status;
+    settling own = *goal;
+    if (coarse != NULL) {
+        const double most = coarse->cloth->coarse != NULL ? MIDDLE_SECONDS : ROUGH_SECONDS;
+        const settling rough = {FALL_SECONDS, fmin(drape->def.settle_seconds, most),
+                                fmax(ROUGH_RESIDUAL, goal->residual), ROUGH_DRIFT};
+        mus__drape_restrict(drape);
+        status = settle_levels(coarse, run, &rough);
+        if (status == MUS_ERR_MEMORY || run->stop) return status;
+        if (!run->slid && (status == MUS_OK || status == MUS_ERR_UNSETTLED)) {
+            mus__drape_prolong(drape);
+            own.fall = 0.0;
+        }
+        run->slid = 0;
+    }
+    status = relax(drape, run, &own);
+    mus__drape_publish(drape);
+    return status;
+}
+
+
+mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    const settling goal = {drape->cold ? FALL_SECONDS : 0.0, drape->def.settle_seconds, drape->def.settle_residual,
+                           REST_DRIFT};
+    mus__run run;
+    mus__run_start(&run, "settle", progress, user);
+    mus_status status;
+    if (drape->cold) {
+        status = settle_levels(drape, &run, &goal);
+    } else {
+        status = relax(drape, &run, &goal);
+        mus__drape_publish(drape);
+    }
+    if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->cold = 0;
+    return status;
 }

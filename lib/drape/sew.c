@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/level.h"
 
 #define CHECK_STEPS 64
 #define SAFETY 0.7      /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
@@ -50,11 +50,9 @@ static mus_status fail_open(mus_drape *drape)
 }
 
 
-mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
+/* pull, stitch and weld on this cut */
+static mus_status sew_here(mus_drape *drape, mus__run *run)
 {
-    if (drape == NULL) return MUS_ERR_ARG;
-    if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
-
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
     memset(sim->gravity, 0, sizeof sim->gravity);
@@ -62,12 +60,10 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;
 
-    mus__run run;
-    mus__run_start(&run, "sew", progress, user);
     const int32_t pairs = drape->plan.npair;
-    int32_t open = pairs, stop = 0;
+    int32_t open = pairs;
     mus_status status = MUS_OK;
-    for (double t = 0.0; open > 0 && t < all && !stop && status == MUS_OK;) {
+    for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
         mus__drape_publish(drape);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h};
@@ -78,11 +74,44 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
         t += CHECK_STEPS * h;
         drape->sew_time += CHECK_STEPS * h;
         open = count_open(&drape->plan);
-        stop = mus__run_report(&run, 1.0 - (double)open / pairs);
+        mus__run_report(run, 1.0 - (double)open / pairs);
     }
     mus__drape_publish(drape);
-    if (status != MUS_OK || stop) return status;
+    if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);
     mus__drape_weld(drape);
     return MUS_OK;
+}
+
+
+/*
+ * On the coarser cut first, down to the coarsest; where its seams were welded, the finer cut's pairs lie together as
+ * near as the coarse borders follow the fine ones, and are welded as they are. Where they could not be, the finer cut
+ * tries from its own start.
+ */
+static mus_status sew_levels(mus_drape *drape, mus__run *run)
+{
+    mus_drape *coarse;
+    mus_status status = mus__drape_coarse(drape, &coarse);
+    if (status != MUS_OK) return status;
+    if (coarse != NULL) {
+        mus__drape_restrict(drape);
+        status = sew_levels(coarse, run);
+        if (status == MUS_ERR_MEMORY) return status;
+        if (status == MUS_OK) {
+            mus__drape_prolong(drape);
+            return MUS_OK;
+        }
+    }
+    return sew_here(drape, run);
+}
+
+
+mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
+    mus__run run;
+    mus__run_start(&run, "sew", progress, user);
+    return sew_levels(drape, &run);
 }

@@ -213,7 +213,7 @@ class mus_fabric(Structure):
 
 class mus_cloth_def(Structure):
     _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric), ("bending", c_int32),
-                ("paper_curvature", c_double)]
+                ("paper_curvature", c_double), ("coarser", c_int32)]
 
 
 class mus_bare(Structure):
@@ -243,7 +243,8 @@ class mus_drape_report(Structure):
                 ("max_seam_gap", c_double), ("max_penetration", c_double), ("max_strain", c_double),
                 ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
                 ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
-                ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double)]
+                ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
+                ("rest_distance", c_double)]
 
 
 class mus_sheet_def(Structure):
@@ -434,6 +435,7 @@ FUNCTIONS = {
                                            POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),
     "mus_drape_destroy": ("core", None, [POINTER(mus_drape)]),
     "mus_drape_place": ("core", c_int32, [POINTER(mus_drape)]),
+    "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),
     "mus_drape_set_state": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double), POINTER(c_double)]),
     "mus_drape_pin": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32]),
     "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),

@@ -68,6 +68,10 @@ class Drape(Object):
             raise ValueError(f"the drape has {len(self)} nodes, not {n}")
         self.do("set_state", places, speeds)
 
+    def warm(self, other):
+        """Start where the cloth of another drape lies: a refit after a change of fabric, spacing, body or pattern."""
+        self.do("warm", other.handle)
+
     def pin(self, node, fixed=True):
         """Hold a node where it is, or let it go."""
         self.do("pin", node, 1 if fixed else 0)

@@ -3,8 +3,8 @@
  *
  * create, then place (positions from the pattern's placement), then sew (seams pulled shut by elastic force until
  * all pairs are within the collision distance, then welded), then settle (to rest under gravity), or step by hand.
- * Fixed-step classical RK4 is the stepper of mus_drape_step (paper eq. 5); sew and settle use symplectic Euler on the
- * same force passes. Contact: node, its limb's axial coordinate, in-between contour at that height (paper 4.1), with
+ * Fixed-step classical RK4 is the stepper of mus_drape_step (paper eq. 5), or velocity Verlet; sew and settle use
+ * symplectic Euler on the same force passes. Contact: node, its limb's axial coordinate, in-between contour at that height (paper 4.1), with
  * inelastic response, Coulomb friction and position correction (4.2, as impulses).
  *
  * The state is bit-identical for any number of threads. A step allocates nothing and logs nothing.
@@ -15,6 +15,7 @@
 #include "muslin/base.h"
 #include "muslin/body.h"
 #include "muslin/cloth.h"
+#include "muslin/integrate.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -36,6 +37,7 @@ typedef struct mus_drape_def {
     double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
     double settle_seconds;     /* give up settling after this much cloth time [s], default 10 */
     double settle_residual;    /* rest: rms residual force over node weight below this, default 0.02 */
+    int32_t integrator;        /* of mus_drape_step: MUS_METHOD_RK4 (default) or MUS_METHOD_VERLET */
 } mus_drape_def;
 
 MUS_API void mus_drape_def_init(mus_drape_def *def, size_t size);
@@ -72,7 +74,7 @@ MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions
 MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 
 /**
- * Largest step that is proven stable for RK4 with the springs, masses and damping as they are now [s].
+ * Largest step that is proven stable for the def's integrator with the springs, masses and damping as they are now [s].
  *
  * With O^2 = max_i lambda_max(T_i) / m_i, T_i the sum over springs at node i of k S |w| n n^T (n n^T replaced by the
  * identity, which holds for every pose), G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
@@ -85,12 +87,13 @@ MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 MUS_API double mus_drape_step_bound(const mus_drape *drape);
 
 /**
- * Advance by `steps` classical Runge-Kutta steps of `dt`, with contact after each.
+ * Advance by `steps` steps of `dt` of the def's integrator, with contact after each.
  *
  * Errors:  MUS_ERR_ARG (steps < 0, dt negative or not finite); MUS_ERR_STEP (dt above the bound: both in the message);
  *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
  * Memory:  allocates nothing
- * Cost:    steps * 4 force evaluations and one contact pass
+ * Cost:    a step is 4 force evaluations (RK4) or 1 (Verlet; its first after a change of the state 1 more) and one
+ *          contact pass
  */
 MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
 

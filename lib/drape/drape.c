@@ -47,6 +47,9 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
         status = mus__fail(context, MUS_ERR_ARG, "drape: precision is %d, expected 32 or 64", (int)def->precision);
     if (status == MUS_OK && (def->threads < 1 || def->threads > 64))
         status = mus__fail(context, MUS_ERR_ARG, "drape: threads is %d, expected 1 to 64", (int)def->threads);
+    if (status == MUS_OK && def->integrator != MUS_METHOD_RK4 && def->integrator != MUS_METHOD_VERLET)
+        status = mus__fail(context, MUS_ERR_ARG, "drape: integrator is %d, expected %d or %d", (int)def->integrator,
+                           MUS_METHOD_RK4, MUS_METHOD_VERLET);
     if (status == MUS_OK)
         status = check_number(context, "collision_distance", def->collision_distance, 1e-6, 0.05);
     if (status == MUS_OK) status = check_number(context, "clearance", def->clearance, 0.0, 0.05);

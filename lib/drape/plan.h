@@ -157,5 +157,7 @@ void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *
 void mus__plan_dashpots(const mus__plan *plan, int32_t nnode, double *t, double *ratio);
 /* largest step [s] that RK4 is stable with: omega^2 <= rate2, damping per mass <= gamma, drag included */
 double mus__plan_step(double rate2, double gamma, double ratio, double drag);
+/* the same for velocity Verlet; gamma without drag */
+double mus__plan_step_verlet(double rate2, double gamma);
 
 #endif

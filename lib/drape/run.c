@@ -69,6 +69,7 @@ double mus_drape_step_bound(const mus_drape *drape)
         if (drape->stiffness[i] > rate2 * drape->mass[i]) rate2 = drape->stiffness[i] / drape->mass[i];
         if (drape->plan.dashpots && dashpots[i] > gamma * drape->mass[i]) gamma = dashpots[i] / drape->mass[i];
     }
+    if (drape->def.integrator == MUS_METHOD_VERLET) return mus__plan_step_verlet(rate2, gamma);
     return mus__plan_step(rate2, gamma + drape->def.drag, ratio, drape->def.drag);
 }
 
@@ -90,15 +91,17 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     for (int32_t d = 0; d < 3; d++) sim->gravity[d] = drape->def.gravity[d];
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0, 0.5 * dt};
+    const int32_t verlet = drape->def.integrator == MUS_METHOD_VERLET;
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0, verlet ? dt : 0.5 * dt};
     memset(sim->rest, 0, (size_t)drape->n);
     mus_status status = MUS_OK;
     for (int32_t done = 0; done < steps && status == MUS_OK;) {
         const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;
-        for (int32_t i = 0; i < batch; i++) sim->ops->rk4(sim, dt);
+        if (verlet) sim->ops->verlet(sim, dt, batch);
+        for (int32_t i = 0; i < batch && !verlet; i++) sim->ops->rk4(sim, dt);
         done += batch;
         status = mus__drape_guard(drape);
-        if (status == MUS_OK) mus__drape_tick(drape, batch, dt, 4);
+        if (status == MUS_OK) mus__drape_tick(drape, batch, dt, verlet ? 1 : 4);
     }
     drape->settled = 0;
     mus__drape_publish(drape);

@@ -24,6 +24,8 @@ typedef struct mus__sim_ops {
     void (*euler)(mus__sim *sim, double h);
     /* one step of RK4, then contact */
     void (*rk4)(mus__sim *sim, double h);
+    /* `steps` of velocity Verlet, contact after each move; one evaluation a step, one more if forces are not fresh */
+    void (*verlet)(mus__sim *sim, double h, int32_t steps);
     /* copies between the planes and the (n x 3) arrays of doubles */
     void (*put)(mus__sim *sim, const double *x, const double *v);
     void (*get)(const mus__sim *sim, double *x, double *v);
@@ -46,7 +48,7 @@ struct mus__sim {
 
     void *memory;   /* all of the following but rest, in one block */
     void *y;        /* (6 n) positions and velocities */
-    void *next;     /* (6 n) stage; where a step of Euler writes: it and y change places */
+    void *next;     /* (6 n) stage; where steps of Euler and Verlet write: it and y change places */
     void *stage;    /* (3 n) second stage of RK4; (6 n) with dashpots, which read velocities of neighbours */
     void *f;        /* (3 n) forces; in a step of RK4 its first acceleration */
     void *second;   /* (3 n) second acceleration of RK4 */
@@ -60,6 +62,7 @@ struct mus__sim {
     double drag;        /* [1/s] */
     double speed_limit; /* [m/s], of euler */
     int32_t dashpots;
+    int32_t fresh;      /* nonzero: f holds the forces at y */
     double collision_distance;
     mus__contact_rule rule;
     int64_t contact_queries;

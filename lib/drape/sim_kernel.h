@@ -9,10 +9,15 @@
  *   x2 = x + h/2 v      v2 = v + h/2 a1      x' = x + h v + h^2/6 (a1 + a2 + a3)
  *   x3 = x + h/2 v2     v3 = v + h/2 a2      v' = v + h/6 (a1 + 2 a2 + 2 a3 + a4)
  *   x4 = x + h v3       v4 = v + h a3        a  = f/m + g - drag v
+ *
+ * Velocity Verlet as kick, move, kick, with the forces of the last kick kept for the first of the next step. Dashpots
+ * see the velocity of the half step; drag d acts before and after it, which is stable for any d:
+ *
+ *   w = v + h/2 (f(x)/m + g - d v)      x' = x + h w      v' = (w + h/2 (f(x', w)/m + g)) / (1 + h/2 d)
  */
 #include "drape/force_kernel.h"
 
-enum { PHASE_FORCE, PHASE_RK1, PHASE_RK2, PHASE_RK3, PHASE_RK4, PHASE_EULER };
+enum { PHASE_FORCE, PHASE_RK1, PHASE_RK2, PHASE_RK3, PHASE_RK4, PHASE_EULER, PHASE_KICK, PHASE_VERLET, PHASE_START };
 
 
 /* ---- what a step does with the forces of nodes first .. first+count-1, f (3 x SPAN) in the scratch ---- */
@@ -108,7 +113,62 @@ static void MUS_FN(advance)(mus__sim *sim, int32_t first, int32_t count, const M
 }
 
 
+/*
+ * The kick that ends a step, as v, and the kick and move that begin the next, as x and w; either may be left out (both
+ * as constants). Forces f, `stride` from plane to plane; into `next`.
+ */
+static MUS_INLINE void MUS_FN(verlet_plane)(const mus__sim *sim, int32_t end, int32_t begin, int64_t at, int32_t count,
+                                            MUS_REAL gravity, const MUS_REAL *f)
+{
+    const MUS_REAL h = (MUS_REAL)sim->phase_h, half = h / 2, drag = (MUS_REAL)sim->drag;
+    const MUS_REAL keep = (MUS_REAL)(1.0 / (1.0 + 0.5 * sim->phase_h * sim->drag));
+    const int64_t n3 = 3 * (int64_t)sim->n;
+    const MUS_REAL *inverse = (const MUS_REAL *)sim->inverse + at % sim->n;
+    const MUS_REAL *weight = (const MUS_REAL *)sim->weight + at % sim->n;
+    const MUS_REAL *x = (const MUS_REAL *)sim->y + at;
+    MUS_REAL *to = (MUS_REAL *)sim->next + at;
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL a = f[i] * inverse[i] + gravity * weight[i];
+        MUS_REAL v = x[n3 + i];
+        if (end) v = keep * (v + half * a);
+        if (begin) v += half * (a - drag * v);
+        to[n3 + i] = v;
+        to[i] = begin ? x[i] + h * v : x[i];
+    }
+}
+
+
+MUS_CLONES
+static void MUS_FN(verlet_stage)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f, int64_t stride)
+{
+    for (int64_t d = 0; d < 3; d++) {
+        const MUS_REAL g = (MUS_REAL)sim->gravity[d];
+        const int64_t at = d * sim->n + first;
+        if (sim->phase == PHASE_START) MUS_FN(verlet_plane)(sim, 0, 1, at, count, g, f + d * stride);
+        else if (sim->phase == PHASE_VERLET) MUS_FN(verlet_plane)(sim, 1, 1, at, count, g, f + d * stride);
+        else MUS_FN(verlet_plane)(sim, 1, 0, at, count, g, f + d * stride);
+    }
+}
+
+
 /* ---- phases as the pool runs them ---- */
+
+/* what a phase does with a chunk's forces */
+static void MUS_FN(phase_chunk)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
+{
+    switch (sim->phase) {
+    case PHASE_FORCE: MUS_FN(keep_force)(sim, first, count, f); break;
+    case PHASE_EULER: MUS_FN(advance)(sim, first, count, f); break;
+    case PHASE_VERLET: MUS_FN(verlet_stage)(sim, first, count, f, SPAN); break;
+    case PHASE_KICK:
+        MUS_FN(keep_force)(sim, first, count, f);
+        MUS_FN(verlet_stage)(sim, first, count, f, SPAN);
+        break;
+    default: MUS_FN(rk_stage)(sim, first, count, f); break;
+    }
+}
+
 
 static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
 {
@@ -118,10 +178,12 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     MUS_REAL f[3 * SPAN];
     for (int32_t c = first; c < last; c++) {
         const mus__chunk *chunk = &plan->chunk[c];
+        if (sim->phase == PHASE_START) {
+            MUS_FN(verlet_stage)(sim, chunk->first, chunk->count, (const MUS_REAL *)sim->f + chunk->first, sim->n);
+            continue;
+        }
         MUS_FN(chunk_force)(sim, chunk, f);
-        if (sim->phase == PHASE_FORCE) MUS_FN(keep_force)(sim, chunk->first, chunk->count, f);
-        else if (sim->phase == PHASE_EULER) MUS_FN(advance)(sim, chunk->first, chunk->count, f);
-        else MUS_FN(rk_stage)(sim, chunk->first, chunk->count, f);
+        MUS_FN(phase_chunk)(sim, chunk->first, chunk->count, f);
     }
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
     MUS_REAL *x = sim->phase_touch;
@@ -137,8 +199,19 @@ static void MUS_FN(run_phase)(mus__sim *sim, int32_t phase, const void *y, void 
     sim->phase = phase;
     sim->phase_y = y;
     sim->phase_touch = touch;
+    sim->fresh = phase == PHASE_FORCE || phase == PHASE_KICK;
+    sim->force_evaluations += phase != PHASE_START;
     mus__pool_run(sim->pool, MUS_FN(phase_part), sim);
-    sim->force_evaluations++;
+}
+
+
+/* the same from y to `next`, which change places */
+static void MUS_FN(run_move)(mus__sim *sim, int32_t phase)
+{
+    MUS_FN(run_phase)(sim, phase, sim->y, phase == PHASE_KICK ? NULL : sim->next);
+    void *const was = sim->y;
+    sim->y = sim->next;
+    sim->next = was;
 }
 
 
@@ -176,10 +249,7 @@ static void MUS_FN(stitch)(mus__sim *sim)
 static void MUS_FN(euler)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
-    MUS_FN(run_phase)(sim, PHASE_EULER, sim->y, sim->next);
-    void *const was = sim->y;
-    sim->y = sim->next;
-    sim->next = was;
+    MUS_FN(run_move)(sim, PHASE_EULER);
     if (sim->plan->npair > 0) MUS_FN(stitch)(sim);
 }
 
@@ -191,6 +261,17 @@ static void MUS_FN(rk4)(mus__sim *sim, double h)
     MUS_FN(run_phase)(sim, PHASE_RK2, sim->next, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK3, sim->stage, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK4, sim->next, sim->y);
+}
+
+
+static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
+{
+    if (steps < 1) return;
+    sim->phase_h = h;
+    if (!sim->fresh) MUS_FN(force)(sim);
+    MUS_FN(run_move)(sim, PHASE_START);
+    for (int32_t i = 1; i < steps; i++) MUS_FN(run_move)(sim, PHASE_VERLET);
+    MUS_FN(run_move)(sim, PHASE_KICK);
 }
 
 
@@ -206,6 +287,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
             y[(3 + d) * n + i] = v != NULL ? (MUS_REAL)v[3 * i + d] : 0;
         }
     memset(sim->rest, 0, (size_t)n);
+    sim->fresh = 0;
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -264,6 +346,7 @@ static void MUS_FN(restore)(mus__sim *sim)
 {
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
     memset(sim->rest, 0, (size_t)sim->n);
+    sim->fresh = 0;
 }
 
 
@@ -272,6 +355,7 @@ const mus__sim_ops MUS_SIM = {
     .force = MUS_FN(force),
     .euler = MUS_FN(euler),
     .rk4 = MUS_FN(rk4),
+    .verlet = MUS_FN(verlet),
     .put = MUS_FN(put),
     .get = MUS_FN(get),
     .get_force = MUS_FN(get_force),

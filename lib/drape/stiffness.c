@@ -144,3 +144,15 @@ double mus__plan_step(double rate2, double gamma, double ratio, double drag)
     if (real > 0.0 && 2.785 / real < h) h = 2.785 / real;
     return h;
 }
+
+
+/*
+ * Velocity Verlet with the dashpots' velocity half a step old, M (w' - w)/h + C w + K x = 0, w the velocity between the
+ * steps, keeps the energy  w (M - h/2 C) w/2 + x K x'/2  from growing; it is an energy as long as
+ * M - h/2 C - h^2/4 K >= 0:  h^2 rate2 + 2 h gamma <= 4. Drag acts before and after a force, and is stable for itself.
+ */
+double mus__plan_step_verlet(double rate2, double gamma)
+{
+    const double sum = gamma + sqrt(gamma * gamma + 4.0 * rate2);
+    return sum > 4e-9 ? 4.0 / sum : 1e9;
+}

@@ -183,6 +183,7 @@ static void blocks_steps(int32_t method, int32_t steps, double drag, double tole
     mus_drape_def_init(&def, sizeof def);
     def.precision = 64;
     def.drag = drag;
+    def.integrator = method;
     ck_assert_int_eq(mus_drape_create(context, cloth, NULL, &def, &drape), MUS_OK);
     ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
     mus__drape_weld(drape);
@@ -222,6 +223,15 @@ START_TEST(a_step_of_runge_kutta_is_the_textbook_step)
 END_TEST
 
 
+/* the textbook's Verlet, drag apart: the library takes half of it before and half after a force */
+START_TEST(a_step_of_verlet_is_the_textbook_step)
+{
+    blocks_steps(MUS_METHOD_VERLET, 1, 0.0, 1e-15);
+    blocks_steps(MUS_METHOD_VERLET, 50, 0.0, 1e-13);
+}
+END_TEST
+
+
 Suite *mus_suite_blocks(void)
 {
     Suite *suite = suite_create("blocks");
@@ -231,6 +241,7 @@ Suite *mus_suite_blocks(void)
     tcase_add_test(tests, blocks_in_float_give_the_plain_forces_to_rounding);
     tcase_add_test(tests, chunks_and_blocks_cover_every_node);
     tcase_add_test(tests, a_step_of_runge_kutta_is_the_textbook_step);
+    tcase_add_test(tests, a_step_of_verlet_is_the_textbook_step);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -5,14 +5,18 @@ from . import _abi
 from ._library import lib
 from .arrays import doubles, result, view
 from .context import Object, create, make_def, read_struct
+from .integrate import METHODS
 
 
 class Drape(Object):
-    """A cloth round a body, or in empty space. options: gravity, precision, threads, clearance, ... (mus_drape_def)."""
+    """A cloth round a body, or in empty space. options: gravity, precision, threads, integrator ("rk4" or "verlet"),
+    clearance, ... (mus_drape_def)."""
 
     _kind = "drape"
 
     def __init__(self, cloth, body=None, **options):
+        if isinstance(options.get("integrator"), str):
+            options["integrator"] = METHODS[options["integrator"]]
         definition = make_def(_abi.mus_drape_def, lib.mus_drape_def_init, options)
         context = cloth.context
         if body is not None and body.context is not context:
@@ -52,7 +56,7 @@ class Drape(Object):
             raise raised[0]
 
     def step(self, steps, dt):
-        """Advance by classical Runge-Kutta steps of dt [s]."""
+        """Advance by steps of dt [s] of the integrator: classical Runge-Kutta, or velocity Verlet."""
         self.do("step", steps, dt)
 
     @property

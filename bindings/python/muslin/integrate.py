@@ -8,7 +8,7 @@ from .arrays import doubles, numpy, result
 from .context import Context, make_def
 from .errors import MuslinError
 
-_METHODS = {"rk4": _abi.MUS_METHOD_RK4, "verlet": _abi.MUS_METHOD_VERLET, "euler": _abi.MUS_METHOD_EULER}
+METHODS = {"rk4": _abi.MUS_METHOD_RK4, "verlet": _abi.MUS_METHOD_VERLET, "euler": _abi.MUS_METHOD_EULER}
 _KINDS = {64: (ctypes.c_double, "", "mus_integrate"), 32: (ctypes.c_float, "32", "mus_integrate_f32")}
 
 
@@ -53,14 +53,14 @@ def integrate(rate, y, step, steps, *, method="rk4", precision=64, energy=None, 
     options: start, guard_every, energy_growth, energy_floor (mus_integrate_def). A run that blows up raises MuslinError
     with the last good state as its `state` and its step as `done`. The y of a callback is lent for the call.
     """
-    if method not in _METHODS or precision not in _KINDS:
-        raise ValueError(f"method is {method!r}, one of {', '.join(_METHODS)}; precision {precision!r}, 32 or 64")
+    if method not in METHODS or precision not in _KINDS:
+        raise ValueError(f"method is {method!r}, one of {', '.join(METHODS)}; precision {precision!r}, 32 or 64")
     kind, suffix, name = _KINDS[precision]
     data, n = doubles(y)
     data = (kind * n)(*data)
     functions = _Functions(n, kind, rate, energy)
     definition = make_def(_abi.mus_integrate_def, lib.mus_integrate_def_init,
-                          {"method": _METHODS[method], "step": step, **options})
+                          {"method": METHODS[method], "step": step, **options})
     setattr(definition, "rate" + suffix, getattr(_abi, f"mus_rate{suffix}_fn")(functions.rate))
     if energy is not None:
         setattr(definition, "energy" + suffix, getattr(_abi, f"mus_energy{suffix}_fn")(functions.energy))

@@ -350,7 +350,7 @@ static mus_status falling_strain(verify *v, double damping, int32_t precision, d
     mus_status status = grid(v, 20, 0.05, damping, precision, 1, GRAVITY, &drape);
     const double ca = cos(0.7), sa = sin(0.7), cb = cos(1.9), sb = sin(1.9);
     for (int32_t i = 0; i < 400; i++) {
-        const double a = 0.05 * (i % 20), b = 0.05 * (i / 20);
+        const double a = 0.05 * (i % 20 - 9.5), b = 0.05 * (i / 20 - 9.5);
         x[3 * i] = ca * a - sa * b, x[3 * i + 1] = cb * (sa * a + ca * b) + 0.6, x[3 * i + 2] = sb * (sa * a + ca * b);
     }
     if (status == MUS_OK) status = mus_drape_set_state(drape, x, NULL);

@@ -4,8 +4,8 @@
  * create, then place (positions from the pattern's placement), then sew (seams pulled shut by elastic force until
  * all pairs are within the collision distance, then welded), then settle (to rest under gravity), or step by hand.
  * Fixed-step classical RK4 is the stepper of mus_drape_step (paper eq. 5), or velocity Verlet; sew and settle use
- * symplectic Euler on the same force passes. Contact: node, its limb's axial coordinate, in-between contour at that height (paper 4.1), with
- * inelastic response, Coulomb friction and position correction (4.2, as impulses).
+ * symplectic Euler on the same force passes. Contact: node, its limb's axial coordinate, in-between contour at that
+ * height (paper 4.1), with inelastic response, Coulomb friction and position correction (4.2, as impulses).
  *
  * The state is bit-identical for any number of threads. A step allocates nothing and logs nothing.
  */

@@ -194,16 +194,23 @@ static int write_report(const dress *d)
 }
 
 
+/* a name, or a file that ends in .json */
 static int find_fabric(dress *d)
 {
     mus_fabric_init(&d->fabric, sizeof d->fabric);
+    const char *ending = d->fabric_name != NULL ? strrchr(d->fabric_name, '.') : NULL;
+    if (ending != NULL && strcmp(ending, ".json") == 0) {
+        mus_status status = mus_fabric_load(d->s.context, d->fabric_name, &d->fabric);
+        return status == MUS_OK ? EXIT_DONE : scene_fail(&d->s, status);
+    }
     if (d->fabric_name == NULL || mus_fabric_find(d->fabric_name, &d->fabric) == MUS_OK) return EXIT_DONE;
     char names[512] = "";
     for (int32_t i = 0; i < mus_fabric_count(); i++) {
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, "%s%s", i == 0 ? "" : ", ", mus_fabric_name(i));
     }
-    return complain(EXIT_INPUT, "dress", "--fabric %s: expected one of %s", d->fabric_name, names);
+    return complain(EXIT_INPUT, "dress", "--fabric %s: expected a .json file or one of %s", d->fabric_name,
+                    names);
 }
 
 
@@ -218,7 +225,7 @@ static int read_options(dress *d, int argc, char **argv)
         SOURCE_PATTERN(d->from),
         SOURCE_TAPE(d->from),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
-         "NAME  jersey (default), cotton, denim, wool, silk, polyester"},
+         "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
@@ -239,7 +246,7 @@ static int read_options(dress *d, int argc, char **argv)
         return EXIT_INPUT;
     if (d->precision != 32.0 && d->precision != 64.0)
         return complain(EXIT_INPUT, "dress", "--precision %g: expected 32 or 64", d->precision);
-    return find_fabric(d);
+    return EXIT_DONE;
 }
 
 
@@ -261,6 +268,7 @@ int command_dress(int argc, char **argv)
     }
 
     code = scene_open(&d->s, "dress");
+    if (code == EXIT_DONE) code = find_fabric(d);
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
     if (code == EXIT_DONE) code = scene_tape(&d->s, &d->from);
     if (code == EXIT_DONE) code = scene_pattern(&d->s, &d->from);

@@ -42,6 +42,21 @@ MUS_API const char *mus_fabric_source(int32_t index);
 /** Fill a fabric (its size set by mus_fabric_init) by name. Errors: MUS_ERR_ARG (NULL or unknown name). */
 MUS_API mus_status mus_fabric_find(const char *name, mus_fabric *out);
 
+/** The values of a fabric one by one, as fabric files have them: number of values, key with its unit
+ * ("weight_kg_per_m2"), and where the value of a named fabric comes from ("assumed": nobody measured it for us); NULL
+ * outside the range. */
+MUS_API int32_t mus_fabric_value_count(void);
+MUS_API const char *mus_fabric_value_key(int32_t value);
+MUS_API const char *mus_fabric_value_source(int32_t index, int32_t value);
+
+/** Read or set one value. Errors: MUS_ERR_ARG (no such value; outside its range, which the message names: the fabric is
+ * as before); MUS_ERR_VERSION. */
+MUS_API mus_status mus_fabric_get(const mus_fabric *fabric, int32_t value, double *out);
+MUS_API mus_status mus_fabric_set(mus_context *context, mus_fabric *fabric, int32_t value, double number);
+
+/** All values are in their ranges. Errors: MUS_ERR_ARG naming value and range; MUS_ERR_VERSION. */
+MUS_API mus_status mus_fabric_check(mus_context *context, const mus_fabric *fabric);
+
 typedef struct mus_cloth mus_cloth;
 
 /** Models of bending. */

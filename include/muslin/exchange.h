@@ -2,7 +2,8 @@
  * muslin/exchange.h: readers and writers of files (libmuslin-exchange).
  *
  * Tapes: muslin's own text form, GarmentCode body yaml, Valentina/Seamly .vit, a row of a csv table. Patterns:
- * muslin's own JSON (exact round trip) and GarmentCode specifications. Meshes: OBJ and binary glTF 2.0.
+ * muslin's own JSON (exact round trip) and GarmentCode specifications. Fabrics: muslin's own JSON. Meshes: OBJ and
+ * binary glTF 2.0.
  * Outside dependencies: jansson, libyaml, expat.
  *
  * A reader gives one sentence on failure, with file, line or byte, and what was expected (mus_context_error). Memory
@@ -13,6 +14,7 @@
 
 #include "muslin/base.h"
 #include "muslin/body.h"
+#include "muslin/cloth.h"
 #include "muslin/drape.h"
 #include "muslin/pattern.h"
 #include "muslin/tape.h"
@@ -46,6 +48,27 @@ MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_
 /** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have 17 digits: reading the file back
  * gives the same pattern, bit for bit. */
 MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
+
+/**
+ * Read a fabric file (JSON, muslin_fabric(5)): each value under its key with unit, with a number and its source.
+ *
+ * `out` (its size set by mus_fabric_init) gets all ten values, or stays as it is.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (file, line, and what is wrong: not JSON, a value or source missing, an unknown
+ *         key by its name, a number out of the range of mus_fabric_check), MUS_ERR_LIMIT (above 256 MiB),
+ *         MUS_ERR_VERSION (size of out), MUS_ERR_ARG, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
+
+/**
+ * Write a fabric file; path "-" writes to standard output. Reading it back gives the same values, bit for bit.
+ *
+ * Shapes: sources (values) one text a value, in the order of mus_fabric_value_key(); NULL: those of the named fabric
+ *         `name`
+ * Errors: MUS_ERR_ARG (a value out of range; name or a source empty or too long; no sources and no such named fabric),
+ *         MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name,
+                                   const char *const *sources, const char *path);
 
 /** Triangle meshes to write: positions and optional normals and texture coordinates. */
 typedef struct mus_mesh_view {

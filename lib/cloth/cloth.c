@@ -24,7 +24,7 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
 {
     mus_cloth_def_init(own, sizeof *own);
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
-    if (status == MUS_OK) status = mus__fabric_check(context, &own->fabric);
+    if (status == MUS_OK) status = mus_fabric_check(context, &own->fabric);
     if (status != MUS_OK) return status;
     if (own->bending != MUS_BEND_PLATE && own->bending != MUS_BEND_PAPER)
         return mus__fail(context, MUS_ERR_ARG, "bending %d is neither plate (0) nor paper (1)", (int)own->bending);

@@ -14,8 +14,6 @@ typedef struct mus__fabric_lattice {
     double skip[2];        /* the paper's springs over one node, in place of bend and cross [N/m] */
 } mus__fabric_lattice;
 
-/* Errors: MUS_ERR_ARG naming the value, MUS_ERR_VERSION */
-mus_status mus__fabric_check(mus_context *context, const mus_fabric *fabric);
 /* of cells cell[0] along the weft by cell[1] along the warp; and of square ones */
 void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out);
 /* turn the constants of a cell to the paper's bending, which stands for the fabric's at `curvature` */

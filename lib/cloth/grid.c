@@ -43,8 +43,7 @@ static double grid_cells(int32_t n)
 
 static void grid_spring(grid *g, int32_t a, int32_t b, int32_t count, int32_t kind, double k, double rest)
 {
-    if (count > 0 && k > 0.0)
-        g->cloth->run[g->cloth->nrun++] = (mus__spring_run){a, b, count, kind, k, rest};
+    if (count > 0 && k > 0.0) g->cloth->run[g->cloth->nrun++] = (mus__spring_run){a, b, count, kind, k, rest};
 }
 
 

@@ -100,6 +100,8 @@ typedef struct mus_json_at {
     const json_t *json; /* NULL when there is no such member */
 } mus_json_at;
 
+/* the document of a file (json_decref it), or NULL with the status: "file:line: sentence" */
+json_t *mus__json_document(const mus_source *source, mus_status *status);
 mus_json_at mus__json_member(const mus_json_at *parent, const char *key);
 mus_json_at mus__json_element(const mus_json_at *parent, size_t index);
 /* "file: at panels[3].name: sentence" */

@@ -142,8 +142,7 @@ mus_status mus__json_text(const mus_json_at *at, const char **out)
 }
 
 
-/* the document of a file, or NULL with the status */
-static json_t *json_document(const mus_source *source, mus_status *status)
+json_t *mus__json_document(const mus_source *source, mus_status *status)
 {
     json_error_t error;
     json_t *json = json_loadb(source->text, source->size, JSON_REJECT_DUPLICATES, &error);
@@ -166,7 +165,7 @@ static mus_status read_pattern(const mus_source *source, mus_pattern **out)
     mus__source_base(source->path, endings, name, sizeof name);
 
     mus_status status;
-    json_t *json = json_document(source, &status);
+    json_t *json = mus__json_document(source, &status);
     if (json == NULL) return status;
     mus_json_at root = {source, NULL, NULL, 0, json};
     bool own = json_object_get(json, "muslin_pattern") != NULL;

@@ -200,11 +200,11 @@ START_TEST(a_bare_cloth_that_cannot_be_is_refused_by_name)
 {
     mus_context *context = support_context();
     bare_scene s;
-#define REFUSED(change, status, word) \
-    do { \
-        bare_rod(&s); \
-        change; \
-        bare_refused(context, &s, status, word); \
+#define REFUSED(change, status, word)                                                                                  \
+    do {                                                                                                               \
+        bare_rod(&s);                                                                                                  \
+        change;                                                                                                        \
+        bare_refused(context, &s, status, word);                                                                       \
     } while (0)
     REFUSED(s.bare.nodes = -1, MUS_ERR_ARG, "nodes is -1");
     REFUSED(s.bare.springs = -7, MUS_ERR_ARG, "springs is -7");

@@ -248,8 +248,8 @@ END_TEST
 START_TEST(springs_of_a_grid_are_counted)
 {
     /* rows x columns: structural and shear springs, stencils along lines and diagonals, triangles, border */
-    static const int32_t table[][7] = {{1, 1, 0, 0, 0, 0, 1}, {1, 2, 1, 0, 0, 0, 2},  {2, 2, 4, 2, 0, 2, 4},
-                                       {1, 6, 5, 0, 4, 0, 6}, {6, 1, 5, 0, 4, 0, 6},  {2, 3, 7, 4, 2, 4, 6},
+    static const int32_t table[][7] = {{1, 1, 0, 0, 0, 0, 1},  {1, 2, 1, 0, 0, 0, 2},     {2, 2, 4, 2, 0, 2, 4},
+                                       {1, 6, 5, 0, 4, 0, 6},  {6, 1, 5, 0, 4, 0, 6},     {2, 3, 7, 4, 2, 4, 6},
                                        {3, 3, 12, 8, 8, 8, 8}, {4, 5, 31, 24, 34, 24, 14}};
     mus_context *context = support_context();
     for (size_t t = 0; t < sizeof table / sizeof *table; t++) {

@@ -52,6 +52,7 @@ def test_no_command_at_all_is_one_line(command, one_line):
     (["body", "--size", "W41"], ["W41", "W40", "M50", "C116"]),
     (["body", "--size", ""], ["size"]),
     ([*DRESS, "--fabric", "lead"], ["--fabric", "lead", "jersey"]),
+    ([*DRESS, "--fabric", "no.json"], ["no.json", "cannot be opened"]),
     ([*DRESS, "--colour", "blurple"], ["--colour", "blurple"]),
     ([*DRESS, "--colour", "#12345g"], ["--colour", "#12345g"]),
     ([*PRINT, "--pdf", "x.pdf", "--paper", "a5"], ["--paper", "a5", "letter"]),

@@ -46,15 +46,28 @@ static const char spec_text[] =
     "\"edge\": 1}, {\"panel\": \"front\", \"edge\": 2}, \"right_wrong\"]]}, \"properties\": {\"curvature_coords\": "
     "\"relative\", \"units_in_meter\": 100}}\n";
 
-/* file name, good text, row of a table; a pattern when `pattern` */
+static const char fabric_text[] =
+    "{\"muslin_fabric\": 1, \"name\": \"gauze\",\n\"weight_kg_per_m2\": {\"value\": 0.05, \"source\": \"scale\"},\n"
+    "\"stretch_warp_N_per_m\": {\"value\": 2e3, \"source\": \"a\"}, \"stretch_weft_N_per_m\": {\"value\": 1000, "
+    "\"source\": \"b\"},\n\"shear_N_per_m\": {\"source\": \"c\", \"value\": 20},\n\"bend_warp_N_m\": {\"value\": "
+    "1e-6, \"source\": \"d\"}, \"bend_weft_N_m\": {\"value\": 1e-6, \"source\": \"\u00e4\"},\n"
+    "\"bend_bias_N_m\": {\"value\": 1e-6, \"source\": \"f\"}, \"damping_ratio\": {\"value\": 0.1, \"source\": "
+    "\"assumed\"},\n\"friction_coefficient\": {\"value\": 0.3, \"source\": \"assumed\"},\n\"thickness_m\": "
+    "{\"value\": 0.0002, \"source\": \"gauge\"}}\n";
+
+enum { READ_TAPE, READ_PATTERN, READ_FABRIC };
+
+/* file name, good text, row of a table, what it is */
 static const struct {
     const char *name;
     const char *text;
     const char *row;
-    bool pattern;
+    int what;
 } readers[] = {
-    {"a.tape", tape_text, NULL, false},  {"a.yaml", yaml_text, NULL, false}, {"a.vit", vit_text, NULL, false},
-    {"a.csv", table_text, "Ada", false}, {"a.json", json_text, NULL, true},  {"b.json", spec_text, NULL, true},
+    {"a.tape", tape_text, NULL, READ_TAPE},     {"a.yaml", yaml_text, NULL, READ_TAPE},
+    {"a.vit", vit_text, NULL, READ_TAPE},       {"a.csv", table_text, "Ada", READ_TAPE},
+    {"a.json", json_text, NULL, READ_PATTERN},  {"b.json", spec_text, NULL, READ_PATTERN},
+    {"f.json", fabric_text, NULL, READ_FABRIC},
 };
 
 
@@ -66,11 +79,18 @@ static mus_status read_bytes(int reader, const char *bytes, size_t size)
     mus_context *context = support_context();
     mus_tape *tape = NULL;
     mus_pattern *pattern = NULL;
-    mus_status status = readers[reader].pattern ? mus_pattern_read(context, path, &pattern)
-                                                : mus_tape_read(context, path, readers[reader].row, &tape);
-    if (status == MUS_OK)
+    const int what = readers[reader].what;
+    mus_fabric fabric, before;
+    mus_fabric_init(&fabric, sizeof fabric);
+    before = fabric;
+    mus_status status = what == READ_FABRIC    ? mus_fabric_load(context, path, &fabric)
+                        : what == READ_PATTERN ? mus_pattern_read(context, path, &pattern)
+                                               : mus_tape_read(context, path, readers[reader].row, &tape);
+    if (what == READ_FABRIC)
+        ck_assert_int_eq(status == MUS_OK, memcmp(&fabric, &before, sizeof fabric) != 0);
+    else if (status == MUS_OK)
         ck_assert(tape != NULL || pattern != NULL);
-    else {
+    if (status != MUS_OK) {
         ck_assert(tape == NULL && pattern == NULL);
         ck_assert_msg(strstr(mus_context_error(context), readers[reader].name) != NULL, "%d: \"%s\"", (int)status,
                       mus_context_error(context));
@@ -99,7 +119,7 @@ START_TEST(a_file_cut_short_is_refused_or_read)
     for (size_t cut = 0; cut < size; cut += 1 + size / ROUNDS, cuts++) refused += read_bytes(_i, text, cut) != MUS_OK;
 
     /* a line form may be whole when its last lines are gone; a document never is */
-    if (readers[_i].pattern || text == vit_text) ck_assert_int_ge(refused, cuts - 1);
+    if (readers[_i].what != READ_TAPE || text == vit_text) ck_assert_int_ge(refused, cuts - 1);
     ck_assert_int_ge(refused, 1);
 }
 END_TEST

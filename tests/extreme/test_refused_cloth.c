@@ -44,6 +44,23 @@ START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+/* X23: one value at a time */
+START_TEST(a_value_that_is_not_finite_is_refused_by_mus_fabric_set)
+{
+    mus_context *context = support_context();
+    mus_fabric fabric, before;
+    mus_fabric_init(&fabric, sizeof fabric);
+    before = fabric;
+    for (int32_t value = 0; value < mus_fabric_value_count(); value++)
+        for (int v = 0; v < 3; v++) {
+            ck_assert_int_eq(mus_fabric_set(context, &fabric, value, refused_values[v]), MUS_ERR_ARG);
+            ck_assert_int_eq(memcmp(&fabric, &before, sizeof fabric), 0);
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* X8: a fabric that weighs nothing, less than nothing or a denormal has no mass to move */
 START_TEST(a_fabric_without_weight_is_refused)
 {
@@ -145,6 +162,7 @@ Suite *mus_suite_refused_cloth(void)
     Suite *suite = suite_create("refused_cloth");
     TCase *tests = tcase_create("refused_cloth");
     tcase_add_test(tests, a_cloth_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_value_that_is_not_finite_is_refused_by_mus_fabric_set);
     tcase_add_test(tests, a_fabric_without_weight_is_refused);
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);

@@ -241,6 +241,20 @@ def test_a_body_of_given_limbs(context):
         muslin.Body.of_limbs([{**tube, "pole": (0.1, 0.6)}], context=context)
 
 
+def test_a_fabric_file(context, tmp_path):
+    linen = muslin.Fabric("denim", shear=50.0)
+    linen.write(tmp_path / "a.json", "denim", context=context)
+    assert muslin.Fabric.read(tmp_path / "a.json").values() == linen.values()
+    keys = [line.split('"')[1] for line in (tmp_path / "a.json").read_text().splitlines()[2:]]
+    linen.write(tmp_path / "b.json", "my linen", {key: "guess" for key in keys})
+    assert (tmp_path / "b.json").read_text().count("guess") == len(keys) == 10
+    with pytest.raises(KeyError):
+        linen.write(tmp_path / "b.json", "my linen", {})
+    (tmp_path / "c.json").write_text((tmp_path / "b.json").read_text().replace('"value": 50', '"value": -50'))
+    with pytest.raises(muslin.MuslinError, match=":6: fabric shear -50"):
+        muslin.Fabric.read(tmp_path / "c.json", context=context)
+
+
 def test_a_cloth_without_a_pattern(context):
     grid = muslin.Cloth.grid(3, 4, (0.02, 0.01), fabric="denim", context=context)
     assert len(grid) == 12 and abs(grid.mass - 0.40 * 0.06 * 0.02) < 1e-15

@@ -28,6 +28,23 @@ class Fabric:
     def values(self):
         return read_struct(self.struct)
 
+    @classmethod
+    def read(cls, path, context=None):
+        """The fabric of a file (muslin_fabric(5))."""
+        context = context or Context.of_thread()
+        fabric = cls()
+        context.call("mus_fabric_load", context.handle, text(path), ctypes.byref(fabric.struct))
+        return fabric
+
+    def write(self, path, name, sources=None, context=None):
+        """Write a fabric file. sources: {key of the value: where it comes from}; None: those of the named fabric."""
+        context = context or Context.of_thread()
+        texts = None
+        if sources is not None:
+            keys = [lib.mus_fabric_value_key(value).decode() for value in range(lib.mus_fabric_value_count())]
+            texts = (ctypes.c_char_p * len(keys))(*[text(sources[key]) for key in keys])
+        context.call("mus_fabric_save", context.handle, ctypes.byref(self.struct), text(name), texts, text(path))
+
 
 def _definition(fabric, options):
     definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init, options)

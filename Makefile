@@ -8,9 +8,13 @@
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
 #                   hands options to tests/corpus/run.py)
+#   make check-omit the C tests once without each module, and once without all that can be left out
+#   make sizes      the table of module sizes (tests/guard/sizes.table) anew
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
 # config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors.
+# OMIT="print design" leaves modules, and what stands on them, out of `make` and `make install`; there are no programs
+# then. One can leave out: print, exchange, design, integrate, drape, cloth, pattern, body.
 # CC, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
@@ -61,11 +65,31 @@ EXCHANGE_PKG = jansson yaml-0.1 expat
 EXAMPLE_PKG = libpng
 TEST_PKG = check
 
+# ---- what is left out: a module goes with all that calls it ----
+
+OMIT_print = print
+OMIT_exchange = exchange
+OMIT_design = design
+OMIT_integrate = integrate
+OMIT_drape = drape contact
+OMIT_cloth = cloth drape contact exchange
+OMIT_pattern = pattern design cloth drape contact print exchange
+OMIT_body = body design exchange
+LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, design, integrate, \
+  drape, cloth, pattern, body)))
+space := $(subst ,, )
+ifneq ($(and $(OMIT),$(filter check tests dress bench corpus,$(MAKECMDGOALS))),)
+$(error with OMIT there are libraries alone: `make check-omit` runs the tests of what is left)
+endif
+INTO := $(OUT)$(if $(OMIT),/omit-$(subst $(space),-,$(strip $(OMIT))))
+
 # ---- what there is ----
 
-CORE := $(wildcard $(addsuffix /*.c,$(addprefix lib/,base geom integrate body pattern design cloth contact drape)))
-PRINT := $(wildcard lib/print/*.c)
-EXCHANGE := $(wildcard lib/exchange/*.c)
+# files of the folders of lib/ that are not left out
+sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
+CORE := $(call sources,base geom integrate body pattern design cloth contact drape)
+PRINT := $(call sources,print)
+EXCHANGE := $(call sources,exchange)
 COMMAND := $(wildcard examples/muslin/*.c)
 RENDER := $(wildcard examples/render/*.c)
 RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
@@ -75,8 +99,8 @@ TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 
-LIB := $(OUT)/lib
-BIN := $(OUT)/bin
+LIB := $(INTO)/lib
+BIN := $(INTO)/bin
 A_CORE := $(LIB)/libmuslin.a
 A_PRINT := $(LIB)/libmuslin-print.a
 A_EXCHANGE := $(LIB)/libmuslin-exchange.a
@@ -85,9 +109,10 @@ SO_PRINT := $(LIB)/libmuslin-print.so.$(VERSION)
 SO_EXCHANGE := $(LIB)/libmuslin-exchange.so.$(VERSION)
 A_TESTS := $(OUT)/obj/tests/parts.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
-ALL := $(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(SO_CORE) $(SO_PRINT) $(SO_EXCHANGE) $(PROGRAMS)
+ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
+       $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb clean FORCE \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit check-omit-now sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
 
@@ -208,8 +233,20 @@ corpus-now: all
 check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 
+# each time the libraries without a module, and the C tests of what is left; CHECK_OMIT="design print+exchange" picks some
+CHECK_OMIT := print exchange design integrate drape cloth pattern body pattern+body+integrate
+check-omit:
+	@sh tests/guard/packages.sh build test
+	@$(call again,check-omit-now)
+check-omit-now: $(BIN)/tests
+	@MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
+	  sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
+
+sizes: all
+	@sh tests/guard/sizes.sh '$(OUT)' write
+
 install: all
-	@sh lib/install.sh '$(OUT)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+	@sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
 
 clean:
 	rm -rf build

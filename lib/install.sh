@@ -15,9 +15,12 @@ mkdir -p "$destdir$prefix/bin" "$destdir$prefix/include/muslin" "$lib/pkgconfig"
 
 # ---- files ----
 
-install -m 755 "$out/bin/muslin" "$out/bin/muslin-render" "$destdir$prefix/bin"
+for program in muslin muslin-render; do
+    [ ! -e "$out/bin/$program" ] || install -m 755 "$out/bin/$program" "$destdir$prefix/bin"
+done
 install -m 644 include/muslin/*.h "$destdir$prefix/include/muslin"
 for name in muslin muslin-print muslin-exchange; do
+    [ -e "$out/lib/lib$name.a" ] || continue
     install -m 644 "$out/lib/lib$name.a" "$lib"
     install -m 755 "$out/lib/lib$name.so.$version" "$lib"
     ln -sf "lib$name.so.$version" "$lib/lib$name.so.$major"
@@ -33,6 +36,7 @@ done
 
 pc() # NAME DESCRIPTION REQUIRES REQUIRES.PRIVATE LIBS.PRIVATE
 {
+    [ -e "$out/lib/lib$1.a" ] || return 0
     cat >"$lib/pkgconfig/$1.pc" <<END
 prefix=$prefix
 libdir=$libdir
@@ -65,7 +69,7 @@ find_dependency(Threads)
 get_filename_component(muslin_prefix "\${CMAKE_CURRENT_LIST_DIR}/$up" ABSOLUTE)
 
 function(muslin_target name library static_needs)
-    if(TARGET muslin::\${name})
+    if(TARGET muslin::\${name} OR NOT EXISTS "\${muslin_prefix}/$inside/lib\${library}.a")
         return()
     endif()
     add_library(muslin::\${name} SHARED IMPORTED)

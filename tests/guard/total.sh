@@ -70,6 +70,7 @@ guard includes "$python" tests/guard/includes.py
 guard size "$python" tests/guard/size.py
 guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
+guard sizes sh tests/guard/sizes.sh "$out"
 guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
 guard fastmath sh tests/guard/fastmath.sh

@@ -1,0 +1,88 @@
+#!/bin/sh
+# omit.sh OUT OPTION...: the libraries without a module (OPTION: a name as OMIT takes it, or several with "+"), and the
+# C tests of what is left.
+#
+# For each option `make OMIT=...` links the shared libraries without an open end, a call of what was left out does not
+# link, and every test file runs that does not call it itself. Objects are those of OUT/obj: no file is compiled
+# differently, so leaving a module out cannot change another. The last line counts the options.
+set -u
+out=$(cd "$1" && pwd)
+shift
+cd "$(dirname "$0")/../.."
+CC=${CC:-cc}
+PKG_CONFIG=${PKG_CONFIG:-pkg-config}
+passed=0
+failed=0
+
+# one function of each module: a program that calls it must not link without the module
+call_of()
+{
+    case $1 in
+    print) echo "mus_sheet_create -lmuslin-print" ;;
+    exchange) echo "mus_tape_read -lmuslin-exchange" ;;
+    design) echo "mus_design_draft" ;;
+    integrate) echo "mus_integrate" ;;
+    drape) echo "mus_drape_create" ;;
+    cloth) echo "mus_cloth_create" ;;
+    pattern) echo "mus_pattern_create" ;;
+    body) echo "mus_body_create" ;;
+    esac
+}
+
+symbols_needed() { nm -u "$@" 2>/dev/null | awk '$1 == "U" && $2 ~ /^mus_/ { print $2 }' | sort -u; }
+symbols_given() { nm -g --defined-only "$@" 2>/dev/null | awk 'NF == 3 && $3 ~ /^mus_/ { print $3 }' | sort -u; }
+
+# test objects that call nothing but what the archives have, to $into/objects; the others to $into/left
+choose()
+{
+    symbols_given $archives "$out/obj/tests/parts.a" >"$into/given"
+    : >"$into/objects"
+    : >"$into/left"
+    for source in tests/*/test_*.c; do
+        object=$out/obj/${source%.c}.o
+        missing=$(symbols_needed "$object" | comm -23 - "$into/given" | head -n 1)
+        if [ -z "$missing" ]; then echo "$object" >>"$into/objects"; else echo "$source: $missing" >>"$into/left"; fi
+    done
+    { echo '#define SUITES(X) \'; sed 's|.*/test_\(.*\)\.o$|    X(\1) \\|' "$into/objects"; echo; } >"$into/suites.h"
+}
+
+link_tests()
+{
+    # shellcheck disable=SC2046
+    $CC -std=c11 -Iinclude -Itests -I"$into" $($PKG_CONFIG --cflags check) -c tests/main.c -o "$into/main.o" &&
+        $CC -pthread "$into/main.o" "$out/obj/tests/support.o" $(cat "$into/objects") -Wl,--start-group $archives \
+            "$out/obj/tests/parts.a" -Wl,--end-group \
+            $($PKG_CONFIG --libs check cairo jansson yaml-0.1 expat libpng) -ldl -lm -o "$into/tests"
+}
+
+refused() # MODULE: a call of it does not link
+{
+    set -- $(call_of "$1")
+    printf 'extern void %s(void);\nint main(void) { %s(); return 0; }\n' "$1" "$1" >"$into/call.c"
+    ! $CC "$into/call.c" -L"$into/lib" ${2:-} -lmuslin -o "$into/call" 2>/dev/null
+}
+
+one() # NAMES
+{
+    into=$out/omit-$(echo "$1" | tr ' ' -)
+    rm -rf "$into"
+    $MAKE -s OUT="$out" OMIT="$1" all || return 1
+    archives=$(ls "$into"/lib/libmuslin-print.a "$into"/lib/libmuslin-exchange.a "$into"/lib/libmuslin.a 2>/dev/null)
+    for module in $1; do
+        refused "$module" || { echo "omit $1: a call of $module links all the same"; return 1; }
+    done
+    choose
+    link_tests || return 1
+    "$into/tests" >"$into/tests.log" 2>&1
+    code=$?
+    echo "omit $1: $(wc -l <"$into/objects") test files of $(ls tests/*/test_*.c | wc -l): $(sed -n '/^[0-9]*%: Checks/p' "$into/tests.log")," \
+        "libmuslin.so $(size "$into/lib/libmuslin.so" | awk 'NR == 2 { print $1 + $2 }') bytes"
+    [ $code -eq 0 ] || sed -n '/:[FE]:/p' "$into/tests.log" | head -n 20
+    return $code
+}
+
+for option in "$@"; do
+    if one "$(echo "$option" | tr + ' ')"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: omit $option"; fi
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -31,7 +31,7 @@ typedef struct mus_drape_def {
     int32_t threads;           /* 1 (default) .. 64; the result does not depend on it */
     double collision_distance; /* sewing ends when all pairs are this close [m], default 0.001 */
     double clearance;          /* cloth is kept this far off the skin [m], default 0.002 */
-    double friction;           /* on skin; NaN (default): the fabric's */
+    double friction;           /* on skin; NaN (default): the fabric's; infinite: what touches, sticks */
     double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */
     double seam_pull;          /* tension that pulls a seam shut [N per m of seam], default 50 */
     double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
@@ -97,6 +97,15 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
  */
 MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
 
+/**
+ * Let the body glide: from now on it moves as a whole with a constant velocity, in mus_drape_step.
+ *
+ * `velocity` (3) [m/s], 0 stops it where it is. Contact and friction act relative to the body; report and penetration are
+ * of where it stands. mus_drape_place puts it back, at rest. Sewing and settling need it at rest (MUS_ERR_STATE).
+ * Errors:  MUS_ERR_ARG (not finite, above 1000 m/s); MUS_ERR_STATE (no body)
+ */
+MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);
+
 /** Called during sew and settle a few times a second of wall time at most; nonzero stops the run with MUS_OK.
  * phase: "sew" or "settle"; progress 0..1. */
 typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progress);
@@ -151,6 +160,7 @@ typedef struct mus_drape_report {
     double sew_time;            /* cloth time spent sewing [s] */
     double settle_time;         /* cloth time spent settling, on all cuts [s] */
     double rest_distance;       /* what the last settle expects its farthest node still to go [m] */
+    double contact_impulse[3];  /* that the body gave the cloth since create [N s]: take differences over steps */
 } mus_drape_report;
 
 MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);

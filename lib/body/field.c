@@ -38,7 +38,7 @@ void mus__field_turns(int32_t n, double *turn)
 mus_status mus__field_make(mus_context *context, const mus__stack *stack, double spacing, mus__field *out)
 {
     const mus__limb *limb = stack->limb;
-    double length = limb->pole[1] - limb->pole[0];
+    double low = limb->contour[0].s, high = limb->contour[limb->count - 1].s, length = high - low;
     memset(out, 0, sizeof *out);
     memcpy(out->origin, limb->origin, sizeof out->origin);
     memcpy(out->axis, limb->axis, sizeof out->axis);
@@ -46,7 +46,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, double
     memcpy(out->front, limb->front, sizeof out->front);
     out->nring = (int32_t)fmin(ceil(length / spacing), 4000.0) + 1;
     out->nangle = stack->n;
-    out->s0 = limb->pole[0];
+    out->s0 = low;
     out->ds = length / (out->nring - 1);
     out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
     out->radius = mus__new(context, (int64_t)out->nring * out->nangle, sizeof(double));
@@ -57,13 +57,17 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, double
     }
 
     for (int32_t j = 0; j < out->nring; j++) {
-        double s = j + 1 < out->nring ? out->s0 + j * out->ds : limb->pole[1];
+        double s = j + 1 < out->nring ? out->s0 + j * out->ds : high;
         double *centre = out->centre + 2 * j, *radius = out->radius + (ptrdiff_t)j * out->nangle, most = 0.0;
         mus__stack_ring(stack, s, centre, radius);
         for (int32_t k = 0; k < out->nangle; k++) most = fmax(most, radius[k]);
         out->reach = fmax(out->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
         out->largest[j] = most;
         if (j > 0) out->largest[j - 1] = fmax(out->largest[j - 1], most);
+    }
+    for (int end = 0; end < 2; end++) {
+        out->pole[end] = limb->pole[end];
+        out->middle[end] = stack->cap[end][0], out->half[end] = stack->cap[end][1];
     }
     return MUS_OK;
 }
@@ -85,10 +89,18 @@ double mus__field_depth(const mus__field *field, const double *p, double *normal
     memcpy(f.axis, field->axis, sizeof f.axis);
     memcpy(f.side, field->side, sizeof f.side);
     memcpy(f.front, field->front, sizeof f.front);
-    f.s0 = field->s0, f.ds_inverse = 1.0 / field->ds, f.ring_last = field->nring - 1;
+    f.s0 = field->s0, f.ds_inverse = 1.0 / field->ds;
     f.angle_scale = 0.25 * field->nangle;
     f.nring = field->nring, f.nangle = field->nangle;
     f.centre = field->centre, f.radius = field->radius, f.largest = field->largest;
+    f.ring_last = field->nring - 1;
+    for (int end = 0; end < 2; end++) {
+        const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
+        f.pole[end] = field->pole[end] - f.s0;
+        f.middle[end] = field->middle[end] - f.s0;
+        f.axis_inverse[end] = 1.0 / field->half[end];
+        f.share[end] = mus__body_share(s - f.middle[end], f.axis_inverse[end]);
+    }
 
     int32_t near;
     double depth = mus__body_query(&f, p, FIELD_MARGIN, normal, &near);

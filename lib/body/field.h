@@ -8,7 +8,8 @@
  *
  * Query at a point: ring k = floor((s-s0)/ds), blend of rings k and k+1, radius R by linear blend over the angle:
  * F = rho - R(s, q), and to first order the signed distance is F/|grad F|, the outward normal grad F/|grad F|.
- * All end rings close (small radius), so a point beyond s0 .. s0+(nring-1)*ds is outside.
+ * The first and the last ring are the limb's first and last contour; beyond them stands a cap, where a form is asked
+ * that is smooth through the pole and beyond it (field_kernel.h).
  */
 #ifndef MUS_BODY_FIELD_H
 #define MUS_BODY_FIELD_H
@@ -27,10 +28,13 @@ typedef struct mus__field {
     double *radius;  /* (nring x nangle) */
     double reach;    /* largest radius + centre offset: quick reject */
     double *largest; /* (nring) largest radius of rings k and k + 1 */
+    double pole[2];   /* s of the ends */
+    double middle[2]; /* s of the middle of the caps' ellipse, and its half axis */
+    double half[2];
 } mus__field;
 
 /* depth of p (3) by that query: positive inside, the distance to first order near the surface; normal (3), outward.
- * -1e30 and a zero normal when p is beyond the end rings or further out than 5 cm */
+ * -1e30 and a zero normal when p is further out than 5 cm */
 double mus__field_depth(const mus__field *field, const double *p, double *normal);
 
 #endif

@@ -12,6 +12,7 @@
 
 #define BIG 1e30
 #define STEEPEST 5.0 /* slope of a limb's end that the wider surface still follows */
+#define SAFE_PART 0.5     /* of the least radius: so deep in a limb the nearest skin is the one that was passed */
 #define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
 
 
@@ -69,6 +70,16 @@ static void fill_double(const mus__field *from, const double *origin, double ski
     to->angle_scale = from->nangle / 4.0;
     to->nring = from->nring;
     to->nangle = from->nangle;
+
+    /* caps: the same middle, the half axis longer by the skin */
+    for (int32_t end = 0; end < 2; end++) {
+        const double s = end == 0 ? 0.0 : from->ds * (from->nring - 1);
+        to->pole[end] = from->pole[end] - from->s0 + (end == 0 ? -skin : skin);
+        to->middle[end] = from->middle[end] - from->s0;
+        to->axis_inverse[end] = 1.0 / (from->half[end] + skin);
+        to->share[end] = mus__f64_share(s - to->middle[end], to->axis_inverse[end]);
+    }
+
     memcpy(table, from->centre, (size_t)(2 * nring) * sizeof *table);
     double *radius = table + 2 * nring;
     for (int32_t k = 0; k < from->nring; k++)
@@ -91,6 +102,12 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
         to->side[i] = (float)from->side[i];
         to->front[i] = (float)from->front[i];
     }
+    for (int32_t end = 0; end < 2; end++) {
+        to->pole[end] = (float)from->pole[end];
+        to->middle[end] = (float)from->middle[end];
+        to->axis_inverse[end] = (float)from->axis_inverse[end];
+        to->share[end] = (float)from->share[end];
+    }
     to->s0 = (float)from->s0;
     to->ds_inverse = (float)from->ds_inverse;
     to->ring_last = (float)from->ring_last;
@@ -107,14 +124,25 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
 /* box of the axis from end to end, widened by the reach in the contour's plane */
 static void limb_box(const mus__field *field, const double *origin, double *box)
 {
-    const double s1 = field->s0 + field->ds * (field->nring - 1);
     for (int32_t i = 0; i < 3; i++) {
         const double start = field->origin[i] - origin[i];
-        const double e0 = start + field->s0 * field->axis[i], e1 = start + s1 * field->axis[i];
+        const double e0 = start + field->pole[0] * field->axis[i], e1 = start + field->pole[1] * field->axis[i];
         const double across = sqrt(field->side[i] * field->side[i] + field->front[i] * field->front[i]);
         box[i] = (e0 < e1 ? e0 : e1) - across * field->reach;
         box[i + 3] = (e0 < e1 ? e1 : e0) + across * field->reach;
     }
+}
+
+
+/* least radius over all limbs */
+static double thinnest(const mus_body *body)
+{
+    double least = BIG;
+    for (int32_t l = 0; l < body->nfield; l++) {
+        const mus__field *field = &body->field[l];
+        for (int64_t i = 0; i < (int64_t)field->nring * field->nangle; i++) least = fmin(least, field->radius[i]);
+    }
+    return least;
 }
 
 
@@ -152,6 +180,7 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
         limb_box(&body->field[l], origin, collider->box + 6 * l);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     }
+    collider->safe = SAFE_PART * thinnest(body);
     *out = collider;
     return MUS_OK;
 }
@@ -170,11 +199,24 @@ void mus__collider_destroy(mus__collider *collider)
 }
 
 
+void mus__collider_move(mus__collider *collider, const double *shift, const double *drift)
+{
+    memcpy(collider->shift, shift, sizeof collider->shift);
+    memcpy(collider->drift, drift, sizeof collider->drift);
+}
+
+
+/* a point of the world in the frame of the fields */
+static void to_fields(const mus__collider *collider, const double *point, double *p)
+{
+    for (int32_t i = 0; i < 3; i++) p[i] = point[i] - collider->origin[i] - collider->shift[i];
+}
+
+
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal)
 {
-    const double p[3] = {point[0] - collider->origin[0], point[1] - collider->origin[1],
-                         point[2] - collider->origin[2]};
-    double deepest = -BIG;
+    double p[3], deepest = -BIG;
+    to_fields(collider, point, p);
     for (int32_t l = 0; l < collider->nlimb; l++) {
         double n[3];
         int32_t near;
@@ -189,8 +231,8 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
 
 int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals)
 {
-    const double p[3] = {point[0] - collider->origin[0], point[1] - collider->origin[1],
-                         point[2] - collider->origin[2]};
+    double p[3];
+    to_fields(collider, point, p);
     int32_t count = 0;
     for (int32_t l = 0; l < collider->nlimb && count < MUS_TOUCH_MOST; l++) {
         int32_t near;

@@ -39,6 +39,9 @@ typedef struct mus__collider {
     mus__f32_field *field32; /* (nlimb) */
     mus__f64_field *field64; /* (nlimb) */
     double *box;             /* (nlimb x 6) low x, y, z, high x, y, z, without clearance */
+    double safe;             /* a node that moves no farther than this in a step goes through no limb [m] */
+    double shift[3];         /* how far the body has glided from where it was made [m] */
+    double drift[3];         /* and its velocity [m/s] */
     float *table32;          /* all rings of all limbs */
     double *table64;
 } mus__collider;
@@ -49,10 +52,13 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
                                 mus__collider **out);
 void mus__collider_destroy(mus__collider *collider);
 
-/* largest depth of a point of the body frame over the limbs, positive inside; -1e30 out of reach of all */
+/* the body now stands `shift` (3) off where it was made and glides with velocity `drift` (3) */
+void mus__collider_move(mus__collider *collider, const double *shift, const double *drift);
+
+/* largest depth of a point of the world over the limbs, positive inside; -1e30 out of reach of all */
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
 
-/* outward normals of the limbs that are nearer to a point of the body frame than `reach`: out (most x 3), their
+/* outward normals of the limbs that are nearer to a point of the world than `reach`: out (most x 3), their
  * number */
 #define MUS_TOUCH_MOST 4
 int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals);
@@ -60,15 +66,33 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
 typedef struct mus__contact_rule {
     double clearance; /* nodes are kept this far off [m] */
     double friction;
-    double push;      /* a node is put back by at most this in one call [m] */
+    double push;      /* a node that was inside before is put back by at most this in one call [m] */
     double travel;    /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
     double slip;      /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
+    double step;      /* [s] since the last call */
 } mus__contact_rule;
 
-/* nodes first .. last-1 of n: x, v planes (3 x n); mobile (n) 0 for nodes that are held. Returns field queries made. */
-int64_t mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                         int32_t last, const float *mobile, uint8_t *rest, float *x, float *v);
-int64_t mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                         int32_t last, const double *mobile, uint8_t *rest, double *x, double *v);
+/* what calls add up */
+typedef struct mus__contact_tally {
+    int64_t queries;   /* node against limb */
+    double impulse[3]; /* that the body gave [N s] */
+    int32_t swift;     /* nonzero: a node is so fast that the next call should know where the nodes are now */
+} mus__contact_tally;
+
+/* the speed relative to the body from which on a node is swift [m/s]: a quarter of the way through the thinnest limb
+ * in a step */
+static inline double mus__contact_swift(const mus__collider *collider, const mus__contact_rule *rule)
+{
+    return rule->step > 0.0 ? 0.5 * collider->safe / rule->step : 1e15;
+}
+
+/* nodes first .. last-1 of n: x, v planes (3 x n); inverse (n) 1/mass, 0 for nodes that are held; before (3 x n) places
+ * before the step, or NULL: no node is swept */
+void mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                      int32_t last, const float *inverse, const float *before, uint8_t *rest, float *x, float *v,
+                      mus__contact_tally *tally);
+void mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                      int32_t last, const double *inverse, const double *before, uint8_t *rest, double *x, double *v,
+                      mus__contact_tally *tally);
 
 #endif

@@ -2,10 +2,17 @@
  * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT).
  *
  * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
- * rests: a depth of first order jumps a little from ring to ring, but not at zero. A node nearer than the clearance is
- * put back along the outward normal (by at most `push`), loses its velocity into the skin, and its sliding velocity
- * shrinks by the friction impulse mu |v_n|. The step that led here moved the node with the velocity it had before the
- * impulse; `slip` times the change takes that sliding back, so that what sticks does not creep by h^2 f/m a step.
+ * rests: a depth of first order jumps a little from ring to ring, but not at zero.
+ *
+ * A node nearer than the clearance is put back along the outward normal, loses its velocity into the skin, and its
+ * sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node with the velocity
+ * it had before the impulse; `slip` times the change takes that sliding back, so that what sticks does not creep by
+ * h^2 f/m a step. All is relative to the body: places to its shift, velocities to its drift.
+ *
+ * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
+ * is walked in pieces that no limb fits through, the first place nearer than the clearance is found by halving, the
+ * response is taken there, and the rest of the step goes on with what velocity is left. Places before the step are
+ * only kept while a node is so fast that it may be needed (`swift`).
  */
 
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
@@ -14,16 +21,24 @@
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
-/* one node against one limb it may touch: x, v (3) are corrected in place */
-static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, const MUS_REAL *normal,
-                                      MUS_REAL *x, MUS_REAL *v)
-{
-    const MUS_REAL push = (MUS_REAL)rule->push, friction = (MUS_REAL)rule->friction, slip = (MUS_REAL)rule->slip;
-    const MUS_REAL move = lift < 0 ? 0 : lift < push ? lift : push;
-    for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
+#define SWEEP_PIECES 4096   /* most pieces of one path */
+#define SWEEP_HALVINGS 50
+#define SWEEP_DOOR 1e-5     /* [m]: this near to a box is in it */
 
+
+/* one node against one limb that it touches: x, v (3) are corrected in place. It moved for `time` to get here: if that
+ * is what brought it in, it is put back whole; else it was inside before, and comes out by `push` beyond what springs
+ * just pulled it in */
+static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, MUS_REAL time, MUS_REAL slip,
+                                      const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
+{
+    const MUS_REAL friction = (MUS_REAL)rule->friction;
     const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+    const MUS_REAL push = (MUS_REAL)rule->push, inward = vn < 0 ? -vn : 0;
+    const MUS_REAL move = lift < 0 ? 0 : lift <= push + inward * time ? lift : push + inward * slip;
+    for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
     if (vn >= 0) return;
+
     MUS_REAL t[3];
     for (int32_t i = 0; i < 3; i++) t[i] = v[i] - vn * normal[i];
     const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
@@ -36,58 +51,171 @@ static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *ru
 }
 
 
+/* nonzero when p is in the box (6) */
+static inline int32_t MUS_FIELD(boxed)(const MUS_REAL *box, const MUS_REAL *p)
+{
+    return !(p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5]);
+}
+
+
 /* one node against all limbs, in place; box (nlimb x 6) is widened by `margin` already. Returns a lower bound of the
- * node's distance to the body, at most `margin` */
+ * node's distance to the body, at most `margin`; below clearance + TOUCH_BAND when it touched */
 static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
-                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL *p, MUS_REAL *w,
-                                        int64_t *queries)
+                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL time, MUS_REAL slip,
+                                        MUS_REAL *p, MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = margin;
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
-        if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
-            continue;
-
+        if (!MUS_FIELD(boxed)(box, p)) continue;
         MUS_REAL normal[3];
         int32_t near;
         const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
         (*queries)++;
         if (near == 0) continue;
-        if (near < 0) {
-            distance = 0;
-            continue;
-        }
         if (-depth < distance) distance = -depth;
-        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, normal, p, w);
+        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, time, slip, normal, p, w);
     }
     return distance;
 }
 
 
-int64_t MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                    int32_t last, const MUS_REAL *mobile, uint8_t *rest, MUS_REAL *x, MUS_REAL *v)
+/* ---- fast nodes ---- */
+
+/* how far p is nearer than the clearance, over all limbs; far below 0 when none is near */
+static MUS_REAL MUS_FIELD(lift_at)(const mus__collider *collider, const MUS_REAL *box, MUS_REAL margin,
+                                   MUS_REAL clearance, const MUS_REAL *p, int64_t *queries)
+{
+    MUS_REAL lift = -1;
+    for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
+        if (!MUS_FIELD(boxed)(box, p)) continue;
+        MUS_REAL normal[3];
+        int32_t near;
+        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
+        (*queries)++;
+        if (near && depth + clearance > lift) lift = depth + clearance;
+    }
+    return lift;
+}
+
+
+/* time until p + t w is in a box: 0 when it is in one, `left` when it comes to none before */
+static MUS_REAL MUS_FIELD(wait)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p, const MUS_REAL *w, MUS_REAL speed,
+                                MUS_REAL left)
+{
+    MUS_REAL first = left;
+    for (int32_t l = 0; l < nlimb; l++, box += 6) {
+        MUS_REAL in = 0, out = left;
+        for (int32_t i = 0; i < 3; i++) {
+            if (w[i] == 0) {
+                if (p[i] < box[i] || p[i] > box[i + 3]) out = -1;
+                continue;
+            }
+            const MUS_REAL t0 = (box[i] - p[i]) / w[i], t1 = (box[i + 3] - p[i]) / w[i];
+            const MUS_REAL low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
+            if (low > in) in = low;
+            if (high < out) out = high;
+        }
+        if (in <= out && in < first) first = in;
+    }
+    return first * speed <= (MUS_REAL)SWEEP_DOOR && first < left ? 0 : first;
+}
+
+
+/* the first time in 0..piece at which p + t w is nearer than the clearance, where it is at `piece` and not at 0 */
+static MUS_REAL MUS_FIELD(hit_time)(const mus__collider *collider, const MUS_REAL *box, MUS_REAL margin,
+                                    MUS_REAL clearance, const MUS_REAL *p, const MUS_REAL *w, MUS_REAL piece,
+                                    int64_t *queries)
+{
+    MUS_REAL low = 0, high = piece;
+    for (int32_t k = 0; k < SWEEP_HALVINGS; k++) {
+        const MUS_REAL t = low + (high - low) / 2;
+        const MUS_REAL q[3] = {p[0] + t * w[0], p[1] + t * w[1], p[2] + t * w[2]};
+        if (MUS_FIELD(lift_at)(collider, box, margin, clearance, q, queries) > 0) high = t;
+        else low = t;
+    }
+    return low;
+}
+
+
+/* a node that came from p to q in a step, now with velocity w: q and w (3) as contact leaves them. Nonzero when it
+ * touched; else both are as they were */
+static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contact_rule *rule, const MUS_REAL *box,
+                                MUS_REAL margin, MUS_REAL *p, MUS_REAL *q, MUS_REAL *w, int64_t *queries)
+{
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = (MUS_REAL)TOUCH_BAND;
+    const MUS_REAL safe = (MUS_REAL)collider->safe;
+    MUS_REAL left = (MUS_REAL)rule->step;
+    MUS_REAL u[3] = {(q[0] - p[0]) / left, (q[1] - p[1]) / left, (q[2] - p[2]) / left}, *way = u;
+    for (int32_t k = 0; k < SWEEP_PIECES && left > 0; k++) {
+        const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+        MUS_REAL time = MUS_FIELD(wait)(collider->nlimb, box, p, way, speed, left), slip = 0;
+        if (time == 0) {
+            /* a piece that no limb fits through; from outside to inside it ends at the skin */
+            time = speed * left > safe ? safe / speed : left;
+            const MUS_REAL before = MUS_FIELD(lift_at)(collider, box, margin, clearance, p, queries);
+            const MUS_REAL r[3] = {p[0] + time * way[0], p[1] + time * way[1], p[2] + time * way[2]};
+            if (before > -band) slip = time;
+            else if (MUS_FIELD(lift_at)(collider, box, margin, clearance, r, queries) > 0)
+                time = MUS_FIELD(hit_time)(collider, box, margin, clearance, p, way, time, queries);
+        }
+        for (int32_t i = 0; i < 3; i++) p[i] += time * way[i];
+        left -= time;
+        if (MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, queries) < clearance + band) way = w;
+    }
+    if (way == w) q[0] = p[0], q[1] = p[1], q[2] = p[2];
+    return way == w;
+}
+
+
+/* ---- the pass ---- */
+
+void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
+                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x, MUS_REAL *v,
+                 mus__contact_tally *tally)
 {
     /* a node sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
-    const MUS_REAL margin = (MUS_REAL)(rule->travel > 0.0 ? rule->clearance + SIT_OUT_MARGIN : rule->clearance);
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
+    const MUS_REAL margin = rule->travel > 0.0 ? clearance + (MUS_REAL)SIT_OUT_MARGIN : band;
     const MUS_REAL calls = (MUS_REAL)(rule->travel > 0.0 ? 0.5 / rule->travel : 0.0);
-    MUS_REAL box[6 * MUS_LIMBS_MOST];
+    const MUS_REAL time = (MUS_REAL)rule->step, slip = (MUS_REAL)rule->slip, safe = (MUS_REAL)collider->safe;
+    const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule), swift2 = swift * swift;
+    MUS_REAL box[6 * MUS_LIMBS_MOST], shift[3], drift[3];
     for (int32_t k = 0; k < 6 * collider->nlimb; k++)
         box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
+    for (int32_t d = 0; d < 3; d++) shift[d] = (MUS_REAL)collider->shift[d], drift[d] = (MUS_REAL)collider->drift[d];
 
-    int64_t queries = 0;
     for (int32_t i = first; i < last; i++) {
         if (rest[i] > 0) {
             rest[i]--;
             continue;
         }
-        if (mobile[i] == 0) continue;
-        MUS_REAL p[3] = {x[i], x[n + i], x[2 * (int64_t)n + i]};
-        MUS_REAL w[3] = {v[i], v[n + i], v[2 * (int64_t)n + i]};
-        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, p, w, &queries);
-        const MUS_REAL off = (distance - (MUS_REAL)(rule->clearance - collider->skin)) * calls;
-        rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
-        x[i] = p[0], x[n + i] = p[1], x[2 * (int64_t)n + i] = p[2];
-        v[i] = w[0], v[n + i] = w[1], v[2 * (int64_t)n + i] = w[2];
+        if (inverse[i] == 0) continue;
+        const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
+        MUS_REAL p[3] = {x[at[0]] - shift[0], x[at[1]] - shift[1], x[at[2]] - shift[2]};
+        MUS_REAL w[3] = {v[at[0]] - drift[0], v[at[1]] - drift[1], v[at[2]] - drift[2]};
+        if (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > swift2) tally->swift = 1;
+
+        /* where it was, relative to where the body was */
+        MUS_REAL from[3], way2 = 0;
+        for (int32_t d = 0; before != NULL && d < 3; d++) {
+            from[d] = before[at[d]] - (shift[d] - time * drift[d]);
+            way2 += (p[d] - from[d]) * (p[d] - from[d]);
+        }
+        if (way2 > safe * safe) {
+            if (!MUS_FIELD(sweep)(collider, rule, box, margin, from, p, w, &tally->queries)) continue;
+        } else {
+            const MUS_REAL distance =
+                MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, &tally->queries);
+            const MUS_REAL off = (distance - clearance) * calls;
+            rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
+            if (distance >= band) continue;
+        }
+        for (int32_t d = 0; d < 3; d++) {
+            const MUS_REAL after = w[d] + drift[d];
+            tally->impulse[d] += ((double)after - (double)v[at[d]]) / (double)inverse[i];
+            x[at[d]] = p[d] + shift[d];
+            v[at[d]] = after;
+        }
     }
-    return queries;
 }

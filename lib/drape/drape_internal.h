@@ -48,6 +48,9 @@ struct mus_drape {
     int64_t spring_evaluations, contact_queries; /* contact_queries: those of the coarser doubles */
     double sew_time, settle_time, residual;
     double distance;    /* expected from rest at the last check [m] */
+
+    /* the body: where it was at glide_time, and its velocity since */
+    double glide_from[3], glide[3], glide_time;
     char skipped[96];
 };
 
@@ -69,6 +72,20 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
+
+/* ---- a body that glides, nodes that are fast (glide.c) ---- */
+
+int32_t mus__drape_glides(const mus_drape *drape);
+/* the body to where it is `steps` steps of `h` from now */
+void mus__drape_glide(mus_drape *drape, int64_t steps, double h);
+/* before the first of some steps (the rule of contact set), and before each: where the body will be at its end, `steps`
+ * from the clock's time; whether contact will sweep */
+void mus__drape_meet_first(mus_drape *drape);
+void mus__drape_meet(mus_drape *drape, int64_t steps, double h);
+/* the body to where it was made, at rest */
+void mus__drape_glide_back(mus_drape *drape);
+/* MUS_ERR_STATE when the body glides: `what` needs it at rest */
+mus_status mus__drape_still(const mus_drape *drape, const char *what);
 
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);

@@ -126,7 +126,7 @@ static void carry(double *r, const double *normals, int32_t count, double fricti
             for (int32_t i = 0; i < 3; i++) r[i] += change * n[i];
         }
     for (int32_t k = 0; k < count; k++) all += push[k];
-    const double left = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = friction * all;
+    const double left = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = all > 0.0 ? friction * all : 0.0;
     const double part = left > grip ? (left - grip) / left : 0.0;
     for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }

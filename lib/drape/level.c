@@ -88,8 +88,8 @@ void mus__drape_prolong(mus_drape *drape)
     drape->spring_evaluations += coarse->spring_evaluations;
     drape->contact_queries += coarse->contact_queries;
     for (int32_t part = 0; part < 64; part++) {
-        drape->contact_queries += coarse->sim.part_queries[part];
-        coarse->sim.part_queries[part] = 0;
+        drape->contact_queries += coarse->sim.part_tally[part].queries;
+        coarse->sim.part_tally[part].queries = 0;
     }
     drape->sew_time += coarse->sew_time;
     drape->settle_time += coarse->settle_time;

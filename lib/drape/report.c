@@ -77,7 +77,10 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.steps = drape->steps;
     report.spring_evaluations = drape->spring_evaluations;
     report.contact_queries = drape->contact_queries;
-    for (int32_t part = 0; part < 64; part++) report.contact_queries += drape->sim.part_queries[part];
+    for (int32_t part = 0; part < 64; part++) {
+        report.contact_queries += drape->sim.part_tally[part].queries;
+        for (int32_t d = 0; d < 3; d++) report.contact_impulse[d] += drape->sim.part_tally[part].impulse[d];
+    }
     report.sew_time = drape->sew_time;
     report.settle_time = drape->settle_time;
     report.rest_distance = drape->distance;

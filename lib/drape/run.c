@@ -10,6 +10,7 @@
 
 #define CALL_SECONDS 0.1 /* of wall time between progress calls */
 #define GUARD_STEPS 64   /* between looks at the state */
+#define PUSH_SPEED 1.0   /* [m/s]: what starts inside the body leaves it no faster */
 #define MOST_SPEED 1e4   /* [m/s]: no cloth moves so fast; beyond it the motion has diverged */
 
 
@@ -92,17 +93,25 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
     const int32_t verlet = drape->def.integrator == MUS_METHOD_VERLET;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 1e9, 0.0, verlet ? dt : 0.5 * dt};
+    sim->rule = (mus__contact_rule){drape->def.clearance,     drape->friction, PUSH_SPEED * dt, 0.0,
+                                    verlet ? dt : 0.5 * dt, dt};
     memset(sim->rest, 0, (size_t)drape->n);
+    mus__drape_meet_first(drape);
     mus_status status = MUS_OK;
     for (int32_t done = 0; done < steps && status == MUS_OK;) {
         const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;
-        if (verlet) sim->ops->verlet(sim, dt, batch);
-        for (int32_t i = 0; i < batch && !verlet; i++) sim->ops->rk4(sim, dt);
+        /* a body that glides is moved before each step */
+        const int32_t alone = !verlet || mus__drape_glides(drape) ? 1 : batch;
+        for (int32_t i = 0; i < batch; i += alone) {
+            mus__drape_meet(drape, i + alone, dt);
+            if (verlet) sim->ops->verlet(sim, dt, alone);
+            else sim->ops->rk4(sim, dt);
+        }
         done += batch;
         status = mus__drape_guard(drape);
         if (status == MUS_OK) mus__drape_tick(drape, batch, dt, verlet ? 1 : 4);
     }
+    mus__drape_glide(drape, 0, dt);
     drape->settled = 0;
     mus__drape_publish(drape);
     return status;

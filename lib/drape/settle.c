@@ -151,7 +151,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const double h = SAFETY_STEP * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = drag;
-        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h};
+        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
         if (status != MUS_OK) return status;
@@ -207,11 +207,12 @@ static mus_status settle_levels(mus_drape *drape, mus__run *run, const settling 
 mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__drape_still(drape, "settle");
+    if (status != MUS_OK) return status;
     const settling goal = {drape->cold ? FALL_SECONDS : 0.0, drape->def.settle_seconds, drape->def.settle_residual,
                            REST_DRIFT};
     mus__run run;
     mus__run_start(&run, "settle", progress, user);
-    mus_status status;
     if (drape->cold) {
         status = settle_levels(drape, &run, &goal);
     } else {

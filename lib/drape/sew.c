@@ -66,7 +66,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
         mus__drape_publish(drape);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
-        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h};
+        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
         status = mus__drape_guard(drape);
@@ -111,6 +111,8 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
+    const mus_status status = mus__drape_still(drape, "sew");
+    if (status != MUS_OK) return status;
     mus__run run;
     mus__run_start(&run, "sew", progress, user);
     return sew_levels(drape, &run);

@@ -65,14 +65,15 @@ struct mus__sim {
     int32_t fresh;      /* nonzero: f holds the forces at y */
     double collision_distance;
     mus__contact_rule rule;
-    int64_t contact_queries;
-    int64_t part_queries[64];
+    int32_t swift;      /* nodes are so fast that contact sweeps them */
+    mus__contact_tally part_tally[64];
     int64_t force_evaluations;
 
     /* arguments of the phase now running */
     int32_t phase;
     const void *phase_y; /* where forces are taken */
     void *phase_touch;   /* the state that meets the body after the phase; NULL: none does */
+    const void *before;  /* (3 n) places before the step, when contact is to sweep; NULL */
     double phase_h;
 };
 

@@ -55,11 +55,12 @@ static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int3
             other[i] = x[i] + half * now;
             if (dash) other[n3 + i] = v[i] + half * a;
         } else if (stage == 3) {
-            const MUS_REAL now = v[i] + half * two[i], a = push - drag * now, last = v[i] + h * a;
-            next[i] = x[i] + h * now;
+            const MUS_REAL now = v[i] + half * two[i], a = push - drag * now, last = v[i] + h * a, was = x[i];
+            next[i] = was + h * now;
             if (dash) next[n3 + i] = last;
-            x[i] += h * v[i] + square * (one[i] + two[i] + a);
+            x[i] = was + (h * v[i] + square * (one[i] + two[i] + a));
             v[i] += sixth * (one[i] + 2 * (two[i] + a));
+            one[i] = was;
             two[i] = last;
         } else {
             v[i] += sixth * (push - drag * two[i]);
@@ -187,9 +188,9 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     }
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
     MUS_REAL *x = sim->phase_touch;
-    sim->part_queries[part] += MUS_CONTACT(sim->collider, &sim->rule, sim->n, plan->chunk[first].first,
-                                           plan->chunk[last - 1].first + plan->chunk[last - 1].count, sim->weight,
-                                           sim->rest, x, x + 3 * (int64_t)sim->n);
+    MUS_CONTACT(sim->collider, &sim->rule, sim->n, plan->chunk[first].first,
+                plan->chunk[last - 1].first + plan->chunk[last - 1].count, sim->inverse, sim->before, sim->rest, x,
+                x + 3 * (int64_t)sim->n, &sim->part_tally[part]);
 }
 
 
@@ -208,6 +209,7 @@ static void MUS_FN(run_phase)(mus__sim *sim, int32_t phase, const void *y, void 
 /* the same from y to `next`, which change places */
 static void MUS_FN(run_move)(mus__sim *sim, int32_t phase)
 {
+    sim->before = sim->swift ? sim->y : NULL;
     MUS_FN(run_phase)(sim, phase, sim->y, phase == PHASE_KICK ? NULL : sim->next);
     void *const was = sim->y;
     sim->y = sim->next;
@@ -249,6 +251,7 @@ static void MUS_FN(stitch)(mus__sim *sim)
 static void MUS_FN(euler)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
+    sim->swift = sim->collider != NULL && sim->rule.travel > sim->collider->safe;
     MUS_FN(run_move)(sim, PHASE_EULER);
     if (sim->plan->npair > 0) MUS_FN(stitch)(sim);
 }
@@ -257,6 +260,7 @@ static void MUS_FN(euler)(mus__sim *sim, double h)
 static void MUS_FN(rk4)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
+    sim->before = sim->swift ? sim->f : NULL; /* stage 3 leaves it there */
     MUS_FN(run_phase)(sim, PHASE_RK1, sim->y, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK2, sim->next, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK3, sim->stage, NULL);

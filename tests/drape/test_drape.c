@@ -396,7 +396,7 @@ START_TEST(bad_numbers_are_refused_at_the_door)
         size_t offset;
         double value;
     } bad[] = {{offsetof(mus_drape_def, gravity), NAN},      {offsetof(mus_drape_def, clearance), -1.0},
-               {offsetof(mus_drape_def, friction), INFINITY}, {offsetof(mus_drape_def, collision_distance), 0.0},
+               {offsetof(mus_drape_def, friction), -1.0}, {offsetof(mus_drape_def, collision_distance), 0.0},
                {offsetof(mus_drape_def, settle_residual), NAN}, {offsetof(mus_drape_def, drag), -0.1}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         mus_drape_def_init(&def, sizeof def);

@@ -93,14 +93,13 @@ static mus_status try_drape(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23: friction NaN is the fabric's */
+/* X23; mus_drape_def.friction: NaN is the fabric's, infinity sticks (X31) */
 START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
         REFUSED(mus_drape_def, gravity, 3, false, "gravity"),
         REFUSED(mus_drape_def, collision_distance, 1, false, "collision_distance"),
         REFUSED(mus_drape_def, clearance, 1, false, "clearance"),
-        REFUSED(mus_drape_def, friction, 1, true, "friction"),
         REFUSED(mus_drape_def, drag, 1, false, "drag"),
         REFUSED(mus_drape_def, seam_pull, 1, false, "seam_pull"),
         REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
@@ -110,6 +109,56 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
     mus_drape_def def;
     mus_drape_def_init(&def, sizeof def);
     refused_fields(fields, sizeof fields / sizeof *fields, &def, sizeof def, try_drape, NULL);
+
+    mus_context *context = support_context();
+    def.friction = -INFINITY;
+    ck_assert_int_eq(try_drape(context, &def, NULL), MUS_ERR_ARG);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "friction"));
+    def.friction = INFINITY;
+    ck_assert_int_eq(try_drape(context, &def, NULL), MUS_OK);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* X23: mus_drape_move_body */
+START_TEST(a_body_glides_at_no_speed_that_is_not_finite)
+{
+    mus_context *context = support_context();
+    const double rows[12] = {0.0, 0.0, 0.0, 0.1, 0.1, 2.0, 0.5, 0.0, 0.0, 0.1, 0.1, 2.0};
+    mus_limb limb;
+    mus_body *body;
+    mus_drape *drape, *bare;
+    mus_limb_init(&limb, sizeof limb);
+    limb.pole[0] = -0.1, limb.pole[1] = 0.6;
+    limb.contours = 2;
+    limb.contour = rows;
+    ck_assert_int_eq(mus_body_create_limbs(context, 1, &limb, NULL, &body), MUS_OK);
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, NULL, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &bare), MUS_OK);
+    const double bad[] = {NAN, INFINITY, -INFINITY, 1e4};
+    for (size_t v = 0; v < sizeof bad / sizeof *bad; v++)
+        for (int32_t d = 0; d < 3; d++) {
+            double velocity[3] = {0.0, 0.0, 0.0};
+            velocity[d] = bad[v];
+            ck_assert_int_eq(mus_drape_move_body(drape, velocity), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), "velocity"));
+        }
+    const double slow[3] = {0.0, 1.0, 0.0};
+    ck_assert_int_eq(mus_drape_move_body(drape, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_move_body(NULL, slow), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_move_body(bare, slow), MUS_ERR_STATE);
+    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL) == MUS_ERR_STATE, 0);
+    ck_assert_int_eq(mus_drape_move_body(drape, slow), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_ERR_STATE);
+    mus_drape_destroy(drape);
+    mus_drape_destroy(bare);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    mus_body_destroy(body);
+    support_context_end(context);
 }
 END_TEST
 
@@ -165,6 +214,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, a_value_that_is_not_finite_is_refused_by_mus_fabric_set);
     tcase_add_test(tests, a_fabric_without_weight_is_refused);
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;

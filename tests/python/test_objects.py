@@ -275,3 +275,15 @@ def test_a_cloth_without_a_pattern(context):
         muslin.Cloth.bare([(0, 0, 0)], [1], springs=[(0, 5, 1, 1)], context=context)
     with pytest.raises(ValueError, match="2 masses for 1 nodes"):
         muslin.Cloth.bare([(0, 0, 0)], [1, 1], context=context)
+
+
+def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):
+    tape, body, pattern, cloth = scene
+    drape = muslin.Drape(cloth, body)
+    drape.place()
+    drape.move_body((0.0, 0.5, 0.0))
+    drape.step(2, 0.5 * drape.step_bound)
+    with pytest.raises(muslin.MuslinError, match="glides"):
+        drape.settle()
+    drape.move_body((0.0, 0.0, 0.0))
+    assert drape.report["contact_impulse"] is not None

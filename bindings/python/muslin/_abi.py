@@ -244,7 +244,7 @@ class mus_drape_report(Structure):
                 ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
                 ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
-                ("rest_distance", c_double)]
+                ("rest_distance", c_double), ("contact_impulse", c_double * 3)]
 
 
 class mus_sheet_def(Structure):
@@ -446,6 +446,7 @@ FUNCTIONS = {
     "mus_drape_pin": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32]),
     "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
+    "mus_drape_move_body": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_sew": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_settle": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_positions": ("core", POINTER(c_double), [POINTER(mus_drape)]),

@@ -33,6 +33,10 @@ class Drape(Object):
         """Put the nodes where the pattern's placement says, and open all seams."""
         self.do("place")
 
+    def move_body(self, velocity):
+        """Let the body glide with a constant velocity (3) [m/s] in step(); zero stops it where it is."""
+        self.do("move_body", (ctypes.c_double * 3)(*velocity))
+
     def sew(self, progress=None):
         """Pull all seams shut and weld them. progress(phase, share) may return True to stop."""
         self._run("sew", progress)

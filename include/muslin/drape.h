@@ -67,7 +67,8 @@ MUS_API mus_status mus_drape_place(mus_drape *drape);
  */
 MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
 
-/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite). */
+/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite;
+ * with precision 32 more than 10 km from the middle of the cloth as placed). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
 /** Hold a node where it is (fixed nonzero) or let it go. Errors: MUS_ERR_ARG. */
@@ -89,7 +90,8 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
 /**
  * Advance by `steps` steps of `dt` of the def's integrator, with contact after each.
  *
- * Errors:  MUS_ERR_ARG (steps < 0, dt negative or not finite); MUS_ERR_STEP (dt above the bound: both in the message);
+ * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
+ *          bound: both in the message);
  *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
  * Memory:  allocates nothing
  * Cost:    a step is 4 force evaluations (RK4) or 1 (Verlet; its first after a change of the state 1 more) and one

@@ -8,6 +8,8 @@
 
 #include "drape/level.h"
 
+#define FLOAT_REACH 1e4 /* [m] */
+
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
 {
@@ -86,16 +88,33 @@ static mus_status take_memory(mus_drape *drape)
 }
 
 
-/* float: the mean place of the nodes before sewing, to the centimetre */
-static void choose_origin(mus_drape *drape)
+/* places that the state can hold: float rounds to a millimetre 10 km from its origin, and farther off it is no cloth */
+static mus_status check_reach(const mus_drape *drape, const double *x)
 {
-    if (drape->def.precision != 32 || drape->n == 0) return;
+    if (drape->def.precision != 32) return MUS_OK;
+    for (int64_t i = 0; i < 3 * (int64_t)drape->n; i++) {
+        const double from = x[i] - drape->sim.origin[i % 3];
+        if (from > FLOAT_REACH || from < -FLOAT_REACH)
+            return mus__fail(drape->context, MUS_ERR_ARG,
+                             "drape: node %d is %g m from the middle of the cloth as placed, at most %g m with "
+                             "precision 32; take 64",
+                             (int)(i / 3), from, FLOAT_REACH);
+    }
+    return MUS_OK;
+}
+
+
+/* float: the mean place of the nodes before sewing, to the centimetre */
+static mus_status choose_origin(mus_drape *drape)
+{
+    if (drape->def.precision != 32 || drape->n == 0) return MUS_OK;
     mus__cloth_place(drape->cloth, drape->x);
     for (int32_t d = 0; d < 3; d++) {
         double sum = 0.0;
         for (int32_t i = 0; i < drape->n; i++) sum += drape->x[3 * (int64_t)i + d];
         drape->sim.origin[d] = floor(100.0 * sum / drape->n) / 100.0;
     }
+    return check_reach(drape, drape->x);
 }
 
 
@@ -137,7 +156,7 @@ static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
         return MUS_OK;
     }
     mus_status status = mus__pool_create(drape->context, drape->def.threads, &drape->pool);
-    if (status == MUS_OK) choose_origin(drape);
+    if (status == MUS_OK) status = choose_origin(drape);
     if (status == MUS_OK && body != NULL)
         status = mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->collider);
     return status;
@@ -293,6 +312,8 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
     for (int64_t i = 0; i < 3 * (int64_t)drape->n; i++)
         if (!mus__finite(positions[i]) || (velocities != NULL && !mus__finite(velocities[i])))
             return mus__fail(drape->context, MUS_ERR_ARG, "drape: the state of node %d is not finite", (int)(i / 3));
+    const mus_status status = check_reach(drape, positions);
+    if (status != MUS_OK) return status;
 
     const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;
     memcpy(drape->x, positions, bytes);

@@ -11,6 +11,7 @@
 #define CALL_SECONDS 0.1 /* of wall time between progress calls */
 #define GUARD_STEPS 64   /* between looks at the state */
 #define PUSH_SPEED 1.0   /* [m/s]: what starts inside the body leaves it no faster */
+#define LEAST_STEP 1e-30 /* [s]: far below what moves a float */
 #define MOST_SPEED 1e4   /* [m/s]: no cloth moves so fast; beyond it the motion has diverged */
 
 
@@ -80,8 +81,8 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     if (drape == NULL) return MUS_ERR_ARG;
     mus_context *context = drape->context;
     if (steps < 0) return mus__fail(context, MUS_ERR_ARG, "drape: steps is %d, expected 0 or more", (int)steps);
-    if (!(dt >= 0.0) || !mus__finite(dt))
-        return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or more", dt);
+    if (!(dt == 0.0 || dt >= LEAST_STEP) || !mus__finite(dt))
+        return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or at least %g", dt, LEAST_STEP);
     mus__drape_inertia(drape, 0);
     const double bound = mus_drape_step_bound(drape);
     if (dt > bound)

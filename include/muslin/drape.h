@@ -74,11 +74,15 @@ MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions
 /** Hold a node where it is (fixed nonzero) or let it go. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 
+/** Change gravity (3) [m/s2] from now on. Errors: MUS_ERR_ARG (NULL, not finite, beyond 1e4). */
+MUS_API mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity);
+
 /**
- * Largest step that is proven stable for the def's integrator with the springs, masses and damping as they are now [s].
+ * Largest step that is proven stable for the def's integrator with pose, springs, masses and damping as they are now
+ * [s].
  *
- * With O^2 = max_i lambda_max(T_i) / m_i, T_i the sum over springs at node i of k S |w| n n^T (n n^T replaced by the
- * identity, which holds for every pose), G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
+ * With O^2 = max_i lambda_max(T_i) / m_i, T_i (3 x 3) the sum over springs at node i of 2 k (n n^T + t (1 - n n^T)), n
+ * along the spring and t = max(0, 1 - rest/l) of a stretched one, and of 4 k, 8 k, 4 k (identity) for bending, G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
  *
  *   h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
  *
@@ -90,6 +94,8 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
 /**
  * Advance by `steps` steps of `dt` of the def's integrator, with contact after each.
  *
+ * The bound is looked at anew every 512 steps. Where the pose has lowered it below dt, steps are made in equal parts
+ * until it is above dt again; the report's step_parts says how many at most.
  * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
  *          bound: both in the message);
  *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
@@ -107,6 +113,39 @@ MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
  * Errors:  MUS_ERR_ARG (not finite, above 1000 m/s); MUS_ERR_STATE (no body)
  */
 MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);
+
+/** What a run will cost, told before it. */
+typedef struct mus_drape_forecast {
+    size_t size;
+    double step;             /* to be used: 0.9 of the bound, or the frame where that is shorter [s] */
+    double step_bound;       /* [s] */
+    int32_t steps_per_frame; /* of `step` at most each */
+    int32_t node;            /* that sets the bound, MUS_NONE without springs */
+    double node_mass;        /* [kg] */
+    double node_stiffness;   /* lambda_max(T) of it [N/m] */
+    double bend_share;       /* part of it that bending and seams are, the rest is stretch and shear */
+    double seconds;          /* CPU seconds for a frame, from a trial of a few steps, which it takes back */
+    int64_t node_evaluations; /* a frame */
+} mus_drape_forecast;
+
+MUS_API void mus_drape_forecast_init(mus_drape_forecast *forecast, size_t size);
+
+/**
+ * Step, steps a frame, and CPU time of mus_drape_step, and which node is the reason.
+ *
+ * Units:  frame [s], above 0
+ * Errors: MUS_ERR_ARG, MUS_ERR_VERSION
+ * Cost:   8 steps; the state is as before
+ */
+MUS_API mus_status mus_drape_plan(mus_drape *drape, double frame, mus_drape_forecast *out);
+
+/**
+ * Force of springs, bending and gravity on each node: out (nodes x 3) [N], without contact, damping and open seams.
+ *
+ * Of a held node it is minus the reaction of what holds it; of a free one at rest it is minus what the skin carries.
+ * Welded nodes all have the force on their one node.
+ */
+MUS_API mus_status mus_drape_forces(const mus_drape *drape, double *out);
 
 /** Called during sew and settle a few times a second of wall time at most; nonzero stops the run with MUS_OK.
  * phase: "sew" or "settle"; progress 0..1. */
@@ -161,6 +200,7 @@ typedef struct mus_drape_report {
     int64_t contact_queries;    /* node against limb, since create */
     double sew_time;            /* cloth time spent sewing [s] */
     double settle_time;         /* cloth time spent settling, on all cuts [s] */
+    int32_t step_parts;         /* that the last mus_drape_step divided its steps in at most, 1 as a rule */
     double rest_distance;       /* what the last settle expects its farthest node still to go [m] */
     double contact_impulse[3];  /* that the body gave the cloth since create [N s]: take differences over steps */
 } mus_drape_report;

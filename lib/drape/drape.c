@@ -9,6 +9,7 @@
 #include "drape/level.h"
 
 #define FLOAT_REACH 1e4 /* [m] */
+#define MOST_GRAVITY 1e4 /* [m/s2]: a thousand g and no more */
 
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
@@ -44,7 +45,7 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
 {
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < 3 && status == MUS_OK; i++)
-        status = check_number(context, "gravity", def->gravity[i], -1e4, 1e4);
+        status = check_number(context, "gravity", def->gravity[i], -MOST_GRAVITY, MOST_GRAVITY);
     if (status == MUS_OK && def->precision != 32 && def->precision != 64)
         status = mus__fail(context, MUS_ERR_ARG, "drape: precision is %d, expected 32 or 64", (int)def->precision);
     if (status == MUS_OK && (def->threads < 1 || def->threads > 64))
@@ -231,8 +232,8 @@ void mus_drape_destroy(mus_drape *drape)
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);
-    void *blocks[] = {drape->x,    drape->v,      drape->force,     drape->mean, drape->work,  drape->before,
-                      drape->left, drape->mass,   drape->stiffness, drape->rep,  drape->pinned};
+    void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean,
+                      drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }
@@ -243,6 +244,7 @@ void mus_drape_destroy(mus_drape *drape)
 void mus__drape_push(mus_drape *drape)
 {
     drape->sim.ops->put(&drape->sim, drape->x, drape->v);
+    mus__drape_stale(drape);
 }
 
 
@@ -274,6 +276,7 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 double mus__drape_inertia(mus_drape *drape, int32_t scaled)
 {
+    mus__drape_stale(drape);
     if (scaled) mus__plan_stiffness_at(&drape->plan, drape->n, drape->x, drape->stiffness, drape->work);
     else mus__plan_stiffness(&drape->plan, drape->n, drape->stiffness);
 
@@ -328,6 +331,21 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
 }
 
 
+mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (gravity == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: gravity is NULL");
+    for (int32_t i = 0; i < 3; i++) {
+        const mus_status status = check_number(drape->context, "gravity", gravity[i], -MOST_GRAVITY, MOST_GRAVITY);
+        if (status != MUS_OK) return status;
+    }
+    memcpy(drape->def.gravity, gravity, sizeof drape->def.gravity);
+    drape->settled = 0;
+    mus__drape_stale(drape);
+    return MUS_OK;
+}
+
+
 mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
 {
     if (drape == NULL) return MUS_ERR_ARG;
@@ -339,6 +357,7 @@ mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
         mus__drape_push(drape);
         mus__drape_publish(drape);
     }
+    mus__drape_stale(drape);
     return MUS_OK;
 }
 

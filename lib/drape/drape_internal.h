@@ -30,7 +30,7 @@ struct mus_drape {
 
     double *x, *v;      /* (n x 3) what the caller sees */
     double *force;      /* (n x 3) scratch of reports */
-    /* of settle, NULL before the first */
+    /* of settle, one block, NULL before the first */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
     double *before;     /* (n x 3) mean place at the check before */
     double *left;       /* (n x 3) force left over at the check before */
@@ -40,6 +40,10 @@ struct mus_drape {
     double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
     int32_t *rep;       /* (n) node that stands for each; itself when not welded */
     int32_t *pinned;    /* (n) */
+
+    /* of mus_drape_step: as last looked at, bound 0 when something changed since */
+    double bound, energy, active; /* [s]; [J] all, kinetic and elastic */
+    int32_t since_look, parts;    /* steps; parts that a step was divided in at most */
 
     /* time = time0 + count * dt, so that a long run keeps its clock */
     double time0, dt;
@@ -67,6 +71,16 @@ void mus__drape_push(mus_drape *drape);
  * pose that x holds, and inertia raised where the stiffness would ask for a smaller step than the lattice needs (rest
  * shapes do not depend on inertia). Returns the step bound of RK4 [s]. */
 double mus__drape_inertia(mus_drape *drape, int32_t scaled);
+/* bound of a step of the def's integrator at the pose of x, and the node that sets it; writes the scratch arrays */
+double mus__drape_bound(const mus_drape *drape, int32_t *tightest);
+/* force evaluations of a step of the def's integrator */
+int32_t mus__drape_evaluations(const mus_drape *drape);
+/* what the passes of mus_drape_step use, once before it; then `steps` of dt, in parts where the bound asks for them, the
+ * clock being `ahead` steps behind */
+void mus__drape_prepare(mus_drape *drape, double dt);
+void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double dt);
+/* the next step takes masses, bound and energy anew */
+void mus__drape_stale(mus_drape *drape);
 /* note `steps` of `h` on the clock and in the counters */
 void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluations);
 
@@ -117,6 +131,8 @@ typedef struct mus__run {
 void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, void *user);
 /* calls the caller's function if it is time, and notes in run->stop what it wants */
 void mus__run_report(mus__run *run, double progress);
+/* MUS_ERR_DIVERGED (and the last good state restored) when a number is not finite or too fast */
+mus_status mus__drape_check_motion(mus_drape *drape);
 /* MUS_ERR_DIVERGED (and the last good state restored) when a number is not finite, else a new good state */
 mus_status mus__drape_guard(mus_drape *drape);
 

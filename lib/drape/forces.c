@@ -172,3 +172,16 @@ double mus__drape_gap(const mus_drape *drape, int32_t *seam)
     }
     return most;
 }
+
+
+mus_status mus_drape_forces(const mus_drape *drape, double *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+    mus__plan_force(&drape->plan, drape->n, drape->x, out);
+    for (int32_t i = 0; i < drape->n; i++)
+        for (int32_t d = 0; d < 3; d++) out[3 * (int64_t)i + d] += drape->mass[i] * drape->def.gravity[d];
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->rep[i] != i) memcpy(out + 3 * (int64_t)i, out + 3 * (int64_t)drape->rep[i], 3 * sizeof *out);
+    return MUS_OK;
+}

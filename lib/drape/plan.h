@@ -149,6 +149,8 @@ static inline int32_t mus__plan_table_size(const mus__plan *plan)
 
 /* diagonal bound of the stiffness: t (nnode) gets T_i = sum k S |w|, identity in place of n n^T [N/m] */
 void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t);
+/* what bending, hinges and pairs give of it */
+void mus__plan_bending(const mus__plan *plan, int32_t nnode, double *t);
 /* the same at the pose x (nnode x 3): t (nnode) gets a bound of the largest eigenvalue of the 3 x 3 T_i, with n n^T for
  * what pulls along the spring and (1 - rest/l) (1 - n n^T) for a stretched one; work (6 nnode) */
 void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *x, double *t, double *work);

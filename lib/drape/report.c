@@ -83,6 +83,7 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     }
     report.sew_time = drape->sew_time;
     report.settle_time = drape->settle_time;
+    report.step_parts = drape->parts;
     report.rest_distance = drape->distance;
     *out = report;
     return MUS_OK;

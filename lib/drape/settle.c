@@ -124,11 +124,12 @@ static double expected_distance(double move, double last)
 /* what a settle needs beside the state: taken by the first, kept until the drape is destroyed */
 static mus_status take_scratch(mus_drape *drape)
 {
-    double **array[] = {&drape->mean, &drape->before, &drape->left};
-    for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
-        if (*array[i] == NULL) *array[i] = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof **array[i]);
-        if (*array[i] == NULL) return mus__fail_memory(drape->context, "a settle");
-    }
+    const int64_t n3 = 3 * (int64_t)drape->n;
+    if (drape->mean != NULL) return MUS_OK;
+    drape->mean = mus__new(drape->context, 3 * n3, sizeof *drape->mean);
+    if (drape->mean == NULL) return mus__fail_memory(drape->context, "a settle");
+    drape->before = drape->mean + n3;
+    drape->left = drape->before + n3;
     return MUS_OK;
 }
 

@@ -111,6 +111,7 @@ START_TEST(the_bound_is_that_of_one_evaluation)
     mus_drape *other;
     mus_drape_def def;
     mus_drape_def_init(&def, sizeof def);
+    def.precision = 64;
     ck_assert_int_eq(mus_drape_create(s.context, s.cloth, NULL, &def, &other), MUS_OK);
     ck_assert_int_eq(mus_drape_pin(other, 0, 1), MUS_OK);
     const double bound = mus_drape_step_bound(s.drape);

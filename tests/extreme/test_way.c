@@ -127,7 +127,7 @@ static const struct {
     {"tape", way_tape, true},   {"measures", way_measures, true}, {"body", way_body, true},
     {"draft", way_draft, true}, {"check", way_check, true},       {"cloth", way_cloth, true},
     {"drape", way_drape, true}, {"place", way_place, false},      {"sew", way_sew, false},
-    {"walk", way_walk, false},  {"settle", way_settle, false},    {"report", way_report, false},
+    {"walk", way_walk, false},  {"settle", way_settle, true},    {"report", way_report, false},
 };
 
 

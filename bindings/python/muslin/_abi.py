@@ -237,6 +237,12 @@ class mus_drape_def(Structure):
                 ("settle_residual", c_double), ("integrator", c_int32)]
 
 
+class mus_drape_forecast(Structure):
+    _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
+                ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
+                ("seconds", c_double), ("node_evaluations", c_int64)]
+
+
 class mus_drape_report(Structure):
     _fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("seams", c_int32),
                 ("seams_closed", c_int32), ("welded", c_int32), ("worst_seam", c_int32), ("settled", c_int32),
@@ -244,7 +250,7 @@ class mus_drape_report(Structure):
                 ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
                 ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
-                ("rest_distance", c_double), ("contact_impulse", c_double * 3)]
+                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3)]
 
 
 class mus_sheet_def(Structure):
@@ -444,9 +450,13 @@ FUNCTIONS = {
     "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),
     "mus_drape_set_state": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double), POINTER(c_double)]),
     "mus_drape_pin": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32]),
+    "mus_drape_set_gravity": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
     "mus_drape_move_body": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_drape_forecast_init": ("core", None, [POINTER(mus_drape_forecast), c_size_t]),
+    "mus_drape_plan": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_drape_forecast)]),
+    "mus_drape_forces": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_sew": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_settle": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_positions": ("core", POINTER(c_double), [POINTER(mus_drape)]),

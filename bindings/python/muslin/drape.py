@@ -68,6 +68,16 @@ class Drape(Object):
         """Largest stable step [s]."""
         return self.get("step_bound")
 
+    def set_gravity(self, gravity):
+        """Change gravity (3) [m/s2] from now on."""
+        self.do("set_gravity", (ctypes.c_double * 3)(*gravity))
+
+    def plan(self, frame):
+        """What steps of mus_drape_step will cost for a frame [s], as a dict (mus_drape_forecast)."""
+        forecast = make_def(_abi.mus_drape_forecast, lib.mus_drape_forecast_init)
+        self.do("plan", frame, ctypes.byref(forecast))
+        return read_struct(forecast)
+
     def set_state(self, positions, velocities=None):
         """Positions (n x 3) [m] and velocities (n x 3) [m/s]."""
         places, n = doubles(positions, 3)
@@ -102,6 +112,13 @@ class Drape(Object):
         normals = (ctypes.c_double * (3 * len(self)))()
         self.do("normals", normals)
         return result(normals, 3)
+
+    @property
+    def forces(self):
+        """Force of springs, bending and gravity on each node (n x 3) [N], made anew."""
+        forces = (ctypes.c_double * (3 * len(self)))()
+        self.do("forces", forces)
+        return result(forces, 3)
 
     def gaps(self, cloth):
         """Gap of each seam pair [m]; `cloth` is the one that the drape was made of."""

@@ -1,0 +1,203 @@
+/*
+ * step.c: stepping by hand: the bound, the steps, the guard on energy.
+ *
+ * The bound is of the pose: it is taken when a step begins after a change from outside, and again every LOOK_STEPS steps.
+ * A step above it is refused at the door. When the pose tightens during a run (strong shear lines threads up), steps
+ * are divided until it has passed, and the report says so.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+#define LEAST_STEP 1e-30  /* [s]: far below what moves a float */
+#define PUSH_SPEED 1.0    /* [m/s]: what starts inside the body leaves it no faster */
+#define GUARD_STEPS 64    /* between looks at the state */
+#define LOOK_STEPS 512    /* between looks at bound and energy: about 1 % of the time */
+#define MOST_PARTS 64     /* of a divided step */
+#define ENERGY_GROWTH 0.5 /* of kinetic and elastic energy: steps below the bound lose energy */
+#define ENERGY_FALL 0.01  /* [m] of the weight: what rounding and the body may add */
+
+
+double mus__drape_bound(const mus_drape *drape, int32_t *tightest)
+{
+    double rate2 = 0.0, gamma = 0.0, ratio = 0.0, *dashpots = drape->work;
+    mus__plan_stiffness_at(&drape->plan, drape->n, drape->x, drape->stiffness, drape->work);
+    if (drape->plan.dashpots) mus__plan_dashpots(&drape->plan, drape->n, dashpots, &ratio);
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        if (drape->stiffness[i] > rate2 * drape->mass[i]) {
+            rate2 = drape->stiffness[i] / drape->mass[i];
+            if (tightest != NULL) *tightest = i;
+        }
+        if (drape->plan.dashpots && dashpots[i] > gamma * drape->mass[i]) gamma = dashpots[i] / drape->mass[i];
+    }
+    if (drape->def.integrator == MUS_METHOD_VERLET) return mus__plan_step_verlet(rate2, gamma);
+    return mus__plan_step(rate2, gamma + drape->def.drag, ratio, drape->def.drag);
+}
+
+
+double mus_drape_step_bound(const mus_drape *drape)
+{
+    return drape != NULL ? mus__drape_bound(drape, NULL) : 0.0;
+}
+
+
+void mus__drape_stale(mus_drape *drape)
+{
+    drape->bound = 0.0;
+}
+
+
+/* kinetic and elastic energy into *active, all with that in gravity returned; of drape->x and drape->v */
+static double energy_now(const mus_drape *drape, double *active)
+{
+    const double *g = drape->def.gravity;
+    double place = 0.0;
+    *active = mus__plan_force(&drape->plan, drape->n, drape->x, NULL);
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        const double *x = drape->x + 3 * (int64_t)i, *v = drape->v + 3 * (int64_t)i;
+        *active += 0.5 * drape->mass[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        place -= drape->mass[i] * (g[0] * x[0] + g[1] * x[1] + g[2] * x[2]);
+    }
+    return *active + place;
+}
+
+
+/* bound and energy of the pose as published */
+static void look(mus_drape *drape)
+{
+    drape->bound = mus__drape_bound(drape, NULL);
+    drape->energy = energy_now(drape, &drape->active);
+    drape->since_look = 0;
+}
+
+
+/* what springs hold by the rounding of places alone, with room [J]: 0.5 k (ulp of a metre)^2 at each node */
+static double rounding_energy(const mus_drape *drape)
+{
+    const double ulp = drape->def.precision == 32 ? 1e-6 : 1e-14;
+    double stiffness = 0.0;
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->stiffness[i] > stiffness) stiffness = drape->stiffness[i];
+    return 0.5 * drape->n * stiffness * ulp * ulp;
+}
+
+
+/*
+ * Nothing but a body or an open seam drives a cloth, so without them its energy falls. A rise since the last look by
+ * more than half of what was in motion and in springs, and a centimetre's worth of weight, is divergence. With them,
+ * which may do work, the limit of speed alone holds.
+ */
+static mus_status guard_energy(mus_drape *drape)
+{
+    const double last = drape->energy, active = drape->active, *g = drape->def.gravity;
+    const double weight = mus_cloth_mass(drape->cloth) * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double most = last + ENERGY_GROWTH * active + ENERGY_FALL * weight + rounding_energy(drape);
+    mus__drape_publish(drape);
+    look(drape);
+    if (drape->collider != NULL || drape->plan.npair > 0 || drape->energy <= most) return MUS_OK;
+    const double energy = drape->energy;
+    drape->sim.ops->restore(&drape->sim);
+    mus__drape_stale(drape);
+    return mus__fail(drape->context, MUS_ERR_DIVERGED,
+                     "drape: the energy rose from %.6g to %.6g J after %.6f s, %.6g expected at most; the last good state "
+                     "is kept",
+                     last, energy, mus_drape_time(drape), most);
+}
+
+
+static mus_status check_step(mus_drape *drape, int32_t steps, double dt)
+{
+    mus_context *context = drape->context;
+    if (steps < 0) return mus__fail(context, MUS_ERR_ARG, "drape: steps is %d, expected 0 or more", (int)steps);
+    if (!(dt == 0.0 || dt >= LEAST_STEP) || !mus__finite(dt))
+        return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or at least %g", dt, LEAST_STEP);
+
+    /* true masses and the bound, if anything changed since they were taken */
+    if (drape->bound <= 0.0) {
+        mus__drape_inertia(drape, 0);
+        look(drape);
+        drape->sim.ops->snapshot(&drape->sim);
+    }
+    if (dt > drape->bound)
+        return mus__fail(context, MUS_ERR_STEP, "drape: step %.9g s is above the stability bound %.9g s", dt,
+                         drape->bound);
+    return MUS_OK;
+}
+
+
+int32_t mus__drape_evaluations(const mus_drape *drape)
+{
+    return drape->def.integrator == MUS_METHOD_VERLET ? 1 : 4;
+}
+
+
+void mus__drape_prepare(mus_drape *drape, double dt)
+{
+    mus__sim *sim = &drape->sim;
+    memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
+    sim->drag = drape->def.drag;
+    sim->dashpots = drape->plan.dashpots;
+    memset(sim->rest, 0, (size_t)drape->n);
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt};
+    mus__drape_meet_first(drape);
+}
+
+
+void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double dt)
+{
+    mus__sim *sim = &drape->sim;
+    const double need = dt / drape->bound;
+    const int32_t parts = need > 1.0 ? (int32_t)fmin(ceil(need), MOST_PARTS) : 1;
+    const int32_t verlet = drape->def.integrator == MUS_METHOD_VERLET, count = steps * parts;
+    const double h = dt / parts;
+    sim->rule.push = PUSH_SPEED * h;
+    sim->rule.slip = verlet ? h : 0.5 * h;
+    sim->rule.step = h;
+
+    /* a body that glides is moved before each step */
+    const int32_t alone = !verlet || mus__drape_glides(drape) ? 1 : count;
+    for (int32_t i = 0; i < count; i += alone) {
+        mus__drape_meet(drape, (int64_t)ahead * parts + i + alone, h);
+        if (verlet) sim->ops->verlet(sim, h, alone);
+        else sim->ops->rk4(sim, h);
+    }
+    drape->steps += count - steps; /* the clock counts the rest */
+    const int64_t more = (int64_t)(count - steps) * mus__drape_evaluations(drape);
+    drape->spring_evaluations += more * drape->plan.spring_evaluations;
+    if (parts > drape->parts) drape->parts = parts;
+}
+
+
+mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    mus_status status = check_step(drape, steps, dt);
+    if (status != MUS_OK || steps == 0 || dt == 0.0) return status;
+
+    mus__sim *sim = &drape->sim;
+    mus__drape_prepare(drape, dt);
+    drape->parts = 1;
+
+    /* time goes on when a state was found good: at a look, and at the end */
+    int32_t good = 0;
+    for (int32_t done = 0; done < steps && status == MUS_OK;) {
+        const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;
+        mus__drape_advance(drape, done - good, batch, dt);
+        done += batch;
+        drape->since_look += batch;
+        status = mus__drape_check_motion(drape);
+        const int32_t due = drape->since_look >= LOOK_STEPS;
+        if (status == MUS_OK && due) status = guard_energy(drape);
+        if (status != MUS_OK || (!due && done < steps)) continue;
+        sim->ops->snapshot(sim);
+        mus__drape_tick(drape, done - good, dt, mus__drape_evaluations(drape));
+        good = done;
+    }
+    mus__drape_glide(drape, 0, dt);
+    drape->settled = 0;
+    mus__drape_publish(drape);
+    return status;
+}

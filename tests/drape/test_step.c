@@ -1,0 +1,188 @@
+/* test_step.c: stepping by hand: bound at the pose, divided steps, guard on energy, forecast, forces, gravity. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+#include "scenes.h"
+
+
+/* a grid of 12 x 12 in double, its first row held */
+static mus_drape *grid_scene(mus_context *context, mus_cloth **cloth, int32_t precision)
+{
+    const double cell[2] = {0.02, 0.02};
+    mus_cloth_def cut;
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.fabric.damping = 0.0;
+    ck_assert_int_eq(mus_cloth_create_grid(context, 12, 12, cell, &cut, cloth), MUS_OK);
+    mus_drape *drape = scene_drape(context, *cloth, precision, 1);
+    for (int32_t i = 0; i < 12; i++) ck_assert_int_eq(mus_drape_pin(drape, i, 1), MUS_OK);
+    return drape;
+}
+
+
+/* X5 by hand, flat square cells: inside, lambda_max = 4 k + 4 k_d (all threads of one kind, half of each diagonal). A
+ * corner has a quarter of the mass, half threads and one whole diagonal: [k + k_d, k_d; k_d, k + k_d], that is k + 2 k_d.
+ * The identity in place of n n^T would give 8 k + 8 k_d inside */
+START_TEST(bound_is_that_of_the_three_by_three_matrix)
+{
+    mus_context *context = support_context();
+    const double cell[2] = {0.02, 0.02};
+    mus_cloth_def cut;
+    mus_cloth *cloth;
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.fabric.damping = 0.0;
+    cut.fabric.stretch[0] = cut.fabric.stretch[1] = 540.0;
+    cut.fabric.shear = 40.0;
+    cut.fabric.bend[0] = cut.fabric.bend[1] = cut.fabric.bend[2] = 0.0;
+    ck_assert_int_eq(mus_cloth_create_grid(context, 9, 9, cell, &cut, &cloth), MUS_OK);
+    mus_drape *drape = scene_drape(context, cloth, 64, 1);
+    const double mass = cut.fabric.weight * 4e-4, stiffness = 4.0 * (500.0 + 2.0 * 40.0);
+    ck_assert_double_eq_tol(mus_drape_step_bound(drape), 2.62 / sqrt(stiffness / mass), 1e-12);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* sheared flat until threads and one diagonal line up, the same cloth asks for smaller steps: a step that was allowed
+ * before is refused at the door now, and one that meets such a pose on its way is divided and says so */
+START_TEST(strong_shear_lowers_the_bound)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_drape *drape = grid_scene(context, &cloth, 64);
+    const int32_t n = mus_drape_node_count(drape);
+    double *x = malloc(3 * (size_t)n * sizeof *x), *v = calloc(3 * (size_t)n, sizeof *v);
+    memcpy(x, mus_drape_positions(drape), 3 * (size_t)n * sizeof *x);
+    const double flat = mus_drape_step_bound(drape);
+    for (int32_t i = 0; i < n; i++) x[3 * i] += 2.0 * (x[3 * i + 1] - 1.0), x[3 * i + 1] *= 0.5;
+    ck_assert_int_eq(mus_drape_set_state(drape, x, v), MUS_OK);
+    const double sheared = mus_drape_step_bound(drape);
+    ck_assert_double_lt(sheared, 0.9 * flat);
+    const uint64_t hash = mus_drape_hash(drape);
+    ck_assert_int_eq(mus_drape_step(drape, 10, 0.99 * flat), MUS_ERR_STEP);
+    ck_assert(mus_drape_hash(drape) == hash);
+
+    drape->bound = 0.0; /* as if the pose had come about within a run */
+    ck_assert_int_eq(mus_drape_step(drape, 0, 0.5 * sheared), MUS_OK);
+    drape->bound = flat;
+    drape->since_look = 512;
+    ck_assert_int_eq(mus_drape_step(drape, 200, 0.99 * flat), MUS_OK);
+    mus_drape_report report;
+    mus_drape_report_init(&report, sizeof report);
+    ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+    ck_assert_int_eq(report.step_parts, 2);
+    ck_assert_double_eq_tol(mus_drape_time(drape), 200 * 0.99 * flat, 1e-12);
+    free(x);
+    free(v);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* X4: what gets through is caught. The bound is falsified, a shaken cloth stepped far above it: the state that comes
+ * back is one that was good, with its time */
+START_TEST(energy_that_rises_ends_the_run_at_the_last_good_state)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_drape *drape = grid_scene(context, &cloth, _i ? 64 : 32);
+    const double h = 1.15 * mus_drape_step_bound(drape);
+    ck_assert_int_eq(mus_drape_step(drape, 0, 0.0), MUS_OK);
+    mus_drape_report report;
+    mus_drape_report_init(&report, sizeof report);
+    ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+    const double start = report.energy;
+    drape->bound = 2.0 * h;
+    ck_assert_int_eq(mus_drape_step(drape, 5000, h), MUS_ERR_DIVERGED);
+    ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+    ck_assert(isfinite(report.energy));
+    ck_assert_double_lt(report.energy, start + 1e-2);
+    ck_assert_double_lt(mus_drape_time(drape), 5000 * h);
+    const double rest = fmod(mus_drape_time(drape) + 1e-9, h);
+    ck_assert_double_lt(rest, 1e-6);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a plan changes nothing: the run after it is the run without it, bit for bit */
+START_TEST(a_plan_says_what_a_frame_costs_and_changes_nothing)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_drape *drape = grid_scene(context, &cloth, 32), *twin = scene_drape(context, cloth, 32, 1);
+    for (int32_t i = 0; i < 12; i++) ck_assert_int_eq(mus_drape_pin(twin, i, 1), MUS_OK);
+    mus_drape_forecast plan;
+    mus_drape_forecast_init(&plan, sizeof plan);
+    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_OK);
+    ck_assert_double_le(plan.step, 0.9 * plan.step_bound * (1 + 1e-12));
+    ck_assert_double_eq_tol(plan.step * plan.steps_per_frame, 0.02, 1e-15);
+    ck_assert_int_eq(plan.node_evaluations, (int64_t)plan.steps_per_frame * 144 * 4);
+    ck_assert_double_eq_tol(plan.step_bound, 2.62 / sqrt(plan.node_stiffness / plan.node_mass), 1e-9);
+    ck_assert(plan.node >= 12 && plan.node < 144 && plan.bend_share >= 0.0 && plan.bend_share < 0.2);
+    ck_assert(plan.seconds >= 0.0);
+    for (int32_t k = 0; k < 2; k++) {
+        ck_assert_int_eq(mus_drape_step(drape, plan.steps_per_frame, plan.step), MUS_OK);
+        ck_assert_int_eq(mus_drape_step(twin, plan.steps_per_frame, plan.step), MUS_OK);
+        ck_assert(mus_drape_hash(drape) == mus_drape_hash(twin));
+        ck_assert_int_eq(mus_drape_plan(drape, 0.01, &plan), MUS_OK);
+        ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_OK);
+    }
+    ck_assert_int_eq(mus_drape_plan(drape, 0.0, &plan), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_plan(drape, NAN, &plan), MUS_ERR_ARG);
+    plan.size--;
+    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_ERR_VERSION);
+    mus_drape_destroy(drape);
+    mus_drape_destroy(twin);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* X21: all held: the reactions carry the weight. X35: gravity changed on the way changes the forces by m dg exactly */
+START_TEST(forces_of_held_nodes_are_their_weight)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_drape *drape = grid_scene(context, &cloth, 64);
+    for (int32_t i = 0; i < 144; i++) ck_assert_int_eq(mus_drape_pin(drape, i, 1), MUS_OK);
+    double force[3 * 144], sum[3] = {0, 0, 0};
+    ck_assert_int_eq(mus_drape_forces(drape, force), MUS_OK);
+    for (int32_t i = 0; i < 3 * 144; i++) sum[i % 3] += force[i];
+    ck_assert_double_eq_tol(sum[0], 0.0, 1e-12);
+    ck_assert_double_eq_tol(sum[1], -9.81 * mus_cloth_mass(cloth), 1e-12);
+    const double gravity[3] = {1.0, 2.0, -3.0}, bad[3] = {0.0, NAN, 0.0};
+    ck_assert_int_eq(mus_drape_set_gravity(drape, bad), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_set_gravity(drape, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_set_gravity(drape, gravity), MUS_OK);
+    ck_assert_int_eq(mus_drape_forces(drape, force), MUS_OK);
+    for (int32_t i = 0; i < 3 * 144; i++)
+        ck_assert_double_eq_tol(force[i], mus_cloth_masses(cloth)[i / 3] * gravity[i % 3], 1e-12);
+    ck_assert_int_eq(mus_drape_forces(drape, NULL), MUS_ERR_ARG);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_step(void)
+{
+    Suite *suite = suite_create("step");
+    TCase *tests = tcase_create("step");
+    tcase_add_test(tests, bound_is_that_of_the_three_by_three_matrix);
+    tcase_add_test(tests, strong_shear_lowers_the_bound);
+    tcase_add_loop_test(tests, energy_that_rises_ends_the_run_at_the_last_good_state, 0, 2);
+    tcase_add_test(tests, a_plan_says_what_a_frame_costs_and_changes_nothing);
+    tcase_add_test(tests, forces_of_held_nodes_are_their_weight);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

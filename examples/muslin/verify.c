@@ -14,7 +14,7 @@
 #include "commands.h"
 #include "scene.h"
 
-static int (*const families[])(verify *v) = {verify_step, verify_motion};
+static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force};
 
 
 /* ---- which cases ---- */

@@ -47,5 +47,6 @@ void verify_broken(verify *v, const char *id, const char *quantity, mus_status s
  * fail. */
 int verify_step(verify *v);
 int verify_motion(verify *v);
+int verify_force(verify *v);
 
 #endif

@@ -14,7 +14,7 @@
 #include "commands.h"
 #include "scene.h"
 
-static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force};
+static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force, verify_contact, verify_collide};
 
 
 /* ---- which cases ---- */

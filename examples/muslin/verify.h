@@ -48,5 +48,7 @@ void verify_broken(verify *v, const char *id, const char *quantity, mus_status s
 int verify_step(verify *v);
 int verify_motion(verify *v);
 int verify_force(verify *v);
+int verify_contact(verify *v);
+int verify_collide(verify *v);
 
 #endif

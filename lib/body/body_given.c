@@ -11,9 +11,9 @@
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
-#define GIVEN_LIMBS 64       /* most limbs */
-#define GIVEN_GAP 1e-5       /* least distance of two contours, and of an end from its closing point [m] */
-#define GIVEN_RINGS 160.0    /* rings of the contact field along a limb, at least */
+#define GIVEN_LIMBS 64    /* most limbs */
+#define GIVEN_GAP 1e-5    /* least distance of two contours, and of an end from its closing point [m] */
+#define GIVEN_RINGS 400.0 /* rings of the contact field along a limb, at least */
 
 
 void mus_limb_init(mus_limb *limb, size_t size)
@@ -64,8 +64,8 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
     static const struct {
         const char *what;
         double low, high;
-    } row[6] = {{"s of a contour", -100, 100},         {"centre of a contour", -100, 100},
-                {"centre of a contour", -100, 100},    {"half breadth of a contour", 1e-4, 100},
+    } row[6] = {{"s of a contour", -100, 100},          {"centre of a contour", -100, 100},
+                {"centre of a contour", -100, 100},     {"half breadth of a contour", 1e-4, 100},
                 {"half depth of a contour", 1e-4, 100}, {"exponent of a contour", 1, 16}};
     mus_status status = MUS_OK;
     to->count = from->contours;
@@ -77,12 +77,19 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
         if (i > 0 && !(c[0] >= c[-6] + GIVEN_GAP))
             return mus__fail(context, MUS_ERR_BODY, "limb %d: contour %d at s = %g m is not above contour %d at %g m",
                              (int)l, (int)i, c[0], (int)i - 1, c[-6]);
-        to->contour[i] = (mus__contour){.name = "contour", .girth = MUS_NONE, .height = MUS_NONE, .hard = true,
-                                        .s = c[0], .ca = c[1], .cb = c[2], .a = c[3], .b = c[4], .n = c[5]};
+        to->contour[i] = (mus__contour){.name = "contour",
+                                        .girth = MUS_NONE,
+                                        .height = MUS_NONE,
+                                        .hard = true,
+                                        .s = c[0],
+                                        .ca = c[1],
+                                        .cb = c[2],
+                                        .a = c[3],
+                                        .b = c[4],
+                                        .n = c[5]};
     }
 
-    for (int k = 0; k < 2 && status == MUS_OK; k++)
-        status = given_number(context, l, "pole", from->pole[k], -100, 100);
+    for (int k = 0; k < 2 && status == MUS_OK; k++) status = given_number(context, l, "pole", from->pole[k], -100, 100);
     if (status != MUS_OK) return status;
     const double low = to->contour[0].s - from->pole[0], high = from->pole[1] - to->contour[to->count - 1].s;
     to->pole[0] = from->pole[0], to->pole[1] = from->pole[1];
@@ -152,7 +159,9 @@ mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_
     body->context = context;
     body->def = own;
     status = given_make(body, limbs, limb);
-    if (status == MUS_OK) *out = body;
-    else mus_body_destroy(body);
+    if (status == MUS_OK)
+        *out = body;
+    else
+        mus_body_destroy(body);
     return status;
 }

@@ -25,9 +25,9 @@ typedef struct MUS_FIELD(field) {
     int32_t nring, nangle;
     MUS_REAL pole[2];                              /* of the caps: s - s0 of the pole, */
     MUS_REAL middle[2], axis_inverse[2], share[2]; /* m - s0, 1/L, 1 - v^2 */
-    const MUS_REAL *centre;  /* (nring x 2) */
-    const MUS_REAL *radius;  /* (nring x nangle) */
-    const MUS_REAL *largest; /* (nring) largest radius of ring k and k + 1 */
+    const MUS_REAL *centre;                        /* (nring x 2) */
+    const MUS_REAL *radius;                        /* (nring x nangle) */
+    const MUS_REAL *largest;                       /* (nring) largest radius of ring k and k + 1 */
 } MUS_FIELD(field);
 
 
@@ -40,13 +40,15 @@ static inline MUS_REAL MUS_FIELD(share)(MUS_REAL s, MUS_REAL axis_inverse)
 
 
 /* the diamond angle of (ua, ub) in steps of the table; sum = |ua| + |ub|, not 0. Ring entries j and j1, blend w */
-static inline MUS_REAL MUS_FIELD(step)(const MUS_FIELD(field) *f, MUS_REAL ua, MUS_REAL ub, MUS_REAL sum, int32_t *j,
+static inline MUS_REAL MUS_FIELD(step)(const MUS_FIELD(field) * f, MUS_REAL ua, MUS_REAL ub, MUS_REAL sum, int32_t *j,
                                        int32_t *j1)
 {
     const MUS_REAL absa = ua < 0 ? -ua : ua, absb = ub < 0 ? -ub : ub;
     MUS_REAL q;
-    if (ub >= 0) q = ua >= 0 ? absb / sum : 1 + absa / sum;
-    else q = ua < 0 ? 2 + absb / sum : 3 + absa / sum;
+    if (ub >= 0)
+        q = ua >= 0 ? absb / sum : 1 + absa / sum;
+    else
+        q = ua < 0 ? 2 + absb / sum : 3 + absa / sum;
     const MUS_REAL w = q * f->angle_scale;
     int32_t i = (int32_t)w;
     if (i >= f->nangle) i = f->nangle - 1;
@@ -57,7 +59,7 @@ static inline MUS_REAL MUS_FIELD(step)(const MUS_FIELD(field) *f, MUS_REAL ua, M
 
 
 /* normal = the unit of (ga, gb, gs) in (side, front, axis); returns 1 / its length */
-static inline MUS_REAL MUS_FIELD(turn)(const MUS_FIELD(field) *f, MUS_REAL ga, MUS_REAL gb, MUS_REAL gs,
+static inline MUS_REAL MUS_FIELD(turn)(const MUS_FIELD(field) * f, MUS_REAL ga, MUS_REAL gb, MUS_REAL gs,
                                        MUS_REAL *normal)
 {
     const MUS_REAL g = 1 / (MUS_REAL)MUS_FIELD(sqrt)(ga * ga + gb * gb + gs * gs + (MUS_REAL)1e-30);
@@ -67,7 +69,7 @@ static inline MUS_REAL MUS_FIELD(turn)(const MUS_FIELD(field) *f, MUS_REAL ga, M
 
 
 /* the query in a cap: s from the first ring on, (a, b) in the contour's plane */
-static inline MUS_REAL MUS_FIELD(query_cap)(const MUS_FIELD(field) *f, MUS_REAL s, MUS_REAL a, MUS_REAL b,
+static inline MUS_REAL MUS_FIELD(query_cap)(const MUS_FIELD(field) * f, MUS_REAL s, MUS_REAL a, MUS_REAL b,
                                             MUS_REAL margin, MUS_REAL *normal, int32_t *near)
 {
     const int32_t end = s > 0, last = end ? f->nring - 1 : 0;
@@ -97,7 +99,7 @@ static inline MUS_REAL MUS_FIELD(query_cap)(const MUS_FIELD(field) *f, MUS_REAL 
 
 /* depth of p (3) in the field, positive inside, with *near 1 and normal (3) the outward normal; or *near 0: p is more
  * than `margin` off the surface */
-static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REAL *p, MUS_REAL margin,
+static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) * f, const MUS_REAL *p, MUS_REAL margin,
                                         MUS_REAL *normal, int32_t *near)
 {
     const MUS_REAL rx = p[0] - f->origin[0], ry = p[1] - f->origin[1], rz = p[2] - f->origin[2];
@@ -120,15 +122,16 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) *f, const MUS_REA
     *near = 0;
     if (!(rho2 <= reach * reach)) return 0;
 
-    /* radius and its slopes, bilinear */
+    /* the radius and its slopes: its square bilinear, since where a limb ends roundly the square has a slope still */
     int32_t j, j1;
     const MUS_REAL sum = (ua < 0 ? -ua : ua) + (ub < 0 ? -ub : ub) + MUS_FIELD_TINY;
     const MUS_REAL w = MUS_FIELD(step)(f, ua, ub, sum, &j, &j1);
     const MUS_REAL *r0 = f->radius + (int64_t)k * f->nangle, *r1 = r0 + f->nangle;
-    const MUS_REAL low = r0[j] + w * (r0[j1] - r0[j]), high = r1[j] + w * (r1[j1] - r1[j]);
-    const MUS_REAL radius = low + t * (high - low);
-    const MUS_REAL slope_s = (high - low) * f->ds_inverse;
-    const MUS_REAL slope_q = ((1 - t) * (r0[j1] - r0[j]) + t * (r1[j1] - r1[j])) * f->angle_scale;
+    const MUS_REAL s00 = r0[j] * r0[j], s01 = r0[j1] * r0[j1], s10 = r1[j] * r1[j], s11 = r1[j1] * r1[j1];
+    const MUS_REAL low = s00 + w * (s01 - s00), high = s10 + w * (s11 - s10);
+    const MUS_REAL radius = (MUS_REAL)MUS_FIELD(sqrt)(low + t * (high - low)), half = (MUS_REAL)0.5 / radius;
+    const MUS_REAL slope_s = (high - low) * f->ds_inverse * half;
+    const MUS_REAL slope_q = ((1 - t) * (s01 - s00) + t * (s11 - s10)) * f->angle_scale * half;
 
     /* gradient of F in (side, front, axis) */
     const MUS_REAL rho = (MUS_REAL)MUS_FIELD(sqrt)(rho2) + MUS_FIELD_TINY;

@@ -11,7 +11,8 @@
 #include "contact/contact.h"
 
 #define BIG 1e30
-#define STEEPEST 5.0 /* slope of a limb's end that the wider surface still follows */
+#define CAP_FALL 0.4999   /* most of k of a cap, which is below 1/2 */
+#define OFFSET_ROUNDS 8   /* towards the point that a point of the wider surface lies off */
 #define SAFE_PART 0.5     /* of the least radius: so deep in a limb the nearest skin is the one that was passed */
 #define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
 
@@ -27,32 +28,81 @@ static double ring_largest(const mus__field *field, const double *radius, int32_
 }
 
 
+/* radius of a field at ring k and angle step j, and the gradient of F = rho - R(s, q) there: its part in the contour's
+ * plane squared (at least 1), and its part along the axis, by central differences of the square of the radius */
+static double field_slopes(const mus__field *field, int32_t k, int32_t j, double *plane2, double *along)
+{
+    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
+    const double *ring = field->radius + (int64_t)k * n, radius = ring[j],
+                 span = field->ds * (high > low ? high - low : 1);
+    const double before = field->radius[(int64_t)low * n + j], after = field->radius[(int64_t)high * n + j];
+    const double slope_s = (after * after - before * before) / (2.0 * radius * span);
+
+    /* dR/dq turns into the plane by |dq| = (a^2 + b^2) / rho at the diamond angle's point (a, b), |a| + |b| = 1 */
+    const double q = 4.0 * j / n, b = q - floor(q), slope_q = (ring[(j + 1) % n] - ring[(j + n - 1) % n]) * n / 8.0;
+    const double turn = slope_q / radius * (b * b + (1.0 - b) * (1.0 - b));
+    const double x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
+    const double ua = (q < 1.0 || q >= 3.0 ? x : -x) / length, ub = (q < 2.0 ? y : -y) / length;
+    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
+    *plane2 = 1.0 + turn * turn;
+    *along = -slope_s - ((ua + turn * ub) * (c1[0] - c0[0]) + (ub - turn * ua) * (c1[1] - c0[1])) / span;
+    return radius;
+}
+
+
 /*
- * Radius of the surface `skin` off the field's, at ring k and angle step j: R + skin |grad F| with F = rho - R(s, q),
- *     |grad F|^2 = 1 + (R_q / R (a^2 + b^2))^2 + (R_s + centre's drift)^2,
- * (a, b) the diamond angle's point, |a| + |b| = 1, by central differences. A steep end counts as no steeper than STEEPEST, where the ring would run away.
+ * Radius of the surface `skin` off the field's, at ring k and angle step j. The point of it at height s lies off the
+ * point of the field's surface at s' = s - skin g_s / |g|, with g = grad F there; in the contour's plane it is
+ * skin |g_plane| / |g| off, which is |g_plane| times that along the ray.
  */
 static double offset_radius(const mus__field *field, int32_t k, int32_t j, double skin)
 {
-    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
-    const double *ring = field->radius + (int64_t)k * n, span = field->ds * (high > low ? high - low : 1);
-    const double radius = ring[j], q = 4.0 * j / n, corner = q - floor(q);
-    if (!(radius > 0.0) || skin == 0.0) return radius;
-    const double slope_q = (ring[(j + 1) % n] - ring[(j + n - 1) % n]) * n / 8.0;
-    const double turn = slope_q / radius * (corner * corner + (1.0 - corner) * (1.0 - corner));
-    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
-    const double slope_s =
-        (field->radius[(int64_t)high * n + j] - field->radius[(int64_t)low * n + j]) / span;
+    if (skin == 0.0) return field->radius[(int64_t)k * field->nangle + j];
+    const double angle = 4.0 * j / field->nangle, b = angle - floor(angle);
+    const double x = (int32_t)angle % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
+    const double ua = (angle < 1.0 || angle >= 3.0 ? x : -x) / length, ub = (angle < 2.0 ? y : -y) / length;
+    double u = k, radius = 0.0;
+    for (int32_t round = 0; round < OFFSET_ROUNDS; round++) {
+        /* between the two rings round u */
+        const int32_t at = u >= field->nring - 1 ? field->nring - 2 : (int32_t)u;
+        const double t = u - at;
+        double plane2[2], along[2];
+        const double r0 = field_slopes(field, at, j, &plane2[0], &along[0]);
+        const double r1 = field_slopes(field, at + 1, j, &plane2[1], &along[1]);
+        const double plane = plane2[0] + t * (plane2[1] - plane2[0]), up = along[0] + t * (along[1] - along[0]);
+        const double length_g = sqrt(plane + up * up);
+        const double *c0 = field->centre + 2 * (int64_t)at, *c = field->centre + 2 * (int64_t)k;
+        const double back = (c[0] - c0[0] - t * (c0[2] - c0[0])) * ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * ub;
+        radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + skin * plane / length_g - back;
+        u = fmin(fmax(k - skin * up / (length_g * field->ds), 0.0), field->nring - 1);
+    }
+    return radius;
+}
 
-    /* direction of the ray, and the gradient in the contour's plane */
-    const double a = q < 1.0 || q >= 3.0 ? 1.0 : -1.0, b = q < 2.0 ? 1.0 : -1.0;
-    const double along = (int32_t)q % 2 == 0 ? 1.0 - corner : corner, across = 1.0 - along;
-    const double length = sqrt(along * along + across * across);
-    const double ua = a * along / length, ub = b * across / length;
-    const double ga = ua + turn * ub, gb = ub - turn * ua;
-    const double gs = -slope_s - (ga * (c1[0] - c0[0]) + gb * (c1[1] - c0[1])) / span;
-    const double steep = sqrt(ga * ga + gb * gb + gs * gs);
-    return radius + skin * (steep < STEEPEST ? steep : STEEPEST);
+
+/* the cap of an end of the surface `skin` off a field, from the rings of that surface. The quarter of an ellipse leaves
+ * the last ring with the mean slope of the stack, taken of the squares, and ends at the pole: with k = -R' length / R
+ * the last ring lies at v = k / (1 - k) of the half axis L, and L = length / (1 - v) */
+static void fit_cap(const mus__field *from, double skin, int32_t end, mus__f64_field *to)
+{
+    const int32_t last = from->nring - 1, n = from->nangle;
+    const double *ring = to->radius + (end == 0 ? 0 : (int64_t)last * n), *next = end == 0 ? ring + n : ring - n;
+    const double s = end == 0 ? 0.0 : from->ds * last, outward = end == 0 ? -1.0 : 1.0;
+    to->pole[end] = from->pole[end] - from->s0 + outward * skin;
+    double half = from->half[end], v = (s - (from->middle[end] - from->s0)) * outward / half;
+    if (skin > 0.0) {
+        double squares = 0.0, rise = 0.0;
+        for (int32_t j = 0; j < n; j++) {
+            squares += ring[j] * ring[j];
+            rise += next[j] * next[j] - ring[j] * ring[j];
+        }
+        const double length = fabs(to->pole[end] - s), fall = 0.5 * rise / from->ds * length / squares;
+        v = fall <= 0.0 ? 0.0 : fall >= CAP_FALL ? CAP_FALL / (1.0 - CAP_FALL) : fall / (1.0 - fall);
+        half = length / (1.0 - v);
+    }
+    to->middle[end] = s - outward * v * half;
+    to->axis_inverse[end] = 1.0 / half;
+    to->share[end] = 1.0 - v * v;
 }
 
 
@@ -71,15 +121,6 @@ static void fill_double(const mus__field *from, const double *origin, double ski
     to->nring = from->nring;
     to->nangle = from->nangle;
 
-    /* caps: the same middle, the half axis longer by the skin */
-    for (int32_t end = 0; end < 2; end++) {
-        const double s = end == 0 ? 0.0 : from->ds * (from->nring - 1);
-        to->pole[end] = from->pole[end] - from->s0 + (end == 0 ? -skin : skin);
-        to->middle[end] = from->middle[end] - from->s0;
-        to->axis_inverse[end] = 1.0 / (from->half[end] + skin);
-        to->share[end] = mus__f64_share(s - to->middle[end], to->axis_inverse[end]);
-    }
-
     memcpy(table, from->centre, (size_t)(2 * nring) * sizeof *table);
     double *radius = table + 2 * nring;
     for (int32_t k = 0; k < from->nring; k++)
@@ -89,6 +130,7 @@ static void fill_double(const mus__field *from, const double *origin, double ski
     to->centre = table;
     to->radius = table + 2 * nring;
     to->largest = table + 2 * nring + nradius;
+    for (int32_t end = 0; end < 2; end++) fit_cap(from, skin, end, to);
 }
 
 
@@ -167,8 +209,8 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
     collider->box = mus__new(context, 6 * (int64_t)n, sizeof *collider->box);
     collider->table32 = mus__new(context, total, sizeof *collider->table32);
     collider->table64 = mus__new(context, total, sizeof *collider->table64);
-    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL ||
-        collider->table32 == NULL || collider->table64 == NULL) {
+    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->table32 == NULL ||
+        collider->table64 == NULL) {
         mus__collider_destroy(collider);
         return mus__fail_memory(context, "the radius fields of a collider");
     }

@@ -66,10 +66,10 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
 typedef struct mus__contact_rule {
     double clearance; /* nodes are kept this far off [m] */
     double friction;
-    double push;      /* a node that was inside before is put back by at most this in one call [m] */
-    double travel;    /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
-    double slip;      /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
-    double step;      /* [s] since the last call */
+    double push;   /* a node that was inside before is put back by at most this in one call [m] */
+    double travel; /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
+    double slip;   /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
+    double step;   /* [s] since the last call */
 } mus__contact_rule;
 
 /* what calls add up */

@@ -10,9 +10,9 @@
  * h^2 f/m a step. All is relative to the body: places to its shift, velocities to its drift.
  *
  * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
- * is walked in pieces that no limb fits through, the first place nearer than the clearance is found by halving, the
- * response is taken there, and the rest of the step goes on with what velocity is left. Places before the step are
- * only kept while a node is so fast that it may be needed (`swift`).
+ * is walked in pieces that are shorter the nearer the skin is, the first place nearer than the clearance is found by
+ * halving, the response is taken there, and the rest of the step goes on with what velocity is left. Places before the
+ * step are only kept while a node is so fast that it may be needed (`swift`).
  */
 
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
@@ -22,8 +22,9 @@
 #define SIT_OUT_MOST 100    /* calls */
 
 #define SWEEP_PIECES 4096   /* most pieces of one path */
+#define SWEEP_SHORTEST 1e-3 /* of them, in parts of the safe length: what is cut off a flank is then nanometres */
 #define SWEEP_HALVINGS 50
-#define SWEEP_DOOR 1e-5     /* [m]: this near to a box is in it */
+#define SWEEP_DOOR 1e-5 /* [m]: this near to a box is in it */
 
 
 /* one node against one limb that it touches: x, v (3) are corrected in place. It moved for `time` to get here: if that
@@ -35,7 +36,8 @@ static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *ru
     const MUS_REAL friction = (MUS_REAL)rule->friction;
     const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
     const MUS_REAL push = (MUS_REAL)rule->push, inward = vn < 0 ? -vn : 0;
-    const MUS_REAL move = lift < 0 ? 0 : lift <= push + inward * time ? lift : push + inward * slip;
+    const MUS_REAL go = time * (MUS_REAL)MUS_FIELD(sqrt)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const MUS_REAL move = lift < 0 ? 0 : lift <= push + go ? lift : push + inward * slip;
     for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
     if (vn >= 0) return;
 
@@ -61,8 +63,8 @@ static inline int32_t MUS_FIELD(boxed)(const MUS_REAL *box, const MUS_REAL *p)
 /* one node against all limbs, in place; box (nlimb x 6) is widened by `margin` already. Returns a lower bound of the
  * node's distance to the body, at most `margin`; below clearance + TOUCH_BAND when it touched */
 static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
-                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL time, MUS_REAL slip,
-                                        MUS_REAL *p, MUS_REAL *w, int64_t *queries)
+                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL time, MUS_REAL slip, MUS_REAL *p,
+                                        MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = margin;
@@ -82,9 +84,10 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
 
 /* ---- fast nodes ---- */
 
-/* how far p is nearer than the clearance, over all limbs; far below 0 when none is near */
+/* how far p is nearer than the clearance, over all limbs, and the normal (3) of the nearest; far below 0 and no normal
+ * when none is near */
 static MUS_REAL MUS_FIELD(lift_at)(const mus__collider *collider, const MUS_REAL *box, MUS_REAL margin,
-                                   MUS_REAL clearance, const MUS_REAL *p, int64_t *queries)
+                                   MUS_REAL clearance, const MUS_REAL *p, MUS_REAL *out, int64_t *queries)
 {
     MUS_REAL lift = -1;
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
@@ -93,15 +96,17 @@ static MUS_REAL MUS_FIELD(lift_at)(const mus__collider *collider, const MUS_REAL
         int32_t near;
         const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
         (*queries)++;
-        if (near && depth + clearance > lift) lift = depth + clearance;
+        if (!near || depth + clearance <= lift) continue;
+        lift = depth + clearance;
+        for (int32_t i = 0; i < 3; i++) out[i] = normal[i];
     }
     return lift;
 }
 
 
 /* time until p + t w is in a box: 0 when it is in one, `left` when it comes to none before */
-static MUS_REAL MUS_FIELD(wait)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p, const MUS_REAL *w, MUS_REAL speed,
-                                MUS_REAL left)
+static MUS_REAL MUS_FIELD(wait)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p, const MUS_REAL *w,
+                                MUS_REAL speed, MUS_REAL left)
 {
     MUS_REAL first = left;
     for (int32_t l = 0; l < nlimb; l++, box += 6) {
@@ -127,14 +132,40 @@ static MUS_REAL MUS_FIELD(hit_time)(const mus__collider *collider, const MUS_REA
                                     MUS_REAL clearance, const MUS_REAL *p, const MUS_REAL *w, MUS_REAL piece,
                                     int64_t *queries)
 {
-    MUS_REAL low = 0, high = piece;
+    MUS_REAL low = 0, high = piece, normal[3];
     for (int32_t k = 0; k < SWEEP_HALVINGS; k++) {
         const MUS_REAL t = low + (high - low) / 2;
         const MUS_REAL q[3] = {p[0] + t * w[0], p[1] + t * w[1], p[2] + t * w[2]};
-        if (MUS_FIELD(lift_at)(collider, box, margin, clearance, q, queries) > 0) high = t;
-        else low = t;
+        if (MUS_FIELD(lift_at)(collider, box, margin, clearance, q, normal, queries) > 0)
+            high = t;
+        else
+            low = t;
     }
     return low;
+}
+
+
+/* the length of path to walk from a place `distance` off the clearance: half of what is surely free, as distances are
+ * of first order; on the skin, where the pieces after take back what goes in, what no limb fits through */
+static inline MUS_REAL MUS_FIELD(piece)(MUS_REAL distance, MUS_REAL safe)
+{
+    const MUS_REAL free = distance / 2, shortest = (MUS_REAL)SWEEP_SHORTEST * safe;
+    return distance <= (MUS_REAL)TOUCH_BAND || free > safe ? safe : free > shortest ? free : shortest;
+}
+
+
+/* touch() at the end of a piece: nonzero when place or velocity changed; a changed velocity is the way from here on */
+static int32_t MUS_FIELD(meet)(const mus__collider *collider, const mus__contact_rule *rule, const MUS_REAL *box,
+                               MUS_REAL margin, MUS_REAL time, MUS_REAL slip, MUS_REAL *p, MUS_REAL *w, MUS_REAL *way,
+                               int64_t *queries)
+{
+    const MUS_REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
+    MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, queries);
+    if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
+        for (int32_t i = 0; i < 3; i++) way[i] = w[i];
+        return 1;
+    }
+    return x[0] != p[0] || x[1] != p[1] || x[2] != p[2];
 }
 
 
@@ -146,25 +177,39 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = (MUS_REAL)TOUCH_BAND;
     const MUS_REAL safe = (MUS_REAL)collider->safe;
     MUS_REAL left = (MUS_REAL)rule->step;
-    MUS_REAL u[3] = {(q[0] - p[0]) / left, (q[1] - p[1]) / left, (q[2] - p[2]) / left}, *way = u;
+    MUS_REAL way[3] = {(q[0] - p[0]) / left, (q[1] - p[1]) / left, (q[2] - p[2]) / left};
+    int32_t touched = 0;
     for (int32_t k = 0; k < SWEEP_PIECES && left > 0; k++) {
-        const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+        MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
         MUS_REAL time = MUS_FIELD(wait)(collider->nlimb, box, p, way, speed, left), slip = 0;
+        int32_t hit = 0;
         if (time == 0) {
-            /* a piece that no limb fits through; from outside to inside it ends at the skin */
-            time = speed * left > safe ? safe / speed : left;
-            const MUS_REAL before = MUS_FIELD(lift_at)(collider, box, margin, clearance, p, queries);
+            MUS_REAL normal[3];
+            const MUS_REAL off = -MUS_FIELD(lift_at)(collider, box, safe, clearance, p, normal, queries);
+            if (off <= band) {
+                /* on the skin, or as good as: what goes in is taken off before the piece */
+                const MUS_REAL in = -(way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2]);
+                const MUS_REAL rest = in > 0 && off > 0 && off < left * in ? off / in : 0;
+                for (int32_t i = 0; i < 3; i++) p[i] += rest * way[i];
+                left -= rest;
+                touched |= MUS_FIELD(meet)(collider, rule, box, margin, 0, 0, p, w, way, queries);
+                speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+            }
+            const MUS_REAL length = MUS_FIELD(piece)(off, safe);
+            time = speed * left > length ? length / speed : left;
             const MUS_REAL r[3] = {p[0] + time * way[0], p[1] + time * way[1], p[2] + time * way[2]};
-            if (before > -band) slip = time;
-            else if (MUS_FIELD(lift_at)(collider, box, margin, clearance, r, queries) > 0)
-                time = MUS_FIELD(hit_time)(collider, box, margin, clearance, p, way, time, queries);
+            hit = off <= band || MUS_FIELD(lift_at)(collider, box, safe, clearance, r, normal, queries) > 0;
+            if (off <= band)
+                slip = time;
+            else if (hit)
+                time = MUS_FIELD(hit_time)(collider, box, safe, clearance, p, way, time, queries);
         }
         for (int32_t i = 0; i < 3; i++) p[i] += time * way[i];
         left -= time;
-        if (MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, queries) < clearance + band) way = w;
+        if (hit) touched |= MUS_FIELD(meet)(collider, rule, box, margin, time, slip, p, w, way, queries);
     }
-    if (way == w) q[0] = p[0], q[1] = p[1], q[2] = p[2];
-    return way == w;
+    for (int32_t i = 0; touched && i < 3; i++) q[i] = p[i];
+    return touched;
 }
 
 
@@ -205,8 +250,7 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
         if (way2 > safe * safe) {
             if (!MUS_FIELD(sweep)(collider, rule, box, margin, from, p, w, &tally->queries)) continue;
         } else {
-            const MUS_REAL distance =
-                MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, &tally->queries);
+            const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, &tally->queries);
             const MUS_REAL off = (distance - clearance) * calls;
             rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
             if (distance >= band) continue;

@@ -1,6 +1,6 @@
 /*
- * glide.c: what contact is told of motion: a body that glides, moved as a whole with a constant velocity while the cloth
- * steps, and nodes so fast that it must sweep them.
+ * glide.c: what contact is told of motion: a body that glides, moved as a whole with a constant velocity while the
+ * cloth steps, and nodes so fast that it must sweep them.
  *
  * The body's place is a product, shift0 + velocity (t - t0), never a running sum, so that a long glide keeps its place.
  * Contact works relative to the body (contact_kernel.h); nothing else of a drape knows that it moves.

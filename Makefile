@@ -9,6 +9,8 @@
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
 #                   hands options to tests/corpus/run.py)
 #   make check-omit the C tests once without each module, and once without all that can be left out
+#   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
+#                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
 #   make sizes      the table of module sizes (tests/guard/sizes.table) anew
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
@@ -112,7 +114,7 @@ PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit check-omit-now sizes clean FORCE \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit check-omit-now check-ports sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
 
@@ -241,6 +243,10 @@ check-omit:
 check-omit-now: $(BIN)/tests
 	@MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
 	  sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
+
+check-ports:
+	@sh tests/guard/packages.sh build ports
+	@CC='$(CC)' PYTHON='$(PYTHON)' sh tests/ports/ports.sh '$(OUT)' $(PORTS)
 
 sizes: all
 	@sh tests/guard/sizes.sh '$(OUT)' write

@@ -1,7 +1,8 @@
 #!/bin/sh
 # packages.sh GROUP...: install the Debian packages of the groups that are missing, and say which.
 #
-# build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides.
+# build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides;
+# ports: the cross compilers and the emulator of `make check-ports`.
 # Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
 set -eu
 
@@ -9,6 +10,8 @@ build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl
        libjansson-dev libyaml-dev libexpat1-dev"
 test="check poppler-utils mandoc python3 python3-pytest python3-numpy g++ locales"
 ci="clang cmake"
+ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
+       gcc-mips-linux-gnu libc6-dev-mips-cross"
 
 wanted=""
 for group in "$@"; do
@@ -16,7 +19,8 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     test) wanted="$wanted $test" ;;
     ci) wanted="$wanted $ci" ;;
-    *) echo "packages.sh: group $group is unknown: build, test or ci" >&2; exit 2 ;;
+    ports) wanted="$wanted $ports" ;;
+    *) echo "packages.sh: group $group is unknown: build, test, ci or ports" >&2; exit 2 ;;
     esac
 done
 

@@ -143,6 +143,46 @@ static int32_t blocks_grow(blocks_set *set, const blocks_items *items)
 }
 
 
+/* free slots for what springs and hinges make of `node`; what finds none stays in the lists */
+static void blocks_invite(const mus__plan *plan, blocks_set *set, int32_t node)
+{
+    for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
+        blocks_set grown = *set;
+        if (blocks_insert(grown.near, &grown.nnear, MUS_SLOTS, plan->half_other[h] - node)) *set = grown;
+    }
+    for (int32_t h = plan->linear_start[node]; h < plan->linear_start[node + 1]; h++) {
+        blocks_set grown = *set;
+        int32_t far[MUS_SLOTS];
+        if (blocks_insert(grown.linear, &grown.nlinear, 2 * MUS_SLOTS, plan->linear_other[h] - node) &&
+            blocks_far(&grown, far) <= MUS_SLOTS)
+            *set = grown;
+    }
+}
+
+
+/* what springs and hinges add to the lane of `node`, where there is a slot */
+static void blocks_irregular(const mus__plan *plan, const mus__shape *shape, int32_t nnear, int32_t nfar, int32_t node,
+                             double *table)
+{
+    const int32_t lanes = plan->lanes;
+    double *krest = table + plan->near * lanes, *w = krest + plan->near * lanes, *c = w + plan->far * lanes;
+    for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
+        const int32_t slot = blocks_find(shape->near, nnear, plan->half_other[h] - node);
+        if (slot == MUS_NONE) continue;
+        table[slot * lanes] += mus__plan_number(plan, plan->half_constant, 3 * (int64_t)h);
+        krest[slot * lanes] += mus__plan_number(plan, plan->half_constant, 3 * (int64_t)h + 1);
+        if (plan->dashpots) c[slot * lanes] += mus__plan_number(plan, plan->half_constant, 3 * (int64_t)h + 2);
+    }
+    for (int32_t h = plan->linear_start[node]; h < plan->linear_start[node + 1]; h++) {
+        const int32_t at = plan->linear_other[h] - node;
+        const int32_t near = blocks_find(shape->near, nnear, at), far = blocks_find(shape->far, nfar, at);
+        const double weight = mus__plan_number(plan, plan->linear_weight, h);
+        if (near != MUS_NONE) table[near * lanes] += weight;
+        else if (far != MUS_NONE) w[far * lanes] += weight;
+    }
+}
+
+
 /* the constants of one lane of a table */
 static void blocks_lane(const mus__plan *plan, const mus__shape *shape, int32_t nnear, int32_t nfar,
                         const blocks_items *items, double *table)
@@ -195,7 +235,10 @@ static mus_status blocks_write(const blocks_walk *walk, const blocks_set *set, i
     double table[4 * MUS_SLOTS * MUS_LANES_MOST]; /* the same numbers in the plan's precision */
     memcpy(shape.near, set->near, (size_t)set->nnear * sizeof *shape.near);
     const int32_t nfar = blocks_far(set, shape.far), size = mus__plan_table_size(plan);
-    for (int32_t i = 0; i < count; i++) blocks_lane(plan, &shape, set->nnear, nfar, &items[i], value + i);
+    for (int32_t i = 0; i < count; i++) {
+        blocks_lane(plan, &shape, set->nnear, nfar, &items[i], value + i);
+        blocks_irregular(plan, &shape, set->nnear, nfar, first + i, value + i);
+    }
     for (int32_t i = 0; i < size; i++) mus__plan_put(plan, table, i, value[i]);
 
     const int32_t s = blocks_intern(walk->context, walk->store, walk->store->shape, &plan->shape, &plan->nshape,
@@ -247,6 +290,7 @@ static int32_t blocks_step(const blocks_walk *walk, int32_t first, int32_t *row,
         *row = r;
     }
 
+    for (int32_t i = 0; i < count; i++) blocks_invite(plan, &set, first + i);
     int32_t far[MUS_SLOTS];
     const int32_t nfar = blocks_far(&set, far);
     if (walk->store != NULL) *status = blocks_write(walk, &set, first, count, items);
@@ -309,4 +353,20 @@ mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__p
     mus__free(context, store.shape);
     mus__free(context, store.table);
     return status;
+}
+
+
+int32_t mus__plan_slot(const mus__plan *plan, int32_t node, int32_t other)
+{
+    int32_t low = 0, high = plan->nblock - 1;
+    while (low < high) {
+        const int32_t middle = (low + high + 1) / 2;
+        if (plan->block[middle].first <= node) low = middle;
+        else high = middle - 1;
+    }
+    const mus__shape *shape = &plan->shape[plan->block[low].shape];
+    const int32_t near = blocks_find(shape->near, MUS_SLOTS, other - node);
+    if (near != MUS_NONE) return near;
+    const int32_t far = blocks_find(shape->far, MUS_SLOTS, other - node);
+    return far != MUS_NONE ? MUS_SLOTS + far : MUS_NONE;
 }

@@ -5,6 +5,10 @@
  * its force on node i is  sum over j of  -k c_i c_j (x_j - x_i):  all hinges at a node become one weight for each
  * neighbour, which a half spring to the same neighbour takes over. Everything is computed at the node that it acts on,
  * twice, and nothing is scattered.
+ *
+ * The lists are made twice: first of what acts between lattice nodes, of which the blocks take what they have slots
+ * for, then of all the rest. Welding renames border nodes alone, and leaves out a hinge only if two of its nodes have
+ * become one; so a hinge with one border node, and every spring between lattice nodes, stands in a block for good.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -50,41 +54,68 @@ static void gather_open(int32_t *start, int32_t n)
 }
 
 
-static void gather_springs(mus__plan *plan, int32_t nnode)
+/* does a spring's pull on `node` belong in the lists: of the lattice alone, or of all but what blocks hold? */
+static int32_t gather_wants_spring(const mus__plan *plan, int32_t lattice, int32_t node, int32_t other)
+{
+    const int32_t between = plan->lattice[node] && plan->lattice[other];
+    if (lattice || !between) return lattice == between;
+    const int32_t slot = mus__plan_slot(plan, node, other);
+    return slot == MUS_NONE || slot >= MUS_SLOTS;
+}
+
+
+static int32_t gather_wants_hinge(const mus__plan *plan, int32_t lattice, const mus__hinge *hinge, int32_t i, int32_t j)
+{
+    int32_t border = 0;
+    for (int32_t k = 0; k < 4; k++) border += !plan->lattice[hinge->node[k]];
+    const int32_t node = hinge->node[i], other = hinge->node[j];
+    const int32_t between = border < 2 && plan->lattice[node] && plan->lattice[other];
+    if (node == other) return 0;
+    if (lattice || !between) return lattice == between;
+    return mus__plan_slot(plan, node, other) == MUS_NONE;
+}
+
+
+static void gather_springs(mus__plan *plan, int32_t nnode, int32_t lattice)
 {
     int32_t *start = plan->half_start;
     memset(start, 0, ((size_t)nnode + 1) * sizeof *start);
-    for (int32_t s = 0; s < plan->nspring; s++) start[plan->spring[s].a + 1]++, start[plan->spring[s].b + 1]++;
+    for (int32_t s = 0; s < 2 * plan->nspring; s++) {
+        const mus__spring *spring = &plan->spring[s / 2];
+        const int32_t node = s % 2 ? spring->b : spring->a, other = s % 2 ? spring->a : spring->b;
+        start[node + 1] += gather_wants_spring(plan, lattice, node, other);
+    }
     gather_open(start, nnode);
-    for (int32_t s = 0; s < plan->nspring; s++) {
-        const mus__spring *spring = &plan->spring[s];
-        for (int32_t side = 0; side < 2; side++) {
-            const int32_t at = gather_next(start, side ? spring->b : spring->a);
-            plan->half_other[at] = side ? spring->a : spring->b;
-            mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at, spring->k);
-            mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at + 1, spring->k * spring->rest);
-            mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at + 2, plan->spring_dashpot[s]);
-        }
+    for (int32_t s = 0; s < 2 * plan->nspring; s++) {
+        const mus__spring *spring = &plan->spring[s / 2];
+        const int32_t node = s % 2 ? spring->b : spring->a, other = s % 2 ? spring->a : spring->b;
+        if (!gather_wants_spring(plan, lattice, node, other)) continue;
+        const int32_t at = gather_next(start, node);
+        plan->half_other[at] = other;
+        mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at, spring->k);
+        mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at + 1, spring->k * spring->rest);
+        mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at + 2, plan->spring_dashpot[s / 2]);
     }
 }
 
 
-static void gather_hinges(mus__plan *plan, int32_t nnode)
+static void gather_hinges(mus__plan *plan, int32_t nnode, int32_t lattice)
 {
     int32_t *start = plan->linear_start;
     memset(start, 0, ((size_t)nnode + 1) * sizeof *start);
     for (int32_t h = 0; h < plan->nhinge; h++)
-        for (int32_t i = 0; i < 4; i++) start[plan->hinge[h].node[i] + 1] += 3;
+        for (int32_t k = 0; k < 16; k++)
+            start[plan->hinge[h].node[k / 4] + 1] +=
+                gather_wants_hinge(plan, lattice, &plan->hinge[h], k / 4, k % 4);
     gather_open(start, nnode);
     for (int32_t h = 0; h < plan->nhinge; h++) {
         const mus__hinge *hinge = &plan->hinge[h];
-        for (int32_t i = 0; i < 4; i++)
-            for (int32_t j = 0; j < 4; j++) {
-                if (i == j) continue;
-                const int32_t at = gather_next(start, hinge->node[i]);
-                plan->linear_other[at] = hinge->node[j];
-                mus__plan_put(plan, plan->linear_weight, at, -hinge->k * hinge->coef[i] * hinge->coef[j]);
-            }
+        for (int32_t k = 0; k < 16; k++) {
+            if (!gather_wants_hinge(plan, lattice, hinge, k / 4, k % 4)) continue;
+            const int32_t at = gather_next(start, hinge->node[k / 4]);
+            plan->linear_other[at] = hinge->node[k % 4];
+            mus__plan_put(plan, plan->linear_weight, at, -hinge->k * hinge->coef[k / 4] * hinge->coef[k % 4]);
+        }
     }
 }
 
@@ -107,19 +138,18 @@ static void gather_sort(mus__plan *plan, int32_t first, int32_t last)
 
 
 /*
- * Sorted weights first .. last-1 of a node: one for each neighbour, to the half spring that goes there if there is one,
- * else written at `out`. Returns one past the last written.
+ * Sorted weights first .. last-1 of a node: one for each neighbour, to the half spring that goes there if there is one
+ * (not for the lattice, where blocks take springs and weights apart), else written at `out`. Returns one past the last
+ * written.
  */
-static int32_t gather_merge(mus__plan *plan, int32_t node, int32_t first, int32_t last, int32_t out)
+static int32_t gather_merge(mus__plan *plan, int32_t lattice, int32_t node, int32_t first, int32_t last, int32_t out)
 {
     for (int32_t i = first; i < last;) {
         const int32_t other = plan->linear_other[i];
         double sum = 0.0;
         for (; i < last && plan->linear_other[i] == other; i++)
             sum += mus__plan_number(plan, plan->linear_weight, i);
-        if (other == node) continue;
-
-        int32_t half = plan->half_start[node];
+        int32_t half = lattice ? plan->half_start[node + 1] : plan->half_start[node];
         while (half < plan->half_start[node + 1] && plan->half_other[half] != other) half++;
         if (half < plan->half_start[node + 1]) {
             const double k = mus__plan_number(plan, plan->half_constant, 3 * (int64_t)half);
@@ -152,22 +182,34 @@ static void gather_pairs(mus__plan *plan)
 }
 
 
-void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan)
+/* both lists by node, and which nodes have any */
+static void gather_lists(const mus_cloth *cloth, mus__plan *plan, int32_t lattice)
 {
-    gather_springs(plan, cloth->nnode);
-    gather_hinges(plan, cloth->nnode);
-    gather_pairs(plan);
-
+    gather_springs(plan, cloth->nnode, lattice);
+    gather_hinges(plan, cloth->nnode, lattice);
     plan->ngather = 0;
-    int32_t out = 0;
-    for (int32_t i = 0, first = 0; i < cloth->nnode; i++) {
-        const int32_t last = plan->linear_start[i + 1], named = plan->half_start[i + 1] > plan->half_start[i];
-        if (named || last > first) plan->gather_node[plan->ngather++] = i;
+    int32_t first = 0, out = 0;
+    for (int32_t i = 0; i < cloth->nnode; i++) {
+        const int32_t last = plan->linear_start[i + 1], springs = plan->half_start[i + 1] > plan->half_start[i];
+        if (springs || last > first) plan->gather_node[plan->ngather++] = i;
         gather_sort(plan, first, last);
-        out = gather_merge(plan, i, first, last, out);
+        out = gather_merge(plan, lattice, i, first, last, out);
         first = last;
         plan->linear_start[i + 1] = out;
     }
+}
+
+
+void mus__plan_gather_lattice(const mus_cloth *cloth, mus__plan *plan)
+{
+    gather_lists(cloth, plan, 1);
+}
+
+
+void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan)
+{
+    gather_lists(cloth, plan, 0);
+    gather_pairs(plan);
 
     /* what falls into each chunk */
     int32_t g = 0, e = 0;

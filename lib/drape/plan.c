@@ -89,10 +89,12 @@ static mus_status build_rows(mus_context *context, const mus_cloth *cloth, mus__
 {
     plan->nrow = cloth->nrow;
     plan->row = mus__new(context, cloth->nrow, sizeof *plan->row);
-    if (plan->row == NULL) return mus__fail_memory(context, "the rows of a drape");
+    plan->lattice = mus__new(context, cloth->nnode, sizeof *plan->lattice);
+    if (plan->row == NULL || plan->lattice == NULL) return mus__fail_memory(context, "the rows of a drape");
     for (int32_t r = 0; r < cloth->nrow; r++) {
         plan->row[r].first = cloth->row[r].first;
         plan->row[r].count = cloth->row[r].count;
+        memset(plan->lattice + plan->row[r].first, 1, (size_t)plan->row[r].count);
     }
     spread_runs(cloth, plan, 0);
 
@@ -128,35 +130,6 @@ static mus_status build_elements(mus_context *context, const mus_cloth *cloth, m
 }
 
 
-mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__plan *plan)
-{
-    memset(plan, 0, sizeof *plan);
-    plan->real = real;
-    plan->dashpots = cloth->fabric.damping > 0.0;
-    for (int32_t s = 0; cloth->dashpot != NULL && s < cloth->nspring; s++)
-        if (cloth->dashpot[s] > 0.0) plan->dashpots = 1;
-    mus_status status = build_rows(context, cloth, plan);
-    if (status == MUS_OK) status = build_elements(context, cloth, plan);
-    if (status == MUS_OK) status = mus__plan_blocks(context, cloth, plan);
-    if (status == MUS_OK) status = mus__plan_gather_new(context, cloth, plan);
-    if (status != MUS_OK) return status;
-    mus__plan_weld(cloth, NULL, plan);
-    return MUS_OK;
-}
-
-
-void mus__plan_clear(mus_context *context, mus__plan *plan)
-{
-    void *blocks[] = {
-        plan->row,          plan->half_run,     plan->half_bend,     plan->spring,     plan->spring_dashpot,
-        plan->hinge,        plan->pair,         plan->block,         plan->shape,      plan->table,
-        plan->chunk,        plan->gather_node,  plan->half_start,    plan->half_other, plan->half_constant,
-        plan->linear_start, plan->linear_other, plan->linear_weight, plan->pair_end};
-    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
-    memset(plan, 0, sizeof *plan);
-}
-
-
 /* append hinges with their nodes renamed; a hinge that welding folded onto itself (two nodes the same) is left out */
 static void add_hinges(mus__plan *plan, const mus__hinge *hinges, int32_t n, const int32_t *rep)
 {
@@ -172,7 +145,8 @@ static void add_hinges(mus__plan *plan, const mus__hinge *hinges, int32_t n, con
 }
 
 
-void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+/* springs and hinges with their nodes renamed, and the pairs of open seams */
+static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
 {
     plan->nspring = plan->nhinge = plan->npair = 0;
     for (int32_t s = 0; s < cloth->nspring; s++) {
@@ -193,7 +167,6 @@ void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
             plan->pair[p] = (mus__pair){cloth->pair[2 * p], cloth->pair[2 * p + 1], 0, 0.0, cloth->pair_length[p]};
         plan->npair = cloth->npair;
     }
-    mus__plan_gather(cloth, plan);
 
     /* springs counted once: half runs make two of each, half bends three */
     plan->spring_evaluations = plan->nspring + plan->nhinge + plan->npair;
@@ -201,3 +174,40 @@ void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
     for (int32_t r = 0; r < cloth->nbend; r++) plan->spring_evaluations += cloth->bend[r].count;
 }
 
+
+void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+{
+    fill_elements(cloth, rep, plan);
+    mus__plan_gather(cloth, plan);
+}
+
+
+mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__plan *plan)
+{
+    memset(plan, 0, sizeof *plan);
+    plan->real = real;
+    plan->dashpots = cloth->fabric.damping > 0.0;
+    for (int32_t s = 0; cloth->dashpot != NULL && s < cloth->nspring; s++)
+        if (cloth->dashpot[s] > 0.0) plan->dashpots = 1;
+    mus_status status = build_rows(context, cloth, plan);
+    if (status == MUS_OK) status = build_elements(context, cloth, plan);
+    if (status == MUS_OK) status = mus__plan_gather_new(context, cloth, plan);
+    if (status != MUS_OK) return status;
+    fill_elements(cloth, NULL, plan);
+    mus__plan_gather_lattice(cloth, plan);
+    status = mus__plan_blocks(context, cloth, plan);
+    if (status == MUS_OK) mus__plan_gather(cloth, plan);
+    return status;
+}
+
+
+void mus__plan_clear(mus_context *context, mus__plan *plan)
+{
+    void *blocks[] = {
+        plan->row,          plan->half_run,     plan->half_bend,     plan->spring,     plan->spring_dashpot,
+        plan->hinge,        plan->pair,         plan->block,         plan->shape,      plan->table,
+        plan->chunk,        plan->gather_node,  plan->half_start,    plan->half_other, plan->half_constant,
+        plan->linear_start, plan->linear_other, plan->linear_weight, plan->pair_end,   plan->lattice};
+    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
+    memset(plan, 0, sizeof *plan);
+}

@@ -14,7 +14,8 @@
  *               . N N N .      bending is a sum of w times differences that springs need anyhow, but for the far ones.
  *               F . F . F
  *
- *   gather:  a node with irregular items adds half springs and w (x[other] - x) over listed nodes
+ *   gather:  a node with irregular items adds half springs and w (x[other] - x) over listed nodes; what goes from
+ *            lattice node to lattice node where its block has a slot anyhow stands in the block's table instead
  *   pair:    a seam's pull, on either end
  *   chunk:   some hundred nodes in a row with their blocks, gather nodes and pair ends: what a thread takes at a time.
  *            Forces live in its scratch until the step has used them
@@ -76,6 +77,7 @@ typedef struct mus__plan {
     mus__plan_row *row;
     mus__half_run *half_run;
     mus__half_bend *half_bend;
+    uint8_t *lattice;       /* (nnode) 1: in a row */
 
     int32_t nspring, nhinge, npair;
     mus__spring *spring;
@@ -119,11 +121,16 @@ void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
 
 /* ---- parts of the two above (blocks.c, gather.c) ---- */
 
-/* blocks and chunks of the lattice rows */
-mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
-/* memory of the gather lists, then the lists themselves from springs, hinges and pairs */
+/* memory of the gather lists */
 mus_status mus__plan_gather_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+/* the lists, of what springs and hinges act from lattice node to lattice node and no weld will change */
+void mus__plan_gather_lattice(const mus_cloth *cloth, mus__plan *plan);
+/* blocks and chunks of the lattice rows, taking in what they can of these lists */
+mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+/* the lists, of all that is in no block, and the pairs */
 void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan);
+/* slot of a lattice node's block for a neighbour: 0 .. MUS_SLOTS-1 near, from MUS_SLOTS on far; MUS_NONE without */
+int32_t mus__plan_slot(const mus__plan *plan, int32_t node, int32_t other);
 
 /* write or read number i of an array of the plan's precision */
 static inline void mus__plan_put(const mus__plan *plan, void *array, int64_t i, double value)

@@ -114,7 +114,8 @@ PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit check-omit-now check-ports sizes clean FORCE \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit \
+        check-omit-now check-ports sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
 

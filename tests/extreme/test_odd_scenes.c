@@ -288,6 +288,33 @@ START_TEST(a_cloth_that_is_held_everywhere_does_not_move_a_bit)
 END_TEST
 
 
+/* X21: what holds a flat cloth that is held everywhere carries each node's own weight */
+START_TEST(reactions_of_held_nodes_are_their_weight)
+{
+    enum { SIDE = 7, N = SIDE * SIDE };
+    mus_context *context = support_context();
+    mus_cloth *cloth = extreme_grid(context, SIDE, SIDE, 0.01, NULL);
+    double mass[N], force[3 * N], sum = 0.0;
+    memcpy(mass, mus_cloth_masses(cloth), sizeof mass);
+    const double weight = mus_cloth_mass(cloth) * 9.81;
+    mus_drape *drape = extreme_drape(context, cloth, _i ? 64 : 32, down);
+    for (int32_t i = 0; i < N; i++) ck_assert_int_eq(mus_drape_pin(drape, i, 1), MUS_OK);
+    ck_assert_int_eq(mus_drape_step(drape, 10, 0.01), MUS_OK);
+    ck_assert_int_eq(mus_drape_forces(drape, force), MUS_OK);
+    const double noise = _i ? 1e-12 * weight : 2e-6; /* springs at rest to the rounding of their ends */
+    for (int32_t i = 0; i < N; i++) {
+        ck_assert_double_eq_tol(force[3 * i], 0.0, noise);
+        ck_assert_double_eq_tol(force[3 * i + 1], -9.81 * mass[i], noise);
+        ck_assert_double_eq_tol(force[3 * i + 2], 0.0, noise);
+        sum += force[3 * i + 1];
+    }
+    ck_assert_double_eq_tol(-sum / weight, 1.0, 1e-12);
+    mus_drape_destroy(drape);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_odd_scenes(void)
 {
     Suite *suite = suite_create("odd_scenes");
@@ -301,6 +328,7 @@ Suite *mus_suite_odd_scenes(void)
     tcase_add_test(tests, nodes_without_springs_have_no_bound);
     tcase_add_test(tests, a_pattern_without_panels_cannot_be_cut);
     tcase_add_loop_test(tests, a_cloth_that_is_held_everywhere_does_not_move_a_bit, 0, 2);
+    tcase_add_loop_test(tests, reactions_of_held_nodes_are_their_weight, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -206,6 +206,38 @@ START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
+/* X23: mus_drape_set_gravity mus_drape_plan */
+START_TEST(gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.02);
+    mus_drape *drape[2] = {scene_drape(context, cloth, 64, 1), scene_drape(context, cloth, 64, 1)};
+    for (int32_t value = 0; value < 3; value++) {
+        for (int32_t d = 0; d < 3; d++) {
+            double gravity[3] = {0.0, -1.0, 0.0};
+            gravity[d] = refused_values[value];
+            ck_assert_int_eq(mus_drape_set_gravity(drape[0], gravity), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), "gravity"));
+        }
+        mus_drape_forecast forecast;
+        mus_drape_forecast_init(&forecast, sizeof forecast);
+        ck_assert_int_eq(mus_drape_plan(drape[0], refused_values[value], &forecast), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "frame"));
+    }
+
+    /* it goes on as one that was never asked */
+    for (int k = 0; k < 2; k++)
+        ck_assert_int_eq(mus_drape_step(drape[k], 50, 0.5 * mus_drape_step_bound(drape[k])), MUS_OK);
+    ck_assert_uint_eq(mus_drape_hash(drape[0]), mus_drape_hash(drape[1]));
+    for (int k = 0; k < 2; k++) mus_drape_destroy(drape[k]);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_cloth(void)
 {
     Suite *suite = suite_create("refused_cloth");
@@ -216,6 +248,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
+    tcase_add_test(tests, gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was);
     suite_add_tcase(suite, tests);
     return suite;
 }

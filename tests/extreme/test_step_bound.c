@@ -6,9 +6,8 @@
 
 Suite *mus_suite_step_bound(void);
 
-/* limit over bound on a small free lattice: with n n^T in the bound 1.24; the identity in its place, which holds in
- * every pose, loses up to sqrt 2 of that and more at the border */
-#define LATTICE_MOST 1.6
+/* limit over bound on a small free lattice; on the infinite one it is 1 */
+#define LATTICE_MOST 1.24
 
 enum { MOST_NODES = 196, MOST_SPRINGS = 2000 };
 

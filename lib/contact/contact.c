@@ -164,14 +164,15 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
 
 
 /* box of the axis from end to end, widened by the reach in the contour's plane */
-static void limb_box(const mus__field *field, const double *origin, double *box)
+static void limb_box(const mus__field *field, const double *origin, double skin, double *box)
 {
     for (int32_t i = 0; i < 3; i++) {
         const double start = field->origin[i] - origin[i];
         const double e0 = start + field->pole[0] * field->axis[i], e1 = start + field->pole[1] * field->axis[i];
         const double across = sqrt(field->side[i] * field->side[i] + field->front[i] * field->front[i]);
-        box[i] = (e0 < e1 ? e0 : e1) - across * field->reach;
-        box[i + 3] = (e0 < e1 ? e1 : e0) + across * field->reach;
+        const double wide = across * (field->reach + skin) + skin;
+        box[i] = (e0 < e1 ? e0 : e1) - wide;
+        box[i + 3] = (e0 < e1 ? e1 : e0) + wide;
     }
 }
 
@@ -219,7 +220,7 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
     for (int32_t l = 0; l < n; l++) {
         fill_double(&body->field[l], origin, skin, &collider->field64[l], collider->table64 + at);
         fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
-        limb_box(&body->field[l], origin, collider->box + 6 * l);
+        limb_box(&body->field[l], origin, skin, collider->box + 6 * l);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     }
     collider->safe = SAFE_PART * thinnest(body);

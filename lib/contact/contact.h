@@ -38,7 +38,7 @@ typedef struct mus__collider {
     double origin[3];        /* of the state's coordinates in the body frame */
     mus__f32_field *field32; /* (nlimb) */
     mus__f64_field *field64; /* (nlimb) */
-    double *box;             /* (nlimb x 6) low x, y, z, high x, y, z, without clearance */
+    double *box;             /* (nlimb x 6) low x, y, z, high x, y, z, with the skin */
     double safe;             /* a node that moves no farther than this in a step goes through no limb [m] */
     double shift[3];         /* how far the body has glided from where it was made [m] */
     double drift[3];         /* and its velocity [m/s] */

@@ -233,7 +233,8 @@ void mus_drape_destroy(mus_drape *drape)
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);
     void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean,
-                      drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned};
+                      drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned,
+                      drape->planes};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

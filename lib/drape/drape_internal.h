@@ -33,6 +33,7 @@ struct mus_drape {
     /* of settle, one block, NULL before the first */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
     double *before;     /* (n x 3) mean place at the check before */
+    void *planes;       /* (n x 8) what nodes know of the skin near them */
     double *left;       /* (n x 3) force left over at the check before */
 
     double *work;       /* (n x 6) scratch of the stiffness at a pose */
@@ -135,5 +136,7 @@ void mus__run_report(mus__run *run, double progress);
 mus_status mus__drape_check_motion(mus_drape *drape);
 /* MUS_ERR_DIVERGED (and the last good state restored) when a number is not finite, else a new good state */
 mus_status mus__drape_guard(mus_drape *drape);
+/* sew and settle ask of the skin by planes (contact/near.h), from anew; taken by the first, kept */
+mus_status mus__drape_near(mus_drape *drape);
 
 #endif

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/clones.h"
+#include "base/clones.h"
 #include "drape/sim.h"
 
 #define MUS_REAL float
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
 #define MUS_CONTACT mus__contact_f32
+#define MUS_NEAR mus__near_f32
 #define MUS_SIM mus__sim_f32
 #include "drape/sim_kernel.h"

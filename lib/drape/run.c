@@ -59,3 +59,16 @@ mus_status mus__drape_guard(mus_drape *drape)
     if (status == MUS_OK) drape->sim.ops->snapshot(&drape->sim);
     return status;
 }
+
+
+mus_status mus__drape_near(mus_drape *drape)
+{
+    const int64_t n = drape->n;
+    mus__sim *sim = &drape->sim;
+    if (drape->collider == NULL) return MUS_OK;
+    if (drape->planes == NULL) drape->planes = mus__new(drape->context, MUS_NEAR_PLANES * n, sim->ops->real);
+    if (drape->planes == NULL) return mus__fail_memory(drape->context, "what nodes know of the skin");
+    for (int64_t i = 7 * n; i < 8 * n; i++) mus__plan_put(&drape->plan, drape->planes, i, -1.0);
+    sim->near = drape->planes;
+    return MUS_OK;
+}

@@ -138,6 +138,7 @@ static mus_status take_scratch(mus_drape *drape)
 static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
     mus_status status = take_scratch(drape);
+    if (status == MUS_OK) status = mus__drape_near(drape);
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
     double drag = goal->fall > 0.0 ? FALL_DRAG : START_DRAG, move = 0.0, drift = 0.0;
@@ -155,7 +156,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
-        if (status != MUS_OK) return status;
+        if (status != MUS_OK) break;
         mus__drape_tick(drape, batch, h, 1);
         t += batch * h;
         drape->settle_time += batch * h;
@@ -169,6 +170,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         run->slid = t > LOOSE_SECONDS && has_slid_off(drape);
         mus__run_report(run, t / goal->seconds);
     }
+    sim->near = NULL;
+    if (status != MUS_OK) return status;
     if (drape->settled || run->stop) return MUS_OK;
     if (run->slid)
         return mus__fail(drape->context, MUS_ERR_UNSETTLED, "slid off the body after %.1f s", drape->settle_time);

@@ -55,6 +55,8 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
 {
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
+    mus_status status = mus__drape_near(drape);
+    if (status != MUS_OK) return status;
     memset(sim->gravity, 0, sizeof sim->gravity);
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
@@ -62,7 +64,6 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
 
     const int32_t pairs = drape->plan.npair;
     int32_t open = pairs;
-    mus_status status = MUS_OK;
     for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
         mus__drape_publish(drape);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
@@ -76,6 +77,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
         open = count_open(&drape->plan);
         mus__run_report(run, 1.0 - (double)open / pairs);
     }
+    sim->near = NULL;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);

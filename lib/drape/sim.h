@@ -11,7 +11,7 @@
 #define MUS_DRAPE_SIM_H
 
 #include "base/pool.h"
-#include "contact/contact.h"
+#include "contact/near.h"
 #include "drape/plan.h"
 
 typedef struct mus__sim mus__sim;
@@ -56,6 +56,7 @@ struct mus__sim {
     void *weight;   /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
     void *good;     /* (6 n) last good state */
     uint8_t *rest;  /* (n) contact calls that a node may sit out */
+    void *near;     /* (8 n) planes of the skin, while sew or settle run; NULL: every node is asked every time */
 
     /* what the steps use; set between steps, never inside */
     double gravity[3];

@@ -187,10 +187,13 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
         MUS_FN(phase_chunk)(sim, chunk->first, chunk->count, f);
     }
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
-    MUS_REAL *x = sim->phase_touch;
-    MUS_CONTACT(sim->collider, &sim->rule, sim->n, plan->chunk[first].first,
-                plan->chunk[last - 1].first + plan->chunk[last - 1].count, sim->inverse, sim->before, sim->rest, x,
-                x + 3 * (int64_t)sim->n, &sim->part_tally[part]);
+    MUS_REAL *x = sim->phase_touch, *v = x + 3 * (int64_t)sim->n;
+    const int32_t start = plan->chunk[first].first, end = plan->chunk[last - 1].first + plan->chunk[last - 1].count;
+    if (sim->near != NULL && sim->before == NULL)
+        MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
+    else
+        MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->before, sim->rest, x, v,
+                    &sim->part_tally[part]);
 }
 
 

@@ -22,7 +22,7 @@ static mus_drape *grid_scene(mus_context *context, mus_cloth **cloth, int32_t pr
 
 
 /* X5 by hand, flat square cells: inside, lambda_max = 4 k + 4 k_d (all threads of one kind, half of each diagonal). A
- * corner has a quarter of the mass, half threads and one whole diagonal: [k + k_d, k_d; k_d, k + k_d], that is k + 2 k_d.
+ * corner has a quarter of the mass, half threads and one whole diagonal: [k + k_d, k_d; k_d, k + k_d], so k + 2 k_d.
  * The identity in place of n n^T would give 8 k + 8 k_d inside */
 START_TEST(bound_is_that_of_the_three_by_three_matrix)
 {

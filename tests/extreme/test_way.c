@@ -126,7 +126,7 @@ static const struct {
 } way_steps[] = {
     {"tape", way_tape, true},   {"measures", way_measures, true}, {"body", way_body, true},
     {"draft", way_draft, true}, {"check", way_check, true},       {"cloth", way_cloth, true},
-    {"drape", way_drape, true}, {"place", way_place, false},      {"sew", way_sew, false},
+    {"drape", way_drape, true}, {"place", way_place, false},      {"sew", way_sew, true},
     {"walk", way_walk, false},  {"settle", way_settle, true},    {"report", way_report, false},
 };
 

@@ -4,8 +4,8 @@
  * With contraction off every width gives the same bits. Not under sanitizers, whose runtime is not up yet when the
  * choice is made.
  */
-#ifndef MUS_DRAPE_CLONES_H
-#define MUS_DRAPE_CLONES_H
+#ifndef MUS_BASE_CLONES_H
+#define MUS_BASE_CLONES_H
 
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(MUS_NO_CLONES)

@@ -98,7 +98,8 @@ static mus_status energy_at(mus_drape *drape, const double *x, const double *way
 }
 
 
-/* worst of one state: slope of the energy along a random way, by differences of order four, against -f; sum f; sum x f */
+/* worst of one state: slope of the energy along a random way, by differences of order four, against -f; sums of f and
+ * of x x f */
 static mus_status check_state(mus_drape *drape, uint64_t *random, const double *x, double *worst)
 {
     static const double weight[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0}, at[4] = {-2, -1, 1, 2};
@@ -166,5 +167,7 @@ int verify_force(verify *v)
     check_law(v, "threads and shear", status, drape);
     status = grid_law(v, 1000.0, 300.0, 1e-3, MUS_BEND_PLATE, &drape);
     check_law(v, "threads, shear, bending", status, drape);
+    status = grid_law(v, 1000.0, 300.0, 1e-6, MUS_BEND_PAPER, &drape);
+    check_law(v, "threads, shear, skip-one springs", status, drape);
     return EXIT_DONE;
 }

@@ -22,8 +22,8 @@ typedef struct blocks_items { /* of one node */
 } blocks_items;
 
 typedef struct blocks_set { /* index differences of a block's nodes, ascending */
-    int32_t nnear, nlinear;
-    int32_t near[MUS_SLOTS], linear[2 * MUS_SLOTS];
+    int32_t most, nnear, nlinear; /* most: near ones */
+    int32_t near[MUS_NEAR_MOST], linear[2 * MUS_SLOTS];
 } blocks_set;
 
 typedef struct blocks_store { /* equal things once: open addressing over hashes */
@@ -35,6 +35,7 @@ typedef struct blocks_walk {
     mus_context *context;
     mus__plan *plan;
     const blocks_store *store; /* NULL: count */
+    int32_t most;              /* near slots */
 } blocks_walk;
 
 
@@ -123,7 +124,7 @@ static int32_t blocks_promote(blocks_set *set)
         const int32_t at = set->linear[i];
         if (blocks_find(set->near, set->nnear, at) == MUS_NONE && (least == 0 || abs(at) < abs(least))) least = at;
     }
-    return blocks_insert(set->near, &set->nnear, MUS_SLOTS, least);
+    return blocks_insert(set->near, &set->nnear, set->most, least);
 }
 
 
@@ -133,7 +134,7 @@ static int32_t blocks_grow(blocks_set *set, const blocks_items *items)
     blocks_set grown = *set;
     int32_t far[MUS_SLOTS];
     for (int32_t i = 0; i < items->nspring; i++)
-        if (!blocks_insert(grown.near, &grown.nnear, MUS_SLOTS, items->spring_at[i])) return 0;
+        if (!blocks_insert(grown.near, &grown.nnear, set->most, items->spring_at[i])) return 0;
     for (int32_t i = 0; i < items->nlinear; i++)
         if (!blocks_insert(grown.linear, &grown.nlinear, 2 * MUS_SLOTS, items->linear_at[i])) return 0;
     while (blocks_far(&grown, far) > MUS_SLOTS)
@@ -148,7 +149,7 @@ static void blocks_invite(const mus__plan *plan, blocks_set *set, int32_t node)
 {
     for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
         blocks_set grown = *set;
-        if (blocks_insert(grown.near, &grown.nnear, MUS_SLOTS, plan->half_other[h] - node)) *set = grown;
+        if (blocks_insert(grown.near, &grown.nnear, set->most, plan->half_other[h] - node)) *set = grown;
     }
     for (int32_t h = plan->linear_start[node]; h < plan->linear_start[node + 1]; h++) {
         blocks_set grown = *set;
@@ -231,8 +232,8 @@ static mus_status blocks_write(const blocks_walk *walk, const blocks_set *set, i
 {
     mus__plan *plan = walk->plan;
     mus__shape shape = {{0}, {0}};
-    double value[4 * MUS_SLOTS * MUS_LANES_MOST] = {0.0};
-    double table[4 * MUS_SLOTS * MUS_LANES_MOST]; /* the same numbers in the plan's precision */
+    double value[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES_MOST] = {0.0};
+    double table[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES_MOST]; /* the same numbers in the plan's precision */
     memcpy(shape.near, set->near, (size_t)set->nnear * sizeof *shape.near);
     const int32_t nfar = blocks_far(set, shape.far), size = mus__plan_table_size(plan);
     for (int32_t i = 0; i < count; i++) {
@@ -275,7 +276,7 @@ static int32_t blocks_step(const blocks_walk *walk, int32_t first, int32_t *row,
 {
     mus__plan *plan = walk->plan;
     blocks_items items[MUS_LANES_MOST];
-    blocks_set set = {0};
+    blocks_set set = {.most = walk->most};
     int32_t count = 0, r = *row;
     while (count < plan->lanes) {
         while (r < plan->nrow && plan->row[r].first + plan->row[r].count <= first + count) r++;
@@ -283,7 +284,7 @@ static int32_t blocks_step(const blocks_walk *walk, int32_t first, int32_t *row,
         if (!blocks_collect(plan, &plan->row[r], first + count, &items[count]) || !blocks_grow(&set, &items[count])) {
             if (count > 0) break;
             *status = mus__fail(walk->context, MUS_ERR_LIMIT, "drape: node %d has more than %d lattice neighbours",
-                                (int)first, 2 * MUS_SLOTS);
+                                (int)first, walk->most + MUS_SLOTS);
             return 0;
         }
         count++;
@@ -331,15 +332,20 @@ static mus_status blocks_all(const blocks_walk *walk, int32_t nnode)
 mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan)
 {
     blocks_store store = {.slots = 16};
-    blocks_walk walk = {context, plan, NULL};
+    blocks_walk walk = {context, plan, NULL, MUS_SLOTS};
     plan->lanes = plan->real == sizeof(float) ? 16 : 8;
     plan->near = plan->far = 0;
     mus_status status = blocks_all(&walk, cloth->nnode);
+    if (status == MUS_ERR_LIMIT) {
+        walk.most = MUS_NEAR_MOST;
+        status = blocks_all(&walk, cloth->nnode);
+    }
     if (status != MUS_OK) return status;
 
     /* the slots that the kernels have loops for */
-    plan->near = plan->near > 4 || plan->far > 4 ? MUS_SLOTS : 4;
-    plan->far = plan->far > 4 ? MUS_SLOTS : plan->far > 0 ? 4 : 0;
+    const int32_t paper = plan->near > MUS_SLOTS;
+    plan->near = paper ? MUS_NEAR_MOST : plan->near > 4 || plan->far > 4 ? MUS_SLOTS : 4;
+    plan->far = paper || plan->far > 4 ? MUS_SLOTS : plan->far > 0 ? 4 : 0;
 
     plan->block = mus__new(context, plan->nblock, sizeof *plan->block);
     plan->chunk = mus__new(context, plan->nchunk, sizeof *plan->chunk);
@@ -365,8 +371,8 @@ int32_t mus__plan_slot(const mus__plan *plan, int32_t node, int32_t other)
         else high = middle - 1;
     }
     const mus__shape *shape = &plan->shape[plan->block[low].shape];
-    const int32_t near = blocks_find(shape->near, MUS_SLOTS, other - node);
+    const int32_t near = blocks_find(shape->near, MUS_NEAR_MOST, other - node);
     if (near != MUS_NONE) return near;
     const int32_t far = blocks_find(shape->far, MUS_SLOTS, other - node);
-    return far != MUS_NONE ? MUS_SLOTS + far : MUS_NONE;
+    return far != MUS_NONE ? MUS_NEAR_MOST + far : MUS_NONE;
 }

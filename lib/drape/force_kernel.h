@@ -66,27 +66,31 @@ MUS_BLOCKS(blocks_near4_far4, 4, 4, 0)
 MUS_BLOCKS(blocks_near8, 8, 0, 0)
 MUS_BLOCKS(blocks_near8_far4, 8, 4, 0)
 MUS_BLOCKS(blocks_near8_far8, 8, 8, 0)
+MUS_BLOCKS(blocks_paper, MUS_NEAR_MOST, 8, 0)
 MUS_BLOCKS(blocks_near4_dash, 4, 0, 1)
 MUS_BLOCKS(blocks_near4_far4_dash, 4, 4, 1)
 MUS_BLOCKS(blocks_near8_dash, 8, 0, 1)
 MUS_BLOCKS(blocks_near8_far4_dash, 8, 4, 1)
 MUS_BLOCKS(blocks_near8_far8_dash, 8, 8, 1)
+MUS_BLOCKS(blocks_paper_dash, MUS_NEAR_MOST, 8, 1)
 
 
 /* the loop for what the plan has */
 static void MUS_FN(blocks)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
 {
-    switch (10 * sim->plan->near + sim->plan->far + (sim->dashpots ? 100 : 0)) {
+    switch (10 * sim->plan->near + sim->plan->far + (sim->dashpots ? 1000 : 0)) {
     case 40: MUS_FN(blocks_near4)(sim, chunk, f); break;
     case 44: MUS_FN(blocks_near4_far4)(sim, chunk, f); break;
     case 80: MUS_FN(blocks_near8)(sim, chunk, f); break;
     case 84: MUS_FN(blocks_near8_far4)(sim, chunk, f); break;
     case 88: MUS_FN(blocks_near8_far8)(sim, chunk, f); break;
-    case 140: MUS_FN(blocks_near4_dash)(sim, chunk, f); break;
-    case 144: MUS_FN(blocks_near4_far4_dash)(sim, chunk, f); break;
-    case 180: MUS_FN(blocks_near8_dash)(sim, chunk, f); break;
-    case 184: MUS_FN(blocks_near8_far4_dash)(sim, chunk, f); break;
-    default: MUS_FN(blocks_near8_far8_dash)(sim, chunk, f); break;
+    case 1040: MUS_FN(blocks_near4_dash)(sim, chunk, f); break;
+    case 1044: MUS_FN(blocks_near4_far4_dash)(sim, chunk, f); break;
+    case 1080: MUS_FN(blocks_near8_dash)(sim, chunk, f); break;
+    case 1084: MUS_FN(blocks_near8_far4_dash)(sim, chunk, f); break;
+    case 1088: MUS_FN(blocks_near8_far8_dash)(sim, chunk, f); break;
+    case 128: MUS_FN(blocks_paper)(sim, chunk, f); break;
+    default: MUS_FN(blocks_paper_dash)(sim, chunk, f); break;
     }
 }
 

@@ -60,7 +60,7 @@ static int32_t gather_wants_spring(const mus__plan *plan, int32_t lattice, int32
     const int32_t between = plan->lattice[node] && plan->lattice[other];
     if (lattice || !between) return lattice == between;
     const int32_t slot = mus__plan_slot(plan, node, other);
-    return slot == MUS_NONE || slot >= MUS_SLOTS;
+    return slot == MUS_NONE || slot >= MUS_NEAR_MOST;
 }
 
 

@@ -27,6 +27,7 @@
 
 #define MUS_LANES_MOST 16
 #define MUS_SLOTS 8       /* near and far neighbours of a block, each */
+#define MUS_NEAR_MOST 12  /* near ones with the paper's springs over one node */
 #define MUS_CHUNK 512     /* nodes of a chunk at most: its forces and a stage stay in the first cache */
 
 typedef struct mus__half_run { /* node a+i is pulled towards b+i */
@@ -54,7 +55,7 @@ typedef struct mus__pair {
 } mus__pair;
 
 typedef struct mus__shape { /* index differences, ascending; 0 past the last */
-    int32_t near[MUS_SLOTS], far[MUS_SLOTS];
+    int32_t near[MUS_NEAR_MOST], far[MUS_SLOTS];
 } mus__shape;
 
 typedef struct mus__block {
@@ -129,7 +130,7 @@ void mus__plan_gather_lattice(const mus_cloth *cloth, mus__plan *plan);
 mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
 /* the lists, of all that is in no block, and the pairs */
 void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan);
-/* slot of a lattice node's block for a neighbour: 0 .. MUS_SLOTS-1 near, from MUS_SLOTS on far; MUS_NONE without */
+/* slot of a lattice node's block for a neighbour: below MUS_NEAR_MOST near, from there on far; MUS_NONE without */
 int32_t mus__plan_slot(const mus__plan *plan, int32_t node, int32_t other);
 
 /* write or read number i of an array of the plan's precision */

@@ -14,9 +14,10 @@ Suite *mus_suite_blocks(void);
 /* rows and columns: single lines, less than a block, whole blocks, blocks over the ends of rows, several chunks */
 static const int32_t grids[][2] = {{1, 1},  {1, 9},   {13, 1},  {2, 2},   {3, 3},  {4, 5},
                                    {5, 17}, {16, 16}, {17, 33}, {40, 23}, {3, 700}};
-/* what a fabric has: stretch alone, with shear, with bending, with all */
-static const double fabrics[][3] = {{0, 0, 0},      {250, 0, 0},       {0, 2e-5, 0},
-                                    {250, 2e-5, 0}, {250, 2e-5, 3e-5}, {0, 2e-5, 3e-5}};
+/* what a fabric has: stretch alone, with shear, with bending, with all, all with the paper's springs over one node */
+static const double fabrics[][3] = {{0, 0, 0},         {250, 0, 0},       {0, 2e-5, 0},     {250, 2e-5, 0},
+                                    {250, 2e-5, 3e-5}, {0, 2e-5, 3e-5}, {250, 2e-5, 3e-5}};
+#define PAPER 6
 #define GRIDS ((int)(sizeof grids / sizeof grids[0]))
 #define FABRICS ((int)(sizeof fabrics / sizeof fabrics[0]))
 
@@ -30,6 +31,7 @@ static mus_cloth *blocks_grid(mus_context *context, int32_t grid, int32_t fabric
     cut.fabric.shear = fabrics[fabric][0];
     for (int d = 0; d < 3; d++) cut.fabric.bend[d] = fabrics[fabric][d < 2 ? 1 : 2];
     cut.fabric.damping = damping;
+    if (fabric == PAPER) cut.bending = MUS_BEND_PAPER;
     ck_assert_int_eq(mus_cloth_create_grid(context, grids[grid][0], grids[grid][1], cell, &cut, &cloth), MUS_OK);
     return cloth;
 }

@@ -6,6 +6,20 @@
  * guard_every steps; after each the state is looked at (finite, energy) and kept, so that a run that blows up ends with
  * the last good one. Time of step k is start + k h: a running sum of 1 ms in float stops at 32768 s.
  *
+ * No implicit method stands here, by measurement (sheets of 32 x 32 and 64 x 64 nodes, stretch 1000 to 20000 N/m, held
+ * along an edge or stretched all round, against Runge-Kutta at a quarter of its limit; CPU seconds of a float drape by
+ * Verlet / of linearly implicit Euler with PCG in double):
+ *
+ *   32 x 32, 20000 N/m, damping 0.1 of critical: 0.006 mm in 0.04 s  /  1.1 mm in 0.18 s, 17 mm in 0.06 s
+ *   the same, damping 1, the most that a fabric may have:  0.2 mm in 0.19 s  /  1.1 mm in 0.19 s, 18 mm in 0.06 s
+ *   64 x 64, 20000 N/m, damping 1:               0.2 mm in 0.51 s  /  0.4 mm in 0.56 s, 3.5 mm in 0.16 s
+ *   32 x 32, 1000 N/m, stretched, damping 1:     below 0.03 mm in 0.08 s  /  12 mm in 0.11 s
+ *
+ * It is cheaper only where errors of several millimetres are allowed on the stiffest and most damped sheets. A linearly
+ * implicit step of order 2 (ROS2) was dearer in all of these and blew up at long steps. With dashpots ten times as
+ * strong as a fabric may have there is a place for one (0.3 mm in 0.2 s against 0.45 s), also for dashpots alone taken
+ * implicitly (0.2 mm in 0.19 s).
+ *
  * Source: Metaaphanon and Kanongchaiyos 2005, eq. 5; Hairer, Norsett, Wanner, Solving ODEs I, 1993, II.1; Hairer,
  * Lubich, Wanner, Geometric Numerical Integration, 2006, I.1.
  */

@@ -297,6 +297,26 @@ START_TEST(numbers_that_are_not_finite_end_a_run_without_an_energy)
 END_TEST
 
 
+START_TEST(float_runs_are_guarded_too)
+{
+    mus_context *context = support_context();
+    for (int guarded = 0; guarded < 2; guarded++) {
+        motion_spring spring = {.omega = 5.0};
+        float y[2] = {1.0f, 0.0f}, work[8];
+        int64_t done = -1;
+        mus_integrate_def def = motion_def(MUS_METHOD_RK4, 2.0 * 2.83 / 5.0, NULL, &spring);
+        def.rate32 = motion_spring_rate32;
+        if (guarded) def.energy32 = motion_spring_energy32;
+        def.guard_every = 1;
+        ck_assert_int_eq(mus_integrate_f32(context, &def, 2, y, 100, work, &done), MUS_ERR_DIVERGED);
+        ck_assert(strstr(mus_context_error(context), guarded ? "energy" : "y[") != NULL);
+        ck_assert(isfinite(y[0]) && isfinite(y[1]) && done < 100 && (done == 0) == guarded);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_start_at_energy_zero_needs_the_floor)
 {
     mus_context *context = support_context();
@@ -422,6 +442,7 @@ Suite *mus_suite_integrate(void)
     tcase_add_test(tests, a_step_above_the_limit_ends_with_the_last_good_state);
     tcase_add_test(tests, a_step_below_the_limit_runs_on);
     tcase_add_test(tests, numbers_that_are_not_finite_end_a_run_without_an_energy);
+    tcase_add_test(tests, float_runs_are_guarded_too);
     tcase_add_test(tests, a_start_at_energy_zero_needs_the_floor);
     tcase_add_test(tests, steps_and_counts_outside_their_range_are_refused);
     tcase_add_test(tests, no_steps_a_step_of_zero_and_no_numbers_change_nothing);

@@ -14,7 +14,8 @@
 #include "commands.h"
 #include "scene.h"
 
-static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force, verify_contact, verify_collide};
+static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force,   verify_cloth,
+                                              verify_bend, verify_drape,  verify_contact, verify_collide};
 
 
 /* ---- which cases ---- */

@@ -48,6 +48,9 @@ void verify_broken(verify *v, const char *id, const char *quantity, mus_status s
 int verify_step(verify *v);
 int verify_motion(verify *v);
 int verify_force(verify *v);
+int verify_cloth(verify *v);
+int verify_bend(verify *v);
+int verify_drape(verify *v);
 int verify_contact(verify *v);
 int verify_collide(verify *v);
 

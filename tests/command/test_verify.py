@@ -25,6 +25,12 @@ def test_every_case_of_integration_and_damping_is_there(rows):
     assert {f"I{i}" for i in range(1, 13)} | {"D1", "D2", "D3"} <= ids
 
 
+def test_every_case_of_membrane_and_bending_is_there(rows):
+    ids = {row["id"] for row in rows}
+    assert {f"M{i}" for i in range(1, 11)} | {f"B{i}" for i in range(1, 9)} <= ids
+    assert {row["id"] for row in rows if row.get("negative")} == {"B6"}
+
+
 def test_the_error_is_that_of_the_columns(rows):
     for row in rows:
         error = abs((row["got"] - row["exact"]) / row["exact"]) if row["exact"] else abs(row["got"])

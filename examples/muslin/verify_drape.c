@@ -167,23 +167,24 @@ static mus_status drape_disc(verify *v, double spacing, const mus_fabric *fabric
 }
 
 
-/* plain fabrics of given bending length, finer and finer: the coefficient may move by 3 points */
+/*
+ * Plain fabrics of given bending length, finer and finer: the coefficient may move by 3 points. The softer one needs 5
+ * mm for its folds; at 10 mm its shapes of 5 to 8 folds, all at rest, lie between 60 and 69 %.
+ */
 static void discs(verify *v)
 {
-    static const double length[] = {0.02, 0.03}, spacing[] = {0.01, 0.005, 0.0025};
-    for (int c = 0; c < 2; c++) {
+    static const double length[] = {0.03, 0.03, 0.02}, coarse[] = {0.01, 0.005, 0.005};
+    for (int c = 0; c < (v->all ? 3 : 1); c++) {
         char text[120];
-        double percent[3] = {NAN, NAN, NAN};
+        double percent[2] = {NAN, NAN};
         mus_fabric fabric;
         rest_fabric(&fabric, DISC_WEIGHT, 500.0, 40.0, DISC_WEIGHT * REST_GRAVITY * pow(length[c], 3.0));
         mus_status status = MUS_OK;
-        for (int i = 0; i < (v->all ? 3 : 2) && status == MUS_OK; i++) {
-            status = drape_disc(v, spacing[i], &fabric, 6, &percent[i]);
-            if (i == 0) continue;
-            snprintf(text, sizeof text, "drape disc, c = %g cm: %.1f %% at %g mm, points off at %g mm",
-                     100.0 * length[c], percent[i], 1e3 * spacing[i], 1e3 * spacing[i - 1]);
-            rest_row(v, status, "M10", text, 0.0, percent[i] - percent[i - 1], 3.0);
-        }
+        for (int i = 0; i < 2 && status == MUS_OK; i++)
+            status = drape_disc(v, i == 0 ? coarse[c] : 0.5 * coarse[c], &fabric, 6, &percent[i]);
+        snprintf(text, sizeof text, "drape disc, c = %g cm: %.1f %% at %g mm, points off at %g mm", 100.0 * length[c],
+                 percent[1], 0.5e3 * coarse[c], 1e3 * coarse[c]);
+        rest_row(v, status, "M10", text, 0.0, percent[1] - percent[0], 3.0);
     }
 }
 

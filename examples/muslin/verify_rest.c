@@ -66,11 +66,13 @@ mus_status rest_hang(verify *v, mus_cloth *cloth, double drag, double gravity, m
 mus_status rest_settle(verify *v, mus_drape *drape, double speed, double seconds)
 {
     double most = INFINITY;
-    const double h = 0.98 * mus_drape_step_bound(drape);
     const int32_t n = 3 * mus_drape_node_count(drape);
-    for (double t = 0.0; t < seconds && most > speed; t += CHECK_STEPS * h) {
+    for (double t = 0.0; t < seconds && most > speed;) {
+        /* the bound follows the pose */
+        const double h = 0.9 * mus_drape_step_bound(drape);
         const mus_status status = mus_drape_step(drape, CHECK_STEPS, h);
         if (status != MUS_OK) return status;
+        t += CHECK_STEPS * h;
         most = 0.0;
         for (int32_t i = 0; i < n; i++) most = fmax(most, fabs(mus_drape_velocities(drape)[i]));
     }

@@ -415,7 +415,7 @@ static void catenary(verify *v)
         place[3 * i + 1] = sqrt(a * a + s * s) - sqrt(a * a + 0.25 * length * length);
     }
     mus_status status = chain(v, N, place, link, stiffness, mass, true, 8.0, &drape);
-    if (status == MUS_OK) status = rest_settle(v, drape, 1e-6, 10.0);
+    if (status == MUS_OK) status = rest_settle(v, drape, 1e-8, 20.0);
     if (status == MUS_OK) {
         /* tension at a node that hangs between two: of the first spring, with the half weight beyond it */
         const double *x = mus_drape_positions(drape), *a = x + 3 * (N / 2), *b = a + 3;

@@ -119,6 +119,17 @@ static mus_status choose_origin(mus_drape *drape)
 }
 
 
+/* whether the cloth has diagonals */
+static int32_t has_shear(const mus_cloth *cloth)
+{
+    for (int32_t r = 0; r < cloth->nrun; r++)
+        if (cloth->run[r].kind == MUS__SPRING_SHEAR) return 1;
+    for (int32_t s = 0; s < cloth->nspring; s++)
+        if (cloth->spring[s].kind == MUS__SPRING_SHEAR) return 1;
+    return 0;
+}
+
+
 /* names of the passes that this scene has no work for */
 static void name_skipped(mus_drape *drape)
 {
@@ -129,6 +140,7 @@ static void name_skipped(mus_drape *drape)
         {drape->collider == NULL, "contact"},
         {drape->collider == NULL || drape->friction == 0.0, "friction"},
         {drape->cloth->npair == 0, "seams"},
+        {!has_shear(drape->cloth), "shear"},
         {drape->cloth->nbend + drape->cloth->nhinge == 0, "bending"},
         {!drape->plan.dashpots, "dashpots"},
         {drape->def.drag == 0.0, "drag"},

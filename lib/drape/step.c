@@ -171,11 +171,27 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
 }
 
 
+/* whether any node can move */
+static int32_t any_free(const mus_drape *drape)
+{
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->mass[i] > 0.0 && !drape->pinned[i]) return 1;
+    return 0;
+}
+
+
 mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     mus_status status = check_step(drape, steps, dt);
     if (status != MUS_OK || steps == 0 || dt == 0.0) return status;
+
+    /* held everywhere: time goes on, nothing else */
+    if (!any_free(drape)) {
+        mus__drape_tick(drape, steps, dt, 0);
+        mus__drape_glide(drape, 0, dt);
+        return MUS_OK;
+    }
 
     mus__sim *sim = &drape->sim;
     mus__drape_prepare(drape, dt);

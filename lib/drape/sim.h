@@ -16,6 +16,9 @@
 
 typedef struct mus__sim mus__sim;
 
+/* what a phase does with the forces of a chunk */
+enum { PHASE_FORCE, PHASE_RK1, PHASE_RK2, PHASE_RK3, PHASE_RK4, PHASE_EULER, PHASE_KICK, PHASE_VERLET, PHASE_START };
+
 typedef struct mus__sim_ops {
     size_t real; /* bytes of a number */
     /* f = forces at the positions of y (springs, bending, pairs; no gravity) */

@@ -17,8 +17,6 @@
  */
 #include "drape/force_kernel.h"
 
-enum { PHASE_FORCE, PHASE_RK1, PHASE_RK2, PHASE_RK3, PHASE_RK4, PHASE_EULER, PHASE_KICK, PHASE_VERLET, PHASE_START };
-
 
 /* ---- what a step does with the forces of nodes first .. first+count-1, f (3 x SPAN) in the scratch ---- */
 

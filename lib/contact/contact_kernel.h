@@ -208,6 +208,8 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
         left -= time;
         if (hit) touched |= MUS_FIELD(meet)(collider, rule, box, margin, time, slip, p, w, way, queries);
     }
+    /* a path of too many pieces ends where it got to */
+    if (left > 0) touched = 1;
     for (int32_t i = 0; touched && i < 3; i++) q[i] = p[i];
     return touched;
 }

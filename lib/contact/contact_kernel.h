@@ -5,9 +5,10 @@
  * rests: a depth of first order jumps a little from ring to ring, but not at zero.
  *
  * A node nearer than the clearance is put back along the outward normal, loses its velocity into the skin, and its
- * sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node with the velocity
- * it had before the impulse; `slip` times the change takes that sliding back, so that what sticks does not creep by
- * h^2 f/m a step. All is relative to the body: places to its shift, velocities to its drift.
+ * sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node along the skin with
+ * the velocity it had before the impulse; friction takes back `slip` mu |v_n| of that way too, and no more than all of
+ * it, so that what sticks does not creep, and in float not even by rounding. All is relative to the body: places to its
+ * shift, velocities to its drift.
  *
  * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
  * is walked in pieces that are shorter the nearer the skin is, the first place nearer than the clearance is found by
@@ -18,6 +19,8 @@
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
 #define TOUCH_BAND 2e-6
 
+#define HELD_BAND (sizeof(MUS_REAL) == sizeof(float) ? 1e-7 : 1e-15) /* [m]: as far off the skin as before */
+
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
@@ -27,29 +30,50 @@
 #define SWEEP_DOOR 1e-5 /* [m]: this near to a box is in it */
 
 
-/* one node against one limb that it touches: x, v (3) are corrected in place. It moved for `time` to get here: if that
- * is what brought it in, it is put back whole; else it was inside before, and comes out by `push` beyond what springs
- * just pulled it in */
-static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, MUS_REAL time, MUS_REAL slip,
-                                      const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
-{
-    const MUS_REAL friction = (MUS_REAL)rule->friction;
-    const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
-    const MUS_REAL push = (MUS_REAL)rule->push, inward = vn < 0 ? -vn : 0;
-    const MUS_REAL go = time * (MUS_REAL)MUS_FIELD(sqrt)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    const MUS_REAL move = lift < 0 ? 0 : lift <= push + go ? lift : push + inward * slip;
-    for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
-    if (vn >= 0) return;
+/* how a node came here */
+typedef struct MUS_FIELD(path) {
+    const MUS_REAL *from; /* (3) where it was */
+    MUS_REAL time;        /* how long it moved */
+    MUS_REAL slip;        /* the part of that for which friction's impulse would have acted */
+} MUS_FIELD(path);
 
-    MUS_REAL t[3];
-    for (int32_t i = 0; i < 3; i++) t[i] = v[i] - vn * normal[i];
+
+/* friction: what a normal impulse `inward` takes of the velocity v, and of the way x - from along the skin; one that
+ * sticks, as far off the skin as it was, is put back to the last bit */
+static inline void MUS_FIELD(rub)(MUS_REAL friction, const MUS_FIELD(path) * path, MUS_REAL inward,
+                                  const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
+{
+    MUS_REAL t[3], way[3], along = 0;
+    for (int32_t i = 0; i < 3; i++) {
+        t[i] = v[i] + inward * normal[i];
+        way[i] = x[i] - path->from[i];
+        along += way[i] * normal[i];
+    }
+    for (int32_t i = 0; i < 3; i++) way[i] -= along * normal[i];
     const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-    const MUS_REAL loss = -friction * vn;
-    const MUS_REAL keep = speed > loss ? (speed - loss) / speed : 0;
+    const MUS_REAL length = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    const MUS_REAL loss = friction * inward, back = path->slip > 0 ? loss * path->slip : 0;
+    const MUS_REAL keep = speed > loss ? (speed - loss) / speed : 0, part = length > back ? back / length : 1;
+    const MUS_REAL off = along < 0 ? -along : along;
+    const int32_t held = part == 1 && off <= (MUS_REAL)HELD_BAND;
     for (int32_t i = 0; i < 3; i++) {
         v[i] = keep * t[i];
-        x[i] -= slip * (t[i] - v[i]);
+        x[i] = held ? path->from[i] : x[i] - part * way[i];
     }
+}
+
+
+/* one node against one limb that it touches: x, v (3) are corrected in place. If its path is what brought it in, it is
+ * put back whole; else it was inside before, and comes out by `push` beyond what springs just pulled it in */
+static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, const MUS_FIELD(path) * path,
+                                      const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
+{
+    const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+    const MUS_REAL push = (MUS_REAL)rule->push, inward = vn < 0 ? -vn : 0;
+    const MUS_REAL go = path->time * (MUS_REAL)MUS_FIELD(sqrt)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const MUS_REAL move = lift < 0 ? 0 : lift <= push + go ? lift : push + inward * path->slip;
+    for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
+    if (vn < 0) MUS_FIELD(rub)((MUS_REAL)rule->friction, path, inward, normal, x, v);
 }
 
 
@@ -63,7 +87,7 @@ static inline int32_t MUS_FIELD(boxed)(const MUS_REAL *box, const MUS_REAL *p)
 /* one node against all limbs, in place; box (nlimb x 6) is widened by `margin` already. Returns a lower bound of the
  * node's distance to the body, at most `margin`; below clearance + TOUCH_BAND when it touched */
 static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
-                                        const MUS_REAL *box, MUS_REAL margin, MUS_REAL time, MUS_REAL slip, MUS_REAL *p,
+                                        const MUS_REAL *box, MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p,
                                         MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
@@ -76,7 +100,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         (*queries)++;
         if (near == 0) continue;
         if (-depth < distance) distance = -depth;
-        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, time, slip, normal, p, w);
+        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, path, normal, p, w);
     }
     return distance;
 }
@@ -156,11 +180,11 @@ static inline MUS_REAL MUS_FIELD(piece)(MUS_REAL distance, MUS_REAL safe)
 
 /* touch() at the end of a piece: nonzero when place or velocity changed; a changed velocity is the way from here on */
 static int32_t MUS_FIELD(meet)(const mus__collider *collider, const mus__contact_rule *rule, const MUS_REAL *box,
-                               MUS_REAL margin, MUS_REAL time, MUS_REAL slip, MUS_REAL *p, MUS_REAL *w, MUS_REAL *way,
+                               MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w, MUS_REAL *way,
                                int64_t *queries)
 {
     const MUS_REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
-    MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, queries);
+    MUS_FIELD(touch)(collider, rule, box, margin, path, p, w, queries);
     if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
         for (int32_t i = 0; i < 3; i++) way[i] = w[i];
         return 1;
@@ -181,7 +205,7 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
     int32_t touched = 0;
     for (int32_t k = 0; k < SWEEP_PIECES && left > 0; k++) {
         MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-        MUS_REAL time = MUS_FIELD(wait)(collider->nlimb, box, p, way, speed, left), slip = 0;
+        MUS_REAL time = MUS_FIELD(wait)(collider->nlimb, box, p, way, speed, left), slip = 0, from[3];
         int32_t hit = 0;
         if (time == 0) {
             MUS_REAL normal[3];
@@ -192,7 +216,8 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
                 const MUS_REAL rest = in > 0 && off > 0 && off < left * in ? off / in : 0;
                 for (int32_t i = 0; i < 3; i++) p[i] += rest * way[i];
                 left -= rest;
-                touched |= MUS_FIELD(meet)(collider, rule, box, margin, 0, 0, p, w, way, queries);
+                const MUS_FIELD(path) none = {p, 0, 0};
+                touched |= MUS_FIELD(meet)(collider, rule, box, margin, &none, p, w, way, queries);
                 speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
             }
             const MUS_REAL length = MUS_FIELD(piece)(off, safe);
@@ -204,9 +229,10 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
             else if (hit)
                 time = MUS_FIELD(hit_time)(collider, box, safe, clearance, p, way, time, queries);
         }
-        for (int32_t i = 0; i < 3; i++) p[i] += time * way[i];
+        for (int32_t i = 0; i < 3; i++) from[i] = p[i], p[i] += time * way[i];
         left -= time;
-        if (hit) touched |= MUS_FIELD(meet)(collider, rule, box, margin, time, slip, p, w, way, queries);
+        const MUS_FIELD(path) piece = {from, time, slip};
+        if (hit) touched |= MUS_FIELD(meet)(collider, rule, box, margin, &piece, p, w, way, queries);
     }
     /* a path of too many pieces ends where it got to */
     if (left > 0) touched = 1;
@@ -218,19 +244,23 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
 /* ---- the pass ---- */
 
 void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
-                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x, MUS_REAL *v,
-                 mus__contact_tally *tally)
+                 const MUS_REAL *inverse, const MUS_REAL *before, int32_t sweeps, uint8_t *rest, MUS_REAL *x,
+                 MUS_REAL *v, mus__contact_tally *tally)
 {
     /* a node sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     const MUS_REAL margin = rule->travel > 0.0 ? clearance + (MUS_REAL)SIT_OUT_MARGIN : band;
     const MUS_REAL calls = (MUS_REAL)(rule->travel > 0.0 ? 0.5 / rule->travel : 0.0);
-    const MUS_REAL time = (MUS_REAL)rule->step, slip = (MUS_REAL)rule->slip, safe = (MUS_REAL)collider->safe;
+    const MUS_REAL safe = (MUS_REAL)collider->safe;
     const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule), swift2 = swift * swift;
-    MUS_REAL box[6 * MUS_LIMBS_MOST], shift[3], drift[3];
+    MUS_REAL box[6 * MUS_LIMBS_MOST], shift[3], drift[3], back[3];
     for (int32_t k = 0; k < 6 * collider->nlimb; k++)
         box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
-    for (int32_t d = 0; d < 3; d++) shift[d] = (MUS_REAL)collider->shift[d], drift[d] = (MUS_REAL)collider->drift[d];
+    for (int32_t d = 0; d < 3; d++) {
+        shift[d] = (MUS_REAL)collider->shift[d];
+        drift[d] = (MUS_REAL)collider->drift[d];
+        back[d] = (MUS_REAL)(collider->shift[d] - rule->step * collider->drift[d]);
+    }
 
     for (int32_t i = first; i < last; i++) {
         if (rest[i] > 0) {
@@ -245,14 +275,15 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
 
         /* where it was, relative to where the body was */
         MUS_REAL from[3], way2 = 0;
-        for (int32_t d = 0; before != NULL && d < 3; d++) {
-            from[d] = before[at[d]] - (shift[d] - time * drift[d]);
+        for (int32_t d = 0; d < 3; d++) {
+            from[d] = before[at[d]] - back[d];
             way2 += (p[d] - from[d]) * (p[d] - from[d]);
         }
-        if (way2 > safe * safe) {
+        if (sweeps && way2 > safe * safe) {
             if (!MUS_FIELD(sweep)(collider, rule, box, margin, from, p, w, &tally->queries)) continue;
         } else {
-            const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, time, slip, p, w, &tally->queries);
+            const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
+            const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, &path, p, w, &tally->queries);
             const MUS_REAL off = (distance - clearance) * calls;
             rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
             if (distance >= band) continue;

@@ -77,7 +77,7 @@ struct mus__sim {
     int32_t phase;
     const void *phase_y; /* where forces are taken */
     void *phase_touch;   /* the state that meets the body after the phase; NULL: none does */
-    const void *before;  /* (3 n) places before the step, when contact is to sweep; NULL */
+    const void *before;  /* (3 n) places before the step */
     double phase_h;
 };
 

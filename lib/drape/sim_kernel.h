@@ -187,10 +187,11 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
     MUS_REAL *x = sim->phase_touch, *v = x + 3 * (int64_t)sim->n;
     const int32_t start = plan->chunk[first].first, end = plan->chunk[last - 1].first + plan->chunk[last - 1].count;
-    if (sim->near != NULL && sim->before == NULL)
+    if (sim->near != NULL && !sim->swift)
         MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
     else
-        MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->before, sim->rest, x, v,
+        MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->before, sim->swift,
+                    sim->rest, x, v,
                     &sim->part_tally[part]);
 }
 
@@ -210,7 +211,7 @@ static void MUS_FN(run_phase)(mus__sim *sim, int32_t phase, const void *y, void 
 /* the same from y to `next`, which change places */
 static void MUS_FN(run_move)(mus__sim *sim, int32_t phase)
 {
-    sim->before = sim->swift ? sim->y : NULL;
+    sim->before = sim->y;
     MUS_FN(run_phase)(sim, phase, sim->y, phase == PHASE_KICK ? NULL : sim->next);
     void *const was = sim->y;
     sim->y = sim->next;
@@ -261,7 +262,7 @@ static void MUS_FN(euler)(mus__sim *sim, double h)
 static void MUS_FN(rk4)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
-    sim->before = sim->swift ? sim->f : NULL; /* stage 3 leaves it there */
+    sim->before = sim->f; /* stage 3 leaves it there */
     MUS_FN(run_phase)(sim, PHASE_RK1, sim->y, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK2, sim->next, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK3, sim->stage, NULL);

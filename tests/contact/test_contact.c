@@ -93,7 +93,8 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus__contact_tally tally = {0};
     uint8_t rest[1] = {0};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
-    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, NULL, rest, x, v, &tally);
+    const double before[3] = {x[0], x[1], x[2]};
+    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
     ck_assert_int_eq((int)tally.queries, 1);
     x[0] += collider->origin[0];
     mus__collider_destroy(collider);
@@ -163,8 +164,11 @@ START_TEST(float_and_double_respond_alike)
         mobile[i % 100] = mobilef[i % 100] = 1;
     }
     mus__contact_tally tallyf = {0};
-    mus__contact_f64(collider, &rule, 100, 0, 100, mobile, NULL, rest, x, v, &tally);
-    mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, NULL, rest, xf, vf, &tallyf);
+    double before[300];
+    float beforef[300];
+    memcpy(before, x, sizeof before), memcpy(beforef, xf, sizeof beforef);
+    mus__contact_f64(collider, &rule, 100, 0, 100, mobile, before, 0, rest, x, v, &tally);
+    mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, beforef, 0, rest, xf, vf, &tallyf);
     ck_assert_int_eq((int)tally.queries, (int)tallyf.queries);
     for (int i = 0; i < 300; i++) {
         ck_assert_double_eq_tol(x[i], (double)xf[i], 2e-5);
@@ -185,7 +189,8 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
     uint8_t rest[1] = {0};
     mus__contact_tally tally = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
-    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, NULL, rest, x, v, &tally);
+    const double before[3] = {10.0, 0.0, 0.0};
+    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
     ck_assert_int_eq((int)tally.queries, 0);
     ck_assert_double_eq(x[0], 10.0);
     ck_assert_double_eq(v[0], -100.0);
@@ -213,8 +218,9 @@ START_TEST(sitting_out_lets_nothing_through)
                        0.3 * d[1] + off * d[0] - collider->origin[2]};
         double v[3] = {-d[0], 0.0, -d[1]};
         for (int i = 0; i < 500; i++, calls++) {
+            const double before[3] = {x[0], x[1], x[2]};
             for (int c = 0; c < 3; c++) x[c] += step * v[c];
-            mus__contact_f64(collider, &rule, 1, 0, 1, mobile, NULL, rest, x, v, &tally);
+            mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
             const double p[3] = {x[0] + collider->origin[0], x[1] + collider->origin[1], x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 1.5 * step);
         }

@@ -43,7 +43,7 @@ START_TEST(planes_do_what_asking_every_time_does)
     mus__collider *collider = two_legs(context);
     const double h = 2e-4;
     const mus__contact_rule rule = {0.002, _i == 1 ? 0.0 : _i == 2 ? INFINITY : 0.6, 1e-3, 0.0, h, h};
-    static double x[3 * NODES], v[3 * NODES], p[3 * NODES], w[3 * NODES], near[8 * NODES], inverse[NODES];
+    static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES], near[8 * NODES], inverse[NODES];
     uint8_t rest[NODES] = {0};
     mus__contact_tally asked = {0}, kept = {0};
     uint64_t random = 11;
@@ -58,13 +58,14 @@ START_TEST(planes_do_what_asking_every_time_does)
         near[7 * NODES + i] = -1.0;
     }
     for (int call = 0; call < CALLS; call++) {
+        memcpy(before, x, sizeof before);
         for (int i = 0; i < 3 * NODES; i++) {
             v[i] += inverse[i % NODES] > 0.0 ? support_uniform(&random, -0.01, 0.01) : 0.0;
             v[i] *= 0.98;
             x[i] += h * v[i];
         }
         memcpy(p, x, sizeof p), memcpy(w, v, sizeof w);
-        mus__contact_f64(collider, &rule, NODES, 0, NODES, inverse, NULL, rest, p, w, &asked);
+        mus__contact_f64(collider, &rule, NODES, 0, NODES, inverse, before, 0, rest, p, w, &asked);
         mus__near_f64(collider, &rule, NODES, 0, NODES, inverse, near, x, v, &kept);
         for (int i = 0; i < 3 * NODES; i++) {
             ck_assert_double_eq_tol(x[i], p[i], 3e-6);

@@ -28,8 +28,8 @@ void verify_add(verify *v, const char *id, const char *quantity, double exact, d
     (void)v;
     const double error = exact != 0.0 ? fabs((got - exact) / exact) : fabs(got);
     verify_contact_rows++;
-    ck_assert_msg(error <= tolerance, "%s %s: %.12g, expected %.12g: off by %g, %g allowed", id, quantity, got, exact, error,
-                  tolerance);
+    ck_assert_msg(error <= tolerance, "%s %s: %.12g, expected %.12g: off by %g, %g allowed", id, quantity, got, exact,
+                  error, tolerance);
 }
 
 
@@ -42,7 +42,7 @@ void verify_broken(verify *v, const char *id, const char *quantity, mus_status s
 static const struct {
     const char *id;
     int rows;
-} verify_contact_cases[] = {{"F3", 4}, {"F4", 4}, {"F7", 2},  {"F8", 2}, {"C1", 6},
+} verify_contact_cases[] = {{"F3", 4},  {"F4", 4}, {"F7", 2}, {"F8", 2}, {"C1", 6},
                             {"C3", 12}, {"C5", 1}, {"V2", 2}, {"V3", 4}};
 
 

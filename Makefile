@@ -131,6 +131,7 @@ need-print need-exchange need-example need-test: need-%:
 
 $(OUT)/obj/lib/drape/kernel%.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/contact/%.o: HOT = $(HOT_$(config))
+$(OUT)/obj/examples/muslin/bench_plain.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/integrate/%.o: HOT = $(HOT_$(config))
 $(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
 $(call objects,$(PRINT)): | need-print
@@ -179,7 +180,7 @@ ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CORE)
 OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(EXAMPLE_PKG)) -ldl -lm
 $(BIN)/muslin: $(call objects,$(COMMAND) $(RENDER_SHARED)) $(ARCHIVES)
 $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
-$(BIN)/tests: $(call objects,$(TESTS)) $(A_TESTS) $(ARCHIVES)
+$(BIN)/tests: $(call objects,$(TESTS)) $(call objects,examples/muslin/bench_plain.c) $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: ARCHIVES := $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
 $(PROGRAMS) $(BIN)/tests:

@@ -82,9 +82,11 @@ MUS_API mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity
  * [s].
  *
  * With O^2 = max_i lambda_max(T_i) / m_i, T_i (3 x 3) the sum over springs at node i of 2 k (n n^T + t (1 - n n^T)), n
- * along the spring and t = max(0, 1 - rest/l) of a stretched one, and of 4 k, 8 k, 4 k (identity) for bending, G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
+ * along the spring and t = max(0, 1 - rest/l) of a stretched one, and of 4 k, 8 k, 4 k (identity) for bending,
+ * G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
  *
- *   h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
+ *   RK4:     h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
+ *   Verlet:  h = 4 / (D + sqrt(D^2 + 4 O^2)),  D = G - drag; without dashpots 2 / O. Any drag is stable
  *
  * Source: every root lies in a half disc or on the real axis (proof: lib/drape/stiffness.c); Runge-Kutta is stable in
  * the half disc of radius 2.62 and from -2.785 to 0.
@@ -104,6 +106,14 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
  *          contact pass
  */
 MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
+
+/**
+ * Evaluate the forces of the state as it is `times` times, as a step does, and throw them away: what benchmarks time.
+ *
+ * Errors: MUS_ERR_ARG (times < 0)
+ * Memory: allocates nothing; the state stays as it is
+ */
+MUS_API mus_status mus_drape_evaluate(mus_drape *drape, int32_t times);
 
 /**
  * Let the body glide: from now on it moves as a whole with a constant velocity, in mus_drape_step.

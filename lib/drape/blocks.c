@@ -165,7 +165,7 @@ static void blocks_invite(const mus__plan *plan, blocks_set *set, int32_t node)
 static void blocks_irregular(const mus__plan *plan, const mus__shape *shape, int32_t nnear, int32_t nfar, int32_t node,
                              double *table)
 {
-    const int32_t lanes = plan->lanes;
+    const int32_t lanes = MUS_LANES;
     double *krest = table + plan->near * lanes, *w = krest + plan->near * lanes, *c = w + plan->far * lanes;
     for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
         const int32_t slot = blocks_find(shape->near, nnear, plan->half_other[h] - node);
@@ -188,7 +188,7 @@ static void blocks_irregular(const mus__plan *plan, const mus__shape *shape, int
 static void blocks_lane(const mus__plan *plan, const mus__shape *shape, int32_t nnear, int32_t nfar,
                         const blocks_items *items, double *table)
 {
-    const int32_t lanes = plan->lanes;
+    const int32_t lanes = MUS_LANES;
     double *krest = table + plan->near * lanes, *w = krest + plan->near * lanes, *c = w + plan->far * lanes;
     for (int32_t i = 0; i < items->nspring; i++) {
         const int32_t at = lanes * blocks_find(shape->near, nnear, items->spring_at[i]);
@@ -232,8 +232,8 @@ static mus_status blocks_write(const blocks_walk *walk, const blocks_set *set, i
 {
     mus__plan *plan = walk->plan;
     mus__shape shape = {{0}, {0}};
-    double value[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES_MOST] = {0.0};
-    double table[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES_MOST]; /* the same numbers in the plan's precision */
+    double value[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES] = {0.0};
+    double table[(3 * MUS_NEAR_MOST + MUS_SLOTS) * MUS_LANES]; /* the same numbers in the plan's precision */
     memcpy(shape.near, set->near, (size_t)set->nnear * sizeof *shape.near);
     const int32_t nfar = blocks_far(set, shape.far), size = mus__plan_table_size(plan);
     for (int32_t i = 0; i < count; i++) {
@@ -275,10 +275,10 @@ static void blocks_chunk(const blocks_walk *walk, int32_t first, int32_t count, 
 static int32_t blocks_step(const blocks_walk *walk, int32_t first, int32_t *row, mus_status *status)
 {
     mus__plan *plan = walk->plan;
-    blocks_items items[MUS_LANES_MOST];
+    blocks_items items[MUS_LANES];
     blocks_set set = {.most = walk->most};
     int32_t count = 0, r = *row;
-    while (count < plan->lanes) {
+    while (count < MUS_LANES) {
         while (r < plan->nrow && plan->row[r].first + plan->row[r].count <= first + count) r++;
         if (r == plan->nrow || plan->row[r].first > first + count) break;
         if (!blocks_collect(plan, &plan->row[r], first + count, &items[count]) || !blocks_grow(&set, &items[count])) {
@@ -333,7 +333,6 @@ mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__p
 {
     blocks_store store = {.slots = 16};
     blocks_walk walk = {context, plan, NULL, MUS_SLOTS};
-    plan->lanes = plan->real == sizeof(float) ? 16 : 8;
     plan->near = plan->far = 0;
     mus_status status = blocks_all(&walk, cloth->nnode);
     if (status == MUS_ERR_LIMIT) {

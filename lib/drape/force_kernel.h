@@ -1,5 +1,6 @@
 /*
- * force_kernel.h: forces of one chunk of a plan, as a template on the floating type (MUS_REAL, MUS_FN, MUS_SQRT).
+ * force_kernel.h: forces of one chunk of a plan, as a template on the floating type (MUS_REAL, MUS_FN, MUS_SQRT, and
+ * MUS_OVER_ROOT(a, x) for a / sqrt(x)).
  *
  * The loop over the lanes of a block has a constant count and no branch: it becomes straight vector code, sums in
  * registers, each force stored once. Lanes without a node write behind the chunk's nodes, where the next block, or
@@ -8,8 +9,8 @@
 
 /* sqrt(l2 + TINY) keeps coincident nodes finite: the force is then 0 times a finite number */
 #define TINY ((MUS_REAL)1e-20)
-#define LANES ((int32_t)(64 / sizeof(MUS_REAL)))
-#define SPAN (MUS_CHUNK + MUS_LANES_MOST) /* from plane to plane of a chunk's forces */
+#define LANES MUS_LANES
+#define SPAN (MUS_CHUNK + MUS_LANES) /* from plane to plane of a chunk's forces */
 
 
 /* one block; y at its first node, planes n apart; f in the scratch. `near`, `far` and `dash` are constants */
@@ -27,7 +28,7 @@ static MUS_INLINE void MUS_FN(block_pull)(int64_t n, const MUS_REAL *restrict y,
             const MUS_REAL *p = y + shape->near[k];
             const MUS_REAL d0 = p[i] - x0, d1 = p[n + i] - x1, d2 = p[2 * n + i] - x2;
             const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
-            MUS_REAL s = table[k * LANES + i] - krest[k * LANES + i] / MUS_SQRT(l2);
+            MUS_REAL s = table[k * LANES + i] - MUS_OVER_ROOT(krest[k * LANES + i], l2);
             if (dash) {
                 const MUS_REAL v0 = p[3 * n + i] - y[3 * n + i], v1 = p[4 * n + i] - y[4 * n + i];
                 const MUS_REAL v2 = p[5 * n + i] - y[5 * n + i];
@@ -112,7 +113,7 @@ static MUS_INLINE void MUS_FN(gather_pull)(const mus__sim *sim, const mus__chunk
             const MUS_REAL *p = y + plan->half_other[h], *k = constant + 3 * (int64_t)h;
             const MUS_REAL d0 = p[0] - x0, d1 = p[n] - x1, d2 = p[2 * n] - x2;
             const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
-            MUS_REAL s = k[0] - k[1] / MUS_SQRT(l2);
+            MUS_REAL s = k[0] - MUS_OVER_ROOT(k[1], l2);
             if (dash) {
                 const MUS_REAL v0 = p[3 * n] - x[3 * n], v1 = p[4 * n] - x[4 * n], v2 = p[5 * n] - x[5 * n];
                 s += k[2] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;

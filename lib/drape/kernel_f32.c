@@ -9,6 +9,7 @@
 #define MUS_REAL float
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
+#define MUS_OVER_ROOT(a, x) ((a) / sqrtf(x))
 #define MUS_CONTACT mus__contact_f32
 #define MUS_NEAR mus__near_f32
 #define MUS_SIM mus__sim_f32

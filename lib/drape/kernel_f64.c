@@ -6,9 +6,24 @@
 #include "base/clones.h"
 #include "drape/sim.h"
 
+/*
+ * a / sqrt(x) to the last bit or two: 1/sqrt in float, r, then Halley's step with e = 1 - x r^2, which leaves e^3 of it:
+ *
+ *     r' = r + r e (1/2 + 3/8 e)
+ *
+ * Roots and quotients of doubles would take most of the kernel's time. Basic operations alone: the same bits anywhere.
+ */
+static MUS_INLINE double over_root(double a, double x)
+{
+    const double r = (double)(1.0f / sqrtf((float)x)), e = 1.0 - x * (r * r);
+    return a * (r + r * (e * (0.5 + 0.375 * e)));
+}
+
+
 #define MUS_REAL double
 #define MUS_FN(name) sim_f64_##name
 #define MUS_SQRT sqrt
+#define MUS_OVER_ROOT(a, x) over_root(a, x)
 #define MUS_CONTACT mus__contact_f64
 #define MUS_NEAR mus__near_f64
 #define MUS_SIM mus__sim_f64

@@ -5,7 +5,7 @@
  * the irregular rest as springs, hinges and seam pairs. And as the kernels want them (blocks.c): every node is written
  * by one place only, in an order fixed here, so that any split over threads gives the same bits.
  *
- *   block:   16 or 8 neighbouring lattice nodes, one a lane, whose neighbours stand at the same offsets (a shape).
+ *   block:   16 neighbouring lattice nodes, one a lane, whose neighbours stand at the same offsets (a shape).
  *            What a lane does not have is a zero in its table: rows need not be of one length, and no lane is special.
  *
  *               F . F . F      near (N): f += (kk - krest / l - ...) (x[N] - x),  kk = k + w  of spring and bending
@@ -25,7 +25,7 @@
 
 #include "cloth/cloth_internal.h"
 
-#define MUS_LANES_MOST 16
+#define MUS_LANES 16     /* nodes of a block: a vector of floats, two of doubles */
 #define MUS_SLOTS 8       /* near and far neighbours of a block, each */
 #define MUS_NEAR_MOST 12  /* near ones with the paper's springs over one node */
 #define MUS_CHUNK 512     /* nodes of a chunk at most: its forces and a stage stay in the first cache */
@@ -88,7 +88,6 @@ typedef struct mus__plan {
 
     /* for the kernels; constants (void *) are float or double by `real` */
     size_t real;
-    int32_t lanes;        /* of a block */
     int32_t near, far;    /* slots that any block has: 4 or 8, and 0, 4 or 8; (4, 8) is not made */
     int32_t nblock, nshape, ntable, nchunk;
     mus__block *block;    /* (nblock) */
@@ -150,7 +149,7 @@ static inline double mus__plan_number(const mus__plan *plan, const void *array, 
 /* numbers in one table */
 static inline int32_t mus__plan_table_size(const mus__plan *plan)
 {
-    return ((plan->dashpots ? 3 : 2) * plan->near + plan->far) * plan->lanes;
+    return ((plan->dashpots ? 3 : 2) * plan->near + plan->far) * MUS_LANES;
 }
 
 /* ---- bounds (stiffness.c) ---- */

@@ -10,7 +10,7 @@
 
 #include "drape/sim.h"
 
-#define GAP MUS_LANES_MOST
+#define GAP MUS_LANES
 
 
 mus_status mus__sim_create(mus_context *context, mus__sim *sim)

@@ -269,6 +269,9 @@ def test_a_cloth_without_a_pattern(context):
     verlet = muslin.Drape(rod, precision=64, integrator="verlet")
     assert 0 < verlet.step_bound < 2 / 2.62 * drape.step_bound  # the dashpot takes some
     drape.step(10, 1e-3)
+    before = drape.state_hash
+    drape.evaluate(3)
+    assert drape.state_hash == before
     x = drape.positions
     assert (x[0, 0], x[0, 1], x[0, 2]) == (0, 0, 0) and x[2, 1] < 0
     with pytest.raises(muslin.MuslinError, match="spring 0 names node 5"):

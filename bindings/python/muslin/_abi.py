@@ -453,6 +453,7 @@ FUNCTIONS = {
     "mus_drape_set_gravity": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
+    "mus_drape_evaluate": ("core", c_int32, [POINTER(mus_drape), c_int32]),
     "mus_drape_move_body": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_forecast_init": ("core", None, [POINTER(mus_drape_forecast), c_size_t]),
     "mus_drape_plan": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_drape_forecast)]),

@@ -63,6 +63,10 @@ class Drape(Object):
         """Advance by steps of dt [s] of the integrator: classical Runge-Kutta, or velocity Verlet."""
         self.do("step", steps, dt)
 
+    def evaluate(self, times=1):
+        """Evaluate the forces `times` times and throw them away, for timing."""
+        self.do("evaluate", times)
+
     @property
     def step_bound(self):
         """Largest stable step [s]."""

@@ -1,0 +1,46 @@
+/* bench.h: muslin bench from the inside: a row of figures, and what makes rows. */
+#ifndef MUSLIN_BENCH_H
+#define MUSLIN_BENCH_H
+
+#include "bench_plain.h"
+#include "json.h"
+#include "muslin/muslin.h"
+
+/* One row. Figures that a case has not are NaN and are left out. */
+typedef struct bench_row {
+    const char *name;
+    int32_t precision, threads, nodes, springs;
+    int64_t evaluations;   /* force evaluations in the best repeat */
+    double cpu_s, wall_s;  /* of that repeat */
+    double plain_s;        /* CPU of one evaluation of one node in the plain form */
+    double cpu_per_second; /* CPU seconds for a simulated second */
+    double fall;           /* lowest node at half a second, below the start [m] */
+    double strain;         /* largest strain of a structural spring, at rest */
+    double reaction;       /* of the pins, upwards, over the weight, at rest */
+    double cpu_frame_ms;   /* CPU for a frame of 20 ms */
+    double step;           /* [s] */
+} bench_row;
+
+typedef struct bench {
+    mus_context *context;
+    bool as_json;
+    json j;
+} bench;
+
+/* a row with nothing in it yet */
+bench_row bench_row_start(const char *name, int32_t precision, int32_t threads);
+void bench_row_write(bench *b, const bench_row *row);
+
+double bench_cpu(void);
+double bench_wall(void);
+
+/* constants of the plain form for a fabric of C11 along both, G, and one rigidity B in every direction */
+plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell, double drag);
+/* CPU seconds of one evaluation of one node: of forces alone, or a quarter of a step of RK4 */
+double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps);
+
+/* the cases (bench_speed.c, bench_scene.c) */
+mus_status bench_speed(bench *b, bool everything);
+mus_status bench_scenes(bench *b, bool everything);
+
+#endif

@@ -1,0 +1,24 @@
+/*
+ * evaluate.c: forces for their own sake, by the kernels that a step uses: what a benchmark times.
+ */
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+
+mus_status mus_drape_evaluate(mus_drape *drape, int32_t times)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (times < 0) return mus__fail(drape->context, MUS_ERR_ARG, "drape: times is %d, expected 0 or more", (int)times);
+
+    /* forces that a step of Verlet keeps for the next are put back */
+    mus__sim *sim = &drape->sim;
+    const size_t bytes = 3 * (size_t)drape->n * sim->ops->real;
+    const int32_t fresh = sim->fresh;
+    memcpy(sim->second, sim->f, bytes);
+    sim->dashpots = drape->plan.dashpots;
+    for (int32_t i = 0; i < times; i++) sim->ops->force(sim);
+    memcpy(sim->f, sim->second, bytes);
+    sim->fresh = fresh;
+    return MUS_OK;
+}

@@ -1,4 +1,4 @@
-/* bench_plain_kernel.h: the body of bench_plain.c, as a template on the floating type (PLAIN_REAL, PLAIN, PLAIN_SQRT). */
+/* bench_plain_kernel.h: the body of bench_plain.c as a template on the floating type (PLAIN_REAL, PLAIN, PLAIN_SQRT) */
 
 void PLAIN(free)(PLAIN(list) *list)
 {

@@ -7,7 +7,7 @@
 #include "drape/sim.h"
 
 /*
- * a / sqrt(x) to the last bit or two: 1/sqrt in float, r, then Halley's step with e = 1 - x r^2, which leaves e^3 of it:
+ * a / sqrt(x) to the last bit or two: r = 1/sqrt(x) in float, then Halley's step with e = 1 - x r^2, which leaves e^3:
  *
  *     r' = r + r e (1/2 + 3/8 e)
  *

@@ -35,7 +35,7 @@ typedef struct mus_drape_def {
     double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */
     double seam_pull;          /* tension that pulls a seam shut [N per m of seam], default 50 */
     double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
-    double settle_seconds;     /* give up settling after this much cloth time [s], default 10 */
+    double settle_seconds;     /* give up settling after this much cloth time on the finest cut [s], default 10 */
     double settle_residual;    /* rest: rms residual force over node weight below this, default 0.02 */
     int32_t integrator;        /* of mus_drape_step: MUS_METHOD_RK4 (default) or MUS_METHOD_VERLET */
 } mus_drape_def;
@@ -200,7 +200,8 @@ typedef struct mus_drape_report {
     double max_seam_gap;        /* [m] */
     double max_penetration;     /* deepest node below the skin [m], 0 if none */
     double max_strain;          /* largest engineering strain of a stretch spring (structural or border) */
-    double residual;            /* rms over nodes of residual force over node weight */
+    double residual;            /* rms over nodes of residual force over node weight, at the end of the last settle or,
+                                 * when the cloth was moved since, here */
     double max_speed;           /* [m/s] */
     double energy;              /* kinetic + elastic + potential [J] */
     double step;                /* last step used [s] */

@@ -257,6 +257,7 @@ void mus_drape_destroy(mus_drape *drape)
 void mus__drape_push(mus_drape *drape)
 {
     drape->sim.ops->put(&drape->sim, drape->x, drape->v);
+    drape->residual = NAN;
     mus__drape_stale(drape);
 }
 

@@ -114,7 +114,7 @@ double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double
 /* largest engineering strain of the stretch springs at x */
 double mus__plan_strain(const mus__plan *plan, const double *x);
 /* rms over free nodes of the force that contact and friction leave, over the node's weight */
-double mus__drape_residual(mus_drape *drape, const double *x);
+double mus__drape_residual(const mus_drape *drape, const double *x);
 /* largest gap of the seam pairs and, if wanted, the seam that has it; 0 without seams */
 double mus__drape_gap(const mus_drape *drape, int32_t *seam);
 

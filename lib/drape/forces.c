@@ -12,6 +12,9 @@
 #include "drape/drape_internal.h"
 
 #define TINY_LENGTH 1e-150
+#define MUCH_LEFT 0.02     /* of a node's weight */
+#define CREASE 0.0005      /* [m] */
+#define SIDES_MOST (3 * MUS_TOUCH_MOST)
 #define TOUCH_SLACK 0.0005 /* [m] a node this much beyond the clearance is still held by the skin */
 
 
@@ -109,6 +112,12 @@ double mus__plan_strain(const mus__plan *plan, const double *x)
 }
 
 
+static double length3(const double *r)
+{
+    return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+}
+
+
 /*
  * What skin in contact carries of the force r at a node: pushes p_k >= 0 along the outward normals n_k that leave the
  * least (projected Gauss-Seidel on |r + sum p_k n_k|), then friction against what is left, up to mu sum p_k. The rest
@@ -116,7 +125,7 @@ double mus__plan_strain(const mus__plan *plan, const double *x)
  */
 static void carry(double *r, const double *normals, int32_t count, double friction)
 {
-    double push[MUS_TOUCH_MOST] = {0.0}, all = 0.0;
+    double push[SIDES_MOST] = {0.0}, all = 0.0;
     for (int32_t sweep = 0; sweep < (count > 1 ? 32 : 1); sweep++)
         for (int32_t k = 0; k < count; k++) {
             const double *n = normals + 3 * k;
@@ -126,13 +135,39 @@ static void carry(double *r, const double *normals, int32_t count, double fricti
             for (int32_t i = 0; i < 3; i++) r[i] += change * n[i];
         }
     for (int32_t k = 0; k < count; k++) all += push[k];
-    const double left = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), grip = all > 0.0 ? friction * all : 0.0;
+    const double left = length3(r), grip = all > 0.0 ? friction * all : 0.0;
     const double part = left > grip ? (left - grip) / left : 0.0;
     for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }
 
 
-double mus__drape_residual(mus_drape *drape, const double *x)
+/*
+ * What the skin carries of the force r at a node. A node on an edge or in a crease of the skin (between two rings of a
+ * shoulder) is held by both sides, of which it touches one: where much of the force is left, the skin a little way along
+ * it and against it is asked too.
+ */
+static void carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
+{
+    double normal[3 * SIDES_MOST], all[3];
+    const double reach = drape->def.clearance + TOUCH_SLACK;
+    const int32_t count = mus__collider_touching(drape->collider, x, reach, normal);
+    if (count == 0) return;
+    memcpy(all, r, sizeof all);
+    carry(r, normal, count, drape->friction);
+    const double left = length3(r);
+    if (left <= MUCH_LEFT * weight) return;
+    int32_t sides = count;
+    for (int32_t side = -1; side <= 1; side += 2) {
+        double beside[3];
+        for (int32_t d = 0; d < 3; d++) beside[d] = x[d] + side * CREASE * r[d] / left;
+        sides += mus__collider_touching(drape->collider, beside, reach, normal + 3 * (int64_t)sides);
+    }
+    memcpy(r, all, sizeof all);
+    carry(r, normal, sides, drape->friction);
+}
+
+
+double mus__drape_residual(const mus_drape *drape, const double *x)
 {
     const double *gravity = drape->def.gravity;
     const double g = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
@@ -144,11 +179,7 @@ double mus__drape_residual(mus_drape *drape, const double *x)
         double *r = f + 3 * (int64_t)i;
         const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
-        double normal[3 * MUS_TOUCH_MOST];
-        const int32_t touching = drape->collider == NULL ? 0
-                                 : mus__collider_touching(drape->collider, x + 3 * (int64_t)i,
-                                                          drape->def.clearance + TOUCH_SLACK, normal);
-        carry(r, normal, touching, drape->friction);
+        if (drape->collider != NULL) carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
         sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
         count++;
     }

@@ -191,8 +191,7 @@ static mus_status settle_levels(mus_drape *drape, mus__run *run, const settling 
     settling own = *goal;
     if (coarse != NULL) {
         const double most = coarse->cloth->coarse != NULL ? MIDDLE_SECONDS : ROUGH_SECONDS;
-        const settling rough = {FALL_SECONDS, fmin(drape->def.settle_seconds, most),
-                                fmax(ROUGH_RESIDUAL, goal->residual), ROUGH_DRIFT};
+        const settling rough = {FALL_SECONDS, most, fmax(ROUGH_RESIDUAL, goal->residual), ROUGH_DRIFT};
         mus__drape_restrict(drape);
         status = settle_levels(coarse, run, &rough);
         if (status == MUS_ERR_MEMORY || run->stop) return status;

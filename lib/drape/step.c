@@ -214,6 +214,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     }
     mus__drape_glide(drape, 0, dt);
     drape->settled = 0;
+    drape->residual = NAN;
     mus__drape_publish(drape);
     return status;
 }

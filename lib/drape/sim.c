@@ -11,6 +11,7 @@
 #include "drape/sim.h"
 
 #define GAP MUS_LANES
+#define LINE 64 /* bytes of a cache line, which vectors had better not straddle */
 
 
 mus_status mus__sim_create(mus_context *context, mus__sim *sim)
@@ -22,8 +23,9 @@ mus_status mus__sim_create(mus_context *context, mus__sim *sim)
     } arrays[] = {{&sim->y, 6},      {&sim->next, 6},    {&sim->stage, stage}, {&sim->f, 3},
                   {&sim->second, 3}, {&sim->inverse, 1}, {&sim->weight, 1},    {&sim->good, 6}};
     const int32_t count = (int32_t)(sizeof arrays / sizeof arrays[0]);
-    int64_t total = GAP;
-    for (int32_t i = 0; i < count; i++) total += arrays[i].planes * n + GAP;
+    const int64_t line = LINE / (int64_t)sim->ops->real;
+    int64_t total = GAP + line;
+    for (int32_t i = 0; i < count; i++) total += arrays[i].planes * n + GAP + line;
     sim->memory = mus__new(context, total, sim->ops->real);
     sim->rest = mus__new(context, n, sizeof *sim->rest);
     if (sim->memory == NULL || sim->rest == NULL) {
@@ -31,10 +33,11 @@ mus_status mus__sim_create(mus_context *context, mus__sim *sim)
         return mus__fail_memory(context, "the state of a drape");
     }
 
-    size_t at = GAP;
+    char *at = (char *)sim->memory + GAP * sim->ops->real;
     for (int32_t i = 0; i < count; i++) {
-        *arrays[i].array = (char *)sim->memory + at * sim->ops->real;
-        at += (size_t)(arrays[i].planes * n) + GAP;
+        at += (LINE - (uintptr_t)at % LINE) % LINE;
+        *arrays[i].array = at;
+        at += (size_t)(arrays[i].planes * n + GAP) * sim->ops->real;
     }
     return MUS_OK;
 }

@@ -11,6 +11,8 @@
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
+#   make report     error against run time: page, table and pictures of tests/report anew, 20 minutes (QUICK=1: small
+#                   scenes, into build/report, under a minute; REPORT='--only sheet speed' measures some jobs anew)
 #   make sizes      the table of module sizes (tests/guard/sizes.table) anew
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
@@ -115,7 +117,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(OMIT),,$(PROGRAMS))
 
 .PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit \
-        check-omit-now check-ports sizes clean FORCE \
+        check-omit-now check-ports report report-now sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
 
@@ -249,6 +251,15 @@ check-omit-now: $(BIN)/tests
 check-ports:
 	@sh tests/guard/packages.sh build ports
 	@CC='$(CC)' PYTHON='$(PYTHON)' sh tests/ports/ports.sh '$(OUT)' $(PORTS)
+
+# numbers of every run lie in build/report/rows; the page is written into the repository by the full run alone
+report:
+	@sh tests/guard/packages.sh build report
+	@$(call again,report-now)
+report-now: all
+	@CC='$(CC)' REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(SAME_BITS) $(CFLAGS)), kernels $(HOT_$(config))' \
+	  MUSLIN_LIB='$(SO_CORE)' $(PYTHON) tests/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,\
+	  --out $(OUT)/report --page tests/report) $(REPORT)
 
 sizes: all
 	@sh tests/guard/sizes.sh '$(OUT)' write

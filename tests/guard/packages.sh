@@ -2,7 +2,7 @@
 # packages.sh GROUP...: install the Debian packages of the groups that are missing, and say which.
 #
 # build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides;
-# ports: the cross compilers and the emulator of `make check-ports`.
+# ports: the cross compilers and the emulator of `make check-ports`; report: what draws the pictures of `make report`.
 # Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
 set -eu
 
@@ -12,6 +12,7 @@ test="check poppler-utils mandoc python3 python3-pytest python3-numpy g++ locale
 ci="clang cmake"
 ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
        gcc-mips-linux-gnu libc6-dev-mips-cross"
+report="python3 python3-numpy python3-matplotlib"
 
 wanted=""
 for group in "$@"; do
@@ -20,7 +21,8 @@ for group in "$@"; do
     test) wanted="$wanted $test" ;;
     ci) wanted="$wanted $ci" ;;
     ports) wanted="$wanted $ports" ;;
-    *) echo "packages.sh: group $group is unknown: build, test, ci or ports" >&2; exit 2 ;;
+    report) wanted="$wanted $report" ;;
+    *) echo "packages.sh: group $group is unknown: build, test, ci, ports or report" >&2; exit 2 ;;
     esac
 done
 

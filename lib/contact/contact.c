@@ -12,6 +12,7 @@
 
 #define BIG 1e30
 #define CAP_FALL 0.4999   /* most of k of a cap, which is below 1/2 */
+#define OFFSET_NEAR 1e-3  /* [rings] that is near enough */
 #define OFFSET_ROUNDS 8   /* towards the point that a point of the wider surface lies off */
 #define SAFE_PART 0.5     /* of the least radius: so deep in a limb the nearest skin is the one that was passed */
 #define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
@@ -74,7 +75,9 @@ static double offset_radius(const mus__field *field, int32_t k, int32_t j, doubl
         const double *c0 = field->centre + 2 * (int64_t)at, *c = field->centre + 2 * (int64_t)k;
         const double back = (c[0] - c0[0] - t * (c0[2] - c0[0])) * ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * ub;
         radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + skin * plane / length_g - back;
-        u = fmin(fmax(k - skin * up / (length_g * field->ds), 0.0), field->nring - 1);
+        const double next = fmin(fmax(k - skin * up / (length_g * field->ds), 0.0), field->nring - 1);
+        if (fabs(next - u) < OFFSET_NEAR) break;
+        u = next;
     }
     return radius;
 }

@@ -27,9 +27,10 @@ static void MUS_FN(keep_force)(mus__sim *sim, int32_t first, int32_t count, cons
 }
 
 
-/* a stage of RK4, the drag at v4 taken off at the third; `dash` as a constant: neighbours want velocities of stages */
-static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int32_t dash, int64_t at, int32_t count,
-                                        MUS_REAL gravity, const MUS_REAL *f)
+/* a stage of RK4, the drag at v4 taken off at the third; `dash` as a constant: neighbours want velocities of
+ * stages; `keep` too: contact wants the places before the step, which take the place of the first acceleration */
+static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int32_t dash, int32_t keep, int64_t at,
+                                        int32_t count, MUS_REAL gravity, const MUS_REAL *f)
 {
     const MUS_REAL h = (MUS_REAL)sim->phase_h, half = h / 2, sixth = h / 6, square = h * h / 6;
     const MUS_REAL drag = (MUS_REAL)sim->drag;
@@ -53,11 +54,12 @@ static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int3
             other[i] = x[i] + half * now;
             if (dash) other[n3 + i] = v[i] + half * a;
         } else if (stage == 3) {
-            const MUS_REAL now = v[i] + half * two[i], a = push - drag * now, last = v[i] + h * a;
-            next[i] = x[i] + h * now;
+            const MUS_REAL now = v[i] + half * two[i], a = push - drag * now, last = v[i] + h * a, was = x[i];
+            next[i] = was + h * now;
             if (dash) next[n3 + i] = last;
-            x[i] += h * v[i] + square * (one[i] + two[i] + a);
+            x[i] = was + (h * v[i] + square * (one[i] + two[i] + a));
             v[i] += sixth * (one[i] + 2 * (two[i] + a) - drag * last);
+            if (keep) one[i] = was;
         } else {
             v[i] += sixth * push;
         }
@@ -71,14 +73,17 @@ static void MUS_FN(rk_stage)(mus__sim *sim, int32_t first, int32_t count, const 
     for (int64_t d = 0; d < 3; d++) {
         const MUS_REAL g = (MUS_REAL)sim->gravity[d];
         const int64_t at = d * sim->n + first;
-        switch (2 * sim->phase + (sim->dashpots != 0)) {
-        case 2 * PHASE_RK1: MUS_FN(rk_plane)(sim, 1, 0, at, count, g, f + d * SPAN); break;
-        case 2 * PHASE_RK2: MUS_FN(rk_plane)(sim, 2, 0, at, count, g, f + d * SPAN); break;
-        case 2 * PHASE_RK3: MUS_FN(rk_plane)(sim, 3, 0, at, count, g, f + d * SPAN); break;
-        case 2 * PHASE_RK1 + 1: MUS_FN(rk_plane)(sim, 1, 1, at, count, g, f + d * SPAN); break;
-        case 2 * PHASE_RK2 + 1: MUS_FN(rk_plane)(sim, 2, 1, at, count, g, f + d * SPAN); break;
-        case 2 * PHASE_RK3 + 1: MUS_FN(rk_plane)(sim, 3, 1, at, count, g, f + d * SPAN); break;
-        default: MUS_FN(rk_plane)(sim, 4, 0, at, count, g, f + d * SPAN); break;
+        const int32_t dash = sim->dashpots != 0, keep = sim->collider != NULL;
+        switch (4 * sim->phase + 2 * dash + (sim->phase == PHASE_RK3 && keep)) {
+        case 4 * PHASE_RK1: MUS_FN(rk_plane)(sim, 1, 0, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK2: MUS_FN(rk_plane)(sim, 2, 0, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK3: MUS_FN(rk_plane)(sim, 3, 0, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK3 + 1: MUS_FN(rk_plane)(sim, 3, 0, 1, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK1 + 2: MUS_FN(rk_plane)(sim, 1, 1, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK2 + 2: MUS_FN(rk_plane)(sim, 2, 1, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK3 + 2: MUS_FN(rk_plane)(sim, 3, 1, 0, at, count, g, f + d * SPAN); break;
+        case 4 * PHASE_RK3 + 3: MUS_FN(rk_plane)(sim, 3, 1, 1, at, count, g, f + d * SPAN); break;
+        default: MUS_FN(rk_plane)(sim, 4, 0, 0, at, count, g, f + d * SPAN); break;
         }
     }
 }

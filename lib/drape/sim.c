@@ -1,7 +1,7 @@
 /*
  * sim.c: the memory of a sim: one block of numbers, cut in arrays, and a byte a node.
  *
- *   numbers = (31 + 3 with dashpots) n + padding
+ *   numbers = (29 + 3 with dashpots) n + padding
  *
  * Lanes of a block that have no node in them read up to a block before and behind an array; what they read counts
  * nothing, but must be there, be finite, and not be written meanwhile. So there are zeros between any two arrays.

@@ -301,6 +301,80 @@ static void directions(verify *v)
 }
 
 
+/* two halves of a heptagon of radius 0.1, cut apart along a line 20 degrees off the weft and sewn where they lie */
+static mus_status sewn_halves(verify *v, double spacing, mus_cloth **out)
+{
+    const int32_t line = MUS_PIECE_LINE, forward[5] = {1, 1, 1, 1, 1},
+                  corner[2][5] = {{0, 1, 2, 3, 7}, {0, 7, 4, 5, 6}};
+    int32_t seam = 0, joined[2] = {0, 0};
+    double xy[16];
+    mus_pattern *pattern = NULL;
+    mus_cloth_def def;
+    mus_seam_def sew;
+    for (int k = 0; k < 7; k++) {
+        const double angle = 2.0 * REST_PI * k / 7.0 + REST_PI / 9.0;
+        xy[2 * k] = 0.1 * cos(angle), xy[2 * k + 1] = 0.1 * sin(angle);
+    }
+    xy[14] = 0.5 * (xy[6] + xy[8]), xy[15] = 0.5 * (xy[7] + xy[9]);
+    mus_status status = mus_pattern_create(v->context, "halves", &pattern);
+    for (int half = 0; half < 2; half++) {
+        int32_t panel = 0, points[5], edges[5];
+        if (status == MUS_OK) status = mus_pattern_add_panel(pattern, half == 0 ? "one" : "other", &panel);
+        for (int k = 0; k < 5 && status == MUS_OK; k++) {
+            const double *at = xy + 2 * corner[half][k];
+            status = mus_pattern_add_point(pattern, panel, at[0], at[1], &points[k]);
+        }
+        for (int k = 0; k < 5 && status == MUS_OK; k++)
+            status = mus_pattern_add_edge(pattern, NULL, points[k], points[(k + 1) % 5], 1, &line, 0, NULL, &edges[k]);
+        if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, 5, edges, forward);
+        joined[half] = edges[half == 0 ? 4 : 0];
+    }
+    mus_seam_def_init(&sew, sizeof sew);
+    sew.edge_a = joined[0], sew.edge_b = joined[1];
+    if (status == MUS_OK) status = mus_pattern_add_seam(pattern, &sew, &seam);
+    mus_cloth_def_init(&def, sizeof def);
+    rest_fabric(&def.fabric, WEIGHT, 1e-3, 0.0, RIGIDITY);
+    def.spacing = spacing;
+    def.coarser = 0;
+    if (status == MUS_OK) status = mus_cloth_create(v->context, pattern, &def, out);
+    mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+/* energy over area and B k^2 / 2 of the sewn halves, rolled along four directions */
+static void cut_directions(verify *v, double spacing, double tolerance)
+{
+    const double area = 3.5 * 0.01 * sin(2.0 * REST_PI / 7.0), k = 1.0;
+    mus_cloth *cloth = NULL;
+    mus_drape *drape = NULL;
+    mus_status status = sewn_halves(v, spacing, &cloth);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = mus_drape_place(drape);
+    if (status == MUS_OK) status = mus_drape_sew(drape, NULL, NULL);
+    const int32_t n = status == MUS_OK ? mus_drape_node_count(drape) : 0;
+    double *rest = malloc(3 * (size_t)n * sizeof *rest + 1), *x = malloc(3 * (size_t)n * sizeof *x + 1);
+    if (rest == NULL || x == NULL) status = MUS_ERR_MEMORY;
+    if (status == MUS_OK) memcpy(rest, mus_drape_positions(drape), 3 * (size_t)n * sizeof *rest);
+    for (int d = 0; d < 4; d++) {
+        char text[120];
+        const double angle = d * REST_PI / 4.0, c = cos(angle), s = sin(angle);
+        for (int32_t i = 0; i < n && status == MUS_OK; i++) {
+            const double t = rest[3 * i] * c + rest[3 * i + 1] * s, w = rest[3 * i + 1] * c - rest[3 * i] * s;
+            const double along = sin(k * t) / k;
+            x[3 * i] = along * c - w * s, x[3 * i + 1] = along * s + w * c, x[3 * i + 2] = (1.0 - cos(k * t)) / k;
+        }
+        if (status == MUS_OK) status = mus_drape_set_state(drape, x, NULL);
+        snprintf(text, sizeof text, "two cut panels sewn, at %g mm, rigidity along %d degrees [N m]", 1e3 * spacing,
+                 45 * d);
+        rest_row(v, status, "B7", text, RIGIDITY, rest_energy(drape) / (0.5 * k * k * area), tolerance);
+    }
+    free(rest);
+    free(x);
+    mus_drape_destroy(drape);
+}
+
+
 int verify_bend(verify *v)
 {
     if (verify_wants(v, "B1")) cantilevers(v);
@@ -309,6 +383,11 @@ int verify_bend(verify *v)
     if (verify_wants(v, "B4")) vibrations(v);
     if (verify_wants(v, "B5")) rings(v);
     if (verify_wants(v, "B6")) paper_cantilevers(v);
-    if (verify_wants(v, "B7")) directions(v);
+    if (verify_wants(v, "B7")) {
+        directions(v);
+        cut_directions(v, 0.01, 0.08);
+        cut_directions(v, 0.005, 0.04);
+        cut_directions(v, 0.0025, 0.02);
+    }
     return EXIT_DONE;
 }

@@ -80,6 +80,7 @@ static mus_status cloth_build(mus__mesh *mesh)
         mus__lattice_free(mesh->context, &lattice);
     }
     if (status == MUS_OK) status = mus__mesh_seams(mesh);
+    if (status == MUS_OK) status = mus__mesh_calibrate(mesh);
     if (status == MUS_OK) status = mus__mesh_limit(mesh);
     for (int32_t i = 0; i < cloth->nnode; i++) cloth->mass_total += cloth->mass[i];
     return status;
@@ -102,21 +103,23 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     status = cloth_check(context, pattern);
     if (status != MUS_OK) return status;
 
-    mus__mesh mesh = {.context = context,
-                      .pattern = pattern,
-                      .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
+    mus__mesh mesh = {
+        .context = context, .pattern = pattern, .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
     cloth->fabric = own.fabric, cloth->spacing = own.spacing;
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
     mesh.cloth = cloth;
+    mesh.seam_bend = mus__new(context, 4 * (int64_t)cloth->npanel, sizeof *mesh.seam_bend);
     mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
-    if (cloth->panel == NULL || mesh.edge == NULL) status = mus__fail_memory(context, "a cloth");
+    if (cloth->panel == NULL || mesh.edge == NULL || mesh.seam_bend == NULL)
+        status = mus__fail_memory(context, "a cloth");
     if (status == MUS_OK) status = cloth_build(&mesh);
     if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
+    mus__free(context, mesh.seam_bend);
     if (status == MUS_OK)
         *out = cloth;
     else

@@ -23,6 +23,7 @@ typedef struct mus__mesh {
         cap_hinge, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing;
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
+    double *seam_bend;     /* (panels x 4) what hinges across seams give each panel, by mus__mesh_curvature */
     mus__fabric_lattice constant;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
 } mus__mesh;
@@ -41,6 +42,10 @@ mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const m
 /* strip.c: a hinge over edge a b of length l in the flat: foot and height of both wings; false for slivers */
 bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, const double *foot,
                      const double *height, double rigidity, mus__hinge *out);
+/* calibrate.c: the hinges of each panel, so that it bends as its fabric */
+mus_status mus__mesh_calibrate(mus__mesh *mesh);
+/* calibrate.c: (sum coef_i z_i)^2 on cylinders of curvature 1 along weft, warp, both bias (4); axis is warp */
+void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, const double *xy, double *out);
 /* strip.c: soften what would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
 /* coarse.c: the coarser cut of a cloth, where it has one. Errors: MUS_ERR_MEMORY alone */

@@ -66,6 +66,31 @@ static double pairs_rigidity(const mus__mesh *mesh, int32_t edge, int32_t k)
 }
 
 
+/*
+ * What a hinge over the seam gives one of its panels under a uniform curvature: its edge nodes and own wing as they lie
+ * in the panel, the other wing where the hinge makes it flat (sum c_i x_i = 0).
+ */
+static void pairs_curvature(mus__mesh *mesh, int32_t edge, const int32_t *node, const mus__hinge *hinge, int own)
+{
+    const int other = 5 - own;
+    const int32_t panel = mesh->edge[edge].panel;
+    double axis[2] = {0.0, 1.0}, xy[8], part[4];
+    mus_pattern_grain(mesh->pattern, panel, axis);
+    const double size = hypot(axis[0], axis[1]);
+    axis[0] /= size, axis[1] /= size;
+    for (int d = 0; d < 2; d++) {
+        const double *rest = mesh->cloth->rest + d;
+        xy[d] = rest[2 * (ptrdiff_t)node[0]], xy[2 + d] = rest[2 * (ptrdiff_t)node[1]];
+        xy[2 * own + d] = rest[2 * (ptrdiff_t)hinge->node[own]];
+        xy[2 * other + d] =
+            -(hinge->coef[0] * xy[d] + hinge->coef[1] * xy[2 + d] + hinge->coef[own] * xy[2 * own + d]) /
+            hinge->coef[other];
+    }
+    mus__mesh_curvature(axis, 4, hinge->coef, xy, part);
+    for (int d = 0; d < 4; d++) mesh->seam_bend[4 * (ptrdiff_t)panel + d] += hinge->k * part[d];
+}
+
+
 /* hinge over interval k of the seam */
 static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
 {
@@ -81,8 +106,15 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
     double along = seam->direction == MUS_SEAM_DIRECT ? other[1] / other[0] : 1.0 - other[1] / other[0];
     const double foot[2] = {own[1] / own[0] * length, along * length}, height[2] = {own[2], other[2]};
     double rigidity = 0.5 * (pairs_rigidity(mesh, seam->edge_a, k) + pairs_rigidity(mesh, seam->edge_b, low));
-    if (mus__mesh_hinge(mesh, node, length, foot, height, rigidity, &cloth->seam_hinge[cloth->nseam_hinge]))
-        cloth->nseam_hinge++;
+    mus__hinge *hinge = &cloth->seam_hinge[cloth->nseam_hinge];
+    if (!mus__mesh_hinge(mesh, node, length, foot, height, rigidity, hinge)) return;
+    cloth->nseam_hinge++;
+
+    /* the same two ends of the interval, as nodes of b */
+    const int32_t partners[2] = {mus__mesh_edge_node(mesh, seam->edge_b, partner),
+                                 mus__mesh_edge_node(mesh, seam->edge_b, pairs_partner(mesh, seam, k + 1))};
+    pairs_curvature(mesh, seam->edge_a, node, hinge, 2);
+    pairs_curvature(mesh, seam->edge_b, partners, hinge, 3);
 }
 
 

@@ -11,7 +11,7 @@
  *
  * The factor 1 (Bergou et al. print 3) is the one that bends a sheet of equilateral triangles with rigidity B (Seung
  * and Nelson 1988: hinge 2 B / sqrt(3)); measured on cylinders of every direction: 1.00 there, 0.97 to 1.5 on half
- * squares with diagonals in a checkerboard.
+ * squares with diagonals in a checkerboard. calibrate.c then mends the sum over the panel.
  * Source: Van Gelder 1998 (springs); Bergou, Wardetzky, Harmon, Zorin and Grinspun 2006 (quadratic hinges).
  */
 #include <math.h>

@@ -13,6 +13,7 @@
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
 #   make report     error against run time: page, table and pictures of tests/report anew, 20 minutes (QUICK=1: small
 #                   scenes, into build/report, under a minute; REPORT='--only sheet speed' measures some jobs anew)
+#   make check-large  a sheet of a million nodes and eight million springs (0.7 GB)
 #   make sizes      the table of module sizes (tests/guard/sizes.table) anew
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
@@ -117,7 +118,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(OMIT),,$(PROGRAMS))
 
 .PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit \
-        check-omit-now check-ports report report-now sizes clean FORCE \
+        check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
 
@@ -247,6 +248,9 @@ check-omit:
 check-omit-now: $(BIN)/tests
 	@MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
 	  sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
+
+check-large: $(BIN)/tests
+	MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 
 check-ports:
 	@sh tests/guard/packages.sh build ports

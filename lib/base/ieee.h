@@ -10,7 +10,7 @@
 #error "muslin needs the arithmetic of IEEE 754: build it without -ffast-math, -Ofast and what they stand for"
 #endif
 
-/* the x87 unit of 32-bit x86 rounds each result twice: exact parts are no longer exact, and meshes come out otherwise */
+/* the x87 unit of 32-bit x86 rounds each result twice: exact parts are not exact, and meshes come out otherwise */
 #if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
 #error "muslin needs the arithmetic of IEEE 754: build it for 32-bit x86 with -msse2 -mfpmath=sse"
 #endif

@@ -7,6 +7,7 @@
 #include "drape/sim.h"
 
 #define MUS_REAL float
+#define MUS_TINY 1e-18f /* its square is a normal number just so */
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
 #define MUS_OVER_ROOT(a, x) ((a) / sqrtf(x))

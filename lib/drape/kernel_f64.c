@@ -21,6 +21,7 @@ static MUS_INLINE double over_root(double a, double x)
 
 
 #define MUS_REAL double
+#define MUS_TINY 1e-150
 #define MUS_FN(name) sim_f64_##name
 #define MUS_SQRT sqrt
 #define MUS_OVER_ROOT(a, x) over_root(a, x)

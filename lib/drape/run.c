@@ -43,6 +43,7 @@ void mus__run_report(mus__run *run, double progress)
 mus_status mus__drape_check_motion(mus_drape *drape)
 {
     mus__sim *sim = &drape->sim;
+    sim->ops->flush(sim);
     const double speed2 = sim->ops->speed2(sim);
     if (speed2 <= MOST_SPEED * MOST_SPEED) return MUS_OK;
     sim->ops->restore(sim);

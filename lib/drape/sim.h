@@ -35,6 +35,8 @@ typedef struct mus__sim_ops {
     /* forces of the last `force`, (n x 3) */
     void (*get_force)(const mus__sim *sim, double *f);
     void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);
+    /* places and velocities whose square is no normal number become 0: denormal numbers cost ten times as much */
+    void (*flush)(mus__sim *sim);
     /* largest speed squared; NaN when any number is not finite */
     double (*speed2)(const mus__sim *sim);
     void (*snapshot)(mus__sim *sim);

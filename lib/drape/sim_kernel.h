@@ -284,6 +284,13 @@ static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
 }
 
 
+static void MUS_FN(flush)(mus__sim *sim)
+{
+    MUS_REAL *y = sim->y;
+    for (int64_t i = 0; i < 6 * (int64_t)sim->n; i++) y[i] = y[i] < MUS_TINY && y[i] > -MUS_TINY ? 0 : y[i];
+}
+
+
 /* ---- the world in doubles, (n x 3) ---- */
 
 static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
@@ -295,6 +302,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
             y[d * n + i] = (MUS_REAL)(x[3 * i + d] - sim->origin[d]);
             y[(3 + d) * n + i] = v != NULL ? (MUS_REAL)v[3 * i + d] : 0;
         }
+    MUS_FN(flush)(sim);
     memset(sim->rest, 0, (size_t)n);
     sim->fresh = 0;
     MUS_REAL *good = sim->good;
@@ -369,6 +377,7 @@ const mus__sim_ops MUS_SIM = {
     .get = MUS_FN(get),
     .get_force = MUS_FN(get_force),
     .set_node = MUS_FN(set_node),
+    .flush = MUS_FN(flush),
     .speed2 = MUS_FN(speed2),
     .snapshot = MUS_FN(snapshot),
     .restore = MUS_FN(restore),

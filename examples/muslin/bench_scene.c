@@ -146,7 +146,7 @@ static mus_status time_frames(mus_drape *drape, bench_row *row)
 
 
 static mus_status run_frame(bench *b, const char *name, const mus_pattern *garment, const mus_body *body,
-                            int32_t integrator)
+                            int32_t integrator, double ball)
 {
     bench_row row = bench_row_start(name, 32, 1);
     mus_cloth_def cut;
@@ -158,6 +158,7 @@ static mus_status run_frame(bench *b, const char *name, const mus_pattern *garme
     cut.fabric = hang_fabric(FRAME_SPACING);
     mus_drape_def_init(&def, sizeof def);
     def.integrator = integrator;
+    def.contact_ball = ball;
     mus_status status = mus_cloth_create(b->context, garment, &cut, &cloth);
     if (status == MUS_OK) status = mus_drape_create(b->context, cloth, body, &def, &drape);
     if (status == MUS_OK) status = mus_drape_place(drape);
@@ -181,8 +182,10 @@ static mus_status run_frames(bench *b)
     if (status == MUS_OK) status = mus_tape_set_size(tape, "M60");
     if (status == MUS_OK) status = mus_body_create(b->context, tape, NULL, &body);
     if (status == MUS_OK) status = mus_design_draft(b->context, mus_design_find("tshirt"), tape, NULL, &garment);
-    if (status == MUS_OK) status = run_frame(b, "frame_rk4", garment, body, MUS_METHOD_RK4);
-    if (status == MUS_OK) status = run_frame(b, "frame_verlet", garment, body, MUS_METHOD_VERLET);
+    if (status == MUS_OK) status = run_frame(b, "frame_rk4", garment, body, MUS_METHOD_RK4, 0.0);
+    if (status == MUS_OK) status = run_frame(b, "frame_rk4_planes", garment, body, MUS_METHOD_RK4, 0.00025);
+    if (status == MUS_OK) status = run_frame(b, "frame_verlet", garment, body, MUS_METHOD_VERLET, 0.0);
+    if (status == MUS_OK) status = run_frame(b, "frame_verlet_planes", garment, body, MUS_METHOD_VERLET, 0.00025);
     mus_pattern_destroy(garment);
     mus_body_destroy(body);
     mus_tape_destroy(tape);

@@ -70,7 +70,11 @@ typedef struct mus__contact_rule {
     double travel; /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
     double slip;   /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
     double step;   /* [s] since the last call */
+    double ball;   /* of near.h: how far a node near the skin may go until it is asked again [m] */
 } mus__contact_rule;
+
+/* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */
+#define MUS_NEAR_BALL 2.5e-4
 
 /* what calls add up */
 typedef struct mus__contact_tally {

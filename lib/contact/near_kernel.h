@@ -6,12 +6,11 @@
  */
 
 #define NEAR_BAND 2e-6   /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
-#define NEAR_BALL 2.5e-4 /* [m] of a node near the skin: round a limb of 5 cm the plane is 0.6 um off at its edge */
 #define NEAR_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define NEAR_BLOCK 256
 
 typedef struct MUS_FIELD(near_rule) {
-    MUS_REAL clearance, friction, push, time, slip;
+    MUS_REAL clearance, friction, push, time, slip, ball;
 } MUS_FIELD(near_rule);
 
 
@@ -66,7 +65,7 @@ static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t
 static void MUS_FIELD(near_ask)(const mus__collider *collider, MUS_FIELD(near_rule) rule, const MUS_REAL *box,
                                 MUS_REAL margin, int64_t n, MUS_REAL *plane, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
 {
-    const MUS_REAL band = rule.clearance + (MUS_REAL)NEAR_BAND, ball = (MUS_REAL)NEAR_BALL;
+    const MUS_REAL band = rule.clearance + (MUS_REAL)NEAR_BAND, ball = rule.ball;
     MUS_REAL first = -margin, second = -margin, keep[3] = {0, 0, 0};
     for (int32_t d = 0; d < 3; d++) plane[(4 + d) * n] = p[d];
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
@@ -99,7 +98,8 @@ void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int3
               const MUS_REAL *inverse, MUS_REAL *near, MUS_REAL *x, MUS_REAL *v, mus__contact_tally *tally)
 {
     const MUS_FIELD(near_rule) own = {(MUS_REAL)(rule->clearance - collider->skin), (MUS_REAL)rule->friction,
-                                      (MUS_REAL)rule->push, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
+                                      (MUS_REAL)rule->push, (MUS_REAL)rule->step, (MUS_REAL)rule->slip,
+                                      (MUS_REAL)rule->ball};
     const MUS_REAL margin = own.clearance + (MUS_REAL)NEAR_MARGIN;
     MUS_REAL box[6 * MUS_LIMBS_MOST], stale[NEAR_BLOCK], shift[3];
     for (int32_t d = 0; d < 3; d++) shift[d] = (MUS_REAL)collider->shift[d];

@@ -57,6 +57,7 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
         status = check_number(context, "collision_distance", def->collision_distance, 1e-6, 0.05);
     if (status == MUS_OK) status = check_number(context, "clearance", def->clearance, 0.0, 0.05);
     if (status == MUS_OK && !isnan(def->friction) && def->friction != INFINITY) status = check_number(context, "friction", def->friction, 0.0, 1e6);
+    if (status == MUS_OK) status = check_number(context, "contact_ball", def->contact_ball, 0.0, 0.001);
     if (status == MUS_OK) status = check_number(context, "drag", def->drag, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "seam_pull", def->seam_pull, 1e-3, 1e5);
     if (status == MUS_OK) status = check_number(context, "sew_seconds", def->sew_seconds, 0.0, 1e4);
@@ -192,6 +193,8 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     mus_status status = mus__plan_build(context, cloth, drape->sim.ops->real, &drape->plan);
     if (status == MUS_OK) status = take_memory(drape);
     if (status == MUS_OK) status = take_surroundings(drape, body);
+    if (status == MUS_OK && def->contact_ball > 0.0) status = mus__drape_near(drape);
+    drape->sim.near = NULL;
     if (status != MUS_OK) {
         mus_drape_destroy(drape);
         return status;

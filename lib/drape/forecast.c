@@ -46,6 +46,8 @@ static double time_steps(mus_drape *drape, double h)
     mus__drape_advance(drape, 1, TRIAL_STEPS, h);
     const double seconds = (cpu_seconds() - start) / TRIAL_STEPS;
     sim->ops->restore(sim);
+    if (sim->near != NULL) mus__drape_near(drape); /* has its memory; forgets what the trial asked */
+    sim->near = NULL;
     memcpy(sim->part_tally, tally, sizeof tally);
     mus__drape_glide(drape, 0, drape->dt);
     sim->force_evaluations = evaluations;

@@ -153,7 +153,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const double h = SAFETY_STEP * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = drag;
-        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h};
+        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h,
+                                        MUS_NEAR_BALL};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
         if (status != MUS_OK) break;

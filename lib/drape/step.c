@@ -141,8 +141,10 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
     memset(sim->rest, 0, (size_t)drape->n);
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt};
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt,
+                                    drape->def.contact_ball};
     mus__drape_meet_first(drape);
+    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_glides(drape) ? drape->planes : NULL;
 }
 
 
@@ -213,6 +215,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         good = done;
     }
     mus__drape_glide(drape, 0, dt);
+    sim->near = NULL;
     drape->settled = 0;
     drape->residual = NAN;
     mus__drape_publish(drape);

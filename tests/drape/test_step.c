@@ -174,6 +174,61 @@ START_TEST(forces_of_held_nodes_are_their_weight)
 END_TEST
 
 
+/* the same cloth on the same roller, with and without planes: after a second of rest within 0.02 mm, and planes ask the
+ * limb far less often */
+START_TEST(planes_of_the_skin_change_micrometres_and_save_queries)
+{
+    mus_context *context = support_context();
+    double rows[2][6];
+    mus_limb limb;
+    mus_body *body;
+    for (int i = 0; i < 2; i++) {
+        const double row[6] = {0.3 * (2 * i - 1), 0.0, 0.0, 0.08, 0.08, 2.0};
+        memcpy(rows[i], row, sizeof row);
+    }
+    mus_limb_init(&limb, sizeof limb);
+    limb.contours = 2;
+    limb.contour = rows[0];
+    limb.axis[0] = 1.0, limb.axis[1] = 0.0, limb.axis[2] = 0.0;
+    limb.side[0] = 0.0, limb.side[1] = 0.0, limb.side[2] = -1.0;
+    limb.pole[0] = -0.31, limb.pole[1] = 0.31;
+    ck_assert_int_eq(mus_body_create_limbs(context, 1, &limb, NULL, &body), MUS_OK);
+    const double cell[2] = {0.02, 0.02};
+    mus_cloth *cloth;
+    ck_assert_int_eq(mus_cloth_create_grid(context, 9, 9, cell, NULL, &cloth), MUS_OK);
+    double end[2][3 * 81];
+    int64_t queries[2];
+    for (int k = 0; k < 2; k++) {
+        mus_drape_def def;
+        mus_drape *drape;
+        mus_drape_report report;
+        mus_drape_def_init(&def, sizeof def);
+        def.precision = 64;
+        def.drag = 5.0;
+        def.contact_ball = k ? 0.00025 : 0.0;
+        ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
+        double x[3 * 81];
+        for (int i = 0; i < 81; i++)
+            x[3 * i] = 0.02 * (i % 9 - 4), x[3 * i + 1] = 0.085, x[3 * i + 2] = 0.02 * (i / 9 - 4);
+        ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_OK);
+        const double h = 0.5 * mus_drape_step_bound(drape);
+        ck_assert_int_eq(mus_drape_step(drape, (int32_t)(1.0 / h), h), MUS_OK);
+        memcpy(end[k], mus_drape_positions(drape), sizeof end[k]);
+        mus_drape_report_init(&report, sizeof report);
+        ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+        queries[k] = report.contact_queries;
+        ck_assert_double_eq(report.max_penetration, 0.0);
+        mus_drape_destroy(drape);
+    }
+    for (int i = 0; i < 3 * 81; i++) ck_assert_double_eq_tol(end[0][i], end[1][i], 2e-5);
+    ck_assert(queries[1] * 5 < queries[0]);
+    mus_cloth_destroy(cloth);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_step(void)
 {
     Suite *suite = suite_create("step");
@@ -182,6 +237,7 @@ Suite *mus_suite_step(void)
     tcase_add_test(tests, strong_shear_lowers_the_bound);
     tcase_add_loop_test(tests, energy_that_rises_ends_the_run_at_the_last_good_state, 0, 2);
     tcase_add_test(tests, a_plan_says_what_a_frame_costs_and_changes_nothing);
+    tcase_add_test(tests, planes_of_the_skin_change_micrometres_and_save_queries);
     tcase_add_test(tests, forces_of_held_nodes_are_their_weight);
     suite_add_tcase(suite, tests);
     return suite;

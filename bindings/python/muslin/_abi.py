@@ -234,7 +234,7 @@ class mus_drape_def(Structure):
     _fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
                 ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
                 ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
-                ("settle_residual", c_double), ("integrator", c_int32)]
+                ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double)]
 
 
 class mus_drape_forecast(Structure):

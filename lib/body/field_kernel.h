@@ -39,16 +39,16 @@ static inline MUS_REAL MUS_FIELD(share)(MUS_REAL s, MUS_REAL axis_inverse)
 }
 
 
-/* the diamond angle of (ua, ub) in steps of the table; sum = |ua| + |ub|, not 0. Ring entries j and j1, blend w */
-static inline MUS_REAL MUS_FIELD(step)(const MUS_FIELD(field) * f, MUS_REAL ua, MUS_REAL ub, MUS_REAL sum, int32_t *j,
-                                       int32_t *j1)
+/* the diamond angle of (ua, ub) in steps of the table; inverse = 1 / (|ua| + |ub|). Ring entries j and j1, blend w */
+static inline MUS_REAL MUS_FIELD(step)(const MUS_FIELD(field) * f, MUS_REAL ua, MUS_REAL ub, MUS_REAL inverse,
+                                       int32_t *j, int32_t *j1)
 {
     const MUS_REAL absa = ua < 0 ? -ua : ua, absb = ub < 0 ? -ub : ub;
     MUS_REAL q;
     if (ub >= 0)
-        q = ua >= 0 ? absb / sum : 1 + absa / sum;
+        q = ua >= 0 ? absb * inverse : 1 + absa * inverse;
     else
-        q = ua < 0 ? 2 + absb / sum : 3 + absa / sum;
+        q = ua < 0 ? 2 + absb * inverse : 3 + absa * inverse;
     const MUS_REAL w = q * f->angle_scale;
     int32_t i = (int32_t)w;
     if (i >= f->nangle) i = f->nangle - 1;
@@ -79,17 +79,17 @@ static inline MUS_REAL MUS_FIELD(query_cap)(const MUS_FIELD(field) * f, MUS_REAL
 
     const MUS_REAL *c = f->centre + 2 * last, *r = f->radius + (int64_t)last * f->nangle;
     const MUS_REAL ua = a - c[0], ub = b - c[1], rho2 = ua * ua + ub * ub;
-    const MUS_REAL sum = (ua < 0 ? -ua : ua) + (ub < 0 ? -ub : ub) + MUS_FIELD_TINY;
+    const MUS_REAL inverse = 1 / ((ua < 0 ? -ua : ua) + (ub < 0 ? -ub : ub) + MUS_FIELD_TINY);
     const MUS_REAL reach = f->largest[last] + margin;
     if (!(rho2 <= reach * reach)) return 0;
     int32_t j, j1;
-    const MUS_REAL w = MUS_FIELD(step)(f, ua, ub, sum, &j, &j1);
+    const MUS_REAL w = MUS_FIELD(step)(f, ua, ub, inverse, &j, &j1);
     const MUS_REAL radius = r[j] + w * (r[j1] - r[j]), slope_q = (r[j1] - r[j]) * f->angle_scale;
 
     /* F + 1, and its gradient: rho^2 falls with R, R turns with q */
     const MUS_REAL u = (s - f->middle[end]) * f->axis_inverse[end], k = f->share[end] / (radius * radius);
     const MUS_REAL level = (MUS_REAL)MUS_FIELD(sqrt)(k * rho2 + u * u) + MUS_FIELD_TINY, scale = k / level;
-    const MUS_REAL turn = rho2 * slope_q / (radius * sum * sum);
+    const MUS_REAL turn = rho2 * slope_q * inverse * inverse / radius;
     const MUS_REAL ga = scale * (ua + turn * ub), gb = scale * (ub - turn * ua);
     const MUS_REAL gs = u * f->axis_inverse[end] / level;
     *near = 1;
@@ -124,8 +124,8 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) * f, const MUS_RE
 
     /* the radius and its slopes: its square bilinear, since where a limb ends roundly the square has a slope still */
     int32_t j, j1;
-    const MUS_REAL sum = (ua < 0 ? -ua : ua) + (ub < 0 ? -ub : ub) + MUS_FIELD_TINY;
-    const MUS_REAL w = MUS_FIELD(step)(f, ua, ub, sum, &j, &j1);
+    const MUS_REAL inverse = 1 / ((ua < 0 ? -ua : ua) + (ub < 0 ? -ub : ub) + MUS_FIELD_TINY);
+    const MUS_REAL w = MUS_FIELD(step)(f, ua, ub, inverse, &j, &j1);
     const MUS_REAL *r0 = f->radius + (int64_t)k * f->nangle, *r1 = r0 + f->nangle;
     const MUS_REAL s00 = r0[j] * r0[j], s01 = r0[j1] * r0[j1], s10 = r1[j] * r1[j], s11 = r1[j1] * r1[j1];
     const MUS_REAL low = s00 + w * (s01 - s00), high = s10 + w * (s11 - s10);
@@ -135,8 +135,8 @@ static inline MUS_REAL MUS_FIELD(query)(const MUS_FIELD(field) * f, const MUS_RE
 
     /* gradient of F in (side, front, axis) */
     const MUS_REAL rho = (MUS_REAL)MUS_FIELD(sqrt)(rho2) + MUS_FIELD_TINY;
-    const MUS_REAL turn = slope_q / (sum * sum);
-    const MUS_REAL ga = ua / rho + turn * ub, gb = ub / rho - turn * ua;
+    const MUS_REAL turn = slope_q * inverse * inverse, out = 1 / rho;
+    const MUS_REAL ga = ua * out + turn * ub, gb = ub * out - turn * ua;
     const MUS_REAL gs = -slope_s - (ga * dca + gb * dcb) * f->ds_inverse;
     *near = 1;
     return (radius - rho) * MUS_FIELD(turn)(f, ga, gb, gs, normal);

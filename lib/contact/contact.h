@@ -93,10 +93,10 @@ static inline double mus__contact_swift(const mus__collider *collider, const mus
 /* nodes first .. last-1 of n: x, v planes (3 x n); inverse (n) 1/mass, 0 for nodes that are held; before (3 x n) places
  * before the step; `sweeps` nonzero: fast nodes are swept */
 void mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                      int32_t last, const float *inverse, const float *before, int32_t sweeps, uint8_t *rest, float *x, float *v,
-                      mus__contact_tally *tally);
+                      int32_t last, const float *inverse, const float *before, int32_t sweeps, uint8_t *rest, float *x,
+                      float *v, mus__contact_tally *tally);
 void mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                      int32_t last, const double *inverse, const double *before, int32_t sweeps, uint8_t *rest, double *x, double *v,
-                      mus__contact_tally *tally);
+                      int32_t last, const double *inverse, const double *before, int32_t sweeps, uint8_t *rest,
+                      double *x, double *v, mus__contact_tally *tally);
 
 #endif

@@ -1,4 +1,5 @@
 /* contact_f32.c: the contact pass in float. */
+#include "base/clones.h"
 #include "contact/contact.h"
 
 #define MUS_REAL float

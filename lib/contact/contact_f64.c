@@ -1,4 +1,5 @@
 /* contact_f64.c: the contact pass in double. */
+#include "base/clones.h"
 #include "contact/contact.h"
 
 #define MUS_REAL double

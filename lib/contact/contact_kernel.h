@@ -10,6 +10,9 @@
  * it, so that what sticks does not creep, and in float not even by rounding. All is relative to the body: places to its
  * shift, velocities to its drift.
  *
+ * Nodes are first held against the boxes of the limbs, a block at a time and many nodes at once; only what is in a box
+ * is asked of its limb.
+ *
  * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
  * is walked in pieces that are shorter the nearer the skin is, the first place nearer than the clearance is found by
  * halving, the response is taken there, and the rest of the step goes on with what velocity is left. Places before the
@@ -24,6 +27,7 @@
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
+#define LOOK_BLOCK 256      /* nodes */
 #define SWEEP_PIECES 4096   /* most pieces of one path */
 #define SWEEP_SHORTEST 1e-3 /* of them, in parts of the safe length: what is cut off a flank is then nanometres */
 #define SWEEP_HALVINGS 50
@@ -84,16 +88,25 @@ static inline int32_t MUS_FIELD(boxed)(const MUS_REAL *box, const MUS_REAL *p)
 }
 
 
-/* one node against all limbs, in place; box (nlimb x 6) is widened by `margin` already. Returns a lower bound of the
- * node's distance to the body, at most `margin`; below clearance + TOUCH_BAND when it touched */
-static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
-                                        const MUS_REAL *box, MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p,
-                                        MUS_REAL *w, int64_t *queries)
+/* the limbs whose box p is in, a bit each */
+static uint64_t MUS_FIELD(boxes_of)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p)
+{
+    uint64_t in = 0;
+    for (int32_t l = 0; l < nlimb; l++) in |= (uint64_t)MUS_FIELD(boxed)(box + 6 * l, p) << l;
+    return in;
+}
+
+
+/* one node against the limbs `in`, in place. Returns a lower bound of the node's distance to the body, at most
+ * `margin`; below clearance + TOUCH_BAND when it touched */
+static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule, uint64_t in,
+                                        MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w,
+                                        int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = margin;
-    for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
-        if (!MUS_FIELD(boxed)(box, p)) continue;
+    for (int32_t l = 0; in != 0; l++, in >>= 1) {
+        if ((in & 1) == 0) continue;
         MUS_REAL normal[3];
         int32_t near;
         const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
@@ -184,7 +197,7 @@ static int32_t MUS_FIELD(meet)(const mus__collider *collider, const mus__contact
                                int64_t *queries)
 {
     const MUS_REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
-    MUS_FIELD(touch)(collider, rule, box, margin, path, p, w, queries);
+    MUS_FIELD(touch)(collider, rule, MUS_FIELD(boxes_of)(collider->nlimb, box, p), margin, path, p, w, queries);
     if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
         for (int32_t i = 0; i < 3; i++) way[i] = w[i];
         return 1;
@@ -243,56 +256,117 @@ static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contac
 
 /* ---- the pass ---- */
 
+/* what a pass knows of the body */
+typedef struct MUS_FIELD(scene) {
+    MUS_REAL box[6 * MUS_LIMBS_MOST]; /* widened by the margin */
+    MUS_REAL shift[3], drift[3];      /* of the body now */
+    MUS_REAL back[3];                 /* its shift before the step */
+    MUS_REAL margin, swift2;
+} MUS_FIELD(scene);
+
+
+/* limbs first .. last-1, at most 32: a bit in in (count) for each whose box a node is in */
+MUS_CLONES
+static void MUS_FIELD(look)(const MUS_FIELD(scene) * scene, int32_t first, int32_t last, int64_t n, int32_t count,
+                            const MUS_REAL *restrict x, uint32_t *restrict in)
+{
+    const MUS_REAL s0 = scene->shift[0], s1 = scene->shift[1], s2 = scene->shift[2];
+    for (int32_t i = 0; i < count; i++) in[i] = 0;
+    for (int32_t l = first; l < last; l++) {
+        const MUS_REAL *b = scene->box + 6 * l, b0 = b[0], b1 = b[1], b2 = b[2], b3 = b[3], b4 = b[4], b5 = b[5];
+        const uint32_t bit = (uint32_t)1 << (l - first);
+        MUS_IVDEP
+        for (int32_t i = 0; i < count; i++) {
+            const MUS_REAL p0 = x[i] - s0, p1 = x[n + i] - s1, p2 = x[2 * n + i] - s2;
+            const uint32_t inside = (p0 >= b0) & (p0 <= b3) & (p1 >= b1) & (p1 <= b4) & (p2 >= b2) & (p2 <= b5);
+            in[i] |= inside * bit;
+        }
+    }
+}
+
+
+/* nonzero when a node moves so fast that the next step may have to sweep */
+MUS_CLONES
+static uint32_t MUS_FIELD(rush)(const MUS_FIELD(scene) * scene, int64_t n, int32_t count, const MUS_REAL *restrict v)
+{
+    const MUS_REAL d0 = scene->drift[0], d1 = scene->drift[1], d2 = scene->drift[2], swift2 = scene->swift2;
+    uint32_t found = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL w0 = v[i] - d0, w1 = v[n + i] - d1, w2 = v[2 * n + i] - d2;
+        found |= w0 * w0 + w1 * w1 + w2 * w2 > swift2;
+    }
+    return found;
+}
+
+
+/* node i, which is in the boxes `in` or may have to be swept */
+static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__contact_rule *rule,
+                                 const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t in, int32_t sweeps,
+                                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x,
+                                 MUS_REAL *v, mus__contact_tally *tally)
+{
+    /* place, velocity, and where it was, relative to the body */
+    const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
+    MUS_REAL p[3], w[3], from[3], way2 = 0;
+    for (int32_t d = 0; d < 3; d++) {
+        p[d] = x[at[d]] - scene->shift[d];
+        w[d] = v[at[d]] - scene->drift[d];
+        from[d] = before[at[d]] - scene->back[d];
+        way2 += (p[d] - from[d]) * (p[d] - from[d]);
+    }
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), safe = (MUS_REAL)collider->safe;
+    if (sweeps && way2 > safe * safe) {
+        if (!MUS_FIELD(sweep)(collider, rule, scene->box, scene->margin, from, p, w, &tally->queries)) return;
+    } else {
+        const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
+        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, in, scene->margin, &path, p, w, &tally->queries);
+
+        /* it sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
+        const MUS_REAL off = rule->travel > 0.0 ? (distance - clearance) / 2 / (MUS_REAL)rule->travel : 0;
+        rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
+        if (distance >= clearance + (MUS_REAL)TOUCH_BAND) return;
+    }
+    const double mass = 1.0 / (double)inverse[i];
+    for (int32_t d = 0; d < 3; d++) {
+        const MUS_REAL after = w[d] + scene->drift[d];
+        tally->impulse[d] += ((double)after - (double)v[at[d]]) * mass;
+        x[at[d]] = p[d] + scene->shift[d];
+        v[at[d]] = after;
+    }
+}
+
+
 void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
                  const MUS_REAL *inverse, const MUS_REAL *before, int32_t sweeps, uint8_t *rest, MUS_REAL *x,
                  MUS_REAL *v, mus__contact_tally *tally)
 {
-    /* a node sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
-    const MUS_REAL margin = rule->travel > 0.0 ? clearance + (MUS_REAL)SIT_OUT_MARGIN : band;
-    const MUS_REAL calls = (MUS_REAL)(rule->travel > 0.0 ? 0.5 / rule->travel : 0.0);
-    const MUS_REAL safe = (MUS_REAL)collider->safe;
-    const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule), swift2 = swift * swift;
-    MUS_REAL box[6 * MUS_LIMBS_MOST], shift[3], drift[3], back[3];
-    for (int32_t k = 0; k < 6 * collider->nlimb; k++)
-        box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
+    MUS_FIELD(scene) scene;
+    const int32_t nlimb = collider->nlimb;
+    const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule);
+    scene.margin = (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND;
+    if (rule->travel > 0.0) scene.margin += (MUS_REAL)SIT_OUT_MARGIN;
+    scene.swift2 = swift * swift;
+    for (int32_t k = 0; k < 6 * nlimb; k++)
+        scene.box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -scene.margin : scene.margin);
     for (int32_t d = 0; d < 3; d++) {
-        shift[d] = (MUS_REAL)collider->shift[d];
-        drift[d] = (MUS_REAL)collider->drift[d];
-        back[d] = (MUS_REAL)(collider->shift[d] - rule->step * collider->drift[d]);
+        scene.shift[d] = (MUS_REAL)collider->shift[d];
+        scene.drift[d] = (MUS_REAL)collider->drift[d];
+        scene.back[d] = (MUS_REAL)(collider->shift[d] - rule->step * collider->drift[d]);
     }
 
-    for (int32_t i = first; i < last; i++) {
-        if (rest[i] > 0) {
-            rest[i]--;
-            continue;
-        }
-        if (inverse[i] == 0) continue;
-        const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
-        MUS_REAL p[3] = {x[at[0]] - shift[0], x[at[1]] - shift[1], x[at[2]] - shift[2]};
-        MUS_REAL w[3] = {v[at[0]] - drift[0], v[at[1]] - drift[1], v[at[2]] - drift[2]};
-        if (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > swift2) tally->swift = 1;
-
-        /* where it was, relative to where the body was */
-        MUS_REAL from[3], way2 = 0;
-        for (int32_t d = 0; d < 3; d++) {
-            from[d] = before[at[d]] - back[d];
-            way2 += (p[d] - from[d]) * (p[d] - from[d]);
-        }
-        if (sweeps && way2 > safe * safe) {
-            if (!MUS_FIELD(sweep)(collider, rule, box, margin, from, p, w, &tally->queries)) continue;
-        } else {
-            const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
-            const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, box, margin, &path, p, w, &tally->queries);
-            const MUS_REAL off = (distance - clearance) * calls;
-            rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
-            if (distance >= band) continue;
-        }
-        for (int32_t d = 0; d < 3; d++) {
-            const MUS_REAL after = w[d] + drift[d];
-            tally->impulse[d] += ((double)after - (double)v[at[d]]) / (double)inverse[i];
-            x[at[d]] = p[d] + shift[d];
-            v[at[d]] = after;
+    uint32_t low[LOOK_BLOCK], high[LOOK_BLOCK] = {0};
+    for (int32_t start = first; start < last; start += LOOK_BLOCK) {
+        const int32_t count = last - start < LOOK_BLOCK ? last - start : LOOK_BLOCK;
+        MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
+        if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
+        if (MUS_FIELD(rush)(&scene, n, count, v + start)) tally->swift = 1;
+        for (int32_t i = start; i < start + count; i++) {
+            const uint64_t in = low[i - start] | (uint64_t)high[i - start] << 32;
+            if (in == 0 && !sweeps) continue;
+            if (rest[i] > 0)
+                rest[i]--;
+            else if (inverse[i] != 0)
+                MUS_FIELD(meet_node)(collider, rule, &scene, n, i, in, sweeps, inverse, before, rest, x, v, tally);
         }
     }
 }

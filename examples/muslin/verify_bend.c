@@ -27,7 +27,8 @@ static double bending_length(void)
 /* ---- B1, B2, B6: strips clamped level ---- */
 
 /* tip of a strip of n cells and length L beside its clamp: x forward, y down; one line of nodes, mirrored */
-static mus_status cantilever(verify *v, int32_t n, double length, double stretch, int32_t bending, double *tip)
+static mus_status cantilever(verify *v, int32_t n, double length, double stretch, int32_t bending, int32_t precision,
+                             double *tip)
 {
     const double cell[2] = {length / n, 0.01};
     mus_cloth_def def;
@@ -39,9 +40,10 @@ static mus_status cantilever(verify *v, int32_t n, double length, double stretch
     def.coarser = 0;
     tip[0] = tip[1] = NAN;
     mus_status status = mus_cloth_create_grid(v->context, 1, 2 * n + 1, cell, &def, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 2.0 * 1.9 * sqrt(REST_GRAVITY / length), REST_GRAVITY, &drape);
+    if (status == MUS_OK)
+        status = rest_hang(v, cloth, precision, 2.0 * 1.9 * sqrt(REST_GRAVITY / length), REST_GRAVITY, &drape);
     if (status == MUS_OK) status = mus_drape_pin(drape, n, 1);
-    if (status == MUS_OK) status = rest_settle(v, drape, 1e-6, 8.0);
+    if (status == MUS_OK) status = rest_settle(v, drape, precision == 32 ? 0.0 : 1e-6, precision == 32 ? 2.0 : 8.0);
     if (status == MUS_OK) {
         const double *x = mus_drape_positions(drape) + 6 * n;
         tip[0] = (x[0] - length) / length, tip[1] = -x[1] / length;
@@ -65,12 +67,16 @@ static void cantilevers(verify *v)
         double tip[4][2];
         mus_status status = MUS_OK;
         for (int i = g == 2 ? 1 : 0; i < 4 && status == MUS_OK; i++) {
-            status = cantilever(v, cells[i], length, 10000.0, MUS_BEND_PLATE, tip[i]);
+            status = cantilever(v, cells[i], length, 10000.0, MUS_BEND_PLATE, 64, tip[i]);
             snprintf(text, sizeof text, "cantilever, w L^3/B = %g, %d cells, tip X/L", exact[g].gamma, (int)cells[i]);
             rest_row(v, status, "B1", text, exact[g].x, tip[i][0], tolerance[i] * more);
             snprintf(text, sizeof text, "cantilever, w L^3/B = %g, %d cells, tip Y/L", exact[g].gamma, (int)cells[i]);
             rest_row(v, status, "B1", text, exact[g].y, tip[i][1], tolerance[i] * more);
         }
+        double single[2];
+        mus_status other = cantilever(v, 20, length, 1000.0, MUS_BEND_PLATE, 32, single);
+        snprintf(text, sizeof text, "the same in float, 20 cells, tip Y/L");
+        rest_row(v, other, "B1", text, exact[g].y, single[1], tolerance[1] * more);
         if (status != MUS_OK) continue;
         const double order = log2((tip[1][1] - tip[2][1]) / (tip[2][1] - tip[3][1]));
         snprintf(text, sizeof text, "cantilever, w L^3/B = %g, order of 20, 40, 80 cells", exact[g].gamma);
@@ -83,7 +89,7 @@ static void cantilevers(verify *v)
 static void board(verify *v)
 {
     double tip[2];
-    const mus_status status = cantilever(v, 40, 2.00035 * bending_length(), 1000.0, MUS_BEND_PLATE, tip);
+    const mus_status status = cantilever(v, 40, 2.00035 * bending_length(), 1000.0, MUS_BEND_PLATE, 64, tip);
     rest_row(v, status, "B2", "overhang of 2.00035 bending lengths, slope of its chord [degrees]", 41.5,
              atan2(tip[1], tip[0]) * 180.0 / REST_PI, 0.005);
 }
@@ -97,7 +103,8 @@ static void paper_cantilevers(verify *v)
     for (int i = 0; i < (v->all ? 3 : 2); i++) {
         char text[80];
         double tip[2];
-        const mus_status status = cantilever(v, cells[i], bending_length() * cbrt(10.0), 1000.0, MUS_BEND_PAPER, tip);
+        const mus_status status =
+            cantilever(v, cells[i], bending_length() * cbrt(10.0), 1000.0, MUS_BEND_PAPER, 64, tip);
         snprintf(text, sizeof text, "the paper's springs: cantilever of %d cells, tip X/L", (int)cells[i]);
         if (status == MUS_OK)
             verify_add_negative(v, "B6", text, 0.656354, tip[0], least[i]);
@@ -139,7 +146,7 @@ static mus_status rod(verify *v, int32_t n, double length, double dx, double dy,
     bare.pins = 2, bare.pin = pin;
     *out = NULL;
     const mus_status status = mus_cloth_create_bare(v->context, &bare, &cloth);
-    return status == MUS_OK ? rest_hang(v, cloth, drag, gravity, out) : status;
+    return status == MUS_OK ? rest_hang(v, cloth, 64, drag, gravity, out) : status;
 }
 
 
@@ -234,7 +241,7 @@ static mus_status rolled(verify *v, int32_t rows, int32_t columns, double cell, 
     double *x = calloc(3 * (size_t)rows * (size_t)columns, sizeof *x);
     mus_status status =
         x == NULL ? MUS_ERR_MEMORY : mus_cloth_create_grid(v->context, rows, columns, cells, &def, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
     for (int32_t i = 0; i < rows * columns && status == MUS_OK; i++) {
         const double u = cell * (i % columns), w = cell * (i / columns), t = u * c + w * s, z = w * c - u * s;
         const double along = sin(k * t) / k;
@@ -349,7 +356,7 @@ static void cut_directions(verify *v, double spacing, double tolerance)
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     mus_status status = sewn_halves(v, spacing, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
     if (status == MUS_OK) status = mus_drape_place(drape);
     if (status == MUS_OK) status = mus_drape_sew(drape, NULL, NULL);
     const int32_t n = status == MUS_OK ? mus_drape_node_count(drape) : 0;

@@ -28,21 +28,26 @@ static mus_status grid(verify *v, int32_t rows, int32_t columns, double x, doubl
     def.coarser = 0;
     *out = NULL;
     const mus_status status = mus_cloth_create_grid(v->context, rows, columns, cell, &def, &cloth);
-    return status == MUS_OK ? rest_hang(v, cloth, drag, gravity, out) : status;
+    return status == MUS_OK ? rest_hang(v, cloth, 64, drag, gravity, out) : status;
 }
 
 
 /* ---- M1 ---- */
 
-/* sag of a strip of length 1 that hangs from its last row */
-static mus_status hang_strip(verify *v, int32_t cells, int32_t columns, double *sag)
+/* sag of a strip of length 1 that hangs from its last row; float feels a hundred times the gravity, for its digits */
+static mus_status hang_strip(verify *v, int32_t cells, int32_t columns, int32_t precision, double *sag)
 {
-    mus_fabric fabric;
+    const double cell[2] = {0.01, 1.0 / cells}, gravity = REST_GRAVITY * (precision == 32 ? 100.0 : 1.0);
+    mus_cloth_def def;
+    mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
-    rest_fabric(&fabric, 0.15, 1000.0, 0.0, 0.0);
-    mus_status status = grid(v, cells + 1, columns, 0.01, 1.0 / cells, &fabric, 250.0, REST_GRAVITY, &drape);
+    mus_cloth_def_init(&def, sizeof def);
+    rest_fabric(&def.fabric, 0.15, 1000.0, 0.0, 0.0);
+    def.coarser = 0;
+    mus_status status = mus_cloth_create_grid(v->context, cells + 1, columns, cell, &def, &cloth);
+    if (status == MUS_OK) status = rest_hang(v, cloth, precision, 250.0, gravity, &drape);
     for (int32_t c = 0; c < columns && status == MUS_OK; c++) status = mus_drape_pin(drape, cells * columns + c, 1);
-    if (status == MUS_OK) status = rest_settle(v, drape, 1e-11, 3.0);
+    if (status == MUS_OK) status = rest_settle(v, drape, precision == 32 ? 0.0 : 1e-11, precision == 32 ? 0.5 : 3.0);
     if (status == MUS_OK) *sag = -mus_drape_positions(drape)[1];
     mus_drape_destroy(drape);
     return status;
@@ -55,9 +60,12 @@ static void strips(verify *v)
     for (int i = 0; i < 3; i++) {
         char text[120];
         double sag = NAN;
-        const mus_status status = hang_strip(v, cells[i], columns[i], &sag);
+        mus_status status = hang_strip(v, cells[i], columns[i], 64, &sag);
         snprintf(text, sizeof text, "hanging strip of %d x %d nodes, sag [m]", (int)cells[i] + 1, (int)columns[i]);
         rest_row(v, status, "M1", text, 0.15 * REST_GRAVITY / 2000.0, sag, 1e-9);
+        status = hang_strip(v, cells[i], columns[i], 32, &sag);
+        snprintf(text, sizeof text, "the same in float, gravity x 100, sag [m]");
+        rest_row(v, status, "M1", text, 15.0 * REST_GRAVITY / 2000.0, sag, 1e-5);
     }
 }
 
@@ -162,7 +170,7 @@ static void panel_patch(verify *v, double spacing)
     mus_drape *drape = NULL;
     rest_fabric(&fabric, 0.15, 300.0, 75.0, 1e-5);
     mus_status status = rest_panel(v, 7, corner, 0.0, 1.0, spacing, &fabric, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
     if (status == MUS_OK) status = moduli(drape, area, c);
     snprintf(text, sizeof text, "cut heptagon at %g mm, C11 of the weft [N/m]", 1e3 * spacing);
     rest_row(v, status, "M2", text, 300.0, c[0], 0.03);
@@ -236,7 +244,7 @@ static mus_status bias_strip(verify *v, double spacing, double width, double *mo
         const size_t bytes = 2 * (size_t)mus_cloth_node_count(cloth) * sizeof *rest;
         rest = malloc(bytes);
         if (rest != NULL) memcpy(rest, mus_cloth_rest(cloth), bytes);
-        status = rest_hang(v, cloth, 800.0, 0.0, &drape);
+        status = rest_hang(v, cloth, 64, 800.0, 0.0, &drape);
     }
     if (status == MUS_OK) {
         const int32_t n = mus_drape_node_count(drape);
@@ -307,7 +315,7 @@ static mus_status triangles(verify *v, int32_t n, double k, double *c)
     bare.nodes = (n + 1) * (n + 1), bare.place = place, bare.mass = mass;
     bare.springs = count, bare.spring = spring, bare.length = length, bare.stiffness = stiffness;
     mus_status status = mus_cloth_create_bare(v->context, &bare, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
     if (status == MUS_OK) status = moduli(drape, n * n * side * side * sqrt(0.75), c);
     mus_drape_destroy(drape);
     return status;
@@ -399,7 +407,7 @@ static mus_status chain(verify *v, int32_t n, const double *place, double link, 
     bare.pins = both ? 2 : 1, bare.pin = pin;
     *out = NULL;
     const mus_status status = mus_cloth_create_bare(v->context, &bare, &cloth);
-    return status == MUS_OK ? rest_hang(v, cloth, drag, REST_GRAVITY, out) : status;
+    return status == MUS_OK ? rest_hang(v, cloth, 64, drag, REST_GRAVITY, out) : status;
 }
 
 
@@ -520,7 +528,7 @@ static void turned(verify *v)
     mus_drape *drape = NULL;
     rest_fabric(&fabric, 0.15, 900.0, 60.0, 1e-5);
     mus_status status = rest_panel(v, 4, corner, 0.1, 1.0, 0.01, &fabric, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 0.0, 0.0, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
     const int32_t n = status == MUS_OK ? mus_drape_node_count(drape) : 0;
     if (n > MOST) status = MUS_ERR_LIMIT;
     for (int32_t i = 0; i < 3 * n && status == MUS_OK; i++)

@@ -30,7 +30,7 @@ static mus_status hang_panel(verify *v, double spacing, double *sag)
     double count = 0.0;
     rest_fabric(&fabric, 0.15, 300.0, 40.0, 5e-6);
     mus_status status = rest_panel(v, 4, corner, 0.0, 1.0, spacing, &fabric, &cloth);
-    if (status == MUS_OK) status = rest_hang(v, cloth, 60.0, REST_GRAVITY, &drape);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 60.0, REST_GRAVITY, &drape);
     const int32_t n = status == MUS_OK ? mus_drape_node_count(drape) : 0;
     *sag = 0.0;
     for (int32_t i = 0; i < n && status == MUS_OK; i++)
@@ -156,7 +156,7 @@ static mus_status drape_disc(verify *v, double spacing, const mus_fabric *fabric
         triangles = mus_cloth_triangle_count(cloth);
         triangle = malloc(3 * (size_t)triangles * sizeof *triangle);
         if (triangle != NULL) memcpy(triangle, mus_cloth_triangles(cloth), 3 * (size_t)triangles * sizeof *triangle);
-        status = triangle != NULL ? rest_hang(v, cloth, 25.0, REST_GRAVITY, &drape) : MUS_ERR_MEMORY;
+        status = triangle != NULL ? rest_hang(v, cloth, 64, 25.0, REST_GRAVITY, &drape) : MUS_ERR_MEMORY;
     }
     if (status == MUS_OK) status = lay_disc(drape, spacing, lobes);
     if (status == MUS_OK) status = rest_settle(v, drape, 1e-3, 6.0);

@@ -48,12 +48,12 @@ mus_status rest_panel(verify *v, int32_t n, const double *corners, double gx, do
 }
 
 
-mus_status rest_hang(verify *v, mus_cloth *cloth, double drag, double gravity, mus_drape **out)
+mus_status rest_hang(verify *v, mus_cloth *cloth, int32_t precision, double drag, double gravity, mus_drape **out)
 {
     mus_drape_def def;
     *out = NULL;
     mus_drape_def_init(&def, sizeof def);
-    def.precision = 64;
+    def.precision = precision;
     def.integrator = MUS_METHOD_VERLET;
     def.drag = drag;
     def.gravity[1] = -gravity;
@@ -76,7 +76,7 @@ mus_status rest_settle(verify *v, mus_drape *drape, double speed, double seconds
         most = 0.0;
         for (int32_t i = 0; i < n; i++) most = fmax(most, fabs(mus_drape_velocities(drape)[i]));
     }
-    if (most <= speed) return MUS_OK;
+    if (most <= speed || speed == 0.0) return MUS_OK;
     char text[80];
     snprintf(text, sizeof text, "not at rest after %g s: a node moves at %g m/s", seconds, most);
     return mus_context_fail(v->context, MUS_ERR_UNSETTLED, text);

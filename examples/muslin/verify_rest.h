@@ -14,11 +14,12 @@ void rest_fabric(mus_fabric *fabric, double weight, double stretch, double shear
 mus_status rest_panel(verify *v, int32_t n, const double *corners, double gx, double gy, double spacing,
                       const mus_fabric *fabric, mus_cloth **out);
 
-/* A drape in double of `cloth`, which is freed (NULL: MUS_ERR_ARG), stepped by velocity Verlet against `drag`, gravity
- * down y. */
-mus_status rest_hang(verify *v, mus_cloth *cloth, double drag, double gravity, mus_drape **out);
+/* A drape of `cloth`, which is freed (NULL: MUS_ERR_ARG), in float (32) or double (64), stepped by velocity Verlet
+ * against `drag`, gravity down y. */
+mus_status rest_hang(verify *v, mus_cloth *cloth, int32_t precision, double drag, double gravity, mus_drape **out);
 
-/* Step until no node is faster than `speed`, for `seconds` at most. MUS_ERR_UNSETTLED says how fast one still is. */
+/* Step until no node is faster than `speed`, for `seconds` at most; MUS_ERR_UNSETTLED says how fast one still is. Speed
+ * 0: for all of the seconds, as float never rests quite. */
 mus_status rest_settle(verify *v, mus_drape *drape, double speed, double seconds);
 
 /* Energy of a drape [J], NaN when there is none. */

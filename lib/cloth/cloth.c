@@ -117,6 +117,9 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         status = mus__fail_memory(context, "a cloth");
     if (status == MUS_OK) status = cloth_build(&mesh);
     if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
+    /* said once: by the coarsest cut */
+    const double cell[2] = {own.spacing, own.spacing};
+    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &own.fabric, cell);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
     mus__free(context, mesh.seam_bend);

@@ -13,7 +13,8 @@
  *     bias stencils  beta / (4 a b),            along the line  (B - beta a^2 / (2 b^2)) b / a^3.
  *
  * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that
- * shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft).
+ * shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft). A cloth
+ * made so says it in the log.
  */
 #include <math.h>
 
@@ -36,6 +37,25 @@ void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabr
     out->shear = fabric->shear * ((cell[0] * cell[0] + cell[1] * cell[1]) / (2.0 * (cell[0] * cell[1])));
     out->cross = beta / (4.0 * (cell[0] * cell[1]));
     out->skip[0] = out->skip[1] = 0.0;
+}
+
+
+void mus__fabric_note(mus_context *context, const mus_fabric *fabric, const double *cell)
+{
+    static const char *const name[2] = {"warp", "weft"};
+    const double *bend = fabric->bend, beta = (4.0 * bend[2] - bend[0] - bend[1]) / 3.0;
+    for (int k = 0; k < 2; k++) {
+        double a = cell[1 - k], b = cell[k], line = fabric->stretch[k] * (b / a);
+        if (line - fabric->shear * (a / b) < FABRIC_LEAST_STRETCH * line)
+            mus__log(context, MUS_LOG_WARNING, "fabric shear %g N/m is too near to %s stretch %g N/m: %s",
+                     fabric->shear, name[k], fabric->stretch[k], "springs make it stiffer along it");
+        if (bend[k] < 0.5 * beta * ((a * a) / (b * b)))
+            mus__log(context, MUS_LOG_WARNING, "fabric bias bend %g N m is too far above %s bend %g N m: %s", bend[2],
+                     name[k], bend[k], "stencils make it stiffer along it");
+    }
+    if (beta < 0.0)
+        mus__log(context, MUS_LOG_WARNING, "fabric bias bend %g N m is below a quarter of warp and weft, %g N m: %s",
+                 bend[2], 0.25 * (bend[0] + bend[1]), "stencils bend with that");
 }
 
 

@@ -16,6 +16,8 @@ typedef struct mus__fabric_lattice {
 
 /* of cells cell[0] along the weft by cell[1] along the warp; and of square ones */
 void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out);
+/* one warning for each value that such a lattice cannot have and clamps */
+void mus__fabric_note(mus_context *context, const mus_fabric *fabric, const double *cell);
 /* turn the constants of a cell to the paper's bending, which stands for the fabric's at `curvature` */
 void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double curvature, mus__fabric_lattice *out);
 void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out);

@@ -236,6 +236,10 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         grid_skips(&g, r);
     }
     status = mus__grid_coarsen(context, rows, columns, cell, &own, g.cloth);
+
+    /* said once: by the coarsest cut; a single line has nothing to clamp */
+    if (status == MUS_OK && g.cloth->coarse == NULL && rows > 1 && columns > 1)
+        mus__fabric_note(context, &own.fabric, cell);
     if (status == MUS_OK) *out = g.cloth;
     else mus_cloth_destroy(g.cloth);
     return status;

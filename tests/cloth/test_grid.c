@@ -373,6 +373,31 @@ START_TEST(a_hanging_strip_stretches_exactly)
 END_TEST
 
 
+/* a lattice of springs cannot be every fabric: what it clamps is said, once, with name and value */
+START_TEST(what_a_grid_cannot_be_is_said)
+{
+    mus_context *context = support_context();
+    mus_fabric good, fabric;
+    mus_fabric_init(&good, sizeof good);
+    mus_cloth_destroy(grid_cloth(context, 40, 40, 0.01, 0.01, &good));
+    ck_assert_str_eq(support_log(), "");
+    const struct {
+        double shear, bias;
+        const char *word;
+    } row[] = {{190.0, 5e-6, "shear 190 N/m is too near to weft stretch 200"},
+               {40.0, 1.1e-5, "bias bend 1.1e-05 N m is too far above weft bend 5e-06"},
+               {40.0, 2e-6, "bias bend 2e-06 N m is below"}};
+    for (int k = 0; k < 3; k++) {
+        fabric = good;
+        fabric.shear = row[k].shear, fabric.bend[2] = row[k].bias;
+        mus_cloth_destroy(grid_cloth(context, 40, 40, 0.01, 0.01, &fabric));
+        ck_assert_msg(strstr(support_log(), row[k].word) != NULL, "%s", support_log());
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 static void grid_refused(mus_context *context, int32_t rows, int32_t columns, double x, double y,
                          const mus_cloth_def *def, mus_status want, const char *word)
 {
@@ -452,6 +477,7 @@ Suite *mus_suite_grid(void)
     tcase_add_test(tests, what_a_fabric_lacks_makes_no_items);
     tcase_add_test(tests, the_smallest_grids_fall_freely);
     tcase_add_test(tests, a_hanging_strip_stretches_exactly);
+    tcase_add_test(tests, what_a_grid_cannot_be_is_said);
     tcase_add_test(tests, a_grid_that_cannot_be_is_refused);
     tcase_add_test(tests, a_grid_without_memory_leaves_nothing_behind);
     suite_add_tcase(suite, tests);

@@ -90,6 +90,12 @@ static inline double mus__contact_swift(const mus__collider *collider, const mus
     return rule->step > 0.0 ? 0.5 * collider->safe / rule->step : 1e15;
 }
 
+/* nonzero when a node of first .. last-1 is swift; v planes (3 x n) */
+int32_t mus__contact_rush_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                              int32_t last, const float *v);
+int32_t mus__contact_rush_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
+                              int32_t last, const double *v);
+
 /* nodes first .. last-1 of n: x, v planes (3 x n); inverse (n) 1/mass, 0 for nodes that are held; before (3 x n) places
  * before the step; `sweeps` nonzero: fast nodes are swept */
 void mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,

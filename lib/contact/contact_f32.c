@@ -6,4 +6,5 @@
 #define MUS_FIELD(name) mus__f32_##name
 #define MUS_FIELDS field32
 #define MUS_CONTACT mus__contact_f32
+#define MUS_RUSH mus__contact_rush_f32
 #include "contact/contact_kernel.h"

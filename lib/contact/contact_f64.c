@@ -6,4 +6,5 @@
 #define MUS_FIELD(name) mus__f64_##name
 #define MUS_FIELDS field64
 #define MUS_CONTACT mus__contact_f64
+#define MUS_RUSH mus__contact_rush_f64
 #include "contact/contact_kernel.h"

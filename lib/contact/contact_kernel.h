@@ -1,5 +1,5 @@
 /*
- * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT).
+ * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT, MUS_RUSH).
  *
  * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
  * rests: a depth of first order jumps a little from ring to ring, but not at zero.
@@ -261,7 +261,7 @@ typedef struct MUS_FIELD(scene) {
     MUS_REAL box[6 * MUS_LIMBS_MOST]; /* widened by the margin */
     MUS_REAL shift[3], drift[3];      /* of the body now */
     MUS_REAL back[3];                 /* its shift before the step */
-    MUS_REAL margin, swift2;
+    MUS_REAL margin;
 } MUS_FIELD(scene);
 
 
@@ -285,17 +285,28 @@ static void MUS_FIELD(look)(const MUS_FIELD(scene) * scene, int32_t first, int32
 }
 
 
-/* nonzero when a node moves so fast that the next step may have to sweep */
+/* nonzero when a speed relative to drift (3) is above the root of swift2 */
 MUS_CLONES
-static uint32_t MUS_FIELD(rush)(const MUS_FIELD(scene) * scene, int64_t n, int32_t count, const MUS_REAL *restrict v)
+static uint32_t MUS_FIELD(faster)(const MUS_REAL *drift, MUS_REAL swift2, int64_t n, int32_t count,
+                                  const MUS_REAL *restrict v)
 {
-    const MUS_REAL d0 = scene->drift[0], d1 = scene->drift[1], d2 = scene->drift[2], swift2 = scene->swift2;
+    const MUS_REAL d0 = drift[0], d1 = drift[1], d2 = drift[2];
     uint32_t found = 0;
     for (int32_t i = 0; i < count; i++) {
         const MUS_REAL w0 = v[i] - d0, w1 = v[n + i] - d1, w2 = v[2 * n + i] - d2;
         found |= w0 * w0 + w1 * w1 + w2 * w2 > swift2;
     }
     return found;
+}
+
+
+int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
+                 const MUS_REAL *v)
+{
+    const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule);
+    MUS_REAL drift[3];
+    for (int32_t d = 0; d < 3; d++) drift[d] = (MUS_REAL)collider->drift[d];
+    return MUS_FIELD(faster)(drift, swift * swift, n, last - first, v + first) != 0;
 }
 
 
@@ -342,10 +353,8 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
 {
     MUS_FIELD(scene) scene;
     const int32_t nlimb = collider->nlimb;
-    const MUS_REAL swift = (MUS_REAL)mus__contact_swift(collider, rule);
     scene.margin = (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND;
     if (rule->travel > 0.0) scene.margin += (MUS_REAL)SIT_OUT_MARGIN;
-    scene.swift2 = swift * swift;
     for (int32_t k = 0; k < 6 * nlimb; k++)
         scene.box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -scene.margin : scene.margin);
     for (int32_t d = 0; d < 3; d++) {
@@ -354,12 +363,12 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
         scene.back[d] = (MUS_REAL)(collider->shift[d] - rule->step * collider->drift[d]);
     }
 
+    if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
     uint32_t low[LOOK_BLOCK], high[LOOK_BLOCK] = {0};
     for (int32_t start = first; start < last; start += LOOK_BLOCK) {
         const int32_t count = last - start < LOOK_BLOCK ? last - start : LOOK_BLOCK;
         MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
         if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
-        if (MUS_FIELD(rush)(&scene, n, count, v + start)) tally->swift = 1;
         for (int32_t i = start; i < start + count; i++) {
             const uint64_t in = low[i - start] | (uint64_t)high[i - start] << 32;
             if (in == 0 && !sweeps) continue;

@@ -6,5 +6,6 @@
 #define MUS_FIELD(name) mus__f32_##name
 #define MUS_FIELDS field32
 #define MUS_NEAR mus__near_f32
+#define MUS_RUSH mus__contact_rush_f32
 #define MUS_SQRT sqrtf
 #include "contact/near_kernel.h"

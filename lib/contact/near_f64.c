@@ -6,5 +6,6 @@
 #define MUS_FIELD(name) mus__f64_##name
 #define MUS_FIELDS field64
 #define MUS_NEAR mus__near_f64
+#define MUS_RUSH mus__contact_rush_f64
 #define MUS_SQRT sqrt
 #include "contact/near_kernel.h"

@@ -1,11 +1,13 @@
 /*
- * near_kernel.h: near.h as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_FIELDS, MUS_NEAR, MUS_SQRT).
+ * near_kernel.h: near.h as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_FIELDS, MUS_NEAR, MUS_RUSH,
+ * MUS_SQRT).
  *
  * A block of nodes is first taken as planes, all alike and without a branch; those that left their ball are marked and
  * then asked one by one.
  */
 
-#define NEAR_BAND 2e-6   /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
+#define NEAR_BAND 2e-6 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much  \
+                        */
 #define NEAR_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define NEAR_BLOCK 256
 
@@ -40,15 +42,16 @@ static MUS_INLINE void MUS_FIELD(near_respond)(MUS_FIELD(near_rule) rule, MUS_RE
 
 /* a block as planes; stale (count) gets 1 where a node left its ball */
 MUS_CLONES
-static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t count, const MUS_REAL *restrict inverse,
-                                   const MUS_REAL *restrict near, MUS_REAL *restrict x, MUS_REAL *restrict v,
-                                   MUS_REAL *restrict stale)
+static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t count,
+                                   const MUS_REAL *restrict inverse, const MUS_REAL *restrict near,
+                                   MUS_REAL *restrict x, MUS_REAL *restrict v, MUS_REAL *restrict stale)
 {
     const MUS_REAL band = rule.clearance + (MUS_REAL)NEAR_BAND;
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS_REAL normal[3] = {near[i], near[n + i], near[2 * n + i]};
-        const MUS_REAL d0 = x[i] - near[4 * n + i], d1 = x[n + i] - near[5 * n + i], d2 = x[2 * n + i] - near[6 * n + i];
+        const MUS_REAL d0 = x[i] - near[4 * n + i], d1 = x[n + i] - near[5 * n + i],
+                       d2 = x[2 * n + i] - near[6 * n + i];
         const MUS_REAL depth = near[3 * n + i] - (normal[0] * d0 + normal[1] * d1 + normal[2] * d2);
         const MUS_REAL moves = inverse[i] > 0 ? 1 : 0, away = d0 * d0 + d1 * d1 + d2 * d2 <= near[7 * n + i] ? 0 : 1;
         const MUS_REAL touch = moves * (1 - away) * (depth > -band ? 1 : 0);
@@ -97,8 +100,11 @@ static void MUS_FIELD(near_ask)(const mus__collider *collider, MUS_FIELD(near_ru
 void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
               const MUS_REAL *inverse, MUS_REAL *near, MUS_REAL *x, MUS_REAL *v, mus__contact_tally *tally)
 {
-    const MUS_FIELD(near_rule) own = {(MUS_REAL)(rule->clearance - collider->skin), (MUS_REAL)rule->friction,
-                                      (MUS_REAL)rule->push, (MUS_REAL)rule->step, (MUS_REAL)rule->slip,
+    const MUS_FIELD(near_rule) own = {(MUS_REAL)(rule->clearance - collider->skin),
+                                      (MUS_REAL)rule->friction,
+                                      (MUS_REAL)rule->push,
+                                      (MUS_REAL)rule->step,
+                                      (MUS_REAL)rule->slip,
                                       (MUS_REAL)rule->ball};
     const MUS_REAL margin = own.clearance + (MUS_REAL)NEAR_MARGIN;
     MUS_REAL box[6 * MUS_LIMBS_MOST], stale[NEAR_BLOCK], shift[3];
@@ -106,6 +112,7 @@ void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int3
     for (int32_t k = 0; k < 6 * collider->nlimb; k++)
         box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
 
+    if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
     for (int32_t start = first; start < last; start += NEAR_BLOCK) {
         const int32_t count = last - start < NEAR_BLOCK ? last - start : NEAR_BLOCK;
         MUS_FIELD(near_planes)(own, n, count, inverse + start, near + start, x + start, v + start, stale);

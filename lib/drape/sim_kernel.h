@@ -279,7 +279,10 @@ static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
     sim->phase_h = h;
     if (!sim->fresh) MUS_FN(force)(sim);
     MUS_FN(run_move)(sim, PHASE_START);
-    for (int32_t i = 1; i < steps; i++) MUS_FN(run_move)(sim, PHASE_VERLET);
+    for (int32_t i = 1; i < steps; i++) {
+        for (int32_t part = 0; part < 64 && !sim->swift; part++) sim->swift = sim->part_tally[part].swift;
+        MUS_FN(run_move)(sim, PHASE_VERLET);
+    }
     MUS_FN(run_move)(sim, PHASE_KICK);
 }
 

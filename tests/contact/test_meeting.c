@@ -171,6 +171,22 @@ START_TEST(a_bullet_stops_at_the_near_side)
 END_TEST
 
 
+/* a node that grows fast on the way is swept when it comes, also where contact goes by planes */
+START_TEST(a_node_in_free_fall_stops_at_the_near_side)
+{
+    meeting m = meeting_start(1, 0.0, 0.0);
+    m.def.precision = _i % 2 ? 64 : 32;
+    m.def.integrator = _i / 2 % 2 ? MUS_METHOD_VERLET : MUS_METHOD_RK4;
+    m.def.contact_ball = _i / 4 ? 2.5e-4 : 0.0;
+    m.def.gravity[1] = -1000.0;
+    meeting_place(&m, 0.0, 0.0, 5.0, 0.0);
+    ck_assert_int_eq(mus_drape_step(m.drape, 30, 0.01), MUS_OK);
+    ck_assert_double_eq_tol(mus_drape_positions(m.drape)[1], 0.102, 3e-6);
+    meeting_end(&m);
+}
+END_TEST
+
+
 /* X14: a body at 10 m/s, and one that moves a metre in a step, takes the cloth along on its front */
 START_TEST(nothing_is_left_behind_a_body_that_rushes_on)
 {
@@ -360,6 +376,7 @@ Suite *mus_suite_meeting(void)
     tcase_add_test(tests, a_body_does_not_lower_the_step_bound);
     tcase_add_loop_test(tests, cloth_hits_a_body_at_a_hundred_metres_a_second, 0, 2);
     tcase_add_loop_test(tests, a_bullet_stops_at_the_near_side, 0, 4);
+    tcase_add_loop_test(tests, a_node_in_free_fall_stops_at_the_near_side, 0, 8);
     tcase_add_loop_test(tests, nothing_is_left_behind_a_body_that_rushes_on, 0, 2);
     tcase_add_test(tests, a_body_stays_where_it_stops);
     tcase_add_loop_test(tests, cloth_that_starts_inside_comes_out_slowly, 0, 12);

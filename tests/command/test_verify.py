@@ -28,7 +28,7 @@ def test_every_case_of_integration_and_damping_is_there(rows):
 def test_every_case_of_membrane_and_bending_is_there(rows):
     ids = {row["id"] for row in rows}
     assert {f"M{i}" for i in range(1, 11)} | {f"B{i}" for i in range(1, 9)} <= ids
-    assert {row["id"] for row in rows if row.get("negative")} == {"B6"}
+    assert {row["id"] for row in rows if row.get("negative")} == {"B6", "M2", "M3"}
 
 
 def test_every_case_on_limbs_is_there(rows):

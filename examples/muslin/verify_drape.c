@@ -1,5 +1,6 @@
 /*
- * verify_drape.c: whole pieces, cut finer and finer: a strip that hangs, the drape disc (numerics.md M10, B8).
+ * verify_drape.c: whole pieces: crumpled and turned; cut finer and finer, a strip that hangs and the drape disc
+ * (numerics.md M9, M10, B8).
  *
  * The drape coefficient is that of the standards: a disc of 30 cm on a support of 18 cm, the part of the ring that the
  * shadow of the draped cloth still covers.
@@ -16,6 +17,72 @@
 #define SUPPORT 0.09
 #define RAYS 3600
 #define DISC_WEIGHT 0.15 /* of the plain fabrics [kg/m2] */
+
+
+/* ---- M9 ---- */
+
+static double noise(uint64_t *state)
+{
+    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return (double)(*state >> 11) * 0x1p-52 - 1.0;
+}
+
+
+/* out = turned by the unit quaternion q */
+static void turn(const double *q, const double *in, double *out)
+{
+    const double t[3] = {2.0 * (q[2] * in[2] - q[3] * in[1]), 2.0 * (q[3] * in[0] - q[1] * in[2]),
+                         2.0 * (q[1] * in[1] - q[2] * in[0])};
+    out[0] = in[0] + q[0] * t[0] + q[2] * t[2] - q[3] * t[1];
+    out[1] = in[1] + q[0] * t[1] + q[3] * t[0] - q[1] * t[2];
+    out[2] = in[2] + q[0] * t[2] + q[1] * t[1] - q[2] * t[0];
+}
+
+
+/* energy and, by a short step, the forces of a crumpled panel and of it turned */
+static void turned(verify *v)
+{
+    static const double corner[] = {0, 0, 0.1, 0, 0.08, 0.09, 0.01, 0.08};
+    enum { MOST = 400 };
+    double x[3 * MOST], y[3 * MOST], f[3 * MOST], worst[2] = {0.0, 0.0}, size = 0.0;
+    uint64_t state = 7;
+    mus_fabric fabric;
+    mus_cloth *cloth = NULL;
+    mus_drape *drape = NULL;
+    rest_fabric(&fabric, 0.15, 900.0, 60.0, 1e-5);
+    mus_status status = rest_panel(v, 4, corner, 0.1, 1.0, 0.01, &fabric, &cloth);
+    if (status == MUS_OK) status = rest_hang(v, cloth, 64, 0.0, 0.0, &drape);
+    const int32_t n = status == MUS_OK ? mus_drape_node_count(drape) : 0;
+    if (n > MOST) status = MUS_ERR_LIMIT;
+    for (int32_t i = 0; i < 3 * n && status == MUS_OK; i++)
+        x[i] = mus_drape_positions(drape)[i] + 0.004 * noise(&state);
+    const double h = 1e-7;
+    double energy = 1.0;
+    for (int k = 0; k <= 100 && status == MUS_OK; k++) {
+        double q[4] = {1.0, 0.0, 0.0, 0.0}, long2 = 0.0;
+        for (int d = 0; d < 4 && k > 0; d++) q[d] = noise(&state);
+        for (int d = 0; d < 4; d++) long2 += q[d] * q[d];
+        for (int d = 0; d < 4; d++) q[d] /= sqrt(long2);
+        for (int32_t i = 0; i < n; i++) turn(q, x + 3 * i, y + 3 * i);
+        status = mus_drape_set_state(drape, y, NULL);
+        if (k == 0) energy = rest_energy(drape);
+        worst[0] = fmax(worst[0], fabs(rest_energy(drape) / energy - 1.0));
+        if (status == MUS_OK) status = mus_drape_step(drape, 1, h);
+        for (int32_t i = 0; i < n; i++) {
+            const double *now = mus_drape_velocities(drape) + 3 * i;
+            double want[3];
+            if (k == 0) memcpy(f + 3 * i, now, sizeof want);
+            turn(q, f + 3 * i, want);
+            for (int d = 0; d < 3; d++) {
+                size = fmax(size, fabs(want[d]));
+                worst[1] = fmax(worst[1], fabs(now[d] - want[d]) / size);
+            }
+        }
+    }
+    rest_row(v, status, "M9", "crumpled panel turned 100 times, relative change of its energy", 0.0, worst[0], 1e-12);
+    rest_row(v, status, "M9", "crumpled panel turned 100 times, relative change of a force", 0.0, worst[1], 1e-11);
+    mus_drape_destroy(drape);
+}
 
 
 /* ---- M10: a strip that hangs ---- */
@@ -214,6 +281,7 @@ static void coefficients(verify *v)
 
 int verify_drape(verify *v)
 {
+    if (verify_wants(v, "M9")) turned(v);
     if (verify_wants(v, "B8")) coefficients(v);
     if (verify_wants(v, "M10")) {
         hung_panels(v);

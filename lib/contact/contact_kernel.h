@@ -15,8 +15,8 @@
  *
  * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
  * is walked in pieces that are shorter the nearer the skin is, the first place nearer than the clearance is found by
- * halving, the response is taken there, and the rest of the step goes on with what velocity is left. Places before the
- * step are only kept while a node is so fast that it may be needed (`swift`).
+ * halving, the response is taken there, and the rest of the step goes on with what velocity is left. Whether paths are
+ * measured at all is decided by the speeds after the step before (`swift`).
  */
 
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */

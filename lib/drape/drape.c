@@ -56,7 +56,8 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
     if (status == MUS_OK)
         status = check_number(context, "collision_distance", def->collision_distance, 1e-6, 0.05);
     if (status == MUS_OK) status = check_number(context, "clearance", def->clearance, 0.0, 0.05);
-    if (status == MUS_OK && !isnan(def->friction) && def->friction != INFINITY) status = check_number(context, "friction", def->friction, 0.0, 1e6);
+    if (status == MUS_OK && !isnan(def->friction) && def->friction != INFINITY)
+        status = check_number(context, "friction", def->friction, 0.0, 1e6);
     if (status == MUS_OK) status = check_number(context, "contact_ball", def->contact_ball, 0.0, 0.001);
     if (status == MUS_OK) status = check_number(context, "drag", def->drag, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "seam_pull", def->seam_pull, 1e-3, 1e5);

@@ -43,7 +43,8 @@ START_TEST(planes_do_what_asking_every_time_does)
     mus__collider *collider = two_legs(context);
     const double h = 2e-4;
     const mus__contact_rule rule = {0.002, _i == 1 ? 0.0 : _i == 2 ? INFINITY : 0.6, 1e-3, 0.0, h, h, MUS_NEAR_BALL};
-    static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES], near[8 * NODES], inverse[NODES];
+    static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES];
+    static double near[8 * NODES], inverse[NODES];
     uint8_t rest[NODES] = {0};
     mus__contact_tally asked = {0}, kept = {0};
     uint64_t random = 11;

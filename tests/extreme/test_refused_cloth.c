@@ -101,6 +101,7 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_drape_def, collision_distance, 1, false, "collision_distance"),
         REFUSED(mus_drape_def, clearance, 1, false, "clearance"),
         REFUSED(mus_drape_def, drag, 1, false, "drag"),
+        REFUSED(mus_drape_def, contact_ball, 1, false, "contact_ball"),
         REFUSED(mus_drape_def, seam_pull, 1, false, "seam_pull"),
         REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
         REFUSED(mus_drape_def, settle_seconds, 1, false, "settle_seconds"),

@@ -25,7 +25,7 @@ FIELDS = ["scene", "error", "quantity", "variant", "integrator", "precision", "b
           "spacing_mm", "nodes", "step_s", "step_of_bound", "simulated_s", "steps", "node_evaluations",
           "spring_evaluations", "contact_queries", "cpu_s", "cpu_least_s", "repeats", "cpu_s_per_s", "wall_s", "error_mm",
           "error_rms_mm", "value", "exact", "floor_mm", "status", "note"]
-EVALUATIONS = {"rk4": 4, "verlet": 1, "euler": 1}
+EVALUATIONS = {"rk4": 4, "verlet": 1, "euler": 1}  # of the forces, a step
 
 
 def row(**values):
@@ -50,7 +50,7 @@ def write_csv(path, rows):
 
 def apart(module, function, threads=1, **arguments):
     """Rows of module.function(**arguments), run in a process of its own on `threads` cores."""
-    cores = sorted(os.sched_getaffinity(0))[-threads:]
+    cores = sorted(os.sched_getaffinity(0))[-threads:]  # the first core has the most other work
     work = json.dumps([module, function, arguments])
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, str(HERE / "measure.py"), work], stdout=subprocess.PIPE, check=False,

@@ -109,10 +109,26 @@ def orders(path, panels):
     _save(figure, path)
 
 
+def _bars(axis, title, label, lines):
+    """Horizontal bars, one group a name."""
+    for number, (name, (names, values)) in enumerate(lines.items()):
+        axis.barh([i + 0.4 * number for i in range(len(names))], values, height=0.38, label=name)
+        for i, value in enumerate(values):
+            axis.text(value, i + 0.4 * number, f" {value:.0f}", va="center", fontsize=8)
+    axis.set_yticks([i + 0.2 for i in range(len(names))], names, fontsize=9)
+    axis.invert_yaxis()
+    axis.set_title(title)
+    axis.set_xlabel(label)
+    axis.legend(loc="lower right")
+
+
 def curves(path, panels, size=(WIDE, 5.2)):
     """Plain panels: (title, x label, y label, {label: (x, y)}, options with xlog, ylog, lines)."""
     figure, axes = plt.subplots(1, len(panels), figsize=size, squeeze=False)
     for axis, (title, x_label, y_label, lines, options) in zip(axes[0], panels):
+        if options.get("bars"):
+            _bars(axis, title, x_label, lines)
+            continue
         for number, (label, (x, y)) in enumerate(lines.items()):
             axis.plot(x, y, label=label, marker="os^vDP*"[number % 7], **options.get("styles", {}).get(label, {}))
         axis.set_xscale("log" if options.get("xlog", True) else "linear")
@@ -123,7 +139,7 @@ def curves(path, panels, size=(WIDE, 5.2)):
         for value, name in options.get("upright", ()):
             axis.axvline(value, color="#888888", linestyle=":", linewidth=1)
             axis.text(value, 0.02, " " + name, transform=axis.get_xaxis_transform(), fontsize=8, rotation=90, va="bottom")
-        axis.set_title(title)
+        axis.set_title(title, fontsize=9 if options.get("small_title") else 12)
         axis.set_xlabel(x_label)
         axis.set_ylabel(y_label)
         axis.legend(loc=options.get("legend", "best"))

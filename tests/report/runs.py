@@ -131,10 +131,11 @@ def springs(lattice):
                + sum(lattice.rest[b[1]].shape[0] * lattice.rest[b[1]].shape[1] for b in lattice.bends))
 
 
-def order_of(rows, floor_mm, integrator, precision=64, variant="mus_drape_step", most=4):
-    """Slope of log error against log h over the last points that are 30 times above the floor, and how many."""
+def order_of(rows, integrator, precision=64, variant="mus_drape_step", above=30.0, most=4):
+    """(slope, points) of log error against log h over the `most` smallest steps whose error is `above` times the floor."""
+    floor = max(1e-12, *(r["floor_mm"] for r in rows))
     picked = [r for r in rows if r["status"] == "ok" and r["integrator"] == integrator and r["precision"] == precision
-              and r["variant"] == variant and r["error_mm"] > 30 * max(floor_mm, 1e-12)]
+              and r["variant"] == variant and r["error_mm"] > above * floor]
     picked = sorted(picked, key=lambda r: r["step_s"])[:most]
     if len(picked) < 2:
         return float("nan"), len(picked)

@@ -98,36 +98,84 @@ static void MUS_FN(blocks)(const mus__sim *sim, const mus__chunk *chunk, MUS_REA
 
 /* ---- irregular nodes ---- */
 
-/* gather nodes of a chunk: half springs and weighted differences, added to f */
-static MUS_INLINE void MUS_FN(gather_pull)(const mus__sim *sim, const mus__chunk *chunk, int32_t dash, MUS_REAL *f)
+/* `planes` numbers of each listed node: out (planes x LANES) */
+static MUS_INLINE void MUS_FN(group_take)(int64_t n, const MUS_REAL *restrict y, const int32_t *restrict node,
+                                          int32_t planes, MUS_REAL *restrict out)
 {
-    const mus__plan *plan = sim->plan;
-    const int64_t n = sim->n;
-    const MUS_REAL *y = sim->phase_y, *constant = plan->half_constant, *weight = plan->linear_weight;
-    for (int32_t g = chunk->gather; g < chunk->gather + chunk->ngather; g++) {
-        const int32_t node = plan->gather_node[g];
-        const MUS_REAL *x = y + node;
-        const MUS_REAL x0 = x[0], x1 = x[n], x2 = x[2 * n];
-        MUS_REAL f0 = 0, f1 = 0, f2 = 0;
-        for (int32_t h = plan->half_start[node]; h < plan->half_start[node + 1]; h++) {
-            const MUS_REAL *p = y + plan->half_other[h], *k = constant + 3 * (int64_t)h;
-            const MUS_REAL d0 = p[0] - x0, d1 = p[n] - x1, d2 = p[2 * n] - x2;
-            const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
-            MUS_REAL s = k[0] - MUS_OVER_ROOT(k[1], l2);
-            if (dash) {
-                const MUS_REAL v0 = p[3 * n] - x[3 * n], v1 = p[4 * n] - x[4 * n], v2 = p[5 * n] - x[5 * n];
-                s += k[2] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
-            }
-            f0 += s * d0, f1 += s * d1, f2 += s * d2;
-        }
-        for (int32_t h = plan->linear_start[node]; h < plan->linear_start[node + 1]; h++) {
-            const MUS_REAL *p = y + plan->linear_other[h];
-            const MUS_REAL w = weight[h];
-            f0 += w * (p[0] - x0), f1 += w * (p[n] - x1), f2 += w * (p[2 * n] - x2);
-        }
-        MUS_REAL *out = f + (node - chunk->first);
-        out[0] += f0, out[SPAN] += f1, out[2 * SPAN] += f2;
+    for (int32_t d = 0; d < planes; d++) {
+        const MUS_REAL *restrict plane = y + d * n;
+        for (int32_t i = 0; i < LANES; i++) out[d * LANES + i] = plane[node[i]];
     }
+}
+
+
+/* one half spring of each lane, from x to p (planes x LANES): sum += s (p - x); `dash` is a constant */
+static MUS_INLINE void MUS_FN(half_pull)(const MUS_REAL *restrict c, const MUS_REAL *restrict x,
+                                         const MUS_REAL *restrict p, int32_t dash, MUS_REAL *restrict sum)
+{
+    for (int32_t i = 0; i < LANES; i++) {
+        const MUS_REAL d0 = p[i] - x[i], d1 = p[LANES + i] - x[LANES + i], d2 = p[2 * LANES + i] - x[2 * LANES + i];
+        const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
+        MUS_REAL s = c[i] - MUS_OVER_ROOT(c[LANES + i], l2);
+        if (dash) {
+            const MUS_REAL v0 = p[3 * LANES + i] - x[3 * LANES + i], v1 = p[4 * LANES + i] - x[4 * LANES + i];
+            const MUS_REAL v2 = p[5 * LANES + i] - x[5 * LANES + i];
+            s += c[2 * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
+        }
+        sum[i] += s * d0, sum[LANES + i] += s * d1, sum[2 * LANES + i] += s * d2;
+    }
+}
+
+
+/* a group's sums to its nodes; a lane that has the last node again adds zeros */
+static MUS_INLINE void MUS_FN(group_add)(const int32_t *restrict node, int32_t first, const MUS_REAL *restrict sum,
+                                         MUS_REAL *restrict f)
+{
+    for (int32_t i = 0; i < LANES; i++) {
+        MUS_REAL *out = f + (node[i] - first);
+        out[0] += sum[i], out[SPAN] += sum[LANES + i], out[2 * SPAN] += sum[2 * LANES + i];
+    }
+}
+
+
+/* the groups of a chunk: half springs and weighted differences, added to f; `dash` is a constant */
+static MUS_INLINE void MUS_FN(group_pull)(const mus__sim *sim, const mus__chunk *chunk, int32_t dash, MUS_REAL *f)
+{
+    const mus__list *list = &sim->plan->list;
+    const int64_t n = sim->n, constants = sim->plan->dashpots ? 3 : 2;
+    const int32_t planes = dash ? 6 : 3;
+    for (int32_t g = chunk->group; g < chunk->group + chunk->ngroup; g++) {
+        const mus__group *group = &list->group[g];
+        const int32_t *node = list->node + (int64_t)g * LANES;
+        MUS_REAL sum[3 * LANES] = {0}, x[6 * LANES], p[6 * LANES];
+        MUS_FN(group_take)(n, sim->phase_y, node, planes, x);
+        for (int64_t k = group->half; k < group->half + group->nhalf; k++) {
+            MUS_FN(group_take)(n, sim->phase_y, list->half_other + k * LANES, planes, p);
+            MUS_FN(half_pull)((const MUS_REAL *)list->half_constant + k * constants * LANES, x, p, dash, sum);
+        }
+        for (int64_t k = group->linear; k < group->linear + group->nlinear; k++) {
+            const MUS_REAL *restrict w = (const MUS_REAL *)list->linear_weight + k * LANES;
+            MUS_FN(group_take)(n, sim->phase_y, list->linear_other + k * LANES, 3, p);
+            for (int32_t d = 0; d < 3; d++)
+                for (int32_t i = 0; i < LANES; i++)
+                    sum[d * LANES + i] += w[i] * (p[d * LANES + i] - x[d * LANES + i]);
+        }
+        MUS_FN(group_add)(node, chunk->first, sum, f);
+    }
+}
+
+
+MUS_CLONES
+static void MUS_FN(groups)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    MUS_FN(group_pull)(sim, chunk, 0, f);
+}
+
+
+MUS_CLONES
+static void MUS_FN(groups_dash)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    MUS_FN(group_pull)(sim, chunk, 1, f);
 }
 
 
@@ -157,7 +205,7 @@ static void MUS_FN(chunk_force)(const mus__sim *sim, const mus__chunk *chunk, MU
     if (chunk->nblock > 0) MUS_FN(blocks)(sim, chunk, f);
     else
         for (int32_t d = 0; d < 3; d++) memset(f + d * SPAN, 0, (size_t)chunk->count * sizeof *f);
-    if (sim->dashpots) MUS_FN(gather_pull)(sim, chunk, 1, f);
-    else MUS_FN(gather_pull)(sim, chunk, 0, f);
+    if (sim->dashpots) MUS_FN(groups_dash)(sim, chunk, f);
+    else MUS_FN(groups)(sim, chunk, f);
     MUS_FN(pair_pull)(sim, chunk, f);
 }

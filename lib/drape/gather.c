@@ -4,7 +4,7 @@
  * A spring stands at both of its ends, as a half spring. A hinge k (sum c x)^2 / 2 is linear and its c sum to 0, so
  * its force on node i is  sum over j of  -k c_i c_j (x_j - x_i):  all hinges at a node become one weight for each
  * neighbour, which a half spring to the same neighbour takes over. Everything is computed at the node that it acts on,
- * twice, and nothing is scattered.
+ * twice, and nothing is scattered. The kernels read it by groups of nodes (lists.c).
  *
  * The lists are made twice: first of what acts between lattice nodes, of which the blocks take what they have slots
  * for, then of all the rest. Welding renames border nodes alone, and leaves out a hinge only if two of its nodes have
@@ -211,14 +211,13 @@ void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan)
     gather_lists(cloth, plan, 0);
     gather_pairs(plan);
 
-    /* what falls into each chunk */
-    int32_t g = 0, e = 0;
-    for (int32_t c = 0; c < plan->nchunk; c++) {
+    mus__plan_lists(plan);
+
+    /* pair ends of each chunk */
+    for (int32_t c = 0, e = 0; c < plan->nchunk; c++) {
         mus__chunk *chunk = &plan->chunk[c];
-        const int32_t until = chunk->first + chunk->count;
-        chunk->gather = g, chunk->end = e;
-        while (g < plan->ngather && plan->gather_node[g] < until) g++;
-        while (e < 2 * plan->npair && plan->pair_end[e].node < until) e++;
-        chunk->ngather = g - chunk->gather, chunk->nend = e - chunk->end;
+        chunk->end = e;
+        while (e < 2 * plan->npair && plan->pair_end[e].node < chunk->first + chunk->count) e++;
+        chunk->nend = e - chunk->end;
     }
 }

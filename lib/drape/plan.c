@@ -196,6 +196,7 @@ mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t 
     fill_elements(cloth, NULL, plan);
     mus__plan_gather_lattice(cloth, plan);
     status = mus__plan_blocks(context, cloth, plan);
+    if (status == MUS_OK) status = mus__plan_lists_new(context, cloth, plan);
     if (status == MUS_OK) mus__plan_gather(cloth, plan);
     return status;
 }
@@ -209,5 +210,6 @@ void mus__plan_clear(mus_context *context, mus__plan *plan)
         plan->chunk,        plan->gather_node,  plan->half_start,    plan->half_other, plan->half_constant,
         plan->linear_start, plan->linear_other, plan->linear_weight, plan->pair_end,   plan->lattice};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
+    mus__plan_lists_clear(context, plan);
     memset(plan, 0, sizeof *plan);
 }

@@ -17,7 +17,7 @@
  *   gather:  a node with irregular items adds half springs and w (x[other] - x) over listed nodes; what goes from
  *            lattice node to lattice node where its block has a slot anyhow stands in the block's table instead
  *   pair:    a seam's pull, on either end
- *   chunk:   some hundred nodes in a row with their blocks, gather nodes and pair ends: what a thread takes at a time.
+ *   chunk:   some hundred nodes in a row with their blocks, groups and pair ends: what a thread takes at a time.
  *            Forces live in its scratch until the step has used them
  */
 #ifndef MUS_DRAPE_PLAN_H
@@ -65,9 +65,29 @@ typedef struct mus__block {
 typedef struct mus__chunk {
     int32_t first, count;
     int32_t block, nblock;   /* 0: no lattice node among them */
-    int32_t gather, ngather; /* gather nodes of the chunk */
+    int32_t group, ngroup;   /* in list.group */
     int32_t end, nend;       /* in pair_end */
 } mus__chunk;
+
+typedef struct mus__list_entry {
+    int32_t node, part;     /* the node's part-th handful of items of each kind */
+    int32_t nhalf, nlinear;
+} mus__list_entry;
+
+typedef struct mus__group { /* items of a lane */
+    int32_t half, nhalf, linear, nlinear;
+} mus__group;
+
+typedef struct mus__list { /* a node to a lane: what gather nodes have, lane by lane; zeros where one has fewer */
+    int32_t ngroup;
+    mus__group *group;      /* (ngroup) */
+    int32_t *node;          /* (ngroup x lanes) */
+    int32_t *half_other;    /* (half x lanes) */
+    void *half_constant;    /* (half x 2, with dashpots 3, x lanes) kk, krest, c */
+    int32_t *linear_other;  /* (linear x lanes) */
+    void *linear_weight;    /* (linear x lanes) */
+    mus__list_entry *entry; /* scratch of a chunk's nodes */
+} mus__list;
 
 typedef struct mus__pair_end {
     int32_t node, other, pair;
@@ -95,6 +115,10 @@ typedef struct mus__plan {
     void *table;          /* (ntable x slots x lanes): kk, krest of near, w of far, then with dashpots c of near */
     mus__chunk *chunk;    /* (nchunk) ascending, every node in one */
 
+    mus__list list;
+    mus__pair_end *pair_end; /* (2 npair) ascending by node */
+
+    /* what blocks and list are made of, by node */
     int32_t ngather;
     int32_t *gather_node; /* (ngather) ascending: the nodes that springs, hinges or pairs name */
     int32_t *half_start;  /* (ngather + 1) */
@@ -103,7 +127,6 @@ typedef struct mus__plan {
     int32_t *linear_start;  /* (ngather + 1) */
     int32_t *linear_other;  /* (linear_start[ngather]) */
     void *linear_weight;    /* (linear_start[ngather]) */
-    mus__pair_end *pair_end; /* (2 npair) ascending by node */
 
     int32_t spring_capacity, hinge_capacity;
     int32_t shape_capacity, table_capacity;
@@ -119,7 +142,7 @@ void mus__plan_clear(mus_context *context, mus__plan *plan);
 /* open seams again (rep NULL) or weld: rep (nnode) is the node that stands for each; within the memory of build */
 void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
 
-/* ---- parts of the two above (blocks.c, gather.c) ---- */
+/* ---- parts of the two above (blocks.c, gather.c, lists.c) ---- */
 
 /* memory of the gather lists */
 mus_status mus__plan_gather_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
@@ -129,6 +152,10 @@ void mus__plan_gather_lattice(const mus_cloth *cloth, mus__plan *plan);
 mus_status mus__plan_blocks(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
 /* the lists, of all that is in no block, and the pairs */
 void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan);
+/* memory of the groups of lanes, the groups of what the lists have now, and the end of them */
+mus_status mus__plan_lists_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+void mus__plan_lists(mus__plan *plan);
+void mus__plan_lists_clear(mus_context *context, mus__plan *plan);
 /* slot of a lattice node's block for a neighbour: below MUS_NEAR_MOST near, from there on far; MUS_NONE without */
 int32_t mus__plan_slot(const mus__plan *plan, int32_t node, int32_t other);
 

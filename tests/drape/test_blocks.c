@@ -129,16 +129,16 @@ START_TEST(chunks_and_blocks_cover_every_node)
     mus_cloth *cloth = scene_cut(context, pattern, 0.007, 0.0);
     mus_drape *drape = scene_drape(context, cloth, 32, 1);
     const mus__plan *plan = &drape->plan;
-    int32_t next = 0, gather = 0, blocks = 0;
+    int32_t next = 0, group = 0, blocks = 0;
     for (int32_t c = 0; c < plan->nchunk; c++) {
         const mus__chunk *chunk = &plan->chunk[c];
         ck_assert_int_eq(chunk->first, next);
         ck_assert_int_le(chunk->count, MUS_CHUNK);
-        ck_assert_int_eq(chunk->gather, gather);
-        next += chunk->count, gather += chunk->ngather, blocks += chunk->nblock;
+        ck_assert_int_eq(chunk->group, group);
+        next += chunk->count, group += chunk->ngroup, blocks += chunk->nblock;
     }
     ck_assert_int_eq(next, drape->n);
-    ck_assert_int_eq(gather, plan->ngather);
+    ck_assert_int_eq(group, plan->list.ngroup);
     ck_assert_int_eq(blocks, plan->nblock);
     ck_assert_int_lt(plan->ntable, plan->nblock);
     mus_drape_destroy(drape);

@@ -122,8 +122,9 @@ MUS_API mus_status mus_drape_evaluate(mus_drape *drape, int32_t times);
 /**
  * Let the body glide: from now on it moves as a whole with a constant velocity, in mus_drape_step.
  *
- * `velocity` (3) [m/s], 0 stops it where it is. Contact and friction act relative to the body; report and penetration
- * are of where it stands. mus_drape_place puts it back, at rest. Sewing and settling need it at rest (MUS_ERR_STATE).
+ * `velocity` (3) [m/s], 0 stops it where it is. Contact and friction act relative to the body; report and
+ * penetration are of where it stands. mus_drape_place puts it back, at rest. Sewing and settling need it at rest
+ * (MUS_ERR_STATE).
  * Errors:  MUS_ERR_ARG (not finite, above 1000 m/s); MUS_ERR_STATE (no body)
  */
 MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);

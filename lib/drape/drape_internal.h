@@ -76,8 +76,8 @@ double mus__drape_inertia(mus_drape *drape, int32_t scaled);
 double mus__drape_bound(const mus_drape *drape, int32_t *tightest);
 /* force evaluations of a step of the def's integrator */
 int32_t mus__drape_evaluations(const mus_drape *drape);
-/* what the passes of mus_drape_step use, once before it; then `steps` of dt, in parts where the bound asks for them, the
- * clock being `ahead` steps behind */
+/* what the passes of mus_drape_step use, once before it; then `steps` of dt, in parts where the bound asks for them,
+ * the clock being `ahead` steps behind */
 void mus__drape_prepare(mus_drape *drape, double dt);
 void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double dt);
 /* the next step takes masses, bound and energy anew */

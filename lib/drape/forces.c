@@ -143,8 +143,8 @@ static void carry(double *r, const double *normals, int32_t count, double fricti
 
 /*
  * What the skin carries of the force r at a node. A node on an edge or in a crease of the skin (between two rings of a
- * shoulder) is held by both sides, of which it touches one: where much of the force is left, the skin a little way along
- * it and against it is asked too.
+ * shoulder) is held by both sides, of which it touches one: where much of the force is left, the skin a little way
+ * along it and against it is asked too.
  */
 static void carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
 {

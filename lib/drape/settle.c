@@ -139,8 +139,8 @@ static mus_status take_scratch(mus_drape *drape)
 
 
 /*
- * What the rounding of a float state leaves of the residual, over a node's weight, rms: places are some 3e-8 m off, each
- * by itself, so a node feels about T times that, T its stiffness; the mean over the last steps takes most of it. The
+ * What the rounding of a float state leaves of the residual, over a node's weight, rms: places are some 3e-8 m off,
+ * each by itself, so a node feels about T times that, T its stiffness; the mean over the last steps takes most of it. The
  * part that it leaves was fitted on woven cloths at rest (cotton 0.2, silk 0.1, wool 0.04, denim 0.03), with room.
  */
 static double rounding_residual(const mus_drape *drape)

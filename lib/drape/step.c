@@ -1,9 +1,9 @@
 /*
  * step.c: stepping by hand: the bound, the steps, the guard on energy.
  *
- * The bound is of the pose: it is taken when a step begins after a change from outside, and again every LOOK_STEPS steps.
- * A step above it is refused at the door. When the pose tightens during a run (strong shear lines threads up), steps
- * are divided until it has passed, and the report says so.
+ * The bound is of the pose: it is taken when a step begins after a change from outside, and again every LOOK_STEPS
+ * steps. A step above it is refused at the door. When the pose tightens during a run (strong shear lines threads up),
+ * steps are divided until it has passed, and the report says so.
  */
 #include <math.h>
 #include <string.h>
@@ -102,8 +102,8 @@ static mus_status guard_energy(mus_drape *drape)
     drape->sim.ops->restore(&drape->sim);
     mus__drape_stale(drape);
     return mus__fail(drape->context, MUS_ERR_DIVERGED,
-                     "drape: the energy rose from %.6g to %.6g J after %.6f s, %.6g expected at most; the last good state "
-                     "is kept",
+                     "drape: the energy rose from %.6g to %.6g J after %.6f s, %.6g expected at most; the last good "
+                     "state is kept",
                      last, energy, mus_drape_time(drape), most);
 }
 

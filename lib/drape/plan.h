@@ -120,13 +120,13 @@ typedef struct mus__plan {
 
     /* what blocks and list are made of, by node */
     int32_t ngather;
-    int32_t *gather_node; /* (ngather) ascending: the nodes that springs, hinges or pairs name */
-    int32_t *half_start;  /* (ngather + 1) */
-    int32_t *half_other;  /* (half_start[ngather]) */
-    void *half_constant;  /* (half_start[ngather] x 3): kk, krest, c */
-    int32_t *linear_start;  /* (ngather + 1) */
-    int32_t *linear_other;  /* (linear_start[ngather]) */
-    void *linear_weight;    /* (linear_start[ngather]) */
+    int32_t *gather_node;  /* (ngather) ascending: the nodes that have any */
+    int32_t *half_start;   /* (nnode + 1) */
+    int32_t *half_other;   /* (half_start[nnode]) */
+    void *half_constant;   /* (half_start[nnode] x 3) kk, krest, c */
+    int32_t *linear_start; /* (nnode + 1) */
+    int32_t *linear_other; /* (linear_start[nnode]) */
+    void *linear_weight;   /* (linear_start[nnode]) */
 
     int32_t spring_capacity, hinge_capacity;
     int32_t shape_capacity, table_capacity;

@@ -69,17 +69,15 @@ START_TEST(a_denormal_state_becomes_rest)
 END_TEST
 
 
-/* X26: a sheet that swings out of its plane under a drag which takes 1 mm/s to 1e-200 of it: never a denormal at a look
- */
+/* X26: a sheet that glides as a whole, under a drag which takes 1 mm/s to 1e-200 of it: never a denormal at a look */
 START_TEST(a_motion_that_dies_away_passes_no_denormal)
 {
     mus_context *context = support_context();
     const int32_t precision = _i & 1 ? 64 : 32;
     mus_drape *drape = calm_sheet(context, precision, _i >> 1, 400.0);
     double x[3 * N], v[3 * N] = {0};
-    uint64_t random = 9;
     memcpy(x, mus_drape_positions(drape), sizeof x);
-    for (int32_t i = 0; i < N; i++) v[3 * i + 2] = support_uniform(&random, 0.5e-3, 1e-3);
+    for (int32_t i = 0; i < N; i++) v[3 * i + 2] = 1e-3;
     ck_assert_int_eq(mus_drape_set_state(drape, x, v), MUS_OK);
     const double h = 0.9 * mus_drape_step_bound(drape);
     ck_assert_double_lt(h, 1e-3);

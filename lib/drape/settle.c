@@ -21,6 +21,8 @@
 #define CHECK_SECONDS 0.1    /* of cloth time between residuals */
 #define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define LEAST_SAFETY 0.1     /* what it is halved down to while cloth lies still with force left: hooked nodes slide then */
+#define STILL_CHECKS 4
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
 #define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
@@ -140,8 +142,8 @@ static mus_status take_scratch(mus_drape *drape)
 
 /*
  * What the rounding of a float state leaves of the residual, over a node's weight, rms: places are some 3e-8 m off,
- * each by itself, so a node feels about T times that, T its stiffness; the mean over the last steps takes most of it. The
- * part that it leaves was fitted on woven cloths at rest (cotton 0.2, silk 0.1, wool 0.04, denim 0.03), with room.
+ * each by itself, so a node feels about T times that, T its stiffness; the mean over the last steps takes most of it.
+ * The part that it leaves was fitted on woven cloths at rest (cotton 0.2, silk 0.1, wool 0.04, denim 0.03), with room.
  */
 static double rounding_residual(const mus_drape *drape)
 {
@@ -166,6 +168,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
     if (status == MUS_OK) status = mus__drape_near(drape);
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
+    double safety = SAFETY_STEP;
+    int32_t still = 0;
     double drag = goal->fall > 0.0 ? FALL_DRAG : START_DRAG, move = 0.0, drift = 0.0;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->speed_limit = SETTLE_SPEED;
@@ -175,7 +179,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
     drape->residual = mus__drape_residual(drape, drape->x);
     memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
     for (double t = 0.0; t < goal->seconds && !drape->settled && !run->stop && !run->slid;) {
-        const double h = SAFETY_STEP * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
+        const double h = safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = drag;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h,
@@ -195,6 +199,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const double rounding = rounding_residual(drape);
         drape->settled = (drape->residual <= goal->residual && drift <= goal->drift) ||
                          (drape->residual <= rounding && drift <= ROUNDING_DRIFT * goal->drift);
+        still = drift <= goal->drift ? still + 1 : 0;
+        if (still >= STILL_CHECKS && safety > LEAST_SAFETY) safety *= 0.5, still = 0;
         run->slid = t > LOOSE_SECONDS && has_slid_off(drape);
         mus__run_report(run, t / goal->seconds);
     }

@@ -21,7 +21,7 @@
 #define CHECK_SECONDS 0.1    /* of cloth time between residuals */
 #define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
-#define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left: what hangs on a hook slides then */
+#define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left */
 #define STILL_CHECKS 4
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */

@@ -23,8 +23,8 @@ sys.path.insert(0, str(ROOT / "bindings" / "python"))
 # one row a point; "error" says which of the three it is: time, mesh, model, or rest (distance from the shape at rest)
 FIELDS = ["scene", "error", "quantity", "variant", "integrator", "precision", "bending", "contact", "threads",
           "spacing_mm", "nodes", "step_s", "step_of_bound", "simulated_s", "steps", "node_evaluations",
-          "spring_evaluations", "contact_queries", "cpu_s", "cpu_least_s", "repeats", "cpu_s_per_s", "wall_s", "error_mm",
-          "error_rms_mm", "value", "exact", "floor_mm", "status", "note"]
+          "spring_evaluations", "contact_queries", "cpu_s", "cpu_least_s", "repeats", "cpu_s_per_s", "wall_s",
+          "error_mm", "error_rms_mm", "value", "exact", "floor_mm", "status", "note"]
 EVALUATIONS = {"rk4": 4, "verlet": 1, "euler": 1}  # of the forces, a step
 
 

@@ -59,7 +59,8 @@ class Lattice:
         force = np.zeros_like(x)
         for a, b, k, length in self.springs:
             along = x[b] - x[a]
-            pull = (k.astype(x.dtype) * (1 - x.dtype.type(length) / np.sqrt((along * along).sum(-1))))[..., None] * along
+            strain = 1 - x.dtype.type(length) / np.sqrt((along * along).sum(-1))
+            pull = (k.astype(x.dtype) * strain)[..., None] * along
             force[a] += pull
             force[b] -= pull
         for a, b, c, k in self.bends:
@@ -71,7 +72,8 @@ class Lattice:
 
     def energy(self, x, v):
         """Kinetic, elastic and of gravity [J]."""
-        total = 0.5 * float((self.mass[..., None] * v * v).sum()) - float((self.mass[..., None] * self.gravity * x).sum())
+        mass = self.mass[..., None]
+        total = 0.5 * float((mass * v * v).sum()) - float((mass * self.gravity * x).sum())
         for a, b, k, length in self.springs:
             total += 0.5 * float((k * (np.linalg.norm(x[b] - x[a], axis=-1) - length) ** 2).sum())
         for a, b, c, k in self.bends:

@@ -1,7 +1,7 @@
-"""model_limits.py: what no step and no spacing cures: the model against figures of measured cloth (numerics.md section 4).
+"""model_limits.py: what no step and no spacing cures: the model against figures of measured cloth (numerics.md, 4).
 
-Three gaps that follow from the fabric's own numbers. A lattice of central springs ties the lateral contraction to shear,
-nu = G / C11; bending without hysteresis springs back from any crease, where measured cloth keeps a curvature of
+Gaps that follow from the fabric's own numbers. A lattice of central springs ties the lateral contraction to shear, nu =
+G / C11; bending without hysteresis springs back from any crease, where measured cloth keeps a curvature of
 2HB / (2 B); the drape coefficient of the same fabrics is in scene_disc.py.
 """
 import measure
@@ -21,6 +21,6 @@ def gaps(woven=("cotton", "denim", "wool", "silk", "polyester", "broadcloth", "t
                                 value=values["shear"] / values["stretch"][0], exact=sum(POISSON) / 2,
                                 note=f"measured on four woven fabrics: {POISSON[0]} to {POISSON[1]}"))
     for name, (bend, loss) in HYSTERESIS.items():
-        rows.append(measure.row(scene="fabric", error="model", quantity="curvature kept after a fold [1/m]", variant=name,
-                                value=0.0, exact=loss / (2 * bend)))
+        rows.append(measure.row(scene="fabric", error="model", quantity="curvature kept after a fold [1/m]",
+                                variant=name, value=0.0, exact=loss / (2 * bend)))
     return rows

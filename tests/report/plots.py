@@ -1,12 +1,13 @@
 """plots.py: the pictures of the report, 1200 pixels wide.
 
-Error against run time is drawn as work-precision diagrams are: both axes logarithmic, error falling to the right. Points
-that were refused or blew up are crosses on the top edge.
+Error against run time is drawn as work-precision diagrams are: both axes logarithmic, error falling to the right.
+Points that were refused or blew up are crosses on the top edge.
 """
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+import matplotlib.ticker as ticker  # noqa: E402
 
 WIDE, DPI = 12.0, 100
 COLOUR = {"rk4": "#1f5fa8", "verlet": "#c4511d", "euler": "#3d8b37"}
@@ -41,11 +42,30 @@ def _label(integrator, precision, variant):
                                                      else "double" if precision == 64 else "float")
 
 
-def _crosses(axis, bad, x_of):
-    """Refused and blown-up points on the top edge, at the x that their kin on the scale would have."""
-    for r in bad:
-        axis.plot([x_of(r)], [0.985], "x", color=COLOUR.get(r.get("integrator"), "#555555"), markersize=8,
-                  markeredgewidth=2, transform=axis.get_xaxis_transform(), clip_on=False)
+def _key(r):
+    return r.get("integrator"), r.get("precision"), r.get("variant"), r["status"]
+
+
+def _crosses(axis, bad):
+    """One cross on the top edge for each line that had refused or blown-up points, beside what stopped it."""
+    seen = dict.fromkeys(_key(r) for r in bad)
+    for i, (integrator, precision, variant, status) in enumerate(seen):
+        x = 0.03 + 0.05 * i
+        axis.plot([x], [0.985], "x", color=COLOUR.get(integrator, "#555555"), markersize=8, markeredgewidth=2,
+                  transform=axis.transAxes, clip_on=False)
+        axis.text(x, 0.955, f"{_label(integrator, precision, variant)}: {status}", rotation=90, fontsize=7, ha="center",
+                  va="top", color=COLOUR.get(integrator, "#555555"), transform=axis.transAxes)
+
+
+def _plain(axis, x=True, y=True):
+    """Numbers as 0.1, 1, 20 on a short logarithmic axis, powers on a long one."""
+    for side, wanted, limits in ((axis.xaxis, x, axis.get_xlim()), (axis.yaxis, y, axis.get_ylim())):
+        if wanted and side.get_scale() == "log":
+            short = max(limits) / min(limits) < 50
+            side.set_minor_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}") if short else ticker.NullFormatter())
+            if short:
+                side.set_major_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+                side.set_minor_locator(ticker.LogLocator(subs=(2, 5)))
 
 
 def work_precision(path, rows, title, lines_at=()):
@@ -57,8 +77,9 @@ def work_precision(path, rows, title, lines_at=()):
         for key, line in _lines(good).items():
             line = [r for r in line if r.get(what)]
             if line:
-                axis.plot([r["error_mm"] for r in line], [r[what] / (r["simulated_s"] if what != "cpu_s_per_s" else 1)
-                                                         for r in line], label=_label(*key), **_style(*key))
+                axis.plot([r["error_mm"] for r in line],
+                          [r[what] / (r["simulated_s"] if what != "cpu_s_per_s" else 1) for r in line],
+                          label=_label(*key), **_style(*key))
                 if what == "cpu_s_per_s":
                     for r in (line[0], line[-1]):
                         axis.annotate(f"{1e3 * r['step_s']:.2g} ms", (r["error_mm"], r[what]), fontsize=8,
@@ -71,17 +92,21 @@ def work_precision(path, rows, title, lines_at=()):
             axis.axvspan(floor / 30, floor, color="#cccccc", alpha=0.6, linewidth=0)
     worst = max((r["error_mm"] for r in good), default=1.0)
     least = min((r["error_mm"] for r in good), default=1e-3)
-    axes[0].set_xlim(max(3.0, 6 * worst), 0.4 * min(least, max(floor, least / 10)))
-    _crosses(axes[0], bad, lambda r: 4 * worst)
+    # room on the left for the crosses
+    right = 0.3 * min(least, max(floor, least / 10))
+    left = max(3.0, 3 * worst)
+    axes[0].set_xlim(left * (left / right) ** (0.05 * len({_key(r) for r in bad}) if bad else 0.0), right)
+    _crosses(axes[0], bad)
     axes[0].axhline(1.0, color="#888888", linestyle="--", linewidth=1)
-    axes[0].text(0.99, 1.05, "real time", transform=axes[0].get_yaxis_transform(), ha="right", fontsize=8, color="#555555")
+    axes[0].text(0.99, 1.05, "real time: 50 frames of 20 ms", transform=axes[0].get_yaxis_transform(), ha="right",
+                 fontsize=8, color="#555555")
     axes[0].text(1.0, 0.02, " 1 mm", transform=axes[0].get_xaxis_transform(), fontsize=8, color="#555555")
     axes[0].set_ylabel("CPU s a simulated s")
     axes[1].set_ylabel("spring evaluations a simulated s")
     for axis in axes:
         axis.set_xlabel("greatest error of a node [mm]")
-    axes[0].legend(loc="lower right")
-    axes[1].legend(loc="lower right")
+        axis.legend(loc="best")
+        _plain(axis)
     figure.suptitle(title + ("   (crosses: refused or blown up)" if bad else ""))
     _save(figure, path)
 
@@ -92,7 +117,8 @@ def orders(path, panels):
     for axis, (title, rows) in zip(axes[0], panels):
         good = [r for r in rows if r["status"] == "ok" and r.get("error_mm")]
         for key, line in _lines(good).items():
-            axis.plot([1e3 * r["step_s"] for r in line], [r["error_mm"] for r in line], label=_label(*key), **_style(*key))
+            axis.plot([1e3 * r["step_s"] for r in line], [r["error_mm"] for r in line], label=_label(*key),
+                      **_style(*key))
         axis.set_xscale("log")
         axis.set_yscale("log")
         if good:
@@ -100,10 +126,12 @@ def orders(path, panels):
             top, low = max(r["error_mm"] for r in good), min(r["error_mm"] for r in good)
             for slope in (4, 2, 1):
                 h = [right, max(right * (low / top) ** (1 / slope), min(1e3 * r["step_s"] for r in good))]
-                axis.plot(h, [3 * top, 3 * top * (h[1] / h[0]) ** slope], color="#999999", linewidth=0.8, linestyle="-.")
+                axis.plot(h, [3 * top, 3 * top * (h[1] / h[0]) ** slope], color="#999999", linewidth=0.8,
+                          linestyle="-.")
                 axis.annotate(f"{slope}", (h[1], 3 * top * (h[1] / h[0]) ** slope), fontsize=9, color="#666666")
         axis.set_title(title)
         axis.set_xlabel("step [ms]")
+        _plain(axis)
     axes[0][0].set_ylabel("greatest error of a node [mm]")
     axes[0][0].legend(loc="lower right")
     _save(figure, path)
@@ -138,9 +166,11 @@ def curves(path, panels, size=(WIDE, 5.2)):
             axis.text(0.99, value, name, transform=axis.get_yaxis_transform(), ha="right", va="bottom", fontsize=8)
         for value, name in options.get("upright", ()):
             axis.axvline(value, color="#888888", linestyle=":", linewidth=1)
-            axis.text(value, 0.02, " " + name, transform=axis.get_xaxis_transform(), fontsize=8, rotation=90, va="bottom")
+            axis.text(value, 0.02, " " + name, transform=axis.get_xaxis_transform(), fontsize=8, rotation=90,
+                      va="bottom")
         axis.set_title(title, fontsize=9 if options.get("small_title") else 12)
         axis.set_xlabel(x_label)
         axis.set_ylabel(y_label)
         axis.legend(loc=options.get("legend", "best"))
+        _plain(axis)
     _save(figure, path)

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """report.py: the error-against-run-time report: measures, checks, draws, and writes one readable page.
 
-Each job is one function of a scene, run in a process of its own. Its rows are kept in OUT/rows, so that --only measures
-some jobs anew and takes the others from there. Written to OUT: report.csv (all numbers), *.png, REPORT.md. --quick takes
-small scenes, under a minute, and is a test: exit 1 when a claim of `claims` does not hold or a row lacks a number.
+Each job is one function of a scene, run in a process of its own. Its rows are kept in OUT/rows, so that --only
+measures some jobs anew and takes the others from there. Written to OUT: report.csv (all numbers), *.png, REPORT.md.
+--quick takes small scenes, under a minute, and is a test: exit 1 when a claim of `claims` does not hold or a row lacks
+a number.
 """
 import argparse
 import json
@@ -34,7 +35,8 @@ JOBS = {
     "skirt_off": ("scene_garments", "time_error", {"design": "skirt", "contact": "off", "halvings": 5},
                   {"design": "skirt", "contact": "off", "spacing": 0.04, "halvings": 3, "span": 0.05, "samples": 25,
                    "finer": 16}),
-    "skirt_damped": ("scene_garments", "time_error", {"design": "skirt", "contact": "off", "damping": 0.1, "halvings": 5},
+    "skirt_damped": ("scene_garments", "time_error",
+                     {"design": "skirt", "contact": "off", "damping": 0.1, "halvings": 5},
                      {"design": "skirt", "contact": "off", "damping": 0.1, "spacing": 0.04, "halvings": 2, "span": 0.05,
                       "samples": 25, "finer": 16}),
     "skirt_mesh": ("scene_garments", "mesh_error", {"design": "skirt"}, {"design": "skirt", "plan": [[0.03, 2]]}),
@@ -44,11 +46,13 @@ JOBS = {
     "speed": ("speed", "size", {}, {"sides": [10, 32, 100], "enough": 0.05}),
     "parts": ("speed", "parts", {}, {"side": 50, "enough": 0.05, "spacing": 0.02}),
     "threads_1": ("speed", "threads", {"count": 1}, {"count": 1, "side": 50, "enough": 0.05}),
-    "threads_2": ("speed", "threads", {"count": 2, "threads": 2}, {"count": 2, "threads": 2, "side": 50, "enough": 0.05}),
+    "threads_2": ("speed", "threads", {"count": 2, "threads": 2},
+                  {"count": 2, "threads": 2, "side": 50, "enough": 0.05}),
     "sewing": ("sewing", "trade", {}, {"distances": [0.001, 0.01], "spacing": 0.02}),
     "rest_tshirt": ("rest", "tshirt", {}, {"spacing": 0.025, "spans": [0.1, 0.3, 1.0], "seconds": 5.0}),
     "rest_hang_1k": ("rest", "hanging", {"side": 32}, {"side": 16, "spans": [0.1, 1.0, 3.0], "plain": 0.2}),
-    "rest_hang_4k": ("rest", "hanging", {"side": 64, "plain": 25.0}, {"side": 24, "spans": [0.1, 1.0, 3.0], "plain": 0.2}),
+    "rest_hang_4k": ("rest", "hanging", {"side": 64, "plain": 25.0},
+                     {"side": 24, "spans": [0.1, 1.0, 3.0], "plain": 0.2}),
     "rest_hang_16k": ("rest", "hanging", {"side": 128, "plain": 40.0, "tight_seconds": 60.0},
                       {"side": 32, "spans": [0.1, 1.0, 3.0], "plain": 0.2}),
 }
@@ -86,7 +90,7 @@ def claims(jobs):
                       bool(refused) and all(r["status"] == "refused" for r in refused)))
     for name in ("strip", "sheet_integrate"):
         forced = [r for r in jobs[name] if r["variant"] == "mus_integrate" and r["step_of_bound"] >= 1.5]
-        found.append((f"{name}: all {len(forced)} forced steps at 1.5 and 2 of the bound are caught by the energy guard",
+        found.append((f"{name}: all {len(forced)} steps forced at 1.5 and 2 of the bound are caught by the guard",
                       bool(forced) and all(r["status"] == "diverged" for r in forced)))
     rest = [r for r in jobs["strip_mesh"] if r["quantity"] == "lengthening at rest"]
     worst = max(r["error_mm"] / r["exact"] for r in rest)
@@ -98,13 +102,13 @@ def claims(jobs):
     held, _ = runs.order_of(jobs["disc"], "rk4", above=5.0, most=3)
     found.append((f"disc: RK4 has order {held:.2f} on a cut piece without contact, 4 +- 0.5", abs(held - 4) <= 0.5))
     paper = sorted((r for r in jobs["cantilever_mesh"] if r["bending"] == "paper"), key=lambda r: -r["spacing_mm"])
-    found.append((f"cantilever: the paper's springs get {paper[0]['error_mm']:.0f} and {paper[-1]['error_mm']:.0f} mm wrong, "
-                  "worse on the finer mesh (B6)", paper[-1]["error_mm"] > paper[0]["error_mm"] > 5.0))
+    found.append((f"cantilever: the paper's springs are {paper[0]['error_mm']:.0f} and {paper[-1]['error_mm']:.0f} mm "
+                  "wrong, worse on the finer mesh (B6)", paper[-1]["error_mm"] > paper[0]["error_mm"] > 5.0))
     state = {count: {r["precision"]: r["note"] for r in jobs[f"threads_{count}"]} for count in (1, 2)}
     found.append(("the state on two threads is that on one, bit for bit", state[1] == state[2]))
     rest_rows = [r for name in jobs if name.startswith("rest_") for r in jobs[name] if r["quantity"] == "shape at rest"]
     worst = max(float(r["note"].split()[1]) for r in rest_rows)
-    found.append((f"all {len(rest_rows)} shapes at rest have a residual of at most {worst:.1e} of a node's weight, 1e-6",
+    found.append((f"all {len(rest_rows)} shapes at rest have a residual of at most {worst:.1e} of a weight, 1e-6",
                   worst <= 1e-6))
     return found
 

@@ -1,9 +1,9 @@
 """rest.py: how long until cloth hangs within 10 mm and within 1 mm of its shape at rest.
 
-A settle that is given a short time is the beginning of a longer one, so fresh drapes with growing budgets tell the path,
-its CPU time and its distance from rest. The shape at rest is what the longest of them comes to when another program of
-steps goes on from it: in double, to a residual of 1e-6 of a node's weight, and Runge-Kutta with drag from there as a
-check. A draped body has several shapes at rest; the distance of other starts, run to their own end, is the spread.
+A settle that is given a short time is the beginning of a longer one, so fresh drapes with growing budgets tell the
+path, its CPU time and its distance from rest. The shape at rest is what the longest of them comes to when it goes on in
+double to a residual of 1e-6 of a node's weight, and Runge-Kutta with drag from there is the check by another method. A
+draped body has several shapes at rest; the distance of other starts, run to their own end, is the spread.
 """
 import time
 
@@ -128,7 +128,8 @@ def refit(tape, cloth, long, line, placed, seconds, tight_seconds, more, spans):
             measure.row(**line, quantity="refit: body, pattern and cloth anew", variant="refit", cpu_s=made),
             measure.row(**line, quantity="distance from rest", variant="refit", cpu_s=0.0, simulated_s=0.0, value=0.0,
                         note="where the old garment lies", **far(warm().positions, reference))]
-    return rows + budgets(warm, reference, dict(line, quantity="distance from rest", variant="refit"), spans, sewn=False)
+    line = dict(line, quantity="distance from rest", variant="refit")
+    return rows + budgets(warm, reference, line, spans, sewn=False)
 
 
 # ---- the hanging cloth ----
@@ -168,8 +169,8 @@ def hanging(side, seconds=20.0, tight_seconds=120.0, spans=BUDGETS, plain=20.0):
 
 
 def damped(drape, integrator, double, reference, line, most_cpu, tight_seconds, every=0.2):
-    """mus_drape_step with drag until nothing moves, or `most_cpu` CPU seconds are gone; its distance is from the shape at
-    rest that it comes to itself, which may be another one."""
+    """mus_drape_step with drag until nothing moves, or `most_cpu` CPU seconds are gone; its distance is from the shape
+    at rest that it comes to itself, which may be another one."""
     shapes, spent, moving = [], 0.0, 3
     before = drape.report
     while spent < most_cpu and moving > 0:
@@ -183,7 +184,8 @@ def damped(drape, integrator, double, reference, line, most_cpu, tight_seconds, 
     own, how = tight(double, drape, tight_seconds)
     variant = f"{integrator}, drag 7"
     how["note"] += f"; {far(own, reference)['error_mm']:.2g} mm from the shape that settle comes to"
-    rows = [measure.row(**{**line, "precision": 64}, quantity="shape at rest", variant=f"double, from {variant}", **how)]
+    rows = [measure.row(**{**line, "precision": 64}, quantity="shape at rest", variant=f"double, from {variant}",
+                        **how)]
     return rows + [measure.row(**line, quantity="distance from rest", variant=variant, integrator=integrator, cpu_s=cpu,
                                value=cpu, simulated_s=t, step_s=h, **far(shape, own), **counted)
                    for cpu, t, h, shape, counted in shapes]

@@ -1,8 +1,8 @@
 """runs.py: error against run time of a grid cloth: the library's steps, its integrators on a numpy rate, and refusals.
 
-A trial is one scene with one mesh: a lattice (model.py), a state, a span with equally spaced sample times. Two references
-stand beside each other: the library's own RK4 in double at 1/64 of its largest step, and model.py's, another program,
-at the same step. Their distance is the floor below which an error says nothing.
+A trial is one scene with one mesh: a lattice (model.py), a state, a span with equally spaced sample times. Two
+references stand beside each other: the library's own RK4 in double at 1/64 of its largest step, and model.py's, another
+program, at the same step. Their distance is the floor below which an error says nothing.
 """
 import numpy as np
 
@@ -23,7 +23,8 @@ class Trial:
         """The scene as a drape, its held nodes pinned where the state has them."""
         cloth = muslin.Cloth.grid(self.rows, self.columns, self.cell,
                                   muslin.Fabric(damping=0.0, **self.fabric), coarser=0)
-        drape = muslin.Drape(cloth, precision=precision, integrator=integrator, gravity=self.gravity, drag=0.0, **options)
+        drape = muslin.Drape(cloth, precision=precision, integrator=integrator, gravity=self.gravity, drag=0.0,
+                             **options)
         drape.set_state(*self.state)
         for node in np.flatnonzero(~self.lattice.free.reshape(-1)):
             drape.pin(int(node))
@@ -132,11 +133,12 @@ def springs(lattice):
 
 
 def order_of(rows, integrator, precision=64, variant="mus_drape_step", above=30.0, most=4):
-    """(slope, points) of log error against log h over the `most` smallest steps whose error is `above` times the floor."""
+    """(slope, points) of log error against log h over the `most` smallest steps with an error above `above` floors."""
     floor = max(1e-12, *(r["floor_mm"] for r in rows))
     picked = [r for r in rows if r["status"] == "ok" and r["integrator"] == integrator and r["precision"] == precision
               and r["variant"] == variant and r["error_mm"] > above * floor]
     picked = sorted(picked, key=lambda r: r["step_s"])[:most]
     if len(picked) < 2:
         return float("nan"), len(picked)
-    return float(np.polyfit(np.log([r["step_s"] for r in picked]), np.log([r["error_mm"] for r in picked]), 1)[0]), len(picked)
+    line = np.polyfit(np.log([r["step_s"] for r in picked]), np.log([r["error_mm"] for r in picked]), 1)
+    return float(line[0]), len(picked)

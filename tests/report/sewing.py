@@ -1,8 +1,8 @@
 """sewing.py: the paper's own trade (4.3): sewing time and the gap that is left, against the collision distance.
 
 A pair of nodes of a seam that is within the collision distance is stitched, and moves as one from then on; when all
-are, they are welded, and no gap is left. The gap that welding had to close is shown by a second run, stopped one look
-(64 steps) before the end: the widest of its pairs. On coarser cuts first, the finest cut is welded where it is put down.
+are, they are welded, and no gap is left. The gap that was still open is shown by a second run, stopped one look (64
+steps) before the end: the widest of its pairs. On coarser cuts first, the finest cut is welded where it is put down.
 """
 import numpy as np
 

@@ -40,9 +40,17 @@ def timed(drape, integrator, enough, **line):
 
 
 def size(sides=(10, 32, 100, 316, 1000), enough=0.4):
-    return [timed(sheet(side, FULL, precision, integrator), integrator, enough, variant="all springs",
-                  precision=precision, contact="off", bending="plate", threads=1)
-            for side in sides for precision in (32, 64) for integrator in ("rk4", "verlet")]
+    rows = []
+    for side in sides:
+        for precision in (32, 64):
+            for integrator in ("rk4", "verlet"):
+                before = muslin.Context.of_thread().bytes
+                drape = sheet(side, FULL, precision, integrator)
+                each = (muslin.Context.of_thread().bytes - before) / len(drape)
+                rows.append(timed(drape, integrator, enough, variant="all springs", precision=precision, contact="off",
+                                  bending="plate", threads=1, exact=each, note="exact: bytes a node, cloth included"))
+                drape.close()
+    return rows
 
 
 def threads(count, side=100, enough=0.4):
@@ -82,7 +90,7 @@ def parts(side=100, enough=0.4, spacing=0.01):
             drape = muslin.Drape(cloth, body, precision=precision, drag=0.0)
             drape.place()
             drape.warm(worn)
-            rows.append(timed(drape, "rk4", enough, scene="tshirt", spacing_mm=1e3 * spacing, variant="worn", precision=precision,
-                              contact=contact, bending="plate", threads=1,
+            rows.append(timed(drape, "rk4", enough, scene="tshirt", spacing_mm=1e3 * spacing, variant="worn",
+                              precision=precision, contact=contact, bending="plate", threads=1,
                               note="left out: " + ", ".join(drape.skipped)))
     return rows

@@ -9,3 +9,11 @@
 #define MUS_RUSH mus__contact_rush_f32
 #define MUS_SQRT sqrtf
 #include "contact/near_kernel.h"
+
+/* for a build of all files in one */
+#undef MUS_REAL
+#undef MUS_FIELD
+#undef MUS_FIELDS
+#undef MUS_NEAR
+#undef MUS_RUSH
+#undef MUS_SQRT

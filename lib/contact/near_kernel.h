@@ -6,8 +6,7 @@
  * then asked one by one.
  */
 
-#define NEAR_BAND 2e-6 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much  \
-                        */
+#define NEAR_BAND 2e-6   /* [m] a node this near to the clearance is still on the skin: float rounds by as much */
 #define NEAR_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define NEAR_BLOCK 256
 

@@ -15,3 +15,13 @@
 #define MUS_NEAR mus__near_f32
 #define MUS_SIM mus__sim_f32
 #include "drape/sim_kernel.h"
+
+/* for a build of all files in one */
+#undef MUS_REAL
+#undef MUS_TINY
+#undef MUS_FN
+#undef MUS_SQRT
+#undef MUS_OVER_ROOT
+#undef MUS_CONTACT
+#undef MUS_NEAR
+#undef MUS_SIM

@@ -29,3 +29,13 @@ static MUS_INLINE double over_root(double a, double x)
 #define MUS_NEAR mus__near_f64
 #define MUS_SIM mus__sim_f64
 #include "drape/sim_kernel.h"
+
+/* for a build of all files in one */
+#undef MUS_REAL
+#undef MUS_TINY
+#undef MUS_FN
+#undef MUS_SQRT
+#undef MUS_OVER_ROOT
+#undef MUS_CONTACT
+#undef MUS_NEAR
+#undef MUS_SIM

@@ -133,5 +133,6 @@ def settled(jobs):
 
     return (f"**From flat panels to rest**: a T-shirt of {nodes} nodes is within 10 mm after {took(found[10.0])} and "
             f"within 1 mm after {took(found[1.0])} of CPU time, sewing included (aims 1.5 and 5 s; it ends {best:.2g} "
-            f"mm away); a refit after 10 mm more girth takes {took(refit[10.0])} and {took(refit[1.0])} (a fifth of the "
-            f"aims is 0.3 and 1 s). Other starts end {min(spread):.2g} to {max(spread):.2g} mm away: a draped shape is one of several.")
+            f"mm away); a refit after 10 mm more girth takes {took(refit[10.0])} and {took(refit[1.0])} (a fifth of "
+            f"the aims is 0.3 and 1 s). Other starts end {min(spread):.2g} to {max(spread):.2g} mm away: a draped "
+            "shape is one of several.")

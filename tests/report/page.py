@@ -236,7 +236,7 @@ def cost_part(jobs):
 ![speed](speed.png)
 
 {table(('RK4', 'bits', 'ns a node and step', 'of all springs', 'what it did without'), lines)}
-Threads change seconds and never the state (this machine had other work on both cores, so two threads show no gain):
+Threads change seconds and never the state; the wall time also says what other work left of the second core:
 
 {table(('threads', 'bits', 'CPU ns a node and step', 'wall ns', 'state after 50 steps'), many)}
 """

@@ -100,8 +100,9 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
 /**
  * Advance by `steps` steps of `dt` of the def's integrator, with contact after each.
  *
- * The bound is looked at anew every 512 steps. Where the pose has lowered it below dt, steps are made in equal parts
- * until it is above dt again; the report's step_parts says how many at most.
+ * The bound is looked at anew every 512 steps, or when a node may have gone as far as its neighbour. Where the pose has
+ * lowered it below dt, steps are made in equal parts until it is above dt again; the report's step_parts says how many
+ * at most.
  * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
  *          bound: both in the message);
  *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)

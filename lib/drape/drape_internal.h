@@ -44,6 +44,7 @@ struct mus_drape {
 
     /* of mus_drape_step: as last looked at, bound 0 when something changed since */
     double bound, energy, active; /* [s]; [J] all, kinetic and elastic */
+    double speed, way;            /* of the fastest node when last checked; how far it may have gone since the look */
     int32_t since_look, parts;    /* steps; parts that a step was divided in at most */
 
     /* time = time0 + count * dt, so that a long run keeps its clock */

@@ -45,6 +45,7 @@ mus_status mus__drape_check_motion(mus_drape *drape)
     mus__sim *sim = &drape->sim;
     sim->ops->flush(sim);
     const double speed2 = sim->ops->speed2(sim);
+    drape->speed = sqrt(speed2);
     if (speed2 <= MOST_SPEED * MOST_SPEED) return MUS_OK;
     sim->ops->restore(sim);
     mus__drape_stale(drape);

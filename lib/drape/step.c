@@ -2,8 +2,8 @@
  * step.c: stepping by hand: the bound, the steps, the guard on energy.
  *
  * The bound is of the pose: it is taken when a step begins after a change from outside, and again every LOOK_STEPS
- * steps. A step above it is refused at the door. When the pose tightens during a run (strong shear lines threads up),
- * steps are divided until it has passed, and the report says so.
+ * steps, or when a node may have gone as far as its neighbour. A step above it is refused at the door. When the pose
+ * tightens during a run (strong shear lines threads up), steps are divided until it has passed, and the report says so.
  */
 #include <math.h>
 #include <string.h>
@@ -13,6 +13,7 @@
 #define LEAST_STEP 1e-30  /* [s]: far below what moves a float */
 #define PUSH_SPEED 1.0    /* [m/s]: what starts inside the body leaves it no faster */
 #define GUARD_STEPS 64    /* between looks at the state */
+#define LOOK_WAY 1.0      /* of the spacing: no node goes farther between looks at the bound */
 #define LOOK_STEPS 512    /* between looks at bound and energy: about 1 % of the time */
 #define MOST_PARTS 64     /* of a divided step */
 #define ENERGY_GROWTH 0.5 /* of kinetic and elastic energy: steps below the bound lose energy */
@@ -71,6 +72,7 @@ static void look(mus_drape *drape)
     drape->bound = mus__drape_bound(drape, NULL);
     drape->energy = energy_now(drape, &drape->active);
     drape->since_look = 0;
+    drape->way = 0.0;
 }
 
 
@@ -207,7 +209,13 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         done += batch;
         drape->since_look += batch;
         status = mus__drape_check_motion(drape);
+        drape->way += batch * dt * drape->speed;
         const int32_t due = drape->since_look >= LOOK_STEPS;
+        if (status == MUS_OK && !due && drape->way > LOOK_WAY * drape->cloth->spacing && drape->cloth->spacing > 0.0) {
+            mus__drape_publish(drape);
+            drape->bound = mus__drape_bound(drape, NULL);
+            drape->way = 0.0;
+        }
         if (status == MUS_OK && due) status = guard_energy(drape);
         if (status != MUS_OK || (!due && done < steps)) continue;
         sim->ops->snapshot(sim);

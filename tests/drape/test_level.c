@@ -112,8 +112,8 @@ START_TEST(cloth_without_coarser_cuts_makes_no_double)
 END_TEST
 
 
-/* woven cloth in float: its own rounding hides the residual that the def asks for, and it is called at rest all the same.
- * Rest it is: from there the same cloth in double, to that residual, moves by less than half a millimetre */
+/* woven cloth in float: its own rounding hides the residual that the def asks for, and it is called at rest all the
+ * same. Rest it is: from there the same cloth in double, to that residual, moves by less than half a millimetre */
 START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
 {
     mus_context *context = support_context();

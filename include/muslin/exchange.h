@@ -91,6 +91,27 @@ MUS_API void mus_mesh_view_init(mus_mesh_view *view, size_t size);
 MUS_API mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
 MUS_API mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
 
+/** A mesh in motion: where its vertices are at each key. */
+typedef struct mus_mesh_motion {
+    size_t size;
+    const double *positions; /* (keys x vertices x 3) [m], or NULL: the mesh stands still */
+    const double *normals;   /* (keys x vertices x 3), for a mesh that has normals, or NULL: they stay */
+} mus_mesh_motion;
+
+MUS_API void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size);
+
+/**
+ * Write meshes in motion as one binary glTF 2.0: a morph target a key and an animation that blends key to key.
+ *
+ * Shapes:  meshes (n) as they stand at rest; times (keys) ascending from 0 on [s]; motion (n)
+ * Errors:  MUS_ERR_ARG (as mus_mesh_write_glb; keys not 1 to 4096; times not ascending), MUS_ERR_VERSION,
+ *          MUS_ERR_LIMIT (a file above 4 GiB), MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Memory:  the whole file: 24 bytes a vertex and key, 4 keys^2 a moving mesh
+ */
+MUS_API mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n,
+                                             const mus_mesh_view *meshes, int32_t keys, const double *times,
+                                             const mus_mesh_motion *motion);
+
 #ifdef __cplusplus
 }
 #endif

@@ -150,5 +150,9 @@ mus_status mus__sink_save(mus_sink *sink, const char *path);
 
 /* check views before a byte is written: sizes, counts, finite numbers, indices */
 mus_status mus__mesh_check(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+/* keys of meshes in motion, which are checked already as meshes */
+#define MUS_MESH_KEYS 4096
+mus_status mus__mesh_check_motion(mus_context *context, int32_t n, const mus_mesh_view *meshes, int32_t keys,
+                                  const double *times, const mus_mesh_motion *motion);
 
 #endif

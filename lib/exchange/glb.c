@@ -1,8 +1,11 @@
 /*
  * glb.c: write meshes as one binary glTF 2.0 file: a header, a JSON chunk, a chunk of little-endian floats and indices.
  *
- *     | "glTF" 2 length | length "JSON" {...} spaces | length "BIN\0" positions normals texcoords indices, mesh by mesh
- * |
+ *     | "glTF" 2 length | length "JSON" {...} spaces | length "BIN\0" numbers, mesh by mesh, then the animation |
+ *
+ * The numbers of a mesh are positions, normals, texture coordinates, indices, then for each key what its positions and
+ * normals are off those. A mesh in motion has a morph target a key; one animation runs their weights, of which one is 1
+ * at each key and the two of the keys before and after blend between (glTF 3.7.2.2, 3.11).
  *
  * One node, mesh, material and up to four buffer views a mesh; every part is a multiple of 4 bytes long, so all is
  * aligned as the format wants. Positions carry min and max of the floats that are really written. Normals are made
@@ -37,21 +40,62 @@ static void put_f32(mus_sink *sink, double value)
 }
 
 
-/* all numbers of a mesh: positions, normals, texture coordinates, indices */
-static void put_mesh_bytes(mus_sink *sink, const mus_mesh_view *mesh)
+/* what moves, NULL without: keys, their times, one motion a mesh */
+struct glb_motion {
+    int32_t keys;
+    const double *times;
+    const mus_mesh_motion *of;
+};
+
+
+/* a normal made unit length; up where it has none */
+static void glb_unit(const double *v, double *out)
+{
+    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (size_t k = 0; k < 3; k++) out[k] = length > 1e-30 ? v[k] / length : k == 1 ? 1.0 : 0.0;
+}
+
+
+/* what key `key` is off the mesh at rest: positions, then normals */
+static void put_key_bytes(mus_sink *sink, const mus_mesh_view *mesh, const mus_mesh_motion *motion, int32_t key)
+{
+    const size_t n = (size_t)mesh->vertex_count, at = 3 * n * (size_t)key;
+    for (size_t i = 0; i < 3 * n; i++) put_f32(sink, motion->positions[at + i] - mesh->positions[i]);
+    for (size_t i = 0; motion->normals != NULL && i < 3 * n; i += 3) {
+        double rest[3], moved[3];
+        glb_unit(mesh->normals + i, rest);
+        glb_unit(motion->normals + at + i, moved);
+        for (size_t k = 0; k < 3; k++) put_f32(sink, moved[k] - rest[k]);
+    }
+}
+
+
+/* all numbers of a mesh: positions, normals, texture coordinates, indices, keys */
+static void put_mesh_bytes(mus_sink *sink, const mus_mesh_view *mesh, const struct glb_motion *motion, int32_t index)
 {
     size_t n = (size_t)mesh->vertex_count;
     for (size_t i = 0; i < 3 * n; i++) put_f32(sink, mesh->positions[i]);
-    for (size_t i = 0; mesh->normals != NULL && i < n; i++) {
-        const double *v = mesh->normals + 3 * i;
-        double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        for (size_t k = 0; k < 3; k++) put_f32(sink, length > 1e-30 ? v[k] / length : k == 1 ? 1.0 : 0.0);
+    for (size_t i = 0; mesh->normals != NULL && i < 3 * n; i += 3) {
+        double unit[3];
+        glb_unit(mesh->normals + i, unit);
+        for (size_t k = 0; k < 3; k++) put_f32(sink, unit[k]);
     }
     for (size_t i = 0; mesh->texcoords != NULL && i < n; i++) {
         put_f32(sink, mesh->texcoords[2 * i]);
         put_f32(sink, 1.0 - mesh->texcoords[2 * i + 1]);
     }
     for (size_t i = 0; i < 3 * (size_t)mesh->triangle_count; i++) put_u32(sink, (uint32_t)mesh->triangles[i]);
+    if (motion == NULL || motion->of[index].positions == NULL) return;
+    for (int32_t k = 0; k < motion->keys; k++) put_key_bytes(sink, mesh, &motion->of[index], k);
+}
+
+
+/* the animation: times of the keys, then at each key the weights of all */
+static void put_motion_bytes(mus_sink *sink, const struct glb_motion *motion)
+{
+    for (int32_t k = 0; k < motion->keys; k++) put_f32(sink, motion->times[k]);
+    for (int32_t k = 0; k < motion->keys; k++)
+        for (int32_t i = 0; i < motion->keys; i++) put_f32(sink, i == k ? 1.0 : 0.0);
 }
 
 
@@ -65,29 +109,31 @@ struct glb_lists {
 
 
 /* a buffer view with its accessor: `n` elements of `width` numbers of 4 bytes; the index of both is returned */
-static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, bool indices)
+static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, int32_t target)
 {
     static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3"};
     uint64_t bytes = (uint64_t)n * (uint64_t)width * 4;
     const char *comma = lists->count > 0 ? "," : "";
-    mus__sink_print(&lists->views, "%s{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu,\"target\":%d}", comma,
-                    (unsigned long long)lists->offset, (unsigned long long)bytes, indices ? GLB_ELEMENTS : GLB_ARRAY);
+    mus__sink_print(&lists->views, "%s{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu", comma,
+                    (unsigned long long)lists->offset, (unsigned long long)bytes);
+    if (target != 0) mus__sink_print(&lists->views, ",\"target\":%d", (int)target);
+    mus__sink_print(&lists->views, "}");
     mus__sink_print(&lists->accessors, "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%lld,\"type\":\"%s\"",
-                    comma, (int)lists->count, indices ? 5125 : 5126, (long long)n, types[width]);
+                    comma, (int)lists->count, target == GLB_ELEMENTS ? 5125 : 5126, (long long)n, types[width]);
     lists->offset += bytes;
     return lists->count++;
 }
 
 
-/* "min" or "max" of the positions, as floats */
-static void put_bound(mus_sink *sink, const char *key, const mus_mesh_view *mesh, double sign)
+/* "min" or "max" of places (n x 3), less `off` where that is not NULL, as the floats that are written */
+static void put_bound(mus_sink *sink, const char *key, int32_t n, const double *places, const double *off, double sign)
 {
     mus__sink_print(sink, ",\"%s\":[", key);
-    for (int32_t k = 0; k < 3; k++) {
-        double best = (double)(float)mesh->positions[k];
-        for (int32_t i = 1; i < mesh->vertex_count; i++) {
-            double value = (double)(float)mesh->positions[3 * (size_t)i + (size_t)k];
-            if (sign * value > sign * best) best = value;
+    for (size_t k = 0; k < 3; k++) {
+        double best = 0.0;
+        for (size_t i = 0; i < (size_t)n; i++) {
+            double value = (double)(float)(places[3 * i + k] - (off != NULL ? off[3 * i + k] : 0.0));
+            if (i == 0 || sign * value > sign * best) best = value;
         }
         if (k > 0) mus__sink_print(sink, ",");
         mus__sink_number(sink, best);
@@ -96,25 +142,88 @@ static void put_bound(mus_sink *sink, const char *key, const mus_mesh_view *mesh
 }
 
 
-/* accessors of a mesh, and the mesh that names them */
-static void put_mesh(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh, int32_t index)
+/* the accessor of places, with its bounds */
+static int32_t put_places(struct glb_lists *lists, int32_t n, const double *places, const double *off)
 {
-    int32_t at = put_accessor(lists, mesh->vertex_count, 3, false);
-    put_bound(&lists->accessors, "min", mesh, -1.0);
-    put_bound(&lists->accessors, "max", mesh, 1.0);
+    int32_t at = put_accessor(lists, n, 3, GLB_ARRAY);
+    put_bound(&lists->accessors, "min", n, places, off, -1.0);
+    put_bound(&lists->accessors, "max", n, places, off, 1.0);
     mus__sink_print(&lists->accessors, "}");
-    mus__sink_print(sink, "{\"primitives\":[{\"attributes\":{\"POSITION\":%d", (int)at);
-    if (mesh->normals != NULL) {
-        mus__sink_print(sink, ",\"NORMAL\":%d", (int)put_accessor(lists, mesh->vertex_count, 3, false));
-        mus__sink_print(&lists->accessors, "}");
-    }
-    if (mesh->texcoords != NULL) {
-        mus__sink_print(sink, ",\"TEXCOORD_0\":%d", (int)put_accessor(lists, mesh->vertex_count, 2, false));
-        mus__sink_print(&lists->accessors, "}");
-    }
-    at = put_accessor(lists, 3 * (int64_t)mesh->triangle_count, 1, true);
+    return at;
+}
+
+
+/* the accessor of anything else */
+static int32_t put_plain(struct glb_lists *lists, int64_t n, int32_t width, int32_t target)
+{
+    int32_t at = put_accessor(lists, n, width, target);
     mus__sink_print(&lists->accessors, "}");
-    mus__sink_print(sink, "},\"indices\":%d,\"material\":%d}]}", (int)at, (int)index);
+    return at;
+}
+
+
+/* the morph targets of a mesh, and its weights: as at the first key */
+static void put_targets(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
+                        const struct glb_motion *motion, int32_t index)
+{
+    const mus_mesh_motion *of = &motion->of[index];
+    const size_t width = 3 * (size_t)mesh->vertex_count;
+    mus__sink_print(sink, ",\"targets\":[");
+    for (int32_t k = 0; k < motion->keys; k++) {
+        int32_t at = put_places(lists, mesh->vertex_count, of->positions + (size_t)k * width, mesh->positions);
+        mus__sink_print(sink, "%s{\"POSITION\":%d", k > 0 ? "," : "", (int)at);
+        if (of->normals != NULL)
+            mus__sink_print(sink, ",\"NORMAL\":%d", (int)put_plain(lists, mesh->vertex_count, 3, GLB_ARRAY));
+        mus__sink_print(sink, "}");
+    }
+    mus__sink_print(sink, "]}],\"weights\":[");
+    for (int32_t k = 0; k < motion->keys; k++) mus__sink_print(sink, k > 0 ? ",0" : "1");
+    mus__sink_print(sink, "]}");
+}
+
+
+/* accessors of a mesh, and the mesh that names them */
+static void put_mesh(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
+                     const struct glb_motion *motion, int32_t index)
+{
+    int32_t n = mesh->vertex_count;
+    mus__sink_print(sink, "{\"primitives\":[{\"attributes\":{\"POSITION\":%d",
+                    (int)put_places(lists, n, mesh->positions, NULL));
+    if (mesh->normals != NULL)
+        mus__sink_print(sink, ",\"NORMAL\":%d", (int)put_plain(lists, n, 3, GLB_ARRAY));
+    if (mesh->texcoords != NULL)
+        mus__sink_print(sink, ",\"TEXCOORD_0\":%d", (int)put_plain(lists, n, 2, GLB_ARRAY));
+    int32_t at = put_plain(lists, 3 * (int64_t)mesh->triangle_count, 1, GLB_ELEMENTS);
+    mus__sink_print(sink, "},\"indices\":%d,\"material\":%d", (int)at, (int)index);
+    if (motion != NULL && motion->of[index].positions != NULL)
+        put_targets(sink, lists, mesh, motion, index);
+    else
+        mus__sink_print(sink, "}]}");
+}
+
+
+/* the animation: a channel a mesh that moves, all by one sampler */
+static void put_animation(mus_sink *sink, struct glb_lists *lists, int32_t n, const struct glb_motion *motion)
+{
+    int32_t moving = 0;
+    for (int32_t i = 0; i < n; i++) moving += motion->of[i].positions != NULL;
+    if (moving == 0) return;
+    int32_t at = put_accessor(lists, motion->keys, 1, 0);
+    for (int end = 0; end < 2; end++) {
+        mus__sink_print(&lists->accessors, ",\"%s\":[", end == 0 ? "min" : "max");
+        mus__sink_number(&lists->accessors, (double)(float)motion->times[end == 0 ? 0 : motion->keys - 1]);
+        mus__sink_print(&lists->accessors, "]");
+    }
+    mus__sink_print(&lists->accessors, "}");
+    int32_t weights = put_plain(lists, (int64_t)motion->keys * motion->keys, 1, 0);
+    mus__sink_print(sink, "],\"animations\":[{\"samplers\":[{\"input\":%d,\"output\":%d}],\"channels\":[", (int)at,
+                    (int)weights);
+    for (int32_t i = 0, put = 0; i < n; i++) {
+        if (motion->of[i].positions == NULL) continue;
+        mus__sink_print(sink, "%s{\"sampler\":0,\"target\":{\"node\":%d,\"path\":\"weights\"}}", put++ > 0 ? "," : "",
+                        (int)i);
+    }
+    mus__sink_print(sink, "]}");
 }
 
 
@@ -132,7 +241,8 @@ static void put_material(mus_sink *sink, const mus_mesh_view *mesh)
 
 
 /* the whole document; the lists of views and accessors stand behind the meshes that fill them */
-static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes)
+static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes,
+                         const struct glb_motion *motion)
 {
     mus__sink_print(
         sink, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"muslin %d.%d.%d\"},\"scene\":0,\"scenes\":[{\"nodes\":[",
@@ -155,8 +265,9 @@ static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, con
     mus__sink_print(sink, "],\"meshes\":[");
     for (int32_t i = 0; i < n; i++) {
         if (i > 0) mus__sink_print(sink, ",");
-        put_mesh(sink, lists, &meshes[i], i);
+        put_mesh(sink, lists, &meshes[i], motion, i);
     }
+    if (motion != NULL) put_animation(sink, lists, n, motion);
     mus__sink_print(sink, "],\"accessors\":[");
     mus__sink_add(sink, lists->accessors.bytes, lists->accessors.size);
     mus__sink_print(sink, "],\"bufferViews\":[");
@@ -166,9 +277,9 @@ static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, con
 
 
 static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json, struct glb_lists *lists, int32_t n,
-                            const mus_mesh_view *meshes)
+                            const mus_mesh_view *meshes, const struct glb_motion *motion)
 {
-    put_document(json, lists, n, meshes);
+    put_document(json, lists, n, meshes, motion);
     while (json->status == MUS_OK && json->size % 4 != 0) mus__sink_add(json, " ", 1);
     if (lists->views.status != MUS_OK) return lists->views.status;
     if (lists->accessors.status != MUS_OK) return lists->accessors.status;
@@ -186,18 +297,21 @@ static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json
     mus__sink_add(file, json->bytes, json->size);
     put_u32(file, (uint32_t)lists->offset);
     put_u32(file, GLB_BIN);
-    for (int32_t i = 0; i < n; i++) put_mesh_bytes(file, &meshes[i]);
+    for (int32_t i = 0; i < n; i++) put_mesh_bytes(file, &meshes[i], motion, i);
+    for (int32_t i = 0; motion != NULL && i < n; i++)
+        if (motion->of[i].positions != NULL) {
+            put_motion_bytes(file, motion);
+            break;
+        }
     return file->status;
 }
 
 
-mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+static mus_status glb_write(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes,
+                            const struct glb_motion *motion)
 {
-    if (context == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__mesh_check(context, path, n, meshes);
-    if (status != MUS_OK) return status;
     mus_locale locale;
-    status = mus__locale_enter(context, &locale);
+    mus_status status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
     mus_sink file, json;
@@ -206,7 +320,7 @@ mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n,
     mus__sink_init(&json, context);
     mus__sink_init(&lists.views, context);
     mus__sink_init(&lists.accessors, context);
-    status = glb_build(context, &file, &json, &lists, n, meshes);
+    status = glb_build(context, &file, &json, &lists, n, meshes, motion);
     if (status == MUS_OK) status = mus__sink_save(&file, path);
     mus__sink_free(&lists.accessors);
     mus__sink_free(&lists.views);
@@ -214,4 +328,23 @@ mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n,
     mus__sink_free(&file);
     mus__locale_leave(&locale);
     return status;
+}
+
+
+mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+{
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__mesh_check(context, path, n, meshes);
+    return status == MUS_OK ? glb_write(context, path, n, meshes, NULL) : status;
+}
+
+
+mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes,
+                                     int32_t keys, const double *times, const mus_mesh_motion *motion)
+{
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__mesh_check(context, path, n, meshes);
+    if (status == MUS_OK) status = mus__mesh_check_motion(context, n, meshes, keys, times, motion);
+    const struct glb_motion all = {keys, times, motion};
+    return status == MUS_OK ? glb_write(context, path, n, meshes, &all) : status;
 }

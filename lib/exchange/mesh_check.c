@@ -20,7 +20,15 @@ void mus_mesh_view_init(mus_mesh_view *view, size_t size)
 }
 
 
-static mus_status mesh_finite(mus_context *context, int32_t mesh, const char *what, int32_t n, int32_t width,
+void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size)
+{
+    if (motion == NULL || size < sizeof motion->size) return;
+    memset(motion, 0, size);
+    motion->size = size;
+}
+
+
+static mus_status mesh_finite(mus_context *context, int32_t mesh, const char *what, int64_t n, int32_t width,
                               const double *values)
 {
     if (values == NULL) return MUS_OK;
@@ -66,5 +74,34 @@ mus_status mus__mesh_check(mus_context *context, const char *path, int32_t n, co
         return mus__exchange_fail(context, MUS_ERR_ARG, "meshes to write: %d, expected 1 or more and a path", (int)n);
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < n && status == MUS_OK; i++) status = mesh_check_one(context, i, &meshes[i]);
+    return status;
+}
+
+
+mus_status mus__mesh_check_motion(mus_context *context, int32_t n, const mus_mesh_view *meshes, int32_t keys,
+                                  const double *times, const mus_mesh_motion *motion)
+{
+    if (keys < 1 || keys > MUS_MESH_KEYS || times == NULL || motion == NULL)
+        return mus__exchange_fail(context, MUS_ERR_ARG, "meshes in motion: %d keys, expected 1 to %d, times and motion",
+                                  (int)keys, MUS_MESH_KEYS);
+    for (int32_t k = 0; k < keys; k++)
+        if (!(times[k] >= 0.0 && times[k] < 1e6) || (k > 0 && !((float)times[k] > (float)times[k - 1])))
+            return mus__exchange_fail(context, MUS_ERR_ARG,
+                                      "meshes in motion: time %d is %g s, expected to ascend from 0 on, below 1e6 s",
+                                      (int)k, times[k]);
+    mus_status status = MUS_OK;
+    for (int32_t i = 0; i < n && status == MUS_OK; i++) {
+        if (motion[i].size != sizeof *motion)
+            return mus__exchange_fail(context, MUS_ERR_VERSION,
+                                      "motion %d: size %zu, this library knows %zu; use mus_mesh_motion_init", (int)i,
+                                      motion[i].size, sizeof *motion);
+        if (motion[i].normals != NULL && (motion[i].positions == NULL || meshes[i].normals == NULL))
+            return mus__exchange_fail(context, MUS_ERR_ARG,
+                                      "motion %d: normals without moving positions, or of a mesh without normals",
+                                      (int)i);
+        const int64_t count = (int64_t)keys * meshes[i].vertex_count;
+        status = mesh_finite(context, i, "moved position", count, 3, motion[i].positions);
+        if (status == MUS_OK) status = mesh_finite(context, i, "moved normal", count, 3, motion[i].normals);
+    }
     return status;
 }

@@ -248,10 +248,121 @@ START_TEST(a_mesh_that_makes_no_sense_is_refused_and_no_file_is_made)
 END_TEST
 
 
+/* the square swings up at key 1 and is back at key 2; the triangle stands still */
+static const double swing_times[3] = {0, 0.5, 1.5};
+
+
+static void make_motion(double *positions, double *normals, mus_mesh_motion *motion)
+{
+    for (size_t i = 0; i < 36; i++) positions[i] = square[i % 12] + (i / 12 == 1 ? 0.25 * (double)(i % 5) : 0.0);
+    for (size_t i = 0; i < 36; i++) normals[i] = i / 12 == 1 ? (i % 3 == 0 ? 3.0 : 0.0) : up[i % 12];
+    for (int i = 0; i < 2; i++) mus_mesh_motion_init(&motion[i], sizeof motion[i]);
+    motion[0].positions = positions;
+    motion[0].normals = normals;
+}
+
+
+START_TEST(a_glb_in_motion_adds_up_to_each_key)
+{
+    mus_context *context = support_context();
+    mus_mesh_view views[2];
+    mus_mesh_motion motion[2];
+    double positions[36], normals[36];
+    make_views(views);
+    make_motion(positions, normals, motion);
+    char path[512];
+    size_t size;
+    const char *bin;
+    ck_assert_int_eq(mus_mesh_write_glb_motion(context, support_scratch("m.glb", path, sizeof path), 2, views, 3,
+                                               swing_times, motion),
+                     MUS_OK);
+    char *bytes = support_slurp(path, &size);
+    json_t *json = open_glb(bytes, size, &bin);
+
+    /* base and target together are the key, in place and in the unit normal */
+    int base, normal;
+    const json_t *mesh = json_array_get(json_object_get(json, "meshes"), 0);
+    const json_t *primitive = json_array_get(json_object_get(mesh, "primitives"), 0);
+    ck_assert_int_eq(json_unpack((json_t *)(uintptr_t)primitive, "{s{s:i,s:i}}", "attributes", "POSITION", &base,
+                                 "NORMAL", &normal),
+                     0);
+    const json_t *targets = json_object_get(primitive, "targets");
+    ck_assert_uint_eq(json_array_size(targets), 3);
+    ck_assert_uint_eq(json_array_size(json_object_get(mesh, "weights")), 3);
+    for (size_t k = 0; k < 3; k++) {
+        int place, turn;
+        json_t *target = json_array_get(targets, k);
+        ck_assert_int_eq(json_unpack(target, "{s:i,s:i}", "POSITION", &place, "NORMAL", &turn), 0);
+        for (size_t i = 0; i < 12; i++)
+            ck_assert_double_eq_tol(number_at(json, bin, base, i) + number_at(json, bin, place, i),
+                                    positions[12 * k + i], 1e-6);
+        for (size_t i = 0; k == 1 && i < 12; i++)
+            ck_assert_double_eq_tol(number_at(json, bin, normal, i) + number_at(json, bin, turn, i),
+                                    i % 3 == 0 ? 1.0 : 0.0, 1e-6);
+    }
+
+    /* one channel, for the mesh that moves; the weights at each key are one 1 */
+    int node, input, output;
+    const char *way;
+    ck_assert_int_eq(json_unpack(json, "{s[{s[{s:i,s:i}],s[{s:i,s{s:i,s:s}}]}]}", "animations", "samplers", "input",
+                                 &input, "output", &output, "channels", "sampler", &base, "target", "node", &node,
+                                 "path", &way),
+                     0);
+    ck_assert_int_eq(node, 0);
+    ck_assert_str_eq(way, "weights");
+    for (size_t k = 0; k < 3; k++) {
+        ck_assert_double_eq(number_at(json, bin, input, k), swing_times[k]);
+        for (size_t i = 0; i < 3; i++) ck_assert_double_eq(number_at(json, bin, output, 3 * k + i), i == k);
+    }
+    ck_assert_ptr_null(json_object_get(
+        json_array_get(json_object_get(json_array_get(json_object_get(json, "meshes"), 1), "primitives"), 0),
+        "targets"));
+    json_decref(json);
+    free(bytes);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(a_motion_that_makes_no_sense_is_refused_and_no_file_is_made)
+{
+    mus_context *context = support_context();
+    char path[512];
+    support_scratch("badmotion.glb", path, sizeof path);
+    for (int fault = 0; fault < 9; fault++) {
+        mus_mesh_view views[2];
+        mus_mesh_motion motion[2];
+        double positions[36], normals[36], times[3];
+        int32_t keys = 3;
+        make_views(views);
+        make_motion(positions, normals, motion);
+        memcpy(times, swing_times, sizeof times);
+        if (fault == 0) positions[35] = NAN;
+        if (fault == 1) normals[20] = INFINITY;
+        if (fault == 2) times[1] = times[0];
+        if (fault == 3) times[0] = -1.0;
+        if (fault == 4) times[2] = NAN;
+        if (fault == 5) keys = 0;
+        if (fault == 6) keys = 4097;
+        if (fault == 7) motion[0].size = 8;
+        if (fault == 8) motion[1].positions = positions, motion[1].normals = normals;
+        ck_assert_int_eq(mus_mesh_write_glb_motion(context, path, 2, views, keys, times, motion),
+                         fault == 7 ? MUS_ERR_VERSION : MUS_ERR_ARG);
+        ck_assert_str_ne(mus_context_error(context), "");
+        ck_assert_ptr_null(support_slurp(path, NULL));
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(each_allocation_that_fails_is_a_status_and_no_leak)
 {
     mus_mesh_view views[2];
+    mus_mesh_motion motion[2];
+    double positions[36], normals[36];
     make_views(views);
+    make_motion(positions, normals, motion);
     char path[512];
     support_scratch("fail.glb", path, sizeof path);
     int64_t failed = 0;
@@ -260,6 +371,7 @@ START_TEST(each_allocation_that_fails_is_a_status_and_no_leak)
         support_fail_after(n, false);
         mus_status status = mus_mesh_write_glb(context, path, 2, views);
         if (status == MUS_OK) status = mus_mesh_write_obj(context, path, 2, views);
+        if (status == MUS_OK) status = mus_mesh_write_glb_motion(context, path, 2, views, 3, swing_times, motion);
         support_fail_never();
         support_context_end(context);
         if (status == MUS_OK) break;
@@ -281,6 +393,8 @@ Suite *mus_suite_mesh_files(void)
     tcase_add_test(tests, a_glb_holds_what_was_handed_in);
     tcase_add_test(tests, bounds_are_those_of_the_floats);
     tcase_add_test(tests, a_mesh_that_makes_no_sense_is_refused_and_no_file_is_made);
+    tcase_add_test(tests, a_glb_in_motion_adds_up_to_each_key);
+    tcase_add_test(tests, a_motion_that_makes_no_sense_is_refused_and_no_file_is_made);
     tcase_add_test(tests, each_allocation_that_fails_is_a_status_and_no_leak);
     suite_add_tcase(suite, tests);
     return suite;

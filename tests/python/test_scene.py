@@ -67,3 +67,17 @@ def test_paper_and_meshes_are_written(scene, tmp_path):
     assert (tmp_path / "body.obj").read_text().count("\nf ") == len(body.triangles)
     with pytest.raises(muslin.MuslinError, match="no/such/folder"):
         sheet.write_pdf("no/such/folder/skirt.pdf")
+
+
+def test_meshes_in_motion_are_written(tmp_path):
+    square, faces = [[0, 0, 0], [1, 0, 0], [1, 1, 0]], [[0, 1, 2]]
+    mesh = muslin.Mesh("flag", square, faces, normals=[[0, 0, 1]] * 3)
+    moved = square + [[0, 0, 1], [1, 0, 0], [1, 1, 0]]
+    muslin.write_glb_motion(tmp_path / "flag.glb", [mesh], [0, 0.5], [(moved, [[0, 0, 1]] * 6)])
+    data = (tmp_path / "flag.glb").read_bytes()
+    length = int.from_bytes(data[12:16], "little")
+    document = json.loads(data[20:20 + length])
+    assert len(document["meshes"][0]["primitives"][0]["targets"]) == 2
+    assert document["animations"][0]["channels"][0]["target"] == {"node": 0, "path": "weights"}
+    with pytest.raises(ValueError, match="2 keys of 3 vertices"):
+        muslin.write_glb_motion(tmp_path / "flag.glb", [mesh], [0, 0.5], [(square, None)])

@@ -21,12 +21,12 @@ from .context import Context
 from .design import designs, draft
 from .drape import Drape
 from .errors import MuslinError
-from .exchange import Mesh, write_glb, write_obj
+from .exchange import Mesh, write_glb, write_glb_motion, write_obj
 from .integrate import integrate
 from .pattern import Pattern
 from .print import Sheet
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "MuslinError", "Pattern", "Sheet", "Tape",
-           "designs", "draft", "fabrics", "integrate", "measures", "sizes", "version", "write_glb", "write_obj",
-           "__version__"]
+           "designs", "draft", "fabrics", "integrate", "measures", "sizes", "version", "write_glb", "write_glb_motion",
+           "write_obj", "__version__"]

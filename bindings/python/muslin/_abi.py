@@ -264,6 +264,10 @@ class mus_mesh_view(Structure):
                 ("triangles", POINTER(c_int32)), ("colour", c_double * 4), ("two_sided", c_int32)]
 
 
+class mus_mesh_motion(Structure):
+    _fields_ = [("size", c_size_t), ("positions", POINTER(c_double)), ("normals", POINTER(c_double))]
+
+
 # functions: name -> (library, result, arguments)
 FUNCTIONS = {
     "mus_status_name": ("core", c_char_p, [c_int32]),
@@ -491,4 +495,8 @@ FUNCTIONS = {
     "mus_mesh_view_init": ("exchange", None, [POINTER(mus_mesh_view), c_size_t]),
     "mus_mesh_write_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
     "mus_mesh_write_glb": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
+    "mus_mesh_motion_init": ("exchange", None, [POINTER(mus_mesh_motion), c_size_t]),
+    "mus_mesh_write_glb_motion": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32,
+                                                        POINTER(mus_mesh_view), c_int32, POINTER(c_double),
+                                                        POINTER(mus_mesh_motion)]),
 }

@@ -32,10 +32,13 @@ class Mesh:
         return data
 
 
+def _views(meshes):
+    return (_abi.mus_mesh_view * len(meshes))(*[mesh.struct for mesh in meshes])
+
+
 def _write(function, path, meshes, context):
     context = context or Context.of_thread()
-    views = (_abi.mus_mesh_view * len(meshes))(*[mesh.struct for mesh in meshes])
-    context.call(function, context.handle, text(path), len(meshes), views)
+    context.call(function, context.handle, text(path), len(meshes), _views(meshes))
 
 
 def write_obj(path, meshes, context=None):
@@ -46,3 +49,28 @@ def write_obj(path, meshes, context=None):
 def write_glb(path, meshes, context=None):
     """All meshes as one binary glTF 2.0."""
     _write("mus_mesh_write_glb", path, meshes, context)
+
+
+def _motion(mesh, keys, positions, normals):
+    """The struct of one mesh's motion, and the arrays that it borrows."""
+    motion = make_def(_abi.mus_mesh_motion, lib.mus_mesh_motion_init, {})
+    rows = keys * mesh.struct.vertex_count
+    arrays = [None if values is None else doubles(values, 3) for values in (positions, normals)]
+    for field, array in zip(("positions", "normals"), arrays):
+        if array is None:
+            continue
+        if array[1] != rows:
+            raise ValueError(f"{keys} keys of {mesh.struct.vertex_count} vertices, {array[1]} rows of 3")
+        setattr(motion, field, array[0])
+    return motion, arrays
+
+
+def write_glb_motion(path, meshes, times, motions, context=None):
+    """Meshes in motion as one binary glTF 2.0: times (keys) [s]; motions one (positions, normals) a mesh, each
+    (keys * n x 3) or None."""
+    context = context or Context.of_thread()
+    when, keys = doubles(times, 1)
+    motion = [_motion(mesh, keys, *moved) for mesh, moved in zip(meshes, motions, strict=True)]
+    structs = (_abi.mus_mesh_motion * len(meshes))(*[struct for struct, _ in motion])
+    context.call("mus_mesh_write_glb_motion", context.handle, text(path), len(meshes), _views(meshes), keys, when,
+                 structs)

@@ -69,12 +69,43 @@ START_TEST(a_mesh_that_is_not_finite_makes_no_file)
 END_TEST
 
 
+/* mus_mesh_write_glb_motion: mus_mesh_motion.positions mus_mesh_motion.normals and times */
+START_TEST(a_motion_that_is_not_finite_makes_no_file)
+{
+    mus_context *context = support_context();
+    static const double square[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, up[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    double number[38] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0,
+                         1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0.5};
+    const int32_t corner[3] = {0, 1, 2};
+    char path[512];
+    support_scratch("motion.glb", path, sizeof path);
+    mus_mesh_view view;
+    mus_mesh_motion motion;
+    mus_mesh_view_init(&view, sizeof view);
+    mus_mesh_motion_init(&motion, sizeof motion);
+    view.vertex_count = 3, view.triangle_count = 1, view.triangles = corner;
+    view.positions = square, view.normals = up;
+    motion.positions = number, motion.normals = number + 18;
+    for (int32_t value = 0; value < 3; value++)
+        for (int32_t k = 0; k < 38; k++) {
+            const double was = number[k];
+            number[k] = refused_values[value];
+            ck_assert_int_eq(mus_mesh_write_glb_motion(context, path, 1, &view, 2, number + 36, &motion), MUS_ERR_ARG);
+            ck_assert_int_ne(access(path, F_OK), 0);
+            number[k] = was;
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_paper(void)
 {
     Suite *suite = suite_create("refused_paper");
     TCase *tests = tcase_create("refused_paper");
     tcase_add_test(tests, a_sheet_def_that_is_not_finite_is_refused_by_name);
     tcase_add_loop_test(tests, a_mesh_that_is_not_finite_makes_no_file, 0, 2);
+    tcase_add_test(tests, a_motion_that_is_not_finite_makes_no_file);
     suite_add_tcase(suite, tests);
     return suite;
 }

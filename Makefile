@@ -8,6 +8,8 @@
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
 #                   hands options to tests/corpus/run.py)
+#   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
+#                   (PEOPLE='--csv FILE': a row a person)
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
@@ -119,7 +121,7 @@ PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now people people-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
@@ -188,7 +190,10 @@ $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
 $(BIN)/tests: $(call objects,$(TESTS) $(TESTED_EXAMPLES)) $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: ARCHIVES := $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
-$(PROGRAMS) $(BIN)/tests:
+$(BIN)/people: $(call objects,tests/people/people.c) $(A_TESTS) $(A_CORE)
+$(BIN)/people: ARCHIVES := $(A_TESTS) $(A_CORE)
+$(BIN)/people: OUTSIDE := -lm
+$(PROGRAMS) $(BIN)/tests $(BIN)/people:
 	@mkdir -p $(@D)
 	$(LINK) $(filter %.o,$^) $(ARCHIVES) $(OUTSIDE) -o $@
 
@@ -238,6 +243,12 @@ corpus:
 	@$(call again,corpus-now)
 corpus-now: all
 	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+
+people:
+	@sh tests/guard/packages.sh build test
+	@$(call again,people-now)
+people-now: $(BIN)/people
+	$(BIN)/people '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv' $(PEOPLE)
 
 check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb

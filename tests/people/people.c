@@ -1,0 +1,309 @@
+/*
+ * people.c: every person of ANSUR II and every table size made and measured: `make people`.
+ *
+ * people TABLE [--csv FILE]. Printed: how many build, and each refusal; asked against made of every asked measure (the
+ * library's own figure, and the same by slicing the triangles); CPU time of a body; volume against weight; breadth and
+ * depth of the made body against the survey's calipers, and girths that were not asked. FILE gets a row a person.
+ * Exit 1 when a figure is not what the issue asks.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "ansur.h"
+#include "slice.h"
+
+/* limbs of a body of a tape, as body.h lists them */
+#define TORSO 0
+#define LEG_LEFT 3
+
+/* what is compared without being asked: a column of the survey at the height of another */
+static const struct {
+    const char *what, *column, *height;
+    char kind; /* b breadth, d depth, g girth */
+    double off_female, off_male;
+} calipers[] = {
+    {"chest breadth", "chest_b", "chest_h", 'b', 0, 0},        {"chest depth", "chest_d", "chest_h", 'd', 0, 0},
+    {"navel breadth", "waist_b", "waist_h", 'b', 0, 0},        {"navel depth", "waist_d", "waist_h", 'd', 0, 0},
+    {"navel girth", "waist_circ", "waist_h", 'g', 0, 0},       {"seat breadth", "hip_b", "buttock_h", 'b', 0, 0},
+    {"seat depth", "buttock_d", "buttock_h", 'd', 0, 0},       {"seat girth there", "hip_circ", "buttock_h", 'g', 0, 0},
+    {"chest girth there", "chest_circ", "chest_h", 'g', 0, 0},
+};
+#define CALIPERS ((int)(sizeof calipers / sizeof *calipers))
+
+typedef struct person {
+    bool male;
+    double seconds, volume, litres_off; /* part of the true volume */
+    double off[ANSUR_MEASURES], cut[ANSUR_MEASURES];
+    double caliper[CALIPERS];
+} person;
+
+
+/* ---- statistics ---- */
+
+static int by_size(const void *left, const void *right)
+{
+    const double x = *(const double *)left, y = *(const double *)right;
+    return x < y ? -1 : x > y;
+}
+
+
+/* the q-quantile of n values, which it sorts */
+static double quantile(double *x, int n, double q)
+{
+    if (n == 0) return NAN;
+    qsort(x, (size_t)n, sizeof *x, by_size);
+    return x[(int)lround(q * (n - 1))];
+}
+
+
+static void mean_of(const double *x, int n, double *mean, double *deviation)
+{
+    double sum = 0.0, square = 0.0;
+    for (int i = 0; i < n; i++) sum += x[i];
+    *mean = sum / n;
+    for (int i = 0; i < n; i++) square += (x[i] - *mean) * (x[i] - *mean);
+    *deviation = sqrt(square / n);
+}
+
+
+/* ---- one person ---- */
+
+/* the asked girths again, from the triangles at the height of the landmark or contour that bears the measure */
+static double cut_girth(const mus_body *body, int measure)
+{
+    static const struct {
+        int measure, limb;
+        const char *contour;
+    } row[] = {
+        {MUS_MEASURE_BUST, TORSO, "bust"},      {MUS_MEASURE_WAIST, TORSO, "waist"},
+        {MUS_MEASURE_HIP, TORSO, "hip"},        {MUS_MEASURE_NECK, TORSO, "neck"},
+        {MUS_MEASURE_HEAD, TORSO, "brow"},      {MUS_MEASURE_THIGH, LEG_LEFT, "thigh"},
+        {MUS_MEASURE_CALF, LEG_LEFT, "calf"},   {MUS_MEASURE_ANKLE, LEG_LEFT, "ankle"},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        if (row[i].measure != measure) continue;
+        for (int c = 0; c < mus_body_contour_count(body, row[i].limb); c++) {
+            double points[9];
+            slice section;
+            if (strcmp(mus_body_contour_name(body, row[i].limb, c), row[i].contour) != 0) continue;
+            if (mus_body_contour_points(body, row[i].limb, c, 3, points) != MUS_OK) return NAN;
+            return slice_limb(body, row[i].limb, points[1] + 1e-9, &section) ? section.girth : NAN;
+        }
+    }
+    return NAN;
+}
+
+
+static mus_status measure_person(mus_context *context, const ansur *table, int row, person *out)
+{
+    *out = (person){.male = ansur_male(table, row)};
+    mus_tape *tape = ansur_tape(context, table, row);
+    mus_body *body = NULL;
+    if (tape == NULL) return MUS_ERR_TAPE;
+
+    /* the shortest of three, as a person is made */
+    mus_status status = MUS_OK;
+    out->seconds = 1e30;
+    for (int round = 0; round < 3 && status == MUS_OK; round++) {
+        mus_body_destroy(body);
+        const clock_t start = clock();
+        status = mus_body_create(context, tape, NULL, &body);
+        const double spent = (double)(clock() - start) / CLOCKS_PER_SEC;
+        if (spent < out->seconds) out->seconds = spent;
+    }
+    mus_tape_destroy(tape);
+    if (status != MUS_OK) return status;
+
+    for (int i = 0; i < ANSUR_MEASURES; i++) {
+        const int m = ansur_measures[i].measure;
+        const double asked = mus_body_asked(body, m);
+        out->off[i] = mus_body_made(body, m) - asked;
+        out->cut[i] = ansur_measures[i].height ? NAN : cut_girth(body, m) - asked;
+    }
+    for (int i = 0; i < CALIPERS; i++) {
+        slice section;
+        const double y = 0.01 * ansur_value(table, row, calipers[i].height);
+        slice_limb(body, TORSO, y, &section);
+        const double made = calipers[i].kind == 'b'   ? section.breadth
+                            : calipers[i].kind == 'd' ? section.depth
+                                                      : section.girth;
+        out->caliper[i] = 100.0 * made - ansur_value(table, row, calipers[i].column);
+    }
+    out->volume = mus_body_volume(body);
+    out->litres_off = out->volume / ansur_volume(table, row) - 1.0;
+    mus_body_destroy(body);
+    return MUS_OK;
+}
+
+
+/* ---- the page ---- */
+
+static double *values; /* (rows) */
+
+/* values of one sex (-1: of both), as many as `count` says */
+#define GATHER(people, n, sex, expression)                                              \
+    int count = 0;                                                                      \
+    for (int i = 0; i < (n); i++) {                                                     \
+        const person *p = &(people)[i];                                                 \
+        const double value = (expression);                                              \
+        const int of = p->male ? 1 : 0;                                                 \
+        if (((sex) < 0 || of == (sex)) && isfinite(value)) values[count++] = value;     \
+    }
+
+
+static bool print_measures(const person *people, int n)
+{
+    bool good = true;
+    printf("\nasked against made [mm]    worst   worst of slices\n");
+    for (int m = 0; m < ANSUR_MEASURES; m++) {
+        double worst = 0.0, cut = 0.0;
+        int cuts = 0;
+        for (int i = 0; i < n; i++) {
+            if (!(fabs(people[i].off[m]) <= worst)) worst = fabs(people[i].off[m]);
+            if (isnan(people[i].cut[m])) continue;
+            cut = fmax(cut, fabs(people[i].cut[m]));
+            cuts++;
+        }
+        printf("  %-20s %10.4f ", mus_measure_name(ansur_measures[m].measure), 1000.0 * worst);
+        if (cuts > 0) printf("%10.4f of %d", 1000.0 * cut, cuts);
+        printf("\n");
+        good = good && worst <= (ansur_measures[m].height ? 0.002 : 0.001) && cut <= 0.001;
+    }
+    return good;
+}
+
+
+static bool print_volumes(const person *people, int n)
+{
+    bool good = true;
+    printf("\nvolume against weight / 1.03 kg/l [%%]   median  median of |off|  95 %% of |off|   worst\n");
+    for (int sex = -1; sex < 2; sex++) {
+        GATHER(people, n, sex, 100.0 * p->litres_off)
+        const double median = quantile(values, count, 0.5);
+        for (int i = 0; i < count; i++) values[i] = fabs(values[i]);
+        const double middle = quantile(values, count, 0.5), most = quantile(values, count, 0.95);
+        printf("  %-34s %10.2f %16.2f %14.2f %7.1f\n", sex < 0 ? "all" : sex ? "men" : "women", median, middle, most,
+               quantile(values, count, 1.0));
+        if (sex < 0) good = fabs(median) <= 3.0 && most <= 12.0;
+    }
+    return good;
+}
+
+
+static void print_calipers(const person *people, int n)
+{
+    printf("\nnot asked, made less measured [cm]   women mean    sd     men mean    sd\n");
+    for (int k = 0; k < CALIPERS; k++) {
+        printf("  %-30s", calipers[k].what);
+        for (int sex = 0; sex < 2; sex++) {
+            double mean, deviation;
+            GATHER(people, n, sex, p->caliper[k])
+            mean_of(values, count, &mean, &deviation);
+            printf("    %9.2f %6.2f", mean, deviation);
+        }
+        printf("\n");
+    }
+}
+
+
+static bool print_times(const person *people, int n)
+{
+    GATHER(people, n, -1, 1000.0 * p->seconds)
+    const double median = quantile(values, count, 0.5), most = quantile(values, count, 1.0);
+    printf("\nCPU time of a body [ms]: median %.2f, 95 %% %.2f, worst %.2f\n", median, quantile(values, count, 0.95),
+           most);
+    return median < 5.0 && most < 20.0;
+}
+
+
+static void write_csv(const char *path, const ansur *table, const int *row, const person *people, int n)
+{
+    FILE *file = fopen(path, "w");
+    if (file == NULL) {
+        fprintf(stderr, "people: cannot write %s\n", path);
+        return;
+    }
+    fprintf(file, "id,ms,volume_l,volume_off_pct");
+    for (int k = 0; k < CALIPERS; k++) fprintf(file, ",%s", calipers[k].what);
+    fprintf(file, "\n");
+    for (int i = 0; i < n; i++) {
+        fprintf(file, "%s,%.3f,%.4f,%.3f", ansur_name(table, row[i]), 1000.0 * people[i].seconds,
+                1000.0 * people[i].volume, 100.0 * people[i].litres_off);
+        for (int k = 0; k < CALIPERS; k++) fprintf(file, ",%.3f", people[i].caliper[k]);
+        fprintf(file, "\n");
+    }
+    fclose(file);
+}
+
+
+/* every table size: builds, and keeps what it asks to 1 mm */
+static bool print_sizes(mus_context *context)
+{
+    int good = 0;
+    for (int32_t i = 0; i < mus_tape_size_count(); i++) {
+        mus_tape *tape = NULL;
+        mus_body *body = NULL;
+        mus_status status = mus_tape_create(context, &tape);
+        if (status == MUS_OK) status = mus_tape_set_size(tape, mus_tape_size_name(i));
+        if (status == MUS_OK) status = mus_body_create(context, tape, NULL, &body);
+        bool kept = status == MUS_OK;
+        for (int32_t m = 0; m < mus_measure_count() && kept; m++)
+            kept = !(fabs(mus_body_made(body, m) - mus_body_asked(body, m)) > 0.001);
+        if (status != MUS_OK) printf("%s refused: %s\n", mus_tape_size_name(i), mus_context_error(context));
+        good += kept;
+        mus_body_destroy(body);
+        mus_tape_destroy(tape);
+    }
+    printf("table sizes: %d of %d built with every measure within 1 mm\n", good, (int)mus_tape_size_count());
+    return good == mus_tape_size_count();
+}
+
+
+static bool run_people(mus_context *context, const ansur *table, const char *csv)
+{
+    person *people = malloc(sizeof *people * (size_t)table->rows);
+    int *row = malloc(sizeof *row * (size_t)table->rows), n = 0;
+    values = malloc(sizeof *values * (size_t)table->rows);
+    bool good = people != NULL && row != NULL && values != NULL;
+    for (int i = 0; i < table->rows && good; i++) {
+        row[n] = i;
+        if (measure_person(context, table, i, &people[n]) == MUS_OK)
+            n++;
+        else
+            printf("%s refused: %s\n", ansur_name(table, i), mus_context_error(context));
+    }
+    if (good) {
+        printf("people: %d of %d built, %.2f %% refused\n", n, table->rows, 100.0 * (table->rows - n) / table->rows);
+        good = table->rows - n < 0.005 * table->rows;
+        good = print_sizes(context) && good;
+        good = print_measures(people, n) && good;
+        good = print_volumes(people, n) && good;
+        print_calipers(people, n);
+        good = print_times(people, n) && good;
+        if (csv != NULL) write_csv(csv, table, row, people, n);
+    }
+    free(values);
+    free(row);
+    free(people);
+    return good;
+}
+
+
+int main(int argc, char **argv)
+{
+    ansur table;
+    mus_context *context = NULL;
+    if (argc < 2 || !ansur_open(&table, argv[1])) {
+        fprintf(stderr, "people: cannot read the table %s\n", argc < 2 ? "(none given)" : argv[1]);
+        return 2;
+    }
+    const char *csv = argc > 3 && strcmp(argv[2], "--csv") == 0 ? argv[3] : NULL;
+    bool good = mus_context_create(NULL, &context) == MUS_OK && run_people(context, &table, csv);
+    printf("%s\n", good ? "all figures hold" : "a figure does not hold");
+    mus_context_destroy(context);
+    ansur_close(&table);
+    return good ? 0 : 1;
+}

@@ -107,22 +107,50 @@ static void surface_triangles(const mus__limb *limb, int32_t n, int32_t *out)
 }
 
 
-static void surface_normals(mus_body *body)
+/* the area of the hexagon of a vertex's neighbours q0 .. q5, which is that of the triangles around the vertex */
+static void surface_hexagon(const double *q0, const double *q1, const double *q2, const double *q3, const double *q4,
+                            const double *q5, double *out)
 {
-    const double *x = body->vertices;
-    double *normals = body->normals;
-    for (int32_t t = 0; t < body->triangle_count; t++) {
-        const int32_t *v = body->triangles + 3 * (ptrdiff_t)t;
-        double u[3], w[3], area[3];
-        for (int i = 0; i < 3; i++) {
-            u[i] = x[3 * (ptrdiff_t)v[1] + i] - x[3 * (ptrdiff_t)v[0] + i];
-            w[i] = x[3 * (ptrdiff_t)v[2] + i] - x[3 * (ptrdiff_t)v[0] + i];
+    double u[3], v[3], w[3], z[3], first[3], second[3];
+    for (int i = 0; i < 3; i++)
+        u[i] = q2[i] - q0[i], v[i] = q3[i] - q1[i], w[i] = q4[i] - q0[i], z[i] = q5[i] - q3[i];
+    mus__cross3(u, v, first);
+    mus__cross3(w, z, second);
+    for (int i = 0; i < 3; i++) out[i] = first[i] + second[i];
+    mus__unit3(out);
+}
+
+
+/* a normal has the direction of the sum of the triangles' areas around it; below the first ring and above the last the
+ * end point stands for all neighbours */
+static void surface_normals(const double *x, int32_t n, int32_t rings, double *normals)
+{
+    const ptrdiff_t row = 3 * (ptrdiff_t)n;
+    const double *low = x, *high = x + 3 + rings * row;
+    for (int32_t j = 0; j < rings; j++) {
+        const double *p = x + 3 + j * row;
+        double *out = normals + 3 + j * row;
+        for (int32_t k = 0; k < n; k++, out += 3) {
+            const ptrdiff_t here = 3 * (ptrdiff_t)k, next = k + 1 < n ? here + 3 : 0, last = k > 0 ? here - 3 : row - 3;
+            const double *below = j > 0 ? p - row + here : low, *below_next = j > 0 ? p - row + next : low;
+            const double *above = j + 1 < rings ? p + row + here : high;
+            const double *above_last = j + 1 < rings ? p + row + last : high;
+            surface_hexagon(p + next, above, above_last, p + last, below, below_next, out);
         }
-        mus__cross3(u, w, area);
-        for (int c = 0; c < 3; c++)
-            for (int i = 0; i < 3; i++) normals[3 * (ptrdiff_t)v[c] + i] += area[i];
     }
-    for (int32_t i = 0; i < body->vertex_count; i++) mus__unit3(normals + 3 * (ptrdiff_t)i);
+
+    /* an end point: the area of its ring */
+    for (int end = 0; end < 2; end++) {
+        const double *p = x + 3 + (end == 0 ? 0 : (rings - 1) * row);
+        double *out = normals + (end == 0 ? 0 : 3 + rings * row), cross[3];
+        for (int32_t k = 0; k < n; k++) {
+            const double *q = p + 3 * (ptrdiff_t)k, *r = p + 3 * (ptrdiff_t)((k + 1) % n);
+            const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+            mus__cross3(u, v, cross);
+            for (int i = 0; i < 3; i++) out[i] += end == 0 ? -cross[i] : cross[i];
+        }
+        mus__unit3(out);
+    }
 }
 
 
@@ -159,8 +187,9 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         surface_rings(&stack[l], limb, spacing, work);
         surface_vertices(&stack[l], limb, work, work + most, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
         surface_triangles(limb, n, body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
+        surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings,
+                        body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
-    surface_normals(body);
     mus__free(body->context, work);
     return MUS_OK;
 }

@@ -111,13 +111,16 @@ static void surface_triangles(const mus__limb *limb, int32_t n, int32_t *out)
 static void surface_hexagon(const double *q0, const double *q1, const double *q2, const double *q3, const double *q4,
                             const double *q5, double *out)
 {
-    double u[3], v[3], w[3], z[3], first[3], second[3];
-    for (int i = 0; i < 3; i++)
-        u[i] = q2[i] - q0[i], v[i] = q3[i] - q1[i], w[i] = q4[i] - q0[i], z[i] = q5[i] - q3[i];
-    mus__cross3(u, v, first);
-    mus__cross3(w, z, second);
-    for (int i = 0; i < 3; i++) out[i] = first[i] + second[i];
-    mus__unit3(out);
+    /* (q2 - q0) x (q3 - q1) + (q4 - q0) x (q5 - q3); in scalars, which stay in registers */
+    const double ux = q2[0] - q0[0], uy = q2[1] - q0[1], uz = q2[2] - q0[2];
+    const double vx = q3[0] - q1[0], vy = q3[1] - q1[1], vz = q3[2] - q1[2];
+    const double wx = q4[0] - q0[0], wy = q4[1] - q0[1], wz = q4[2] - q0[2];
+    const double tx = q5[0] - q3[0], ty = q5[1] - q3[1], tz = q5[2] - q3[2];
+    const double x = uy * vz - uz * vy + wy * tz - wz * ty;
+    const double y = uz * vx - ux * vz + wz * tx - wx * tz;
+    const double z = ux * vy - uy * vx + wx * ty - wy * tx;
+    const double square = x * x + y * y + z * z, inverse = square > 0.0 ? 1.0 / sqrt(square) : 0.0;
+    out[0] = x * inverse, out[1] = y * inverse, out[2] = z * inverse;
 }
 
 

@@ -38,7 +38,7 @@ MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
  */
 MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
 
-/** A limb given by its contours: superellipses |a/A|^n + |b/B|^n = 1 on a straight axis. */
+/** A limb given by its contours on a straight axis: superellipses |a/A|^n + |b/B|^n = 1, or outlines. */
 typedef struct mus_limb {
     size_t size;
     const char *name;      /* copied, cut at 31 bytes; default "limb" */
@@ -49,6 +49,9 @@ typedef struct mus_limb {
     int32_t contours;      /* 2 to 128 */
     const double *contour; /* (contours x 6) s ascending, centre a, centre b, half breadth A, half depth B [m],
                               exponent n 1..16 (2: an ellipse); b = axis x side */
+    int32_t corners;       /* 0: superellipses; 3 to 1024: each contour is a polygon of that many corners, */
+    const double *outline; /* (contours x corners x 2) a, b [m], from side towards b, seen from the centre at angles
+                              that ascend all round (star-shaped); A, B and n are then not read */
 } mus_limb;
 
 MUS_API void mus_limb_init(mus_limb *limb, size_t size);
@@ -59,7 +62,8 @@ MUS_API void mus_limb_init(mus_limb *limb, size_t size);
  * Shapes:  limb (limbs), 1 to 64; all is copied. `def` may be NULL.
  * Such a body has no measures and no landmarks. An end closes by a quarter of an ellipse from the last contour to its
  * pole.
- * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (contours that do not ascend, poles within)
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (contours that do not ascend, poles within, an
+ *          outline that is not star-shaped about its centre: limb, contour and angle are named)
  */
 MUS_API mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_limb *limb,
                                          const mus_body_def *def, mus_body **out);

@@ -159,6 +159,7 @@ void mus_body_destroy(mus_body *body)
     for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
     mus__free(body->context, body->field);
     mus__free(body->context, body->limb);
+    mus__free(body->context, body->outline);
     mus__free(body->context, body->vertices);
     mus__free(body->context, body->normals);
     mus__free(body->context, body->triangles);

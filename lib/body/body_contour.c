@@ -54,6 +54,7 @@ static double contour_bump(double h, double angle, double middle, double t)
 
 double mus__contour_radius(const mus__contour *contour, double cosine, double sine)
 {
+    if (contour->corners > 0) return mus__outline_radius(contour, cosine, sine);
     double x = fabs(cosine) / contour->a, y = fabs(sine) / contour->b, n = contour->n;
     double radius = n == 2.0 ? 1.0 / sqrt(x * x + y * y) : pow(pow(x, n) + pow(y, n), -1.0 / n);
 

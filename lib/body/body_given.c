@@ -1,9 +1,9 @@
 /*
  * body_given.c: a body of limbs that the caller gives by their contours, without a tape.
  *
- * Each limb is a stack of superellipses on a straight axis; frame, contours and closing points are checked here and
- * become the limbs that body_make.c turns into a surface and contact fields. Such a body has no measures and no
- * landmarks. For forms, dummies, single limbs, and solids whose answers are known.
+ * Each limb is a stack of superellipses or outlines on a straight axis; frame, contours and closing points are
+ * checked here and become the limbs that body_make.c turns into a surface and contact fields. Such a body has no
+ * measures and no landmarks. For forms, dummies, single limbs, scans, and solids whose answers are known.
  */
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,7 @@
 void mus_limb_init(mus_limb *limb, size_t size)
 {
     if (limb == NULL || size < sizeof limb->size) return;
-    mus_limb own = {sizeof own, "limb", {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0}, 0, NULL};
+    mus_limb own = {.size = sizeof own, .name = "limb", .axis = {0.0, 1.0, 0.0}, .side = {1.0, 0.0, 0.0}};
     memset(limb, 0, size);
     memcpy(limb, &own, size < sizeof own ? size : sizeof own);
     limb->size = size;
@@ -71,7 +71,7 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
     to->count = from->contours;
     for (int32_t i = 0; i < to->count; i++) {
         const double *c = from->contour + 6 * (ptrdiff_t)i;
-        for (int k = 0; k < 6 && status == MUS_OK; k++)
+        for (int k = 0; k < (from->corners != 0 ? 3 : 6) && status == MUS_OK; k++)
             status = given_number(context, l, row[k].what, c[k], row[k].low, row[k].high);
         if (status != MUS_OK) return status;
         if (i > 0 && !(c[0] >= c[-6] + GIVEN_GAP))
@@ -131,6 +131,7 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
         for (int32_t i = 0; body->def.ellipse && i < body->limb[l].count; i++) body->limb[l].contour[i].n = 2.0;
     }
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->asked[m] = body->made[m] = NAN;
+    if (status == MUS_OK) status = mus__body_outlines(body, limbs, limb);
     if (status != MUS_OK) return status;
 
     double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);

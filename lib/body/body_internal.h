@@ -43,6 +43,8 @@ typedef struct mus__contour {
     double bump_angle[2]; /* angle of the bumps off the front (off the back) */
     double wall;          /* plane a = wall that the contour does not pass, on the side wall_side */
     double wall_side;     /* +1: a >= wall, -1: a <= -wall, 0: no wall */
+    int32_t corners;      /* of an outline in place of the superellipse, 0: none */
+    const double *corner; /* (corners x 3) angle -pi..pi ascending, a and b off the centre; in mus_body.outline */
     int32_t ring;         /* its ring in the surface */
 } mus__contour;
 
@@ -68,6 +70,7 @@ struct mus_body {
     bool measured;   /* made from a tape: it has landmarks and measures */
     mus__limb *limb; /* (limb_count) */
     int32_t limb_count;
+    double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
     double *vertices;   /* (vertex_count x 3) */
     double *normals;    /* (vertex_count x 3) */
@@ -101,6 +104,13 @@ double mus__contour_radius(const mus__contour *contour, double cosine, double si
 double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work);
 /* scale a contour until that girth is `girth` */
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
+
+/* ---- body_outline.c: contours given by their corners ---- */
+
+/* radius of an outline in the direction (cos, sin): along the ray to the chord between two corners */
+double mus__outline_radius(const mus__contour *contour, double cosine, double sine);
+/* read the outlines of all given limbs into body->outline, after their centres; refuses what is not star-shaped */
+mus_status mus__body_outlines(mus_body *body, int32_t limbs, const mus_limb *limb);
 
 /* ---- body_torso.c, body_limbs.c: the contours of each limb from the tape; shapes only, not yet fitted ---- */
 

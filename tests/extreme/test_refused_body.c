@@ -115,6 +115,33 @@ START_TEST(a_limb_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+/* X23; mus_limb.outline: each number of each corner */
+START_TEST(an_outline_that_is_not_finite_is_refused_by_name)
+{
+    const double rows[12] = {0.0, 0.0, 0.0, NAN, NAN, NAN, 0.5, 0.0, 0.0, NAN, NAN, NAN};
+    double outline[12] = {0.1, 0.0, -0.1, 0.1, -0.1, -0.1, 0.1, 0.0, -0.1, 0.1, -0.1, -0.1};
+    mus_limb limb;
+    mus_limb_init(&limb, sizeof limb);
+    limb.pole[0] = -0.1, limb.pole[1] = 0.6;
+    limb.contours = 2;
+    limb.contour = rows;
+    limb.corners = 3;
+    limb.outline = outline;
+    mus_context *context = support_context();
+    ck_assert_int_eq(try_limb(context, &limb, NULL), MUS_OK);
+    for (int i = 0; i < 12; i++)
+        for (int v = 0; v < 3; v++) {
+            const double good = outline[i];
+            outline[i] = refused_values[v];
+            ck_assert_int_eq(try_limb(context, &limb, NULL), MUS_ERR_ARG);
+            ck_assert_ptr_nonnull(strstr(mus_context_error(context), "contour"));
+            outline[i] = good;
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* X23: a question, not a setter: a point that is nowhere is out of reach of every limb, and no memory is touched */
 /* mus_body_depth */
 START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
@@ -150,6 +177,7 @@ Suite *mus_suite_refused_body(void)
     tcase_add_test(tests, an_infinite_measure_leaves_the_tape_as_it_was);
     tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_limb_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, an_outline_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);
     suite_add_tcase(suite, tests);
     return suite;

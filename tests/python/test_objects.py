@@ -239,6 +239,11 @@ def test_a_body_of_given_limbs(context):
     assert abs(depths[0] - 0.04) < 1e-8 and abs(depths[1] + 0.02) < 1e-8
     with pytest.raises(muslin.MuslinError, match="limb 0"):
         muslin.Body.of_limbs([{**tube, "pole": (0.1, 0.6)}], context=context)
+    square = [(0.1, -0.1), (0.1, 0.1), (-0.1, 0.1), (-0.1, -0.1)]
+    box = muslin.Body.of_limbs([{**tube, "outline": [square, square]}], context=context)
+    assert abs(box.depth([(0.0, 0.25, 0.06)])[0] - 0.04) < 1e-4
+    with pytest.raises(muslin.MuslinError, match="star-shaped"):
+        muslin.Body.of_limbs([{**tube, "outline": [square, square[::-1]]}], context=context)
 
 
 def test_a_fabric_file(context, tmp_path):

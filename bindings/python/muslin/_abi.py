@@ -183,7 +183,8 @@ class mus_body_def(Structure):
 
 class mus_limb(Structure):
     _fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
-                ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double))]
+                ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double)),
+                ("corners", c_int32), ("outline", POINTER(c_double))]
 
 
 class mus_seam_def(Structure):

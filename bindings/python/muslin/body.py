@@ -28,13 +28,18 @@ class Body(Object):
     def of_limbs(cls, limbs, context=None, **options):
         """A body of given limbs without a tape. Each limb is a dict with the fields of mus_limb: contour, rows of
         (s, centre a, centre b, half breadth, half depth, exponent), pole (below, above), and name, origin, axis, side
-        where the defaults do not fit."""
+        where the defaults do not fit. outline, a list of corners (a, b) for each contour, takes the place of the
+        superellipses."""
         context = context or Context.of_thread()
         kept, structs = [], (_abi.mus_limb * len(limbs))()
         for struct, limb in zip(structs, limbs):
             rows = [number for row in limb["contour"] for number in row]
             kept.append((ctypes.c_double * len(rows))(*rows))
             given = {**limb, "contour": kept[-1], "contours": len(limb["contour"])}
+            if limb.get("outline"):
+                numbers = [number for contour in limb["outline"] for corner in contour for number in corner]
+                kept.append((ctypes.c_double * len(numbers))(*numbers))
+                given.update(outline=kept[-1], corners=len(limb["outline"][0]))
             lib.mus_limb_init(ctypes.byref(struct), ctypes.sizeof(struct))
             fill(struct, given)
         definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)

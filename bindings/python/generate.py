@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TARGET = pathlib.Path(__file__).parent / "muslin" / "_abi.py"
-ORDER = ["base", "tape", "body", "pattern", "design", "cloth", "integrate", "drape", "print", "exchange"]
+ORDER = ["base", "tape", "body", "pose", "pattern", "design", "cloth", "integrate", "drape", "print", "exchange"]
 LIBRARY = {"print": "print", "exchange": "exchange"}  # all else is libmuslin
 SCALAR = {"mus_status": "c_int32", "int32_t": "c_int32", "int64_t": "c_int64", "uint64_t": "c_uint64",
           "size_t": "c_size_t", "double": "c_double", "float": "c_float", "char": "c_char", "int": "c_int"}
@@ -74,10 +74,10 @@ class Headers:
         return types
 
     def field(self, where, text):
-        match = re.fullmatch(r"(.*?[ *])(\w+)(?:\[(\d+)\])?", " ".join(text.split()))
+        match = re.fullmatch(r"(.*?[ *])(\w+)((?:\[\w+\])*)", " ".join(text.split()))
         assert match, f"{where}: cannot read the field {text!r}"
-        kind = self.ctype(match[1].strip())
-        return match[2], f"{kind} * {match[3]}" if match[3] else kind
+        sizes = [str(self.constants.get(size, size)) for size in re.findall(r"\w+", match[3])]
+        return match[2], " * ".join([self.ctype(match[1].strip()), *reversed(sizes)])
 
     def ctype(self, text):
         """The ctypes expression of a C type."""

@@ -8,6 +8,7 @@
 #include "muslin/base.h"
 #include "muslin/tape.h"
 #include "muslin/body.h"
+#include "muslin/pose.h"
 #include "muslin/pattern.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"

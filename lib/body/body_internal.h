@@ -10,6 +10,7 @@
 
 #include "base/base_internal.h"
 #include "body/field.h"
+#include "body/rig.h"
 #include "body/skeleton.h"
 #include "muslin/body.h"
 
@@ -75,7 +76,8 @@ struct mus_body {
     double *vertices;   /* (vertex_count x 3) */
     double *normals;    /* (vertex_count x 3) */
     int32_t *triangles; /* (triangle_count x 3) */
-    mus__field *field;  /* (nfield), one a limb, in the order of the limbs */
+    mus__rig rig;
+    mus__field *field; /* (nfield), one a part, in the order of the rig's parts */
     int32_t nfield;
 };
 
@@ -141,7 +143,7 @@ mus_status mus__body_limbs(mus_body *body, int32_t count);
 void mus__body_turns(int32_t n, double *turn);
 /* stacks of all limbs to the surface; turn (def.samples x 2) */
 mus_status mus__body_surface_of(mus_body *body, const double *turn);
-/* contact fields of all limbs, rings about `spacing` apart */
+/* the rig, and the contact fields of all its parts, rings about `spacing` apart */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
 /* ---- body_surface.c, body_measure.c ---- */
@@ -155,8 +157,9 @@ mus_status mus__body_remeasure(mus_body *body);
 
 /* directions (n x 2) of n equal steps of the diamond angle */
 void mus__field_turns(int32_t n, double *turn);
-/* sample a stack at those directions into a field, rings about `spacing` apart */
-mus_status mus__field_make(mus_context *context, const mus__stack *stack, double spacing, mus__field *out);
+/* sample a part of a stack at those directions into a field, rings about `spacing` apart */
+mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
+                           mus__field *out);
 void mus__field_free(mus_context *context, mus__field *field);
 
 #endif

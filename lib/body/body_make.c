@@ -47,21 +47,31 @@ mus_status mus__body_surface_of(mus_body *body, const double *turn)
 }
 
 
+/* fields of the parts of limb l, which follow those made so far */
+static mus_status make_fields(mus_body *body, int32_t l, const double *turn, double spacing)
+{
+    mus__stack stack;
+    mus_status status = mus__stack_make(body->context, &body->limb[l], MUS_BODY_ANGLES, turn, &stack);
+    if (status != MUS_OK) return status;
+    while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {
+        const int32_t p = body->nfield;
+        status = mus__field_make(body->context, &stack, &body->rig.part[p], spacing, &body->field[p]);
+        if (status == MUS_OK) body->nfield = p + 1;
+    }
+    mus__stack_free(body->context, &stack);
+    return status;
+}
+
+
 mus_status mus__body_fields(mus_body *body, double spacing)
 {
     double turn[2 * MUS_BODY_ANGLES];
     mus__field_turns(MUS_BODY_ANGLES, turn);
-    body->field = mus__new(body->context, body->limb_count, sizeof *body->field);
+    mus__rig_make(body, &body->rig);
+    body->field = mus__new(body->context, body->rig.parts, sizeof *body->field);
     if (body->field == NULL) return mus__fail_memory(body->context, "contact fields");
 
     mus_status status = MUS_OK;
-    for (int32_t l = 0; l < body->limb_count && status == MUS_OK; l++) {
-        mus__stack stack;
-        status = mus__stack_make(body->context, &body->limb[l], MUS_BODY_ANGLES, turn, &stack);
-        if (status != MUS_OK) break;
-        status = mus__field_make(body->context, &stack, spacing, &body->field[l]);
-        mus__stack_free(body->context, &stack);
-        if (status == MUS_OK) body->nfield = l + 1;
-    }
+    for (int32_t l = 0; l < body->limb_count && status == MUS_OK; l++) status = make_fields(body, l, turn, spacing);
     return status;
 }

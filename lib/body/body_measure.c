@@ -93,12 +93,12 @@ mus_status mus__body_remeasure(mus_body *body)
 }
 
 
-/* depth of point x in all limbs but `own` */
+/* depth of point x in the parts of all limbs but `own` */
 static double measure_other_depth(const mus_body *body, int32_t own, const double *x)
 {
     double most = -1e30, normal[3];
     for (int32_t l = 0; l < body->nfield; l++) {
-        if (l == own) continue;
+        if (body->rig.part[l].limb == own) continue;
         double depth = mus__field_depth(&body->field[l], x, normal);
         if (depth > most) most = depth;
     }

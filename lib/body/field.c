@@ -1,7 +1,7 @@
 /*
- * field.c: a limb's stack sampled into a table of radii, and the depth of a point in it.
+ * field.c: a part of a limb's stack sampled into a table of radii, and the depth of a point in it.
  *
- * The table has rings a few millimetres apart from pole to pole and `nangle` equal steps of the diamond angle, whose
+ * The table has rings a few millimetres apart from end to end and `nangle` equal steps of the diamond angle, whose
  * directions are on the square |x| + |y| = 1. It is made of the same splines as the surface, so the two agree to the
  * table's own rounding of curves (below 0.1 mm away from the caps at 4 mm and 128 steps). The query is the text of
  * field_kernel.h in double.
@@ -21,6 +21,10 @@
 /* further out than this the first-order distance means nothing [m] */
 #define FIELD_MARGIN 0.05
 
+/* part of the way to the pole of a round cap that has rings of its own; from there, where it is steep, the form that is
+ * smooth through the pole */
+#define FIELD_CAP 0.7
+
 
 void mus__field_turns(int32_t n, double *turn)
 {
@@ -35,10 +39,28 @@ void mus__field_turns(int32_t n, double *turn)
 }
 
 
-mus_status mus__field_make(mus_context *context, const mus__stack *stack, double spacing, mus__field *out)
+/* the ring at s: the limb's own, and beyond a joint, where a cap is `round` long, smaller. With u of the cap gone,
+ * radius = min(R(s), R(joint)) sqrt(1 - u^2): within the limb in the rest pose, a ball where the joint is bent */
+static void field_ring(const mus__stack *stack, const mus__part *part, double s, const double *joint, double *centre,
+                       double *radius)
+{
+    mus__stack_ring(stack, s, centre, radius);
+    for (int end = 0; end < 2; end++) {
+        double beyond = end == 0 ? part->end[0] - s : s - part->end[1];
+        if (part->round[end] <= 0.0 || beyond <= 0.0) continue;
+        double u = beyond / part->round[end], shrink = sqrt(fmax(1.0 - u * u, 0.0));
+        const double *most = joint + (ptrdiff_t)end * stack->n;
+        for (int32_t k = 0; k < stack->n; k++) radius[k] = shrink * fmin(radius[k], most[k]);
+    }
+}
+
+
+mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
+                           mus__field *out)
 {
     const mus__limb *limb = stack->limb;
-    double low = limb->contour[0].s, high = limb->contour[limb->count - 1].s, length = high - low;
+    double low = part->end[0] - FIELD_CAP * part->round[0], high = part->end[1] + FIELD_CAP * part->round[1];
+    double length = high - low;
     memset(out, 0, sizeof *out);
     memcpy(out->origin, limb->origin, sizeof out->origin);
     memcpy(out->axis, limb->axis, sizeof out->axis);
@@ -56,18 +78,28 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, double
         return mus__fail_memory(context, "a contact field");
     }
 
+    /* radii at the joints */
+    double *joint = stack->work + 6 * (ptrdiff_t)limb->count, middle[2];
+    for (int end = 0; end < 2; end++)
+        mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
+
     for (int32_t j = 0; j < out->nring; j++) {
         double s = j + 1 < out->nring ? out->s0 + j * out->ds : high;
         double *centre = out->centre + 2 * j, *radius = out->radius + (ptrdiff_t)j * out->nangle, most = 0.0;
-        mus__stack_ring(stack, s, centre, radius);
+        field_ring(stack, part, s, joint, centre, radius);
         for (int32_t k = 0; k < out->nangle; k++) most = fmax(most, radius[k]);
         out->reach = fmax(out->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
         out->largest[j] = most;
         if (j > 0) out->largest[j - 1] = fmax(out->largest[j - 1], most);
     }
+
+    /* the last rings close by the limb's cap, or by the rest of the quarter of an ellipse */
     for (int end = 0; end < 2; end++) {
-        out->pole[end] = limb->pole[end];
-        out->middle[end] = stack->cap[end][0], out->half[end] = stack->cap[end][1];
+        bool round = part->round[end] > 0.0;
+        double outward = end == 0 ? -1.0 : 1.0;
+        out->pole[end] = round ? part->end[end] + outward * part->round[end] : limb->pole[end];
+        out->middle[end] = round ? part->end[end] : stack->cap[end][0];
+        out->half[end] = round ? part->round[end] : stack->cap[end][1];
     }
     return MUS_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * field.h: a limb as a table of radii: what contact asks.
+ * field.h: a part of a limb as a table of radii: what contact asks.
  *
  * A limb stands on a straight axis: point = origin + s*axis + a*side + b*front, with s along the axis and (a, b) in
  * the plane of the contour. Rings are `ds` apart in s; at each the spline between the limb's contours has been
@@ -8,8 +8,8 @@
  *
  * Query at a point: ring k = floor((s-s0)/ds), blend of rings k and k+1, radius R by linear blend over the angle:
  * F = rho - R(s, q), and to first order the signed distance is F/|grad F|, the outward normal grad F/|grad F|.
- * The first and the last ring are the limb's first and last contour; beyond them stands a cap, where a form is asked
- * that is smooth through the pole and beyond it (field_kernel.h).
+ * The first and the last ring are the limb's first and last contour, or lie in the round cap with which a part closes
+ * beyond a joint; beyond them a form is asked that is smooth through the pole and beyond it (field_kernel.h).
  */
 #ifndef MUS_BODY_FIELD_H
 #define MUS_BODY_FIELD_H

@@ -3,6 +3,7 @@
  * and the object is as it was. NaN unsets a measure: that is its meaning there.
  */
 #include "muslin/body.h"
+#include "muslin/pose.h"
 #include "refused.h"
 
 Suite *mus_suite_refused_body(void);
@@ -170,6 +171,25 @@ START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
 END_TEST
 
 
+static mus_status try_pose(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    return mus_pose_check(context, def);
+}
+
+
+/* X23 */
+START_TEST(a_pose_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {REFUSED(mus_pose, place, 3, false, "mus_pose.place"),
+                                           REFUSED(mus_pose, angle, 3 * MUS_JOINT_COUNT, false, "mus_pose.angle")};
+    mus_pose pose;
+    mus_pose_init(&pose, sizeof pose);
+    refused_fields(fields, 2, &pose, sizeof pose, try_pose, NULL);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_body(void)
 {
     Suite *suite = suite_create("refused_body");
@@ -178,6 +198,7 @@ Suite *mus_suite_refused_body(void)
     tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_limb_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, an_outline_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_pose_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);
     suite_add_tcase(suite, tests);
     return suite;

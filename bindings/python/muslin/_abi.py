@@ -91,6 +91,25 @@ MUS_LANDMARK_WRIST_RIGHT = 9
 MUS_LANDMARK_ANKLE_LEFT = 10
 MUS_LANDMARK_ANKLE_RIGHT = 11
 MUS_LANDMARK_COUNT = 12
+MUS_POSE_FLEXION = 0
+MUS_POSE_ABDUCTION = 1
+MUS_POSE_ROTATION = 2
+MUS_JOINT_ROOT = 0
+MUS_JOINT_LUMBAR = 1
+MUS_JOINT_NECK = 2
+MUS_JOINT_SHOULDER_LEFT = 3
+MUS_JOINT_SHOULDER_RIGHT = 4
+MUS_JOINT_ELBOW_LEFT = 5
+MUS_JOINT_ELBOW_RIGHT = 6
+MUS_JOINT_WRIST_LEFT = 7
+MUS_JOINT_WRIST_RIGHT = 8
+MUS_JOINT_HIP_LEFT = 9
+MUS_JOINT_HIP_RIGHT = 10
+MUS_JOINT_KNEE_LEFT = 11
+MUS_JOINT_KNEE_RIGHT = 12
+MUS_JOINT_ANKLE_LEFT = 13
+MUS_JOINT_ANKLE_RIGHT = 14
+MUS_JOINT_COUNT = 15
 MUS_PIECE_LINE = 0
 MUS_PIECE_QUADRATIC = 1
 MUS_PIECE_CUBIC = 2
@@ -127,6 +146,8 @@ MEASURE_NAMES = ("STATURE", "BUST", "WAIST", "HIP", "UNDERBUST", "HIGH_BUST", "H
                  "BUST_SPAN", "SCYE_DEPTH", "ARM", "ELBOW", "UPPER_ARM", "WRIST", "HAND", "WAIST_HEIGHT",
                  "WAIST_TO_HIP", "RISE", "INLEG", "CROTCH_LENGTH", "THIGH", "KNEE", "CALF", "ANKLE", "HEAD", "FOOT",
                  "NAPE_HEIGHT", "BUST_HEIGHT", "ARM_ANGLE")
+JOINT_NAMES = ("ROOT", "LUMBAR", "NECK", "SHOULDER_LEFT", "SHOULDER_RIGHT", "ELBOW_LEFT", "ELBOW_RIGHT", "WRIST_LEFT",
+               "WRIST_RIGHT", "HIP_LEFT", "HIP_RIGHT", "KNEE_LEFT", "KNEE_RIGHT", "ANKLE_LEFT", "ANKLE_RIGHT")
 
 
 # opaque handles
@@ -185,6 +206,10 @@ class mus_limb(Structure):
     _fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
                 ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double)),
                 ("corners", c_int32), ("outline", POINTER(c_double))]
+
+
+class mus_pose(Structure):
+    _fields_ = [("size", c_size_t), ("place", c_double * 3), ("angle", c_double * 3 * 15)]
 
 
 class mus_seam_def(Structure):
@@ -330,6 +355,11 @@ FUNCTIONS = {
     "mus_body_landmark": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(c_double)]),
     "mus_body_depth": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(c_double), POINTER(c_double),
                                          POINTER(c_double)]),
+    "mus_pose_init": ("core", None, [POINTER(mus_pose), c_size_t]),
+    "mus_joint_name": ("core", c_char_p, [c_int32]),
+    "mus_joint_limits": ("core", c_int32, [c_int32, c_int32, POINTER(c_double), POINTER(c_double)]),
+    "mus_pose_check": ("core", c_int32, [POINTER(mus_context), POINTER(mus_pose)]),
+    "mus_body_rest_pose": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
     "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
     "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),

@@ -1,0 +1,80 @@
+/*
+ * muslin/pose.h: how a body stands: the angles of its joints, and movements.
+ *
+ * A pose gives three angles to each joint, in the anatomical sense and against the standing body with hanging arms.
+ * A body is made in its rest pose, which is that but for the arms, held off by the tape's arm angle. Posing carries the
+ * parts of the body rigidly; girths stay what they were made.
+ *
+ * Units: radian, metre. Flexion is about the axis from side to side, abduction about the one from back to front,
+ * rotation about the bone; a joint turns about its bone first, then abducts, then flexes.
+ */
+#ifndef MUSLIN_POSE_H
+#define MUSLIN_POSE_H
+
+#include "muslin/base.h"
+#include "muslin/body.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * The joints, parents before children. X(NAME, "name").
+ *
+ * Positive flexion: root, lumbar and neck forwards; shoulder, elbow and hip move the limb forwards; knee backwards;
+ * ankle toes up; wrist towards the palm. Positive abduction: root, lumbar and neck towards the left; limbs away from
+ * the middle; wrist towards the thumb. Positive rotation: root, lumbar and neck to the left; limbs inwards.
+ */
+#define MUS_JOINT_LIST(X)                                            \
+    X(ROOT, "root")                     /* the pelvis in the world */ \
+    X(LUMBAR, "lumbar")                 /* chest on pelvis */         \
+    X(NECK, "neck")                     /* head on chest */           \
+    X(SHOULDER_LEFT, "shoulder_left")   /* arm on chest */            \
+    X(SHOULDER_RIGHT, "shoulder_right")                               \
+    X(ELBOW_LEFT, "elbow_left")         /* its rotation is that of the forearm */ \
+    X(ELBOW_RIGHT, "elbow_right")                                     \
+    X(WRIST_LEFT, "wrist_left")                                       \
+    X(WRIST_RIGHT, "wrist_right")                                     \
+    X(HIP_LEFT, "hip_left")             /* leg on pelvis */           \
+    X(HIP_RIGHT, "hip_right")                                         \
+    X(KNEE_LEFT, "knee_left")                                         \
+    X(KNEE_RIGHT, "knee_right")                                       \
+    X(ANKLE_LEFT, "ankle_left")                                       \
+    X(ANKLE_RIGHT, "ankle_right")
+
+#define MUS_JOINT_ENUM(NAME, name) MUS_JOINT_##NAME,
+enum { MUS_JOINT_LIST(MUS_JOINT_ENUM) MUS_JOINT_COUNT };
+#undef MUS_JOINT_ENUM
+
+/* Which of the three angles of a joint. */
+#define MUS_POSE_FLEXION 0
+#define MUS_POSE_ABDUCTION 1
+#define MUS_POSE_ROTATION 2
+
+/** Angles of all joints, all 0: standing, arms hanging, palms to the thighs. */
+typedef struct mus_pose {
+    size_t size;
+    double place[3];                  /* of the root, off where the body was made [m], default 0 */
+    double angle[MUS_JOINT_COUNT][3]; /* flexion, abduction, rotation [rad], default 0 */
+} mus_pose;
+
+MUS_API void mus_pose_init(mus_pose *pose, size_t size);
+
+/** Name of a joint ("elbow_left"), or NULL outside 0 .. MUS_JOINT_COUNT-1. Static text. */
+MUS_API const char *mus_joint_name(int32_t joint);
+
+/** How far a joint goes about an axis (MUS_POSE_FLEXION ...) [rad]. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_joint_limits(int32_t joint, int32_t axis, double *low, double *high);
+
+/** Whether all angles are within the limits of their joints. Errors: MUS_ERR_ARG (also: a number that is not finite);
+ * MUS_ERR_VERSION; MUS_ERR_BODY (the message names joint, angle and limits). */
+MUS_API mus_status mus_pose_check(mus_context *context, const mus_pose *pose);
+
+/** The pose that a body was made in: that of its tape's arm angle. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_body_rest_pose(const mus_body *body, mus_pose *pose);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

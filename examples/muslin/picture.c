@@ -99,9 +99,9 @@ static void mesh_from_view(const mus_mesh_view *view, int32_t kind, render_mesh 
 
 
 /* load the scene, draw all views, write the file: one place to fail */
-static int draw(render *r, const look *l, const render_mesh *meshes, int32_t count, const char *path,
-                render_error *error)
+static int draw(film *f, const render_mesh *meshes, int32_t count, const char *path, render_error *error)
 {
+    const look *l = f->l;
     int32_t width = PIXELS_WIDE, height = PIXELS_HIGH;
     if (l->pixels != NULL && render_size_parse(l->pixels, &width, &height, error) != 0) return -1;
     render_camera cameras[32];
@@ -111,12 +111,12 @@ static int draw(render *r, const look *l, const render_mesh *meshes, int32_t cou
     for (int32_t i = 0; i < l->views.count; i++)
         if (render_view_parse(l->views.at[i], &cameras[i], error) != 0) return -1;
 
-    const render_scene dressed = {count, meshes, 1};
+    const render_scene dressed = {count, meshes, 1, f->box};
     unsigned char *rgba = malloc((size_t)width * (size_t)height * 4);
     int result = -1;
     if (rgba == NULL) strcpy(error->text, "no memory for the picture");
-    else if (render_load(r, &dressed, error) == 0 &&
-             render_picture(r, views, cameras, width, height, rgba, error) == 0 &&
+    else if (render_load(f->r, &dressed, error) == 0 &&
+             render_picture(f->r, views, cameras, width, height, rgba, error) == 0 &&
              render_png_write(path, width, height, rgba, error) == 0)
         result = 0;
     free(rgba);
@@ -124,25 +124,46 @@ static int draw(render *r, const look *l, const render_mesh *meshes, int32_t cou
 }
 
 
-int picture_write(const scene *s, const look *l, const garment *g, const char *path)
+int film_open(film *f, const scene *s, const look *l, const double *box)
 {
-    render *r = NULL;
+    memset(f, 0, sizeof *f);
+    f->s = s, f->l = l, f->box = box;
     render_error error;
-    render_image print = {0};
+    int result = 0;
+    if (l->texture != NULL) result = render_png_read(l->texture, &f->print, &error);
+    if (result == 0) result = render_create(&f->r, &error);
+    return result == 0 ? EXIT_DONE : complain(EXIT_FAILED, s->command, "%s", error.text);
+}
+
+
+int film_shoot(film *f, const garment *g, const char *path)
+{
     render_mesh meshes[2];
     int32_t count = 0;
     if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
     mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
-
-    int result = 0;
-    if (l->texture != NULL) {
-        result = render_png_read(l->texture, &print, &error);
-        meshes[count - 1].print = &print;
-        meshes[count - 1].print_width = l->repeat;
+    if (f->print.rgba != NULL) {
+        meshes[count - 1].print = &f->print;
+        meshes[count - 1].print_width = f->l->repeat;
     }
-    if (result == 0) result = render_create(&r, &error);
-    if (result == 0) result = draw(r, l, meshes, count, path, &error);
-    render_destroy(r);
-    render_image_free(&print);
-    return result == 0 ? EXIT_DONE : complain(EXIT_FAILED, s->command, "%s", error.text);
+    render_error error;
+    if (draw(f, meshes, count, path, &error) == 0) return EXIT_DONE;
+    return complain(EXIT_FAILED, f->s->command, "%s", error.text);
+}
+
+
+void film_close(film *f)
+{
+    render_destroy(f->r);
+    render_image_free(&f->print);
+}
+
+
+int picture_write(const scene *s, const look *l, const garment *g, const char *path)
+{
+    film f;
+    int code = film_open(&f, s, l, NULL);
+    if (code == EXIT_DONE) code = film_shoot(&f, g, path);
+    film_close(&f);
+    return code;
 }

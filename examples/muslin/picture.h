@@ -29,4 +29,18 @@ void garment_free(garment *g);
 /* Draw and write a PNG. Returns an exit code. */
 int picture_write(const scene *s, const look *l, const garment *g, const char *path);
 
+/* A renderer kept open for many pictures by one camera. */
+typedef struct film {
+    const scene *s;
+    const look *l;
+    const double *box; /* (6) what the camera frames, NULL: each picture its own */
+    render *r;
+    render_image print;
+} film;
+
+/* Returns an exit code; close it whatever it was. */
+int film_open(film *f, const scene *s, const look *l, const double *box);
+int film_shoot(film *f, const garment *g, const char *path);
+void film_close(film *f);
+
 #endif

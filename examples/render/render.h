@@ -52,6 +52,8 @@ typedef struct render_scene {
     int32_t mesh_count;
     const render_mesh *meshes; /* (mesh_count) */
     int32_t floor;             /* nonzero: a floor under the lowest point, which shows the shadow */
+    const double *frame;       /* (6) low and high corner of a box that cameras frame, the floor at its bottom: the
+                                  same camera for the frames of a film; NULL: the box round the meshes */
 } render_scene;
 
 /* A camera frames the whole scene at zoom 1, at one scale for every yaw. */

@@ -60,9 +60,18 @@ static int scene_check_mesh(const render_mesh *m, int32_t mesh, render_error *er
 }
 
 
-/* box round all meshes, and the widest reach from the upright axis through its middle */
+/* box that is asked for, or round all meshes, and the widest reach from the upright axis through its middle */
 static void scene_bounds(render *r, const render_scene *scene)
 {
+    if (scene->frame != NULL) {
+        for (int k = 0; k < 3; k++) {
+            r->low[k] = scene->frame[k];
+            r->high[k] = scene->frame[k + 3];
+            r->centre[k] = 0.5 * (r->low[k] + r->high[k]);
+        }
+        r->radius = fmax(r->high[0] - r->centre[0], r->high[2] - r->centre[2]);
+        return;
+    }
     for (int k = 0; k < 3; k++) {
         r->low[k] = 1e30;
         r->high[k] = -1e30;

@@ -52,49 +52,116 @@ static double contour_bump(double h, double angle, double middle, double t)
 }
 
 
-double mus__contour_radius(const mus__contour *contour, double cosine, double sine)
+/* the superellipse alone */
+static double contour_oval(const mus__contour *contour, double cosine, double sine)
 {
     if (contour->corners > 0) return mus__outline_radius(contour, cosine, sine);
     double x = fabs(cosine) / contour->a, y = fabs(sine) / contour->b, n = contour->n;
-    double radius = n == 2.0 ? 1.0 / sqrt(x * x + y * y) : pow(pow(x, n) + pow(y, n), -1.0 / n);
-
-    /* the front is towards -b: the frame of the torso is (X, -Z, Y) */
-    if (contour->bump[0] != 0.0 || contour->bump[1] != 0.0) {
-        double t = atan2(sine, cosine);
-        radius += contour_bump(contour->bump[0], contour->bump_angle[0], -0.5 * MUS_PI, t);
-        radius += contour_bump(contour->bump[1], contour->bump_angle[1], 0.5 * MUS_PI, t);
-    }
-
-    /* the wall: (ca + R cos) * side >= wall */
-    double inward = -cosine * contour->wall_side;
-    if (inward > 0.0) {
-        double most = (contour->ca * contour->wall_side - contour->wall) / inward;
-        if (radius > most) radius = most;
-    }
-    return radius;
+    return n == 2.0 ? 1.0 / sqrt(x * x + y * y) : pow(pow(x, n) + pow(y, n), -1.0 / n);
 }
 
 
-double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work)
+/* the bumps in a direction; the front is towards -b: the frame of the torso is (X, -Z, Y) */
+static double contour_bumps(const mus__contour *contour, double cosine, double sine)
+{
+    double t = atan2(sine, cosine), sum = 0.0;
+    if (contour->bump[0] != 0.0) sum += contour_bump(contour->bump[0], contour->bump_angle[0], -0.5 * MUS_PI, t);
+    if (contour->bump[1] != 0.0) sum += contour_bump(contour->bump[1], contour->bump_angle[1], 0.5 * MUS_PI, t);
+    return sum;
+}
+
+
+/* a radius held at the wall: (ca + R cos) * side >= wall */
+static double contour_walled(const mus__contour *contour, double cosine, double radius)
+{
+    double inward = -cosine * contour->wall_side;
+    if (inward <= 0.0) return radius;
+    double most = (contour->ca * contour->wall_side - contour->wall) / inward;
+    return radius > most ? most : radius;
+}
+
+
+static bool contour_has_bumps(const mus__contour *contour)
+{
+    return contour->bump[0] != 0.0 || contour->bump[1] != 0.0;
+}
+
+
+double mus__contour_radius(const mus__contour *contour, double cosine, double sine)
+{
+    double radius = contour_oval(contour, cosine, sine);
+    if (contour_has_bumps(contour)) radius += contour_bumps(contour, cosine, sine);
+    return contour_walled(contour, cosine, radius);
+}
+
+
+/* radii without the wall: powers of a quarter of the directions, exponentials of a half, since both are symmetric; an
+ * outline is not */
+static void contour_free(const mus__contour *contour, int32_t n, const double *turn, double *radius)
+{
+    if (contour->corners > 0) {
+        for (int32_t k = 0; k < n; k++) radius[k] = mus__outline_radius(contour, turn[2 * k], turn[2 * k + 1]);
+        return;
+    }
+    const int32_t half = n / 2, quarter = n / 4;
+    for (int32_t k = 0; k <= quarter; k++) {
+        radius[k] = contour_oval(contour, turn[2 * k], turn[2 * k + 1]);
+        radius[half - k] = radius[half + k] = radius[k];
+        radius[k > 0 ? n - k : 0] = radius[k];
+    }
+    if (!contour_has_bumps(contour)) return;
+    for (int32_t k = 0; k <= half; k++) {
+        /* quarter by quarter from the front: n - quarter, and on both its sides */
+        const int32_t left = (n - quarter + k) % n, right = (n - quarter - k + n) % n;
+        const double bumps = contour_bumps(contour, turn[2 * left], turn[2 * left + 1]);
+        radius[left] += bumps;
+        if (right != left) radius[right] += bumps;
+    }
+}
+
+
+void mus__contour_radii(const mus__contour *contour, int32_t n, const double *turn, double *radius)
+{
+    contour_free(contour, n, turn, radius);
+    if (contour->wall_side == 0.0) return;
+    for (int32_t k = 0; k < n; k++) radius[k] = contour_walled(contour, turn[2 * k], radius[k]);
+}
+
+
+/* girth with the free radii times `scale` */
+static double contour_girth(const mus__contour *contour, double scale, const double *radius, int32_t n,
+                            const double *turn, double *xy, int32_t *work)
 {
     for (int32_t k = 0; k < n; k++) {
-        double radius = mus__contour_radius(contour, turn[2 * k], turn[2 * k + 1]);
-        xy[2 * k] = radius * turn[2 * k];
-        xy[2 * k + 1] = radius * turn[2 * k + 1];
+        double r = scale * radius[k];
+        if (contour->wall_side != 0.0) r = contour_walled(contour, turn[2 * k], r);
+        xy[2 * k] = r * turn[2 * k];
+        xy[2 * k + 1] = r * turn[2 * k + 1];
     }
     return mus__polygon_tape(n, xy, work, work + n);
 }
 
 
+double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work)
+{
+    double radius[MUS_BODY_SAMPLES];
+    contour_free(contour, n, turn, radius);
+    return contour_girth(contour, 1.0, radius, n, turn, xy, work);
+}
+
+
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work)
 {
-    /* one round is exact without a wall; with one the girth grows slower than the scale, so a few are needed */
+    /* the girth is in proportion to the scale: one round; but where the wall cuts it grows slower, so a few are needed */
+    double radius[MUS_BODY_SAMPLES], scale = 1.0;
+    contour_free(contour, n, turn, radius);
     for (int round = 0; round < 60; round++) {
-        double scale = girth / mus__contour_tape(contour, n, turn, xy, work);
-        contour->a *= scale;
-        contour->b *= scale;
-        contour->bump[0] *= scale;
-        contour->bump[1] *= scale;
-        if (fabs(scale - 1.0) < 1e-13) break;
+        double part = girth / contour_girth(contour, scale, radius, n, turn, xy, work);
+        scale *= part;
+        if (contour->wall_side == 0.0 || fabs(part - 1.0) < 1e-13) break;
     }
+    contour->a *= scale;
+    contour->b *= scale;
+    contour->bump[0] *= scale;
+    contour->bump[1] *= scale;
 }

@@ -102,6 +102,8 @@ double mus__contour_half_breadth(double girth, double ratio, double n);
 double mus__contour_thigh_ratio(double girth, double hip);
 /* radius of a contour in the direction (cos, sin) */
 double mus__contour_radius(const mus__contour *contour, double cosine, double sine);
+/* radii in n directions that are symmetric about both axes, n a multiple of 4 and at most MUS_BODY_SAMPLES */
+void mus__contour_radii(const mus__contour *contour, int32_t n, const double *turn, double *radius);
 /* girth of the contour sampled at n equal angles, as a tape lies; xy (2n), work (2n) */
 double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work);
 /* scale a contour until that girth is `girth` */

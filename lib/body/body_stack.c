@@ -19,7 +19,6 @@
 #include "body/body_internal.h"
 #include "body/tape_internal.h"
 #include "geom/polygon.h"
-#include "geom/spline.h"
 
 /* steps in an interval at which the overshoot is looked for */
 #define STACK_PROBES 6
@@ -85,28 +84,59 @@ static double stack_monotone(double before, double after, double slope)
 }
 
 
-/* slopes of one spline through values y (count, `stride` apart), monotone at the marked contours */
-static void stack_slopes(const mus__stack *stack, const double *values, int32_t stride, double *slopes)
+/* second derivatives of `width` natural splines at once, values (count x width); into m, the last row without its 0 */
+static void stack_second(const mus__limb *limb, const double *values, int32_t width, double *ratio, double *m)
+{
+    const int32_t n = limb->count;
+    ratio[0] = 0.0;
+    for (int32_t k = 0; k < width; k++) m[k] = 0.0;
+    for (int32_t i = 1; i + 1 < n; i++) {
+        const double h0 = limb->contour[i].s - limb->contour[i - 1].s;
+        const double h1 = limb->contour[i + 1].s - limb->contour[i].s, pivot = 2.0 * (h0 + h1) - h0 * ratio[i - 1];
+        const double *y = values + (ptrdiff_t)i * width;
+        double *right = m + (ptrdiff_t)i * width;
+        ratio[i] = h1 / pivot;
+        for (int32_t k = 0; k < width; k++)
+            right[k] = (6.0 * ((y[k + width] - y[k]) / h1 - (y[k] - y[k - width]) / h0) - h0 * right[k - width]) / pivot;
+    }
+    for (int32_t i = n - 3; i > 0; i--) {
+        double *row = m + (ptrdiff_t)i * width;
+        for (int32_t k = 0; k < width; k++) row[k] -= ratio[i] * row[k + width];
+    }
+}
+
+
+/* slopes of the natural splines through the values (count x width), monotone at the marked contours */
+static void stack_slopes(const mus__stack *stack, const double *values, int32_t width, double *slopes)
 {
     const mus__limb *limb = stack->limb;
-    int32_t n = limb->count;
-    double *s = stack->work, *y = s + n, *m = y + n, *d = m + n, *work = d + n;
-    for (int32_t i = 0; i < n; i++) s[i] = limb->contour[i].s, y[i] = values[(ptrdiff_t)i * stride];
-    mus__spline_natural(n, s, y, m, work);
+    const int32_t n = limb->count;
+    stack_second(limb, values, width, stack->work, slopes);
 
-    /* slope at a knot from the second derivatives: S' = dy/h - h (2 m_i + m_{i+1}) / 6 */
+    /* in place: slope from the second derivatives S' = dy/h - h (2 m_i + m_{i+1}) / 6, last row first; its own m is 0 */
+    double h = limb->contour[n - 1].s - limb->contour[n - 2].s;
+    double *d = slopes + (ptrdiff_t)(n - 1) * width;
+    const double *y = values + (ptrdiff_t)(n - 1) * width;
+    for (int32_t k = 0; k < width; k++) d[k] = (y[k] - y[k - width]) / h + h * d[k - width] / 6.0;
     for (int32_t i = 0; i + 1 < n; i++) {
-        double h = s[i + 1] - s[i];
-        d[i] = (y[i + 1] - y[i]) / h - h * (2.0 * m[i] + m[i + 1]) / 6.0;
-        d[i + 1] = (y[i + 1] - y[i]) / h + h * (m[i] + 2.0 * m[i + 1]) / 6.0;
-    }
-    for (int32_t i = 0; i < n; i++) {
-        if (limb->limited[i]) {
-            double before = i > 0 ? (y[i] - y[i - 1]) / (s[i] - s[i - 1]) : 0.0;
-            double after = i + 1 < n ? (y[i + 1] - y[i]) / (s[i + 1] - s[i]) : 0.0;
-            d[i] = stack_monotone(i > 0 ? before : after, i + 1 < n ? after : before, d[i]);
+        h = limb->contour[i + 1].s - limb->contour[i].s;
+        d = slopes + (ptrdiff_t)i * width, y = values + (ptrdiff_t)i * width;
+        for (int32_t k = 0; k < width; k++) {
+            const double after = i + 2 < n ? d[k + width] : 0.0;
+            d[k] = (y[k + width] - y[k]) / h - h * (2.0 * d[k] + after) / 6.0;
         }
-        slopes[(ptrdiff_t)i * stride] = d[i];
+    }
+
+    for (int32_t i = 0; i < n; i++) {
+        if (!limb->limited[i]) continue;
+        const double low = i > 0 ? limb->contour[i].s - limb->contour[i - 1].s : 0.0;
+        const double high = i + 1 < n ? limb->contour[i + 1].s - limb->contour[i].s : 0.0;
+        d = slopes + (ptrdiff_t)i * width, y = values + (ptrdiff_t)i * width;
+        for (int32_t k = 0; k < width; k++) {
+            const double before = i > 0 ? (y[k] - y[k - width]) / low : (y[k + width] - y[k]) / high;
+            const double after = i + 1 < n ? (y[k + width] - y[k]) / high : before;
+            d[k] = stack_monotone(before, after, d[k]);
+        }
     }
 }
 
@@ -132,8 +162,8 @@ static void stack_cap(mus__stack *stack, int end)
 
 static void stack_all_slopes(mus__stack *stack)
 {
-    for (int32_t k = 0; k < stack->n; k++) stack_slopes(stack, stack->radius + k, stack->n, stack->slope + k);
-    for (int32_t k = 0; k < 2; k++) stack_slopes(stack, stack->centre + k, 2, stack->drift + k);
+    stack_slopes(stack, stack->radius, stack->n, stack->slope);
+    stack_slopes(stack, stack->centre, 2, stack->drift);
     stack_cap(stack, 0);
     stack_cap(stack, 1);
 }
@@ -150,7 +180,7 @@ mus_status mus__stack_make(mus_context *context, const mus__limb *limb, int32_t 
     out->slope = mus__new(context, count * n, sizeof(double));
     out->centre = mus__new(context, count * 2, sizeof(double));
     out->drift = mus__new(context, count * 2, sizeof(double));
-    out->work = mus__new(context, count * 6 + (int64_t)n * 3 + 2, sizeof(double));
+    out->work = mus__new(context, count + (int64_t)n * 3, sizeof(double));
     if (!out->radius || !out->slope || !out->centre || !out->drift || !out->work) {
         mus__stack_free(context, out);
         return mus__fail_memory(context, "the contours of a limb");
@@ -159,8 +189,7 @@ mus_status mus__stack_make(mus_context *context, const mus__limb *limb, int32_t 
     for (int32_t i = 0; i < limb->count; i++) {
         const mus__contour *contour = &limb->contour[i];
         out->centre[2 * i] = contour->ca, out->centre[2 * i + 1] = contour->cb;
-        for (int32_t k = 0; k < n; k++)
-            out->radius[(ptrdiff_t)i * n + k] = mus__contour_radius(contour, turn[2 * k], turn[2 * k + 1]);
+        mus__contour_radii(contour, n, turn, out->radius + (ptrdiff_t)i * n);
     }
     stack_all_slopes(out);
     return MUS_OK;
@@ -178,7 +207,7 @@ void mus__stack_free(mus_context *context, mus__stack *stack)
 }
 
 
-/* perimeter of the in-between contour at s */
+/* perimeter of the in-between contour at s; radius (n), xy (2n) */
 static double stack_girth(const mus__stack *stack, double s, double *radius, double *xy)
 {
     double centre[2];
@@ -191,19 +220,14 @@ static double stack_girth(const mus__stack *stack, double s, double *radius, dou
 }
 
 
-/* true when a girth between contours i and i + 1 leaves their interval by more than 3 % */
-static bool stack_overshoots(const mus__stack *stack, int32_t i)
+/* true when a girth between contours i and i + 1, of girths low and high, leaves their interval by more than 3 % */
+static bool stack_overshoots(const mus__stack *stack, int32_t i, double low, double high, double *work)
 {
     const mus__contour *p = &stack->limb->contour[i];
-    double *radius = stack->work + 6 * (ptrdiff_t)stack->limb->count, *xy = radius + stack->n;
-    double low = stack_girth(stack, p[0].s, radius, xy), high = stack_girth(stack, p[1].s, radius, xy);
-    if (low > high) {
-        double swap = low;
-        low = high, high = swap;
-    }
+    const double least = 0.97 * fmin(low, high), most = 1.03 * fmax(low, high);
     for (int32_t j = 1; j < STACK_PROBES; j++) {
-        double girth = stack_girth(stack, p[0].s + (p[1].s - p[0].s) * j / STACK_PROBES, radius, xy);
-        if (girth < 0.97 * low || girth > 1.03 * high) return true;
+        double girth = stack_girth(stack, p[0].s + (p[1].s - p[0].s) * j / STACK_PROBES, work, work + stack->n);
+        if (girth < least || girth > most) return true;
     }
     return false;
 }
@@ -211,15 +235,25 @@ static bool stack_overshoots(const mus__stack *stack, int32_t i)
 
 void mus__stack_limit(mus__stack *stack, mus__limb *limb)
 {
-    /* a mark moves its neighbours' curve, so look again until no interval is new; at most once a contour */
+    double girth[MUS_LIMB_CONTOURS], *work = stack->work + limb->count;
+    bool fresh[MUS_LIMB_CONTOURS]; /* the curve between this contour and the next has not been looked at */
+    for (int32_t i = 0; i < limb->count; i++) {
+        girth[i] = stack_girth(stack, limb->contour[i].s, work, work + stack->n);
+        fresh[i] = true;
+    }
+
+    /* a mark moves the curve on both sides of its contour, so look again until no interval is new */
     for (int32_t round = 0; round < limb->count; round++) {
-        bool more = false;
+        bool more = false, next[MUS_LIMB_CONTOURS] = {false};
         for (int32_t i = 0; i + 1 < limb->count; i++) {
-            if ((limb->limited[i] && limb->limited[i + 1]) || !stack_overshoots(stack, i)) continue;
+            if (!fresh[i] || (limb->limited[i] && limb->limited[i + 1])) continue;
+            if (!stack_overshoots(stack, i, girth[i], girth[i + 1], work)) continue;
             limb->limited[i] = limb->limited[i + 1] = true;
+            next[i > 0 ? i - 1 : 0] = next[i + 1] = true;
             more = true;
         }
         if (!more) break;
+        memcpy(fresh, next, sizeof fresh);
         stack_all_slopes(stack);
     }
 }
@@ -266,8 +300,8 @@ void mus__stack_ring(const mus__stack *stack, double s, double *centre, double *
     for (int32_t k = 0; k < 2; k++)
         centre[k] = basis[0] * c[k] + basis[1] * dc[k] + basis[2] * c[k + 2] + basis[3] * dc[k + 2];
     const double *r = stack->radius + (ptrdiff_t)i * n, *dr = stack->slope + (ptrdiff_t)i * n;
-    for (int32_t k = 0; k < n; k++)
-        radius[k] = basis[0] * r[k] + basis[1] * dr[k] + basis[2] * r[k + n] + basis[3] * dr[k + n];
+    const double p0 = basis[0], d0 = basis[1], p1 = basis[2], d1 = basis[3];
+    for (int32_t k = 0; k < n; k++) radius[k] = p0 * r[k] + d0 * dr[k] + p1 * r[k + n] + d1 * dr[k + n];
 
     /* the wall holds between the contours as well */
     if (limb->wall_side == 0.0) return;

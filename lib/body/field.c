@@ -87,7 +87,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
         double s = j + 1 < out->nring ? out->s0 + j * out->ds : high;
         double *centre = out->centre + 2 * j, *radius = out->radius + (ptrdiff_t)j * out->nangle, most = 0.0;
         field_ring(stack, part, s, joint, centre, radius);
-        for (int32_t k = 0; k < out->nangle; k++) most = fmax(most, radius[k]);
+        for (int32_t k = 0; k < out->nangle; k++) most = radius[k] > most ? radius[k] : most;
         out->reach = fmax(out->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
         out->largest[j] = most;
         if (j > 0) out->largest[j - 1] = fmax(out->largest[j - 1], most);

@@ -165,8 +165,27 @@ int32_t mus__polygon_hull(int32_t n, const double *xy, int32_t *out, int32_t *wo
 }
 
 
+/* goes round once and turns left all the way: it is its own hull. x may change its way at two corners alone */
+static bool polygon_is_convex(int32_t n, const double *xy)
+{
+    const double *before = xy + 2 * (n - 1), *here = xy;
+    double ux = here[0] - before[0], uy = here[1] - before[1];
+    int32_t turns = 0;
+    bool right = ux > 0.0;
+    for (int32_t i = 0; i < n; i++) {
+        const double *next = xy + 2 * polygon_next(n, i);
+        const double vx = next[0] - here[0], vy = next[1] - here[1];
+        if (!(ux * vy - uy * vx > 0.0)) return false;
+        if ((vx > 0.0) != right) turns++, right = !right;
+        ux = vx, uy = vy, here = next;
+    }
+    return turns <= 2;
+}
+
+
 double mus__polygon_tape(int32_t n, const double *xy, int32_t *work_a, int32_t *work_b)
 {
+    if (n >= 3 && polygon_is_convex(n, xy)) return mus__polygon_perimeter(n, xy);
     int32_t count = mus__polygon_hull(n, xy, work_a, work_b);
     double sum = 0.0;
     for (int32_t i = 0; i < count; i++) sum += mus__dist2(xy + 2 * work_a[i], xy + 2 * work_a[polygon_next(count, i)]);

@@ -111,6 +111,30 @@ START_TEST(a_wall_cuts_and_the_girth_still_holds)
 END_TEST
 
 
+/* all directions at once, by their symmetry, are each direction by itself: ovals, bumps, walls, a lopsided outline */
+START_TEST(radii_of_all_directions_are_those_of_each)
+{
+    const double corner[] = {-2.5, -0.08, -0.06, -0.5, 0.09, -0.049, 0.3, 0.12, 0.037, 2.0, -0.02, 0.0437};
+    const mus__contour row[] = {
+        {.a = 0.15, .b = 0.11, .n = 2.0},
+        {.a = 0.15, .b = 0.11, .n = 2.6, .ca = 0.02, .cb = -0.01},
+        {.a = 0.15, .b = 0.11, .n = 2.3, .bump = {0.03, 0.01}, .bump_angle = {0.65, 0.4}},
+        {.a = 0.10, .b = 0.12, .n = 2.05, .ca = -0.08, .wall = 0.002, .wall_side = -1.0},
+        {.a = 0.12, .b = 0.06, .n = 2.0, .corners = 4, .corner = corner},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        for (int form = 0; form < 2; form++) {
+            double radius[SAMPLES];
+            if (form == 0) mus__body_turns(96, turn);
+            if (form == 1) mus__field_turns(96, turn);
+            mus__contour_radii(&row[i], 96, turn, radius);
+            for (int32_t k = 0; k < 96; k++)
+                ck_assert_double_eq_tol(radius[k], mus__contour_radius(&row[i], turn[2 * k], turn[2 * k + 1]), 1e-15);
+        }
+}
+END_TEST
+
+
 START_TEST(a_full_thigh_grows_deep)
 {
     ck_assert_double_eq_tol(mus__contour_thigh_ratio(0.3, 0.2), 1.03, 1e-12);
@@ -130,6 +154,7 @@ Suite *mus_suite_body_contour(void)
     tcase_add_test(tests, the_fitted_polygon_has_the_girth_not_the_curve);
     tcase_add_test(tests, bumps_lie_where_they_are_told_and_the_tape_spans_between);
     tcase_add_test(tests, a_wall_cuts_and_the_girth_still_holds);
+    tcase_add_test(tests, radii_of_all_directions_are_those_of_each);
     tcase_add_test(tests, a_full_thigh_grows_deep);
     suite_add_tcase(suite, tests);
     return suite;

@@ -12,8 +12,7 @@ static double turn[2 * N];
 
 static void set_turns(void)
 {
-    for (int32_t k = 0; k < N; k++)
-        turn[2 * k] = cos(2.0 * MUS_PI * k / N), turn[2 * k + 1] = sin(2.0 * MUS_PI * k / N);
+    mus__body_turns(N, turn);
 }
 
 

@@ -91,7 +91,7 @@ typedef struct mus__stack {
     double *centre;     /* (count x 2) */
     double *drift;      /* (count x 2) d centre / d s */
     double cap[2][2];   /* of the closing caps below and above: s of the ellipse's middle, half axis */
-    double *work;
+    double *work;       /* (count + 3 n): of the slopes, then 3 n of who asks rings */
 } mus__stack;
 
 /* ---- body_contour.c ---- */

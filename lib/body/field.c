@@ -79,7 +79,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
     }
 
     /* radii at the joints */
-    double *joint = stack->work + 6 * (ptrdiff_t)limb->count, middle[2];
+    double *joint = stack->work + limb->count, middle[2];
     for (int end = 0; end < 2; end++)
         mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
 

@@ -70,8 +70,24 @@ MUS_API mus_status mus_joint_limits(int32_t joint, int32_t axis, double *low, do
  * MUS_ERR_VERSION; MUS_ERR_BODY (the message names joint, angle and limits). */
 MUS_API mus_status mus_pose_check(mus_context *context, const mus_pose *pose);
 
+/**
+ * Make a posed copy of a body.
+ *
+ * Its surface, landmarks, contour points and depth are those of the pose; asked and made measures and the volume stay
+ * those of the rest pose. A pose is always that of the body as made: posing a posed body does not add up.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (an angle beyond the limits of its joint)
+ * Cost:    as mus_body_create
+ */
+MUS_API mus_status mus_body_pose(const mus_body *body, const mus_pose *pose, mus_body **out);
+
 /** The pose that a body was made in: that of its tape's arm angle. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_body_rest_pose(const mus_body *body, mus_pose *pose);
+
+/** The pose that a body stands in. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_body_stance(const mus_body *body, mus_pose *pose);
+
+/** Put a pose's place so high that the lowest point of the body stands on the floor. Errors: as mus_body_pose. */
+MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
 
 #ifdef __cplusplus
 }

@@ -158,6 +158,7 @@ void mus_body_destroy(mus_body *body)
     if (body == NULL) return;
     for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
     mus__free(body->context, body->field);
+    mus__free(body->context, body->frame);
     mus__free(body->context, body->limb);
     mus__free(body->context, body->outline);
     mus__free(body->context, body->vertices);
@@ -271,6 +272,8 @@ mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t c
         return mus__fail(body->context, MUS_ERR_ARG, "%d points of a contour: at least 3, and room for them", (int)n);
 
     const mus__contour *c = &found->contour[contour];
+    mus__frame frame;
+    if (body->frame != NULL) mus__rig_ring(&body->rig, body->frame, limb, c->s, &frame);
     for (int32_t k = 0; k < n; k++) {
         double cosine = cos(2.0 * MUS_PI * k / n), sine = sin(2.0 * MUS_PI * k / n);
         double radius = mus__contour_radius(c, cosine, sine);
@@ -278,22 +281,37 @@ mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t c
         for (int i = 0; i < 3; i++)
             out[3 * (ptrdiff_t)k + i] =
                 found->origin[i] + a * found->side[i] + b * found->front[i] + c->s * found->axis[i];
+        if (body->frame != NULL) mus__frame_point(&frame, out + 3 * (ptrdiff_t)k, out + 3 * (ptrdiff_t)k);
     }
     return MUS_OK;
 }
 
 
-/* centre of a named contour of a limb; false without it */
-static bool body_contour_centre(const mus__limb *limb, const char *name, double *out)
+/* carry a point that lies in the ring at s of a limb to where the body stands */
+static void body_carry(const mus_body *body, int32_t limb, double s, double *x)
 {
+    mus__frame frame;
+    if (body->frame == NULL) return;
+    mus__rig_ring(&body->rig, body->frame, limb, s, &frame);
+    mus__frame_point(&frame, x, x);
+}
+
+
+/* point (a, b) off the centre of a named contour of a limb; without it the point `height` up on the middle */
+static void body_contour_point(const mus_body *body, int32_t l, const char *name, double height, bool skin, double *out)
+{
+    const mus__limb *limb = &body->limb[l];
+    double s = height;
+    out[0] = out[2] = 0.0, out[1] = height;
     for (int32_t i = 0; i < limb->count; i++) {
         const mus__contour *c = &limb->contour[i];
         if (strcmp(c->name, name) != 0) continue;
+        double b = c->cb + (skin ? mus__contour_radius(c, 0.0, 1.0) : 0.0);
         for (int k = 0; k < 3; k++)
-            out[k] = limb->origin[k] + c->ca * limb->side[k] + c->cb * limb->front[k] + c->s * limb->axis[k];
-        return true;
+            out[k] = limb->origin[k] + c->ca * limb->side[k] + b * limb->front[k] + c->s * limb->axis[k];
+        s = c->s;
     }
-    return false;
+    body_carry(body, l, s, out);
 }
 
 
@@ -302,43 +320,41 @@ mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out
     if (body == NULL || out == NULL) return MUS_ERR_ARG;
     if (!body->measured)
         return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no landmark %d", (int)landmark);
-    const mus__limb *limb = body->limb, *torso = &limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
-    out[0] = out[1] = out[2] = 0.0;
+    const int32_t right = landmark % 2;
     switch (landmark) {
     case MUS_LANDMARK_CROWN:
         memcpy(out, body->vertices + 3 * ((ptrdiff_t)torso->first_vertex + torso->vertices - 1), 3 * sizeof *out);
         return MUS_OK;
     case MUS_LANDMARK_NAPE:
         /* on the skin behind the centre of the neck */
-        out[1] = bone->nape;
-        for (int32_t i = 0; i < torso->count; i++)
-            if (strcmp(torso->contour[i].name, "nape") == 0)
-                out[2] = -torso->contour[i].cb - mus__contour_radius(&torso->contour[i], 0.0, 1.0);
+        body_contour_point(body, MUS_LIMB_TORSO, "nape", bone->nape, true, out);
         return MUS_OK;
     case MUS_LANDMARK_BUST:
-        if (!body_contour_centre(torso, "bust", out)) out[1] = bone->bust;
+        body_contour_point(body, MUS_LIMB_TORSO, "bust", bone->bust, false, out);
         return MUS_OK;
     case MUS_LANDMARK_WAIST:
-        if (!body_contour_centre(torso, "waist", out)) out[1] = bone->waist;
+        body_contour_point(body, MUS_LIMB_TORSO, "waist", bone->waist, false, out);
         return MUS_OK;
     case MUS_LANDMARK_HIP:
-        if (!body_contour_centre(torso, "hip", out)) out[1] = bone->hip;
+        body_contour_point(body, MUS_LIMB_TORSO, "hip", bone->hip, false, out);
         return MUS_OK;
     case MUS_LANDMARK_CROTCH:
         memcpy(out, body->vertices + 3 * (ptrdiff_t)torso->first_vertex, 3 * sizeof *out);
         return MUS_OK;
     case MUS_LANDMARK_SHOULDER_LEFT:
     case MUS_LANDMARK_SHOULDER_RIGHT:
-        memcpy(out, bone->joint[landmark - MUS_LANDMARK_SHOULDER_LEFT], 3 * sizeof *out);
+        memcpy(out, bone->joint[right], 3 * sizeof *out);
+        body_carry(body, MUS_LIMB_ARM_LEFT + right, 0.0, out);
         return MUS_OK;
     case MUS_LANDMARK_WRIST_LEFT:
     case MUS_LANDMARK_WRIST_RIGHT:
-        body_contour_centre(&limb[MUS_LIMB_ARM_LEFT + landmark - MUS_LANDMARK_WRIST_LEFT], "wrist", out);
+        body_contour_point(body, MUS_LIMB_ARM_LEFT + right, "wrist", 0.0, false, out);
         return MUS_OK;
     case MUS_LANDMARK_ANKLE_LEFT:
     case MUS_LANDMARK_ANKLE_RIGHT:
-        body_contour_centre(&limb[MUS_LIMB_LEG_LEFT + landmark - MUS_LANDMARK_ANKLE_LEFT], "ankle", out);
+        body_contour_point(body, MUS_LIMB_LEG_LEFT + right, "ankle", bone->ankle, false, out);
         return MUS_OK;
     default:
         return mus__fail(body->context, MUS_ERR_ARG, "landmark %d is not one of 0 to %d", (int)landmark,

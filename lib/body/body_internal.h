@@ -77,6 +77,8 @@ struct mus_body {
     double *normals;    /* (vertex_count x 3) */
     int32_t *triangles; /* (triangle_count x 3) */
     mus__rig rig;
+    mus__frame *frame; /* (parts) of a posed body, NULL: in the rest pose */
+    mus_pose pose;     /* of a posed body */
     mus__field *field; /* (nfield), one a part, in the order of the rig's parts */
     int32_t nfield;
 };

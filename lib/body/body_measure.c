@@ -140,9 +140,26 @@ static double measure_wedge(const mus_body *body, const int32_t *v, const double
 }
 
 
+/* the volume of a posed body is that of a copy in the rest pose */
+static double measure_rest_volume(const mus_body *body)
+{
+    mus_pose rest;
+    mus_body *copy = NULL;
+    double volume = NAN;
+    if (mus_body_rest_pose(body, &rest) == MUS_OK && mus_body_pose(body, &rest, &copy) == MUS_OK) {
+        mus__free(copy->context, copy->frame);
+        copy->frame = NULL;
+        volume = mus_body_volume(copy);
+    }
+    mus_body_destroy(copy);
+    return volume;
+}
+
+
 double mus_body_volume(const mus_body *body)
 {
     if (body == NULL) return NAN;
+    if (body->frame != NULL) return measure_rest_volume(body);
     double volume = 0.0, row[2][MUS_BODY_SAMPLES], pole[2];
     int32_t n = body->def.samples;
     for (int32_t l = 0; l < body->limb_count; l++) {

@@ -87,6 +87,24 @@ static void surface_vertices(const mus__stack *stack, const mus__limb *limb, con
 }
 
 
+/* carry rings, end points and all, to where the body stands */
+static void surface_carry(const mus_body *body, int32_t l, const double *s, double *x)
+{
+    const mus__limb *limb = &body->limb[l];
+    const int32_t n = body->def.samples;
+    mus__frame frame;
+    mus__rig_ring(&body->rig, body->frame, l, limb->pole[0], &frame);
+    mus__frame_point(&frame, x, x);
+    x += 3;
+    for (int32_t j = 0; j < limb->rings; j++) {
+        mus__rig_ring(&body->rig, body->frame, l, s[j], &frame);
+        for (int32_t k = 0; k < n; k++, x += 3) mus__frame_point(&frame, x, x);
+    }
+    mus__rig_ring(&body->rig, body->frame, l, limb->pole[1], &frame);
+    mus__frame_point(&frame, x, x);
+}
+
+
 static void surface_triangles(const mus__limb *limb, int32_t n, int32_t *out)
 {
     int32_t first = limb->first_vertex + 1, top = first + n * limb->rings, high = first + n * (limb->rings - 1);
@@ -189,6 +207,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         mus__limb *limb = &body->limb[l];
         surface_rings(&stack[l], limb, spacing, work);
         surface_vertices(&stack[l], limb, work, work + most, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
+        if (body->frame != NULL) surface_carry(body, l, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
         surface_triangles(limb, n, body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
         surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings,
                         body->normals + 3 * (ptrdiff_t)limb->first_vertex);

@@ -23,7 +23,6 @@
 #define RIG_SCAPULA 0.02       /* way of the shoulder joint, in parts of the stature */
 #define RIG_SCAPULA_IN 0.5     /* of it inwards, for each part upwards */
 #define RIG_CAP_ROOM 0.8       /* a cap is no longer than this part of the next part */
-#define RIG_RIGHT 1            /* which of a pair */
 
 
 /* each joint: its parent, the axis (0 X, 1 Y, 2 Z) and sense of flexion, abduction and rotation on the left side;
@@ -118,6 +117,12 @@ void mus__frame_point(const mus__frame *frame, const double *x, double *out)
 {
     rig_turn_point(frame->turn, x, out);
     for (int i = 0; i < 3; i++) out[i] += frame->place[i];
+}
+
+
+void mus__frame_turn(const mus__frame *frame, const double *x, double *out)
+{
+    rig_turn_point(frame->turn, x, out);
 }
 
 
@@ -268,12 +273,9 @@ const mus__rig *mus__body_rig(const mus_body *body)
 }
 
 
-mus_status mus_body_rest_pose(const mus_body *body, mus_pose *pose)
+const mus__frame *mus__body_frames(const mus_body *body)
 {
-    if (body == NULL || pose == NULL) return MUS_ERR_ARG;
-    mus_pose_init(pose, sizeof *pose);
-    memcpy(pose->angle, body->rig.rest, sizeof pose->angle);
-    return MUS_OK;
+    return body->frame;
 }
 
 

@@ -51,6 +51,8 @@ struct mus_body;
 /* the rig of a body whose limbs are made; one part a limb when it has no skeleton */
 void mus__rig_make(const struct mus_body *body, mus__rig *out);
 const mus__rig *mus__body_rig(const struct mus_body *body);
+/* where its parts stand (parts), NULL in the rest pose */
+const mus__frame *mus__body_frames(const struct mus_body *body);
 
 /* out (MUS_JOINT_COUNT). Errors: MUS_ERR_ARG, MUS_ERR_VERSION; limits are not looked at */
 mus_status mus__rig_locals(mus_context *context, const mus__rig *rig, const mus_pose *pose, mus__local *out);
@@ -60,7 +62,8 @@ void mus__rig_blend(const mus__local *a, const mus__local *b, double t, mus__loc
 void mus__rig_frames(const mus__rig *rig, const mus__local *local, mus__frame *out);
 /* frame of the ring of the skin at s of a limb: near a joint a blend of its two parts */
 void mus__rig_ring(const mus__rig *rig, const mus__frame *frames, int32_t limb, double s, mus__frame *out);
-/* out = turn * x + place; out may be x */
+/* out = turn * x + place, of a direction turn * x alone; out may be x */
 void mus__frame_point(const mus__frame *frame, const double *x, double *out);
+void mus__frame_turn(const mus__frame *frame, const double *x, double *out);
 
 #endif

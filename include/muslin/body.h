@@ -86,8 +86,8 @@ MUS_API double mus_body_made(const mus_body *body, int32_t measure);
 /** MUS_SOURCE_* that the completed tape had for a measure. */
 MUS_API int32_t mus_body_source(const mus_body *body, int32_t measure);
 
-/** Volume of the union of the limbs [m3] by the divergence theorem on the stacks, overlap at the joints left out; of a
- * posed body that of its rest pose, NaN when there is no memory for a copy. */
+/** Volume of the union of the limbs [m3] as made, in the rest pose: what limbs share at a joint counts once. A
+ * millisecond. */
 MUS_API double mus_body_volume(const mus_body *body);
 
 /** The surface: vertices (vertex_count x 3) [m], unit normals (vertex_count x 3), triangles (triangle_count x 3).

@@ -152,7 +152,7 @@ double mus__contour_tape(const mus__contour *contour, int32_t n, const double *t
 
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work)
 {
-    /* the girth is in proportion to the scale: one round; but where the wall cuts it grows slower, so a few are needed */
+    /* the girth is in proportion to the scale: one round; where the wall cuts it grows slower, so a few are needed */
     double radius[MUS_BODY_SAMPLES], scale = 1.0;
     contour_free(contour, n, turn, radius);
     for (int round = 0; round < 60; round++) {

@@ -1,10 +1,8 @@
 /*
- * body_measure.c: the made body under the tape again: girths and heights from its vertices, and its volume.
+ * body_measure.c: the made body under the tape again: girths and heights from its vertices.
  *
  * A girth is the perimeter of the convex hull of a ring of the surface, as the tape lies. Heights are those of the
- * rings and of the end points. The volume is one third of the sum of x . n over the triangles (divergence theorem),
- * each weighted by the part of it that lies outside all other limbs, so that what two limbs share at a joint counts
- * once.
+ * rings and of the end points.
  */
 #include <math.h>
 
@@ -90,97 +88,4 @@ mus_status mus__body_remeasure(mus_body *body)
     body->made[MUS_MEASURE_RISE] = waist - body->made[MUS_MEASURE_INLEG];
     body->made[MUS_MEASURE_FOOT] = y[3 * ((ptrdiff_t)foot->vertices - 1) + 2] - y[2];
     return MUS_OK;
-}
-
-
-/* depth of point x in the parts of all limbs but `own` */
-static double measure_other_depth(const mus_body *body, int32_t own, const double *x)
-{
-    double most = -1e30, normal[3];
-    for (int32_t l = 0; l < body->nfield; l++) {
-        if (body->rig.part[l].limb == own) continue;
-        double depth = mus__field_depth(&body->field[l], x, normal);
-        if (depth > most) most = depth;
-    }
-    return most;
-}
-
-
-/* part of a triangle outside, from the depths of its corners, taking depth as linear over it */
-static double measure_outside(const double *depth)
-{
-    int inside = (depth[0] > 0.0) + (depth[1] > 0.0) + (depth[2] > 0.0);
-    if (inside == 0) return 1.0;
-    if (inside == 3) return 0.0;
-
-    /* the corner that is alone: its share is the product of the two cut fractions; far corners are taken as near */
-    int lone = 0;
-    for (int c = 0; c < 3; c++)
-        if ((depth[c] > 0.0) == (inside == 1)) lone = c;
-    double d = fmax(depth[lone], -0.02), part = 1.0;
-    for (int c = 1; c < 3; c++) part *= d / (d - fmax(depth[(lone + c) % 3], -0.02));
-    return inside == 1 ? 1.0 - part : part;
-}
-
-
-/* depths in the other limbs of a ring of the surface */
-static void measure_row(const mus_body *body, int32_t own, int32_t ring, double *depth)
-{
-    const double *x = measure_ring(body, &body->limb[own], ring);
-    for (int32_t k = 0; k < body->def.samples; k++) depth[k] = measure_other_depth(body, own, x + 3 * (ptrdiff_t)k);
-}
-
-
-/* six times the volume under a triangle, the part outside the other limbs */
-static double measure_wedge(const mus_body *body, const int32_t *v, const double *depth)
-{
-    double cross[3];
-    mus__cross3(body->vertices + 3 * (ptrdiff_t)v[1], body->vertices + 3 * (ptrdiff_t)v[2], cross);
-    return measure_outside(depth) * mus__dot3(body->vertices + 3 * (ptrdiff_t)v[0], cross);
-}
-
-
-/* the volume of a posed body is that of a copy in the rest pose */
-static double measure_rest_volume(const mus_body *body)
-{
-    mus_pose rest;
-    mus_body *copy = NULL;
-    double volume = NAN;
-    if (mus_body_rest_pose(body, &rest) == MUS_OK && mus_body_pose(body, &rest, &copy) == MUS_OK) {
-        mus__free(copy->context, copy->frame);
-        copy->frame = NULL;
-        volume = mus_body_volume(copy);
-    }
-    mus_body_destroy(copy);
-    return volume;
-}
-
-
-double mus_body_volume(const mus_body *body)
-{
-    if (body == NULL) return NAN;
-    if (body->frame != NULL) return measure_rest_volume(body);
-    double volume = 0.0, row[2][MUS_BODY_SAMPLES], pole[2];
-    int32_t n = body->def.samples;
-    for (int32_t l = 0; l < body->limb_count; l++) {
-        const mus__limb *limb = &body->limb[l];
-        const double *x = body->vertices + 3 * (ptrdiff_t)limb->first_vertex;
-        pole[0] = measure_other_depth(body, l, x);
-        pole[1] = measure_other_depth(body, l, x + 3 * ((ptrdiff_t)limb->vertices - 1));
-        measure_row(body, l, 0, row[0]);
-
-        /* triangles come ring by ring: a fan, strips, a fan; two rows of depths are enough */
-        for (int32_t t = 0; t < limb->triangles; t++) {
-            if (t % (2 * n) == n && t / (2 * n) + 1 < limb->rings)
-                measure_row(body, l, t / (2 * n) + 1, row[(t / (2 * n) + 1) % 2]);
-            const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
-            double depth[3];
-            for (int c = 0; c < 3; c++) {
-                int32_t i = v[c] - limb->first_vertex - 1;
-                depth[c] = i < 0 ? pole[0] : i == limb->rings * n ? pole[1] : row[i / n % 2][i % n];
-            }
-            volume += measure_wedge(body, v, depth);
-        }
-    }
-    return volume / 6.0;
 }

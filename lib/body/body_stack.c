@@ -84,7 +84,7 @@ static double stack_monotone(double before, double after, double slope)
 }
 
 
-/* second derivatives of `width` natural splines at once, values (count x width); into m, the last row without its 0 */
+/* second derivatives of `width` natural splines at once, values (count x width); into m, without the last row's 0 */
 static void stack_second(const mus__limb *limb, const double *values, int32_t width, double *ratio, double *m)
 {
     const int32_t n = limb->count;
@@ -113,7 +113,7 @@ static void stack_slopes(const mus__stack *stack, const double *values, int32_t 
     const int32_t n = limb->count;
     stack_second(limb, values, width, stack->work, slopes);
 
-    /* in place: slope from the second derivatives S' = dy/h - h (2 m_i + m_{i+1}) / 6, last row first; its own m is 0 */
+    /* in place: slope from the second derivatives S' = dy/h - h (2 m_i + m_{i+1}) / 6; the last row first, its m is 0 */
     double h = limb->contour[n - 1].s - limb->contour[n - 2].s;
     double *d = slopes + (ptrdiff_t)(n - 1) * width;
     const double *y = values + (ptrdiff_t)(n - 1) * width;

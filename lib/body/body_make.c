@@ -23,7 +23,7 @@ mus_status mus__body_limbs(mus_body *body, int32_t count)
 void mus__body_turns(int32_t n, double *turn)
 {
     for (int32_t k = 0; k < n; k++) {
-        /* cosines of angles below 45 degrees, and their sines, so that the quarters mirror each other to the last bit */
+        /* cosines and sines of angles below 45 degrees, so that the quarters mirror each other to the last bit */
         int32_t step = k % (n / 4), quarter = k / (n / 4);
         int32_t least = step < n / 4 - step ? step : n / 4 - step;
         double angle = 2.0 * MUS_PI * least / n, more = cos(angle), less = 2 * least == n / 4 ? more : sin(angle);

@@ -97,7 +97,8 @@ static void stack_second(const mus__limb *limb, const double *values, int32_t wi
         double *right = m + (ptrdiff_t)i * width;
         ratio[i] = h1 / pivot;
         for (int32_t k = 0; k < width; k++)
-            right[k] = (6.0 * ((y[k + width] - y[k]) / h1 - (y[k] - y[k - width]) / h0) - h0 * right[k - width]) / pivot;
+            right[k] =
+                (6.0 * ((y[k + width] - y[k]) / h1 - (y[k] - y[k - width]) / h0) - h0 * right[k - width]) / pivot;
     }
     for (int32_t i = n - 3; i > 0; i--) {
         double *row = m + (ptrdiff_t)i * width;
@@ -113,7 +114,7 @@ static void stack_slopes(const mus__stack *stack, const double *values, int32_t 
     const int32_t n = limb->count;
     stack_second(limb, values, width, stack->work, slopes);
 
-    /* in place: slope from the second derivatives S' = dy/h - h (2 m_i + m_{i+1}) / 6; the last row first, its m is 0 */
+    /* in place: S' = dy/h - h (2 m_i + m_{i+1}) / 6 from the second derivatives; the last row first, its m is 0 */
     double h = limb->contour[n - 1].s - limb->contour[n - 2].s;
     double *d = slopes + (ptrdiff_t)(n - 1) * width;
     const double *y = values + (ptrdiff_t)(n - 1) * width;

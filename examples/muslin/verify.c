@@ -15,7 +15,8 @@
 #include "scene.h"
 
 static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force,   verify_cloth,
-                                              verify_bend, verify_drape,  verify_contact, verify_collide};
+                                              verify_bend, verify_drape,  verify_contact, verify_collide,
+                                              verify_plane};
 
 
 /* ---- which cases ---- */

@@ -53,5 +53,6 @@ int verify_bend(verify *v);
 int verify_drape(verify *v);
 int verify_contact(verify *v);
 int verify_collide(verify *v);
+int verify_plane(verify *v);
 
 #endif

@@ -130,6 +130,40 @@ MUS_API mus_status mus_drape_evaluate(mus_drape *drape, int32_t times);
  */
 MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);
 
+/** A plane beside the body: ground, incline, table, belt, turntable, shaken table. */
+typedef struct mus_plane {
+    size_t size;
+    double point[3];    /* on it; the middle of a disc, what it spins about [m], default 0 */
+    double normal[3];   /* to the side where cloth is, of any length, default (0, 1, 0) */
+    double velocity[3]; /* of the plane as a whole [m/s], default 0; along itself: a belt */
+    double spin;        /* about the normal through the point [rad/s], default 0 */
+    double friction;    /* below 0 (default): the drape's; infinite: what touches, sticks */
+    double reach;       /* radius of a disc [m]; 0 (default): no end */
+} mus_plane;
+
+MUS_API void mus_plane_init(mus_plane *plane, size_t size);
+
+/**
+ * One more plane in the scene, from now on; cloth is kept off it, and slides or sticks, as on skin. Sewing and settling
+ * meet it too.
+ *
+ * `plane` NULL: the ground, y = 0. `index` (may be NULL) gets its number, from 0 on. Nothing passes a plane without an
+ * end; a disc is 1 cm thick, and what is farther below it is under the table. The report takes depth below planes and
+ * impulses of planes as those of the body. A moving plane moves in mus_drape_step; mus_drape_place puts it back as it
+ * was added. Sewing and settling need it at rest (MUS_ERR_STATE).
+ * Errors:  MUS_ERR_ARG (not finite, beyond 10 km, 1000 m/s or 1000 rad/s, normal of no length), MUS_ERR_VERSION;
+ *          MUS_ERR_LIMIT (32 planes are there), MUS_ERR_MEMORY
+ * Cost:    a few multiplications a node and plane, many nodes at once
+ */
+MUS_API mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t *index);
+
+/**
+ * From now on the plane moves with `velocity` (3) [m/s] and `spin` [rad/s], from where it is.
+ *
+ * Errors:  MUS_ERR_ARG (no such plane, not finite, above 1000)
+ */
+MUS_API mus_status mus_drape_move_plane(mus_drape *drape, int32_t index, const double *velocity, double spin);
+
 /** What a run will cost, told before it. */
 typedef struct mus_drape_forecast {
     size_t size;
@@ -214,7 +248,7 @@ typedef struct mus_drape_report {
     double step_bound;          /* [s] */
     int64_t steps;              /* of any kind since create */
     int64_t spring_evaluations; /* since create */
-    int64_t contact_queries;    /* node against limb, since create */
+    int64_t contact_queries;    /* node against part of the body or plane, since create */
     double sew_time;            /* cloth time spent sewing [s] */
     double settle_time;         /* cloth time spent settling, on all cuts [s] */
     int32_t step_parts;         /* that the last mus_drape_step divided its steps in at most, 1 as a rule */

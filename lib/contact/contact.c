@@ -1,8 +1,8 @@
 /*
- * contact.c: the collider: the body's radius fields copied for float and double, with a box round each limb.
+ * contact.c: the collider: the body's radius fields copied for float and double, with a box round each part; planes.
  *
  * Boxes are of the capsule-like hull of the axis: the span of the axis widened by the reach of the contours. A node
- * outside every box pays six comparisons a limb and nothing else.
+ * outside every box pays six comparisons a part and nothing else.
  */
 #include <math.h>
 #include <string.h>
@@ -166,21 +166,19 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
 }
 
 
-/* box of the axis from end to end, widened by the reach in the contour's plane */
-static void limb_box(const mus__field *field, const double *origin, double skin, double *box)
+/* where a part was made */
+static void fill_home(const mus__field *from, const mus__f64_field *field, mus__contact_home *home)
 {
-    for (int32_t i = 0; i < 3; i++) {
-        const double start = field->origin[i] - origin[i];
-        const double e0 = start + field->pole[0] * field->axis[i], e1 = start + field->pole[1] * field->axis[i];
-        const double across = sqrt(field->side[i] * field->side[i] + field->front[i] * field->front[i]);
-        const double wide = across * (field->reach + skin) + skin;
-        box[i] = (e0 < e1 ? e0 : e1) - wide;
-        box[i + 3] = (e0 < e1 ? e1 : e0) + wide;
-    }
+    memcpy(home->origin, field->origin, sizeof home->origin);
+    memcpy(home->axis, field->axis, sizeof home->axis);
+    memcpy(home->side, field->side, sizeof home->side);
+    memcpy(home->front, field->front, sizeof home->front);
+    memcpy(home->end, from->pole, sizeof home->end);
+    home->reach = from->reach;
 }
 
 
-/* least radius over all limbs */
+/* least radius over all parts */
 static double thinnest(const mus_body *body)
 {
     double least = BIG;
@@ -192,41 +190,55 @@ static double thinnest(const mus_body *body)
 }
 
 
+/* fields of all parts of the body, in its rest */
+static mus_status fill_parts(mus__collider *collider, const mus_body *body)
+{
+    mus_context *context = collider->context;
+    const int32_t n = collider->nlimb = body->nfield;
+    int64_t total = 0;
+    for (int32_t l = 0; l < n; l++) total += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
+    collider->field32 = mus__new(context, n, sizeof *collider->field32);
+    collider->field64 = mus__new(context, n, sizeof *collider->field64);
+    collider->box = mus__new(context, 6 * (int64_t)n, sizeof *collider->box);
+    collider->home = mus__new(context, n, sizeof *collider->home);
+    collider->carry = mus__new(context, n, sizeof *collider->carry);
+    collider->table32 = mus__new(context, total, sizeof *collider->table32);
+    collider->table64 = mus__new(context, total, sizeof *collider->table64);
+    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->home == NULL ||
+        collider->carry == NULL || collider->table32 == NULL || collider->table64 == NULL)
+        return mus__fail_memory(context, "the radius fields of a collider");
+
+    int64_t at = 0;
+    for (int32_t l = 0; l < n; l++) {
+        fill_double(&body->field[l], collider->origin, collider->skin, &collider->field64[l], collider->table64 + at);
+        fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
+        fill_home(&body->field[l], &collider->field64[l], &collider->home[l]);
+        at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
+    }
+    collider->safe = SAFE_PART * thinnest(body);
+    return MUS_OK;
+}
+
+
 mus_status mus__collider_create(mus_context *context, const mus_body *body, const double *origin, double skin,
                                 mus__collider **out)
 {
     *out = NULL;
-    if (body->nfield > MUS_LIMBS_MOST)
+    if (body != NULL && body->nfield > MUS_LIMBS_MOST)
         return mus__fail(context, MUS_ERR_LIMIT, "body: %d limbs, at most %d can be collided with", (int)body->nfield,
                          MUS_LIMBS_MOST);
     mus__collider *collider = mus__new(context, 1, sizeof *collider);
     if (collider == NULL) return mus__fail_memory(context, "a collider");
     collider->context = context;
     collider->skin = skin;
+    collider->safe = BIG;
     memcpy(collider->origin, origin, sizeof collider->origin);
-    const int32_t n = collider->nlimb = body->nfield;
-
-    int64_t total = 0;
-    for (int32_t l = 0; l < n; l++) total += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
-    collider->field32 = mus__new(context, n, sizeof *collider->field32);
-    collider->field64 = mus__new(context, n, sizeof *collider->field64);
-    collider->box = mus__new(context, 6 * (int64_t)n, sizeof *collider->box);
-    collider->table32 = mus__new(context, total, sizeof *collider->table32);
-    collider->table64 = mus__new(context, total, sizeof *collider->table64);
-    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->table32 == NULL ||
-        collider->table64 == NULL) {
+    const mus_status status = body != NULL ? fill_parts(collider, body) : MUS_OK;
+    if (status != MUS_OK) {
         mus__collider_destroy(collider);
-        return mus__fail_memory(context, "the radius fields of a collider");
+        return status;
     }
-
-    int64_t at = 0;
-    for (int32_t l = 0; l < n; l++) {
-        fill_double(&body->field[l], origin, skin, &collider->field64[l], collider->table64 + at);
-        fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
-        limb_box(&body->field[l], origin, skin, collider->box + 6 * l);
-        at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
-    }
-    collider->safe = SAFE_PART * thinnest(body);
+    mus__collider_move(collider, collider->shift, collider->drift, 0.0);
     *out = collider;
     return MUS_OK;
 }
@@ -239,30 +251,38 @@ void mus__collider_destroy(mus__collider *collider)
     mus__free(context, collider->field32);
     mus__free(context, collider->field64);
     mus__free(context, collider->box);
+    mus__free(context, collider->home);
+    mus__free(context, collider->carry);
+    mus__free(context, collider->plane);
     mus__free(context, collider->table32);
     mus__free(context, collider->table64);
     mus__free(context, collider);
 }
 
 
-void mus__collider_move(mus__collider *collider, const double *shift, const double *drift)
+/* a point of the world in the state's coordinates */
+static void to_state(const mus__collider *collider, const double *point, double *p)
 {
-    memcpy(collider->shift, shift, sizeof collider->shift);
-    memcpy(collider->drift, drift, sizeof collider->drift);
+    for (int32_t i = 0; i < 3; i++) p[i] = point[i] - collider->origin[i];
 }
 
 
-/* a point of the world in the frame of the fields */
-static void to_fields(const mus__collider *collider, const double *point, double *p)
+/* depth of a point of the world below plane k; -BIG beside and far below a disc */
+static double plane_depth(const mus__collider *collider, int32_t k, const double *point)
 {
-    for (int32_t i = 0; i < 3; i++) p[i] = point[i] - collider->origin[i] - collider->shift[i];
+    const mus__contact_plane *plane = &collider->plane[k];
+    double up = 0.0, across2 = 0.0;
+    for (int32_t i = 0; i < 3; i++) up += (point[i] - plane->point[i]) * plane->normal[i];
+    for (int32_t i = 0; i < 3; i++) across2 += pow(point[i] - plane->point[i] - up * plane->normal[i], 2.0);
+    if (plane->reach > 0.0 && (up < -MUS_PLANE_THICK || across2 > plane->reach * plane->reach)) return -BIG;
+    return -up;
 }
 
 
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal)
 {
     double p[3], deepest = -BIG;
-    to_fields(collider, point, p);
+    to_state(collider, point, p);
     for (int32_t l = 0; l < collider->nlimb; l++) {
         double n[3];
         int32_t near;
@@ -271,20 +291,33 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
     }
+    for (int32_t k = 0; k < collider->nplane; k++) {
+        const double depth = plane_depth(collider, k, point);
+        if (depth <= deepest || depth < -margin) continue;
+        deepest = depth;
+        if (normal != NULL) memcpy(normal, collider->plane[k].normal, 3 * sizeof *normal);
+    }
     return deepest;
 }
 
 
-int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals)
+int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals,
+                               double *friction)
 {
     double p[3];
-    to_fields(collider, point, p);
+    to_state(collider, point, p);
     int32_t count = 0;
     for (int32_t l = 0; l < collider->nlimb && count < MUS_TOUCH_MOST; l++) {
         int32_t near;
         const double depth =
             mus__f64_query(&collider->field64[l], p, reach + STEEP_MARGIN, normals + 3 * (int64_t)count, &near);
-        if (near == 1 && depth > collider->skin - reach) count++;
+        if (near == 1 && depth > collider->skin - reach) friction[count++] = -1.0;
+    }
+    for (int32_t k = 0; k < collider->nplane && count < MUS_TOUCH_MOST; k++) {
+        const mus__contact_plane *plane = &collider->plane[k];
+        if (!(plane_depth(collider, k, point) > -reach)) continue;
+        memcpy(normals + 3 * (int64_t)count, plane->normal, 3 * sizeof *normals);
+        friction[count++] = plane->friction;
     }
     return count;
 }

@@ -2,21 +2,19 @@
  * contact_kernel.h: the contact pass, as a template on the floating type (MUS_REAL, MUS_FIELD, MUS_CONTACT, MUS_RUSH).
  *
  * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
- * rests: a depth of first order jumps a little from ring to ring, but not at zero.
+ * rests: a depth of first order jumps a little from ring to ring, but not at zero. Planes are taken as much off.
  *
  * A node nearer than the clearance is put back along the outward normal, loses its velocity into the skin, and its
  * sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node along the skin with
  * the velocity it had before the impulse; friction takes back `slip` mu |v_n| of that way too, and no more than all of
- * it, so that what sticks does not creep, and in float not even by rounding. All is relative to the body: places to its
- * shift, velocities to its drift.
+ * it, so that what sticks does not creep, and in float not even by rounding. All is relative to the surface: places to
+ * where it has carried the node from, velocities to its own there. What touches several surfaces is in meet_kernel.h.
  *
- * Nodes are first held against the boxes of the limbs, a block at a time and many nodes at once; only what is in a box
- * is asked of its limb.
+ * Nodes are first held against the boxes of the parts, a block at a time and many nodes at once; only what is in a box
+ * is asked of its part.
  *
- * A node that travels farther in a step than a part of the thinnest limb is swept: its straight path from where it was
- * is walked in pieces that are shorter the nearer the skin is, the first place nearer than the clearance is found by
- * halving, the response is taken there, and the rest of the step goes on with what velocity is left. Whether paths are
- * measured at all is decided by the speeds after the step before (`swift`).
+ * What is fast is swept (sweep_kernel.h). Whether paths are measured at all is decided by the speeds after the step
+ * before (`swift`).
  */
 
 /* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
@@ -27,11 +25,8 @@
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
-#define LOOK_BLOCK 256      /* nodes */
-#define SWEEP_PIECES 4096   /* most pieces of one path */
-#define SWEEP_SHORTEST 1e-3 /* of them, in parts of the safe length: what is cut off a flank is then nanometres */
-#define SWEEP_HALVINGS 50
-#define SWEEP_DOOR 1e-5 /* [m]: this near to a box is in it */
+#define LOOK_BLOCK 256 /* nodes */
+#define MEET_MOST 8    /* surfaces that a node touches at once; more are left out */
 
 
 /* how a node came here */
@@ -67,17 +62,76 @@ static inline void MUS_FIELD(rub)(MUS_REAL friction, const MUS_FIELD(path) * pat
 }
 
 
-/* one node against one limb that it touches: x, v (3) are corrected in place. If its path is what brought it in, it is
- * put back whole; else it was inside before, and comes out by `push` beyond what springs just pulled it in */
-static inline void MUS_FIELD(respond)(MUS_REAL lift, const mus__contact_rule *rule, const MUS_FIELD(path) * path,
-                                      const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
+/* one node against one surface that it touches: x, v (3) are corrected in place. If its path is what brought it in, it
+ * is put back whole; else it was inside before, and comes out by `push` beyond what springs just pulled it in */
+static inline void MUS_FIELD(respond)(MUS_REAL lift, MUS_REAL friction, const mus__contact_rule *rule,
+                                      const MUS_FIELD(path) * path, const MUS_REAL *normal, MUS_REAL *x, MUS_REAL *v)
 {
     const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
     const MUS_REAL push = (MUS_REAL)rule->push, inward = vn < 0 ? -vn : 0;
     const MUS_REAL go = path->time * (MUS_REAL)MUS_FIELD(sqrt)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     const MUS_REAL move = lift < 0 ? 0 : lift <= push + go ? lift : push + inward * path->slip;
     for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
-    if (vn < 0) MUS_FIELD(rub)((MUS_REAL)rule->friction, path, inward, normal, x, v);
+    if (vn < 0) MUS_FIELD(rub)(friction, path, inward, normal, x, v);
+}
+
+
+/* friction of one of several surfaces: its part of the normal impulse, `inward`, takes of the velocity along it and of
+ * the way along it. Nonzero when it took all of the way */
+static int32_t MUS_FIELD(rub_one)(const MUS_FIELD(meeting) * m, MUS_REAL inward, MUS_REAL slip, MUS_REAL *x,
+                                  MUS_REAL *v)
+{
+    MUS_REAL t[3], way[3];
+    for (int32_t d = 0; d < 3; d++) t[d] = v[d] - m->speed[d], way[d] = x[d] - m->from[d];
+    const MUS_REAL out = MUS_FIELD(dot)(t, m->normal), along = MUS_FIELD(dot)(way, m->normal);
+    for (int32_t d = 0; d < 3; d++) t[d] -= out * m->normal[d], way[d] -= along * m->normal[d];
+    const MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(t, t));
+    const MUS_REAL length = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(way, way));
+    const MUS_REAL loss = m->friction * inward, back = slip > 0 ? loss * slip : 0;
+    const MUS_REAL keep = speed > loss ? (speed - loss) / speed : 0, part = length > back ? back / length : 1;
+    for (int32_t d = 0; d < 3; d++) v[d] -= (1 - keep) * t[d], x[d] -= part * way[d];
+    return part == 1;
+}
+
+
+/* one node against the several surfaces that it touches, in place */
+static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIELD(path) * path,
+                                   const MUS_FIELD(meeting) * list, int32_t count, MUS_REAL *x, MUS_REAL *v)
+{
+    MUS_REAL wish[MEET_MOST], share[MEET_MOST], move[3], fast2 = 0, inward = 0;
+
+    /* places: out at once when the path of the step brought the node in, else by `push` beyond what springs did */
+    for (int32_t i = 0; i < count; i++) {
+        MUS_REAL w[3];
+        for (int32_t d = 0; d < 3; d++) w[d] = v[d] - list[i].speed[d];
+        const MUS_REAL into = -MUS_FIELD(dot)(w, list[i].normal), w2 = MUS_FIELD(dot)(w, w);
+        wish[i] = list[i].lift;
+        if (into > inward) inward = into;
+        if (w2 > fast2) fast2 = w2;
+    }
+    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(fast2), push = (MUS_REAL)rule->push;
+    MUS_FIELD(out_of_all)(list, count, wish, push, move, share);
+    const MUS_REAL far = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
+    const MUS_REAL scale = far <= push + path->time * fast ? 1 : (push + inward * path->slip) / far;
+    for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
+
+    /* velocities, with no more than the node has */
+    for (int32_t i = 0; i < count; i++)
+        wish[i] = -(MUS_FIELD(dot)(v, list[i].normal) - MUS_FIELD(dot)(list[i].speed, list[i].normal));
+    MUS_FIELD(out_of_all)(list, count, wish, fast, move, share);
+    for (int32_t d = 0; d < 3; d++) v[d] += move[d];
+    int32_t rubbed = 0, all = 0;
+    for (int32_t i = 0; i < count; i++) {
+        if (!(share[i] > 0)) continue;
+        rubbed++;
+        all += MUS_FIELD(rub_one)(&list[i], share[i], path->slip, x, v);
+    }
+
+    /* one that sticks and is where it was is put back to the last bit */
+    MUS_REAL off2 = 0;
+    for (int32_t d = 0; d < 3; d++) off2 += (x[d] - list->from[d]) * (x[d] - list->from[d]);
+    if (rubbed == 0 || all < rubbed || off2 > (MUS_REAL)(HELD_BAND * HELD_BAND)) return;
+    for (int32_t d = 0; d < 3; d++) x[d] = list->from[d];
 }
 
 
@@ -88,7 +142,7 @@ static inline int32_t MUS_FIELD(boxed)(const MUS_REAL *box, const MUS_REAL *p)
 }
 
 
-/* the limbs whose box p is in, a bit each */
+/* the parts whose box p is in, a bit each */
 static uint64_t MUS_FIELD(boxes_of)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p)
 {
     uint64_t in = 0;
@@ -97,189 +151,102 @@ static uint64_t MUS_FIELD(boxes_of)(int32_t nlimb, const MUS_REAL *box, const MU
 }
 
 
-/* one node against the limbs `in`, in place. Returns a lower bound of the node's distance to the body, at most
- * `margin`; below clearance + TOUCH_BAND when it touched */
-static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule, uint64_t in,
-                                        MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w,
-                                        int64_t *queries)
+/* one more surface that the node touches */
+static inline void MUS_FIELD(add_meeting)(MUS_FIELD(meeting) * list, int32_t *count, MUS_REAL lift, MUS_REAL friction,
+                                          const MUS_REAL *normal, const MUS_FIELD(way) * way, const MUS_REAL *from,
+                                          const MUS_REAL *p)
+{
+    if (*count == MEET_MOST) return;
+    MUS_FIELD(meeting) *m = &list[(*count)++];
+    m->lift = lift;
+    m->friction = friction;
+    for (int32_t d = 0; d < 3; d++) m->normal[d] = normal[d];
+    MUS_FIELD(carry)(way, from, p, m->from, m->speed);
+}
+
+
+/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. Returns a lower bound
+ * of the node's distance to them, at most `margin`; below clearance + TOUCH_BAND when it touched */
+static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
+                                        const MUS_FIELD(scene) * scene, uint64_t in, uint32_t on, int32_t still,
+                                        const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
-    MUS_REAL distance = margin;
+    MUS_REAL distance = scene->margin, normal[3];
+    MUS_FIELD(meeting) list[MEET_MOST];
+    int32_t count = 0, near;
     for (int32_t l = 0; in != 0; l++, in >>= 1) {
         if ((in & 1) == 0) continue;
-        MUS_REAL normal[3];
-        int32_t near;
-        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
+        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
         (*queries)++;
         if (near == 0) continue;
         if (-depth < distance) distance = -depth;
-        if (depth > -band) MUS_FIELD(respond)(depth + clearance, rule, path, normal, p, w);
+        if (depth > -band)
+            MUS_FIELD(add_meeting)
+            (list, &count, depth + clearance, (MUS_REAL)rule->friction, normal,
+             still ? NULL : MUS_FIELD(way_of)(scene, l), path->from, p);
+    }
+    for (int32_t k = 0; on != 0; k++, on >>= 1) {
+        if ((on & 1) == 0) continue;
+        const MUS_FIELD(flat) *flat = &scene->flat[k];
+        const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, scene->margin, &near);
+        (*queries)++;
+        if (-depth < distance) distance = -depth;
+        if (near && depth > -band)
+            MUS_FIELD(add_meeting)
+            (list, &count, depth + clearance, flat->friction, flat->normal, still || !flat->moving ? NULL : &flat->way,
+             path->from, p);
+    }
+    if (count == 1) {
+        const MUS_FIELD(path) own = {list->from, path->time, path->slip};
+        for (int32_t d = 0; d < 3; d++) w[d] -= list->speed[d];
+        MUS_FIELD(respond)(list->lift, list->friction, rule, &own, list->normal, p, w);
+        for (int32_t d = 0; d < 3; d++) w[d] += list->speed[d];
+    } else if (count > 1) {
+        MUS_FIELD(respond_all)(rule, path, list, count, p, w);
     }
     return distance;
 }
 
 
-/* ---- fast nodes ---- */
-
-/* how far p is nearer than the clearance, over all limbs, and the normal (3) of the nearest; far below 0 and no normal
- * when none is near */
-static MUS_REAL MUS_FIELD(lift_at)(const mus__collider *collider, const MUS_REAL *box, MUS_REAL margin,
-                                   MUS_REAL clearance, const MUS_REAL *p, MUS_REAL *out, int64_t *queries)
-{
-    MUS_REAL lift = -1;
-    for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
-        if (!MUS_FIELD(boxed)(box, p)) continue;
-        MUS_REAL normal[3];
-        int32_t near;
-        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
-        (*queries)++;
-        if (!near || depth + clearance <= lift) continue;
-        lift = depth + clearance;
-        for (int32_t i = 0; i < 3; i++) out[i] = normal[i];
-    }
-    return lift;
-}
-
-
-/* time until p + t w is in a box: 0 when it is in one, `left` when it comes to none before */
-static MUS_REAL MUS_FIELD(wait)(int32_t nlimb, const MUS_REAL *box, const MUS_REAL *p, const MUS_REAL *w,
-                                MUS_REAL speed, MUS_REAL left)
-{
-    MUS_REAL first = left;
-    for (int32_t l = 0; l < nlimb; l++, box += 6) {
-        MUS_REAL in = 0, out = left;
-        for (int32_t i = 0; i < 3; i++) {
-            if (w[i] == 0) {
-                if (p[i] < box[i] || p[i] > box[i + 3]) out = -1;
-                continue;
-            }
-            const MUS_REAL t0 = (box[i] - p[i]) / w[i], t1 = (box[i + 3] - p[i]) / w[i];
-            const MUS_REAL low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
-            if (low > in) in = low;
-            if (high < out) out = high;
-        }
-        if (in <= out && in < first) first = in;
-    }
-    return first * speed <= (MUS_REAL)SWEEP_DOOR && first < left ? 0 : first;
-}
-
-
-/* the first time in 0..piece at which p + t w is nearer than the clearance, where it is at `piece` and not at 0 */
-static MUS_REAL MUS_FIELD(hit_time)(const mus__collider *collider, const MUS_REAL *box, MUS_REAL margin,
-                                    MUS_REAL clearance, const MUS_REAL *p, const MUS_REAL *w, MUS_REAL piece,
-                                    int64_t *queries)
-{
-    MUS_REAL low = 0, high = piece, normal[3];
-    for (int32_t k = 0; k < SWEEP_HALVINGS; k++) {
-        const MUS_REAL t = low + (high - low) / 2;
-        const MUS_REAL q[3] = {p[0] + t * w[0], p[1] + t * w[1], p[2] + t * w[2]};
-        if (MUS_FIELD(lift_at)(collider, box, margin, clearance, q, normal, queries) > 0)
-            high = t;
-        else
-            low = t;
-    }
-    return low;
-}
-
-
-/* the length of path to walk from a place `distance` off the clearance: half of what is surely free, as distances are
- * of first order; on the skin, where the pieces after take back what goes in, what no limb fits through */
-static inline MUS_REAL MUS_FIELD(piece)(MUS_REAL distance, MUS_REAL safe)
-{
-    const MUS_REAL free = distance / 2, shortest = (MUS_REAL)SWEEP_SHORTEST * safe;
-    return distance <= (MUS_REAL)TOUCH_BAND || free > safe ? safe : free > shortest ? free : shortest;
-}
-
-
-/* touch() at the end of a piece: nonzero when place or velocity changed; a changed velocity is the way from here on */
-static int32_t MUS_FIELD(meet)(const mus__collider *collider, const mus__contact_rule *rule, const MUS_REAL *box,
-                               MUS_REAL margin, const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w, MUS_REAL *way,
-                               int64_t *queries)
-{
-    const MUS_REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
-    MUS_FIELD(touch)(collider, rule, MUS_FIELD(boxes_of)(collider->nlimb, box, p), margin, path, p, w, queries);
-    if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
-        for (int32_t i = 0; i < 3; i++) way[i] = w[i];
-        return 1;
-    }
-    return x[0] != p[0] || x[1] != p[1] || x[2] != p[2];
-}
-
-
-/* a node that came from p to q in a step, now with velocity w: q and w (3) as contact leaves them. Nonzero when it
- * touched; else both are as they were */
-static int32_t MUS_FIELD(sweep)(const mus__collider *collider, const mus__contact_rule *rule, const MUS_REAL *box,
-                                MUS_REAL margin, MUS_REAL *p, MUS_REAL *q, MUS_REAL *w, int64_t *queries)
-{
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = (MUS_REAL)TOUCH_BAND;
-    const MUS_REAL safe = (MUS_REAL)collider->safe;
-    MUS_REAL left = (MUS_REAL)rule->step;
-    MUS_REAL way[3] = {(q[0] - p[0]) / left, (q[1] - p[1]) / left, (q[2] - p[2]) / left};
-    int32_t touched = 0;
-    for (int32_t k = 0; k < SWEEP_PIECES && left > 0; k++) {
-        MUS_REAL speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-        MUS_REAL time = MUS_FIELD(wait)(collider->nlimb, box, p, way, speed, left), slip = 0, from[3];
-        int32_t hit = 0;
-        if (time == 0) {
-            MUS_REAL normal[3];
-            const MUS_REAL off = -MUS_FIELD(lift_at)(collider, box, safe, clearance, p, normal, queries);
-            if (off <= band) {
-                /* on the skin, or as good as: what goes in is taken off before the piece */
-                const MUS_REAL in = -(way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2]);
-                const MUS_REAL rest = in > 0 && off > 0 && off < left * in ? off / in : 0;
-                for (int32_t i = 0; i < 3; i++) p[i] += rest * way[i];
-                left -= rest;
-                const MUS_FIELD(path) none = {p, 0, 0};
-                touched |= MUS_FIELD(meet)(collider, rule, box, margin, &none, p, w, way, queries);
-                speed = (MUS_REAL)MUS_FIELD(sqrt)(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-            }
-            const MUS_REAL length = MUS_FIELD(piece)(off, safe);
-            time = speed * left > length ? length / speed : left;
-            const MUS_REAL r[3] = {p[0] + time * way[0], p[1] + time * way[1], p[2] + time * way[2]};
-            hit = off <= band || MUS_FIELD(lift_at)(collider, box, safe, clearance, r, normal, queries) > 0;
-            if (off <= band)
-                slip = time;
-            else if (hit)
-                time = MUS_FIELD(hit_time)(collider, box, safe, clearance, p, way, time, queries);
-        }
-        for (int32_t i = 0; i < 3; i++) from[i] = p[i], p[i] += time * way[i];
-        left -= time;
-        const MUS_FIELD(path) piece = {from, time, slip};
-        if (hit) touched |= MUS_FIELD(meet)(collider, rule, box, margin, &piece, p, w, way, queries);
-    }
-    /* a path of too many pieces ends where it got to */
-    if (left > 0) touched = 1;
-    for (int32_t i = 0; touched && i < 3; i++) q[i] = p[i];
-    return touched;
-}
+#include "contact/sweep_kernel.h"
 
 
 /* ---- the pass ---- */
 
-/* what a pass knows of the body */
-typedef struct MUS_FIELD(scene) {
-    MUS_REAL box[6 * MUS_LIMBS_MOST]; /* widened by the margin */
-    MUS_REAL shift[3], drift[3];      /* of the body now */
-    MUS_REAL back[3];                 /* its shift before the step */
-    MUS_REAL margin;
-} MUS_FIELD(scene);
-
-
-/* limbs first .. last-1, at most 32: a bit in in (count) for each whose box a node is in */
+/* parts first .. last-1, at most 32: a bit in in (count) for each whose box a node is in */
 MUS_CLONES
 static void MUS_FIELD(look)(const MUS_FIELD(scene) * scene, int32_t first, int32_t last, int64_t n, int32_t count,
                             const MUS_REAL *restrict x, uint32_t *restrict in)
 {
-    const MUS_REAL s0 = scene->shift[0], s1 = scene->shift[1], s2 = scene->shift[2];
     for (int32_t i = 0; i < count; i++) in[i] = 0;
     for (int32_t l = first; l < last; l++) {
         const MUS_REAL *b = scene->box + 6 * l, b0 = b[0], b1 = b[1], b2 = b[2], b3 = b[3], b4 = b[4], b5 = b[5];
         const uint32_t bit = (uint32_t)1 << (l - first);
         MUS_IVDEP
         for (int32_t i = 0; i < count; i++) {
-            const MUS_REAL p0 = x[i] - s0, p1 = x[n + i] - s1, p2 = x[2 * n + i] - s2;
+            const MUS_REAL p0 = x[i], p1 = x[n + i], p2 = x[2 * n + i];
             const uint32_t inside = (p0 >= b0) & (p0 <= b3) & (p1 >= b1) & (p1 <= b4) & (p2 >= b2) & (p2 <= b5);
             in[i] |= inside * bit;
+        }
+    }
+}
+
+
+/* planes: a bit in on (count) for each that a node is not farther above than the margin */
+MUS_CLONES
+static void MUS_FIELD(look_down)(const MUS_FIELD(scene) * scene, int64_t n, int32_t count, const MUS_REAL *restrict x,
+                                 uint32_t *restrict on)
+{
+    for (int32_t i = 0; i < count; i++) on[i] = 0;
+    for (int32_t k = 0; k < scene->nplane; k++) {
+        const MUS_REAL *normal = scene->flat[k].normal, a = normal[0], b = normal[1], c = normal[2];
+        const MUS_REAL top = scene->flat[k].start + scene->margin;
+        const uint32_t bit = (uint32_t)1 << k;
+        MUS_IVDEP
+        for (int32_t i = 0; i < count; i++) {
+            const uint32_t below = a * x[i] + b * x[n + i] + c * x[2 * n + i] <= top;
+            on[i] |= below * bit;
         }
     }
 }
@@ -310,39 +277,36 @@ int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, i
 }
 
 
-/* node i, which is in the boxes `in` or may have to be swept */
+/* node i, which is in the boxes `in` and near the planes `on`, or may have to be swept */
 static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__contact_rule *rule,
-                                 const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t in, int32_t sweeps,
-                                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x,
-                                 MUS_REAL *v, mus__contact_tally *tally)
+                                 const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t in, uint32_t on,
+                                 int32_t sweeps, const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest,
+                                 MUS_REAL *x, MUS_REAL *v, mus__contact_tally *tally)
 {
-    /* place, velocity, and where it was, relative to the body */
     const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
-    MUS_REAL p[3], w[3], from[3], way2 = 0;
-    for (int32_t d = 0; d < 3; d++) {
-        p[d] = x[at[d]] - scene->shift[d];
-        w[d] = v[at[d]] - scene->drift[d];
-        from[d] = before[at[d]] - scene->back[d];
-        way2 += (p[d] - from[d]) * (p[d] - from[d]);
-    }
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), safe = (MUS_REAL)collider->safe;
-    if (sweeps && way2 > safe * safe) {
-        if (!MUS_FIELD(sweep)(collider, rule, scene->box, scene->margin, from, p, w, &tally->queries)) return;
-    } else {
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
+    MUS_REAL p[3], w[3], from[3];
+    int32_t touched = 0;
+    for (int32_t d = 0; d < 3; d++) p[d] = x[at[d]], w[d] = v[at[d]], from[d] = before[at[d]];
+    const uint64_t parts = in;
+    const uint32_t planes = on;
+    if (sweeps) touched = MUS_FIELD(sweep_all)(collider, rule, scene, &in, &on, from, p, w, &tally->queries);
+    const int32_t swept = in != parts || on != planes;
+    if (in != 0 || on != 0) {
         const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
-        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, in, scene->margin, &path, p, w, &tally->queries);
+        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, scene, in, on, 0, &path, p, w, &tally->queries);
 
         /* it sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
-        const MUS_REAL off = rule->travel > 0.0 ? (distance - clearance) / 2 / (MUS_REAL)rule->travel : 0;
+        const MUS_REAL off = rule->travel > 0.0 && !swept ? (distance - clearance) / 2 / (MUS_REAL)rule->travel : 0;
         rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
-        if (distance >= clearance + (MUS_REAL)TOUCH_BAND) return;
+        touched |= distance < clearance + (MUS_REAL)TOUCH_BAND;
     }
+    if (!touched) return;
     const double mass = 1.0 / (double)inverse[i];
     for (int32_t d = 0; d < 3; d++) {
-        const MUS_REAL after = w[d] + scene->drift[d];
-        tally->impulse[d] += ((double)after - (double)v[at[d]]) * mass;
-        x[at[d]] = p[d] + scene->shift[d];
-        v[at[d]] = after;
+        tally->impulse[d] += ((double)w[d] - (double)v[at[d]]) * mass;
+        x[at[d]] = p[d];
+        v[at[d]] = w[d];
     }
 }
 
@@ -353,29 +317,25 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
 {
     MUS_FIELD(scene) scene;
     const int32_t nlimb = collider->nlimb;
-    scene.margin = (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND;
-    if (rule->travel > 0.0) scene.margin += (MUS_REAL)SIT_OUT_MARGIN;
-    for (int32_t k = 0; k < 6 * nlimb; k++)
-        scene.box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -scene.margin : scene.margin);
-    for (int32_t d = 0; d < 3; d++) {
-        scene.shift[d] = (MUS_REAL)collider->shift[d];
-        scene.drift[d] = (MUS_REAL)collider->drift[d];
-        scene.back[d] = (MUS_REAL)(collider->shift[d] - rule->step * collider->drift[d]);
-    }
+    MUS_REAL margin = (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND;
+    if (rule->travel > 0.0) margin += (MUS_REAL)SIT_OUT_MARGIN;
+    MUS_FIELD(fill_scene)(collider, rule, margin, &scene);
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
-    uint32_t low[LOOK_BLOCK], high[LOOK_BLOCK] = {0};
+    uint32_t low[LOOK_BLOCK], high[LOOK_BLOCK] = {0}, on[LOOK_BLOCK] = {0};
     for (int32_t start = first; start < last; start += LOOK_BLOCK) {
         const int32_t count = last - start < LOOK_BLOCK ? last - start : LOOK_BLOCK;
         MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
         if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
+        if (scene.nplane > 0) MUS_FIELD(look_down)(&scene, n, count, x + start, on);
         for (int32_t i = start; i < start + count; i++) {
             const uint64_t in = low[i - start] | (uint64_t)high[i - start] << 32;
-            if (in == 0 && !sweeps) continue;
+            if (in == 0 && on[i - start] == 0 && !sweeps) continue;
             if (rest[i] > 0)
                 rest[i]--;
             else if (inverse[i] != 0)
-                MUS_FIELD(meet_node)(collider, rule, &scene, n, i, in, sweeps, inverse, before, rest, x, v, tally);
+                MUS_FIELD(meet_node)
+                (collider, rule, &scene, n, i, in, on[i - start], sweeps, inverse, before, rest, x, v, tally);
         }
     }
 }

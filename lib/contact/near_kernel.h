@@ -9,6 +9,7 @@
 #define NEAR_BAND 2e-6   /* [m] a node this near to the clearance is still on the skin: float rounds by as much */
 #define NEAR_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define NEAR_BLOCK 256
+#define NEAR_MOST 8 /* surfaces that a node touches at once; more are left out */
 
 typedef struct MUS_FIELD(near_rule) {
     MUS_REAL clearance, friction, push, time, slip, ball;
@@ -63,35 +64,101 @@ static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t
 }
 
 
-/* one node asked of all limbs, in place; what it is to remember goes to plane (8, a stride of n) */
-static void MUS_FIELD(near_ask)(const mus__collider *collider, MUS_FIELD(near_rule) rule, const MUS_REAL *box,
-                                MUS_REAL margin, int64_t n, MUS_REAL *plane, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
+/* one node against the several surfaces that it touches, in place: as respond_all of contact_kernel.h, the way slid
+ * being taken from the velocity as near_respond() takes it */
+static void MUS_FIELD(near_respond_all)(MUS_FIELD(near_rule) rule, const MUS_FIELD(meeting) * list, int32_t count,
+                                        MUS_REAL *x, MUS_REAL *v)
 {
-    const MUS_REAL band = rule.clearance + (MUS_REAL)NEAR_BAND, ball = rule.ball;
-    MUS_REAL first = -margin, second = -margin, keep[3] = {0, 0, 0};
-    for (int32_t d = 0; d < 3; d++) plane[(4 + d) * n] = p[d];
+    MUS_REAL wish[NEAR_MOST], share[NEAR_MOST], move[3], inward = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL into = -MUS_FIELD(dot)(v, list[i].normal);
+        wish[i] = list[i].lift;
+        if (into > inward) inward = into;
+    }
+    const MUS_REAL fast = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(v, v));
+    MUS_FIELD(out_of_all)(list, count, wish, rule.push, move, share);
+    const MUS_REAL far = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(move, move));
+    const MUS_REAL scale = far <= rule.push + inward * rule.time ? 1 : (rule.push + inward * rule.slip) / far;
+    for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
+
+    for (int32_t i = 0; i < count; i++) wish[i] = -MUS_FIELD(dot)(v, list[i].normal);
+    MUS_FIELD(out_of_all)(list, count, wish, fast, move, share);
+    for (int32_t d = 0; d < 3; d++) v[d] += move[d];
+    for (int32_t i = 0; i < count; i++) {
+        if (!(share[i] > 0)) continue;
+        const MUS_REAL out = MUS_FIELD(dot)(v, list[i].normal);
+        MUS_REAL t[3];
+        for (int32_t d = 0; d < 3; d++) t[d] = v[d] - out * list[i].normal[d];
+        const MUS_REAL speed = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(t, t)), loss = list[i].friction * share[i];
+        const MUS_REAL lost = speed > loss ? loss / speed : 1;
+        for (int32_t d = 0; d < 3; d++) v[d] -= lost * t[d], x[d] -= rule.slip * lost * t[d];
+    }
+}
+
+
+/* what asks a node of the surfaces finds: those that it touches, and the two nearest of all */
+typedef struct MUS_FIELD(near_found) {
+    MUS_FIELD(meeting) list[NEAR_MOST];
+    int32_t count, strange; /* strange: it touches a plane with a friction of its own */
+    MUS_REAL first, second, normal[3];
+} MUS_FIELD(near_found);
+
+
+static inline void MUS_FIELD(near_note)(MUS_FIELD(near_found) * found, MUS_REAL lift, MUS_REAL friction, MUS_REAL depth,
+                                        const MUS_REAL *normal)
+{
+    if (depth > found->first) {
+        found->second = found->first, found->first = depth;
+        for (int32_t d = 0; d < 3; d++) found->normal[d] = normal[d];
+    } else if (depth > found->second) {
+        found->second = depth;
+    }
+    if (!(lift > -(MUS_REAL)NEAR_BAND) || found->count == NEAR_MOST) return;
+    MUS_FIELD(meeting) *m = &found->list[found->count++];
+    m->lift = lift, m->friction = friction;
+    for (int32_t d = 0; d < 3; d++) m->normal[d] = normal[d];
+}
+
+
+/* one node asked of all surfaces, in place; what it is to remember goes to plane (8, a stride of n) */
+static void MUS_FIELD(near_ask)(const mus__collider *collider, MUS_FIELD(near_rule) rule,
+                                const MUS_FIELD(scene) * scene, int64_t n, MUS_REAL *plane, MUS_REAL *p, MUS_REAL *w,
+                                int64_t *queries)
+{
+    const MUS_REAL ball = rule.ball, margin = scene->margin, *box = scene->box;
+    MUS_FIELD(near_found) found;
+    int32_t near;
+    found.count = found.strange = 0;
+    found.first = found.second = -margin;
+    for (int32_t d = 0; d < 3; d++) found.normal[d] = 0, plane[(4 + d) * n] = p[d];
     for (int32_t l = 0; l < collider->nlimb; l++, box += 6) {
         if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
             continue;
         MUS_REAL normal[3];
-        int32_t near;
         const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, margin, normal, &near);
         (*queries)++;
-        if (near == 0) continue;
-        if (depth > first) {
-            second = first, first = depth;
-            for (int32_t d = 0; d < 3; d++) keep[d] = normal[d];
-        } else if (depth > second) {
-            second = depth;
-        }
-        if (depth > -band) MUS_FIELD(near_respond)(rule, 1, depth + rule.clearance, normal, p, w);
+        if (near) MUS_FIELD(near_note)(&found, depth + rule.clearance, rule.friction, depth, normal);
+    }
+    for (int32_t k = 0; k < scene->nplane; k++) {
+        const MUS_FIELD(flat) *flat = &scene->flat[k];
+        const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, margin, &near);
+        (*queries)++;
+        MUS_FIELD(near_note)(&found, near ? depth + rule.clearance : -1, flat->friction, depth, flat->normal);
+        if (depth > -4 * ball && flat->friction != rule.friction) found.strange = 1;
+    }
+    if (found.count == 1) {
+        MUS_FIELD(near_rule) own = rule;
+        own.friction = found.list[0].friction;
+        MUS_FIELD(near_respond)(own, 1, found.list[0].lift, found.list[0].normal, p, w);
+    } else if (found.count > 1) {
+        MUS_FIELD(near_respond_all)(rule, found.list, found.count, p, w);
     }
 
-    /* far off: no plane, half the distance. Near one limb: its plane. Near two, or deep inside: asked every time */
-    const MUS_REAL off = -first - rule.clearance, other = -second - rule.clearance, half = off / 2;
-    const int32_t far = off > 2 * ball, plain = off > -4 * ball && other > 2 * ball;
-    for (int32_t d = 0; d < 3; d++) plane[d * n] = far ? 0 : keep[d];
-    plane[3 * n] = far ? -1 : first;
+    /* far off: no plane, half the distance. Near one surface: its plane. Near two, or deep inside: asked every time */
+    const MUS_REAL off = -found.first - rule.clearance, other = -found.second - rule.clearance, half = off / 2;
+    const int32_t far = off > 2 * ball, plain = off > -4 * ball && other > 2 * ball && !found.strange;
+    for (int32_t d = 0; d < 3; d++) plane[d * n] = far ? 0 : found.normal[d];
+    plane[3 * n] = far ? -1 : found.first;
     plane[7 * n] = far ? half * half : plain ? ball * ball : -1;
 }
 
@@ -105,11 +172,9 @@ void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int3
                                       (MUS_REAL)rule->step,
                                       (MUS_REAL)rule->slip,
                                       (MUS_REAL)rule->ball};
-    const MUS_REAL margin = own.clearance + (MUS_REAL)NEAR_MARGIN;
-    MUS_REAL box[6 * MUS_LIMBS_MOST], stale[NEAR_BLOCK], shift[3];
-    for (int32_t d = 0; d < 3; d++) shift[d] = (MUS_REAL)collider->shift[d];
-    for (int32_t k = 0; k < 6 * collider->nlimb; k++)
-        box[k] = (MUS_REAL)collider->box[k] + (k % 6 < 3 ? -margin : margin);
+    MUS_FIELD(scene) scene;
+    MUS_REAL stale[NEAR_BLOCK];
+    MUS_FIELD(fill_scene)(collider, rule, own.clearance + (MUS_REAL)NEAR_MARGIN, &scene);
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
     for (int32_t start = first; start < last; start += NEAR_BLOCK) {
@@ -118,12 +183,9 @@ void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int3
         for (int32_t i = start; i < start + count; i++) {
             if (stale[i - start] == 0) continue;
             MUS_REAL p[3], w[3];
-            for (int64_t d = 0; d < 3; d++) p[d] = x[d * n + i] - shift[d], w[d] = v[d * n + i];
-            MUS_FIELD(near_ask)(collider, own, box, margin, n, near + i, p, w, &tally->queries);
-            for (int64_t d = 0; d < 3; d++) {
-                near[(4 + d) * n + i] += shift[d];
-                x[d * n + i] = p[d] + shift[d], v[d * n + i] = w[d];
-            }
+            for (int64_t d = 0; d < 3; d++) p[d] = x[d * n + i], w[d] = v[d * n + i];
+            MUS_FIELD(near_ask)(collider, own, &scene, n, near + i, p, w, &tally->queries);
+            for (int64_t d = 0; d < 3; d++) x[d * n + i] = p[d], v[d * n + i] = w[d];
         }
     }
 }

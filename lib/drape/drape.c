@@ -132,15 +132,14 @@ static int32_t has_shear(const mus_cloth *cloth)
 }
 
 
-/* names of the passes that this scene has no work for */
-static void name_skipped(mus_drape *drape)
+void mus__drape_name_skipped(mus_drape *drape)
 {
     const struct {
         int32_t absent;
         const char *name;
     } list[] = {
         {drape->collider == NULL, "contact"},
-        {drape->collider == NULL || drape->friction == 0.0, "friction"},
+        {drape->collider == NULL || (drape->friction == 0.0 && drape->collider->nplane == 0), "friction"},
         {drape->cloth->npair == 0, "seams"},
         {!has_shear(drape->cloth), "shear"},
         {drape->cloth->nbend + drape->cloth->nhinge == 0, "bending"},
@@ -205,7 +204,7 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     sim->pool = drape->pool;
     sim->collider = drape->collider;
     sim->collision_distance = def->collision_distance;
-    name_skipped(drape);
+    mus__drape_name_skipped(drape);
 
     /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
     for (int32_t i = 0; i < drape->n; i++) {
@@ -250,7 +249,7 @@ void mus_drape_destroy(mus_drape *drape)
     mus__sim_destroy(context, &drape->sim);
     void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean,
                       drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned,
-                      drape->planes};
+                      drape->skin, drape->plane};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

@@ -12,11 +12,17 @@
 #include "drape/transfer.h"
 #include "muslin/drape.h"
 
+/* a plane: where it was at `time`, and how it moves since */
+typedef struct mus__drape_plane {
+    mus_plane added; /* as the caller gave it, its normal a unit */
+    double from[3], velocity[3], spin, time;
+} mus__drape_plane;
+
 struct mus_drape {
     mus_context *context;
     mus_drape_def def;
     mus_cloth *cloth;
-    mus__collider *collider; /* NULL without a body */
+    mus__collider *collider; /* NULL without a body and planes */
     mus__pool *pool;
     mus_drape *parent;       /* of a coarser double, which borrows its collider and pool; NULL */
     mus_drape *coarse;       /* the coarser double, NULL until sew or settle want it (level.c) */
@@ -33,7 +39,7 @@ struct mus_drape {
     /* of settle, one block, NULL before the first */
     double *mean;       /* (n x 3) mean place over the last steps before a check */
     double *before;     /* (n x 3) mean place at the check before */
-    void *planes;       /* (n x 8) what nodes know of the skin near them */
+    void *skin;         /* (n x 8) what nodes know of the skin near them */
     double *left;       /* (n x 3) force left over at the check before */
 
     double *work;       /* (n x 6) scratch of the stiffness at a pose */
@@ -57,6 +63,8 @@ struct mus_drape {
 
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;
+    mus__drape_plane *plane; /* (MUS_PLANES_MOST) as many as the collider has, NULL without */
+    int32_t moved;           /* nonzero: a surface did since nodes were asked what they remember */
     char skipped[96];
 };
 
@@ -89,19 +97,26 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
 
-/* ---- a body that glides, nodes that are fast (glide.c) ---- */
+/* ---- surfaces that move, nodes that are fast (glide.c, plane.c) ---- */
 
-int32_t mus__drape_glides(const mus_drape *drape);
-/* the body to where it is `steps` steps of `h` from now */
-void mus__drape_glide(mus_drape *drape, int64_t steps, double h);
-/* before the first of some steps (the rule of contact set), and before each: where the body will be at its end, `steps`
+/* whether the body or a plane moves; a plane alone */
+int32_t mus__drape_moves(const mus_drape *drape);
+int32_t mus__drape_plane_moves(const mus_drape *drape);
+/* body and planes to where they are `steps` steps of `h` from now; they came there in a step of `came`, 0: at rest */
+void mus__drape_stand(mus_drape *drape, int64_t steps, double h, double came);
+void mus__drape_stand_planes(mus_drape *drape, int64_t steps, double h, double came);
+/* seconds from `then` to `steps` steps of `h` from now */
+double mus__drape_since(const mus_drape *drape, double then, int64_t steps, double h);
+/* before the first of some steps (the rule of contact set), and before each: where surfaces will be at its end, `steps`
  * from the clock's time; whether contact will sweep */
 void mus__drape_meet_first(mus_drape *drape);
 void mus__drape_meet(mus_drape *drape, int64_t steps, double h);
-/* the body to where it was made, at rest */
-void mus__drape_glide_back(mus_drape *drape);
-/* MUS_ERR_STATE when the body glides: `what` needs it at rest */
+/* the body to where it was made, at rest; planes as they were added */
+void mus__drape_stand_back(mus_drape *drape);
+/* MUS_ERR_STATE when a surface moves: `what` needs it at rest */
 mus_status mus__drape_still(const mus_drape *drape, const char *what);
+/* names of the passes that this scene has no work for, anew */
+void mus__drape_name_skipped(mus_drape *drape);
 
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);

@@ -121,11 +121,11 @@ static double length3(const double *r)
 /*
  * What skin in contact carries of the force r at a node: pushes p_k >= 0 along the outward normals n_k that leave the
  * least (projected Gauss-Seidel on |r + sum p_k n_k|), then friction against what is left, up to mu sum p_k. The rest
- * stays in r.
+ * stays in r. Surfaces without a friction of their own (below 0) have `friction`.
  */
-static void carry(double *r, const double *normals, int32_t count, double friction)
+static void carry(double *r, const double *normals, const double *own, int32_t count, double friction)
 {
-    double push[SIDES_MOST] = {0.0}, all = 0.0;
+    double push[SIDES_MOST] = {0.0}, all = 0.0, grip = 0.0;
     for (int32_t sweep = 0; sweep < (count > 1 ? 32 : 1); sweep++)
         for (int32_t k = 0; k < count; k++) {
             const double *n = normals + 3 * k;
@@ -134,8 +134,12 @@ static void carry(double *r, const double *normals, int32_t count, double fricti
             push[k] = now;
             for (int32_t i = 0; i < 3; i++) r[i] += change * n[i];
         }
-    for (int32_t k = 0; k < count; k++) all += push[k];
-    const double left = length3(r), grip = all > 0.0 ? friction * all : 0.0;
+    for (int32_t k = 0; k < count; k++) {
+        if (own[k] < 0.0) all += push[k];
+        else if (push[k] > 0.0) grip += own[k] * push[k];
+    }
+    if (all > 0.0) grip += friction * all;
+    const double left = length3(r);
     const double part = left > grip ? (left - grip) / left : 0.0;
     for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }
@@ -148,22 +152,22 @@ static void carry(double *r, const double *normals, int32_t count, double fricti
  */
 static void carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
 {
-    double normal[3 * SIDES_MOST], all[3];
+    double normal[3 * SIDES_MOST], friction[SIDES_MOST], all[3];
     const double reach = drape->def.clearance + TOUCH_SLACK;
-    const int32_t count = mus__collider_touching(drape->collider, x, reach, normal);
+    const int32_t count = mus__collider_touching(drape->collider, x, reach, normal, friction);
     if (count == 0) return;
     memcpy(all, r, sizeof all);
-    carry(r, normal, count, drape->friction);
+    carry(r, normal, friction, count, drape->friction);
     const double left = length3(r);
     if (left <= MUCH_LEFT * weight) return;
     int32_t sides = count;
     for (int32_t side = -1; side <= 1; side += 2) {
         double beside[3];
         for (int32_t d = 0; d < 3; d++) beside[d] = x[d] + side * CREASE * r[d] / left;
-        sides += mus__collider_touching(drape->collider, beside, reach, normal + 3 * (int64_t)sides);
+        sides += mus__collider_touching(drape->collider, beside, reach, normal + 3 * (int64_t)sides, friction + sides);
     }
     memcpy(r, all, sizeof all);
-    carry(r, normal, sides, drape->friction);
+    carry(r, normal, friction, sides, drape->friction);
 }
 
 

@@ -49,7 +49,7 @@ static double time_steps(mus_drape *drape, double h)
     if (sim->near != NULL) mus__drape_near(drape); /* has its memory; forgets what the trial asked */
     sim->near = NULL;
     memcpy(sim->part_tally, tally, sizeof tally);
-    mus__drape_glide(drape, 0, drape->dt);
+    mus__drape_stand(drape, 0, drape->dt, 0.0);
     sim->force_evaluations = evaluations;
     drape->steps = steps;
     drape->spring_evaluations = springs;

@@ -108,12 +108,13 @@ static double take_move(mus_drape *drape)
 /* nonzero when nothing is held and no node is near the body any more */
 static int32_t has_slid_off(const mus_drape *drape)
 {
-    double normal[3 * MUS_TOUCH_MOST];
+    double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
     if (drape->collider == NULL) return 0;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->pinned[i]) return 0;
         if (drape->mass[i] <= 0.0) continue;
-        if (mus__collider_touching(drape->collider, drape->mean + 3 * (int64_t)i, OFF_THE_BODY, normal) > 0) return 0;
+        if (mus__collider_touching(drape->collider, drape->mean + 3 * (int64_t)i, OFF_THE_BODY, normal, friction) > 0)
+            return 0;
     }
     return 1;
 }
@@ -183,7 +184,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = drag;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h,
-                                        MUS_NEAR_BALL};
+                                        MUS_NEAR_BALL, 0.0};
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
         if (status != MUS_OK) break;

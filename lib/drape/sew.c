@@ -68,7 +68,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
         mus__drape_publish(drape);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
-                                        MUS_NEAR_BALL};
+                                        MUS_NEAR_BALL,       1.0 - SEW_GRIP};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
         status = mus__drape_guard(drape);

@@ -144,9 +144,11 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     sim->dashpots = drape->plan.dashpots;
     memset(sim->rest, 0, (size_t)drape->n);
     sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt,
-                                    drape->def.contact_ball};
+                                    drape->def.contact_ball, 0.0};
     mus__drape_meet_first(drape);
-    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_glides(drape) ? drape->planes : NULL;
+    if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
+    drape->moved = 0;
+    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_moves(drape) ? drape->skin : NULL;
 }
 
 
@@ -161,8 +163,8 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
     sim->rule.slip = verlet ? h : 0.5 * h;
     sim->rule.step = h;
 
-    /* a body that glides is moved before each step */
-    const int32_t alone = !verlet || mus__drape_glides(drape) ? 1 : count;
+    /* what moves is moved before each step */
+    const int32_t alone = !verlet || mus__drape_moves(drape) ? 1 : count;
     for (int32_t i = 0; i < count; i += alone) {
         mus__drape_meet(drape, (int64_t)ahead * parts + i + alone, h);
         if (verlet) sim->ops->verlet(sim, h, alone);
@@ -193,7 +195,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     /* held everywhere: time goes on, nothing else */
     if (!any_free(drape)) {
         mus__drape_tick(drape, steps, dt, 0);
-        mus__drape_glide(drape, 0, dt);
+        mus__drape_stand(drape, 0, dt, 0.0);
         return MUS_OK;
     }
 
@@ -222,7 +224,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         mus__drape_tick(drape, done - good, dt, mus__drape_evaluations(drape));
         good = done;
     }
-    mus__drape_glide(drape, 0, dt);
+    mus__drape_stand(drape, 0, dt, 0.0);
     sim->near = NULL;
     drape->settled = 0;
     drape->residual = NAN;

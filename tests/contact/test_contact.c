@@ -89,7 +89,7 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 0);
     const double mobile[1] = {1.0};
-    const mus__contact_rule rule = {clearance, friction, push, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {clearance, friction, push, 0.0, 0.0, 0.0, 0.0, 0.0};
     mus__contact_tally tally = {0};
     uint8_t rest[1] = {0};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
@@ -151,7 +151,7 @@ START_TEST(float_and_double_respond_alike)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 1);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0};
     uint64_t random = 3;
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
@@ -184,7 +184,7 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 1);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double mobile[1] = {1.0};
     uint8_t rest[1] = {0};
     mus__contact_tally tally = {0};
@@ -206,7 +206,7 @@ START_TEST(sitting_out_lets_nothing_through)
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 0);
     const double step = 5e-4, mobile[1] = {1.0};
-    const mus__contact_rule rule = {0.002, 0.0, 1.0, step, 0.0, step, 0.0};
+    const mus__contact_rule rule = {0.002, 0.0, 1.0, step, 0.0, step, 0.0, 0.0};
     uint64_t random = 4;
     mus__contact_tally tally = {0};
     int64_t calls = 0;

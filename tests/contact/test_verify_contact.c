@@ -1,6 +1,6 @@
 /*
- * test_verify_contact.c: the cases of `muslin verify` on limbs as claims (numerics.md F3, F4, F7, F8, C1, C3, C5, V2,
- * V3): their sources are taken in, and each row asserts.
+ * test_verify_contact.c: the cases of `muslin verify` on limbs and planes as claims (numerics.md F1-F8, C1-C3, C5,
+ * V1-V3): their sources are taken in, and each row asserts.
  */
 #include <math.h>
 #include <string.h>
@@ -8,6 +8,7 @@
 #include "muslin/verify_collide.c"
 #include "muslin/verify_contact.c"
 #include "muslin/verify_limbs.c"
+#include "muslin/verify_plane.c"
 #include "support.h"
 
 Suite *mus_suite_verify_contact(void);
@@ -43,7 +44,8 @@ static const struct {
     const char *id;
     int rows;
 } verify_contact_cases[] = {{"F3", 4},  {"F4", 4}, {"F7", 2}, {"F8", 2}, {"C1", 6},
-                            {"C3", 12}, {"C5", 1}, {"V2", 2}, {"V3", 4}};
+                            {"C3", 12}, {"C5", 1}, {"V2", 2}, {"V3", 4}, {"F1", 3},
+                            {"F2", 6},  {"F5", 1}, {"F6", 3}, {"V1", 2}, {"C2", 2}};
 
 
 START_TEST(each_case_on_limbs_has_its_exact_answer)
@@ -53,6 +55,7 @@ START_TEST(each_case_on_limbs_has_its_exact_answer)
     verify_contact_rows = 0;
     verify_contact(&v);
     verify_collide(&v);
+    verify_plane(&v);
     ck_assert_int_eq(verify_contact_rows, verify_contact_cases[_i].rows);
     support_context_end(v.context);
 }

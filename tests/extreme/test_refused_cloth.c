@@ -123,6 +123,72 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+/* a plane added to a drape of one panel */
+static mus_status try_plane(mus_context *context, const void *def, void *user)
+{
+    (void)user;
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *drape;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &drape), MUS_OK);
+    const mus_status status = mus_drape_add_plane(drape, def, NULL);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+/* X23: mus_drape_add_plane, mus_drape_move_plane */
+START_TEST(a_plane_that_is_not_finite_is_refused_by_name)
+{
+    static const refused_field fields[] = {
+        REFUSED(mus_plane, point, 3, false, "point"),       REFUSED(mus_plane, normal, 3, false, "normal"),
+        REFUSED(mus_plane, velocity, 3, false, "velocity"), REFUSED(mus_plane, spin, 1, false, "spin"),
+        REFUSED(mus_plane, reach, 1, false, "reach"),
+    };
+    mus_plane plane;
+    mus_plane_init(&plane, sizeof plane);
+    refused_fields(fields, sizeof fields / sizeof *fields, &plane, sizeof plane, try_plane, NULL);
+
+    mus_context *context = support_context();
+    const double frictions[] = {NAN, -INFINITY, INFINITY}; /* mus_plane.friction */
+    for (int k = 0; k < 3; k++) {
+        plane.friction = frictions[k];
+        ck_assert_int_eq(try_plane(context, &plane, NULL), k < 2 ? MUS_ERR_ARG : MUS_OK);
+        if (k < 2) ck_assert_ptr_nonnull(strstr(mus_context_error(context), "friction"));
+    }
+    plane.normal[1] = 0.0;
+    ck_assert_int_eq(try_plane(context, &plane, NULL), MUS_ERR_ARG);
+    plane.size = 4;
+    ck_assert_int_eq(try_plane(context, &plane, NULL), MUS_ERR_VERSION);
+    ck_assert_int_eq(mus_drape_add_plane(NULL, NULL, NULL), MUS_ERR_ARG);
+
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *drape;
+    const double slow[3] = {0.0, 1.0, 0.0};
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_move_plane(drape, 0, slow, 0.0), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_add_plane(drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_move_plane(drape, 0, slow, 0.0), MUS_OK);
+    ck_assert_int_eq(mus_drape_move_plane(drape, 1, slow, 0.0), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_move_plane(drape, 0, NULL, 0.0), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_move_plane(NULL, 0, slow, 0.0), MUS_ERR_ARG);
+    const double bad[] = {NAN, INFINITY, -INFINITY, 1e4};
+    for (size_t v = 0; v < sizeof bad / sizeof *bad; v++) {
+        const double velocity[3] = {0.0, bad[v], 0.0};
+        ck_assert_int_eq(mus_drape_move_plane(drape, 0, velocity, 0.0), MUS_ERR_ARG);
+        ck_assert_int_eq(mus_drape_move_plane(drape, 0, slow, bad[v]), MUS_ERR_ARG);
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* X23: mus_drape_move_body */
 START_TEST(a_body_glides_at_no_speed_that_is_not_finite)
 {
@@ -248,6 +314,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, a_value_that_is_not_finite_is_refused_by_mus_fabric_set);
     tcase_add_test(tests, a_fabric_without_weight_is_refused);
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_plane_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
     tcase_add_test(tests, gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was);

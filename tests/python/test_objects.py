@@ -285,6 +285,21 @@ def test_a_cloth_without_a_pattern(context):
         muslin.Cloth.bare([(0, 0, 0)], [1, 1], context=context)
 
 
+def test_cloth_lies_on_a_plane_and_is_carried_by_it(context):
+    cloth = muslin.Cloth.bare([(0.1, 0.01, 0)], [1], context=context)
+    drape = muslin.Drape(cloth, friction=0.5, precision=64)
+    assert drape.add_plane(friction=1.0, reach=0.4) == 0
+    drape.step(2000, 1e-3)
+    assert drape.positions[0, 1] == pytest.approx(0.002, abs=1e-9)
+    drape.move_plane(0, (0.1, 0, 0))
+    drape.step(1000, 1e-3)
+    assert drape.positions[0, 0] == pytest.approx(0.2, abs=1e-3)
+    with pytest.raises(muslin.MuslinError, match="plane 1, expected 0 to 0"):
+        drape.move_plane(1, (0, 0, 0))
+    with pytest.raises(muslin.MuslinError, match="normal of a plane"):
+        drape.add_plane(normal=(0, 0, 0))
+
+
 def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):
     tape, body, pattern, cloth = scene
     drape = muslin.Drape(cloth, body)

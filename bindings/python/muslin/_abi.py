@@ -263,6 +263,11 @@ class mus_drape_def(Structure):
                 ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double)]
 
 
+class mus_plane(Structure):
+    _fields_ = [("size", c_size_t), ("point", c_double * 3), ("normal", c_double * 3), ("velocity", c_double * 3),
+                ("spin", c_double), ("friction", c_double), ("reach", c_double)]
+
+
 class mus_drape_forecast(Structure):
     _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
                 ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
@@ -493,6 +498,9 @@ FUNCTIONS = {
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
     "mus_drape_evaluate": ("core", c_int32, [POINTER(mus_drape), c_int32]),
     "mus_drape_move_body": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_plane_init": ("core", None, [POINTER(mus_plane), c_size_t]),
+    "mus_drape_add_plane": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_plane), POINTER(c_int32)]),
+    "mus_drape_move_plane": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_double), c_double]),
     "mus_drape_forecast_init": ("core", None, [POINTER(mus_drape_forecast), c_size_t]),
     "mus_drape_plan": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_drape_forecast)]),
     "mus_drape_forces": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),

@@ -37,6 +37,16 @@ class Drape(Object):
         """Let the body glide with a constant velocity (3) [m/s] in step(); zero stops it where it is."""
         self.do("move_body", (ctypes.c_double * 3)(*velocity))
 
+    def add_plane(self, **options):
+        """One more plane (members of mus_plane: point, normal, velocity, spin, friction, reach); its number."""
+        index = ctypes.c_int32()
+        self.do("add_plane", ctypes.byref(make_def(_abi.mus_plane, lib.mus_plane_init, options)), ctypes.byref(index))
+        return index.value
+
+    def move_plane(self, index, velocity, spin=0.0):
+        """Let a plane move with a velocity (3) [m/s] and a spin about its normal [rad/s] in step()."""
+        self.do("move_plane", index, (ctypes.c_double * 3)(*velocity), spin)
+
     def sew(self, progress=None):
         """Pull all seams shut and weld them. progress(phase, share) may return True to stop."""
         self._run("sew", progress)

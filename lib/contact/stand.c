@@ -1,0 +1,174 @@
+/*
+ * stand.c: where the surfaces of a collider stand, and what they did in the last step.
+ *
+ * The body glides as a whole; planes move with a velocity and turn about their normal. A step of a plane is an exact
+ * rigid motion: with a the angle turned, K the cross product by the normal and p the point after the step, p0 before,
+ *
+ *   on(x)    = (sin a K + (1 - cos a) K^2) (x - p0) + p - p0
+ *   speed(x) = spin K (x - p) + velocity
+ *
+ * Sine and cosine are sums of a few products, the same on every machine.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+
+#define TURN_SMALL 0.25 /* [rad]: below it the sums are exact to rounding */
+
+
+/* box of part l: its axis from end to end, widened by the reach in the contour's plane */
+static void part_box(const mus__contact_home *home, const mus__f64_field *field, double skin, double *box)
+{
+    for (int32_t i = 0; i < 3; i++) {
+        const double start = field->origin[i];
+        const double e0 = start + home->end[0] * field->axis[i], e1 = start + home->end[1] * field->axis[i];
+        const double across = sqrt(field->side[i] * field->side[i] + field->front[i] * field->front[i]);
+        const double wide = across * (home->reach + skin) + skin;
+        box[i] = (e0 < e1 ? e0 : e1) - wide;
+        box[i + 3] = (e0 < e1 ? e1 : e0) + wide;
+    }
+}
+
+
+/* the fields and the box of part l to where it stands now */
+static void stand_part(mus__collider *collider, int32_t l)
+{
+    const mus__contact_home *home = &collider->home[l];
+    mus__f64_field *wide = &collider->field64[l];
+    mus__f32_field *slim = &collider->field32[l];
+    for (int32_t i = 0; i < 3; i++) {
+        wide->origin[i] = home->origin[i] + collider->shift[i];
+        wide->axis[i] = home->axis[i], wide->side[i] = home->side[i], wide->front[i] = home->front[i];
+        slim->origin[i] = (float)wide->origin[i];
+        slim->axis[i] = (float)wide->axis[i], slim->side[i] = (float)wide->side[i];
+        slim->front[i] = (float)wide->front[i];
+    }
+    part_box(home, wide, collider->skin, collider->box + 6 * (int64_t)l);
+}
+
+
+void mus__collider_move(mus__collider *collider, const double *shift, const double *drift, double h)
+{
+    const int32_t glides = h > 0.0 && (drift[0] != 0.0 || drift[1] != 0.0 || drift[2] != 0.0);
+    memcpy(collider->shift, shift, sizeof collider->shift);
+    collider->moving = glides ? MUS_GLIDED : MUS_STOOD;
+    for (int32_t i = 0; i < 3; i++) collider->drift[i] = glides ? drift[i] : 0.0;
+    for (int32_t l = 0; l < collider->nlimb; l++) stand_part(collider, l);
+    if (!glides || collider->nlimb == 0) return;
+    memset(collider->carry, 0, sizeof *collider->carry);
+    for (int32_t i = 0; i < 3; i++) {
+        collider->carry->on[9 + i] = h * drift[i];
+        collider->carry->speed[9 + i] = drift[i];
+    }
+}
+
+
+/* ---- planes ---- */
+
+mus_status mus__collider_add_plane(mus__collider *collider, const double *point, const double *normal, double friction,
+                                   double reach)
+{
+    mus_context *context = collider->context;
+    if (collider->nplane == MUS_PLANES_MOST)
+        return mus__fail(context, MUS_ERR_LIMIT, "drape: one plane more than %d", MUS_PLANES_MOST);
+    if (collider->plane == NULL) collider->plane = mus__new(context, MUS_PLANES_MOST, sizeof *collider->plane);
+    if (collider->plane == NULL) return mus__fail_memory(context, "planes");
+    mus__contact_plane *plane = &collider->plane[collider->nplane++];
+    memset(plane, 0, sizeof *plane);
+    memcpy(plane->point, point, sizeof plane->point);
+    memcpy(plane->normal, normal, sizeof plane->normal);
+    plane->friction = friction;
+    plane->reach = reach;
+    collider->safe = fmin(collider->safe, MUS_PLANE_SAFE);
+    return MUS_OK;
+}
+
+
+/* sin a and 1 - cos a: the angle halved until a few products sum it, then doubled back */
+static void turn_of(double angle, double *sine, double *less)
+{
+    int32_t doublings = 0;
+    for (; angle > TURN_SMALL || angle < -TURN_SMALL; doublings++) angle *= 0.5;
+    const double a = angle * angle;
+    double s = angle * (1 - a / 6 * (1 - a / 20 * (1 - a / 42 * (1 - a / 72 * (1 - a / 110)))));
+    double l = a / 2 * (1 - a / 12 * (1 - a / 30 * (1 - a / 56 * (1 - a / 90))));
+    for (; doublings > 0; doublings--) {
+        const double c = 1.0 - l;
+        l = 2.0 * s * s;
+        s = 2.0 * s * c;
+    }
+    *sine = s, *less = l;
+}
+
+
+/* map(x) = (sine K + less K^2) (x - p) + way, K the cross product by unit n */
+static void spin_map(double sine, double less, const double *n, const double *p, const double *way, double *map)
+{
+    for (int32_t i = 0; i < 3; i++) {
+        const int32_t j = (i + 1) % 3, k = (i + 2) % 3;
+        map[3 * i + i] = less * (n[i] * n[i] - 1.0);
+        map[3 * i + j] = less * n[i] * n[j] - sine * n[k];
+        map[3 * i + k] = less * n[i] * n[k] + sine * n[j];
+    }
+    for (int32_t i = 0; i < 3; i++)
+        map[9 + i] = way[i] - (map[3 * i] * p[0] + map[3 * i + 1] * p[1] + map[3 * i + 2] * p[2]);
+}
+
+
+void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *point, const double *velocity,
+                              double spin, double h)
+{
+    mus__contact_plane *plane = &collider->plane[k];
+    memcpy(plane->point, point, sizeof plane->point);
+    plane->moving = h > 0.0 && (velocity[0] != 0.0 || velocity[1] != 0.0 || velocity[2] != 0.0 || spin != 0.0);
+    if (!plane->moving) return;
+    double sine, less, way[3], now[3], then[3];
+    for (int32_t i = 0; i < 3; i++) {
+        way[i] = h * velocity[i];
+        now[i] = point[i] - collider->origin[i];
+        then[i] = now[i] - way[i];
+    }
+    turn_of(h * spin, &sine, &less);
+    spin_map(sine, less, plane->normal, then, way, plane->carry.on);
+    spin_map(spin, 0.0, plane->normal, now, velocity, plane->carry.speed);
+}
+
+
+/* the largest speed in a box: it is affine, so at a corner */
+static double box_haste(const double *map, const double *box)
+{
+    double most2 = 0.0;
+    for (int32_t corner = 0; corner < 8; corner++) {
+        const double x[3] = {box[corner & 1 ? 3 : 0], box[corner & 2 ? 4 : 1], box[corner & 4 ? 5 : 2]};
+        double speed2 = 0.0;
+        for (int32_t i = 0; i < 3; i++) {
+            const double v = map[3 * i] * x[0] + map[3 * i + 1] * x[1] + map[3 * i + 2] * x[2] + map[9 + i];
+            speed2 += v * v;
+        }
+        if (speed2 > most2) most2 = speed2;
+    }
+    return sqrt(most2);
+}
+
+
+void mus__collider_haste(mus__collider *collider, double h)
+{
+    collider->haste = 0.0;
+    if (!(h > 0.0)) return;
+    double relative = 0.0, drift2 = 0.0;
+    for (int32_t i = 0; i < 3; i++) drift2 += collider->drift[i] * collider->drift[i];
+    for (int32_t l = 0; l < collider->nlimb && collider->moving == MUS_TURNED; l++)
+        relative = fmax(relative, box_haste(collider->carry[l].speed, collider->box + 6 * (int64_t)l));
+
+    /* of a plane: where it lies, and the body's drift, which is taken off velocities */
+    for (int32_t k = 0; k < collider->nplane; k++) {
+        const mus__contact_plane *plane = &collider->plane[k];
+        double box[6];
+        for (int32_t i = 0; i < 6; i++)
+            box[i] = plane->point[i % 3] - collider->origin[i % 3] + (i < 3 ? -plane->reach : plane->reach);
+        if (plane->moving) relative = fmax(relative, box_haste(plane->carry.speed, box));
+    }
+    if (collider->nplane > 0) relative += sqrt(drift2);
+    collider->haste = relative;
+}

@@ -229,6 +229,40 @@ MUS_API mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology
 MUS_API mus_status mus_pattern_loop(const mus_pattern *pattern, int32_t loop, int32_t *edges, int32_t capacity,
                                     int32_t *count, double *length);
 
+/** Homology over the integers of a pattern, as cut or sewn. */
+typedef struct mus_homology {
+    size_t size;
+    int32_t cells[3]; /* vertices, edges, faces */
+    int32_t rank[2];  /* of the boundary operators: of edges, of faces */
+    int32_t betti[3]; /* pieces that hang together, independent ways round, closed bags */
+    int32_t euler;    /* cells[0] - cells[1] + cells[2] = betti[0] - betti[1] + betti[2] */
+    int32_t torsion;  /* how many torsion coefficients the ways round have */
+} mus_homology;
+
+MUS_API void mus_homology_init(mus_homology *homology, size_t size);
+
+/**
+ * Homology by Smith normal form of the boundary operators.
+ *
+ * sewn 0 takes the panels as cut, 1 with all seams. torsion (capacity) gets the torsion coefficients above 1, each
+ * dividing the next; NULL counts only. Any number of sheets may meet at an edge; an edge sewn to itself end over end
+ * counts as half an edge with a vertex at its middle.
+ * Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline), MUS_ERR_LIMIT (numbers beyond 2^31), MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_pattern_homology(const mus_pattern *pattern, int32_t sewn, mus_homology *out, int32_t *torsion,
+                                        int32_t capacity);
+
+/**
+ * The boundary operator from cells of `dimension` 1 or 2 to those one below, as triples row, column, value.
+ *
+ * Cells are classes of points, classes of edges (each in the order of its lowest member, those that an outline passes)
+ * and panels. The boundary of an edge is its end less its start, that of a panel its word.
+ * Shapes:  triples (capacity x 3), may be NULL; *count is how many there are
+ * Errors:  MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline), MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_pattern_boundary(const mus_pattern *pattern, int32_t sewn, int32_t dimension, int32_t *triples,
+                                        int32_t capacity, int32_t *count);
+
 /* ---- check ---- */
 
 #define MUS_FAULT_OPEN_OUTLINE 1   /* panel without a closed outline */

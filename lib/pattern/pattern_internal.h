@@ -129,6 +129,8 @@ typedef struct mus__quotient {
 /* glue all seams; free with mus__free(context, out->block). Errors: MUS_ERR_PATTERN (a panel without outline),
  * MUS_ERR_MEMORY; with `partial` panels without outline are left out */
 mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quotient *out);
+/* the same, or without `sewn` no seam glued: the panels as cut */
+mus_status mus__quotient_make_cells(const mus_pattern *pattern, bool partial, bool sewn, mus__quotient *out);
 /* next position in the word of the same panel, along it (step +1) or against it (-1) */
 int32_t mus__quotient_next(const mus__quotient *q, int32_t k, int32_t step);
 /* do positions j and k of one class leave the same side of both panels outside? */
@@ -136,6 +138,20 @@ bool mus__quotient_same_side(const mus__quotient *q, int32_t j, int32_t k);
 /* give each panel a side, q->link its piece and q->bias its side: how many seams contradict the others. twisted
  * (nseam, zero, may be NULL) gets 1 for those; *bridge an edge that a panel joins to itself one-sidedly, or MUS_NONE */
 int32_t mus__quotient_sides(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, int32_t *bridge);
+
+/* ---- smith.c ---- */
+
+/* Smith normal form of the matrix whose entries are triples (n x 3) row, column, value (equal places are summed): its
+ * rank, and factor (as many as it has columns) gets `rank` invariant factors, each dividing the next. Errors:
+ * MUS_ERR_LIMIT (an entry on the way beyond 2^31), MUS_ERR_MEMORY */
+mus_status mus__smith(mus_context *context, int32_t rows, int32_t n, const int32_t *entry, int32_t *rank,
+                      int32_t *factor);
+
+/* ---- homology.c ---- */
+
+/* homology of the complex with cells (3) of each dimension and the triples of d1 and d2, n (2) of them */
+mus_status mus__homology(mus_context *context, const int32_t *cells, const int32_t *n, int32_t *const *triple,
+                         mus_homology *out, int32_t *torsion, int32_t capacity);
 
 /* ---- crossing.c ---- */
 

@@ -71,11 +71,11 @@ static void quotient_words(const mus_pattern *pattern, mus__quotient *q)
 
 
 /* seams join edges and their ends */
-static void quotient_glue(const mus_pattern *pattern, mus__quotient *q)
+static void quotient_glue(const mus_pattern *pattern, int32_t nseam, mus__quotient *q)
 {
     mus__link_start(pattern->nedge, q->root, q->sign);
     mus__link_start(pattern->npoint, q->point, q->bias);
-    for (int32_t i = 0; i < pattern->nseam; i++) {
+    for (int32_t i = 0; i < nseam; i++) {
         const mus_seam_def *seam = &pattern->seam[i];
         const mus__edge *a = &pattern->edge[seam->edge_a], *b = &pattern->edge[seam->edge_b];
         bool direct = seam->direction == MUS_SEAM_DIRECT;
@@ -88,7 +88,7 @@ static void quotient_glue(const mus_pattern *pattern, mus__quotient *q)
 }
 
 
-mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quotient *out)
+mus_status mus__quotient_make_cells(const mus_pattern *pattern, bool partial, bool sewn, mus__quotient *out)
 {
     *out = (mus__quotient){0};
     int64_t nword = 0;
@@ -103,7 +103,7 @@ mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quo
     mus_status status = quotient_block(pattern, (int32_t)nword, out);
     if (status != MUS_OK) return status;
     quotient_words(pattern, out);
-    quotient_glue(pattern, out);
+    quotient_glue(pattern, sewn ? pattern->nseam : 0, out);
 
     /* sheets at each class */
     for (int32_t k = 0; k < out->nword; k++) {
@@ -112,6 +112,12 @@ mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quo
         out->sheets[class]++;
     }
     return MUS_OK;
+}
+
+
+mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quotient *out)
+{
+    return mus__quotient_make_cells(pattern, partial, true, out);
 }
 
 

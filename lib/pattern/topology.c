@@ -104,6 +104,21 @@ static int32_t topology_points(const mus_pattern *pattern, mus__quotient *q)
 }
 
 
+/* edges sewn to themselves end over end: half an edge each, whose middle is a point. q->sheet is spent here */
+static int32_t topology_folds(const mus_pattern *pattern, mus__quotient *q)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < pattern->nseam && q->folded; i++) {
+        const mus_seam_def *seam = &pattern->seam[i];
+        int32_t meant = seam->direction == MUS_SEAM_DIRECT ? 1 : -1, root = q->root[seam->edge_a];
+        if (q->sheets[root] == 0 || q->sign[seam->edge_a] * q->sign[seam->edge_b] == meant) continue;
+        count += q->sheet[2 * (size_t)root] != MUS_NONE;
+        q->sheet[2 * (size_t)root] = MUS_NONE;
+    }
+    return count;
+}
+
+
 /* pieces of the colouring in q->link */
 static int32_t topology_pieces(const mus_pattern *pattern, const mus__quotient *q)
 {
@@ -128,6 +143,7 @@ mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology *out)
     own.components = topology_pieces(pattern, &q);
     own.vertices = topology_points(pattern, &q);
     for (int32_t i = 0; i < pattern->nedge; i++) own.edges += q.sheets[i] > 0;
+    own.vertices += topology_folds(pattern, &q);
     own.faces = pattern->npanel;
     own.euler = own.vertices - own.edges + own.faces;
 

@@ -228,6 +228,11 @@ class mus_topology(Structure):
                 ("genus", c_int32)]
 
 
+class mus_homology(Structure):
+    _fields_ = [("size", c_size_t), ("cells", c_int32 * 3), ("rank", c_int32 * 2), ("betti", c_int32 * 3),
+                ("euler", c_int32), ("torsion", c_int32)]
+
+
 class mus_draft_def(Structure):
     _fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 
@@ -433,6 +438,11 @@ FUNCTIONS = {
     "mus_pattern_topology": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_topology)]),
     "mus_pattern_loop": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), c_int32,
                                            POINTER(c_int32), POINTER(c_double)]),
+    "mus_homology_init": ("core", None, [POINTER(mus_homology), c_size_t]),
+    "mus_pattern_homology": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_homology),
+                                               POINTER(c_int32), c_int32]),
+    "mus_pattern_boundary": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32), c_int32,
+                                               POINTER(c_int32)]),
     "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32)]),
     "mus_pattern_fault": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
                                             POINTER(c_int32), POINTER(c_int32), POINTER(c_char_p)]),

@@ -246,6 +246,22 @@ class Pattern(Object):
         self.do("topology", ctypes.byref(topology))
         return read_struct(topology)
 
+    def homology(self, sewn=True):
+        """{cells, rank, betti, euler, torsion} over the integers; torsion is the list of coefficients."""
+        homology = make_def(_abi.mus_homology, lib.mus_homology_init)
+        self.do("homology", sewn, ctypes.byref(homology), None, 0)
+        torsion = (ctypes.c_int32 * homology.torsion)()
+        self.do("homology", sewn, ctypes.byref(homology), torsion, len(torsion))
+        return {**read_struct(homology), "torsion": list(torsion)}
+
+    def boundary(self, dimension, sewn=True):
+        """[(row, column, value)] of the boundary operator of edges (1) or panels (2)."""
+        count = ctypes.c_int32()
+        self.do("boundary", sewn, dimension, None, 0, ctypes.byref(count))
+        triples = (ctypes.c_int32 * (3 * count.value))()
+        self.do("boundary", sewn, dimension, triples, count.value, ctypes.byref(count))
+        return [tuple(triples[i:i + 3]) for i in range(0, len(triples), 3)]
+
     def loops(self):
         """[(edges, length [m])] of the openings of the sewn pattern."""
         return [self._loop(i) for i in range(self.topology()["loops"])]

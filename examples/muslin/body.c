@@ -61,17 +61,44 @@ static void write_json(const mus_body *body, double spent, json *j)
 }
 
 
+/* the names of poses and movements, a line each */
+static int list_poses(void)
+{
+    for (int32_t i = 0; i < mus_pose_count(); i++) printf("%s\n", mus_pose_name(i));
+    return output_end("body");
+}
+
+
+/* put a posed copy, feet on the floor, in place of *body */
+static mus_status pose_body(const scene *s, const char *name, mus_body **body)
+{
+    mus_pose pose;
+    mus_body *posed = NULL;
+    mus_status status = mus_pose_named(s->context, name, &pose);
+    if (status == MUS_OK) status = mus_body_clear_arms(*body, &pose, 0.012);
+    if (status == MUS_OK) status = mus_body_ground(*body, &pose);
+    if (status == MUS_OK) status = mus_body_pose(*body, &pose, &posed);
+    if (status != MUS_OK) return status;
+    mus_body_destroy(*body);
+    *body = posed;
+    return MUS_OK;
+}
+
+
 int command_body(int argc, char **argv)
 {
     source from = {0};
-    const char *obj = NULL;
-    bool as_json = false;
+    const char *obj = NULL, *pose = NULL;
+    bool as_json = false, poses = false;
     const option options[] = {SOURCE_TAPE(from),
+                              {"--pose", OPTION_TEXT, &pose, 0, 0, "NAME  how it stands"},
+                              {"--poses", OPTION_FLAG, &poses, 0, 0, "the names of poses and movements, nothing else"},
                               {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("body", "Make the body of a tape; show the girths asked and the girths made.", options, argc, argv))
         return EXIT_INPUT;
+    if (poses) return list_poses();
 
     scene s;
     mus_body *body = NULL;
@@ -82,6 +109,7 @@ int command_body(int argc, char **argv)
         const double start = seconds();
         mus_status status = mus_body_create(s.context, s.tape, NULL, &body);
         const double spent = seconds() - start;
+        if (status == MUS_OK && pose != NULL) status = pose_body(&s, pose, &body);
         if (status == MUS_OK && obj != NULL) {
             mus_mesh_view view;
             body_view(body, &view);

@@ -70,6 +70,14 @@ MUS_API mus_status mus_joint_limits(int32_t joint, int32_t axis, double *low, do
  * MUS_ERR_VERSION; MUS_ERR_BODY (the message names joint, angle and limits). */
 MUS_API mus_status mus_pose_check(mus_context *context, const mus_pose *pose);
 
+/** Named poses: number, and name ("sit"), NULL outside the range. Static text. */
+MUS_API int32_t mus_pose_count(void);
+MUS_API const char *mus_pose_name(int32_t pose);
+
+/** A pose by its name; its place is 0. mus_body_clear_arms and mus_body_ground fit it to a body.
+ * Errors: MUS_ERR_ARG (unknown name). */
+MUS_API mus_status mus_pose_named(mus_context *context, const char *name, mus_pose *out);
+
 /**
  * Make a posed copy of a body.
  *
@@ -88,6 +96,10 @@ MUS_API mus_status mus_body_stance(const mus_body *body, mus_pose *pose);
 
 /** Put a pose's place so high that the lowest point of the body stands on the floor. Errors: as mus_body_pose. */
 MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
+
+/** Abduct the arms of a pose a degree at a time, at most 60, until they are `gap` [m] (0 to 0.04) off the rest of the
+ * body from below the armpit to the finger tips; arms that are stay as they are. Errors: as mus_body_pose. */
+MUS_API mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap);
 
 #ifdef __cplusplus
 }

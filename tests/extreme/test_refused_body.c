@@ -190,6 +190,30 @@ START_TEST(a_pose_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+/* X23: mus_body_clear_arms */
+START_TEST(a_gap_that_is_not_finite_is_refused)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_body *body;
+    mus_pose pose, before;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    ck_assert_int_eq(mus_body_rest_pose(body, &pose), MUS_OK);
+    before = pose;
+    for (int v = 0; v < 3; v++) {
+        ck_assert_int_eq(mus_body_clear_arms(body, &pose, refused_values[v]), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "gap"));
+    }
+    ck_assert_int_eq(memcmp(&pose, &before, sizeof pose), 0);
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_body(void)
 {
     Suite *suite = suite_create("refused_body");
@@ -198,6 +222,7 @@ Suite *mus_suite_refused_body(void)
     tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_limb_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, an_outline_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, a_gap_that_is_not_finite_is_refused);
     tcase_add_test(tests, a_pose_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);
     suite_add_tcase(suite, tests);

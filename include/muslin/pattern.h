@@ -119,6 +119,10 @@ MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int3
 /** Label of a panel ("body", "arm", "leg", free text). */
 MUS_API mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
 
+/** Declare an opening that the sewn garment is to have, by the label of its rim ("neck"; twice for two cuffs). A
+ * pattern that declares any is checked as a garment: see mus_pattern_check(). Errors: MUS_ERR_ARG (an empty label). */
+MUS_API mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);
+
 /**
  * Where a panel starts before sewing.
  *
@@ -147,6 +151,10 @@ MUS_API int32_t mus_pattern_edge_count(const mus_pattern *pattern);
 MUS_API int32_t mus_pattern_seam_count(const mus_pattern *pattern);
 MUS_API int32_t mus_pattern_notch_count(const mus_pattern *pattern);
 MUS_API int32_t mus_pattern_mark_count(const mus_pattern *pattern);
+MUS_API int32_t mus_pattern_opening_count(const mus_pattern *pattern);
+
+/** Label of a declared opening; NULL outside the range. */
+MUS_API const char *mus_pattern_opening(const mus_pattern *pattern, int32_t opening);
 
 /** Find by name: MUS_NONE if there is none. */
 MUS_API int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name);
@@ -229,6 +237,10 @@ MUS_API mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology
 MUS_API mus_status mus_pattern_loop(const mus_pattern *pattern, int32_t loop, int32_t *edges, int32_t capacity,
                                     int32_t *count, double *length);
 
+/** Label of a loop: of the labels of its edges the one that is longest round it, "" without any. Borrowed until the
+ * next edit. Errors: as mus_pattern_loop(). */
+MUS_API mus_status mus_pattern_loop_label(const mus_pattern *pattern, int32_t loop, const char **label);
+
 /** Homology over the integers of a pattern, as cut or sewn. */
 typedef struct mus_homology {
     size_t size;
@@ -272,6 +284,12 @@ MUS_API mus_status mus_pattern_boundary(const mus_pattern *pattern, int32_t sewn
 #define MUS_FAULT_SEWN_TWICE 5     /* an edge in more than one seam */
 #define MUS_FAULT_SMALL_PANEL 6    /* area below 1 cm2 */
 #define MUS_FAULT_LOOSE_EDGE 7     /* an edge of no outline */
+/* of a pattern that declares its openings */
+#define MUS_FAULT_LOOSE_PIECE 8    /* panels that no seam joins to the rest */
+#define MUS_FAULT_MIRRORED 9       /* a handle: pieces cut mirrored */
+#define MUS_FAULT_MISSING_PIECE 10 /* an opening in the place of a declared one: a piece is left off */
+#define MUS_FAULT_OPENING 11       /* an opening that is not declared, or declared and not there */
+#define MUS_FAULT_CLOSED 12        /* a bag without a way in */
 
 /** Check a pattern. *count gets the number of faults (0: fit to cut and sew). Faults are kept until the next check or
  * edit. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY: a faulty pattern is not an error of the call. */

@@ -324,6 +324,17 @@ static mus_status read_mark(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
+static mus_status read_opening(const mus_json_at *at, mus_pattern *pattern)
+{
+    const char *label;
+    mus_json_at text = mus__json_member(at, "label");
+    mus_status status = mus__json_text(&text, &label);
+    if (status != MUS_OK) return status;
+    status = mus_pattern_add_opening(pattern, label);
+    return status == MUS_OK ? MUS_OK : mus__json_wrap(at, status);
+}
+
+
 mus_status mus__pattern_read_json(const mus_json_at *root, mus_pattern *pattern)
 {
     /* the head: form, unit, name */
@@ -348,5 +359,7 @@ mus_status mus__pattern_read_json(const mus_json_at *root, mus_pattern *pattern)
     if (status == MUS_OK) status = read_list(root, "seams", read_seam, pattern);
     if (status == MUS_OK) status = read_list(root, "notches", read_notch, pattern);
     if (status == MUS_OK) status = read_list(root, "marks", read_mark, pattern);
+    if (status == MUS_OK && mus__json_member(root, "openings").json != NULL)
+        status = read_list(root, "openings", read_opening, pattern);
     return status;
 }

@@ -213,6 +213,15 @@ static mus_status put_marks(mus_sink *sink, const mus_pattern *pattern)
         mus__sink_print(sink, "]}");
     }
     mus__sink_print(sink, "]");
+
+    if (mus_pattern_opening_count(pattern) > 0) put_list(sink, "openings");
+    for (int32_t i = 0; i < mus_pattern_opening_count(pattern); i++) {
+        put_item(sink, i);
+        mus__sink_print(sink, "{\"label\": ");
+        mus__sink_quote(sink, mus_pattern_opening(pattern, i));
+        mus__sink_print(sink, "}");
+    }
+    if (mus_pattern_opening_count(pattern) > 0) mus__sink_print(sink, "]");
     return status;
 }
 

@@ -1,6 +1,6 @@
 /*
  * check.c: is a pattern fit to cut and sew? Each fault with the cell it is at and a sentence for the person at the
- * table, in the order panels, edges, seams.
+ * table, in the order panels, edges, seams, the garment as a whole (garment.c).
  *
  * Numbers in the sentences are written by hand: they read the same in every locale.
  */
@@ -15,15 +15,8 @@
 /* lengths are known to this [m] */
 #define LENGTH_SLACK 1e-9
 
-/* the faults of a check that is under way */
-typedef struct fault_list {
-    mus__fault *fault;
-    int32_t count, room;
-} fault_list;
 
-
-/* a number with `decimals` places behind a full stop; out (32) */
-static const char *fault_number(double value, int32_t decimals, char *out)
+const char *mus__fault_number(double value, int32_t decimals, char *out)
 {
     long long scale = 1;
     for (int32_t i = 0; i < decimals; i++) scale *= 10;
@@ -39,24 +32,24 @@ static const char *fault_number(double value, int32_t decimals, char *out)
 }
 
 
-/* room for one more fault; NULL without memory */
-static mus__fault *fault_add(mus_context *context, fault_list *list, int32_t kind, int32_t panel, int32_t edge,
-                             int32_t seam)
+mus__fault *mus__fault_add(mus_context *context, mus__fault_list *list, int32_t kind, int32_t panel, int32_t edge,
+                           int32_t seam)
 {
     if (mus__reserve(context, &list->fault, &list->room, (int64_t)list->count + 1, sizeof *list->fault) != MUS_OK)
-        return NULL;
+        list->failed = true;
+    if (list->failed) return NULL;
     mus__fault *fault = &list->fault[list->count++];
     *fault = (mus__fault){.kind = kind, .panel = panel, .edge = edge, .seam = seam};
     return fault;
 }
 
 
-static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, fault_list *list)
+static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus__fault_list *list)
 {
     const mus__panel *own = &pattern->panel[panel];
     mus__fault *fault;
     if (own->noutline == 0) {
-        fault = fault_add(pattern->context, list, MUS_FAULT_OPEN_OUTLINE, panel, MUS_NONE, MUS_NONE);
+        fault = mus__fault_add(pattern->context, list, MUS_FAULT_OPEN_OUTLINE, panel, MUS_NONE, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: it has no closed outline", own->name);
         return MUS_OK;
@@ -70,7 +63,7 @@ static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, fault_l
         char title[2][2 * MUS__NAME_BYTES];
         mus__pattern_edge_title(pattern, a, title[0]);
         mus__pattern_edge_title(pattern, b, title[1]);
-        fault = fault_add(pattern->context, list, MUS_FAULT_CROSSING, panel, a, MUS_NONE);
+        fault = mus__fault_add(pattern->context, list, MUS_FAULT_CROSSING, panel, a, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: its outline crosses or touches itself: edges %s and %s",
                  own->name, title[0], title[1]);
@@ -79,27 +72,27 @@ static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, fault_l
     double area = mus_pattern_panel_area(pattern, panel);
     if (area < SMALLEST_AREA) {
         char number[32];
-        fault = fault_add(pattern->context, list, MUS_FAULT_SMALL_PANEL, panel, MUS_NONE, MUS_NONE);
+        fault = mus__fault_add(pattern->context, list, MUS_FAULT_SMALL_PANEL, panel, MUS_NONE, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: its area is %s cm2, pieces below 1 cm2 cannot be sewn",
-                 own->name, fault_number(area * 1e4, 3, number));
+                 own->name, mus__fault_number(area * 1e4, 3, number));
     }
     return MUS_OK;
 }
 
 
-static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q, int32_t edge, fault_list *list)
+static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q, int32_t edge, mus__fault_list *list)
 {
     const mus__edge *own = &pattern->edge[edge];
     char title[2 * MUS__NAME_BYTES];
     mus__pattern_edge_title(pattern, edge, title);
     if (q->place[edge] == MUS_NONE) {
-        mus__fault *fault = fault_add(pattern->context, list, MUS_FAULT_LOOSE_EDGE, own->panel, edge, own->seam);
+        mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_LOOSE_EDGE, own->panel, edge, own->seam);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is part of no outline", title);
     }
     if (own->nseam > 1) {
-        mus__fault *fault = fault_add(pattern->context, list, MUS_FAULT_SEWN_TWICE, own->panel, edge, own->seam);
+        mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_SEWN_TWICE, own->panel, edge, own->seam);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is in %d seams, one is the most; the first is seam %d",
                  title, (int)own->nseam, (int)own->seam);
@@ -109,7 +102,7 @@ static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q,
 
 
 /* |length b - length a - ease| <= tolerance */
-static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, fault_list *list)
+static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, mus__fault_list *list)
 {
     const mus_seam_def *def = &pattern->seam[seam];
     double a = mus_pattern_edge_length(pattern, def->edge_a), b = mus_pattern_edge_length(pattern, def->edge_b);
@@ -119,17 +112,17 @@ static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, fa
     char title[2][2 * MUS__NAME_BYTES], number[5][32], allowed[80];
     mus__pattern_edge_title(pattern, def->edge_a, title[0]);
     mus__pattern_edge_title(pattern, def->edge_b, title[1]);
-    fault_number(a, 3, number[0]);
-    fault_number(b, 3, number[1]);
-    fault_number(def->ease == 0.0 ? 1e3 * fabs(more) : 1e3 * more, 1, number[2]);
-    fault_number(1e3 * (def->ease + def->tolerance), 1, number[3]);
-    fault_number(1e3 * (def->ease - def->tolerance), 1, number[4]);
+    mus__fault_number(a, 3, number[0]);
+    mus__fault_number(b, 3, number[1]);
+    mus__fault_number(def->ease == 0.0 ? 1e3 * fabs(more) : 1e3 * more, 1, number[2]);
+    mus__fault_number(1e3 * (def->ease + def->tolerance), 1, number[3]);
+    mus__fault_number(1e3 * (def->ease - def->tolerance), 1, number[4]);
     if (def->ease == 0.0)
         snprintf(allowed, sizeof allowed, "%s mm", number[3]);
     else
         snprintf(allowed, sizeof allowed, "%s to %s mm", number[4], number[3]);
 
-    mus__fault *fault = fault_add(pattern->context, list, MUS_FAULT_SEAM_LENGTH, MUS_NONE, def->edge_a, seam);
+    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_SEAM_LENGTH, MUS_NONE, def->edge_a, seam);
     if (fault == NULL) return MUS_ERR_MEMORY;
     snprintf(fault->text, sizeof fault->text, "seam %d: %s %s m and %s %s m differ by %s mm, ease allows %s", (int)seam,
              title[0], number[0], title[1], number[1], number[2], allowed);
@@ -137,12 +130,12 @@ static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, fa
 }
 
 
-static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_t edge, fault_list *list)
+static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_t edge, mus__fault_list *list)
 {
     char title[2][2 * MUS__NAME_BYTES];
     int32_t a = seam != MUS_NONE ? pattern->seam[seam].edge_a : edge;
     mus__pattern_edge_title(pattern, a, title[0]);
-    mus__fault *fault = fault_add(pattern->context, list, MUS_FAULT_TWISTED_SEAM, MUS_NONE, a, seam);
+    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_TWISTED_SEAM, MUS_NONE, a, seam);
     if (fault == NULL) return MUS_ERR_MEMORY;
     if (seam == MUS_NONE) {
         snprintf(fault->text, sizeof fault->text, "edge %s: its panel meets itself there with the wrong side out",
@@ -158,7 +151,7 @@ static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_
 
 
 /* all faults into `list` */
-static mus_status fault_collect(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, fault_list *list)
+static mus_status fault_collect(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, mus__fault_list *list)
 {
     mus_status status = MUS_OK;
     int32_t bridge;
@@ -170,7 +163,7 @@ static mus_status fault_collect(const mus_pattern *pattern, mus__quotient *q, in
         status = fault_seam_length(pattern, i, list);
         if (status == MUS_OK && twisted[i]) status = fault_twisted(pattern, i, MUS_NONE, list);
     }
-    return status;
+    return status == MUS_OK ? mus__garment_faults(pattern, q, list) : status;
 }
 
 
@@ -184,7 +177,7 @@ mus_status mus_pattern_check(mus_pattern *pattern, int32_t *count)
     mus__quotient q;
     mus_status status = mus__quotient_make(pattern, true, &q);
     if (status != MUS_OK) return status;
-    fault_list list = {NULL, 0, 0};
+    mus__fault_list list = {0};
     int32_t *twisted = mus__new(context, pattern->nseam, sizeof *twisted);
     status = twisted != NULL ? fault_collect(pattern, &q, twisted, &list) : MUS_ERR_MEMORY;
     mus__free(context, twisted);

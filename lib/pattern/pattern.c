@@ -102,6 +102,7 @@ void mus_pattern_destroy(mus_pattern *pattern)
     mus__free(context, pattern->seam);
     mus__free(context, pattern->notch);
     mus__free(context, pattern->mark);
+    mus__free(context, pattern->opening);
     mus__free(context, pattern->fault);
     mus__free(context, pattern);
 }
@@ -191,6 +192,8 @@ mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out)
         pattern_copy_array(context, p->seam, p->nseam, seam, &copy->seam, &copy->seam_room) != MUS_OK ||
         pattern_copy_array(context, p->notch, p->nnotch, sizeof *p->notch, &copy->notch, &copy->notch_room) != MUS_OK ||
         pattern_copy_array(context, p->mark, p->nmark, sizeof *p->mark, &copy->mark, &copy->mark_room) != MUS_OK ||
+        pattern_copy_array(context, p->opening, p->nopening, sizeof *p->opening, &copy->opening, &copy->opening_room) !=
+            MUS_OK ||
         pattern_copy_blocks(pattern, copy) != MUS_OK) {
         mus_pattern_destroy(copy);
         return mus__fail_memory(context, "the copy of a pattern");
@@ -198,6 +201,7 @@ mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out)
     copy->npoint = p->npoint;
     copy->nseam = p->nseam;
     copy->nnotch = p->nnotch;
+    copy->nopening = p->nopening;
     *out = copy;
     return MUS_OK;
 }

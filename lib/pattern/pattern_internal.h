@@ -55,6 +55,11 @@ typedef struct mus__mark {
     double *xy; /* (n x 2) */
 } mus__mark;
 
+/* an opening that the sewn garment is to have */
+typedef struct mus__opening {
+    char label[MUS__NAME_BYTES];
+} mus__opening;
+
 typedef struct mus__fault {
     int32_t kind, panel, edge, seam;
     char text[MUS__FAULT_BYTES];
@@ -65,13 +70,15 @@ struct mus_pattern {
     char name[MUS__NAME_BYTES];
     int32_t npanel, npoint, nedge, nseam, nnotch, nmark, nfault;
     int32_t panel_room, point_room, edge_room, seam_room, notch_room, mark_room;
-    mus__panel *panel;  /* (npanel) */
-    mus__point *point;  /* (npoint) */
-    mus__edge *edge;    /* (nedge) */
-    mus_seam_def *seam; /* (nseam) */
-    mus__notch *notch;  /* (nnotch) */
-    mus__mark *mark;    /* (nmark) */
-    mus__fault *fault;  /* (nfault) of the last check; dropped by every edit */
+    int32_t nopening, opening_room;
+    mus__panel *panel;     /* (npanel) */
+    mus__point *point;     /* (npoint) */
+    mus__edge *edge;       /* (nedge) */
+    mus_seam_def *seam;    /* (nseam) */
+    mus__notch *notch;     /* (nnotch) */
+    mus__mark *mark;       /* (nmark) */
+    mus__opening *opening; /* (nopening) */
+    mus__fault *fault;     /* (nfault) of the last check; dropped by every edit */
 };
 
 /* ---- pattern.c ---- */
@@ -138,6 +145,26 @@ bool mus__quotient_same_side(const mus__quotient *q, int32_t j, int32_t k);
 /* give each panel a side, q->link its piece and q->bias its side: how many seams contradict the others. twisted
  * (nseam, zero, may be NULL) gets 1 for those; *bridge an edge that a panel joins to itself one-sidedly, or MUS_NONE */
 int32_t mus__quotient_sides(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, int32_t *bridge);
+
+/* ---- check.c ---- */
+
+/* the faults of a check that is under way; failed once there was no memory for one */
+typedef struct mus__fault_list {
+    mus__fault *fault;
+    int32_t count, room;
+    bool failed;
+} mus__fault_list;
+
+/* room for one more fault; NULL without memory */
+mus__fault *mus__fault_add(mus_context *context, mus__fault_list *list, int32_t kind, int32_t panel, int32_t edge,
+                           int32_t seam);
+/* a number with `decimals` places behind a full stop, in every locale; out (32) */
+const char *mus__fault_number(double value, int32_t decimals, char *out);
+
+/* ---- garment.c ---- */
+
+/* faults of a pattern that declares openings, as a garment; q is spent */
+mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus__fault_list *list);
 
 /* ---- smith.c ---- */
 

@@ -108,6 +108,7 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
     const double line[6] = {0.1, 0.2, 1.0 / 3.0, 1e-300, -5e5, 0.3};
     ck_assert_int_eq(mus_pattern_add_mark(pattern, 2, "centre front", 3, line, &index), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_mark(pattern, 0, "", 1, line, &index), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_opening(pattern, "a \"quoted\" neck"), MUS_OK);
     return pattern;
 }
 
@@ -204,6 +205,9 @@ static void assert_same_making(const mus_pattern *a, const mus_pattern *b)
         SAME(&s[0], &s[1], 1);
     }
     ck_assert_int_eq(mus_pattern_mark_count(a), mus_pattern_mark_count(b));
+    ck_assert_int_eq(mus_pattern_opening_count(a), mus_pattern_opening_count(b));
+    for (int32_t i = 0; i < mus_pattern_opening_count(a); i++)
+        ck_assert_str_eq(mus_pattern_opening(a, i), mus_pattern_opening(b, i));
     for (int32_t i = 0; i < mus_pattern_mark_count(a); i++) {
         int32_t panel[2], n[2];
         const char *name[2];

@@ -124,6 +124,9 @@ static inline void same_rest(const mus_pattern *a, const mus_pattern *b)
     ck_assert_int_eq(mus_pattern_seam_count(a), mus_pattern_seam_count(b));
     ck_assert_int_eq(mus_pattern_notch_count(a), mus_pattern_notch_count(b));
     ck_assert_int_eq(mus_pattern_mark_count(a), mus_pattern_mark_count(b));
+    ck_assert_int_eq(mus_pattern_opening_count(a), mus_pattern_opening_count(b));
+    for (int32_t i = 0; i < mus_pattern_opening_count(a); i++)
+        ck_assert_str_eq(mus_pattern_opening(a, i), mus_pattern_opening(b, i));
     const mus_pattern *p[2] = {a, b};
     for (int32_t i = 0; i < mus_pattern_point_count(a); i++) {
         int32_t panel[2];

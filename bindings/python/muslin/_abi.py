@@ -126,6 +126,11 @@ MUS_FAULT_TWISTED_SEAM = 4
 MUS_FAULT_SEWN_TWICE = 5
 MUS_FAULT_SMALL_PANEL = 6
 MUS_FAULT_LOOSE_EDGE = 7
+MUS_FAULT_LOOSE_PIECE = 8
+MUS_FAULT_MIRRORED = 9
+MUS_FAULT_MISSING_PIECE = 10
+MUS_FAULT_OPENING = 11
+MUS_FAULT_CLOSED = 12
 MUS_BEND_PLATE = 0
 MUS_BEND_PAPER = 1
 MUS_METHOD_RK4 = 0
@@ -399,6 +404,7 @@ FUNCTIONS = {
     "mus_pattern_set_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_pattern_set_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
     "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_pattern_add_opening": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_placement_init": ("core", None, [POINTER(mus_placement), c_size_t]),
     "mus_pattern_set_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
     "mus_pattern_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
@@ -408,6 +414,8 @@ FUNCTIONS = {
     "mus_pattern_seam_count": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_notch_count": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_mark_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_opening_count": ("core", c_int32, [POINTER(mus_pattern)]),
+    "mus_pattern_opening": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_find_panel": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_find_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_panel_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
@@ -442,6 +450,7 @@ FUNCTIONS = {
     "mus_pattern_topology": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_topology)]),
     "mus_pattern_loop": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), c_int32,
                                            POINTER(c_int32), POINTER(c_double)]),
+    "mus_pattern_loop_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_char_p)]),
     "mus_homology_init": ("core", None, [POINTER(mus_homology), c_size_t]),
     "mus_pattern_homology": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_homology),
                                                POINTER(c_int32), c_int32]),

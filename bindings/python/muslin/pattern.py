@@ -266,6 +266,21 @@ class Pattern(Object):
         """[(edges, length [m])] of the openings of the sewn pattern."""
         return [self._loop(i) for i in range(self.topology()["loops"])]
 
+    def loop_label(self, loop):
+        """The label that is longest round an opening of the sewn pattern."""
+        label = ctypes.c_char_p()
+        self.do("loop_label", loop, ctypes.byref(label))
+        return label.value.decode("utf-8", "replace")
+
+    @property
+    def openings(self):
+        """Labels of the openings that the sewn garment is declared to have."""
+        return [self.get("opening", i) for i in range(self.get("opening_count"))]
+
+    def add_opening(self, label):
+        """Declare an opening; a pattern that declares any is checked as a garment."""
+        self.do("add_opening", text(label))
+
     def _loop(self, loop):
         count, length = ctypes.c_int32(), ctypes.c_double()
         self.do("loop", loop, None, 0, ctypes.byref(count), ctypes.byref(length))

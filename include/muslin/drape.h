@@ -16,6 +16,7 @@
 #include "muslin/body.h"
 #include "muslin/cloth.h"
 #include "muslin/integrate.h"
+#include "muslin/pose.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -129,6 +130,28 @@ MUS_API mus_status mus_drape_evaluate(mus_drape *drape, int32_t times);
  * Errors:  MUS_ERR_ARG (not finite, above 1000 m/s); MUS_ERR_STATE (no body)
  */
 MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);
+
+/**
+ * Let the body move to a pose: in the next `duration` seconds of mus_drape_step it goes from how it stands to `pose`,
+ * every joint by itself along the shortest rotation, and then stands there; 0: it stands there at once, at rest.
+ *
+ * `pose` is that of the body as made (mus_body_pose); its place counts beside what the body glides. Contact and
+ * friction are relative to each part's own motion, and fast nodes are swept against it. A new call starts from how the
+ * body stands then: keyed movements are one call a frame. mus_drape_place puts the body back as it was given to create.
+ * Sewing and settling work round a body in any pose, at rest (MUS_ERR_STATE on the way).
+ * Units:   duration [s], 0 to 1e6
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION; MUS_ERR_STATE (no body); MUS_ERR_BODY (an angle beyond its joint's limits)
+ * Cost:    on the way about a microsecond a step
+ */
+MUS_API mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double duration);
+
+/**
+ * How the body stands now, with what it has glided in `place`.
+ *
+ * Exact where it rests; on the way from one pose to another angles are taken between the two evenly.
+ * Errors:  MUS_ERR_ARG; MUS_ERR_STATE (no body)
+ */
+MUS_API mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out);
 
 /** A plane beside the body: ground, incline, table, belt, turntable, shaken table. */
 typedef struct mus_plane {

@@ -166,13 +166,13 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
 }
 
 
-/* where a part was made */
-static void fill_home(const mus__field *from, const mus__f64_field *field, mus__contact_home *home)
+/* where a part was made: the field of a posed body is carried by a frame, its limb is not */
+static void fill_home(const mus__field *from, const mus__limb *limb, const double *origin, mus__contact_home *home)
 {
-    memcpy(home->origin, field->origin, sizeof home->origin);
-    memcpy(home->axis, field->axis, sizeof home->axis);
-    memcpy(home->side, field->side, sizeof home->side);
-    memcpy(home->front, field->front, sizeof home->front);
+    for (int32_t i = 0; i < 3; i++) home->origin[i] = limb->origin[i] - origin[i];
+    memcpy(home->axis, limb->axis, sizeof home->axis);
+    memcpy(home->side, limb->side, sizeof home->side);
+    memcpy(home->front, limb->front, sizeof home->front);
     memcpy(home->end, from->pole, sizeof home->end);
     home->reach = from->reach;
 }
@@ -202,17 +202,18 @@ static mus_status fill_parts(mus__collider *collider, const mus_body *body)
     collider->box = mus__new(context, 6 * (int64_t)n, sizeof *collider->box);
     collider->home = mus__new(context, n, sizeof *collider->home);
     collider->carry = mus__new(context, n, sizeof *collider->carry);
+    collider->frame = mus__new(context, n, sizeof *collider->frame);
     collider->table32 = mus__new(context, total, sizeof *collider->table32);
     collider->table64 = mus__new(context, total, sizeof *collider->table64);
     if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->home == NULL ||
-        collider->carry == NULL || collider->table32 == NULL || collider->table64 == NULL)
+        collider->carry == NULL || collider->frame == NULL || collider->table32 == NULL || collider->table64 == NULL)
         return mus__fail_memory(context, "the radius fields of a collider");
 
     int64_t at = 0;
     for (int32_t l = 0; l < n; l++) {
         fill_double(&body->field[l], collider->origin, collider->skin, &collider->field64[l], collider->table64 + at);
         fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
-        fill_home(&body->field[l], &collider->field64[l], &collider->home[l]);
+        fill_home(&body->field[l], &body->limb[body->rig.part[l].limb], collider->origin, &collider->home[l]);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     }
     collider->safe = SAFE_PART * thinnest(body);
@@ -238,7 +239,8 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
         mus__collider_destroy(collider);
         return status;
     }
-    mus__collider_move(collider, collider->shift, collider->drift, 0.0);
+    const mus__frame *frame = body != NULL ? mus__body_frames(body) : NULL;
+    mus__collider_move(collider, frame, collider->shift, collider->drift, 0.0);
     *out = collider;
     return MUS_OK;
 }
@@ -253,6 +255,7 @@ void mus__collider_destroy(mus__collider *collider)
     mus__free(context, collider->box);
     mus__free(context, collider->home);
     mus__free(context, collider->carry);
+    mus__free(context, collider->frame);
     mus__free(context, collider->plane);
     mus__free(context, collider->table32);
     mus__free(context, collider->table64);

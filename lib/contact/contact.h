@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "base/base_internal.h"
+#include "body/rig.h"
 #include "muslin/body.h"
 
 #define MUS_REAL float
@@ -73,9 +74,11 @@ typedef struct mus__collider {
     double safe;             /* a node that moves no farther than this in a step goes through no part [m] */
     double shift[3];         /* how far the body has glided from where it was made [m] */
     double drift[3];         /* and its velocity [m/s] */
+    mus__frame *frame;       /* (nlimb) of the parts now, without the shift */
+    int32_t turned;          /* nonzero: not all of them stand as made */
     int32_t moving;          /* what the body did in the last step: MUS_STOOD, MUS_GLIDED, MUS_TURNED */
     mus__carry *carry;       /* (nlimb) of MUS_TURNED; of MUS_GLIDED the first stands for all */
-    double haste;            /* no surface moved faster in the last step [m/s], but for the drift of MUS_GLIDED */
+    double haste;            /* no surface moves faster against the drift [m/s] */
     int32_t nplane;
     mus__contact_plane *plane; /* (MUS_PLANES_MOST), NULL without planes */
     float *table32;            /* all rings of all parts */
@@ -93,9 +96,10 @@ void mus__collider_destroy(mus__collider *collider);
 
 /* ---- where surfaces stand (stand.c) ---- */
 
-/* the body now stands `shift` (3) off where it was made, where it came with velocity `drift` (3) in a step of `h`; h 0:
- * it is at rest there */
-void mus__collider_move(mus__collider *collider, const double *shift, const double *drift, double h);
+/* the parts of the body now stand as `frame` (nlimb) says, NULL: as made, and all `shift` (3) off that, where they came
+ * from where they stood in a step of `h`, the shift with velocity `drift` (3); h 0: they are at rest there */
+void mus__collider_move(mus__collider *collider, const mus__frame *frame, const double *shift, const double *drift,
+                        double h);
 
 /* one more plane, at rest: MUS_ERR_LIMIT, MUS_ERR_MEMORY */
 mus_status mus__collider_add_plane(mus__collider *collider, const double *point, const double *normal, double friction,
@@ -105,7 +109,7 @@ mus_status mus__collider_add_plane(mus__collider *collider, const double *point,
 void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *point, const double *velocity,
                               double spin, double h);
 /* the fastest of all surfaces, once all were moved */
-void mus__collider_haste(mus__collider *collider, double h);
+void mus__collider_haste(mus__collider *collider);
 
 /* ---- questions ---- */
 

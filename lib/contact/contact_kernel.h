@@ -181,10 +181,9 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         (*queries)++;
         if (near == 0) continue;
         if (-depth < distance) distance = -depth;
-        if (depth > -band)
-            MUS_FIELD(add_meeting)
-            (list, &count, depth + clearance, (MUS_REAL)rule->friction, normal,
-             still ? NULL : MUS_FIELD(way_of)(scene, l), path->from, p);
+        if (depth > -band) MUS_FIELD(add_meeting)
+        (list, &count, depth + clearance, (MUS_REAL)rule->friction, normal, still ? NULL : MUS_FIELD(way_of)(scene, l),
+         path->from, p);
     }
     for (int32_t k = 0; on != 0; k++, on >>= 1) {
         if ((on & 1) == 0) continue;
@@ -192,10 +191,9 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, scene->margin, &near);
         (*queries)++;
         if (-depth < distance) distance = -depth;
-        if (near && depth > -band)
-            MUS_FIELD(add_meeting)
-            (list, &count, depth + clearance, flat->friction, flat->normal, still || !flat->moving ? NULL : &flat->way,
-             path->from, p);
+        if (near && depth > -band) MUS_FIELD(add_meeting)
+        (list, &count, depth + clearance, flat->friction, flat->normal, still || !flat->moving ? NULL : &flat->way,
+         path->from, p);
     }
     if (count == 1) {
         const MUS_FIELD(path) own = {list->from, path->time, path->slip};
@@ -335,7 +333,7 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
                 rest[i]--;
             else if (inverse[i] != 0)
                 MUS_FIELD(meet_node)
-                (collider, rule, &scene, n, i, in, on[i - start], sweeps, inverse, before, rest, x, v, tally);
+            (collider, rule, &scene, n, i, in, on[i - start], sweeps, inverse, before, rest, x, v, tally);
         }
     }
 }

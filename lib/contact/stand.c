@@ -1,8 +1,9 @@
 /*
  * stand.c: where the surfaces of a collider stand, and what they did in the last step.
  *
- * The body glides as a whole; planes move with a velocity and turn about their normal. A step of a plane is an exact
- * rigid motion: with a the angle turned, K the cross product by the normal and p the point after the step, p0 before,
+ * Parts of the body are carried by frames, and all glide with one velocity; planes move with a velocity and turn about
+ * their normal. A step of a surface is a rigid motion. Of a plane, with a the angle turned, K the cross product by the
+ * normal and p the point after the step, p0 before:
  *
  *   on(x)    = (sin a K + (1 - cos a) K^2) (x - p0) + p - p0
  *   speed(x) = spin K (x - p) + velocity
@@ -37,9 +38,22 @@ static void stand_part(mus__collider *collider, int32_t l)
     const mus__contact_home *home = &collider->home[l];
     mus__f64_field *wide = &collider->field64[l];
     mus__f32_field *slim = &collider->field32[l];
+    memcpy(wide->origin, home->origin, sizeof wide->origin);
+    memcpy(wide->axis, home->axis, sizeof wide->axis);
+    memcpy(wide->side, home->side, sizeof wide->side);
+    memcpy(wide->front, home->front, sizeof wide->front);
+    if (collider->turned) {
+        const mus__frame *frame = &collider->frame[l];
+        double world[3];
+        for (int32_t i = 0; i < 3; i++) world[i] = home->origin[i] + collider->origin[i];
+        mus__frame_point(frame, world, world);
+        for (int32_t i = 0; i < 3; i++) wide->origin[i] = world[i] - collider->origin[i];
+        mus__frame_turn(frame, home->axis, wide->axis);
+        mus__frame_turn(frame, home->side, wide->side);
+        mus__frame_turn(frame, home->front, wide->front);
+    }
     for (int32_t i = 0; i < 3; i++) {
-        wide->origin[i] = home->origin[i] + collider->shift[i];
-        wide->axis[i] = home->axis[i], wide->side[i] = home->side[i], wide->front[i] = home->front[i];
+        wide->origin[i] += collider->shift[i];
         slim->origin[i] = (float)wide->origin[i];
         slim->axis[i] = (float)wide->axis[i], slim->side[i] = (float)wide->side[i];
         slim->front[i] = (float)wide->front[i];
@@ -48,14 +62,91 @@ static void stand_part(mus__collider *collider, int32_t l)
 }
 
 
-void mus__collider_move(mus__collider *collider, const double *shift, const double *drift, double h)
+/* out = a b^T */
+static void turn_between(const double *a, const double *b, double *out)
+{
+    for (int32_t i = 0; i < 3; i++)
+        for (int32_t k = 0; k < 3; k++)
+            out[3 * i + k] = a[3 * i] * b[3 * k] + a[3 * i + 1] * b[3 * k + 1] + a[3 * i + 2] * b[3 * k + 2];
+}
+
+
+/* a x b */
+static void cross(const double *a, const double *b, double *out)
+{
+    for (int32_t i = 0; i < 3; i++) {
+        const int32_t j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+
+/*
+ * What a part did that came from frame `was` to frame `now` in h, while all shifted with `drift`. It is a screw: with C
+ * and c of x1 = C x0 + c, the turn r = axis times angle is (angle / sin angle) times the skew part of C, and
+ *
+ *   speed(x1) = (r x x1 + w) / h + drift,   w = c - r x c / 2 + r x (r x c) / 12
+ */
+static void carry_of(const mus__collider *collider, const mus__frame *was, const mus__frame *now, const double *drift,
+                     double h, mus__carry *out)
+{
+    double turn[9], far[3], round[3], once[3], twice[3];
+    turn_between(now->turn, was->turn, turn);
+    for (int32_t i = 0; i < 3; i++) {
+        const int32_t j = (i + 1) % 3, k = (i + 2) % 3;
+        far[i] = now->place[i];
+        for (int32_t d = 0; d < 3; d++) far[i] -= turn[3 * i + d] * was->place[d];
+        round[i] = 0.5 * (turn[3 * k + j] - turn[3 * j + k]);
+    }
+    const double s = round[0] * round[0] + round[1] * round[1] + round[2] * round[2];
+    const double straight = 1.0 + s / 6.0 * (1.0 + s * 9.0 / 20.0 * (1.0 + s * 25.0 / 42.0 * (1.0 + s * 49.0 / 72.0)));
+    for (int32_t i = 0; i < 3; i++) round[i] *= straight;
+    cross(round, far, once);
+    cross(round, once, twice);
+    for (int32_t i = 0; i < 3; i++) {
+        const int32_t j = (i + 1) % 3, k = (i + 2) % 3;
+        out->on[3 * i + i] = turn[3 * i + i] - 1.0, out->speed[3 * i + i] = 0.0;
+        out->on[3 * i + j] = turn[3 * i + j], out->speed[3 * i + j] = -round[k] / h;
+        out->on[3 * i + k] = turn[3 * i + k], out->speed[3 * i + k] = round[j] / h;
+        out->on[9 + i] = far[i] + h * drift[i];
+        out->speed[9 + i] = (far[i] - once[i] / 2.0 + twice[i] / 12.0) / h + drift[i];
+    }
+
+    /* of places in the state's coordinates, before and after the step */
+    for (int32_t i = 0; i < 3; i++)
+        for (int32_t d = 0; d < 3; d++) {
+            const double after = collider->origin[d] - collider->shift[d];
+            out->on[9 + i] += out->on[3 * i + d] * (after + h * drift[d]);
+            out->speed[9 + i] += out->speed[3 * i + d] * after;
+        }
+}
+
+
+/* what frames are without any */
+static const mus__frame at_home = {{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
+
+
+void mus__collider_move(mus__collider *collider, const mus__frame *frame, const double *shift, const double *drift,
+                        double h)
 {
     const int32_t glides = h > 0.0 && (drift[0] != 0.0 || drift[1] != 0.0 || drift[2] != 0.0);
     memcpy(collider->shift, shift, sizeof collider->shift);
-    collider->moving = glides ? MUS_GLIDED : MUS_STOOD;
     for (int32_t i = 0; i < 3; i++) collider->drift[i] = glides ? drift[i] : 0.0;
+    collider->moving = glides ? MUS_GLIDED : MUS_STOOD;
+    for (int32_t l = 0; l < collider->nlimb && h > 0.0; l++) {
+        const mus__frame *was = collider->turned ? &collider->frame[l] : &at_home;
+        const mus__frame *now = frame != NULL ? &frame[l] : &at_home;
+        if (memcmp(was, now, sizeof *now) != 0) collider->moving = MUS_TURNED;
+    }
+    for (int32_t l = 0; l < collider->nlimb; l++) {
+        const mus__frame was = collider->turned ? collider->frame[l] : at_home;
+        collider->frame[l] = frame != NULL ? frame[l] : at_home;
+        if (collider->moving == MUS_TURNED)
+            carry_of(collider, &was, &collider->frame[l], collider->drift, h, &collider->carry[l]);
+    }
+    collider->turned = frame != NULL;
     for (int32_t l = 0; l < collider->nlimb; l++) stand_part(collider, l);
-    if (!glides || collider->nlimb == 0) return;
+    if (collider->moving != MUS_GLIDED || collider->nlimb == 0) return;
     memset(collider->carry, 0, sizeof *collider->carry);
     for (int32_t i = 0; i < 3; i++) {
         collider->carry->on[9 + i] = h * drift[i];
@@ -135,16 +226,16 @@ void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *
 }
 
 
-/* the largest speed in a box: it is affine, so at a corner */
-static double box_haste(const double *map, const double *box)
+/* the largest speed in a box, against `drift`: it is affine, so at a corner */
+static double box_haste(const double *map, const double *drift, const double *box)
 {
     double most2 = 0.0;
     for (int32_t corner = 0; corner < 8; corner++) {
         const double x[3] = {box[corner & 1 ? 3 : 0], box[corner & 2 ? 4 : 1], box[corner & 4 ? 5 : 2]};
         double speed2 = 0.0;
         for (int32_t i = 0; i < 3; i++) {
-            const double v = map[3 * i] * x[0] + map[3 * i + 1] * x[1] + map[3 * i + 2] * x[2] + map[9 + i];
-            speed2 += v * v;
+            const double own = map[3 * i] * x[0] + map[3 * i + 1] * x[1] + map[3 * i + 2] * x[2] + map[9 + i];
+            speed2 += (own - drift[i]) * (own - drift[i]);
         }
         if (speed2 > most2) most2 = speed2;
     }
@@ -152,23 +243,18 @@ static double box_haste(const double *map, const double *box)
 }
 
 
-void mus__collider_haste(mus__collider *collider, double h)
+void mus__collider_haste(mus__collider *collider)
 {
-    collider->haste = 0.0;
-    if (!(h > 0.0)) return;
-    double relative = 0.0, drift2 = 0.0;
-    for (int32_t i = 0; i < 3; i++) drift2 += collider->drift[i] * collider->drift[i];
+    static const double still[12] = {0.0};
+    double most = 0.0;
     for (int32_t l = 0; l < collider->nlimb && collider->moving == MUS_TURNED; l++)
-        relative = fmax(relative, box_haste(collider->carry[l].speed, collider->box + 6 * (int64_t)l));
-
-    /* of a plane: where it lies, and the body's drift, which is taken off velocities */
+        most = fmax(most, box_haste(collider->carry[l].speed, collider->drift, collider->box + 6 * (int64_t)l));
     for (int32_t k = 0; k < collider->nplane; k++) {
         const mus__contact_plane *plane = &collider->plane[k];
         double box[6];
         for (int32_t i = 0; i < 6; i++)
             box[i] = plane->point[i % 3] - collider->origin[i % 3] + (i < 3 ? -plane->reach : plane->reach);
-        if (plane->moving) relative = fmax(relative, box_haste(plane->carry.speed, box));
+        most = fmax(most, box_haste(plane->moving ? plane->carry.speed : still, collider->drift, box));
     }
-    if (collider->nplane > 0) relative += sqrt(drift2);
-    collider->haste = relative;
+    collider->haste = most;
 }

@@ -173,6 +173,7 @@ static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
     if (status == MUS_OK) status = choose_origin(drape);
     if (status == MUS_OK && body != NULL)
         status = mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->collider);
+    if (status == MUS_OK && body != NULL) status = mus__drape_stance_create(drape, body);
     return status;
 }
 
@@ -249,7 +250,7 @@ void mus_drape_destroy(mus_drape *drape)
     mus__sim_destroy(context, &drape->sim);
     void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean,
                       drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned,
-                      drape->skin, drape->plane};
+                      drape->skin, drape->plane, drape->stance};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

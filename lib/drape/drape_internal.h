@@ -18,6 +18,16 @@ typedef struct mus__drape_plane {
     double from[3], velocity[3], spin, time;
 } mus__drape_plane;
 
+/* how the body stands, and where it is on the way from one pose to another */
+typedef struct mus__drape_stance {
+    mus__rig rig;
+    mus_pose made, from, to;
+    mus__local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
+    mus__frame frame[MUS_PARTS_MOST]; /* where the parts were last put */
+    double time, duration;            /* the movement began, and takes so long [s] */
+    int32_t posed, carried;           /* nonzero: not as limbs are made; the body came posed */
+} mus__drape_stance;
+
 struct mus_drape {
     mus_context *context;
     mus_drape_def def;
@@ -63,7 +73,9 @@ struct mus_drape {
 
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;
+    mus__drape_stance *stance; /* NULL without a body */
     mus__drape_plane *plane; /* (MUS_PLANES_MOST) as many as the collider has, NULL without */
+    int32_t moving;          /* nonzero: the collider was last told of a motion */
     int32_t moved;           /* nonzero: a surface did since nodes were asked what they remember */
     char skipped[96];
 };
@@ -97,11 +109,17 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
 
-/* ---- surfaces that move, nodes that are fast (glide.c, plane.c) ---- */
+/* ---- surfaces that move, nodes that are fast (glide.c, plane.c, stance.c) ---- */
 
-/* whether the body or a plane moves; a plane alone */
-int32_t mus__drape_moves(const mus_drape *drape);
+/* whether the body or a plane moves in a step of `h`, `steps` steps from now; a plane; whether the pose changes */
+int32_t mus__drape_moves(const mus_drape *drape, int64_t steps, double h);
 int32_t mus__drape_plane_moves(const mus_drape *drape);
+int32_t mus__drape_poses(const mus_drape *drape, int64_t steps, double h);
+/* frames of the body's parts `steps` steps of `h` from now, NULL: as made */
+const mus__frame *mus__drape_frames(mus_drape *drape, int64_t steps, double h);
+/* how the body stands: as it came; the same again */
+mus_status mus__drape_stance_create(mus_drape *drape, const mus_body *body);
+void mus__drape_stance_back(mus_drape *drape);
 /* body and planes to where they are `steps` steps of `h` from now; they came there in a step of `came`, 0: at rest */
 void mus__drape_stand(mus_drape *drape, int64_t steps, double h, double came);
 void mus__drape_stand_planes(mus_drape *drape, int64_t steps, double h, double came);

@@ -148,7 +148,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     mus__drape_meet_first(drape);
     if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
     drape->moved = 0;
-    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_moves(drape) ? drape->skin : NULL;
+    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_moves(drape, 0, dt) ? drape->skin : NULL;
 }
 
 
@@ -164,7 +164,7 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
     sim->rule.step = h;
 
     /* what moves is moved before each step */
-    const int32_t alone = !verlet || mus__drape_moves(drape) ? 1 : count;
+    const int32_t alone = !verlet || mus__drape_moves(drape, (int64_t)ahead * parts, h) ? 1 : count;
     for (int32_t i = 0; i < count; i += alone) {
         mus__drape_meet(drape, (int64_t)ahead * parts + i + alone, h);
         if (verlet) sim->ops->verlet(sim, h, alone);

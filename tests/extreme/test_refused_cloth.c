@@ -218,6 +218,26 @@ START_TEST(a_body_glides_at_no_speed_that_is_not_finite)
     ck_assert_int_eq(mus_drape_move_body(drape, NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_drape_move_body(NULL, slow), MUS_ERR_ARG);
     ck_assert_int_eq(mus_drape_move_body(bare, slow), MUS_ERR_STATE);
+
+    /* mus_drape_pose_body: the pose itself is refused as by mus_body_pose */
+    mus_pose pose, told;
+    mus_pose_init(&pose, sizeof pose);
+    const double durations[] = {NAN, INFINITY, -INFINITY, -1.0, 1e7};
+    for (size_t v = 0; v < sizeof durations / sizeof *durations; v++)
+        ck_assert_int_eq(mus_drape_pose_body(drape, &pose, durations[v]), MUS_ERR_ARG);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "duration"));
+    ck_assert_int_eq(mus_drape_pose_body(drape, NULL, 1.0), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_pose_body(NULL, &pose, 1.0), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_pose_body(bare, &pose, 1.0), MUS_ERR_STATE);
+    ck_assert_int_eq(mus_drape_body_pose(bare, &told), MUS_ERR_STATE);
+    ck_assert_int_eq(mus_drape_body_pose(drape, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_body_pose(NULL, &told), MUS_ERR_ARG);
+    pose.angle[MUS_JOINT_ELBOW_LEFT][0] = NAN;
+    ck_assert_int_eq(mus_drape_pose_body(drape, &pose, 1.0), MUS_ERR_ARG);
+    pose.angle[MUS_JOINT_ELBOW_LEFT][0] = 4.0;
+    ck_assert_int_eq(mus_drape_pose_body(drape, &pose, 1.0), MUS_ERR_BODY);
+    pose.size = 1;
+    ck_assert_int_eq(mus_drape_pose_body(drape, &pose, 1.0), MUS_ERR_VERSION);
     ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL) == MUS_ERR_STATE, 0);
     ck_assert_int_eq(mus_drape_move_body(drape, slow), MUS_OK);
     ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_ERR_STATE);

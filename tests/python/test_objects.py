@@ -300,6 +300,21 @@ def test_cloth_lies_on_a_plane_and_is_carried_by_it(context):
         drape.add_plane(normal=(0, 0, 0))
 
 
+def test_a_body_poses_in_steps(scene):
+    tape, body, pattern, cloth = scene
+    drape = muslin.Drape(cloth, body)
+    drape.place()
+    pose = drape.body_pose()
+    pose.place[0] = 0.1
+    drape.pose_body(pose, 3e-4)
+    drape.step(2, 1e-4)
+    assert drape.body_pose().place[0] == pytest.approx(0.2 / 3)
+    with pytest.raises(muslin.MuslinError, match="another pose"):
+        drape.settle()
+    drape.step(2, 1e-4)
+    assert drape.body_pose().place[0] == 0.1
+
+
 def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):
     tape, body, pattern, cloth = scene
     drape = muslin.Drape(cloth, body)

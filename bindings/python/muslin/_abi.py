@@ -521,6 +521,8 @@ FUNCTIONS = {
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),
     "mus_drape_evaluate": ("core", c_int32, [POINTER(mus_drape), c_int32]),
     "mus_drape_move_body": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_drape_pose_body": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_pose), c_double]),
+    "mus_drape_body_pose": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_pose)]),
     "mus_plane_init": ("core", None, [POINTER(mus_plane), c_size_t]),
     "mus_drape_add_plane": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_plane), POINTER(c_int32)]),
     "mus_drape_move_plane": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_double), c_double]),

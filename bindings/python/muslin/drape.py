@@ -37,6 +37,16 @@ class Drape(Object):
         """Let the body glide with a constant velocity (3) [m/s] in step(); zero stops it where it is."""
         self.do("move_body", (ctypes.c_double * 3)(*velocity))
 
+    def pose_body(self, pose, duration=0.0):
+        """Let the body move to a pose (mus_pose, as muslin.pose makes it) in the next `duration` seconds of step()."""
+        self.do("pose_body", ctypes.byref(pose), duration)
+
+    def body_pose(self):
+        """How the body stands now, a mus_pose."""
+        pose = make_def(_abi.mus_pose, lib.mus_pose_init)
+        self.do("body_pose", ctypes.byref(pose))
+        return pose
+
     def add_plane(self, **options):
         """One more plane (members of mus_plane: point, normal, velocity, spin, friction, reach); its number."""
         index = ctypes.c_int32()

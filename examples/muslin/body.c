@@ -61,20 +61,41 @@ static void write_json(const mus_body *body, double spent, json *j)
 }
 
 
+/* how the body stands, texts of options */
+typedef struct stance {
+    const char *pose, *move;
+    double at;
+} stance;
+
+
 /* the names of poses and movements, a line each */
 static int list_poses(void)
 {
-    for (int32_t i = 0; i < mus_pose_count(); i++) printf("%s\n", mus_pose_name(i));
+    for (int32_t i = 0; i < mus_pose_count(); i++) printf("pose %s\n", mus_pose_name(i));
+    for (int32_t i = 0; i < mus_move_count(); i++) printf("move %s\n", mus_move_name(i));
     return output_end("body");
 }
 
 
+/* the pose of a movement at a time */
+static mus_status pose_moving(const scene *s, const stance *how, mus_pose *pose)
+{
+    mus_move *move = NULL;
+    const double stature = mus_tape_value(s->tape, MUS_MEASURE_STATURE);
+    mus_status status = mus_move_named(s->context, how->move, stature, &move);
+    if (status == MUS_OK) status = mus_move_at(move, how->at, pose);
+    mus_move_destroy(move);
+    return status;
+}
+
+
 /* put a posed copy, feet on the floor, in place of *body */
-static mus_status pose_body(const scene *s, const char *name, mus_body **body)
+static mus_status pose_body(const scene *s, const stance *how, mus_body **body)
 {
     mus_pose pose;
     mus_body *posed = NULL;
-    mus_status status = mus_pose_named(s->context, name, &pose);
+    mus_status status =
+        how->move != NULL ? pose_moving(s, how, &pose) : mus_pose_named(s->context, how->pose, &pose);
     if (status == MUS_OK) status = mus_body_clear_arms(*body, &pose, 0.012);
     if (status == MUS_OK) status = mus_body_ground(*body, &pose);
     if (status == MUS_OK) status = mus_body_pose(*body, &pose, &posed);
@@ -88,10 +109,13 @@ static mus_status pose_body(const scene *s, const char *name, mus_body **body)
 int command_body(int argc, char **argv)
 {
     source from = {0};
-    const char *obj = NULL, *pose = NULL;
+    const char *obj = NULL;
+    stance how = {0};
     bool as_json = false, poses = false;
     const option options[] = {SOURCE_TAPE(from),
-                              {"--pose", OPTION_TEXT, &pose, 0, 0, "NAME  how it stands"},
+                              {"--pose", OPTION_TEXT, &how.pose, 0, 0, "NAME  how it stands"},
+                              {"--move", OPTION_TEXT, &how.move, 0, 0, "NAME  a movement in place of a pose"},
+                              {"--at", OPTION_NUMBER, &how.at, 0, 1e6, "SECONDS  when in the movement, default 0"},
                               {"--poses", OPTION_FLAG, &poses, 0, 0, "the names of poses and movements, nothing else"},
                               {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
@@ -99,6 +123,7 @@ int command_body(int argc, char **argv)
     if (!args_read("body", "Make the body of a tape; show the girths asked and the girths made.", options, argc, argv))
         return EXIT_INPUT;
     if (poses) return list_poses();
+    if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");
 
     scene s;
     mus_body *body = NULL;
@@ -109,7 +134,7 @@ int command_body(int argc, char **argv)
         const double start = seconds();
         mus_status status = mus_body_create(s.context, s.tape, NULL, &body);
         const double spent = seconds() - start;
-        if (status == MUS_OK && pose != NULL) status = pose_body(&s, pose, &body);
+        if (status == MUS_OK && (how.pose != NULL || how.move != NULL)) status = pose_body(&s, &how, &body);
         if (status == MUS_OK && obj != NULL) {
             mus_mesh_view view;
             body_view(body, &view);

@@ -101,6 +101,39 @@ MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
  * body from below the armpit to the finger tips; arms that are stay as they are. Errors: as mus_body_pose. */
 MUS_API mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap);
 
+/** A movement: poses at times, and cubic splines between them. */
+typedef struct mus_move mus_move;
+
+/**
+ * Make a movement.
+ *
+ * Shapes:  times (keys) [s], ascending; poses (keys)
+ * period:  0 for a movement that ends (natural splines, which hold the first and the last pose outside their times), or
+ *          the time [s] after which the first key comes again (periodic splines; at least 3 keys)
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (a pose beyond the limits of a joint)
+ */
+MUS_API mus_status mus_move_create(mus_context *context, int32_t keys, const double *times, const mus_pose *poses,
+                                   double period, mus_move **out);
+MUS_API void mus_move_destroy(mus_move *move);
+
+/** Named movements: number, and name ("walk"), NULL outside the range. Static text. */
+MUS_API int32_t mus_move_count(void);
+MUS_API const char *mus_move_name(int32_t move);
+
+/** Make a named movement for a body of that stature [m]. Its place is that of the mean person's legs; with
+ * mus_body_ground its feet are on the floor to the last bit. Errors: MUS_ERR_ARG (also: an unknown name),
+ * MUS_ERR_MEMORY. */
+MUS_API mus_status mus_move_named(mus_context *context, const char *name, double stature, mus_move **out);
+
+/** The period [s], 0 for a movement that ends; and the time from its first to its last key, or the period. NaN for
+ * NULL. */
+MUS_API double mus_move_period(const mus_move *move);
+MUS_API double mus_move_duration(const mus_move *move);
+
+/** The pose at a time [s]. An angle that its spline carries past a limit of its joint is at the limit.
+ * Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_move_at(const mus_move *move, double t, mus_pose *pose);
+
 #ifdef __cplusplus
 }
 #endif

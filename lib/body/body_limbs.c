@@ -107,7 +107,7 @@ static void limb_leg_root(const mus__contour *hip, double crotch, double h, doub
     static const struct {
         const char *name;
         double up, breadth, depth;
-    } row[] = {{"leg_root", 0.50, 0.965, 1.0}, {"leg_top", 1.0, 0.90, 0.88}};
+    } row[] = {{"leg_root", 0.50, 0.965, 1.0}, {"leg_top", 1.0, 0.90, 0.92}};
     double deep = limb->contour[limb->count - 1].b, cb = limb->contour[limb->count - 1].cb;
     for (int i = 0; i < 2; i++) {
         double s = crotch + row[i].up * (hip->s - crotch);
@@ -119,7 +119,10 @@ static void limb_leg_root(const mus__contour *hip, double crotch, double h, doub
         contour->cb = cb;
         contour->wall = LEG_WALL, contour->wall_side = side;
     }
-    limb->pole[1] = hip->s + 0.02 * h;
+
+    /* above the hip it closes as a ball, so that a bent hip has a round seat */
+    const mus__contour *top = &limb->contour[limb->count - 1];
+    limb->pole[1] = hip->s + fmax(0.02 * h, 0.45 * (top->a + top->b));
 }
 
 

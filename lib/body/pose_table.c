@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/base_internal.h"
+#include "body/body_move.h"
 #include "geom/vec.h"
 #include "muslin/pose.h"
 
@@ -62,7 +63,7 @@ static const struct {
     {"a", {{MUS_JOINT_SHOULDER_LEFT, true, {5, 42, 0}}}},
     {"t", {{MUS_JOINT_SHOULDER_LEFT, true, {0, 90, 0}}}},
     {"arms_down", {{MUS_JOINT_SHOULDER_LEFT, true, {4, 15, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {12, 0, 0}}}},
-    {"arms_raised", {{MUS_JOINT_SHOULDER_LEFT, true, {0, 165, 0}}}},
+    {"arms_raised", {{MUS_JOINT_SHOULDER_LEFT, true, {0, 170, 0}}}},
     {"arms_forward", {{MUS_JOINT_SHOULDER_LEFT, true, {85, 8, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {5, 0, 0}}}},
     {"hands_on_hips",
      {{MUS_JOINT_SHOULDER_LEFT, true, {-18, 61, 60}}, {MUS_JOINT_ELBOW_LEFT, true, {112, 0, 0}}}},
@@ -152,18 +153,24 @@ const char *mus_pose_name(int32_t pose)
 }
 
 
+bool mus__pose_find(const char *name, mus_pose *out)
+{
+    int32_t i = 0;
+    while (i < POSE_COUNT && strcmp(pose_named[i].name, name) != 0) i++;
+    if (i == POSE_COUNT) return false;
+    mus_pose_init(out, sizeof *out);
+    for (const pose_row *row = pose_named[i].row; row < pose_named[i].row + POSE_ROWS; row++)
+        for (int32_t side = 0; side < (row->both ? 2 : 1); side++)
+            for (int k = 0; k < 3; k++) out->angle[row->joint + side][k] += POSE_DEGREE * row->angle[k];
+    return true;
+}
+
+
 mus_status mus_pose_named(mus_context *context, const char *name, mus_pose *out)
 {
     if (context == NULL) return MUS_ERR_ARG;
     if (name == NULL || out == NULL) return mus__fail(context, MUS_ERR_ARG, "the name of a pose, or its pose, is NULL");
-    for (int32_t i = 0; i < POSE_COUNT; i++) {
-        if (strcmp(pose_named[i].name, name) != 0) continue;
-        mus_pose_init(out, sizeof *out);
-        for (const pose_row *row = pose_named[i].row; row < pose_named[i].row + POSE_ROWS; row++)
-            for (int32_t side = 0; side < (row->both ? 2 : 1); side++)
-                for (int k = 0; k < 3; k++) out->angle[row->joint + side][k] += POSE_DEGREE * row->angle[k];
-        return MUS_OK;
-    }
+    if (mus__pose_find(name, out)) return MUS_OK;
     return mus__fail(context, MUS_ERR_ARG, "no pose is called \"%.60s\"", name);
 }
 

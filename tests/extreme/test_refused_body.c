@@ -190,6 +190,33 @@ START_TEST(a_pose_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
+/* X23: mus_move_create, mus_move_named, mus_move_at */
+START_TEST(times_of_a_movement_that_are_not_finite_are_refused)
+{
+    mus_context *context = support_context();
+    mus_move *move = NULL;
+    mus_pose pose[3], out;
+    for (int i = 0; i < 3; i++) mus_pose_init(&pose[i], sizeof pose[i]);
+    for (int v = 0; v < 3; v++) {
+        const double times[] = {0.0, refused_values[v], 2.0}, good[] = {0.0, 1.0, 2.0};
+        ck_assert_int_eq(mus_move_create(context, 3, times, pose, 0.0, &move), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "time 1"));
+        ck_assert_int_eq(mus_move_create(context, 3, good, pose, refused_values[v], &move), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "period"));
+        ck_assert_int_eq(mus_move_named(context, "walk", refused_values[v], &move), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "stature"));
+        ck_assert_ptr_null(move);
+        ck_assert_int_eq(mus_move_create(context, 3, good, pose, 3.0, &move), MUS_OK);
+        ck_assert_int_eq(mus_move_at(move, refused_values[v], &out), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "time"));
+        mus_move_destroy(move);
+        move = NULL;
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* X23: mus_body_clear_arms */
 START_TEST(a_gap_that_is_not_finite_is_refused)
 {
@@ -222,6 +249,7 @@ Suite *mus_suite_refused_body(void)
     tcase_add_test(tests, a_body_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_limb_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, an_outline_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, times_of_a_movement_that_are_not_finite_are_refused);
     tcase_add_test(tests, a_gap_that_is_not_finite_is_refused);
     tcase_add_test(tests, a_pose_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_out_of_reach);

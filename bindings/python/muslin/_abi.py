@@ -170,6 +170,10 @@ class mus_body(Structure):
     pass
 
 
+class mus_move(Structure):
+    pass
+
+
 class mus_pattern(Structure):
     pass
 
@@ -382,6 +386,15 @@ FUNCTIONS = {
     "mus_body_stance": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
     "mus_body_ground": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
     "mus_body_clear_arms": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose), c_double]),
+    "mus_move_create": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(c_double), POINTER(mus_pose),
+                                          c_double, POINTER(POINTER(mus_move))]),
+    "mus_move_destroy": ("core", None, [POINTER(mus_move)]),
+    "mus_move_count": ("core", c_int32, []),
+    "mus_move_name": ("core", c_char_p, [c_int32]),
+    "mus_move_named": ("core", c_int32, [POINTER(mus_context), c_char_p, c_double, POINTER(POINTER(mus_move))]),
+    "mus_move_period": ("core", c_double, [POINTER(mus_move)]),
+    "mus_move_duration": ("core", c_double, [POINTER(mus_move)]),
+    "mus_move_at": ("core", c_int32, [POINTER(mus_move), c_double, POINTER(mus_pose)]),
     "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
     "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),

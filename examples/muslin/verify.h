@@ -54,5 +54,6 @@ int verify_drape(verify *v);
 int verify_contact(verify *v);
 int verify_collide(verify *v);
 int verify_plane(verify *v);
+int verify_spline(verify *v);
 
 #endif

@@ -153,9 +153,29 @@ static double volume_overlap(const mus_body *body, int32_t p, const double *turn
 }
 
 
+/* of a posed body: its fields back where they were made, borrowing their tables */
+static double volume_at_rest(const mus_body *body)
+{
+    mus_body rest = *body;
+    mus__field field[MUS_PARTS_MOST];
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const mus__limb *limb = &body->limb[body->rig.part[p].limb];
+        field[p] = body->field[p];
+        for (int i = 0; i < 3; i++) {
+            field[p].origin[i] = limb->origin[i], field[p].axis[i] = limb->axis[i];
+            field[p].side[i] = limb->side[i], field[p].front[i] = limb->front[i];
+        }
+    }
+    rest.field = field;
+    rest.frame = NULL;
+    return mus_body_volume(&rest);
+}
+
+
 double mus_body_volume(const mus_body *body)
 {
     if (body == NULL) return NAN;
+    if (body->frame != NULL) return volume_at_rest(body);
     double turn[2 * MUS_BODY_ANGLES], weight[MUS_BODY_ANGLES], volume = 0.0;
     mus__field_turns(MUS_BODY_ANGLES, turn);
     volume_weights(MUS_BODY_ANGLES, turn, weight);

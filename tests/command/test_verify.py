@@ -36,6 +36,10 @@ def test_every_case_on_limbs_and_planes_is_there(rows):
     assert {f"F{i}" for i in range(1, 9)} | {"C1", "C2", "C3", "C5", "V1", "V2", "V3"} <= ids
 
 
+def test_every_case_of_splines_is_there(rows):
+    assert {"N1", "N2", "N3"} <= {row["id"] for row in rows}
+
+
 def test_the_error_is_that_of_the_columns(rows):
     for row in rows:
         error = abs((row["got"] - row["exact"]) / row["exact"]) if row["exact"] else abs(row["got"])

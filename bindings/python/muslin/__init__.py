@@ -24,9 +24,10 @@ from .errors import MuslinError
 from .exchange import Mesh, write_glb, write_glb_motion, write_obj
 from .integrate import integrate
 from .pattern import Pattern
+from .pose import Move, Pose, joint_limits, moves, poses
 from .print import Sheet
 from .tape import Tape, measures, sizes
 
-__all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "MuslinError", "Pattern", "Sheet", "Tape",
-           "designs", "draft", "fabrics", "integrate", "measures", "sizes", "version", "write_glb", "write_glb_motion",
-           "write_obj", "__version__"]
+__all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
+           "Tape", "designs", "draft", "fabrics", "integrate", "joint_limits", "measures", "moves", "poses", "sizes",
+           "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]

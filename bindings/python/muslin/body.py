@@ -6,6 +6,7 @@ from . import _abi
 from ._library import lib
 from .arrays import doubles, result, view
 from .context import Context, Object, create, fill, make_def
+from .pose import Pose
 from .tape import measures
 
 _LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars(_abi).items()
@@ -45,6 +46,32 @@ class Body(Object):
         definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
         return cls(context, _handle=create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
                                            ctypes.byref(definition)))
+
+    def posed(self, pose):
+        """A copy of the body in a Pose; measures and volume are those of the rest pose."""
+        return Body(self.context, _handle=create(self.context, "body", "mus_body_pose", self.handle,
+                                                 ctypes.byref(pose.struct)))
+
+    @property
+    def rest_pose(self):
+        """The Pose that it was made in."""
+        return self._pose("rest_pose")
+
+    @property
+    def stance(self):
+        """The Pose that it stands in."""
+        return self._pose("stance")
+
+    def _pose(self, function):
+        pose = Pose()
+        self.do(function, ctypes.byref(pose.struct))
+        return pose
+
+    def fit(self, pose, gap=0.012):
+        """Fit a Pose to the body: arms `gap` [m] off its sides, its lowest point on the floor. Returns the pose."""
+        self.do("clear_arms", ctypes.byref(pose.struct), gap)
+        self.do("ground", ctypes.byref(pose.struct))
+        return pose
 
     @property
     def vertices(self):

@@ -1,0 +1,98 @@
+"""pose.py: how a body stands, and how it moves."""
+import ctypes
+
+from . import _abi
+from ._library import lib
+from .context import Context, Object, create
+
+JOINTS = [name.lower() for name in _abi.JOINT_NAMES]
+AXES = ("flexion", "abduction", "rotation")
+
+
+def poses():
+    """Names of the poses that have one."""
+    return [lib.mus_pose_name(i).decode() for i in range(lib.mus_pose_count())]
+
+
+def moves():
+    """Names of the movements that have one."""
+    return [lib.mus_move_name(i).decode() for i in range(lib.mus_move_count())]
+
+
+def joint_limits(joint):
+    """((low, high) of flexion, of abduction, of rotation) of a joint by name [rad]."""
+    low, high, limits = ctypes.c_double(), ctypes.c_double(), []
+    for axis in range(3):
+        lib.mus_joint_limits(JOINTS.index(joint), axis, ctypes.byref(low), ctypes.byref(high))
+        limits.append((low.value, high.value))
+    return tuple(limits)
+
+
+class Pose:
+    """Angles of the joints [rad] and the place of the root [m]: pose["knee_left"] is (flexion, abduction, rotation).
+
+    Pose() stands with hanging arms, Pose("sit") is a named pose; joints by keyword: Pose(knee_left=(1.5, 0, 0)).
+    """
+
+    def __init__(self, name=None, context=None, **joints):
+        self.struct = _abi.mus_pose()
+        lib.mus_pose_init(ctypes.byref(self.struct), ctypes.sizeof(self.struct))
+        if name is not None:
+            context = context or Context.of_thread()
+            context.call("mus_pose_named", context.handle, name.encode(), ctypes.byref(self.struct))
+        for joint, angles in joints.items():
+            self[joint] = angles
+
+    def __getitem__(self, joint):
+        return tuple(self.struct.angle[JOINTS.index(joint)])
+
+    def __setitem__(self, joint, angles):
+        self.struct.angle[JOINTS.index(joint)][:] = angles
+
+    @property
+    def place(self):
+        """(x, y, z) of the root, off where the body was made."""
+        return tuple(self.struct.place)
+
+    @place.setter
+    def place(self, place):
+        self.struct.place[:] = place
+
+    def check(self, context=None):
+        """MuslinError when an angle is beyond the limits of its joint."""
+        context = context or Context.of_thread()
+        context.call("mus_pose_check", context.handle, ctypes.byref(self.struct))
+
+
+class Move(Object):
+    """A movement: a named one for a stature, Move("walk", stature=1.7), or keys: Move(times, poses, period)."""
+
+    _kind = "move"
+
+    def __init__(self, name, poses=None, period=0.0, stature=1.7, context=None):
+        context = context or Context.of_thread()
+        if poses is None:
+            handle = create(context, "move", "mus_move_named", context.handle, name.encode(), stature)
+        else:
+            times = (ctypes.c_double * len(name))(*name)
+            if len(times) != len(poses):
+                raise ValueError(f"{len(times)} times and {len(poses)} poses")
+            structs = (_abi.mus_pose * len(poses))(*[pose.struct for pose in poses])
+            handle = create(context, "move", "mus_move_create", context.handle, len(poses), times, structs, period)
+        super().__init__(context, handle)
+
+    @property
+    def period(self):
+        """[s], 0 for a movement that ends."""
+        return self.get("period")
+
+    @property
+    def duration(self):
+        """[s], from the first to the last key, or the period."""
+        return self.get("duration")
+
+    def at(self, time):
+        """The Pose at a time [s]."""
+        pose = Pose()
+        self.do("at", time, ctypes.byref(pose.struct))
+        return pose

@@ -17,6 +17,7 @@ TARGET = pathlib.Path(__file__).parent / "muslin" / "_abi.py"
 ORDER = ["base", "tape", "body", "pose", "pattern", "design", "cloth", "integrate", "drape", "print", "exchange"]
 LIBRARY = {"print": "print", "exchange": "exchange"}  # all else is libmuslin
 SCALAR = {"mus_status": "c_int32", "int32_t": "c_int32", "int64_t": "c_int64", "uint64_t": "c_uint64",
+          "uint8_t": "c_uint8",
           "size_t": "c_size_t", "double": "c_double", "float": "c_float", "char": "c_char", "int": "c_int"}
 
 
@@ -112,7 +113,7 @@ def render(headers):
     out = ['"""_abi.py: the C interface as ctypes sees it, and nothing else.',
            "", "Written by bindings/python/generate.py from include/muslin/*.h; do not edit.", '"""',
            "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,",
-           "                    c_size_t, c_uint64, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
+           "                    c_size_t, c_uint64, c_uint8, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
     out += [f"{name} = {value}" for name, value in headers.constants.items()]
     out += ["", "# names of the lists, by number"]
     for kind, names in headers.names.items():

@@ -3,7 +3,7 @@
 Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 """
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,
-                    c_size_t, c_uint64, c_void_p)
+                    c_size_t, c_uint64, c_uint8, c_void_p)
 
 VERSION = "0.1.0"
 
@@ -242,6 +242,10 @@ class mus_homology(Structure):
                 ("euler", c_int32), ("torsion", c_int32)]
 
 
+class mus_form_def(Structure):
+    _fields_ = [("size", c_size_t), ("mirror", c_int32), ("labels", c_int32)]
+
+
 class mus_draft_def(Structure):
     _fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 
@@ -469,6 +473,9 @@ FUNCTIONS = {
                                                POINTER(c_int32), c_int32]),
     "mus_pattern_boundary": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32), c_int32,
                                                POINTER(c_int32)]),
+    "mus_form_def_init": ("core", None, [POINTER(mus_form_def), c_size_t]),
+    "mus_pattern_form": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_form_def), POINTER(c_uint8), c_size_t,
+                                           POINTER(c_size_t), POINTER(c_uint64)]),
     "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32)]),
     "mus_pattern_fault": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
                                             POINTER(c_int32), POINTER(c_int32), POINTER(c_char_p)]),

@@ -262,6 +262,16 @@ class Pattern(Object):
         self.do("boundary", sewn, dimension, triples, count.value, ctypes.byref(count))
         return [tuple(triples[i:i + 3]) for i in range(0, len(triples), 3)]
 
+    def form(self, mirror=True, labels=True):
+        """(bytes, hash of 32 hex digits) of the canonical form: equal for patterns that are the same but for names,
+        order, where words begin and, with mirror, a mirror image."""
+        definition = make_def(_abi.mus_form_def, lib.mus_form_def_init, {"mirror": mirror, "labels": labels})
+        count, hashes = ctypes.c_size_t(), (ctypes.c_uint64 * 2)()
+        self.do("form", ctypes.byref(definition), None, 0, ctypes.byref(count), hashes)
+        form = (ctypes.c_uint8 * count.value)()
+        self.do("form", ctypes.byref(definition), form, count.value, ctypes.byref(count), hashes)
+        return bytes(form), f"{hashes[0]:016x}{hashes[1]:016x}"
+
     def loops(self):
         """[(edges, length [m])] of the openings of the sewn pattern."""
         return [self._loop(i) for i in range(self.topology()["loops"])]

@@ -21,7 +21,7 @@
 #
 # config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors.
 # OMIT="print design" leaves modules, and what stands on them, out of `make` and `make install`; there are no programs
-# then. One can leave out: print, exchange, design, integrate, drape, cloth, pattern, body.
+# then. One can leave out: print, exchange, design, integrate, drape, cloth, scan, pattern, body.
 # CC, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
@@ -81,9 +81,10 @@ OMIT_integrate = integrate
 OMIT_drape = drape contact
 OMIT_cloth = cloth drape contact exchange
 OMIT_pattern = pattern design cloth drape contact print exchange
-OMIT_body = body design exchange
+OMIT_scan = scan
+OMIT_body = body scan design exchange
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, design, integrate, \
-  drape, cloth, pattern, body)))
+  drape, cloth, scan, pattern, body)))
 space := $(subst ,, )
 ifneq ($(and $(OMIT),$(filter check tests dress bench corpus,$(MAKECMDGOALS))),)
 $(error with OMIT there are libraries alone: `make check-omit` runs the tests of what is left)
@@ -94,7 +95,7 @@ INTO := $(OUT)$(if $(OMIT),/omit-$(subst $(space),-,$(strip $(OMIT))))
 
 # files of the folders of lib/ that are not left out
 sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-CORE := $(call sources,base geom integrate body pattern design cloth contact drape)
+CORE := $(call sources,base geom integrate body scan pattern design cloth contact drape)
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
 COMMAND := $(wildcard examples/muslin/*.c)
@@ -254,7 +255,7 @@ check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 
 # each time the libraries without a module, and the C tests of what is left; CHECK_OMIT="design print+exchange" picks some
-CHECK_OMIT := print exchange design integrate drape cloth pattern body pattern+body+integrate
+CHECK_OMIT := print exchange design integrate drape cloth scan pattern body pattern+body+integrate
 check-omit:
 	@sh tests/guard/packages.sh build test
 	@$(call again,check-omit-now)

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "json.h"
+#include "mesh.h"
 #include "scene.h"
 
 
@@ -109,10 +110,12 @@ static mus_status pose_body(const scene *s, const stance *how, mus_body **body)
 int command_body(int argc, char **argv)
 {
     source from = {0};
+    mesh_source mesh = {0};
     const char *obj = NULL;
     stance how = {0};
     bool as_json = false, poses = false;
     const option options[] = {SOURCE_TAPE(from),
+                              SOURCE_MESH(mesh),
                               {"--pose", OPTION_TEXT, &how.pose, 0, 0, "NAME  how it stands"},
                               {"--move", OPTION_TEXT, &how.move, 0, 0, "NAME  a movement in place of a pose"},
                               {"--at", OPTION_NUMBER, &how.at, 0, 1e6, "SECONDS  when in the movement, default 0"},
@@ -120,10 +123,11 @@ int command_body(int argc, char **argv)
                               {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("body", "Make the body of a tape; show the girths asked and the girths made.", options, argc, argv))
+    if (!args_read("body", "Make the body of a tape or of a mesh; show what was asked and made.", options, argc, argv))
         return EXIT_INPUT;
     if (poses) return list_poses();
     if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");
+    if (mesh.file != NULL) return mesh_command(&mesh, how.pose != NULL || how.move != NULL, obj, as_json);
 
     scene s;
     mus_body *body = NULL;

@@ -13,12 +13,14 @@
 
 #include "commands.h"
 #include "json.h"
+#include "mesh.h"
 #include "picture.h"
 #include "scene.h"
 
 typedef struct dress {
     scene s;
     source from;
+    mesh_source mesh;
     look look;
     mus_fabric fabric;
     const char *fabric_name, *png, *glb, *obj, *report;
@@ -61,8 +63,11 @@ static const char *status_word(mus_status status)
 static mus_status prepare(dress *d)
 {
     double start = seconds();
-    mus_status status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
-    d->body_seconds = seconds() - start;
+    mus_status status = MUS_OK;
+    if (d->mesh.file == NULL) {
+        status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
+        d->body_seconds = seconds() - start;
+    }
     if (status != MUS_OK) return status;
 
     start = seconds();
@@ -209,8 +214,7 @@ static int find_fabric(dress *d)
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, "%s%s", i == 0 ? "" : ", ", mus_fabric_name(i));
     }
-    return complain(EXIT_INPUT, "dress", "--fabric %s: expected a .json file or one of %s", d->fabric_name,
-                    names);
+    return complain(EXIT_INPUT, "dress", "--fabric %s: expected a .json file or one of %s", d->fabric_name, names);
 }
 
 
@@ -224,6 +228,7 @@ static int read_options(dress *d, int argc, char **argv)
     const option options[] = {
         SOURCE_PATTERN(d->from),
         SOURCE_TAPE(d->from),
+        SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
@@ -270,7 +275,12 @@ int command_dress(int argc, char **argv)
     code = scene_open(&d->s, "dress");
     if (code == EXIT_DONE) code = find_fabric(d);
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
-    if (code == EXIT_DONE) code = scene_tape(&d->s, &d->from);
+    if (code == EXIT_DONE && d->mesh.file != NULL) {
+        const double start = seconds();
+        code = mesh_body(&d->s, &d->mesh, NULL, &d->body);
+        d->body_seconds = seconds() - start;
+    }
+    if (code == EXIT_DONE && (d->mesh.file == NULL || d->from.pattern == NULL)) code = scene_tape(&d->s, &d->from);
     if (code == EXIT_DONE) code = scene_pattern(&d->s, &d->from);
     if (code == EXIT_DONE) {
         d->outcome = prepare(d);

@@ -112,6 +112,25 @@ MUS_API mus_status mus_mesh_write_glb_motion(mus_context *context, const char *p
                                              const mus_mesh_view *meshes, int32_t keys, const double *times,
                                              const mus_mesh_motion *motion);
 
+typedef struct mus_mesh mus_mesh;
+
+/**
+ * Read a Wavefront OBJ as one triangle mesh: positions and faces of all its objects.
+ *
+ * Faces of more than three corners become fans. The numbers are the file's own: an OBJ says neither unit nor which way
+ * is up. mus_body_create_scan() makes a body of it.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (file, line, and what was expected), MUS_ERR_LIMIT (above 256 MiB or 16 million
+ *         triangles), MUS_ERR_ARG, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out);
+MUS_API void mus_mesh_destroy(mus_mesh *mesh);
+
+/** Vertices (vertex_count x 3) and triangles (triangle_count x 3), borrowed until the mesh is destroyed. */
+MUS_API int32_t mus_mesh_vertex_count(const mus_mesh *mesh);
+MUS_API int32_t mus_mesh_triangle_count(const mus_mesh *mesh);
+MUS_API const double *mus_mesh_vertices(const mus_mesh *mesh);
+MUS_API const int32_t *mus_mesh_triangles(const mus_mesh *mesh);
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,6 +9,7 @@
 #include "muslin/tape.h"
 #include "muslin/body.h"
 #include "muslin/pose.h"
+#include "muslin/scan.h"
 #include "muslin/pattern.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"

@@ -26,6 +26,7 @@ call_of()
     drape) echo "mus_drape_create" ;;
     cloth) echo "mus_cloth_create" ;;
     pattern) echo "mus_pattern_create" ;;
+    scan) echo "mus_body_create_scan" ;;
     body) echo "mus_body_create" ;;
     esac
 }

@@ -325,3 +325,18 @@ def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):
         drape.settle()
     drape.move_body((0.0, 0.0, 0.0))
     assert drape.report["contact_impulse"] is not None
+
+
+def test_a_body_from_a_mesh(context, tmp_path):
+    person = muslin.Body(muslin.Tape.size("C116", context=context))
+    path = tmp_path / "person.obj"
+    muslin.write_obj(path, [muslin.Mesh("person", person.vertices, person.triangles)], context=context)
+    vertices, triangles = muslin.read_obj(path, context=context)
+    assert len(vertices) == len(person.vertices) and len(triangles) == len(person.triangles)
+    body, report = muslin.scan(vertices, triangles, context=context, distances=0)
+    assert body.limbs == person.limbs and abs(report["stature"] - 1.16) < 1e-6
+    assert abs(report["girth"]["waist"] - 0.555) < 2e-3
+    assert abs(body.volume / person.volume - 1) < 0.01
+    turned = [(-z, x, y) for x, y, z in vertices]
+    with pytest.raises(muslin.MuslinError, match="one axis"):
+        muslin.scan(turned, triangles, context=context, up="z", front="-z")

@@ -21,13 +21,14 @@ from .context import Context
 from .design import designs, draft
 from .drape import Drape
 from .errors import MuslinError
-from .exchange import Mesh, write_glb, write_glb_motion, write_obj
+from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
 from .integrate import integrate
 from .pattern import Pattern
 from .pose import Move, Pose, joint_limits, moves, poses
 from .print import Sheet
+from .scan import scan
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
-           "Tape", "designs", "draft", "fabrics", "integrate", "joint_limits", "measures", "moves", "poses", "sizes",
-           "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]
+           "Tape", "designs", "draft", "fabrics", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
+           "scan", "sizes", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]

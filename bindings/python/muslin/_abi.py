@@ -110,6 +110,23 @@ MUS_JOINT_KNEE_RIGHT = 12
 MUS_JOINT_ANKLE_LEFT = 13
 MUS_JOINT_ANKLE_RIGHT = 14
 MUS_JOINT_COUNT = 15
+MUS_SCAN_FOUND = 0
+MUS_SCAN_X = 1
+MUS_SCAN_Y = 2
+MUS_SCAN_Z = 3
+MUS_SCAN_TORSO = 0
+MUS_SCAN_HEAD = 1
+MUS_SCAN_ARMS = 2
+MUS_SCAN_HANDS = 3
+MUS_SCAN_LEGS = 4
+MUS_SCAN_FEET = 5
+MUS_SCAN_PART_COUNT = 6
+MUS_SCAN_BUST = 0
+MUS_SCAN_WAIST = 1
+MUS_SCAN_HIP = 2
+MUS_SCAN_THIGH = 3
+MUS_SCAN_WRIST = 4
+MUS_SCAN_GIRTH_COUNT = 5
 MUS_PIECE_LINE = 0
 MUS_PIECE_QUADRATIC = 1
 MUS_PIECE_CUBIC = 2
@@ -190,6 +207,10 @@ class mus_sheet(Structure):
     pass
 
 
+class mus_mesh(Structure):
+    pass
+
+
 # callbacks
 mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
 mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
@@ -219,6 +240,20 @@ class mus_limb(Structure):
 
 class mus_pose(Structure):
     _fields_ = [("size", c_size_t), ("place", c_double * 3), ("angle", c_double * 3 * 15)]
+
+
+class mus_scan_def(Structure):
+    _fields_ = [("size", c_size_t), ("up", c_int32), ("front", c_int32), ("unit", c_double), ("spacing", c_double),
+                ("corners", c_int32), ("gap", c_double), ("samples", c_int32), ("ring_spacing", c_double),
+                ("distances", c_int32)]
+
+
+class mus_scan_report(Structure):
+    _fields_ = [("size", c_size_t), ("unit", c_double), ("frame", c_double * 9), ("place", c_double * 3),
+                ("stature", c_double), ("crotch", c_double), ("armpit", c_double * 2), ("arm_angle", c_double * 2),
+                ("vertices", c_int32), ("contours", c_int32), ("holes", c_int32), ("widest_hole", c_double),
+                ("filled", c_int32), ("deepest_fill", c_double), ("girth", c_double * 5),
+                ("girth_height", c_double * 5), ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
 
 
 class mus_seam_def(Structure):
@@ -399,6 +434,11 @@ FUNCTIONS = {
     "mus_move_period": ("core", c_double, [POINTER(mus_move)]),
     "mus_move_duration": ("core", c_double, [POINTER(mus_move)]),
     "mus_move_at": ("core", c_int32, [POINTER(mus_move), c_double, POINTER(mus_pose)]),
+    "mus_scan_def_init": ("core", None, [POINTER(mus_scan_def), c_size_t]),
+    "mus_scan_report_init": ("core", None, [POINTER(mus_scan_report), c_size_t]),
+    "mus_body_create_scan": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(c_double), c_int32,
+                                               POINTER(c_int32), POINTER(mus_scan_def), POINTER(mus_scan_report),
+                                               POINTER(POINTER(mus_body))]),
     "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
     "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),
@@ -586,4 +626,10 @@ FUNCTIONS = {
     "mus_mesh_write_glb_motion": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32,
                                                         POINTER(mus_mesh_view), c_int32, POINTER(c_double),
                                                         POINTER(mus_mesh_motion)]),
+    "mus_mesh_read_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_mesh))]),
+    "mus_mesh_destroy": ("exchange", None, [POINTER(mus_mesh)]),
+    "mus_mesh_vertex_count": ("exchange", c_int32, [POINTER(mus_mesh)]),
+    "mus_mesh_triangle_count": ("exchange", c_int32, [POINTER(mus_mesh)]),
+    "mus_mesh_vertices": ("exchange", POINTER(c_double), [POINTER(mus_mesh)]),
+    "mus_mesh_triangles": ("exchange", POINTER(c_int32), [POINTER(mus_mesh)]),
 }

@@ -1,8 +1,8 @@
-"""exchange.py: triangle meshes to files. Tapes and patterns have read and write of their own."""
+"""exchange.py: triangle meshes to files and from them. Tapes and patterns have read and write of their own."""
 from . import _abi
 from ._library import lib
 from .arrays import doubles, integers
-from .context import Context, make_def, text
+from .context import Context, create, make_def, text
 
 
 class Mesh:
@@ -39,6 +39,19 @@ def _views(meshes):
 def _write(function, path, meshes, context):
     context = context or Context.of_thread()
     context.call(function, context.handle, text(path), len(meshes), _views(meshes))
+
+
+def read_obj(path, context=None):
+    """(vertices, triangles) of a Wavefront OBJ: lists of (x, y, z) and of indices from 0, as scan() takes them."""
+    context = context or Context.of_thread()
+    handle = create(context, "mesh", "mus_mesh_read_obj", context.handle, text(path))
+    try:
+        x, triangle = lib.mus_mesh_vertices(handle), lib.mus_mesh_triangles(handle)
+        vertices = [tuple(x[3 * i:3 * i + 3]) for i in range(lib.mus_mesh_vertex_count(handle))]
+        return vertices, [tuple(triangle[3 * i:3 * i + 3]) for i in range(lib.mus_mesh_triangle_count(handle))]
+    finally:
+        with context.lock:
+            lib.mus_mesh_destroy(handle)
 
 
 def write_obj(path, meshes, context=None):

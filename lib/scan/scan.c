@@ -1,0 +1,149 @@
+/*
+ * scan.c: from a mesh to a body: the order of work, its options and its report.
+ *
+ * Weld, find the frame, find the limbs, cut them into outlines, make a body of given limbs, measure it, and tell how
+ * far it is from the mesh. Distances are the dearest part, and are left out without a report.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "scan/scan_internal.h"
+
+
+void mus_scan_def_init(mus_scan_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    mus_scan_def own = {.size = sizeof own, .spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 96};
+    own.ring_spacing = 0.01;
+    own.distances = 1;
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    def->size = size;
+}
+
+
+void mus_scan_report_init(mus_scan_report *report, size_t size)
+{
+    if (report == NULL || size < sizeof report->size) return;
+    memset(report, 0, size);
+    report->size = size;
+}
+
+
+static mus_status scan_axis(mus_context *context, const char *name, int32_t axis)
+{
+    if (axis >= -MUS_SCAN_Z && axis <= MUS_SCAN_Z) return MUS_OK;
+    return mus__fail(context, MUS_ERR_ARG, "%s %d is not one of -3 to 3", name, (int)axis);
+}
+
+
+static mus_status scan_number(mus_context *context, const char *name, double value, double low, double high)
+{
+    if (value >= low && value <= high) return MUS_OK;
+    return mus__fail(context, MUS_ERR_ARG, "%s %g is outside %g to %g", name, value, low, high);
+}
+
+
+static mus_status scan_read_def(mus_context *context, const mus_scan_def *def, mus_scan_def *own)
+{
+    mus_scan_def_init(own, sizeof *own);
+    mus_status status = MUS_OK;
+    if (def != NULL) status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_scan_def");
+    if (status == MUS_OK) status = scan_axis(context, "up", own->up);
+    if (status == MUS_OK) status = scan_axis(context, "front", own->front);
+    if (status == MUS_OK && own->unit != 0.0) status = scan_number(context, "unit", own->unit, 1e-6, 1e3);
+    if (status == MUS_OK) status = scan_number(context, "spacing", own->spacing, 0.002, 0.05);
+    if (status == MUS_OK) status = scan_number(context, "corners", own->corners, 16, 1024);
+    if (status == MUS_OK) status = scan_number(context, "gap", own->gap, 0.0, 1.0);
+    return status;
+}
+
+
+/* all that is not known is NaN */
+static void scan_unknown(mus_scan_report *report)
+{
+    const size_t size = report->size;
+    memset(report, 0, sizeof *report);
+    report->size = size;
+    report->crotch = NAN;
+    for (int i = 0; i < 2; i++) report->armpit[i] = report->arm_angle[i] = NAN;
+    for (int i = 0; i < MUS_SCAN_GIRTH_COUNT; i++) report->girth[i] = report->girth_height[i] = NAN;
+    for (int i = 0; i < MUS_SCAN_PART_COUNT; i++)
+        for (int k = 0; k < 3; k++) report->mesh_to_body[i][k] = report->body_to_mesh[i][k] = NAN;
+}
+
+
+static void scan_tell(const mus__scan_found *found, mus_scan_report *report)
+{
+    if (found->legs) report->crotch = found->crotch;
+    for (int i = 0; i < 2; i++) {
+        const mus__scan_arm *arm = &found->arm[i];
+        if (!arm->there) continue;
+        report->armpit[i] = arm->armpit[1];
+        report->arm_angle[i] = atan2(-arm->axis[1], arm->side * arm->axis[0]);
+    }
+}
+
+
+/* the mesh in the body's frame to a body */
+static mus_status scan_make(mus__scan_mesh *mesh, const mus_scan_def *def, mus__scan_found *found, bool distances,
+                            mus_scan_report *report, mus_body **out)
+{
+    const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0}, side[3] = {1.0, 0.0, 0.0};
+    mus__slicer upright, found_by;
+    mus__scan_limbs limbs = {0};
+    mus_status status = mus__slicer_make(mesh, origin, up, side, 1e30, &found_by);
+    if (status != MUS_OK) return status;
+    status = mus__scan_find(mesh, &found_by, found);
+    mus__slicer_free(&found_by);
+    if (status != MUS_OK) return status;
+    scan_tell(found, report);
+
+    status = mus__slicer_make(mesh, origin, up, side, def->gap, &upright);
+    if (status != MUS_OK) return status;
+    status = mus__scan_cut(mesh, def, &upright, found, report, &limbs);
+    mus__slicer_free(&upright);
+    if (status == MUS_OK) {
+        mus_body_def surface;
+        mus_body_def_init(&surface, sizeof surface);
+        surface.samples = def->samples, surface.ring_spacing = def->ring_spacing;
+        status = mus_body_create_limbs(mesh->context, limbs.count, limbs.limb, &surface, out);
+    }
+    if (status == MUS_OK) status = mus__scan_measure(*out, found, &limbs, report);
+    if (status == MUS_OK && distances) status = mus__scan_distances(mesh, *out, found, report);
+    mus__scan_limbs_free(mesh->context, &limbs);
+    return status;
+}
+
+
+mus_status mus_body_create_scan(mus_context *context, int32_t vertex_count, const double *vertices,
+                                int32_t triangle_count, const int32_t *triangles, const mus_scan_def *def,
+                                mus_scan_report *report, mus_body **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_scan_def own;
+    mus_scan_report told = {.size = sizeof told};
+    mus_status status = scan_read_def(context, def, &own);
+    if (status == MUS_OK && report != NULL && report->size != sizeof *report)
+        status = mus__fail(context, MUS_ERR_VERSION, "mus_scan_report: size unknown; use mus_scan_report_init");
+    if (status != MUS_OK) return status;
+
+    mus__scan_mesh mesh;
+    mus__scan_found found = {0};
+    mus_body *body = NULL;
+    scan_unknown(&told);
+    status = mus__scan_weld(context, vertex_count, vertices, triangle_count, triangles, &mesh);
+    told.vertices = mesh.vertices;
+    if (status == MUS_OK) status = mus__scan_frame(&mesh, &own, &told, &found.legs);
+    if (status == MUS_OK) status = scan_make(&mesh, &own, &found, report != NULL && own.distances != 0, &told, &body);
+    mus__scan_mesh_free(&mesh);
+    if (status != MUS_OK) {
+        mus_body_destroy(body);
+        return status;
+    }
+    if (report != NULL) *report = told;
+    *out = body;
+    return MUS_OK;
+}

@@ -1,0 +1,363 @@
+/*
+ * scan_limb.c: each limb cut into outlines.
+ *
+ * The body is the union of its limbs, and each limb is the mesh between some planes: the torso inside the walls of both
+ * arms and above the crotch, an arm beyond its wall, a leg on its side of the middle and below the crotch, a foot below
+ * its top. Each reaches a little into its neighbour, so the union is the mesh wherever sections are star-shaped. A
+ * section that is several loops (fingers, toes) is taken by its hull: a mitten.
+ *
+ * Contours are `spacing` apart, or so far that 128 of them do; they come closer to the ends, which close at the mesh's
+ * own ends.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "geom/polygon.h"
+#include "geom/vec.h"
+#include "scan/scan_internal.h"
+
+#define LIMB_FLAT 0.03      /* parts of the spacing that the last contour is from a flat end */
+#define LIMB_CAP 0.004      /* where a limb ends within another one [m] */
+#define LIMB_LAP 0.025      /* an arm reaches so far behind its wall [m], for 1.7 m */
+#define LIMB_LEG_UP 0.03    /* a leg above the crotch, in parts of the stature */
+#define LIMB_LEG_DOWN 0.030 /* and down to here, where a foot has its shape */
+#define LIMB_BARE 0.002     /* an arm goes on up while so much of its section is outside the torso [m] */
+
+enum { LIMB_TORSO, LIMB_ARM_LEFT, LIMB_ARM_RIGHT, LIMB_LEG_LEFT, LIMB_LEG_RIGHT, LIMB_FOOT_LEFT, LIMB_FOOT_RIGHT };
+
+static const char *const limb_names[MUS_SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
+                                                       "leg_right", "foot_left", "foot_right"};
+
+/* a limb while it is cut */
+typedef struct limb_cut {
+    mus_context *context;
+    const mus_scan_def *def;
+    const mus__scan_found *found;
+    mus__slicer *slicer;
+    mus__scan_limbs *limbs;
+    int32_t which, index; /* what it is, and its number among the limbs */
+    const mus__scan_arm *arm;
+    double side;
+    mus__section piece;
+} limb_cut;
+
+
+/* the part of the section at s that is this limb's, into cut->piece */
+typedef mus_status limb_part(limb_cut *cut, double s);
+
+
+/* the group of the largest loop on one side; 0: of all */
+static int32_t limb_largest(const mus__section *section, double side, double middle)
+{
+    for (int32_t j = 0; j < section->loops; j++)
+        if (side == 0.0 || side * (section->loop[j].centre[0] - middle) > 0.0) return section->loop[j].group;
+    return -2;
+}
+
+
+/* within the walls of the arms above the armpits, and below them within an upright wall, where folds reach down */
+static mus_status limb_torso(limb_cut *cut, double s)
+{
+    const mus__scan_found *found = cut->found;
+    double plane[6];
+    int32_t planes = 0;
+    for (int i = 0; i < 2; i++) {
+        const mus__scan_arm *arm = &found->arm[i];
+        if (!arm->there || s < arm->armpit[1] - 0.03 * found->stature) continue;
+        double *p = plane + 3 * (ptrdiff_t)planes++;
+        p[1] = 0.0;
+        if (s >= arm->armpit[1])
+            p[0] = -arm->wall[0], p[2] = arm->wall[1] * s - arm->wall[3];
+        else
+            p[0] = -arm->side, p[2] = -arm->side * arm->armpit[0] - 0.003 * found->stature;
+    }
+    const int32_t group = limb_largest(&cut->slicer->section, 0.0, 0.0);
+    return mus__section_take(cut->context, &cut->slicer->section, group, planes, plane, &cut->piece);
+}
+
+
+/* on its side of the middle above the crotch */
+static mus_status limb_leg(limb_cut *cut, double s)
+{
+    const mus__scan_found *found = cut->found;
+    const bool above = s > found->crotch;
+    const double plane[3] = {cut->side, 0.0, cut->side * found->middle};
+    const int32_t group = limb_largest(&cut->slicer->section, above ? 0.0 : cut->side, found->middle);
+    return mus__section_take(cut->context, &cut->slicer->section, group, above ? 1 : 0, plane, &cut->piece);
+}
+
+
+/* several groups become their hull */
+static mus_status limb_mitten(limb_cut *cut)
+{
+    bool several = false;
+    for (int32_t j = 1; j < cut->piece.loops; j++)
+        several = several || cut->piece.loop[j].group != cut->piece.loop[0].group;
+    return several ? mus__section_hull(cut->context, &cut->piece) : MUS_OK;
+}
+
+
+/* below its top, on its side */
+static mus_status limb_foot(limb_cut *cut, double s)
+{
+    (void)s;
+    const double plane[6] = {cut->side, 0.0, cut->side * cut->found->middle, 0.0, -1.0, -cut->found->foot};
+    mus_status status = mus__section_take(cut->context, &cut->slicer->section, -1, 2, plane, &cut->piece);
+    return status == MUS_OK ? limb_mitten(cut) : status;
+}
+
+
+/* of the pieces stay those that are near the axis, or of these the group that is nearest alone */
+static void limb_near(mus__section *piece, double spread, bool all)
+{
+    const int32_t nearest = mus__section_near(piece, spread);
+    int32_t kept = 0;
+    for (int32_t j = 0; j < piece->loops; j++) {
+        const bool near = all ? mus__loop_distance(piece, j) <= spread : piece->loop[j].group == nearest;
+        if (near) piece->loop[kept++] = piece->loop[j];
+    }
+    piece->loops = kept;
+}
+
+
+/* beyond the wall moved by `lap` inwards; fingers together */
+static mus_status limb_arm_beyond(limb_cut *cut, double s, double lap)
+{
+    const mus__scan_arm *arm = cut->arm;
+    const mus__slicer *along = cut->slicer;
+    double at[3];
+    for (int i = 0; i < 3; i++) at[i] = arm->origin[i] + s * arm->axis[i];
+    const double plane[3] = {mus__dot3(arm->wall, along->side), mus__dot3(arm->wall, along->front),
+                             arm->wall[3] - lap - mus__dot3(arm->wall, at)};
+    mus_status status = mus__section_take(cut->context, &along->section, -1, 1, plane, &cut->piece);
+    if (status != MUS_OK) return status;
+    const bool hand = s > arm->wrist;
+    limb_near(&cut->piece, (hand ? 0.06 : 0.03) * cut->found->stature, hand);
+    return hand ? limb_mitten(cut) : MUS_OK;
+}
+
+
+static mus_status limb_arm(limb_cut *cut, double s)
+{
+    return limb_arm_beyond(cut, s, s > cut->arm->root ? 1.0 : LIMB_LAP * cut->found->stature / 1.7);
+}
+
+
+/* one contour at s, unless there is nothing of the limb */
+static mus_status limb_contour(limb_cut *cut, limb_part *part, double s)
+{
+    const int32_t corners = cut->def->corners;
+    mus_limb *limb = &cut->limbs->limb[cut->index];
+    double *row = cut->limbs->row[cut->index] + 6 * (ptrdiff_t)limb->contours, fill;
+    double *outline = cut->limbs->outline[cut->index] + 2 * (ptrdiff_t)corners * limb->contours;
+    mus_status status = mus__slice(cut->slicer, s, limb_names[cut->which]);
+    if (status == MUS_OK) status = part(cut, s);
+    if (status != MUS_OK || cut->piece.loops == 0) return status;
+
+    bool made = mus__star(&cut->piece, corners, row + 1, outline, &fill);
+    if (!made) {
+        /* the centroid is outside: a crescent, closed by its hull */
+        status = mus__section_hull(cut->context, &cut->piece);
+        if (status != MUS_OK) return status;
+        made = mus__star(&cut->piece, corners, row + 1, outline, &fill);
+        fill = INFINITY;
+    }
+    if (!made) return MUS_OK;
+    if (fill > 1e-3) cut->limbs->filled++;
+    if (fill > 1e-3 && isfinite(fill)) cut->limbs->deepest = fmax(cut->limbs->deepest, fill);
+    row[0] = s;
+    limb->contours++;
+    return MUS_OK;
+}
+
+
+/* is the end at s flat: the section hardly smaller there than further in? */
+static mus_status limb_flat(limb_cut *cut, limb_part *part, double s, double spacing, bool *flat)
+{
+    double area[2] = {0.0, 0.0};
+    for (int k = 0; k < 2; k++) {
+        const double at = s + (k == 0 ? LIMB_FLAT : 0.3) * spacing;
+        mus_status status = mus__slice(cut->slicer, at, limb_names[cut->which]);
+        if (status == MUS_OK) status = part(cut, at);
+        if (status != MUS_OK) return status;
+        for (int32_t j = 0; j < cut->piece.loops; j++) area[k] += cut->piece.loop[j].area;
+    }
+    *flat = area[0] > 0.8 * area[1];
+    return MUS_OK;
+}
+
+
+/* places of contours: near the bare ends, where a round end turns fast, and at whole multiples of the spacing between.
+ * Returns their number */
+static int32_t limb_places(double low, double high, double spacing, const bool *bare, const bool *flat, double *out)
+{
+    static const double near[] = {0.15, 0.40, 0.80};
+    const int32_t ends = sizeof near / sizeof *near;
+    int32_t count = 0;
+    if (!bare[0]) out[count++] = low;
+    if (bare[0] && flat[0]) out[count++] = low + LIMB_FLAT * spacing;
+    for (int32_t k = 0; k < ends && bare[0]; k++) out[count++] = low + near[k] * spacing;
+    const double last = bare[1] ? high - near[ends - 1] * spacing : high;
+    for (double k = ceil(out[count - 1] / spacing + 0.25); k * spacing < last - 0.25 * spacing; k += 1.0)
+        out[count++] = k * spacing;
+    for (int32_t k = ends - 1; k >= 0 && bare[1]; k--)
+        if (high - near[k] * spacing > out[count - 1] + 0.1 * spacing) out[count++] = high - near[k] * spacing;
+    if (bare[1] && flat[1]) out[count++] = high - LIMB_FLAT * spacing;
+    if (!bare[1] && high > out[count - 1]) out[count++] = high;
+    return count;
+}
+
+
+/* contours from low to high; a bare end is the mesh's own */
+static mus_status limb_stack(limb_cut *cut, limb_part *part, double low, double high, bool bare_low, bool bare_high)
+{
+    mus_limb *limb = &cut->limbs->limb[cut->index];
+    const bool bare[2] = {bare_low, bare_high};
+    bool flat[2] = {false, false};
+    double spacing = cut->def->spacing, place[MUS_SCAN_CONTOURS];
+    if (cut->which >= LIMB_FOOT_LEFT) spacing *= 0.6;
+    spacing = fmax(spacing, (high - low) / (MUS_SCAN_CONTOURS - 10));
+    limb->name = limb_names[cut->which];
+    memcpy(limb->origin, cut->slicer->origin, sizeof limb->origin);
+    memcpy(limb->axis, cut->slicer->axis, sizeof limb->axis);
+    memcpy(limb->side, cut->slicer->side, sizeof limb->side);
+    limb->pole[0] = bare_low ? low : low - LIMB_CAP;
+    limb->pole[1] = bare_high ? high : high + LIMB_CAP;
+    limb->corners = cut->def->corners;
+    limb->contour = cut->limbs->row[cut->index];
+    limb->outline = cut->limbs->outline[cut->index];
+
+    mus_status status = bare_low ? limb_flat(cut, part, low, spacing, &flat[0]) : MUS_OK;
+    if (status == MUS_OK && bare_high) status = limb_flat(cut, part, high, -spacing, &flat[1]);
+    const int32_t count = limb_places(low, high, spacing, bare, flat, place);
+    for (int32_t k = 0; k < count && status == MUS_OK; k++) status = limb_contour(cut, part, place[k]);
+    if (status == MUS_OK && limb->contours < 2)
+        return mus__fail(cut->context, MUS_ERR_BODY,
+                         "mesh: the %s between %.3f and %.3f m has %d sections, expected 2 or more", limb->name, low,
+                         high, (int)limb->contours);
+    if (status == MUS_OK) cut->limbs->count++;
+    return status;
+}
+
+
+static mus_status limb_room(limb_cut *cut, int32_t which)
+{
+    mus__scan_limbs *limbs = cut->limbs;
+    cut->which = which;
+    cut->index = limbs->count;
+    mus_limb_init(&limbs->limb[cut->index], sizeof limbs->limb[cut->index]);
+    limbs->row[cut->index] = mus__new(cut->context, 6 * MUS_SCAN_CONTOURS, sizeof(double));
+    limbs->outline[cut->index] =
+        mus__new(cut->context, 2 * (int64_t)MUS_SCAN_CONTOURS * cut->def->corners, sizeof(double));
+    if (limbs->row[cut->index] == NULL || limbs->outline[cut->index] == NULL)
+        return mus__fail_memory(cut->context, "the contours of a mesh");
+    return MUS_OK;
+}
+
+
+/* s from which on the arm has something outside the torso */
+static mus_status limb_arm_start(limb_cut *cut, double *start)
+{
+    const mus__scan_arm *arm = cut->arm;
+    mus_status status = MUS_OK;
+    *start = arm->root;
+    for (double s = arm->root; status == MUS_OK && s > arm->root - 0.25 * cut->found->stature;
+         s -= 0.25 * cut->def->spacing) {
+        status = mus__slice(cut->slicer, s, limb_names[cut->which]);
+        if (status == MUS_OK) status = limb_arm_beyond(cut, s, -LIMB_BARE);
+        if (status != MUS_OK || cut->piece.loops == 0) break;
+        *start = s;
+    }
+    return status;
+}
+
+
+static mus_status limb_cut_arm(limb_cut *cut, const mus__scan_mesh *mesh, int i, mus_scan_report *report)
+{
+    mus__slicer along;
+    double start = 0.0;
+    cut->arm = &cut->found->arm[i];
+    mus_status status = limb_room(cut, LIMB_ARM_LEFT + i);
+    if (status != MUS_OK) return status;
+    status = mus__slicer_make(mesh, cut->arm->origin, cut->arm->axis, cut->arm->across, cut->def->gap, &along);
+    if (status != MUS_OK) return status;
+    cut->slicer = &along;
+    status = limb_arm_start(cut, &start);
+    if (status == MUS_OK) status = limb_stack(cut, limb_arm, start, cut->arm->tip, false, true);
+    report->holes += along.holes;
+    report->widest_hole = fmax(report->widest_hole, along.widest);
+    mus__slicer_free(&along);
+    return status;
+}
+
+
+/* from heel to toe: the mesh's own ends below the foot's top */
+static mus_status limb_cut_feet(limb_cut *cut, const mus__scan_mesh *mesh, mus_scan_report *report)
+{
+    const double origin[3] = {0.0, 0.0, 0.0}, axis[3] = {0.0, 0.0, 1.0}, side[3] = {1.0, 0.0, 0.0};
+    mus__slicer ahead;
+    mus_status status = mus__slicer_make(mesh, origin, axis, side, cut->def->gap, &ahead);
+    if (status != MUS_OK) return status;
+    for (int i = 0; i < 2 && status == MUS_OK; i++) {
+        double low = INFINITY, high = -INFINITY;
+        cut->side = i == 0 ? 1.0 : -1.0;
+        for (int32_t v = 0; v < mesh->vertices; v++) {
+            const double *x = mesh->x + 3 * (ptrdiff_t)v;
+            if (x[1] > cut->found->foot || cut->side * (x[0] - cut->found->middle) < 0.0) continue;
+            low = fmin(low, x[2]), high = fmax(high, x[2]);
+        }
+        cut->slicer = &ahead;
+        status = limb_room(cut, LIMB_FOOT_LEFT + i);
+        if (status == MUS_OK) status = limb_stack(cut, limb_foot, low, high, true, true);
+    }
+    report->holes += ahead.holes;
+    report->widest_hole = fmax(report->widest_hole, ahead.widest);
+    mus__slicer_free(&ahead);
+    return status;
+}
+
+
+static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__slicer *upright, mus_scan_report *report)
+{
+    const mus__scan_found *found = cut->found;
+    cut->slicer = upright;
+    mus_status status = limb_room(cut, LIMB_TORSO);
+    if (status == MUS_OK)
+        status = limb_stack(cut, limb_torso, found->legs ? found->crotch : upright->low, upright->high, true, true);
+    for (int i = 0; i < 2 && status == MUS_OK; i++)
+        if (found->arm[i].there) status = limb_cut_arm(cut, mesh, i, report);
+    for (int i = 0; i < 2 && status == MUS_OK && found->legs; i++) {
+        const bool foot = found->foot > 0.0;
+        cut->side = i == 0 ? 1.0 : -1.0;
+        cut->slicer = upright;
+        status = limb_room(cut, LIMB_LEG_LEFT + i);
+        if (status != MUS_OK) break;
+        status = limb_stack(cut, limb_leg, foot ? LIMB_LEG_DOWN * found->stature : upright->low,
+                            found->crotch + LIMB_LEG_UP * found->stature, !foot, false);
+    }
+    return status == MUS_OK && found->legs && found->foot > 0.0 ? limb_cut_feet(cut, mesh, report) : status;
+}
+
+
+mus_status mus__scan_cut(const mus__scan_mesh *mesh, const mus_scan_def *def, mus__slicer *upright,
+                         const mus__scan_found *found, mus_scan_report *report, mus__scan_limbs *out)
+{
+    limb_cut cut = {.context = mesh->context, .def = def, .found = found, .limbs = out};
+    mus_status status = limb_cut_all(&cut, mesh, upright, report);
+    report->holes += upright->holes;
+    report->widest_hole = fmax(report->widest_hole, upright->widest);
+    report->filled = out->filled, report->deepest_fill = out->deepest;
+    for (int32_t l = 0; l < out->count; l++) report->contours += out->limb[l].contours;
+    mus__section_free(mesh->context, &cut.piece);
+    return status;
+}
+
+
+void mus__scan_limbs_free(mus_context *context, mus__scan_limbs *limbs)
+{
+    for (int l = 0; l < MUS_SCAN_LIMBS; l++) {
+        mus__free(context, limbs->row[l]);
+        mus__free(context, limbs->outline[l]);
+    }
+    memset(limbs, 0, sizeof *limbs);
+}

@@ -1,0 +1,111 @@
+/*
+ * scan_measure.c: the girths of a scanned body, from its contours, as a tape lies.
+ *
+ * Bust: at the level between waist and armpits where the chest reaches furthest forward, at the bust points. Waist: the
+ * narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest level between crotch and waist. Thigh: the
+ * fullest below the crotch. Wrist: the narrowest of the forearm. A form without legs has bust, waist and hip as its
+ * fullest level above, its narrowest, and its fullest below the middle third.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "geom/polygon.h"
+#include "geom/vec.h"
+#include "scan/scan_internal.h"
+
+#define MEASURE_SAMPLES 192
+
+typedef struct measure_rows {
+    int32_t count;
+    double s[MUS_SCAN_CONTOURS], tape[MUS_SCAN_CONTOURS], ahead[MUS_SCAN_CONTOURS];
+} measure_rows;
+
+
+static int32_t measure_limb(const mus_body *body, const char *name)
+{
+    for (int32_t l = 0; l < mus_body_limb_count(body); l++)
+        if (strcmp(mus_body_limb_name(body, l), name) == 0) return l;
+    return -1;
+}
+
+
+/* place along the axis, tape and foremost Z of each contour of a limb */
+static mus_status measure_contours(const mus_body *body, const mus_limb *limb, int32_t l, measure_rows *out)
+{
+    double point[3 * MEASURE_SAMPLES], xy[2 * MEASURE_SAMPLES], front[3];
+    int32_t work[2 * MEASURE_SAMPLES];
+    mus__cross3(limb->axis, limb->side, front);
+    out->count = mus_body_contour_count(body, l);
+    for (int32_t i = 0; i < out->count; i++) {
+        mus_status status = mus_body_contour_points(body, l, i, MEASURE_SAMPLES, point);
+        if (status != MUS_OK) return status;
+        out->ahead[i] = -INFINITY;
+        for (int32_t k = 0; k < MEASURE_SAMPLES; k++) {
+            xy[2 * k] = mus__dot3(point + 3 * (ptrdiff_t)k, limb->side);
+            xy[2 * k + 1] = mus__dot3(point + 3 * (ptrdiff_t)k, front);
+            out->ahead[i] = fmax(out->ahead[i], point[3 * k + 2]);
+        }
+        out->s[i] = limb->contour[6 * (ptrdiff_t)i];
+        out->tape[i] = mus__polygon_tape(MEASURE_SAMPLES, xy, work, work + MEASURE_SAMPLES);
+    }
+    return MUS_OK;
+}
+
+
+/* the contour between low and high whose value, times sign, is largest; -1: none is there */
+static int32_t measure_most(const measure_rows *rows, const double *value, double sign, double low, double high)
+{
+    int32_t best = -1;
+    for (int32_t i = 0; i < rows->count; i++)
+        if (rows->s[i] >= low && rows->s[i] <= high && (best < 0 || sign * value[i] > sign * value[best])) best = i;
+    return best;
+}
+
+
+static void measure_note(mus_scan_report *report, int32_t girth, const measure_rows *rows, int32_t i)
+{
+    if (i < 0) return;
+    report->girth[girth] = rows->tape[i];
+    report->girth_height[girth] = rows->s[i];
+}
+
+
+static void measure_torso(const measure_rows *rows, const mus__scan_found *found, mus_scan_report *report)
+{
+    const double h = found->stature;
+    if (!found->legs) {
+        measure_note(report, MUS_SCAN_BUST, rows, measure_most(rows, rows->tape, 1.0, 0.60 * h, h));
+        measure_note(report, MUS_SCAN_WAIST, rows, measure_most(rows, rows->tape, -1.0, 0.33 * h, 0.67 * h));
+        measure_note(report, MUS_SCAN_HIP, rows, measure_most(rows, rows->tape, 1.0, 0.0, 0.40 * h));
+        return;
+    }
+    const int32_t waist = measure_most(rows, rows->tape, -1.0, 0.57 * h, 0.70 * h);
+    const double level = waist >= 0 ? rows->s[waist] : 0.62 * h;
+    double armpit = 0.76 * h;
+    for (int i = 0; i < 2; i++)
+        if (found->arm[i].there) armpit = fmin(armpit, found->arm[i].armpit[1]);
+    measure_note(report, MUS_SCAN_WAIST, rows, waist);
+    measure_note(report, MUS_SCAN_BUST, rows, measure_most(rows, rows->ahead, 1.0, fmax(level, 0.66 * h), armpit));
+    measure_note(report, MUS_SCAN_HIP, rows,
+                 measure_most(rows, rows->tape, 1.0, found->crotch + 0.01 * h, found->crotch + 0.13 * h));
+}
+
+
+mus_status mus__scan_measure(const mus_body *body, const mus__scan_found *found, const mus__scan_limbs *limbs,
+                             mus_scan_report *report)
+{
+    measure_rows rows;
+    for (int32_t l = 0; l < limbs->count; l++) {
+        mus_status status = measure_contours(body, &limbs->limb[l], l, &rows);
+        if (status != MUS_OK) return status;
+        if (l == measure_limb(body, "torso")) measure_torso(&rows, found, report);
+        if (l == measure_limb(body, "leg_left"))
+            measure_note(report, MUS_SCAN_THIGH, &rows,
+                         measure_most(&rows, rows.tape, 1.0, 0.0, found->crotch - 0.002 * found->stature));
+        if (l == measure_limb(body, "arm_left"))
+            measure_note(report, MUS_SCAN_WRIST, &rows,
+                         measure_most(&rows, rows.tape, -1.0, found->arm[0].wrist - 0.03 * found->stature,
+                                      found->arm[0].wrist + 0.03 * found->stature));
+    }
+    return MUS_OK;
+}

@@ -37,7 +37,7 @@ double bench_wall(void)
 bench_row bench_row_start(const char *name, int32_t precision, int32_t threads)
 {
     bench_row row = {.name = name, .precision = precision, .threads = threads};
-    row.plain_s = row.cpu_per_second = row.fall = row.strain = row.reaction = row.cpu_frame_ms = row.step = NAN;
+    row.plain_s = row.cpu_per_second = row.fall = row.strain = row.reaction = row.cpu_frame_ms = row.area = row.step = NAN;
     return row;
 }
 
@@ -81,6 +81,7 @@ void bench_row_write(bench *b, const bench_row *row)
     write_figure(b, "ratio_to_edge_list", "%.2f x edge list", row->plain_s * rate);
     write_figure(b, "cpu_s_per_second", "%.3f CPU s a second", row->cpu_per_second);
     write_figure(b, "cpu_ms_per_frame", "%.1f CPU ms a frame of 20 ms", row->cpu_frame_ms);
+    write_figure(b, "area_m2", "%.2f m2", row->area);
     write_figure(b, "step_s", "step %.3g s", row->step);
     write_figure(b, "fall_m", "fallen %.3f m at 0.5 s", row->fall);
     write_figure(b, "max_strain", "strain %.4f at rest", row->strain);

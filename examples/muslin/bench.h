@@ -18,6 +18,7 @@ typedef struct bench_row {
     double strain;         /* largest strain of a structural spring, at rest */
     double reaction;       /* of the pins, upwards, over the weight, at rest */
     double cpu_frame_ms;   /* CPU for a frame of 20 ms */
+    double area;           /* of the garment [m2] */
     double step;           /* [s] */
 } bench_row;
 

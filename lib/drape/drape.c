@@ -74,7 +74,8 @@ static mus_status take_memory(mus_drape *drape)
     mus_context *context = drape->context;
     const int64_t n = drape->n;
     mus__sim *sim = &drape->sim;
-    sim->n = drape->n;
+    sim->nodes = drape->n;
+    sim->n = (drape->n + MUS_LANES - 1) / MUS_LANES * MUS_LANES;
     sim->plan = &drape->plan;
     drape->x = mus__new(context, 3 * n, sizeof *drape->x);
     drape->v = mus__new(context, 3 * n, sizeof *drape->v);

@@ -13,7 +13,7 @@ mus_status mus_drape_evaluate(mus_drape *drape, int32_t times)
 
     /* forces that a step of Verlet keeps for the next are put back */
     mus__sim *sim = &drape->sim;
-    const size_t bytes = 3 * (size_t)drape->n * sim->ops->real;
+    const size_t bytes = 3 * (size_t)sim->n * sim->ops->real;
     const int32_t fresh = sim->fresh;
     memcpy(sim->second, sim->f, bytes);
     sim->dashpots = drape->plan.dashpots;

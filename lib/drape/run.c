@@ -65,8 +65,8 @@ mus_status mus__drape_guard(mus_drape *drape)
 
 mus_status mus__drape_near(mus_drape *drape)
 {
-    const int64_t n = drape->n;
     mus__sim *sim = &drape->sim;
+    const int64_t n = sim->n;
     if (drape->collider == NULL) return MUS_OK;
     if (drape->skin == NULL) drape->skin = mus__new(drape->context, MUS_NEAR_PLANES * n, sim->ops->real);
     if (drape->skin == NULL) return mus__fail_memory(drape->context, "what nodes know of the skin");

@@ -3,6 +3,9 @@
  *
  *   numbers = (29 + 3 with dashpots) n + padding
  *
+ * n is the number of nodes rounded up to whole blocks of lanes, so that all planes of an array stand alike to the lines
+ * of the cache: where they do not, three vectors of four straddle two lines, and a step takes a tenth longer.
+ *
  * Lanes of a block that have no node in them read up to a block before and behind an array; what they read counts
  * nothing, but must be there, be finite, and not be written meanwhile. So there are zeros between any two arrays.
  */

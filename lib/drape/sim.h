@@ -48,7 +48,8 @@ struct mus__sim {
     mus__plan *plan;
     mus__pool *pool;
     const mus__collider *collider; /* NULL: no contact pass */
-    int32_t n;
+    int32_t nodes;
+    int32_t n; /* from plane to plane: the nodes, and zeros up to whole blocks of lanes */
     double origin[3]; /* of the state in the body frame: float keeps its digits near it; 0 in double */
 
     void *memory;   /* all of the following but rest, in one block */

@@ -27,6 +27,14 @@ static void MUS_FN(keep_force)(mus__sim *sim, int32_t first, int32_t count, cons
 }
 
 
+/* how many of the nodes come before the first that stands on whole lanes: vectors from there straddle no cache line */
+static int32_t MUS_FN(unaligned)(int32_t first, int32_t count)
+{
+    const int32_t head = (LANES - first % LANES) % LANES;
+    return head < count ? head : count;
+}
+
+
 /* a stage of RK4, the drag at v4 taken off at the third; `dash` as a constant: neighbours want velocities of
  * stages; `keep` too: contact wants the places before the step, which take the place of the first acceleration */
 static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int32_t dash, int32_t keep, int64_t at,
@@ -68,7 +76,7 @@ static MUS_INLINE void MUS_FN(rk_plane)(const mus__sim *sim, int32_t stage, int3
 
 
 MUS_CLONES
-static void MUS_FN(rk_stage)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
+static void MUS_FN(rk_part)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
 {
     for (int64_t d = 0; d < 3; d++) {
         const MUS_REAL g = (MUS_REAL)sim->gravity[d];
@@ -86,6 +94,14 @@ static void MUS_FN(rk_stage)(mus__sim *sim, int32_t first, int32_t count, const 
         default: MUS_FN(rk_plane)(sim, 4, 0, 0, at, count, g, f + d * SPAN); break;
         }
     }
+}
+
+
+static void MUS_FN(rk_stage)(mus__sim *sim, int32_t first, int32_t count, const MUS_REAL *f)
+{
+    const int32_t head = MUS_FN(unaligned)(first, count);
+    MUS_FN(rk_part)(sim, first, head, f);
+    MUS_FN(rk_part)(sim, first + head, count - head, f + head);
 }
 
 
@@ -177,9 +193,10 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     mus__sim *sim = user;
     const mus__plan *plan = sim->plan;
     const int32_t first = mus__share(plan->nchunk, part, parts), last = mus__share(plan->nchunk, part + 1, parts);
-    _Alignas(64) MUS_REAL f[3 * SPAN];
+    _Alignas(64) MUS_REAL scratch[3 * SPAN + LANES];
     for (int32_t c = first; c < last; c++) {
         const mus__chunk *chunk = &plan->chunk[c];
+        MUS_REAL *f = scratch + chunk->first % LANES;
         if (sim->phase == PHASE_START) {
             MUS_FN(verlet_stage)(sim, chunk->first, chunk->count, (const MUS_REAL *)sim->f + chunk->first, sim->n);
             continue;
@@ -300,7 +317,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
 {
     const int64_t n = sim->n;
     MUS_REAL *y = sim->y;
-    for (int64_t i = 0; i < n; i++)
+    for (int64_t i = 0; i < sim->nodes; i++)
         for (int32_t d = 0; d < 3; d++) {
             y[d * n + i] = (MUS_REAL)(x[3 * i + d] - sim->origin[d]);
             y[(3 + d) * n + i] = v != NULL ? (MUS_REAL)v[3 * i + d] : 0;
@@ -317,7 +334,7 @@ static void MUS_FN(get)(const mus__sim *sim, double *x, double *v)
 {
     const int64_t n = sim->n;
     const MUS_REAL *y = sim->y;
-    for (int64_t i = 0; i < n; i++)
+    for (int64_t i = 0; i < sim->nodes; i++)
         for (int32_t d = 0; d < 3; d++) {
             x[3 * i + d] = (double)y[d * n + i] + sim->origin[d];
             v[3 * i + d] = (double)y[(3 + d) * n + i];
@@ -329,7 +346,7 @@ static void MUS_FN(get_force)(const mus__sim *sim, double *out)
 {
     const int64_t n = sim->n;
     const MUS_REAL *f = sim->f;
-    for (int64_t i = 0; i < n; i++)
+    for (int64_t i = 0; i < sim->nodes; i++)
         for (int32_t d = 0; d < 3; d++) out[3 * i + d] = (double)f[d * n + i];
 }
 
@@ -346,7 +363,7 @@ static double MUS_FN(speed2)(const mus__sim *sim)
     const int64_t n = sim->n;
     const MUS_REAL *y = sim->y;
     double most = 0.0, sum = 0.0;
-    for (int64_t i = 0; i < n; i++) {
+    for (int64_t i = 0; i < sim->nodes; i++) {
         const double v0 = (double)y[3 * n + i], v1 = (double)y[4 * n + i], v2 = (double)y[5 * n + i];
         const double s = v0 * v0 + v1 * v1 + v2 * v2;
         most = s > most ? s : most;

@@ -67,7 +67,7 @@ void mus__drape_weld(mus_drape *drape)
 
     mus__plan_weld(cloth, rep, &drape->plan);
     drape->welded = 1;
-    memset(drape->sim.f, 0, 3 * (size_t)drape->n * drape->sim.ops->real);
+    memset(drape->sim.f, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);
     mus__drape_push(drape);
     mus__drape_publish(drape);
 }

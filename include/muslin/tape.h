@@ -52,7 +52,7 @@ extern "C" {
     X(KNEE, "knee", 'm', 0.18, 0.65)                 /* girth, mid kneecap */                           \
     X(CALF, "calf", 'm', 0.17, 0.65)                 /* girth, fullest */                               \
     X(ANKLE, "ankle", 'm', 0.13, 0.40)               /* girth, narrowest */                             \
-    X(HEAD, "head", 'm', 0.34, 0.66)                 /* girth over the brow */                          \
+    X(HEAD, "head", 'm', 0.31, 0.66)                 /* girth over the brow */                          \
     X(FOOT, "foot", 'm', 0.07, 0.33)                 /* length */                                       \
     X(NAPE_HEIGHT, "nape_height", 'm', 0.40, 1.90)   /* 7th cervical above the floor */                 \
     X(BUST_HEIGHT, "bust_height", 'm', 0.30, 1.70)   /* bust points above the floor */                  \

@@ -36,6 +36,7 @@ typedef struct mus__contour {
     int32_t girth;        /* measure that is its girth, or MUS_NONE */
     int32_t height;       /* measure that sets its place, or MUS_NONE */
     bool hard;            /* the girth was given: the contour may not be left out */
+    bool flat;            /* narrowest or widest of its neighbours: the slope is held monotone, so 0, here */
     double target;        /* girth to be fitted to [m], 0: a and b stand as they are */
     double s;             /* place on the axis */
     double ca, cb;        /* centre in the contour's plane */

@@ -74,7 +74,8 @@ void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     limb_add(limb, "deltoid", 0.13 * length, 1.10 * upper, 1.0, 2.0);
 
     /* upper arm to wrist; the tape's ends taper into each other when a given wrist is nearly the upper arm */
-    double elbow = fmax(0.84 * upper, 1.02 * wrist), fore = fmax(0.86 * upper, 1.02 * wrist);
+    double elbow = fmax(0.84 * upper, 1.02 * wrist);
+    double fore = fmax(fmin(0.42 * upper + 0.85 * wrist, 0.90 * upper), 1.02 * wrist);
     limb_add_measure(limb, tape, "upper_arm", 0.30 * length, MUS_MEASURE_UPPER_ARM, 0.97, 2.0);
     limb_add(limb, "arm", 0.43 * length, fmax(0.90 * upper, 1.02 * wrist), 0.97, 2.0);
     limb_add(limb, "elbow", 0.53 * length, elbow, 1.08, 2.0);
@@ -101,7 +102,7 @@ static double limb_leg_x(double h, double u, double top, double a)
 }
 
 
-/* the root of the leg: its half of the hip, as deep as the thigh, inside the torso */
+/* the root of the leg: its half of the hip, as deep as the thigh; its top lies inside the hip, whose girth is the tape's */
 static void limb_leg_root(const mus__contour *hip, double crotch, double h, double side, mus__limb *limb)
 {
     static const struct {
@@ -114,7 +115,7 @@ static void limb_leg_root(const mus__contour *hip, double crotch, double h, doub
         mus__contour *contour = limb_add(limb, row[i].name, s, 1.0, 1.0, 2.05);
         contour->target = 0.0;
         contour->a = 0.5 * (row[i].breadth * hip->a - LEG_WALL);
-        contour->b = row[i].depth * deep;
+        contour->b = i == 0 ? row[i].depth * deep : fmin(row[i].depth * deep, 0.93 * (hip->b - fabs(cb - hip->cb)));
         contour->ca = side * (LEG_WALL + contour->a);
         contour->cb = cb;
         contour->wall = LEG_WALL, contour->wall_side = side;

@@ -20,8 +20,11 @@
 #include "body/tape_internal.h"
 #include "geom/polygon.h"
 
-/* steps in an interval at which the overshoot is looked for */
+/* steps in an interval at which the overshoot is looked for, and how far an in-between girth may go: between the steps
+ * it then keeps to 3 % */
 #define STACK_PROBES 6
+#define STACK_LEAST 0.974
+#define STACK_MOST 1.026
 
 
 /* what a contour is called in a sentence: the measure that places it, or its own name */
@@ -58,6 +61,8 @@ mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
                              mus__tape_text(0, p->s, low), mus__tape_text(0, gap, least));
         }
     }
+
+    for (int32_t i = 0; i < limb->count; i++) limb->limited[i] = limb->contour[i].flat;
 
     /* the caps need room as well */
     for (int end = 0; end < 2; end++) {
@@ -225,7 +230,7 @@ static double stack_girth(const mus__stack *stack, double s, double *radius, dou
 static bool stack_overshoots(const mus__stack *stack, int32_t i, double low, double high, double *work)
 {
     const mus__contour *p = &stack->limb->contour[i];
-    const double least = 0.97 * fmin(low, high), most = 1.03 * fmax(low, high);
+    const double least = STACK_LEAST * fmin(low, high), most = STACK_MOST * fmax(low, high);
     for (int32_t j = 1; j < STACK_PROBES; j++) {
         double girth = stack_girth(stack, p[0].s + (p[1].s - p[0].s) * j / STACK_PROBES, work, work + stack->n);
         if (girth < least || girth > most) return true;

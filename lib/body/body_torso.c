@@ -34,6 +34,7 @@ enum {
     TORSO_CROTCH,
     TORSO_HIP,
     TORSO_HIGH_HIP,
+    TORSO_NAVEL,
     TORSO_WAIST,
     TORSO_MIDRIFF,
     TORSO_UNDERBUST,
@@ -53,12 +54,13 @@ enum {
  * and front has no steps */
 static const torso_shape torso_shapes[] = {
     {"crotch", {1.0, 2.4, -0.0045}, {1.0, 2.4, -0.0045}, 1.0, 1.0},
-    {"hip", {0.655, 2.4, -0.0080}, {0.685, 2.35, -0.0080}, 0.78, 0.70},
-    {"high_hip", {0.755, 2.1, -0.0040}, {0.755, 2.1, -0.0050}, 0.80, 0.76},
-    {"waist", {0.77, 2.1, 0.0040}, {0.77, 2.15, 0.0010}, 0.85, 0.78},
+    {"hip", {0.615, 3.2, -0.0080}, {0.675, 3.2, -0.0080}, 0.78, 0.70},
+    {"high_hip", {0.71, 2.5, -0.0040}, {0.72, 2.5, -0.0050}, 0.80, 0.76},
+    {"navel", {0.71, 2.6, 0.0010}, {0.715, 2.6, -0.0010}, 0.82, 0.77},
+    {"waist", {0.75, 2.4, 0.0040}, {0.75, 2.4, 0.0010}, 0.85, 0.78},
     {"midriff", {0.76, 2.15, 0.0050}, {0.76, 2.3, 0.0000}, 0.84, 0.78},
     {"underbust", {0.757, 2.2, 0.0050}, {0.75, 2.4, 0.0000}, 0.82, 0.78},
-    {"bust", {0.73, 2.35, 0.0050}, {0.735, 2.6, 0.0000}, 0.80, 0.80},
+    {"bust", {0.735, 2.35, 0.0050}, {0.685, 2.6, 0.0000}, 0.80, 0.80},
     {"high_bust", {0.69, 2.7, 0.0000}, {0.67, 2.7, -0.0040}, 0.72, 0.72},
     {"armhole", {0.53, 2.3, -0.0090}, {0.50, 2.3, -0.0110}, 0.57, 0.57},
     {"shoulder", {0.40, 2.0, -0.0125}, {0.38, 2.0, -0.0140}, 0.42, 0.42},
@@ -162,9 +164,14 @@ static void torso_seat(const torso_plan *plan)
     crotch->a = 0.97 * seat->a;
     crotch->b = fmin(0.96 * deep * mus__contour_half_breadth(thigh, deep, 2.0), seat->b);
 
-    torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP, 0.0);
-    torso_put_measure(plan, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST, MUS_MEASURE_WAIST_HEIGHT,
-                      0.4 * (waist / h - 0.48));
+    torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP,
+                      0.25 * (waist / h - 0.48));
+    if (plan->sex != MUS_SEX_CHILD)
+        torso_put_girth(plan, TORSO_NAVEL, bone->waist - torso_mix(plan, 0.167, 0.117) * (bone->waist - bone->hip),
+                        waist + torso_mix(plan, 0.24, 0.12) * (hip - waist), 0.4 * (waist / h - 0.48));
+    mus__contour *narrow = torso_put_measure(plan, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST,
+                                             MUS_MEASURE_WAIST_HEIGHT, 0.4 * (waist / h - 0.48));
+    narrow->flat = true;
 }
 
 
@@ -175,10 +182,12 @@ static void torso_chest(const torso_plan *plan)
     double h = plan->h, bust = torso_value(plan, MUS_MEASURE_BUST), high = torso_value(plan, MUS_MEASURE_HIGH_BUST);
     double waist = torso_value(plan, MUS_MEASURE_WAIST), under = torso_value(plan, MUS_MEASURE_UNDERBUST);
 
-    torso_put_girth(plan, TORSO_MIDRIFF, 0.5 * (bone->waist + bone->underbust), 0.60 * waist + 0.40 * under, 0.0);
-    torso_put_measure(plan, TORSO_UNDERBUST, bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT, 0.0);
+    torso_put_girth(plan, TORSO_MIDRIFF, 0.5 * (bone->waist + bone->underbust), 0.60 * waist + 0.40 * under,
+                    0.3 * (waist / h - 0.48));
+    torso_put_measure(plan, TORSO_UNDERBUST, bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT,
+                      0.2 * (waist / h - 0.48));
     mus__contour *chest = torso_put_measure(plan, TORSO_BUST, bone->bust, MUS_MEASURE_BUST, MUS_MEASURE_BUST_HEIGHT,
-                                            0.9 * (bust / h - 0.57));
+                                            torso_mix(plan, 0.33, 0.20) * (bust / h - 0.57));
     if (plan->sex != MUS_SEX_MALE && plan->sex != MUS_SEX_CHILD && bust > high) {
         chest->bump[0] = fmin((bust - high) / 1.8, 0.25 * chest->b);
         chest->bump_angle[0] = atan2(0.5 * torso_value(plan, MUS_MEASURE_BUST_SPAN), chest->b);

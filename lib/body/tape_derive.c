@@ -164,11 +164,19 @@ static void tape_derive_girths(mus_tape *tape)
     double *v = tape->value;
     double bust = v[MUS_MEASURE_BUST], waist = v[MUS_MEASURE_WAIST], hip = v[MUS_MEASURE_HIP];
 
-    tape_at_least(tape, MUS_MEASURE_UNDERBUST, 0.78 * bust);
+    /* a full waist is not narrower under the bust */
+    tape_at_least(tape, MUS_MEASURE_UNDERBUST, fmax(0.78 * bust, fmin(0.97 * waist, bust - 0.04)));
     double under = v[MUS_MEASURE_UNDERBUST];
     double high = bust - 0.35 * (bust - under);
     tape_put(tape, MUS_MEASURE_HIGH_BUST, tape->sex == MUS_SEX_CHILD ? high : tape_mix(tape->sex, high, bust + 0.01));
     tape_put(tape, MUS_MEASURE_HIGH_HIP, waist + 0.72 * (hip - waist));
+
+    /* the knee goes with a thigh and a calf that were measured (ANSUR II: the girth above the knee, 6 % more) */
+    double thigh = v[MUS_MEASURE_THIGH], calf = v[MUS_MEASURE_CALF];
+    if (tape->sex != MUS_SEX_CHILD && (tape->held[MUS_MEASURE_THIGH] || tape->held[MUS_MEASURE_CALF]))
+        tape_put(tape, MUS_MEASURE_KNEE,
+                 tape_mix(tape->sex, 0.014 * hip + 0.253 * thigh + 0.576 * calf - 0.0075,
+                          0.099 * hip + 0.188 * thigh + 0.353 * calf + 0.0287));
 
     /* limbs taper: whichever of a pair was derived follows the given one */
     tape_at_least(tape, MUS_MEASURE_UPPER_ARM, 1.15 * v[MUS_MEASURE_WRIST]);
@@ -184,7 +192,8 @@ static void tape_derive_girths(mus_tape *tape)
 }
 
 
-/* heights of the nape and the bust: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth */
+/* heights of the nape and the bust: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth. The hip lies
+ * 0.223 (women) or 0.177 (men) of a measured rise above the crotch, to 1.7 and 2.0 cm in ANSUR II */
 static void tape_derive_heights(mus_tape *tape)
 {
     double *v = tape->value;
@@ -197,6 +206,8 @@ static void tape_derive_heights(mus_tape *tape)
     double nape = v[MUS_MEASURE_NAPE_HEIGHT];
     tape_put(tape, MUS_MEASURE_BUST_HEIGHT, nape + 0.01 - 0.88 * v[MUS_MEASURE_BUST_DEPTH]);
     tape_at_least(tape, MUS_MEASURE_BUST_HEIGHT, waist + 0.25 * (nape - waist));
+    if (tape->sex != MUS_SEX_CHILD && (tape->held[MUS_MEASURE_RISE] || tape->held[MUS_MEASURE_INLEG]))
+        tape_put(tape, MUS_MEASURE_WAIST_TO_HIP, tape_mix(tape->sex, 0.777, 0.823) * v[MUS_MEASURE_RISE]);
     tape_at_most(tape, MUS_MEASURE_WAIST_TO_HIP, 0.85 * v[MUS_MEASURE_RISE]);
 }
 

@@ -128,6 +128,9 @@ mus_tape *ansur_tape(mus_context *context, const ansur *table, int row)
         const double cm = ansur_value(table, row, m->column) + (male ? m->off_male : m->off_female);
         status = mus_tape_set(tape, m->measure, 0.01 * cm, MUS_SOURCE_GIVEN);
     }
+    if (status == MUS_OK)
+        status = mus_tape_set(tape, MUS_MEASURE_WAIST_HEIGHT,
+                              (male ? 0.615 : 0.622) * mus_tape_value(tape, MUS_MEASURE_STATURE), MUS_SOURCE_DERIVED);
     if (status == MUS_OK) return tape;
     mus_tape_destroy(tape);
     return NULL;

@@ -90,7 +90,9 @@ static double cut_girth(const mus_body *body, int measure)
             slice section;
             if (strcmp(mus_body_contour_name(body, row[i].limb, c), row[i].contour) != 0) continue;
             if (mus_body_contour_points(body, row[i].limb, c, 3, points) != MUS_OK) return NAN;
-            return slice_limb(body, row[i].limb, points[1] + 1e-9, &section) ? section.girth : NAN;
+            const bool met = measure == MUS_MEASURE_HIP ? slice_trunk(body, points[1] + 1e-9, &section)
+                                                        : slice_limb(body, row[i].limb, points[1] + 1e-9, &section);
+            return met ? section.girth : NAN;
         }
     }
     return NAN;
@@ -126,7 +128,7 @@ static mus_status measure_person(mus_context *context, const ansur *table, int r
     for (int i = 0; i < CALIPERS; i++) {
         slice section;
         const double y = 0.01 * ansur_value(table, row, calipers[i].height);
-        slice_limb(body, TORSO, y, &section);
+        slice_trunk(body, y, &section);
         const double made = calipers[i].kind == 'b'   ? section.breadth
                             : calipers[i].kind == 'd' ? section.depth
                                                       : section.girth;

@@ -53,13 +53,18 @@ static int slice_chords(const mus_body *body, const int32_t *range, double y, do
 }
 
 
-bool slice_limb(const mus_body *body, int limb, double y, slice *out)
+/* the hull of what the plane cuts of the limbs whose bits are set */
+static bool slice_of(const mus_body *body, unsigned limbs, double y, slice *out)
 {
-    int32_t range[4];
+    const size_t room = (size_t)mus_body_triangle_count(body);
     *out = (slice){NAN, NAN, NAN, NAN};
-    if (mus_body_limb_range(body, limb, range) != MUS_OK) return false;
-    double *xz = malloc(sizeof *xz * 4 * (size_t)range[3]), *hull = malloc(sizeof *hull * 8 * (size_t)range[3]);
-    const int count = xz != NULL && hull != NULL ? slice_chords(body, range, y, xz) : 0;
+    double *xz = malloc(sizeof *xz * 4 * room), *hull = malloc(sizeof *hull * 8 * room);
+    int count = 0;
+    for (int limb = 0; limb < mus_body_limb_count(body) && xz != NULL && hull != NULL; limb++) {
+        int32_t range[4];
+        if ((limbs >> limb & 1u) == 0 || mus_body_limb_range(body, limb, range) != MUS_OK) continue;
+        count += slice_chords(body, range, y, xz + 2 * count);
+    }
     if (count >= 3) {
         qsort(xz, (size_t)count, 2 * sizeof *xz, slice_order);
         const int n = slice_hull(xz, count, hull);
@@ -78,4 +83,16 @@ bool slice_limb(const mus_body *body, int limb, double y, slice *out)
     free(xz);
     free(hull);
     return count >= 3;
+}
+
+
+bool slice_limb(const mus_body *body, int limb, double y, slice *out)
+{
+    return slice_of(body, 1u << limb, y, out);
+}
+
+
+bool slice_trunk(const mus_body *body, double y, slice *out)
+{
+    return slice_of(body, 1u | 1u << 3 | 1u << 4, y, out);
 }

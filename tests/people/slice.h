@@ -18,5 +18,7 @@ typedef struct slice {
 
 /* the limb (by index) at height y [m]; false where the plane passes it by */
 bool slice_limb(const mus_body *body, int limb, double y, slice *out);
+/* the hull of torso and legs, as the tape lies over the seat */
+bool slice_trunk(const mus_body *body, double y, slice *out);
 
 #endif

@@ -26,6 +26,7 @@
 #define SIT_OUT_MOST 100    /* calls */
 
 #define LOOK_BLOCK 256 /* nodes */
+#define SQUEEZE_MOST 5.0 /* [m/s] out of a wedge that closes */
 #define MEET_MOST 8    /* surfaces that a node touches at once; more are left out */
 
 
@@ -98,37 +99,40 @@ static int32_t MUS_FIELD(rub_one)(const MUS_FIELD(meeting) * m, MUS_REAL inward,
 static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIELD(path) * path,
                                    const MUS_FIELD(meeting) * list, int32_t count, MUS_REAL *x, MUS_REAL *v)
 {
-    MUS_REAL wish[MEET_MOST], share[MEET_MOST], move[3], fast2 = 0, inward = 0;
+    const MUS_REAL start[3] = {x[0], x[1], x[2]};
+    MUS_REAL wish[MEET_MOST], share[MEET_MOST], move[3], way[3], fast2 = 0, off2 = 0;
+    int32_t rubbed = 0, all = 0;
 
-    /* places: out at once when the path of the step brought the node in, else by `push` beyond what springs did */
+    /* velocities, with no more than the node has; then friction, which takes of the way too */
     for (int32_t i = 0; i < count; i++) {
         MUS_REAL w[3];
         for (int32_t d = 0; d < 3; d++) w[d] = v[d] - list[i].speed[d];
-        const MUS_REAL into = -MUS_FIELD(dot)(w, list[i].normal), w2 = MUS_FIELD(dot)(w, w);
-        wish[i] = list[i].lift;
-        if (into > inward) inward = into;
+        const MUS_REAL w2 = MUS_FIELD(dot)(w, w);
+        wish[i] = -MUS_FIELD(dot)(w, list[i].normal);
         if (w2 > fast2) fast2 = w2;
     }
-    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(fast2), push = (MUS_REAL)rule->push;
-    MUS_FIELD(out_of_all)(list, count, wish, push, move, share);
-    const MUS_REAL far = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
-    const MUS_REAL scale = far <= push + path->time * fast ? 1 : (push + inward * path->slip) / far;
-    for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
-
-    /* velocities, with no more than the node has */
-    for (int32_t i = 0; i < count; i++)
-        wish[i] = -(MUS_FIELD(dot)(v, list[i].normal) - MUS_FIELD(dot)(list[i].speed, list[i].normal));
+    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(fast2);
+    MUS_FIELD(out_of_all)(list, count, wish, (MUS_REAL)SQUEEZE_MOST, move, share);
+    const MUS_REAL squeeze = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
     MUS_FIELD(out_of_all)(list, count, wish, fast, move, share);
     for (int32_t d = 0; d < 3; d++) v[d] += move[d];
-    int32_t rubbed = 0, all = 0;
     for (int32_t i = 0; i < count; i++) {
         if (!(share[i] > 0)) continue;
         rubbed++;
         all += MUS_FIELD(rub_one)(&list[i], share[i], path->slip, x, v);
     }
 
+    /* places: out at once when the path of the step brought the node in, else by `push` beyond what springs did and
+     * what a wedge that closes drives out */
+    const MUS_REAL most = (MUS_REAL)rule->push + fast * path->slip + squeeze * path->time;
+    for (int32_t d = 0; d < 3; d++) way[d] = x[d] - start[d];
+    for (int32_t i = 0; i < count; i++) wish[i] = list[i].lift - MUS_FIELD(dot)(way, list[i].normal);
+    MUS_FIELD(out_of_all)(list, count, wish, most, move, share);
+    const MUS_REAL far = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
+    const MUS_REAL scale = far <= (MUS_REAL)rule->push + path->time * fast ? 1 : most / far;
+    for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
+
     /* one that sticks and is where it was is put back to the last bit */
-    MUS_REAL off2 = 0;
     for (int32_t d = 0; d < 3; d++) off2 += (x[d] - list->from[d]) * (x[d] - list->from[d]);
     if (rubbed == 0 || all < rubbed || off2 > (MUS_REAL)(HELD_BAND * HELD_BAND)) return;
     for (int32_t d = 0; d < 3; d++) x[d] = list->from[d];

@@ -69,16 +69,12 @@ static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t
 static void MUS_FIELD(near_respond_all)(MUS_FIELD(near_rule) rule, const MUS_FIELD(meeting) * list, int32_t count,
                                         MUS_REAL *x, MUS_REAL *v)
 {
-    MUS_REAL wish[NEAR_MOST], share[NEAR_MOST], move[3], inward = 0;
-    for (int32_t i = 0; i < count; i++) {
-        const MUS_REAL into = -MUS_FIELD(dot)(v, list[i].normal);
-        wish[i] = list[i].lift;
-        if (into > inward) inward = into;
-    }
-    const MUS_REAL fast = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(v, v));
-    MUS_FIELD(out_of_all)(list, count, wish, rule.push, move, share);
+    MUS_REAL wish[NEAR_MOST], share[NEAR_MOST], move[3];
+    for (int32_t i = 0; i < count; i++) wish[i] = list[i].lift;
+    const MUS_REAL fast = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(v, v)), most = rule.push + fast * rule.slip;
+    MUS_FIELD(out_of_all)(list, count, wish, most, move, share);
     const MUS_REAL far = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(move, move));
-    const MUS_REAL scale = far <= rule.push + inward * rule.time ? 1 : (rule.push + inward * rule.slip) / far;
+    const MUS_REAL scale = far <= rule.push + fast * rule.time ? 1 : most / far;
     for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
 
     for (int32_t i = 0; i < count; i++) wish[i] = -MUS_FIELD(dot)(v, list[i].normal);

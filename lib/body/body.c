@@ -15,6 +15,10 @@
  * 0.5 mm even at the steep shoulders */
 #define BODY_FIELD_SPACING 0.0022
 
+/* width of a fillet of the skin: 25 mm at 1.68 m. In a right-angled crease it stands a quarter of it, 6 mm, off the
+ * crease, and reaches 25 mm along both limbs */
+#define BODY_FILLET 0.015
+
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
 #define BODY_CONTOUR_GAP 0.006
 
@@ -106,7 +110,9 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);
-    return status == MUS_OK ? mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown) : status;
+    if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    body->fillet = BODY_FILLET * body->skeleton.crown;
+    return status == MUS_OK ? mus__body_skin(body) : status;
 }
 
 
@@ -163,6 +169,9 @@ void mus_body_destroy(mus_body *body)
     mus__free(body->context, body->outline);
     mus__free(body->context, body->vertices);
     mus__free(body->context, body->normals);
+    mus__free(body->context, body->ring);
+    mus__free(body->context, body->skin);
+    mus__free(body->context, body->skin_normals);
     mus__free(body->context, body->triangles);
     mus__free(body->context, body);
 }
@@ -219,13 +228,13 @@ int32_t mus_body_triangle_count(const mus_body *body)
 
 const double *mus_body_vertices(const mus_body *body)
 {
-    return body != NULL ? body->vertices : NULL;
+    return body != NULL ? body->skin : NULL;
 }
 
 
 const double *mus_body_normals(const mus_body *body)
 {
-    return body != NULL ? body->normals : NULL;
+    return body != NULL ? body->skin_normals : NULL;
 }
 
 

@@ -18,6 +18,9 @@
 /* half width of a bump [rad]; breasts of the mean body of GarmentCode */
 #define CONTOUR_BUMP_WIDTH 0.35
 
+/* exponent of the rounding of a hosted contour towards its wall: larger is a sharper corner */
+#define CONTOUR_ROUND 2.6
+
 
 /* eq. 6 with b = q a is linear in a: p = pi a (3 (1 + q) - sqrt((1 + 3 q)(3 + q))); the factor for n > 2 is fitted to
  * quadratures at q = 0.6 to 0.8 */
@@ -71,6 +74,28 @@ static double contour_bumps(const mus__contour *contour, double cosine, double s
 }
 
 
+/* from the contour's own centre to the shape of its host: |p(R)| = radius of the host in the direction of p(R), by the
+ * secant rule; rounded off towards the wall: 1/R^n = 1/host^n + (cos/way to the wall)^n */
+static double contour_hosted(const mus__contour *contour, double cosine, double sine)
+{
+    const double *host = contour->host, round = CONTOUR_ROUND;
+    const mus__contour shape = {
+        .a = host[2], .b = host[3], .n = host[4], .bump = {0.0, host[5]}, .bump_angle = {0.0, host[6]}};
+    double x0 = contour->ca - host[0], y0 = contour->cb - host[1];
+    double radius = 0.5 * (shape.a + shape.b), last = 0.0, before = -1.0;
+    for (int step = 0; step < 8; step++) {
+        double x = x0 + radius * cosine, y = y0 + radius * sine, rho = sqrt(x * x + y * y) + 1e-12;
+        double over = rho / (contour_oval(&shape, x / rho, y / rho) + contour_bumps(&shape, x / rho, y / rho)) - 1.0;
+        if (fabs(over) < 1e-7 || over == before) break;
+        double next = radius - over * (radius - last) / (over - before);
+        last = radius, before = over;
+        radius = fmax(next, 1e-6);
+    }
+    double inward = -cosine * contour->wall_side / (contour->ca * contour->wall_side - contour->wall);
+    return inward > 0.0 ? pow(pow(radius, -round) + pow(inward, round), -1.0 / round) : radius;
+}
+
+
 /* a radius held at the wall: (ca + R cos) * side >= wall */
 static double contour_walled(const mus__contour *contour, double cosine, double radius)
 {
@@ -89,6 +114,7 @@ static bool contour_has_bumps(const mus__contour *contour)
 
 double mus__contour_radius(const mus__contour *contour, double cosine, double sine)
 {
+    if (contour->host[2] > 0.0) return contour_hosted(contour, cosine, sine);
     double radius = contour_oval(contour, cosine, sine);
     if (contour_has_bumps(contour)) radius += contour_bumps(contour, cosine, sine);
     return contour_walled(contour, cosine, radius);
@@ -96,11 +122,11 @@ double mus__contour_radius(const mus__contour *contour, double cosine, double si
 
 
 /* radii without the wall: powers of a quarter of the directions, exponentials of a half, since both are symmetric; an
- * outline is not */
+ * outline and a hosted contour are not */
 static void contour_free(const mus__contour *contour, int32_t n, const double *turn, double *radius)
 {
-    if (contour->corners > 0) {
-        for (int32_t k = 0; k < n; k++) radius[k] = mus__outline_radius(contour, turn[2 * k], turn[2 * k + 1]);
+    if (contour->corners > 0 || contour->host[2] > 0.0) {
+        for (int32_t k = 0; k < n; k++) radius[k] = mus__contour_radius(contour, turn[2 * k], turn[2 * k + 1]);
         return;
     }
     const int32_t half = n / 2, quarter = n / 4;

@@ -139,7 +139,8 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
     mus__body_turns(body->def.samples, turn);
     status = mus__body_surface_of(body, turn);
     mus__free(body->context, turn);
-    return status == MUS_OK ? mus__body_fields(body, spacing) : status;
+    if (status == MUS_OK) status = mus__body_fields(body, spacing);
+    return status == MUS_OK ? mus__body_skin(body) : status;
 }
 
 

@@ -47,6 +47,8 @@ typedef struct mus__contour {
     double wall_side;     /* +1: a >= wall, -1: a <= -wall, 0: no wall */
     int32_t corners;      /* of an outline in place of the superellipse, 0: none */
     const double *corner; /* (corners x 3) angle -pi..pi ascending, a and b off the centre; in mus_body.outline */
+    double host[7];       /* the shape of another contour of this plane in place of its own: centre a and b, half
+                             breadth, half depth, exponent, bump and angle of the back; host[2] = 0: its own */
     int32_t ring;         /* its ring in the surface */
 } mus__contour;
 
@@ -60,7 +62,7 @@ typedef struct mus__limb {
     double pole[2];                  /* s of the closing points below and above */
     int32_t end[2];                  /* measures that set them, or MUS_NONE */
     double wall, wall_side;          /* as the contours', for all in-between contours too */
-    int32_t first_vertex, vertices, first_triangle, triangles, rings;
+    int32_t first_vertex, vertices, first_triangle, triangles, first_ring, rings;
 } mus__limb;
 
 struct mus_body {
@@ -74,9 +76,13 @@ struct mus_body {
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;   /* (vertex_count x 3) */
+    double *vertices;   /* (vertex_count x 3) of the rings: what measures and contact know */
     double *normals;    /* (vertex_count x 3) */
     int32_t *triangles; /* (triangle_count x 3) */
+    double *ring;         /* (rings of all limbs) s of each */
+    double fillet;        /* width of the skin's fillets where limbs meet [m], 0: limbs stay as they are */
+    double *skin;         /* (vertex_count x 3) of the picture: limbs grown together where they meet */
+    double *skin_normals; /* (vertex_count x 3) */
     mus__rig rig;
     mus__frame *frame; /* (parts) of a posed body, NULL: in the rest pose */
     mus_pose pose;     /* of a posed body */
@@ -157,6 +163,11 @@ mus_status mus__body_fields(mus_body *body, double spacing);
 mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
 /* fill body->made from the vertices */
 mus_status mus__body_remeasure(mus_body *body);
+
+/* ---- skin.c ---- */
+
+/* the skin from the surface of the limbs; needs the fields */
+mus_status mus__body_skin(mus_body *body);
 
 /* ---- field.c ---- */
 

@@ -102,28 +102,38 @@ static double limb_leg_x(double h, double u, double top, double a)
 }
 
 
-/* the root of the leg: its half of the hip, as deep as the thigh; its top lies inside the hip, whose girth is the tape's */
+/* the root of the leg: from the thigh it widens to its half of the hip, with the buttock of its side, and goes on a
+ * little inside the torso, so that the leg leaves the torso along its surface; the wall cuts it in the middle */
 static void limb_leg_root(const mus__contour *hip, double crotch, double h, double side, mus__limb *limb)
 {
-    static const struct {
+    const mus__contour thigh = limb->contour[limb->count - 1];
+    const double out = side * thigh.ca + thigh.a;
+    const struct {
         const char *name;
-        double up, breadth, depth;
-    } row[] = {{"leg_root", 0.50, 0.965, 1.0}, {"leg_top", 1.0, 0.90, 0.92}};
-    double deep = limb->contour[limb->count - 1].b, cb = limb->contour[limb->count - 1].cb;
-    for (int i = 0; i < 2; i++) {
-        double s = crotch + row[i].up * (hip->s - crotch);
-        mus__contour *contour = limb_add(limb, row[i].name, s, 1.0, 1.0, 2.05);
+        double s, hip, size;
+    } row[] = {{"leg_root", crotch + 0.50 * (hip->s - crotch), 0.93, 1.0},
+               {"leg_top", hip->s, 1.0, 1.0},
+               {"leg_end", hip->s + 0.025 * h, 1.0, 0.97}};
+    for (int i = 0; i < 3; i++) {
+        const double part = row[i].hip, size = row[i].size;
+        mus__contour *contour = limb_add(limb, row[i].name, row[i].s, 1.0, 1.0, 2.0);
         contour->target = 0.0;
-        contour->a = 0.5 * (row[i].breadth * hip->a - LEG_WALL);
-        contour->b = i == 0 ? row[i].depth * deep : fmin(row[i].depth * deep, 0.93 * (hip->b - fabs(cb - hip->cb)));
-        contour->ca = side * (LEG_WALL + contour->a);
-        contour->cb = cb;
+        contour->ca = thigh.ca;
+        contour->cb = thigh.cb;
+        contour->a = thigh.a, contour->b = thigh.b;
         contour->wall = LEG_WALL, contour->wall_side = side;
+        const double host[7] = {hip->ca,
+                                thigh.cb + part * (hip->cb - thigh.cb),
+                                size * (out + part * (hip->a - out)),
+                                size * (thigh.b + part * (hip->b - thigh.b)),
+                                hip->n,
+                                size * part * hip->bump[1],
+                                hip->bump_angle[1]};
+        memcpy(contour->host, host, sizeof host);
     }
 
     /* above the hip it closes as a ball, so that a bent hip has a round seat */
-    const mus__contour *top = &limb->contour[limb->count - 1];
-    limb->pole[1] = hip->s + fmax(0.02 * h, 0.45 * (top->a + top->b));
+    limb->pole[1] = hip->s + fmax(0.06 * h, 0.5 * (thigh.a + thigh.b));
 }
 
 

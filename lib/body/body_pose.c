@@ -88,7 +88,7 @@ static mus_status bpose_make(const mus_body *from, const mus_pose *pose, mus_bod
     mus__body_turns(to->def.samples, turn);
     if (status == MUS_OK) status = mus__body_surface_of(to, turn);
     mus__free(to->context, turn);
-    return status;
+    return status == MUS_OK ? mus__body_skin(to) : status;
 }
 
 
@@ -108,6 +108,7 @@ mus_status mus_body_pose(const mus_body *body, const mus_pose *pose, mus_body **
     copy->outline = NULL, copy->frame = NULL;
     copy->field = NULL, copy->nfield = 0;
     copy->vertices = copy->normals = NULL, copy->triangles = NULL;
+    copy->ring = copy->skin = copy->skin_normals = NULL;
     copy->vertex_count = copy->triangle_count = 0;
     copy->pose = *pose;
     status = bpose_make(body, pose, copy);

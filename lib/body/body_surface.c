@@ -181,7 +181,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
     double spacing = body->def.ring_spacing;
 
     /* sizes first */
-    int32_t most = 0;
+    int32_t rings = 0;
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
         limb->rings = surface_rings(&stack[l], limb, spacing, NULL);
@@ -191,23 +191,26 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         limb->first_triangle = body->triangle_count;
         body->vertex_count += limb->vertices;
         body->triangle_count += limb->triangles;
-        if (limb->rings > most) most = limb->rings;
+        limb->first_ring = rings;
+        rings += limb->rings;
     }
 
     body->vertices = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
     body->normals = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
     body->triangles = mus__new(body->context, 3 * (int64_t)body->triangle_count, sizeof(int32_t));
-    double *work = mus__new(body->context, (int64_t)most + n, sizeof(double));
-    if (!body->vertices || !body->normals || !body->triangles || !work) {
+    body->ring = mus__new(body->context, rings, sizeof(double));
+    double *work = mus__new(body->context, n, sizeof(double));
+    if (!body->vertices || !body->normals || !body->triangles || !body->ring || !work) {
         mus__free(body->context, work);
         return mus__fail_memory(body->context, "the surface of a body");
     }
 
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
-        surface_rings(&stack[l], limb, spacing, work);
-        surface_vertices(&stack[l], limb, work, work + most, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
-        if (body->frame != NULL) surface_carry(body, l, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
+        double *s = body->ring + limb->first_ring;
+        surface_rings(&stack[l], limb, spacing, s);
+        surface_vertices(&stack[l], limb, s, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
+        if (body->frame != NULL) surface_carry(body, l, s, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
         surface_triangles(limb, n, body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
         surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings,
                         body->normals + 3 * (ptrdiff_t)limb->first_vertex);

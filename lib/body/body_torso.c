@@ -149,10 +149,9 @@ static void torso_seat(const torso_plan *plan)
     const mus__skeleton *bone = plan->bone;
     double h = plan->h, hip = torso_value(plan, MUS_MEASURE_HIP), waist = torso_value(plan, MUS_MEASURE_WAIST);
 
-    /* the lowest contour is the hull of the thighs, a little within them; below it the torso closes to the crotch,
-     * where the inside leg ends */
-    double thigh = torso_value(plan, MUS_MEASURE_THIGH), room = fmin(0.010 * h, 0.2 * (bone->hip - bone->crotch));
-    mus__contour *crotch = torso_put(plan, TORSO_CROTCH, bone->crotch + room, 1.0, 0.0);
+    /* below the hip the torso draws in a little, within the roots of the legs, and closes to the crotch, where the
+     * inside leg ends */
+    mus__contour *crotch = torso_put(plan, TORSO_CROTCH, bone->crotch + 0.30 * (bone->hip - bone->crotch), 1.0, 0.0);
     crotch->height = MUS_MEASURE_INLEG;
     plan->limb->pole[0] = bone->crotch;
 
@@ -160,9 +159,10 @@ static void torso_seat(const torso_plan *plan)
     mus__contour *seat = torso_put_measure(plan, TORSO_HIP, bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP,
                                            torso_mix(plan, 0.35 * (hip / h - 0.627), 0.6 * (hip / h - 0.581)));
     seat->bump[1] = torso_mix(plan, 0.009, 0.006) * h, seat->bump_angle[1] = 0.44;
-    double deep = mus__contour_thigh_ratio(thigh, seat->a);
-    crotch->a = 0.97 * seat->a;
-    crotch->b = fmin(0.96 * deep * mus__contour_half_breadth(thigh, deep, 2.0), seat->b);
+    seat->flat = true;
+    crotch->a = 0.88 * seat->a;
+    crotch->b = 0.88 * seat->b;
+    crotch->cb = seat->cb;
 
     torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP,
                       0.25 * (waist / h - 0.48));

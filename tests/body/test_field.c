@@ -149,7 +149,9 @@ START_TEST(the_surface_has_depth_zero)
                 double s = -mus__dot3(limb->origin, limb->axis) + mus__dot3(x, limb->axis);
                 if (s < limb->contour[0].s + 0.01 || s > limb->contour[limb->count - 1].s - 0.01) continue;
                 double normal[3] = {0, 0, 0}, depth = limb_depth(body, l, x, normal);
-                ck_assert_msg(fabs(depth) < 5e-4, "%s %s vertex %d (ring %d): %.3f mm", sizes[i], limb->name, (int)v,
+                /* a leg has corners at its wall */
+                double most = limb->wall_side != 0.0 && fabs(x[0]) < 0.015 ? 2e-3 : 5e-4;
+                ck_assert_msg(fabs(depth) < most, "%s %s vertex %d (ring %d): %.3f mm", sizes[i], limb->name, (int)v,
                               (int)(v / n), 1e3 * depth);
                 const double *smooth = body->normals + 3 * ((ptrdiff_t)limb->first_vertex + 1 + v);
                 if (v / n > first && v / n < last && limb->wall_side == 0.0)

@@ -8,6 +8,8 @@
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
 #                   hands options to tests/corpus/run.py)
+#   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
+#                   options to tests/motion/run.py)
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
 #                   (PEOPLE='--csv FILE': a row a person)
 #   make check-omit the C tests once without each module, and once without all that can be left out
@@ -122,7 +124,7 @@ PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now people people-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now people people-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-example need-test
 .DELETE_ON_ERROR:
@@ -244,6 +246,12 @@ corpus:
 	@$(call again,corpus-now)
 corpus-now: all
 	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+
+motion:
+	@sh tests/guard/packages.sh build
+	@$(call again,motion-now)
+motion-now: all
+	$(PYTHON) tests/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
 
 people:
 	@sh tests/guard/packages.sh build test

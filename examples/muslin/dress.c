@@ -14,7 +14,7 @@
 #include "commands.h"
 #include "json.h"
 #include "mesh.h"
-#include "picture.h"
+#include "motion.h"
 #include "scene.h"
 
 typedef struct dress {
@@ -26,6 +26,8 @@ typedef struct dress {
     const char *fabric_name, *png, *glb, *obj, *report;
     double spacing_mm, threads, precision, friction;
     bool as_json, quiet;
+    motion moved;
+    bool led; /* the animated file is written */
 
     mus_body *body;
     mus_cloth *cloth;
@@ -53,6 +55,7 @@ static const char *status_word(mus_status status)
     case MUS_ERR_SEW: return "seam cannot close";
     case MUS_ERR_UNSETTLED: return "not settled";
     case MUS_ERR_DIVERGED: return "unstable";
+    case MUS_ERR_STEP: return "step refused";
     case MUS_ERR_MEMORY: return "no memory";
     default: return "bad input";
     }
@@ -105,6 +108,51 @@ static void run(dress *d)
 }
 
 
+/* into the pose, and to rest there; or through the movement. Returns an exit code */
+static int move_on(dress *d)
+{
+    dressed on = {&d->s, &d->look, d->body, NULL, d->cloth, d->drape};
+    int code = EXIT_DONE;
+    if (d->moved.pose != NULL) {
+        d->outcome = motion_into(&on, &d->moved, d->moved.pose);
+        const double start = seconds();
+        if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, NULL, NULL);
+        d->settle_seconds += seconds() - start;
+    } else if (d->moved.move != NULL) {
+        mus_body *thin = NULL;
+        mus_body_def def;
+        mus_body_def_init(&def, sizeof def);
+        def.samples = 32;
+        def.ring_spacing = 0.025;
+        if (d->glb != NULL && d->mesh.file == NULL)
+            d->outcome = mus_body_create(d->s.context, d->s.tape, &def, &thin);
+        on.thin = thin;
+        if (d->outcome == MUS_OK) code = motion_lead(&on, &d->moved, d->glb, &d->outcome);
+        d->led = d->glb != NULL && d->moved.made > 0;
+        mus_body_destroy(thin);
+    }
+    if (d->outcome != MUS_OK) snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+    return code;
+}
+
+
+static void write_motion(const motion *m, json *j)
+{
+    json_open(j, "motion", '{');
+    json_text(j, "name", m->move != NULL ? m->move : m->pose);
+    json_int(j, "frames", m->made);
+    json_int(j, "frames_per_second", MOTION_RATE);
+    json_int(j, "steps", m->steps);
+    json_int(j, "step_parts", m->step_parts);
+    json_number(j, "max_penetration_mm", 1000.0 * m->max_depth);
+    json_number(j, "max_press_mm", 1000.0 * m->max_press);
+    json_number(j, "max_jump_mm", 1000.0 * m->max_jump);
+    json_number(j, "slid_mm", 1000.0 * m->slid);
+    json_number(j, "seconds", m->seconds);
+    json_close(j, '}');
+}
+
+
 static void write_seconds(const dress *d, json *j)
 {
     json_open(j, "seconds", '{');
@@ -137,6 +185,7 @@ static void describe(const dress *d, json *j)
         json_int(j, "seams_closed", r.seams_closed);
         json_number(j, "max_seam_gap_mm", 1000.0 * r.max_seam_gap);
         json_number(j, "max_penetration_mm", 1000.0 * r.max_penetration);
+        json_number(j, "max_press_mm", 1000.0 * r.max_press);
         json_number(j, "max_strain", r.max_strain);
         json_number(j, "residual", r.residual);
         json_number(j, "max_speed_m_s", r.max_speed);
@@ -151,8 +200,21 @@ static void describe(const dress *d, json *j)
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }
+    if (d->moved.pose != NULL || d->moved.move != NULL) write_motion(&d->moved, j);
     write_seconds(d, j);
     json_close(j, '}');
+}
+
+
+/* the body as it stands now; out is the rest body when it never moved */
+static mus_status body_now(const dress *d, mus_body **own)
+{
+    *own = NULL;
+    if (d->moved.pose == NULL && d->moved.move == NULL) return MUS_OK;
+    mus_pose pose;
+    mus_pose_init(&pose, sizeof pose);
+    mus_status status = mus_drape_body_pose(d->drape, &pose);
+    return status == MUS_OK ? mus_body_pose(d->body, &pose, own) : status;
 }
 
 
@@ -160,10 +222,12 @@ static void describe(const dress *d, json *j)
 static int write_shapes(dress *d)
 {
     if (d->png == NULL && d->glb == NULL && d->obj == NULL) return EXIT_DONE;
-    garment g;
-    int code = garment_make(&d->s, &d->look, d->body, d->cloth, d->drape, &g);
-    mus_status status = MUS_OK;
-    if (code == EXIT_DONE && d->glb != NULL) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
+    garment g = {0};
+    mus_body *own = NULL;
+    mus_status status = body_now(d, &own);
+    if (status != MUS_OK) return scene_fail(&d->s, status);
+    int code = garment_make(&d->s, &d->look, own != NULL ? own : d->body, d->cloth, d->drape, &g);
+    if (code == EXIT_DONE && d->glb != NULL && !d->led) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
     if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
         status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
     if (status != MUS_OK) code = scene_fail(&d->s, status);
@@ -171,6 +235,7 @@ static int write_shapes(dress *d)
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
     d->render_seconds = seconds() - start;
     garment_free(&g);
+    mus_body_destroy(own);
     return code;
 }
 
@@ -225,6 +290,7 @@ static int read_options(dress *d, int argc, char **argv)
     d->precision = 32.0;
     d->friction = NAN;
     d->look.repeat = 0.1;
+    d->moved.count = 240.0;
     const option options[] = {
         SOURCE_PATTERN(d->from),
         SOURCE_TAPE(d->from),
@@ -238,8 +304,12 @@ static int read_options(dress *d, int argc, char **argv)
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
         {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
         {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
+        {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0, "NAME  bring the body into a pose (muslin body --poses lists them)"},
+        {"--move", OPTION_TEXT, &d->moved.move, 0, 0, "NAME  lead the body through a movement: walk, arm_raise ..."},
+        {"--frames", OPTION_TEXT, &d->moved.frames, 0, 0, "DIR  a picture a frame, DIR/frame_0001.png and on"},
+        {"--count", OPTION_WHOLE, &d->moved.count, 1, 4096, "N  frames of the movement, 60 a second, default 240"},
         {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  the picture"},
-        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0"},
+        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0; of a movement: animated"},
         {"--obj", OPTION_OUTPUT, &d->obj, 0, 0, "FILE  body and garment as OBJ"},
         {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  what happened, as JSON"},
         {"--json", OPTION_STDOUT, &d->as_json, 0, 0, "the report on standard output"},
@@ -275,6 +345,7 @@ int command_dress(int argc, char **argv)
     code = scene_open(&d->s, "dress");
     if (code == EXIT_DONE) code = find_fabric(d);
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
+    if (code == EXIT_DONE) code = motion_check(&d->s, &d->moved);
     if (code == EXIT_DONE && d->mesh.file != NULL) {
         const double start = seconds();
         code = mesh_body(&d->s, &d->mesh, NULL, &d->body);
@@ -288,7 +359,8 @@ int command_dress(int argc, char **argv)
             run(d);
         else
             snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
-        if (d->drape != NULL) code = write_shapes(d);
+        if (d->outcome == MUS_OK) code = move_on(d);
+        if (d->drape != NULL && code == EXIT_DONE) code = write_shapes(d);
         const int report = write_report(d);
         if (code == EXIT_DONE) code = report;
         if (code == EXIT_DONE && d->outcome != MUS_OK) code = run_failed(d);

@@ -1,0 +1,318 @@
+/*
+ * motion.c: muslin dress --pose and --move: the garment is settled on the body as made, then the body moves and the
+ * cloth is stepped, sixty frames a second of cloth time, each frame in as many steps as the forecast says.
+ *
+ * A pose is reached by easing every angle from how the body stands. A movement begins by easing into its first pose;
+ * those frames are not counted. Of every frame the deepest node and the farthest way of a node since the frame before
+ * are kept; a picture goes to FOLDER/frame_0001.png and on. The animated .glb holds all frames as keys.
+ */
+#include "motion.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EASE_SECONDS 1.5
+#define ARM_GAP 0.02 /* between arms and sides: room for cloth [m] */
+
+/* places and normals of one mesh at all keys */
+typedef struct track {
+    double *positions, *normals; /* (keys x vertices x 3) */
+    int32_t vertices;
+} track;
+
+/* what a movement needs while it goes on */
+typedef struct lead {
+    const dressed *d;
+    motion *m;
+    mus_move *move;
+    mus_drape_forecast plan;
+    double *last; /* (nodes x 3) of the frame before */
+    track cloth, body;
+    double *times;
+    film film;
+    bool filming;
+} lead;
+
+
+int motion_check(const scene *s, const motion *m)
+{
+    mus_pose pose;
+    mus_move *move = NULL;
+    mus_pose_init(&pose, sizeof pose);
+    mus_status status = MUS_OK;
+    if (m->frames != NULL && m->move == NULL)
+        return complain(EXIT_INPUT, s->command, "--frames %s: goes with --move NAME", m->frames);
+    if (m->pose != NULL && m->move != NULL)
+        return complain(EXIT_INPUT, s->command, "--pose and --move exclude each other");
+    if (m->pose != NULL) status = mus_pose_named(s->context, m->pose, &pose);
+    if (m->move != NULL) status = mus_move_named(s->context, m->move, 1.7, &move);
+    mus_move_destroy(move);
+    return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
+}
+
+
+/* the middle of the cloth above the middle of the hip, as the body stands [m] */
+static mus_status height_on_body(const dressed *d, double *out)
+{
+    mus_pose pose;
+    mus_body *posed = NULL;
+    double hip[3];
+    mus_pose_init(&pose, sizeof pose);
+    mus_status status = mus_drape_body_pose(d->drape, &pose);
+    if (status == MUS_OK) status = mus_body_pose(d->body, &pose, &posed);
+    if (status == MUS_OK) status = mus_body_landmark(posed, MUS_LANDMARK_HIP, hip);
+    mus_body_destroy(posed);
+    if (status != MUS_OK) return status;
+    const int32_t n = mus_drape_node_count(d->drape);
+    const double *x = mus_drape_positions(d->drape);
+    double sum = 0.0;
+    for (int32_t i = 0; i < n; i++) sum += x[3 * (ptrdiff_t)i + 1];
+    *out = sum / n - hip[1];
+    return MUS_OK;
+}
+
+
+/* one frame of stepping, while the body goes into `pose`; what it shows is kept */
+static mus_status step_frame(const dressed *d, motion *m, const mus_drape_forecast *plan, const mus_pose *pose,
+                             double *last)
+{
+    const double frame = 1.0 / MOTION_RATE, start = seconds();
+    mus_status status = mus_drape_pose_body(d->drape, pose, frame);
+    if (status == MUS_OK) status = mus_drape_step(d->drape, plan->steps_per_frame, frame / plan->steps_per_frame);
+    m->seconds += seconds() - start;
+    if (status != MUS_OK) return status;
+    m->steps += plan->steps_per_frame;
+
+    mus_drape_report r;
+    mus_drape_report_init(&r, sizeof r);
+    status = mus_drape_report_get(d->drape, &r);
+    if (status != MUS_OK) return status;
+    if (r.max_penetration > m->max_depth) m->max_depth = r.max_penetration;
+    if (r.max_press > m->max_press) m->max_press = r.max_press;
+    if (r.step_parts > m->step_parts) m->step_parts = r.step_parts;
+    const int32_t n = mus_drape_node_count(d->drape);
+    const double *x = mus_drape_positions(d->drape);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double a = x[3 * i] - last[3 * i], b = x[3 * i + 1] - last[3 * i + 1], c = x[3 * i + 2] - last[3 * i + 2];
+        m->max_jump = fmax(m->max_jump, sqrt(a * a + b * b + c * c));
+    }
+    memcpy(last, x, (size_t)n * 3 * sizeof *last);
+    return MUS_OK;
+}
+
+
+/* ease all angles from how the body stands to `target`: 3 u^2 - 2 u^3 of the way */
+static mus_status ease(const dressed *d, motion *m, const mus_drape_forecast *plan, const mus_pose *target,
+                       double *last)
+{
+    mus_pose from, now;
+    mus_pose_init(&from, sizeof from);
+    mus_status status = mus_drape_body_pose(d->drape, &from);
+    const int32_t frames = (int32_t)(EASE_SECONDS * MOTION_RATE);
+    for (int32_t k = 1; k <= frames && status == MUS_OK; k++) {
+        const double u = (double)k / frames, w = u * u * (3.0 - 2.0 * u);
+        now = from;
+        for (int i = 0; i < 3; i++) {
+            now.place[i] += w * (target->place[i] - from.place[i]);
+            for (int j = 0; j < MUS_JOINT_COUNT; j++)
+                now.angle[j][i] += w * (target->angle[j][i] - from.angle[j][i]);
+        }
+        status = step_frame(d, m, plan, &now, last);
+    }
+    return status;
+}
+
+
+static mus_status begin(const dressed *d, mus_drape_forecast *plan, double **last)
+{
+    const size_t bytes = (size_t)mus_drape_node_count(d->drape) * 3 * sizeof **last;
+    *last = malloc(bytes + 1);
+    if (*last == NULL) return MUS_ERR_MEMORY;
+    memcpy(*last, mus_drape_positions(d->drape), bytes);
+    mus_drape_forecast_init(plan, sizeof *plan);
+    return mus_drape_plan(d->drape, 1.0 / MOTION_RATE, plan);
+}
+
+
+mus_status motion_into(const dressed *d, motion *m, const char *pose)
+{
+    mus_drape_forecast plan;
+    mus_pose target;
+    double *last = NULL;
+    mus_pose_init(&target, sizeof target);
+    mus_status status = mus_pose_named(d->s->context, pose, &target);
+    if (status == MUS_OK) status = mus_body_clear_arms(d->body, &target, ARM_GAP);
+    if (status == MUS_OK) status = mus_body_ground(d->body, &target);
+    if (status == MUS_OK) status = begin(d, &plan, &last);
+    if (status == MUS_OK) status = ease(d, m, &plan, &target, last);
+    if (status == MUS_OK) status = mus_drape_pose_body(d->drape, &target, 0.0);
+    free(last);
+    return status;
+}
+
+
+/* ---- a movement ---- */
+
+static bool track_open(track *t, int32_t keys, int32_t vertices)
+{
+    const size_t count = (size_t)keys * (size_t)vertices * 3;
+    t->vertices = vertices;
+    t->positions = malloc(count * sizeof *t->positions);
+    t->normals = malloc(count * sizeof *t->normals);
+    return t->positions != NULL && t->normals != NULL;
+}
+
+
+static void track_keep(track *t, int32_t key, const double *positions, const double *normals)
+{
+    const size_t count = (size_t)t->vertices * 3, at = (size_t)key * count;
+    memcpy(t->positions + at, positions, count * sizeof *positions);
+    memcpy(t->normals + at, normals, count * sizeof *normals);
+}
+
+
+/* the picture of a frame, and its key in the file */
+static int show_frame(lead *q, int32_t k, const mus_pose *pose)
+{
+    const dressed *d = q->d;
+    const bool keep = q->times != NULL;
+    if (!q->filming && !keep) return EXIT_DONE;
+    mus_body *posed = NULL;
+    garment g = {0};
+    mus_status status = MUS_OK;
+    int code = EXIT_DONE;
+    if (q->filming) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/frame_%04d.png", q->m->frames, (int)k + 1);
+        status = mus_body_pose(d->body, pose, &posed);
+        if (status == MUS_OK) code = garment_make(d->s, d->l, posed, d->cloth, d->drape, &g);
+        if (status == MUS_OK && code == EXIT_DONE) code = film_shoot(&q->film, &g, path);
+        mus_body_destroy(posed);
+        posed = NULL;
+        garment_free(&g);
+    }
+    if (status == MUS_OK && code == EXIT_DONE && keep) {
+        status = mus_body_pose(d->thin != NULL ? d->thin : d->body, pose, &posed);
+        if (status == MUS_OK) code = garment_make(d->s, d->l, posed, d->cloth, d->drape, &g);
+        if (status == MUS_OK && code == EXIT_DONE) {
+            track_keep(&q->body, k, g.view[0].positions, g.view[0].normals);
+            track_keep(&q->cloth, k, g.view[1].positions, g.view[1].normals);
+            q->times[k] = (double)k / MOTION_RATE;
+        }
+        mus_body_destroy(posed);
+        garment_free(&g);
+    }
+    return status == MUS_OK ? code : scene_fail(d->s, status);
+}
+
+
+/* the animated file: the meshes of the last frame, moved by the keys */
+static int write_film(lead *q, const char *glb)
+{
+    const dressed *d = q->d;
+    garment g;
+    int code = garment_make(d->s, d->l, d->thin != NULL ? d->thin : d->body, d->cloth, d->drape, &g);
+    if (code == EXIT_DONE) {
+        mus_mesh_motion moves[2];
+        for (int i = 0; i < 2; i++) mus_mesh_motion_init(&moves[i], sizeof moves[i]);
+        moves[0].positions = q->body.positions, moves[0].normals = q->body.normals;
+        moves[1].positions = q->cloth.positions, moves[1].normals = q->cloth.normals;
+        mus_status status = mus_mesh_write_glb_motion(d->s->context, glb, 2, g.view, q->m->made, q->times, moves);
+        if (status != MUS_OK) code = scene_fail(d->s, status);
+    }
+    garment_free(&g);
+    return code;
+}
+
+
+/* a box that holds the body with its arms out, standing, for all frames */
+static void frame_box(const mus_body *body, double *box)
+{
+    const double *x = mus_body_vertices(body);
+    const int32_t n = mus_body_vertex_count(body);
+    double high = 0.0, wide = 0.0;
+    for (ptrdiff_t i = 0; i < n; i++) {
+        high = fmax(high, x[3 * i + 1]);
+        wide = fmax(wide, hypot(x[3 * i], x[3 * i + 2]));
+    }
+    box[0] = box[2] = -0.85 * wide, box[1] = 0.0;
+    box[3] = box[5] = 0.85 * wide, box[4] = 1.02 * high;
+}
+
+
+static int open_lead(lead *q, const char *glb, double *box)
+{
+    const dressed *d = q->d;
+    const int32_t count = (int32_t)q->m->count;
+    if (glb != NULL) {
+        q->times = malloc((size_t)count * sizeof *q->times);
+        if (q->times == NULL || !track_open(&q->cloth, count, mus_cloth_node_count(d->cloth)) ||
+            !track_open(&q->body, count, mus_body_vertex_count(d->thin != NULL ? d->thin : d->body)))
+            return complain(EXIT_FAILED, d->s->command, "no memory for %d frames", (int)count);
+    }
+    if (q->m->frames == NULL) return EXIT_DONE;
+    frame_box(d->body, box);
+    q->filming = true;
+    return film_open(&q->film, d->s, d->l, box);
+}
+
+
+static void close_lead(lead *q)
+{
+    if (q->filming) film_close(&q->film);
+    mus_move_destroy(q->move);
+    free(q->cloth.positions);
+    free(q->cloth.normals);
+    free(q->body.positions);
+    free(q->body.normals);
+    free(q->times);
+    free(q->last);
+}
+
+
+/* ease into the first pose, then frame by frame */
+static int lead_frames(lead *q, mus_status *status)
+{
+    const dressed *d = q->d;
+    motion *m = q->m, before = {0};
+    mus_pose pose;
+    double start = 0.0, end = 0.0;
+    mus_pose_init(&pose, sizeof pose);
+    *status = mus_move_at(q->move, 0.0, &pose);
+    if (*status == MUS_OK) *status = ease(d, &before, &q->plan, &pose, q->last);
+    if (*status == MUS_OK) *status = height_on_body(d, &start);
+    m->max_depth = before.max_depth, m->max_press = before.max_press;
+    int code = EXIT_DONE;
+    for (int32_t k = 0; k < (int32_t)m->count && *status == MUS_OK && code == EXIT_DONE; k++) {
+        if (k > 0) {
+            *status = mus_move_at(q->move, (double)k / MOTION_RATE, &pose);
+            if (*status == MUS_OK) *status = step_frame(d, m, &q->plan, &pose, q->last);
+        }
+        if (*status != MUS_OK) break;
+        code = show_frame(q, k, &pose);
+        m->made = k + 1;
+    }
+    if (*status == MUS_OK) *status = height_on_body(d, &end);
+    m->slid = end - start;
+    return code;
+}
+
+
+int motion_lead(const dressed *d, motion *m, const char *glb, mus_status *status)
+{
+    lead q = {.d = d, .m = m};
+    double box[6];
+    int code = open_lead(&q, glb, box);
+    if (code == EXIT_DONE) {
+        double crown[3];
+        *status = mus_body_landmark(d->body, MUS_LANDMARK_CROWN, crown);
+        if (*status == MUS_OK) *status = mus_move_named(d->s->context, m->move, crown[1], &q.move);
+        if (*status == MUS_OK) *status = begin(d, &q.plan, &q.last);
+        if (*status == MUS_OK) code = lead_frames(&q, status);
+        if (code == EXIT_DONE && glb != NULL && m->made > 0) code = write_film(&q, glb);
+    }
+    close_lead(&q);
+    return code;
+}

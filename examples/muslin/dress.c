@@ -304,7 +304,7 @@ static int read_options(dress *d, int argc, char **argv)
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
         {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
         {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
-        {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0, "NAME  bring the body into a pose (muslin body --poses lists them)"},
+        {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0, "NAME  into a pose (muslin body --poses lists them)"},
         {"--move", OPTION_TEXT, &d->moved.move, 0, 0, "NAME  lead the body through a movement: walk, arm_raise ..."},
         {"--frames", OPTION_TEXT, &d->moved.frames, 0, 0, "DIR  a picture a frame, DIR/frame_0001.png and on"},
         {"--count", OPTION_WHOLE, &d->moved.count, 1, 4096, "N  frames of the movement, 60 a second, default 240"},

@@ -278,8 +278,8 @@ typedef struct mus_drape_report {
     int32_t step_parts;         /* that the last mus_drape_step divided its steps in at most, 1 as a rule */
     double rest_distance;       /* what the last settle expects its farthest node still to go [m] */
     double contact_impulse[3];  /* that the body gave the cloth since create [N s]: take differences over steps */
-    double max_press;           /* how far flesh gives way for a node between two parts that press on each other, at most
-                                 * 0.015 [m]: what max_penetration leaves out of its depth in the rigid parts */
+    double max_press;           /* how far flesh gives way for a node between two parts that press on each other,
+                                 * 0.015 at most [m]: what max_penetration leaves out of its depth in the rigid parts */
 } mus_drape_report;
 
 MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);

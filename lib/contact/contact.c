@@ -307,8 +307,8 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
 
 /*
  * With depths d >= e in two parts and normals n, m that oppose each other, d + e is how thick the two overlap there.
- * Each gives way by half of it: the point is then d - (d + e)/2 = (d - e)/2 below the surface midway. Faces that stand at
- * an angle give way in proportion to -n.m, so that a crease stays one.
+ * Each gives way by half of it: the point is then d - (d + e)/2 = (d - e)/2 below the surface midway. Faces that stand
+ * at an angle give way in proportion to -n.m, so that a crease stays one.
  */
 double mus__collider_pressed(const mus__collider *collider, const double *point, double *pressed)
 {

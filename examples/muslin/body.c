@@ -10,6 +10,10 @@
 #include "scene.h"
 
 
+/* arms are this far off the sides [m]: two layers of cloth go between */
+#define POSE_GAP 0.012
+
+
 /* the body's surface as a mesh to write */
 static void body_view(const mus_body *body, mus_mesh_view *view)
 {
@@ -79,26 +83,32 @@ static int list_poses(void)
 
 
 /* the pose of a movement at a time */
-static mus_status pose_moving(const scene *s, const stance *how, mus_pose *pose)
+static mus_status pose_moving(const mus_body *body, const stance *how, mus_pose *pose)
 {
     mus_move *move = NULL;
-    const double stature = mus_tape_value(s->tape, MUS_MEASURE_STATURE);
-    mus_status status = mus_move_named(s->context, how->move, stature, &move);
+    mus_status status = mus_body_move(body, how->move, POSE_GAP, &move);
     if (status == MUS_OK) status = mus_move_at(move, how->at, pose);
     mus_move_destroy(move);
     return status;
 }
 
 
-/* put a posed copy, feet on the floor, in place of *body */
+/* a named pose, feet on the floor and arms off the sides */
+static mus_status pose_standing(const scene *s, const mus_body *body, const stance *how, mus_pose *pose)
+{
+    mus_status status = mus_pose_named(s->context, how->pose, pose);
+    if (status == MUS_OK) status = mus_body_clear_arms(body, pose, POSE_GAP);
+    return status == MUS_OK ? mus_body_ground(body, pose) : status;
+}
+
+
+/* put a posed copy in place of *body */
 static mus_status pose_body(const scene *s, const stance *how, mus_body **body)
 {
     mus_pose pose;
     mus_body *posed = NULL;
     mus_status status =
-        how->move != NULL ? pose_moving(s, how, &pose) : mus_pose_named(s->context, how->pose, &pose);
-    if (status == MUS_OK) status = mus_body_clear_arms(*body, &pose, 0.012);
-    if (status == MUS_OK) status = mus_body_ground(*body, &pose);
+        how->move != NULL ? pose_moving(*body, how, &pose) : pose_standing(s, *body, how, &pose);
     if (status == MUS_OK) status = mus_body_pose(*body, &pose, &posed);
     if (status != MUS_OK) return status;
     mus_body_destroy(*body);

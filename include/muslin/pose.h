@@ -120,10 +120,14 @@ MUS_API void mus_move_destroy(mus_move *move);
 MUS_API int32_t mus_move_count(void);
 MUS_API const char *mus_move_name(int32_t move);
 
-/** Make a named movement for a body of that stature [m]. Its place is that of the mean person's legs; with
- * mus_body_ground its feet are on the floor to the last bit. Errors: MUS_ERR_ARG (also: an unknown name),
- * MUS_ERR_MEMORY. */
+/** Make a named movement for a body of that stature [m], with the legs of the mean person. Errors: MUS_ERR_ARG (also: an
+ * unknown name), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_move_named(mus_context *context, const char *name, double stature, mus_move **out);
+
+/** Make a named movement fitted to a body: at its keys and half way between, the feet are on the floor and the arms
+ * `gap` [m] (0 to 0.04) off its sides. Errors: as mus_body_pose; MUS_ERR_ARG (unknown name, a body of given limbs).
+ * Cost: some 40 ms. */
+MUS_API mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus_move **out);
 
 /** The period [s], 0 for a movement that ends; and the time from its first to its last key, or the period. NaN for
  * NULL. */

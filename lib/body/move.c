@@ -162,15 +162,13 @@ mus_status mus_move_named(mus_context *context, const char *name, double stature
     if (out == NULL) return MUS_ERR_ARG;
     *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
-    if (name == NULL) return mus__fail(context, MUS_ERR_ARG, "the name of a movement is NULL");
     if (!(stature >= 0.2 && stature <= 3.0))
         return mus__fail(context, MUS_ERR_ARG, "stature %g m is outside 0.2 to 3 m", stature);
-    for (int32_t i = 0; i < mus_move_count(); i++) {
-        if (strcmp(mus_move_name(i), name) != 0) continue;
-        double times[MUS_MOVE_KEYS], period;
-        mus_pose poses[MUS_MOVE_KEYS];
-        int32_t keys = mus__move_keys(i, stature, times, poses, &period);
-        return mus_move_create(context, keys, times, poses, period, out);
-    }
-    return mus__fail(context, MUS_ERR_ARG, "no movement is called \"%.60s\"", name);
+    int32_t move = mus__move_find(name);
+    if (move == MUS_NONE)
+        return mus__fail(context, MUS_ERR_ARG, "no movement is called \"%.60s\"", name != NULL ? name : "");
+    double times[MUS_MOVE_KEYS], period;
+    mus_pose poses[MUS_MOVE_KEYS];
+    int32_t keys = mus__move_keys(move, stature, times, poses, &period);
+    return mus_move_create(context, keys, times, poses, period, out);
 }

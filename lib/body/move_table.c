@@ -101,6 +101,14 @@ const char *mus_move_name(int32_t move)
 }
 
 
+int32_t mus__move_find(const char *name)
+{
+    for (int32_t i = 0; i < MOVE_COUNT && name != NULL; i++)
+        if (strcmp(moves[i].name, name) == 0) return i;
+    return MUS_NONE;
+}
+
+
 static void walk_leg(int32_t right, const double *row, double turn, double list, mus_pose *pose)
 {
     double(*angle)[3] = pose->angle;

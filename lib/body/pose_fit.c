@@ -1,5 +1,5 @@
 /*
- * pose_fit.c: poses fitted to a body: its feet on the floor, its arms off its sides.
+ * pose_fit.c: poses and movements fitted to a body: its feet on the floor, its arms off its sides.
  *
  * Both ask the contact fields, carried by the frames of their parts, without making a posed copy. An arm is lifted
  * sideways a degree at a time until all of it below the armpit keeps its distance; named poses start so that most
@@ -9,11 +9,12 @@
 #include <string.h>
 
 #include "body/body_internal.h"
+#include "body/body_move.h"
 #include "geom/vec.h"
 
 #define FIT_STEP (MUS_PI / 180.0) /* of an arm that is lifted */
 #define FIT_STEPS 60              /* most of them */
-#define FIT_ARMPIT 0.45           /* part of the arm's length from which on it is to be clear */
+#define FIT_ARMPIT 0.40           /* part of the arm's length from which on it is to be clear */
 #define FIT_RING 0.012            /* [m] between rings that are asked, about */
 #define FIT_ANGLE 8               /* every so many directions of a ring is asked */
 
@@ -125,4 +126,36 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
         }
     }
     return MUS_OK;
+}
+
+
+mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus_move **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+    if (body == NULL) return MUS_ERR_ARG;
+    if (!body->measured)
+        return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no movements by name");
+    int32_t move = mus__move_find(name);
+    if (move == MUS_NONE)
+        return mus__fail(body->context, MUS_ERR_ARG, "no movement is called \"%.60s\"", name != NULL ? name : "");
+
+    /* the movement of its stature, with as many keys again between its keys */
+    double times[2 * MUS_MOVE_KEYS], rough[MUS_MOVE_KEYS + 1], period;
+    mus_pose poses[2 * MUS_MOVE_KEYS];
+    mus_move *of_mean = NULL;
+    int32_t keys = mus__move_keys(move, body->skeleton.crown, rough, poses, &period);
+    mus_status status = mus_move_create(body->context, keys, rough, poses, period, &of_mean);
+    rough[keys] = rough[0] + period;
+    keys = period > 0.0 ? 2 * keys : 2 * keys - 1;
+    for (int32_t i = 0; i < keys && status == MUS_OK; i++) {
+        times[i] = i % 2 == 0 ? rough[i / 2] : 0.5 * (rough[i / 2] + rough[i / 2 + 1]);
+        status = mus_move_at(of_mean, times[i], &poses[i]);
+
+        /* each put on the floor with its arms clear */
+        if (status == MUS_OK) status = mus_body_clear_arms(body, &poses[i], gap);
+        if (status == MUS_OK) status = mus_body_ground(body, &poses[i]);
+    }
+    mus_move_destroy(of_mean);
+    return status == MUS_OK ? mus_move_create(body->context, keys, times, poses, period, out) : status;
 }

@@ -339,6 +339,69 @@ START_TEST(named_poses_fit_bodies)
 END_TEST
 
 
+/* between the keys too the lowest point is within a part of the stature of the floor, and arms that start clear stay so */
+START_TEST(movements_fit_bodies)
+{
+    static const char *const sizes[] = {"W52", "M50", "C56"};
+    mus_context *context = support_context();
+    for (int i = 0; i < 3; i++) {
+        const mus_body_def def = {sizeof def, 16, 0.1, 0};
+        mus_body *body = people_body(context, sizes[i], &def);
+        for (int32_t q = 0; q < mus_move_count(); q++) {
+            mus_move *move = NULL, *same = NULL;
+            ck_assert_int_eq(mus_body_move(body, mus_move_name(q), 0.012, &move), MUS_OK);
+            ck_assert_int_eq(mus_move_named(context, mus_move_name(q), body->skeleton.crown, &same), MUS_OK);
+            ck_assert_double_eq(mus_move_duration(move), mus_move_duration(same));
+            ck_assert_double_eq(mus_move_period(move), mus_move_period(same));
+            for (int k = 0; k <= 37; k++) {
+                mus_pose pose, lifted;
+                ck_assert_int_eq(mus_move_at(move, mus_move_duration(move) * k / 37.0, &pose), MUS_OK);
+                lifted = pose;
+                ck_assert_int_eq(mus_body_clear_arms(body, &lifted, 0.006), MUS_OK);
+                ck_assert_msg(memcmp(&lifted, &pose, sizeof pose) == 0, "%s %s at %d/37: arms", sizes[i],
+                              mus_move_name(q), k);
+                ck_assert_int_eq(mus_body_ground(body, &lifted), MUS_OK);
+                const double off = (pose.place[1] - lifted.place[1]) / body->skeleton.crown;
+                ck_assert_msg(fabs(off) < 0.005, "%s %s at %d/37: %.4f of the stature off the floor", sizes[i],
+                              mus_move_name(q), k, off);
+            }
+            mus_move_destroy(same);
+            mus_move_destroy(move);
+        }
+        mus_body_destroy(body);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(a_movement_of_a_body_without_memory_leaves_nothing)
+{
+    mus_context *context = support_context();
+    const mus_body_def def = {sizeof def, 16, 0.1, 0};
+    mus_body *body = people_body(context, "W40", &def);
+    const size_t bytes = mus_context_bytes(context);
+    mus_move *move = NULL;
+    mus_status status = MUS_ERR_MEMORY;
+    for (int64_t n = 0; status == MUS_ERR_MEMORY; n++) {
+        support_fail_after(n, false);
+        status = mus_body_move(body, "sit_down", 0.01, &move);
+        support_fail_never();
+        ck_assert((status == MUS_OK) == (move != NULL));
+        mus_move_destroy(move);
+        ck_assert_uint_eq(mus_context_bytes(context), bytes);
+        ck_assert(status == MUS_ERR_MEMORY || n >= 10);
+    }
+    ck_assert_int_eq(status, MUS_OK);
+    ck_assert_int_eq(mus_body_move(body, "fly", 0.01, &move), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_body_move(body, NULL, 0.01, &move), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_body_move(NULL, "walk", 0.01, &move), MUS_ERR_ARG);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* poses do not add up, and a posed body is made of the same bytes from whatever it is posed from */
 START_TEST(a_pose_starts_from_the_rest_pose)
 {
@@ -433,6 +496,8 @@ Suite *mus_suite_body_pose(void)
     tcase_add_test(tests, depth_and_skin_go_together);
     tcase_add_test(tests, an_angle_beyond_its_limit_is_refused_by_joint_value_and_limit);
     tcase_add_test(tests, named_poses_fit_bodies);
+    tcase_add_test(tests, movements_fit_bodies);
+    tcase_add_test(tests, a_movement_of_a_body_without_memory_leaves_nothing);
     tcase_add_test(tests, a_pose_starts_from_the_rest_pose);
     tcase_add_test(tests, given_limbs_move_with_the_root);
     tcase_add_test(tests, a_pose_without_memory_leaves_the_body_as_it_was);

@@ -45,6 +45,28 @@ def test_every_girth_asked_is_made_within_a_millimetre(command, root, name):
     assert 0.01 < report["volume_m3"] < 0.2
 
 
+def points_of(path):
+    return [tuple(map(float, line.split()[1:])) for line in path.read_text().splitlines() if line.startswith("v ")]
+
+
+def test_poses_and_movements_are_listed_and_stood_in(command, tape, tmp_path):
+    names = [line.split() for line in command("body", "--poses").stdout.decode().splitlines()]
+    assert {"pose", "move"} == {kind for kind, _ in names} and len(names) > 18
+    standing = tmp_path / "standing.obj"
+    command("body", "--tape", tape, "--obj", standing)
+    tall = max(y for _, y, _ in points_of(standing))
+    for kind, name in [("pose", "sit"), ("pose", "squat"), ("move", "walk")]:
+        command("body", "--tape", tape, f"--{kind}", name, "--obj", tmp_path / f"{name}.obj")
+        heights = [y for _, y, _ in points_of(tmp_path / f"{name}.obj")]
+        assert len(heights) == len(points_of(standing))
+        assert min(heights) == pytest.approx(0.0, abs=0.01)
+        assert max(heights) < tall - (0.25 if kind == "pose" else 0.0)
+    command("body", "--tape", tape, "--move", "walk", "--at", "0.5", "--obj", tmp_path / "later.obj")
+    assert points_of(tmp_path / "later.obj") != points_of(tmp_path / "walk.obj")
+    assert b"fly" in command("body", "--tape", tape, "--pose", "fly", code=2).stderr
+    command("body", "--tape", tape, "--pose", "sit", "--move", "walk", code=2)
+
+
 def test_a_body_takes_less_than_50_ms(command, tape):
     assert min(json.loads(command("body", "--tape", tape, "--json").stdout)["seconds"] for _ in range(5)) < 0.05
 

@@ -217,7 +217,7 @@ START_TEST(times_of_a_movement_that_are_not_finite_are_refused)
 END_TEST
 
 
-/* X23: mus_body_clear_arms */
+/* X23: mus_body_clear_arms, mus_body_move */
 START_TEST(a_gap_that_is_not_finite_is_refused)
 {
     mus_context *context = support_context();
@@ -230,8 +230,12 @@ START_TEST(a_gap_that_is_not_finite_is_refused)
     ck_assert_int_eq(mus_body_rest_pose(body, &pose), MUS_OK);
     before = pose;
     for (int v = 0; v < 3; v++) {
+        mus_move *move = NULL;
         ck_assert_int_eq(mus_body_clear_arms(body, &pose, refused_values[v]), MUS_ERR_ARG);
         ck_assert_ptr_nonnull(strstr(mus_context_error(context), "gap"));
+        ck_assert_int_eq(mus_body_move(body, "walk", refused_values[v], &move), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "gap"));
+        ck_assert_ptr_null(move);
     }
     ck_assert_int_eq(memcmp(&pose, &before, sizeof pose), 0);
     mus_body_destroy(body);

@@ -40,6 +40,8 @@ def test_a_posed_body_keeps_its_measures():
     assert sitting.landmark("crown")[1] < rest[1] - 0.3
     assert min(row[1] for row in sitting.vertices.tolist()) == pytest.approx(0.0, abs=2e-3)
     assert sitting.stance["hip_left"] == muslin.Pose("sit")["hip_left"]
+    walk = body.move("walk")
+    assert walk.period == pytest.approx(muslin.Move("walk", stature=1.68).period)
     assert body.stance["shoulder_left"] == body.rest_pose["shoulder_left"]
 
 

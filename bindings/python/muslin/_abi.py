@@ -432,6 +432,7 @@ FUNCTIONS = {
     "mus_move_count": ("core", c_int32, []),
     "mus_move_name": ("core", c_char_p, [c_int32]),
     "mus_move_named": ("core", c_int32, [POINTER(mus_context), c_char_p, c_double, POINTER(POINTER(mus_move))]),
+    "mus_body_move": ("core", c_int32, [POINTER(mus_body), c_char_p, c_double, POINTER(POINTER(mus_move))]),
     "mus_move_period": ("core", c_double, [POINTER(mus_move)]),
     "mus_move_duration": ("core", c_double, [POINTER(mus_move)]),
     "mus_move_at": ("core", c_int32, [POINTER(mus_move), c_double, POINTER(mus_pose)]),

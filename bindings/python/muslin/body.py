@@ -6,7 +6,7 @@ from . import _abi
 from ._library import lib
 from .arrays import doubles, result, view
 from .context import Context, Object, create, fill, make_def
-from .pose import Pose
+from .pose import Move, Pose
 from .tape import measures
 
 _LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars(_abi).items()
@@ -72,6 +72,11 @@ class Body(Object):
         self.do("clear_arms", ctypes.byref(pose.struct), gap)
         self.do("ground", ctypes.byref(pose.struct))
         return pose
+
+    def move(self, name, gap=0.012):
+        """A named Move fitted to the body: feet on the floor, arms `gap` [m] off its sides."""
+        return Move(name, _handle=create(self.context, "move", "mus_body_move", self.handle, name.encode(), gap),
+                    context=self.context)
 
     @property
     def vertices(self):

@@ -69,9 +69,11 @@ class Move(Object):
 
     _kind = "move"
 
-    def __init__(self, name, poses=None, period=0.0, stature=1.7, context=None):
+    def __init__(self, name, poses=None, period=0.0, stature=1.7, context=None, _handle=None):
         context = context or Context.of_thread()
-        if poses is None:
+        if _handle is not None:
+            handle = _handle
+        elif poses is None:
             handle = create(context, "move", "mus_move_named", context.handle, name.encode(), stature)
         else:
             times = (ctypes.c_double * len(name))(*name)

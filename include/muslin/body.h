@@ -18,26 +18,6 @@ extern "C" {
 
 typedef struct mus_body mus_body;
 
-/** Options of a body. */
-typedef struct mus_body_def {
-    size_t size;
-    int32_t samples;     /* samples round each contour of the surface, default 96, 16..512, multiple of 4 */
-    double ring_spacing; /* between rings of the surface along a limb [m], default 0.01, 0.001..0.1 */
-    int32_t ellipse;     /* nonzero: true ellipses (paper eq. 6) in place of superellipses, default 0 */
-} mus_body_def;
-
-MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
-
-/**
- * Make a body.
- *
- * `tape` is completed on a copy when it is not complete yet, and not kept. `def` may be NULL.
- * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_TAPE (contradictory measures);
- *          MUS_ERR_BODY (contours that cross; the message names the two measures)
- * Cost:    a few milliseconds
- */
-MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
-
 /** A limb given by its contours on a straight axis: superellipses |a/A|^n + |b/B|^n = 1, or outlines. */
 typedef struct mus_limb {
     size_t size;
@@ -52,7 +32,47 @@ typedef struct mus_limb {
     int32_t corners;       /* 0: superellipses; 3 to 1024: each contour is a polygon of that many corners, */
     const double *outline; /* (contours x corners x 2) a, b [m], from side towards b, seen from the centre at angles
                               that ascend all round (star-shaped); A, B and n are then not read */
+    int32_t joint;         /* of one added to a body of a tape: it moves with this MUS_JOINT_*, default 0 (the root) */
 } mus_limb;
+
+/* What a body of a tape can be made without (mus_body_def.without, added up): a limb or what is beyond a joint. */
+#define MUS_WITHOUT_ARM_LEFT 0x001
+#define MUS_WITHOUT_ARM_RIGHT 0x002
+#define MUS_WITHOUT_FOREARM_LEFT 0x004 /* from the elbow on */
+#define MUS_WITHOUT_FOREARM_RIGHT 0x008
+#define MUS_WITHOUT_HAND_LEFT 0x010
+#define MUS_WITHOUT_HAND_RIGHT 0x020
+#define MUS_WITHOUT_LEG_LEFT 0x040
+#define MUS_WITHOUT_LEG_RIGHT 0x080
+#define MUS_WITHOUT_SHANK_LEFT 0x100 /* from the knee down */
+#define MUS_WITHOUT_SHANK_RIGHT 0x200
+#define MUS_WITHOUT_FOOT_LEFT 0x400 /* from the ankle down */
+#define MUS_WITHOUT_FOOT_RIGHT 0x800
+#define MUS_WITHOUT_ALL 0xfff
+
+/** Options of a body. */
+typedef struct mus_body_def {
+    size_t size;
+    int32_t samples;      /* samples round each contour of the surface, default 96, 16..512, multiple of 4 */
+    double ring_spacing;  /* between rings of the surface along a limb [m], default 0.01, 0.001..0.1 */
+    int32_t ellipse;      /* nonzero: true ellipses (paper eq. 6) in place of superellipses, default 0 */
+    int32_t without;      /* MUS_WITHOUT_* of a body of a tape, default 0: a whole one */
+    int32_t limbs;        /* added to a body of a tape, 0 to 48, default 0: */
+    const mus_limb *limb; /* (limbs) a prosthesis, a belly, a hump; copied. They count in contact, surface and volume,
+                             not in the measures */
+} mus_body_def;
+
+MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
+
+/**
+ * Make a body.
+ *
+ * `tape` is completed on a copy when it is not complete yet, and not kept. `def` may be NULL.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_TAPE (contradictory measures);
+ *          MUS_ERR_BODY (contours that cross; the message names the two measures)
+ * Cost:    a few milliseconds
+ */
+MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
 
 MUS_API void mus_limb_init(mus_limb *limb, size_t size);
 
@@ -70,7 +90,8 @@ MUS_API mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, co
 
 MUS_API void mus_body_destroy(mus_body *body);
 
-/** Limbs: number, and name ("torso", "arm_left", "leg_right", ...), NULL outside the range. */
+/** Limbs: number, and name ("torso", "arm_left", "leg_right", ...), NULL outside the range. A body of a tape has seven,
+ * then those added; one that it was made without has no contours, vertices and triangles. */
 MUS_API int32_t mus_body_limb_count(const mus_body *body);
 MUS_API const char *mus_body_limb_name(const mus_body *body, int32_t limb);
 
@@ -124,7 +145,8 @@ MUS_API mus_status mus_body_contour_points(const mus_body *body, int32_t limb, i
 #define MUS_LANDMARK_ANKLE_RIGHT 11
 #define MUS_LANDMARK_COUNT 12
 
-/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG (also: a body of given limbs has none). */
+/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG (also: a body of given limbs has none, and wrists and
+ * ankles that a body was made without). */
 MUS_API mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out);
 
 /**

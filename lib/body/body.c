@@ -22,11 +22,14 @@
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
 #define BODY_CONTOUR_GAP 0.006
 
+/* most limbs added to those of a tape: with its 15 parts no more than a rig has room for */
+#define BODY_ADDED 48
+
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
     if (def == NULL || size < sizeof def->size) return;
-    mus_body_def own = {sizeof own, 96, 0.01, 0};
+    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
     memset(def, 0, size);
     memcpy(def, &own, size < sizeof own ? size : sizeof own);
     def->size = size;
@@ -44,7 +47,27 @@ mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus
                          MUS_BODY_SAMPLES);
     if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "ring_spacing %g m is outside 0.001 to 0.1 m", own->ring_spacing);
+    if (own->without < 0 || own->without > MUS_WITHOUT_ALL)
+        return mus__fail(context, MUS_ERR_ARG, "without %d has bits that are no MUS_WITHOUT_*", (int)own->without);
+    if (own->limbs < 0 || own->limbs > BODY_ADDED || (own->limbs > 0 && own->limb == NULL))
+        return mus__fail(context, MUS_ERR_ARG, "%d limbs are added, expected 0 to %d and theirs", (int)own->limbs,
+                         BODY_ADDED);
     return MUS_OK;
+}
+
+
+/* the limbs that the caller adds, behind those of the tape */
+static mus_status body_add(mus_body *body)
+{
+    mus_status status = MUS_OK;
+    for (int32_t l = 0; l < body->def.limbs && status == MUS_OK; l++) {
+        mus__limb *limb = &body->limb[MUS_LIMB_COUNT + l];
+        status = mus__body_given_limb(body->context, l, &body->def.limb[l], limb);
+        for (int32_t i = 0; body->def.ellipse && i < limb->count; i++) limb->contour[i].n = 2.0;
+    }
+    if (status == MUS_OK) status = mus__body_outlines(body, MUS_LIMB_COUNT, body->def.limbs, body->def.limb);
+    body->def.limb = NULL; /* the caller's */
+    return status;
 }
 
 
@@ -83,6 +106,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     }
     for (int32_t l = MUS_LIMB_TORSO + 1; l < MUS_LIMB_COUNT && status == MUS_OK; l++)
         status = body_fit(body, l, turn, xy, work);
+    if (status == MUS_OK) mus__body_without(body);
     return status;
 }
 
@@ -105,6 +129,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     } else {
         mus__body_turns(n, turn);
         status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
+        if (status == MUS_OK) status = body_add(body);
         if (status == MUS_OK) status = mus__body_surface_of(body, turn);
         if (status == MUS_OK) status = mus__body_remeasure(body);
     }
@@ -142,7 +167,7 @@ mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus
     }
     body->context = context;
     body->def = own;
-    status = mus__body_limbs(body, MUS_LIMB_COUNT);
+    status = mus__body_limbs(body, MUS_LIMB_COUNT + own.limbs);
     if (status == MUS_OK) status = body_make(body, tape);
     if (status != MUS_OK) goto fail;
     mus_tape_destroy(copy);
@@ -260,14 +285,14 @@ mus_status mus_body_limb_range(const mus_body *body, int32_t limb, int32_t *rang
 int32_t mus_body_contour_count(const mus_body *body, int32_t limb)
 {
     const mus__limb *found = body_limb(body, limb);
-    return found != NULL ? found->count : 0;
+    return found != NULL && !found->gone ? found->count : 0;
 }
 
 
 const char *mus_body_contour_name(const mus_body *body, int32_t limb, int32_t contour)
 {
     const mus__limb *found = body_limb(body, limb);
-    return found != NULL && contour >= 0 && contour < found->count ? found->contour[contour].name : NULL;
+    return contour >= 0 && contour < mus_body_contour_count(body, limb) ? found->contour[contour].name : NULL;
 }
 
 
@@ -275,7 +300,7 @@ mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t c
 {
     if (body == NULL) return MUS_ERR_ARG;
     const mus__limb *found = body_limb(body, limb);
-    if (found == NULL || contour < 0 || contour >= found->count)
+    if (found == NULL || contour < 0 || contour >= mus_body_contour_count(body, limb))
         return mus__fail(body->context, MUS_ERR_ARG, "limb %d has no contour %d", (int)limb, (int)contour);
     if (n < 3 || out == NULL)
         return mus__fail(body->context, MUS_ERR_ARG, "%d points of a contour: at least 3, and room for them", (int)n);
@@ -301,6 +326,7 @@ static void body_carry(const mus_body *body, int32_t limb, double s, double *x)
 {
     mus__frame frame;
     if (body->frame == NULL) return;
+    if (body->limb[limb].gone) limb = MUS_LIMB_TORSO, s = x[1];
     mus__rig_ring(&body->rig, body->frame, limb, s, &frame);
     mus__frame_point(&frame, x, x);
 }
@@ -321,6 +347,15 @@ static void body_contour_point(const mus_body *body, int32_t l, const char *name
         s = c->s;
     }
     body_carry(body, l, s, out);
+}
+
+
+/* has the body that contour, or was it made without it (or without that limb)? */
+static bool body_has(const mus_body *body, int32_t l, const char *name)
+{
+    for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++)
+        if (strcmp(body->limb[l].contour[i].name, name) == 0) return true;
+    return false;
 }
 
 
@@ -359,16 +394,19 @@ mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out
         return MUS_OK;
     case MUS_LANDMARK_WRIST_LEFT:
     case MUS_LANDMARK_WRIST_RIGHT:
+        if (!body_has(body, MUS_LIMB_ARM_LEFT + right, "wrist")) break;
         body_contour_point(body, MUS_LIMB_ARM_LEFT + right, "wrist", 0.0, false, out);
         return MUS_OK;
     case MUS_LANDMARK_ANKLE_LEFT:
     case MUS_LANDMARK_ANKLE_RIGHT:
+        if (!body_has(body, MUS_LIMB_LEG_LEFT + right, "ankle")) break;
         body_contour_point(body, MUS_LIMB_LEG_LEFT + right, "ankle", bone->ankle, false, out);
         return MUS_OK;
     default:
         return mus__fail(body->context, MUS_ERR_ARG, "landmark %d is not one of 0 to %d", (int)landmark,
                          MUS_LANDMARK_COUNT - 1);
     }
+    return mus__fail(body->context, MUS_ERR_ARG, "the body was made without landmark %d", (int)landmark);
 }
 
 

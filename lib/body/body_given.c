@@ -100,13 +100,16 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
 }
 
 
-static mus_status given_limb(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
+mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
 {
     if (from->size != sizeof *from)
         return mus__fail(context, MUS_ERR_VERSION, "limb %d: size unknown; use mus_limb_init", (int)l);
     if (from->contours < 2 || from->contours > MUS_LIMB_CONTOURS || from->contour == NULL)
         return mus__fail(context, MUS_ERR_ARG, "limb %d: %d contours, expected 2 to %d", (int)l, (int)from->contours,
                          MUS_LIMB_CONTOURS);
+    if (from->joint < 0 || from->joint >= MUS_JOINT_COUNT)
+        return mus__fail(context, MUS_ERR_ARG, "limb %d: joint %d is not one of 0 to %d", (int)l, (int)from->joint,
+                         MUS_JOINT_COUNT - 1);
     mus_status status = given_frame(context, l, from, to);
     if (status == MUS_OK) status = given_contours(context, l, from, to);
     if (status != MUS_OK) return status;
@@ -115,6 +118,7 @@ static mus_status given_limb(mus_context *context, int32_t l, const mus_limb *fr
     const char *name = from->name != NULL ? from->name : "limb";
     for (int i = 0; i + 1 < MUS_LIMB_NAME_BYTES && name[i] != '\0'; i++) to->own_name[i] = name[i];
     to->name = to->own_name;
+    to->joint = from->joint;
     to->end[0] = to->end[1] = MUS_NONE;
     return MUS_OK;
 }
@@ -126,12 +130,12 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
     mus_status status = mus__body_limbs(body, limbs);
     double spacing = 0.25 * body->def.ring_spacing;
     for (int32_t l = 0; l < limbs && status == MUS_OK; l++) {
-        status = given_limb(body->context, l, &limb[l], &body->limb[l]);
+        status = mus__body_given_limb(body->context, l, &limb[l], &body->limb[l]);
         spacing = fmin(spacing, (limb[l].pole[1] - limb[l].pole[0]) / GIVEN_RINGS);
         for (int32_t i = 0; body->def.ellipse && i < body->limb[l].count; i++) body->limb[l].contour[i].n = 2.0;
     }
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->asked[m] = body->made[m] = NAN;
-    if (status == MUS_OK) status = mus__body_outlines(body, limbs, limb);
+    if (status == MUS_OK) status = mus__body_outlines(body, 0, limbs, limb);
     if (status != MUS_OK) return status;
 
     double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);
@@ -155,6 +159,8 @@ mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_
     mus_body_def own;
     mus_status status = mus__body_read_def(context, def, &own);
     if (status != MUS_OK) return status;
+    if (own.without != 0 || own.limbs != 0)
+        return mus__fail(context, MUS_ERR_ARG, "without and limbs of a def are for a body of a tape");
 
     mus_body *body = mus__new(context, 1, sizeof *body);
     if (body == NULL) return mus__fail_memory(context, "a body");

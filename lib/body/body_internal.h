@@ -62,6 +62,9 @@ typedef struct mus__limb {
     double pole[2];                  /* s of the closing points below and above */
     int32_t end[2];                  /* measures that set them, or MUS_NONE */
     double wall, wall_side;          /* as the contours', for all in-between contours too */
+    bool gone;                       /* the body was made without it: no part, no surface; contours for the joints */
+    int32_t cuts;                    /* joints within it that it is cut at: parts but one */
+    int32_t joint;                   /* that a limb added to a body of a tape moves with */
     int32_t first_vertex, vertices, first_triangle, triangles, first_ring, rings;
 } mus__limb;
 
@@ -118,12 +121,20 @@ double mus__contour_tape(const mus__contour *contour, int32_t n, const double *t
 /* scale a contour until that girth is `girth` */
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
 
+/* ---- body_without.c, body_given.c: what is left out of a body of a tape, and what is added ---- */
+
+/* cut the fitted limbs to what body->def.without leaves */
+void mus__body_without(mus_body *body);
+/* read a given limb, the l-th of a list, and its outlines' places */
+mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to);
+
 /* ---- body_outline.c: contours given by their corners ---- */
 
 /* radius of an outline in the direction (cos, sin): along the ray to the chord between two corners */
 double mus__outline_radius(const mus__contour *contour, double cosine, double sine);
-/* read the outlines of all given limbs into body->outline, after their centres; refuses what is not star-shaped */
-mus_status mus__body_outlines(mus_body *body, int32_t limbs, const mus_limb *limb);
+/* read the outlines of given limbs, which stand in the body from limb `first` on, into body->outline, after their
+ * centres; refuses what is not star-shaped */
+mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, const mus_limb *limb);
 
 /* ---- body_torso.c, body_limbs.c: the contours of each limb from the tape; shapes only, not yet fitted ---- */
 

@@ -40,6 +40,7 @@ mus_status mus__body_surface_of(mus_body *body, const double *turn)
     if (stack == NULL) return mus__fail_memory(body->context, "the stacks of a body");
     mus_status status = MUS_OK;
     for (int32_t l = 0; l < body->limb_count && status == MUS_OK; l++) {
+        if (body->limb[l].gone) continue;
         status = mus__stack_make(body->context, &body->limb[l], body->def.samples, turn, &stack[l]);
         if (status == MUS_OK) mus__stack_limit(&stack[l], &body->limb[l]);
     }
@@ -54,6 +55,7 @@ mus_status mus__body_surface_of(mus_body *body, const double *turn)
 static mus_status make_fields(mus_body *body, int32_t l, const double *turn, double spacing)
 {
     mus__stack stack;
+    if (body->limb[l].gone) return MUS_OK;
     mus_status status = mus__stack_make(body->context, &body->limb[l], MUS_BODY_ANGLES, turn, &stack);
     if (status != MUS_OK) return status;
     while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {

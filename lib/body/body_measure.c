@@ -64,7 +64,7 @@ mus_status mus__body_remeasure(mus_body *body)
     /* girths: of two sides the one further from what was asked */
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->made[m] = NAN;
     for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
-        for (int32_t i = 0; i < body->limb[l].count; i++) {
+        for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
             int32_t m = body->limb[l].contour[i].girth;
             if (m == MUS_NONE) continue;
             double girth = measure_girth(body, &body->limb[l], body->limb[l].contour[i].ring, xy, work);
@@ -77,7 +77,6 @@ mus_status mus__body_remeasure(mus_body *body)
     /* heights: end points and rings of the torso, length of the foot */
     const mus__limb *torso = &body->limb[MUS_LIMB_TORSO], *foot = &body->limb[MUS_LIMB_FOOT_LEFT];
     const double *x = body->vertices + 3 * (ptrdiff_t)torso->first_vertex;
-    const double *y = body->vertices + 3 * (ptrdiff_t)foot->first_vertex;
     double waist = measure_height(body, "waist");
     body->made[MUS_MEASURE_INLEG] = x[1];
     body->made[MUS_MEASURE_STATURE] = x[3 * ((ptrdiff_t)torso->vertices - 1) + 1];
@@ -86,6 +85,9 @@ mus_status mus__body_remeasure(mus_body *body)
     body->made[MUS_MEASURE_BUST_HEIGHT] = measure_height(body, "bust");
     body->made[MUS_MEASURE_WAIST_TO_HIP] = waist - measure_height(body, "hip");
     body->made[MUS_MEASURE_RISE] = waist - body->made[MUS_MEASURE_INLEG];
+    if (foot->gone) foot = &body->limb[MUS_LIMB_FOOT_RIGHT];
+    if (foot->gone) return MUS_OK;
+    const double *y = body->vertices + 3 * (ptrdiff_t)foot->first_vertex;
     body->made[MUS_MEASURE_FOOT] = y[3 * ((ptrdiff_t)foot->vertices - 1) + 2] - y[2];
     return MUS_OK;
 }

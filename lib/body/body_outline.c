@@ -83,7 +83,7 @@ static mus_status outline_read(mus_context *context, int32_t l, int32_t i, const
 }
 
 
-mus_status mus__body_outlines(mus_body *body, int32_t limbs, const mus_limb *limb)
+mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, const mus_limb *limb)
 {
     int64_t total = 0;
     for (int32_t l = 0; l < limbs; l++) {
@@ -101,7 +101,7 @@ mus_status mus__body_outlines(mus_body *body, int32_t limbs, const mus_limb *lim
     double *corner = body->outline;
     for (int32_t l = 0; l < limbs; l++)
         for (int32_t i = 0; i < limb[l].contours && limb[l].corners > 0; i++) {
-            mus_status status = outline_read(body->context, l, i, &limb[l], &body->limb[l].contour[i], corner);
+            mus_status status = outline_read(body->context, l, i, &limb[l], &body->limb[first + l].contour[i], corner);
             if (status != MUS_OK) return status;
             corner += 3 * (ptrdiff_t)limb[l].corners;
         }

@@ -184,8 +184,8 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
     int32_t rings = 0;
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
-        limb->rings = surface_rings(&stack[l], limb, spacing, NULL);
-        limb->vertices = limb->rings * n + 2;
+        limb->rings = limb->gone ? 0 : surface_rings(&stack[l], limb, spacing, NULL);
+        limb->vertices = limb->gone ? 0 : limb->rings * n + 2;
         limb->triangles = 2 * n * limb->rings;
         limb->first_vertex = body->vertex_count;
         limb->first_triangle = body->triangle_count;
@@ -207,6 +207,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
 
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
+        if (limb->gone) continue;
         double *s = body->ring + limb->first_ring;
         surface_rings(&stack[l], limb, spacing, s);
         surface_vertices(&stack[l], limb, s, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);

@@ -173,11 +173,12 @@ static void rig_middle(const mus__limb *limb, double s, double *out)
 }
 
 
-/* cut a limb at `cuts` joints (s ascending) into parts that move with joint[0 .. cuts] */
+/* cut a limb at `cuts` joints (s ascending) into parts that move with joint[0 .. cuts]; nothing of one left out */
 static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double *s, const int32_t *joint, mus__rig *out)
 {
     const mus__limb *limb = &body->limb[l];
     mus__part *part = &out->part[out->parts];
+    if (limb->gone) return;
     for (int32_t k = 0; k <= cuts; k++) {
         part[k] = (mus__part){.limb = l, .joint = joint[k]};
         part[k].end[0] = k == 0 ? limb->contour[0].s : s[k - 1];
@@ -225,13 +226,18 @@ static void rig_parts(const mus_body *body, mus__rig *out)
     rig_cut(body, MUS_LIMB_TORSO, 2, (double[]){bone->waist, bone->neck_side},
             (int32_t[]){MUS_JOINT_ROOT, MUS_JOINT_LUMBAR, MUS_JOINT_NECK}, out);
     for (int32_t r = 0; r < 2; r++)
-        rig_cut(body, MUS_LIMB_ARM_LEFT + r, 2, (double[]){0.53 * bone->arm_length, bone->arm_length},
+        rig_cut(body, MUS_LIMB_ARM_LEFT + r, body->limb[MUS_LIMB_ARM_LEFT + r].cuts,
+                (double[]){0.53 * bone->arm_length, bone->arm_length},
                 (int32_t[]){MUS_JOINT_SHOULDER_LEFT + r, MUS_JOINT_ELBOW_LEFT + r, MUS_JOINT_WRIST_LEFT + r}, out);
-    for (int32_t r = 0; r < 2; r++)
-        rig_cut(body, MUS_LIMB_LEG_LEFT + r, 1, (double[]){bone->knee},
-                (int32_t[]){MUS_JOINT_KNEE_LEFT + r, MUS_JOINT_HIP_LEFT + r}, out);
+    for (int32_t r = 0; r < 2; r++) {
+        /* a leg that ends at the knee is the thigh alone */
+        const int32_t cuts = body->limb[MUS_LIMB_LEG_LEFT + r].cuts;
+        const int32_t joint[2] = {MUS_JOINT_KNEE_LEFT + r, MUS_JOINT_HIP_LEFT + r};
+        rig_cut(body, MUS_LIMB_LEG_LEFT + r, cuts, (double[]){bone->knee}, joint + 1 - cuts, out);
+    }
     for (int32_t r = 0; r < 2; r++)
         rig_cut(body, MUS_LIMB_FOOT_LEFT + r, 0, NULL, (int32_t[]){MUS_JOINT_ANKLE_LEFT + r}, out);
+    for (int32_t l = MUS_LIMB_COUNT; l < body->limb_count; l++) rig_cut(body, l, 0, NULL, &body->limb[l].joint, out);
 }
 
 

@@ -237,6 +237,7 @@ static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l)
     const mus__limb *limb = &body->limb[l];
     int32_t n = body->def.samples;
     at->limb = l;
+    if (limb->gone) return;
     for (int32_t ring = -1; ring <= limb->rings; ring++) {
         bool end = ring < 0 || ring == limb->rings;
         int32_t count = end ? 1 : n;

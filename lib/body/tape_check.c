@@ -20,6 +20,10 @@ typedef struct tape_pair {
 #define M(name) MUS_MEASURE_##name
 
 static const tape_pair tape_errors[] = {
+    {M(HIP), M(WAIST), 3.0, 0.0},
+    {M(WAIST), M(HIP), 2.5, 0.0},
+    {M(BUST), M(WAIST), 3.0, 0.0},
+    {M(NECK), M(BUST), 0.9, 0.0},
     {M(UNDERBUST), M(BUST), 1.0, 0.0},
     {M(BUST_SPAN), M(BUST), 0.5, 0.0},
     {M(SHOULDER), M(STATURE), 1.0 / 6, 0.0},
@@ -71,13 +75,62 @@ static bool tape_breaks(const mus_tape *tape, const tape_pair *pair, bool below)
 }
 
 
-/* "bust of 92.0 cm is too large against underbust of 99.0 cm" */
+/* "underbust of 99.0 cm is too large against bust of 92.0 cm, by 7.0 cm" */
 static void tape_sentence(const mus_tape *tape, const tape_pair *pair, bool below, char *out, size_t bytes)
 {
-    char x[MUS_TAPE_TEXT_BYTES], y[MUS_TAPE_TEXT_BYTES];
-    snprintf(out, bytes, "%s of %s is too %s against %s of %s", mus_measure_name(pair->x),
+    char x[MUS_TAPE_TEXT_BYTES], y[MUS_TAPE_TEXT_BYTES], by[MUS_TAPE_TEXT_BYTES];
+    double off = tape->value[pair->x] - (pair->factor * tape->value[pair->y] + 0.01 * pair->add);
+    snprintf(out, bytes, "%s of %s is too %s against %s of %s, by %s", mus_measure_name(pair->x),
              mus__tape_text(pair->x, tape->value[pair->x], x), below ? "small" : "large", mus_measure_name(pair->y),
-             mus__tape_text(pair->y, tape->value[pair->y], y));
+             mus__tape_text(pair->y, tape->value[pair->y], y), mus__tape_text(pair->x, fabs(off), by));
+}
+
+
+static bool tape_given(const mus_tape *tape, int32_t measure)
+{
+    return tape->source[measure] == MUS_SOURCE_GIVEN;
+}
+
+
+/* "; inches taken for cm: 92.7 cm?" where that would bring a value within `slack` of what is expected, or "" */
+static const char *tape_slip(int32_t measure, double value, double expected, double slack, char *out, size_t bytes)
+{
+    const double inch = 2.54 * value, twice = 2.0 * value;
+    const bool girth = measure != MUS_MEASURE_STATURE;
+    const bool half = girth && fabs(twice - expected) < fabs(inch - expected);
+    const double likely = half ? twice : inch;
+    char text[MUS_TAPE_TEXT_BYTES];
+    out[0] = '\0';
+    if (fabs(likely - expected) < slack)
+        snprintf(out, bytes, "; %s: %s?", half ? "half the girth" : "inches taken for cm",
+                 mus__tape_text(measure, likely, text));
+    return out;
+}
+
+
+/* what the other three of stature, bust, waist and hip let expect of one of them: adults of ANSUR II, and the tables */
+static double tape_expected(const double *v, int32_t measure)
+{
+    const double b = v[MUS_MEASURE_BUST], w = v[MUS_MEASURE_WAIST], s = v[MUS_MEASURE_HIP];
+    if (measure == MUS_MEASURE_STATURE) return 1.85 * (b + w + s) / 3.0;
+    if (measure == MUS_MEASURE_BUST) return 0.5 * (0.94 * s + 1.17 * w);
+    if (measure == MUS_MEASURE_WAIST) return 0.5 * (0.85 * b + 0.80 * s);
+    return 0.5 * (1.06 * b + 1.25 * w);
+}
+
+
+/* inches or half a girth in one of the four measures that all others follow from: the value is below two thirds of what
+ * the other three let expect, and the slip explains it. The measure, or MUS_NONE */
+static int32_t tape_slipped(const mus_tape *tape, char *out, size_t bytes)
+{
+    static const int32_t base[] = {MUS_MEASURE_STATURE, MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
+    for (int i = 0; i < TAPE_COUNT(base); i++) {
+        const double value = tape->value[base[i]], expected = tape_expected(tape->value, base[i]);
+        if (tape->sex == MUS_SEX_CHILD || !tape_given(tape, base[i]) || value > 0.62 * expected) continue;
+        if (*tape_slip(base[i], value, expected, 0.22 * expected, out, bytes) != '\0') return base[i];
+    }
+    out[0] = '\0';
+    return MUS_NONE;
 }
 
 
@@ -88,19 +141,17 @@ static void tape_warn(mus_tape *tape, const char *text)
 }
 
 
-static bool tape_given(const mus_tape *tape, int32_t measure)
-{
-    return tape->source[measure] == MUS_SOURCE_GIVEN;
-}
-
-
 static mus_status tape_check_errors(const mus_tape *tape, const tape_pair *list, int count, bool below)
 {
     char text[MUS_TAPE_WARNING_BYTES];
     for (int i = 0; i < count; i++) {
         if (!tape_breaks(tape, &list[i], below)) continue;
+        char cause[80];
+        const int32_t slipped = tape_slipped(tape, cause, sizeof cause);
         tape_sentence(tape, &list[i], below, text, sizeof text);
-        return mus__fail(tape->context, MUS_ERR_TAPE, "%s", text);
+        if (slipped != list[i].x && slipped != list[i].y) cause[0] = '\0';
+        if (cause[0] == '\0') return mus__fail(tape->context, MUS_ERR_TAPE, "%s", text);
+        return mus__fail(tape->context, MUS_ERR_TAPE, "%s (%s%s)", text, mus_measure_name(slipped), cause);
     }
     return MUS_OK;
 }
@@ -154,12 +205,18 @@ static void tape_check_sums(mus_tape *tape)
 /* given values far from their prediction, with the usual cause where it fits within two deviations */
 static void tape_check_residuals(mus_tape *tape)
 {
+    char cause[80];
+    const int32_t slipped = tape_slipped(tape, cause, sizeof cause);
+    if (slipped != MUS_NONE) {
+        char x[MUS_TAPE_TEXT_BYTES], text[MUS_TAPE_WARNING_BYTES];
+        snprintf(text, sizeof text, "%s of %s is small for the others of stature, bust, waist and hip%s",
+                 mus_measure_name(slipped), mus__tape_text(slipped, tape->value[slipped], x), cause);
+        tape_warn(tape, text);
+    }
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) {
         double deviation, predicted = mus__tape_predict(tape, m, &deviation), value = tape->value[m];
         if (!tape_given(tape, m) || deviation <= 0.0 || fabs(value - predicted) <= 4.0 * deviation) continue;
-        const char *cause = "";
-        if (fabs(2.54 * value - predicted) < 2.0 * deviation) cause = "; inches taken for cm?";
-        if (fabs(2.0 * value - predicted) < 2.0 * deviation) cause = "; half the girth?";
+        tape_slip(m, value, predicted, 2.0 * deviation, cause, sizeof cause);
         char x[MUS_TAPE_TEXT_BYTES], y[MUS_TAPE_TEXT_BYTES], text[MUS_TAPE_WARNING_BYTES];
         snprintf(text, sizeof text, "%s of %s is far from the %s that stature and girths predict%s",
                  mus_measure_name(m), mus__tape_text(m, value, x), mus__tape_text(m, predicted, y), cause);

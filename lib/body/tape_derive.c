@@ -192,8 +192,8 @@ static void tape_derive_girths(mus_tape *tape)
 }
 
 
-/* heights of the nape and the bust: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth. The hip lies
- * 0.223 (women) or 0.177 (men) of a measured rise above the crotch, to 1.7 and 2.0 cm in ANSUR II */
+/* heights of the nape and the bust: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth. The hip
+ * lies 0.223 (women) or 0.177 (men) of a measured rise above the crotch, to 1.7 and 2.0 cm in ANSUR II */
 static void tape_derive_heights(mus_tape *tape)
 {
     double *v = tape->value;
@@ -223,9 +223,17 @@ void mus__tape_derive(mus_tape *tape)
 
     /* a child's girths from its stature */
     static const int32_t girths[] = {MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
-    if (tape->sex == MUS_SEX_CHILD)
+    if (tape->sex == MUS_SEX_CHILD) {
+        /* one that was not measured goes with those that were: a child slimmer than the table is so all round */
+        const double stature = tape->value[MUS_MEASURE_STATURE];
+        double build = 0.0;
+        int given = 0;
         for (int i = 0; i < 3; i++)
-            tape_put(tape, girths[i], mus__tape_child_girth(tape->value[MUS_MEASURE_STATURE], girths[i]));
+            if (tape->held[girths[i]])
+                build += tape->value[girths[i]] / mus__tape_child_girth(stature, girths[i]), given++;
+        build = given > 0 ? build / given : 1.0;
+        for (int i = 0; i < 3; i++) tape_put(tape, girths[i], build * mus__tape_child_girth(stature, girths[i]));
+    }
 
     /* everything with a line of its own; the leg heights hang together and come by themselves */
     for (int i = 0; i < TAPE_RULE_COUNT; i++) {

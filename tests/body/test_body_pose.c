@@ -83,7 +83,7 @@ START_TEST(girths_are_those_of_the_rest_pose)
 {
     enum { N = 24 };
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 16, 0.05, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.05};
     mus_body *body = people_body(context, "W40", &def);
     uint64_t seed = 41;
     for (int32_t i = 0; i < mus_pose_count() + 20; i++) {
@@ -132,7 +132,7 @@ static void turn_about(int axis, double angle, double *x)
 START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
 {
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 16, 0.05, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.05};
     mus_body *body = people_body(context, "M50", &def);
     const mus__rig *rig = mus__body_rig(body);
     uint64_t seed = 43;
@@ -240,7 +240,7 @@ END_TEST
 START_TEST(an_angle_beyond_its_limit_is_refused_by_joint_value_and_limit)
 {
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 16, 0.1, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.1};
     mus_body *body = people_body(context, "C116", &def), *copy = body;
     const size_t bytes = mus_context_bytes(context);
     mus_pose pose;
@@ -293,7 +293,7 @@ START_TEST(named_poses_fit_bodies)
     ck_assert_ptr_null(mus_pose_name(-1));
     ck_assert_ptr_null(mus_pose_name(mus_pose_count()));
     for (int i = 0; i < 7; i++) {
-        const mus_body_def def = {sizeof def, 32, 0.02, 0};
+        const mus_body_def def = {.size = sizeof def, .samples = 32, .ring_spacing = 0.02};
         mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t q = 0; q < mus_pose_count(); q++) {
             mus_pose pose, named;
@@ -406,7 +406,7 @@ END_TEST
 START_TEST(a_pose_starts_from_the_rest_pose)
 {
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 32, 0.05, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 32, .ring_spacing = 0.05};
     mus_body *body = people_body(context, "M50", &def);
     mus_pose sit, step;
     ck_assert_int_eq(mus_pose_named(context, "sit", &sit), MUS_OK);
@@ -460,7 +460,7 @@ END_TEST
 START_TEST(a_pose_without_memory_leaves_the_body_as_it_was)
 {
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 16, 0.1, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.1};
     mus_body *body = people_body(context, "W40", &def);
     mus_pose pose;
     ck_assert_int_eq(mus_pose_named(context, "sit", &pose), MUS_OK);

@@ -11,8 +11,8 @@
  *     nape_height   cervicale_h
  *
  * The waist's height is 0.622 of the stature (women), 0.615 (men), the mean of clothing tables: the survey has the
- * navel's alone, and its crotch is pressed up, so inside leg and rise do not sum to it. Weight over 1.03 kg/l is the volume. Breadths and depths are
- * not asked: they are what the made body is compared with.
+ * navel's alone, and its crotch is pressed up, so inside leg and rise do not sum to it. Weight over 1.03 kg/l is the
+ * volume. Breadths and depths are not asked: they are what the made body is compared with.
  */
 #ifndef MUS_TESTS_PEOPLE_ANSUR_H
 #define MUS_TESTS_PEOPLE_ANSUR_H

@@ -228,14 +228,15 @@ class mus_context_def(Structure):
                 ("log_user", c_void_p)]
 
 
-class mus_body_def(Structure):
-    _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32)]
-
-
 class mus_limb(Structure):
     _fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
                 ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double)),
-                ("corners", c_int32), ("outline", POINTER(c_double))]
+                ("corners", c_int32), ("outline", POINTER(c_double)), ("joint", c_int32)]
+
+
+class mus_body_def(Structure):
+    _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32),
+                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb))]
 
 
 class mus_pose(Structure):

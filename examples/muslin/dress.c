@@ -145,7 +145,6 @@ static void write_motion(const motion *m, json *j)
     json_int(j, "steps", m->steps);
     json_int(j, "step_parts", m->step_parts);
     json_number(j, "max_penetration_mm", 1000.0 * m->max_depth);
-    json_number(j, "max_press_mm", 1000.0 * m->max_press);
     json_number(j, "max_jump_mm", 1000.0 * m->max_jump);
     json_number(j, "slid_mm", 1000.0 * m->slid);
     json_number(j, "seconds", m->seconds);
@@ -185,7 +184,6 @@ static void describe(const dress *d, json *j)
         json_int(j, "seams_closed", r.seams_closed);
         json_number(j, "max_seam_gap_mm", 1000.0 * r.max_seam_gap);
         json_number(j, "max_penetration_mm", 1000.0 * r.max_penetration);
-        json_number(j, "max_press_mm", 1000.0 * r.max_press);
         json_number(j, "max_strain", r.max_strain);
         json_number(j, "residual", r.residual);
         json_number(j, "max_speed_m_s", r.max_speed);

@@ -90,7 +90,6 @@ static mus_status step_frame(const dressed *d, motion *m, const mus_drape_foreca
     status = mus_drape_report_get(d->drape, &r);
     if (status != MUS_OK) return status;
     if (r.max_penetration > m->max_depth) m->max_depth = r.max_penetration;
-    if (r.max_press > m->max_press) m->max_press = r.max_press;
     if (r.step_parts > m->step_parts) m->step_parts = r.step_parts;
     const int32_t n = mus_drape_node_count(d->drape);
     const double *x = mus_drape_positions(d->drape);
@@ -283,7 +282,7 @@ static int lead_frames(lead *q, mus_status *status)
     *status = mus_move_at(q->move, 0.0, &pose);
     if (*status == MUS_OK) *status = ease(d, &before, &q->plan, &pose, q->last);
     if (*status == MUS_OK) *status = height_on_body(d, &start);
-    m->max_depth = before.max_depth, m->max_press = before.max_press;
+    m->max_depth = before.max_depth;
     int code = EXIT_DONE;
     for (int32_t k = 0; k < (int32_t)m->count && *status == MUS_OK && code == EXIT_DONE; k++) {
         if (k > 0) {

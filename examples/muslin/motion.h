@@ -16,7 +16,6 @@ typedef struct motion {
     int64_t steps;      /* of all frames */
     int32_t step_parts; /* a step was divided in at most */
     double max_depth;   /* deepest node below the skin in any frame [m] */
-    double max_press;   /* how far flesh gave way in any frame [m] */
     double max_jump;    /* farthest way of a node between two frames [m] */
     double slid;        /* how far the middle of the cloth has moved along the body, up positive [m] */
     double seconds;     /* CPU-bound wall time of the steps */

@@ -261,8 +261,7 @@ typedef struct mus_drape_report {
     int32_t worst_seam;         /* the widest open seam, MUS_NONE without seams */
     int32_t settled;            /* nonzero when the last settle got there */
     double max_seam_gap;        /* [m] */
-    double max_penetration;     /* deepest node below the skin [m], 0 if none; where two parts of the body press on each
-                                 * other, below the surface midway between them */
+    double max_penetration;     /* deepest node below the skin [m], 0 if none */
     double max_strain;          /* largest engineering strain of a stretch spring (structural or border) */
     double residual;            /* rms over nodes of residual force over node weight, at the end of the last settle or,
                                  * when the cloth was moved since, here */
@@ -278,8 +277,6 @@ typedef struct mus_drape_report {
     int32_t step_parts;         /* that the last mus_drape_step divided its steps in at most, 1 as a rule */
     double rest_distance;       /* what the last settle expects its farthest node still to go [m] */
     double contact_impulse[3];  /* that the body gave the cloth since create [N s]: take differences over steps */
-    double max_press;           /* how far flesh gives way for a node between two parts that press on each other,
-                                 * 0.015 at most [m]: what max_penetration leaves out of its depth in the rigid parts */
 } mus_drape_report;
 
 MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);

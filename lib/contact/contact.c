@@ -9,7 +9,6 @@
 
 #include "body/body_internal.h"
 #include "contact/contact.h"
-#include "geom/vec.h"
 
 #define BIG 1e30
 #define CAP_FALL 0.4999   /* most of k of a cap, which is below 1/2 */
@@ -302,31 +301,6 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
         if (normal != NULL) memcpy(normal, collider->plane[k].normal, 3 * sizeof *normal);
     }
     return deepest;
-}
-
-
-/*
- * With depths d >= e in two parts and normals n, m that oppose each other, d + e is how thick the two overlap there.
- * Each gives way by half of it: the point is then d - (d + e)/2 = (d - e)/2 below the surface midway. Faces that stand
- * at an angle give way in proportion to -n.m, so that a crease stays one.
- */
-double mus__collider_pressed(const mus__collider *collider, const double *point, double *pressed)
-{
-    double p[3], normal[3] = {0.0, 0.0, 0.0};
-    const double depth = mus__collider_depth(collider, point, 0.0, normal);
-    *pressed = 0.0;
-    if (depth <= 0.0) return depth;
-    to_state(collider, point, p);
-    for (int32_t l = 0; l < collider->nlimb; l++) {
-        double n[3];
-        int32_t near;
-        const double other =
-            mus__f64_query(&collider->field64[l], p, depth + STEEP_MARGIN, n, &near) - collider->skin;
-        if (near != 1) continue;
-        const double against = -mus__dot3(n, normal), give = fmin(0.5 * (depth + other), MUS_PRESS_MOST);
-        if (against > 0.0 && give > 0.0) *pressed = fmax(*pressed, fmin(1.0, 2.0 * against) * give);
-    }
-    return depth - *pressed;
 }
 
 

@@ -116,12 +116,6 @@ void mus__collider_haste(mus__collider *collider);
 /* largest depth of a point of the world over all surfaces, positive inside; -1e30 out of reach of all */
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
 
-/* the same in a body whose flesh gives way: where two parts press on each other, each by up to MUS_PRESS_MOST, the
- * surface between them lies midway, and the depth of a point is that below it. *pressed gets how much of the depth in
- * the rigid parts that takes off */
-#define MUS_PRESS_MOST 0.015 /* [m] */
-double mus__collider_pressed(const mus__collider *collider, const double *point, double *pressed);
-
 /* outward normals of the surfaces that are nearer to a point of the world than `reach`: normals (most x 3), with the
  * friction that is each one's own (most), below 0 where it has none; their number */
 #define MUS_TOUCH_MOST 4

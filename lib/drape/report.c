@@ -16,16 +16,14 @@ void mus_drape_report_init(mus_drape_report *report, size_t size)
 }
 
 
-/* deepest node below the skin, and how far flesh gives way for one at most */
-static double deepest(const mus_drape *drape, double *press)
+/* deepest node below the skin */
+static double deepest(const mus_drape *drape)
 {
-    double most = 0.0, pressed;
-    *press = 0.0;
+    double most = 0.0;
     if (drape->collider == NULL) return most;
     for (int32_t i = 0; i < drape->n; i++) {
-        const double depth = mus__collider_pressed(drape->collider, drape->x + 3 * (int64_t)i, &pressed);
+        const double depth = mus__collider_depth(drape->collider, drape->x + 3 * (int64_t)i, 0.0, NULL);
         if (depth > most) most = depth;
-        if (pressed > *press) *press = pressed;
     }
     return most;
 }
@@ -63,7 +61,7 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.welded = drape->welded;
     report.settled = drape->settled;
     report.max_seam_gap = mus__drape_gap(drape, &report.worst_seam);
-    report.max_penetration = deepest(drape, &report.max_press);
+    report.max_penetration = deepest(drape);
     report.max_strain = mus__plan_strain(&drape->plan, drape->x);
     report.residual = isnan(drape->residual) ? mus__drape_residual(drape, drape->x) : drape->residual;
 

@@ -2,7 +2,7 @@
 """Garments on a body that moves: every named pose, and a walk of 240 frames.
 
 For each garment and pose or movement `muslin dress` runs once; a row says how deep the deepest node of any frame was
-below the skin, how far flesh gave way between parts that press on each other, how far a node went between two frames at most, how far the garment slid along the body, and whether
+below the skin, how far a node went between two frames at most, how far the garment slid along the body, and whether
 a step was refused. A row holds when nothing is deeper than 2 mm, no node jumps 50 mm (at 60 frames a second, a swinging
 knee itself goes 25), the middle of the cloth has slid less than 60 mm in a walk, and every step was made. Whether the
 cloth came to rest in a pose is told, and is not part of that. --film leaves pictures and an animated .glb of a walk.
@@ -36,7 +36,7 @@ def row(name, moves, report, said, frames):
     jump = motion["max_jump_mm"] < JUMP_MM
     slid = not moves or abs(motion["slid_mm"]) < SLID_MM
     holds = whole and jump and slid and depth < DEPTH_MM
-    print(f"{name:44} {report['status']:12} depth {depth:5.2f} mm  press {motion['max_press_mm']:4.1f} mm  jump {motion['max_jump_mm']:5.1f} mm  "
+    print(f"{name:44} {report['status']:12} depth {depth:5.2f} mm  jump {motion['max_jump_mm']:5.1f} mm  "
           f"slid {motion['slid_mm']:6.1f} mm  parts {motion['step_parts']}  steps {motion['steps']:6d}  "
           f"{motion['seconds']:6.1f} s  {'yes' if holds else 'NO'}{'' if whole else '  ' + said}", flush=True)
     return holds

@@ -335,8 +335,7 @@ class mus_drape_report(Structure):
                 ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
                 ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
-                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3),
-                ("max_press", c_double)]
+                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3)]
 
 
 class mus_sheet_def(Structure):

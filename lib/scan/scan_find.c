@@ -24,6 +24,14 @@
 #define FIND_SPREAD 0.075 /* parts of the stature: what belongs to an arm is no further from its axis */
 
 
+/* are two loops side by side: thighs that touch may reach into each other, but not far? */
+static bool find_beside(const mus__loop *a, const mus__loop *b)
+{
+    const double lap = fmin(a->box[1], b->box[1]) - fmax(a->box[0], b->box[0]);
+    return b->area >= 0.4 * a->area && lap < 0.3 * fmin(a->box[1] - a->box[0], b->box[1] - b->box[0]);
+}
+
+
 /* does the section at height y have two legs? *left and *right get them */
 static mus_status find_legs(mus__slicer *upright, double y, bool *two, mus__loop *left, mus__loop *right)
 {
@@ -32,7 +40,7 @@ static mus_status find_legs(mus__slicer *upright, double y, bool *two, mus__loop
     const mus__section *section = &upright->section;
     for (int32_t j = 1; j < section->loops && status == MUS_OK; j++) {
         const mus__loop *first = &section->loop[0], *other = &section->loop[j];
-        if (other->group == first->group || other->area < 0.4 * first->area) continue;
+        if (!find_beside(first, other)) continue;
         *two = true;
         *left = first->centre[0] > other->centre[0] ? *first : *other;
         *right = first->centre[0] > other->centre[0] ? *other : *first;
@@ -214,7 +222,9 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
 
     /* lowest point of that section, in the frontal plane across the axis */
     const int32_t group = mus__section_near(&along->section, spread);
-    const double up[3] = {-arm->axis[1] * arm->side, arm->axis[0] * arm->side, 0.0};
+    const double *up = arm->up;
+    arm->up[0] = -arm->axis[1] * arm->side, arm->up[1] = arm->axis[0] * arm->side, arm->up[2] = 0.0;
+    mus__unit3(arm->up);
     double least = INFINITY;
     for (int32_t j = 0; j < along->section.loops; j++) {
         const mus__loop *loop = &along->section.loop[j];

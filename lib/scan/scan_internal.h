@@ -115,6 +115,7 @@ typedef struct mus__scan_arm {
     double root;                          /* s where it leaves the torso */
     double wrist;                         /* s of the narrowest section of the forearm */
     double armpit[3];
+    double up[3];   /* square to the axis in the frontal plane, upwards */
     double wall[4]; /* n . x >= wall[3] is the arm's */
 } mus__scan_arm;
 

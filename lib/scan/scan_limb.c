@@ -18,10 +18,11 @@
 
 #define LIMB_FLAT 0.03      /* parts of the spacing that the last contour is from a flat end */
 #define LIMB_CAP 0.004      /* where a limb ends within another one [m] */
-#define LIMB_LAP 0.025      /* an arm reaches so far behind its wall [m], for 1.7 m */
+#define LIMB_LAP 0.06       /* an arm reaches so far behind its wall [m], for 1.7 m */
 #define LIMB_LEG_UP 0.03    /* a leg above the crotch, in parts of the stature */
 #define LIMB_LEG_DOWN 0.030 /* and down to here, where a foot has its shape */
-#define LIMB_BARE 0.002     /* an arm goes on up while so much of its section is outside the torso [m] */
+#define LIMB_BARE 0.03      /* and up while it has something further out than this behind the wall */
+#define LIMB_UNDER 0.0015   /* a leg's upper end goes so far under the torso's skin [m] */
 
 enum { LIMB_TORSO, LIMB_ARM_LEFT, LIMB_ARM_RIGHT, LIMB_LEG_LEFT, LIMB_LEG_RIGHT, LIMB_FOOT_LEFT, LIMB_FOOT_RIGHT };
 
@@ -76,14 +77,21 @@ static mus_status limb_torso(limb_cut *cut, double s)
 }
 
 
-/* on its side of the middle above the crotch */
+/* on its side of the middle: cut there above the crotch; below, thighs that touch stay whole */
 static mus_status limb_leg(limb_cut *cut, double s)
 {
     const mus__scan_found *found = cut->found;
     const bool above = s > found->crotch;
     const double plane[3] = {cut->side, 0.0, cut->side * found->middle};
     const int32_t group = limb_largest(&cut->slicer->section, above ? 0.0 : cut->side, found->middle);
-    return mus__section_take(cut->context, &cut->slicer->section, group, above ? 1 : 0, plane, &cut->piece);
+    mus_status status =
+        mus__section_take(cut->context, &cut->slicer->section, group, above ? 1 : 0, plane, &cut->piece);
+    int32_t kept = 0;
+    for (int32_t j = 0; j < cut->piece.loops && !above; j++)
+        if (cut->side * (cut->piece.loop[j].centre[0] - found->middle) > 0.0)
+            cut->piece.loop[kept++] = cut->piece.loop[j];
+    if (!above) cut->piece.loops = kept;
+    return status;
 }
 
 
@@ -120,16 +128,21 @@ static void limb_near(mus__section *piece, double spread, bool all)
 }
 
 
-/* beyond the wall moved by `lap` inwards; fingers together */
+/* beyond the wall moved by `lap` inwards; before the root above the line of the arm's underside, which goes on into the
+ * torso. Fingers together */
 static mus_status limb_arm_beyond(limb_cut *cut, double s, double lap)
 {
     const mus__scan_arm *arm = cut->arm;
     const mus__slicer *along = cut->slicer;
-    double at[3];
+    double at[3], plane[6];
     for (int i = 0; i < 3; i++) at[i] = arm->origin[i] + s * arm->axis[i];
-    const double plane[3] = {mus__dot3(arm->wall, along->side), mus__dot3(arm->wall, along->front),
-                             arm->wall[3] - lap - mus__dot3(arm->wall, at)};
-    mus_status status = mus__section_take(cut->context, &along->section, -1, 1, plane, &cut->piece);
+    for (int p = 0; p < 2; p++) {
+        const double *normal = p == 0 ? arm->wall : arm->up, *armpit = arm->armpit;
+        plane[3 * p] = mus__dot3(normal, along->side), plane[3 * p + 1] = mus__dot3(normal, along->front);
+        plane[3 * p + 2] = mus__dot3(normal, armpit) - (p == 0 ? lap : 0.0) - mus__dot3(normal, at);
+    }
+    const int32_t planes = s > arm->root ? 1 : 2;
+    mus_status status = mus__section_take(cut->context, &along->section, -1, planes, plane, &cut->piece);
     if (status != MUS_OK) return status;
     const bool hand = s > arm->wrist;
     limb_near(&cut->piece, (hand ? 0.06 : 0.03) * cut->found->stature, hand);
@@ -140,6 +153,20 @@ static mus_status limb_arm_beyond(limb_cut *cut, double s, double lap)
 static mus_status limb_arm(limb_cut *cut, double s)
 {
     return limb_arm_beyond(cut, s, s > cut->arm->root ? 1.0 : LIMB_LAP * cut->found->stature / 1.7);
+}
+
+
+/* where a limb lies within its neighbour its skin goes under the other's, so that the two do not fight for it */
+static void limb_under(const limb_cut *cut, double s, int32_t corners, const double *centre, double *outline)
+{
+    const mus__scan_found *found = cut->found;
+    const bool leg = cut->which == LIMB_LEG_LEFT || cut->which == LIMB_LEG_RIGHT;
+    if (!leg || s <= found->crotch) return;
+    const double under = LIMB_UNDER * (s - found->crotch) / (LIMB_LEG_UP * found->stature);
+    for (int32_t k = 0; k < corners; k++, outline += 2) {
+        const double r = mus__dist2(centre, outline), part = fmax(1.0 - under / r, 0.5);
+        for (int i = 0; i < 2; i++) outline[i] = centre[i] + part * (outline[i] - centre[i]);
+    }
 }
 
 
@@ -165,6 +192,7 @@ static mus_status limb_contour(limb_cut *cut, limb_part *part, double s)
     if (!made) return MUS_OK;
     if (fill > 1e-3) cut->limbs->filled++;
     if (fill > 1e-3 && isfinite(fill)) cut->limbs->deepest = fmax(cut->limbs->deepest, fill);
+    limb_under(cut, s, corners, row + 1, outline);
     row[0] = s;
     limb->contours++;
     return MUS_OK;
@@ -264,7 +292,7 @@ static mus_status limb_arm_start(limb_cut *cut, double *start)
     for (double s = arm->root; status == MUS_OK && s > arm->root - 0.25 * cut->found->stature;
          s -= 0.25 * cut->def->spacing) {
         status = mus__slice(cut->slicer, s, limb_names[cut->which]);
-        if (status == MUS_OK) status = limb_arm_beyond(cut, s, -LIMB_BARE);
+        if (status == MUS_OK) status = limb_arm_beyond(cut, s, LIMB_BARE * cut->found->stature / 1.7);
         if (status != MUS_OK || cut->piece.loops == 0) break;
         *start = s;
     }

@@ -80,10 +80,14 @@ static mus_status step_frame(const dressed *d, motion *m, const mus_drape_foreca
 {
     const double frame = 1.0 / MOTION_RATE, start = seconds();
     mus_status status = mus_drape_pose_body(d->drape, pose, frame);
-    if (status == MUS_OK) status = mus_drape_step(d->drape, plan->steps_per_frame, frame / plan->steps_per_frame);
+
+    /* as many steps as were planned at rest, or more where the pose has lowered the bound */
+    const int32_t least = (int32_t)ceil(frame / (0.9 * mus_drape_step_bound(d->drape)));
+    const int32_t steps = least > plan->steps_per_frame ? least : plan->steps_per_frame;
+    if (status == MUS_OK) status = mus_drape_step(d->drape, steps, frame / steps);
     m->seconds += seconds() - start;
     if (status != MUS_OK) return status;
-    m->steps += plan->steps_per_frame;
+    m->steps += steps;
 
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
@@ -305,9 +309,7 @@ int motion_lead(const dressed *d, motion *m, const char *glb, mus_status *status
     double box[6];
     int code = open_lead(&q, glb, box);
     if (code == EXIT_DONE) {
-        double crown[3];
-        *status = mus_body_landmark(d->body, MUS_LANDMARK_CROWN, crown);
-        if (*status == MUS_OK) *status = mus_move_named(d->s->context, m->move, crown[1], &q.move);
+        *status = mus_body_move(d->body, m->move, ARM_GAP, &q.move);
         if (*status == MUS_OK) *status = begin(d, &q.plan, &q.last);
         if (*status == MUS_OK) code = lead_frames(&q, status);
         if (code == EXIT_DONE && glb != NULL && m->made > 0) code = write_film(&q, glb);

@@ -48,8 +48,9 @@
 /* a joint is bent when an entry of the rotation between its parts is larger */
 #define SKIN_BENT 0.02
 
-/* Newton steps: the third moves less than 0.01 mm */
+/* Newton steps: the third moves less than 0.01 mm; what is nearer than this [m] is there */
 #define SKIN_STEPS 3
+#define SKIN_NEAR 1e-5
 
 
 /* merge depth d with normal n into (depth, gradient) so far; the gradient is outward and not of unit length */
@@ -141,7 +142,7 @@ bool mus__skin_move(const mus__skin_union *at, double *x, double *normal)
 
     /* onto the union; beyond the margin less and less of the way */
     double u = fmin(fmax(0.5 * (other - margin) / margin, 0.0), 1.0), share = 1.0 - u * u * (3.0 - 2.0 * u);
-    for (int step = 0; step < SKIN_STEPS; step++) {
+    for (int step = 0; step < SKIN_STEPS && (step == 0 || fabs(depth) > SKIN_NEAR); step++) {
         double square = mus__dot3(gradient, gradient);
         if (square < 0.05) return false;
         for (int i = 0; i < 3; i++) p[i] += depth / square * gradient[i];
@@ -231,8 +232,8 @@ static void skin_parts(mus__skin_union *at, double s, const double *low, const d
 }
 
 
-/* all vertices of a limb: its two end points as rings of one */
-static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l)
+/* all vertices of a limb: its two end points as rings of one; of the torso the left half alone where that is enough */
+static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l, bool half)
 {
     const mus__limb *limb = &body->limb[l];
     int32_t n = body->def.samples;
@@ -247,7 +248,52 @@ static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l)
         skin_parts(at, end ? limb->pole[ring < 0 ? 0 : 1] : body->ring[limb->first_ring + ring], low, high);
         if (at->count == 0) continue;
         for (int32_t k = 0; k < count; k++, first += 3)
-            mus__skin_move(at, body->skin + first, body->skin_normals + first);
+            if (!half || k <= n / 4 || k >= n - n / 4)
+                mus__skin_move(at, body->skin + first, body->skin_normals + first);
+    }
+}
+
+
+/* a body of a tape with all its limbs, as made, is the same on both sides: sample k on the left, X > 0, is n/2 - k on
+ * the right */
+static bool skin_is_even(const mus_body *body)
+{
+    return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS_LIMB_COUNT;
+}
+
+
+static void skin_mirror_row(const double *from, int32_t n, double *to)
+{
+    for (int32_t k = 0; k < n; k++) {
+        const double *p = from + 3 * (ptrdiff_t)k;
+        double *q = to + 3 * (ptrdiff_t)((n + n / 2 - k) % n);
+        q[0] = -p[0], q[1] = p[1], q[2] = p[2];
+    }
+}
+
+
+/* the right side after the left one */
+static void skin_mirror(mus_body *body, double *x)
+{
+    const int32_t n = body->def.samples;
+    static const int32_t left[] = {MUS_LIMB_ARM_LEFT, MUS_LIMB_LEG_LEFT, MUS_LIMB_FOOT_LEFT};
+    for (int i = 0; i < 3; i++) {
+        const mus__limb *p = &body->limb[left[i]], *q = p + 1;
+        const double *from = x + 3 * (ptrdiff_t)p->first_vertex;
+        double *to = x + 3 * (ptrdiff_t)q->first_vertex;
+        skin_mirror_row(from, 1, to);
+        for (int32_t ring = 0; ring < p->rings; ring++)
+            skin_mirror_row(from + 3 * (1 + (ptrdiff_t)ring * n), n, to + 3 * (1 + (ptrdiff_t)ring * n));
+        skin_mirror_row(from + 3 * ((ptrdiff_t)p->vertices - 1), 1, to + 3 * ((ptrdiff_t)p->vertices - 1));
+    }
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    for (int32_t ring = 0; ring < torso->rings; ring++) {
+        double *row = x + 3 * ((ptrdiff_t)torso->first_vertex + 1 + (ptrdiff_t)ring * n);
+        for (int32_t k = 1 - n / 4; k < n / 4; k++) {
+            const double *p = row + 3 * (ptrdiff_t)((n + k) % n);
+            double *q = row + 3 * (ptrdiff_t)(n / 2 - k);
+            q[0] = -p[0], q[1] = p[1], q[2] = p[2];
+        }
     }
 }
 
@@ -264,6 +310,10 @@ mus_status mus__body_skin(mus_body *body)
 
     mus__skin_union at = {.body = body, .reach = body->fillet};
     for (int32_t q = 0; q < body->nfield; q++) skin_field_box(&body->field[q], at.reach, at.low[q], at.high[q]);
-    for (int32_t l = 0; l < body->limb_count; l++) skin_limb(&at, body, l);
+    const bool even = skin_is_even(body);
+    for (int32_t l = 0; l < body->limb_count; l += even && l > 0 ? 2 : 1) skin_limb(&at, body, l, even && l == 0);
+    if (!even) return MUS_OK;
+    skin_mirror(body, body->skin);
+    skin_mirror(body, body->skin_normals);
     return MUS_OK;
 }

@@ -345,7 +345,7 @@ START_TEST(movements_fit_bodies)
     static const char *const sizes[] = {"W52", "M50", "C56"};
     mus_context *context = support_context();
     for (int i = 0; i < 3; i++) {
-        const mus_body_def def = {sizeof def, 16, 0.1, 0};
+        const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.1};
         mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t q = 0; q < mus_move_count(); q++) {
             mus_move *move = NULL, *same = NULL;
@@ -378,7 +378,7 @@ END_TEST
 START_TEST(a_movement_of_a_body_without_memory_leaves_nothing)
 {
     mus_context *context = support_context();
-    const mus_body_def def = {sizeof def, 16, 0.1, 0};
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.1};
     mus_body *body = people_body(context, "W40", &def);
     const size_t bytes = mus_context_bytes(context);
     mus_move *move = NULL;

@@ -37,7 +37,8 @@ double bench_wall(void)
 bench_row bench_row_start(const char *name, int32_t precision, int32_t threads)
 {
     bench_row row = {.name = name, .precision = precision, .threads = threads};
-    row.plain_s = row.cpu_per_second = row.fall = row.strain = row.reaction = row.cpu_frame_ms = row.area = row.step = NAN;
+    row.plain_s = row.cpu_per_second = row.fall = row.strain = row.reaction = NAN;
+    row.cpu_frame_ms = row.area = row.step = NAN;
     return row;
 }
 

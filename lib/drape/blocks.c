@@ -240,6 +240,8 @@ static mus_status blocks_write(const blocks_walk *walk, const blocks_set *set, i
         blocks_lane(plan, &shape, set->nnear, nfar, &items[i], value + i);
         blocks_irregular(plan, &shape, set->nnear, nfar, first + i, value + i);
     }
+    const int32_t krest = plan->near * MUS_LANES;
+    for (int32_t i = 0; i < krest; i++) value[krest + i] *= mus__plan_share(plan);
     for (int32_t i = 0; i < size; i++) mus__plan_put(plan, table, i, value[i]);
 
     const int32_t s = blocks_intern(walk->context, walk->store, walk->store->shape, &plan->shape, &plan->nshape,

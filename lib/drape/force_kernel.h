@@ -1,13 +1,13 @@
 /*
  * force_kernel.h: forces of one chunk of a plan, as a template on the floating type (MUS_REAL, MUS_FN, MUS_SQRT, and
- * MUS_OVER_ROOT(a, x) for a / sqrt(x)).
+ * MUS_OVER_ROOT(a, x) for a / sqrt(x + 1e-20), where a is what the plan's tables have).
  *
  * The loop over the lanes of a block has a constant count and no branch: it becomes straight vector code, sums in
  * registers, each force stored once. Lanes without a node write behind the chunk's nodes, where the next block, or
  * nothing, follows. Loops differ by what the cloth has, and are chosen once a chunk.
  */
 
-/* sqrt(l2 + TINY) keeps coincident nodes finite: the force is then 0 times a finite number */
+/* sqrt(l2 + TINY) keeps coincident nodes finite */
 #define TINY ((MUS_REAL)1e-20)
 #define LANES MUS_LANES
 #define SPAN (MUS_CHUNK + MUS_LANES) /* from plane to plane of a chunk's forces */
@@ -27,12 +27,12 @@ static MUS_INLINE void MUS_FN(block_pull)(int64_t n, const MUS_REAL *restrict y,
         for (int32_t k = 0; k < near; k++) {
             const MUS_REAL *p = y + shape->near[k];
             const MUS_REAL d0 = p[i] - x0, d1 = p[n + i] - x1, d2 = p[2 * n + i] - x2;
-            const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
+            const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2;
             MUS_REAL s = table[k * LANES + i] - MUS_OVER_ROOT(krest[k * LANES + i], l2);
             if (dash) {
                 const MUS_REAL v0 = p[3 * n + i] - y[3 * n + i], v1 = p[4 * n + i] - y[4 * n + i];
                 const MUS_REAL v2 = p[5 * n + i] - y[5 * n + i];
-                s += damp[k * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
+                s += damp[k * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / (l2 + TINY);
             }
             f0 += s * d0, f1 += s * d1, f2 += s * d2;
         }
@@ -115,12 +115,12 @@ static MUS_INLINE void MUS_FN(half_pull)(const MUS_REAL *restrict c, const MUS_R
 {
     for (int32_t i = 0; i < LANES; i++) {
         const MUS_REAL d0 = p[i] - x[i], d1 = p[LANES + i] - x[LANES + i], d2 = p[2 * LANES + i] - x[2 * LANES + i];
-        const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2 + TINY;
+        const MUS_REAL l2 = d0 * d0 + d1 * d1 + d2 * d2;
         MUS_REAL s = c[i] - MUS_OVER_ROOT(c[LANES + i], l2);
         if (dash) {
             const MUS_REAL v0 = p[3 * LANES + i] - x[3 * LANES + i], v1 = p[4 * LANES + i] - x[4 * LANES + i];
             const MUS_REAL v2 = p[5 * LANES + i] - x[5 * LANES + i];
-            s += c[2 * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / l2;
+            s += c[2 * LANES + i] * (d0 * v0 + d1 * v1 + d2 * v2) / (l2 + TINY);
         }
         sum[i] += s * d0, sum[LANES + i] += s * d1, sum[2 * LANES + i] += s * d2;
     }

@@ -10,7 +10,7 @@
 #define MUS_TINY 1e-18f /* its square is a normal number just so */
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
-#define MUS_OVER_ROOT(a, x) ((a) / sqrtf(x))
+#define MUS_OVER_ROOT(a, x) ((a) / sqrtf((x) + 1e-20f)) /* at 0: finite */
 #define MUS_CONTACT mus__contact_f32
 #define MUS_NEAR mus__near_f32
 #define MUS_SIM mus__sim_f32

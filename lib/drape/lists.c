@@ -87,6 +87,7 @@ static void lists_lane(const mus__plan *plan, mus__list *list, int32_t i, const 
 {
     const mus__group *group = &list->group[list->ngroup];
     const int32_t constants = lists_constants(plan);
+    const double share[3] = {1.0, mus__plan_share(plan), 1.0};
     list->node[(int64_t)list->ngroup * MUS_LANES + i] = e->node;
     for (int32_t k = 0; k < group->nhalf; k++) {
         const int64_t item = group->half + k, from = plan->half_start[e->node] + ITEMS * e->part + k;
@@ -94,7 +95,7 @@ static void lists_lane(const mus__plan *plan, mus__list *list, int32_t i, const 
         list->half_other[item * MUS_LANES + i] = there ? plan->half_other[from] : e->node;
         for (int32_t c = 0; c < constants; c++)
             mus__plan_put(plan, list->half_constant, (item * constants + c) * MUS_LANES + i,
-                          there ? mus__plan_number(plan, plan->half_constant, 3 * from + c) : 0.0);
+                          there ? share[c] * mus__plan_number(plan, plan->half_constant, 3 * from + c) : 0.0);
     }
     for (int32_t k = 0; k < group->nlinear; k++) {
         const int64_t item = group->linear + k, from = plan->linear_start[e->node] + ITEMS * e->part + k;

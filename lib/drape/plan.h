@@ -83,7 +83,7 @@ typedef struct mus__list { /* a node to a lane: what gather nodes have, lane by 
     mus__group *group;      /* (ngroup) */
     int32_t *node;          /* (ngroup x lanes) */
     int32_t *half_other;    /* (half x lanes) */
-    void *half_constant;    /* (half x 2, with dashpots 3, x lanes) kk, krest, c */
+    void *half_constant;    /* (half x 2, with dashpots 3, x lanes) kk, krest (times mus__plan_share), c */
     int32_t *linear_other;  /* (linear x lanes) */
     void *linear_weight;    /* (linear x lanes) */
     mus__list_entry *entry; /* scratch of a chunk's nodes */
@@ -112,7 +112,8 @@ typedef struct mus__plan {
     int32_t nblock, nshape, ntable, nchunk;
     mus__block *block;    /* (nblock) */
     mus__shape *shape;    /* (nshape) */
-    void *table;          /* (ntable x slots x lanes): kk, krest of near, w of far, then with dashpots c of near */
+    void *table;          /* (ntable x slots x lanes): kk, krest of near (times mus__plan_share), w of far, then with
+                           * dashpots c of near */
     mus__chunk *chunk;    /* (nchunk) ascending, every node in one */
 
     mus__list list;
@@ -170,6 +171,13 @@ static inline void mus__plan_put(const mus__plan *plan, void *array, int64_t i, 
 static inline double mus__plan_number(const mus__plan *plan, const void *array, int64_t i)
 {
     return plan->real == sizeof(float) ? (double)((const float *)array)[i] : ((const double *)array)[i];
+}
+
+
+/* what the kernels want krest times: in doubles 3/8, a factor of their root (kernel_f64.c) */
+static inline double mus__plan_share(const mus__plan *plan)
+{
+    return plan->real == sizeof(float) ? 1.0 : 0.375;
 }
 
 

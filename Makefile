@@ -23,7 +23,7 @@
 #
 # config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors.
 # OMIT="print design" leaves modules, and what stands on them, out of `make` and `make install`; there are no programs
-# then. One can leave out: print, exchange, design, integrate, drape, cloth, scan, pattern, body.
+# then. One can leave out: print, exchange, catalogue, design, integrate, drape, cloth, scan, pattern, body.
 # CC, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
@@ -71,6 +71,7 @@ pkg_flags = $(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)
 pkg_libs = $(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null)
 PRINT_PKG = cairo
 EXCHANGE_PKG = jansson yaml-0.1 expat
+CATALOGUE_PKG = sqlite3
 EXAMPLE_PKG = libpng
 TEST_PKG = check
 
@@ -78,14 +79,15 @@ TEST_PKG = check
 
 OMIT_print = print
 OMIT_exchange = exchange
+OMIT_catalogue = catalogue
 OMIT_design = design
 OMIT_integrate = integrate
 OMIT_drape = drape contact
 OMIT_cloth = cloth drape contact exchange
-OMIT_pattern = pattern design cloth drape contact print exchange
+OMIT_pattern = pattern design cloth drape contact print exchange catalogue
 OMIT_scan = scan
 OMIT_body = body scan design exchange
-LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, design, integrate, \
+LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, catalogue, design, integrate, \
   drape, cloth, scan, pattern, body)))
 space := $(subst ,, )
 ifneq ($(and $(OMIT),$(filter check tests dress bench corpus,$(MAKECMDGOALS))),)
@@ -100,6 +102,7 @@ sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
 CORE := $(call sources,base geom integrate body scan pattern design cloth contact drape)
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
+CATALOGUE := $(call sources,catalogue)
 COMMAND := $(wildcard examples/muslin/*.c)
 RENDER := $(wildcard examples/render/*.c)
 RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
@@ -116,17 +119,20 @@ BIN := $(INTO)/bin
 A_CORE := $(LIB)/libmuslin.a
 A_PRINT := $(LIB)/libmuslin-print.a
 A_EXCHANGE := $(LIB)/libmuslin-exchange.a
+A_CATALOGUE := $(LIB)/libmuslin-catalogue.a
 SO_CORE := $(LIB)/libmuslin.so.$(VERSION)
 SO_PRINT := $(LIB)/libmuslin-print.so.$(VERSION)
 SO_EXCHANGE := $(LIB)/libmuslin-exchange.so.$(VERSION)
+SO_CATALOGUE := $(LIB)/libmuslin-catalogue.so.$(VERSION)
 A_TESTS := $(OUT)/obj/tests/parts.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANGE),$(A_EXCHANGE) $(SO_EXCHANGE)) \
+       $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
 .PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now people people-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
-        need-print need-exchange need-example need-test
+        need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
 
 all: $(ALL)
@@ -135,7 +141,7 @@ lib: $(A_CORE) $(SO_CORE)
 # ---- compile ----
 
 # one sentence instead of a missing header
-need-print need-exchange need-example need-test: need-%:
+need-print need-exchange need-catalogue need-example need-test: need-%:
 	@for p in $($(shell echo $* | tr a-z A-Z)_PKG); do $(PKG_CONFIG) --exists $$p || { \
 	  echo "muslin: $$p is not installed; \`make packages\` installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
 
@@ -147,9 +153,11 @@ $(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
 $(call objects,$(PRINT)): | need-print
 $(call objects,$(EXCHANGE)): PACKAGE := $(call pkg_flags,$(EXCHANGE_PKG))
 $(call objects,$(EXCHANGE)): | need-exchange
+$(call objects,$(CATALOGUE)): PACKAGE := $(call pkg_flags,$(CATALOGUE_PKG))
+$(call objects,$(CATALOGUE)): | need-catalogue
 $(call objects,$(COMMAND) $(RENDER)): PACKAGE := $(call pkg_flags,$(EXAMPLE_PKG)) -Iexamples
 $(call objects,$(COMMAND) $(RENDER)): | need-example
-$(call objects,$(TESTS) $(TEST_PARTS)): PACKAGE := $(call pkg_flags,$(TEST_PKG) $(PRINT_PKG) $(EXCHANGE_PKG)) -Itests -Iexamples -I$(OUT)
+$(call objects,$(TESTS) $(TEST_PARTS)): PACKAGE := $(call pkg_flags,$(TEST_PKG) $(PRINT_PKG) $(EXCHANGE_PKG) $(CATALOGUE_PKG)) -Itests -Iexamples -I$(OUT)
 $(call objects,$(TESTS) $(TEST_PARTS)): WARN := $(TEST_WARN)
 $(call objects,$(TESTS) $(TEST_PARTS)): | need-test
 $(call objects,tests/main.c): $(OUT)/suites.h
@@ -163,8 +171,9 @@ $(OUT)/obj/%.o: %.c
 $(A_CORE): $(call objects,$(CORE))
 $(A_PRINT): $(call objects,$(PRINT))
 $(A_EXCHANGE): $(call objects,$(EXCHANGE))
+$(A_CATALOGUE): $(call objects,$(CATALOGUE))
 $(A_TESTS): $(call objects,$(TEST_PARTS))
-$(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(A_TESTS):
+$(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(A_CATALOGUE) $(A_TESTS):
 	@mkdir -p $(@D)
 	@rm -f $@
 	$(AR) rcsD $@ $^
@@ -183,11 +192,15 @@ $(SO_EXCHANGE): $(call objects,$(EXCHANGE)) lib/muslin-exchange.map $(SO_CORE)
 	$(LINK) $(call SHARED,libmuslin-exchange,lib/muslin-exchange.map) $(filter %.o,$^) -L$(LIB) -lmuslin \
 	  $(call pkg_libs,$(EXCHANGE_PKG)) -lm -o $@
 	@$(call shared_links,libmuslin-exchange)
+$(SO_CATALOGUE): $(call objects,$(CATALOGUE)) lib/muslin-catalogue.map $(SO_CORE)
+	$(LINK) $(call SHARED,libmuslin-catalogue,lib/muslin-catalogue.map) $(filter %.o,$^) -L$(LIB) -lmuslin \
+	  $(call pkg_libs,$(CATALOGUE_PKG)) -lm -o $@
+	@$(call shared_links,libmuslin-catalogue)
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 
-ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CORE)
-OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(EXAMPLE_PKG)) -ldl -lm
+ARCHIVES = $(A_PRINT) $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
+OUTSIDE = $(call pkg_libs,$(PRINT_PKG) $(EXCHANGE_PKG) $(CATALOGUE_PKG) $(EXAMPLE_PKG)) -ldl -lm
 $(BIN)/muslin: $(call objects,$(COMMAND) $(RENDER_SHARED)) $(ARCHIVES)
 $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
 $(BIN)/tests: $(call objects,$(TESTS) $(TESTED_EXAMPLES)) $(A_TESTS) $(ARCHIVES)
@@ -263,7 +276,7 @@ check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 
 # each time the libraries without a module, and the C tests of what is left; CHECK_OMIT="design print+exchange" picks some
-CHECK_OMIT := print exchange design integrate drape cloth scan pattern body pattern+body+integrate
+CHECK_OMIT := print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate
 check-omit:
 	@sh tests/guard/packages.sh build test
 	@$(call again,check-omit-now)
@@ -297,4 +310,4 @@ install: all
 clean:
 	rm -rf build
 
--include $(patsubst %.o,%.d,$(call objects,$(CORE) $(PRINT) $(EXCHANGE) $(COMMAND) $(RENDER) $(TESTS) $(TEST_PARTS)))
+-include $(patsubst %.o,%.d,$(call objects,$(CORE) $(PRINT) $(EXCHANGE) $(CATALOGUE) $(COMMAND) $(RENDER) $(TESTS) $(TEST_PARTS)))

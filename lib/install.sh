@@ -19,7 +19,7 @@ for program in muslin muslin-render; do
     [ ! -e "$out/bin/$program" ] || install -m 755 "$out/bin/$program" "$destdir$prefix/bin"
 done
 install -m 644 include/muslin/*.h "$destdir$prefix/include/muslin"
-for name in muslin muslin-print muslin-exchange; do
+for name in muslin muslin-print muslin-exchange muslin-catalogue; do
     [ -e "$out/lib/lib$name.a" ] || continue
     install -m 644 "$out/lib/lib$name.a" "$lib"
     install -m 755 "$out/lib/lib$name.so.$version" "$lib"
@@ -56,14 +56,16 @@ END
 pc muslin "from the tape measure to the sewn and draped garment" "" "" "-lm -pthread"
 pc muslin-print "ready-to-cut paper of a muslin pattern" "muslin = $version" "cairo" "-lm"
 pc muslin-exchange "readers and writers of tapes, patterns and meshes" "muslin = $version" "jansson yaml-0.1 expat" "-lm"
+pc muslin-catalogue "patterns on disk, found by how they are sewn" "muslin = $version" "sqlite3" "-lm"
 
 # ---- CMake: find_package(muslin) ----
 
 up=$(realpath -m --relative-to="$libdir/cmake/muslin" "$prefix")
 inside=$(realpath -m --relative-to="$prefix" "$libdir")
 cat >"$lib/cmake/muslin/muslinConfig.cmake" <<END
-# Targets: muslin::muslin, muslin::print, muslin::exchange (shared) and muslin::muslin_static, muslin::print_static,
-# muslin::exchange_static. The static print needs cairo to link, the static exchange jansson, libyaml and expat.
+# Targets: muslin::muslin, muslin::print, muslin::exchange, muslin::catalogue (shared) and muslin::muslin_static,
+# muslin::print_static, muslin::exchange_static, muslin::catalogue_static. The static print needs cairo to link, the
+# static exchange jansson, libyaml and expat, the static catalogue SQLite.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 get_filename_component(muslin_prefix "\${CMAKE_CURRENT_LIST_DIR}/$up" ABSOLUTE)
@@ -90,6 +92,7 @@ endfunction()
 muslin_target(muslin muslin "m;Threads::Threads")
 muslin_target(print muslin-print "muslin::muslin_static;cairo;m")
 muslin_target(exchange muslin-exchange "muslin::muslin_static;jansson;yaml;expat;m")
+muslin_target(catalogue muslin-catalogue "muslin::muslin_static;sqlite3;m")
 END
 cat >"$lib/cmake/muslin/muslinConfigVersion.cmake" <<END
 # before 1.0 a program is built against one minor release: any lower patch of it will do

@@ -11,7 +11,7 @@ from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_py import build_py
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NAMES = ("libmuslin", "libmuslin-print", "libmuslin-exchange")
+NAMES = ("libmuslin", "libmuslin-print", "libmuslin-exchange", "libmuslin-catalogue")
 
 
 class BuildWithLibraries(build_py):

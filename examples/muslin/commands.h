@@ -8,6 +8,8 @@ int command_draft(int argc, char **argv);
 int command_dress(int argc, char **argv);
 int command_print(int argc, char **argv);
 int command_convert(int argc, char **argv);
+int command_catalogue(int argc, char **argv);
+int command_find(int argc, char **argv);
 int command_bench(int argc, char **argv);
 int command_verify(int argc, char **argv);
 

@@ -21,6 +21,8 @@ static const struct {
     {"dress", command_dress, "sew and drape: picture, mesh, report"},
     {"print", command_print, "ready-to-cut paper: PDF, SVG"},
     {"convert", command_convert, "one pattern or tape file to another form"},
+    {"catalogue", command_catalogue, "patterns kept in a file, to be found again"},
+    {"find", command_find, "patterns of a catalogue like a given one"},
     {"bench", command_bench, "speed table"},
     {"verify", command_verify, "cases with exact answers: error and tolerance"},
 };

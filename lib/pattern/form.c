@@ -169,11 +169,12 @@ static mus_status form_enter(mus__form *f, int32_t class)
 }
 
 
-/* the word of the piece of position `start` into f->word, with the choices that are fixed */
+/* the word of the piece of position `start` into f->word, with the choices that are fixed: how many panels, then each
+ * panel's label, sides and edges */
 static mus_status form_walk(mus__form *f, int32_t start)
 {
     const mus__quotient *q = &f->q;
-    int32_t nclass = 0, n = 0;
+    int32_t nclass = 0, n = 1;
     for (int32_t i = 0; i < f->norder; i++) f->entry[f->order[i]] = MUS_NONE;
     for (int32_t i = 0; i < f->nmet; i++) f->class_number[f->met[i]] = MUS_NONE;
     f->norder = f->nmet = f->nchoice = f->nmark = 0;
@@ -203,6 +204,7 @@ static mus_status form_walk(mus__form *f, int32_t start)
             k = form_beside(f, k, 1);
         } while (k != f->entry[panel]);
     }
+    f->word[0] = f->norder;
     f->nword = n;
     return MUS_OK;
 }

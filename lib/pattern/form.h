@@ -24,7 +24,7 @@ typedef struct mus__form {
     const mus_pattern *pattern;
     mus__quotient q;
     int32_t way;  /* +1 along the words, -1 against them: the mirror image */
-    int64_t most; /* numbers in the words of all pieces: at most 2 a panel and 3 a position */
+    int64_t most; /* numbers in the words of all pieces: at most 3 a panel and 3 a position */
 
     /* labels: sorted texts, and the number of each */
     int32_t nlabel;

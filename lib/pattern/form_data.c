@@ -73,7 +73,7 @@ mus_status mus__form_make(const mus_pattern *pattern, bool labels, mus__form *ou
 
     /* one block of numbers, one of colours */
     int64_t npanel = pattern->npanel, nedge = pattern->nedge, nword = out->q.nword;
-    out->most = 2 * npanel + 3 * nword;
+    out->most = 3 * npanel + 3 * nword;
     if (out->most > INT32_MAX) return mus__fail(pattern->context, MUS_ERR_LIMIT, "form: the words are beyond 2^31");
     out->block = mus__new(pattern->context, 4 * npanel + 6 * nedge + 1 + 2 * nword + 2 * out->most, sizeof *out->block);
     out->color = mus__new(pattern->context, 4 * nword, sizeof *out->color);

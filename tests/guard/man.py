@@ -30,9 +30,10 @@ def examples(page):
 
 
 def run_example(name, text, lib):
-    packages = subprocess.run(["pkg-config", "--libs", "cairo", "jansson", "yaml-0.1", "expat"], capture_output=True,
+    packages = subprocess.run(["pkg-config", "--libs", "cairo", "jansson", "yaml-0.1", "expat",
+                               "sqlite3"], capture_output=True,
                               text=True).stdout.split()
-    archives = [str(lib / f"libmuslin{part}.a") for part in ("-print", "-exchange", "")]
+    archives = [str(lib / f"libmuslin{part}.a") for part in ("-print", "-exchange", "-catalogue", "")]
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder, "example.c")
         source.write_text(text)

@@ -21,6 +21,7 @@ call_of()
     case $1 in
     print) echo "mus_sheet_create -lmuslin-print" ;;
     exchange) echo "mus_tape_read -lmuslin-exchange" ;;
+    catalogue) echo "mus_catalogue_open -lmuslin-catalogue" ;;
     design) echo "mus_design_draft" ;;
     integrate) echo "mus_integrate" ;;
     drape) echo "mus_drape_create" ;;
@@ -76,7 +77,8 @@ one() # NAMES
     into=$out/omit-$(echo "$1" | tr ' ' -)
     rm -rf "$into"
     $MAKE -s OUT="$out" OMIT="$1" all || return 1
-    archives=$(ls "$into"/lib/libmuslin-print.a "$into"/lib/libmuslin-exchange.a "$into"/lib/libmuslin.a 2>/dev/null)
+    archives=$(ls "$into"/lib/libmuslin-print.a "$into"/lib/libmuslin-exchange.a "$into"/lib/libmuslin-catalogue.a \
+        "$into"/lib/libmuslin.a 2>/dev/null)
     for module in $1; do
         refused "$module" || { echo "omit $1: a call of $module links all the same"; return 1; }
     done

@@ -37,12 +37,14 @@ needs() # NAME PATTERN
     fi
 }
 
-core=$(ls include/muslin/*.h | grep -vE '/(print|exchange)\.h$')
+core=$(ls include/muslin/*.h | grep -vE '/(print|exchange|catalogue)\.h$')
 compare libmuslin $core
 compare libmuslin-print include/muslin/print.h
 compare libmuslin-exchange include/muslin/exchange.h
+compare libmuslin-catalogue include/muslin/catalogue.h
 system='libc|libm|libpthread|libgcc_s|ld-linux-x86-64'
 needs libmuslin "$system"
 needs libmuslin-print "$system|libmuslin|libcairo"
 needs libmuslin-exchange "$system|libmuslin|libjansson|libyaml-0|libexpat"
+needs libmuslin-catalogue "$system|libmuslin|libsqlite3"
 exit $status

@@ -430,6 +430,23 @@ START_TEST(many_alike_sheets_at_one_edge_are_no_maze)
 END_TEST
 
 
+START_TEST(pieces_do_not_run_together)
+{
+    /* four panels at one edge that is folded on itself, and two at each of two */
+    mus_context *context = support_context();
+    const char *panels = "A: a b; B: a b; C: a b; D: a b", *ends = "A.a B.a; A.a B.a direct; C.a D.a; C.a D.a direct";
+    char seams[128];
+    sprintf(seams, "%s; B.a C.a", ends);
+    mus_pattern *two = gluing_make(context, panels, ends, 0), *one = gluing_make(context, panels, seams, 0);
+    form f = form_of(two, 1, 1), g = form_of(one, 1, 1);
+    ck_assert(!same_form(&f, &g));
+    mus_pattern_destroy(one);
+    mus_pattern_destroy(two);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(forms_refuse_with_a_sentence_and_count_beyond_their_room)
 {
     mus_context *context = support_context();
@@ -493,6 +510,7 @@ Suite *mus_suite_form(void)
     tcase_add_test(tcase, garments_of_the_tables_have_forms_of_their_own);
     tcase_add_test(tcase, labels_and_mirroring_count_as_asked);
     tcase_add_test(tcase, many_alike_sheets_at_one_edge_are_no_maze);
+    tcase_add_test(tcase, pieces_do_not_run_together);
     tcase_add_test(tcase, forms_refuse_with_a_sentence_and_count_beyond_their_room);
     tcase_add_test(tcase, failing_allocations_leave_nothing);
     suite_add_tcase(suite, tcase);

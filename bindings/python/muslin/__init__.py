@@ -16,6 +16,7 @@ it is installed, memoryviews when it is not.
 from ._abi import VERSION as __version__
 from ._library import version
 from .body import Body
+from .catalogue import Catalogue
 from .cloth import Cloth, Fabric, fabrics
 from .context import Context
 from .design import designs, draft
@@ -29,6 +30,6 @@ from .print import Sheet
 from .scan import scan
 from .tape import Tape, measures, sizes
 
-__all__ = ["Body", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
+__all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
            "Tape", "designs", "draft", "fabrics", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
            "scan", "sizes", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]

@@ -158,6 +158,15 @@ MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
 MUS_PAPER_A0 = 3
 MUS_PAPER_ROLL = 4
+MUS_CATALOGUE_READ = 0
+MUS_CATALOGUE_WRITE = 1
+MUS_DISTANCE_PIECES = 0
+MUS_DISTANCE_SEAMS = 1
+MUS_DISTANCE_SURFACE = 2
+MUS_DISTANCE_OPENINGS = 3
+MUS_DISTANCE_PANELS = 4
+MUS_DISTANCE_CLOTH = 5
+MUS_DISTANCE_COUNT = 6
 
 # names of the lists, by number
 STATUS_NAMES = ("OK", "ERR_ARG", "ERR_MEMORY", "ERR_VERSION", "ERR_STATE", "ERR_LIMIT", "ERR_FILE", "ERR_FORMAT",
@@ -208,6 +217,10 @@ class mus_sheet(Structure):
 
 
 class mus_mesh(Structure):
+    pass
+
+
+class mus_catalogue(Structure):
     pass
 
 
@@ -634,4 +647,23 @@ FUNCTIONS = {
     "mus_mesh_triangle_count": ("exchange", c_int32, [POINTER(mus_mesh)]),
     "mus_mesh_vertices": ("exchange", POINTER(c_double), [POINTER(mus_mesh)]),
     "mus_mesh_triangles": ("exchange", POINTER(c_int32), [POINTER(mus_mesh)]),
+    "mus_catalogue_open": ("catalogue", c_int32, [POINTER(mus_context), c_char_p, c_int32,
+                                                  POINTER(POINTER(mus_catalogue))]),
+    "mus_catalogue_destroy": ("catalogue", None, [POINTER(mus_catalogue)]),
+    "mus_catalogue_add": ("catalogue", c_int32, [POINTER(mus_catalogue), POINTER(mus_pattern), c_char_p,
+                                                 POINTER(c_int32)]),
+    "mus_catalogue_begin": ("catalogue", c_int32, [POINTER(mus_catalogue)]),
+    "mus_catalogue_commit": ("catalogue", c_int32, [POINTER(mus_catalogue)]),
+    "mus_catalogue_rollback": ("catalogue", c_int32, [POINTER(mus_catalogue)]),
+    "mus_catalogue_count": ("catalogue", c_int32, [POINTER(mus_catalogue)]),
+    "mus_catalogue_name": ("catalogue", c_int32, [POINTER(mus_catalogue), c_int32, POINTER(c_char_p)]),
+    "mus_catalogue_exact": ("catalogue", c_int32, [POINTER(mus_catalogue), POINTER(mus_pattern), POINTER(c_int32),
+                                                   c_int32, POINTER(c_int32)]),
+    "mus_catalogue_nearest": ("catalogue", c_int32, [POINTER(mus_catalogue), POINTER(mus_pattern), c_int32,
+                                                     POINTER(c_int32), POINTER(c_double), POINTER(c_int32),
+                                                     POINTER(c_int32)]),
+    "mus_catalogue_explain": ("catalogue", c_int32, [POINTER(mus_catalogue), POINTER(mus_pattern), c_int32,
+                                                     POINTER(c_double), c_char_p, c_size_t]),
+    "mus_catalogue_containing": ("catalogue", c_int32, [POINTER(mus_catalogue), POINTER(mus_pattern),
+                                                        POINTER(c_int32), c_int32, POINTER(c_int32)]),
 }

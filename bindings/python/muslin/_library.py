@@ -1,8 +1,8 @@
 """_library.py: find and open the shared libraries, and give their functions the prototypes of _abi.
 
 Looked for in this order: the file (or folder) that the environment variable MUSLIN_LIB names; libmuslin.so beside this
-file (a wheel); build/lib of the repository that this file lies in; the system's own search. libmuslin-print and
-libmuslin-exchange lie where libmuslin lies, and are opened when one of their functions is first asked for.
+file (a wheel); build/lib of the repository that this file lies in; the system's own search. libmuslin-print,
+libmuslin-exchange and libmuslin-catalogue lie where libmuslin lies, and are opened when one of their functions is first asked for.
 """
 import ctypes
 import ctypes.util
@@ -12,7 +12,8 @@ import pathlib
 from . import _abi
 
 _HERE = pathlib.Path(__file__).resolve().parent
-_FILES = {"core": "libmuslin", "print": "libmuslin-print", "exchange": "libmuslin-exchange"}
+_FILES = {"core": "libmuslin", "print": "libmuslin-print", "exchange": "libmuslin-exchange",
+          "catalogue": "libmuslin-catalogue"}
 
 
 def _named_by_environment():

@@ -1,0 +1,336 @@
+/*
+ * search.c: patterns found again: the same, the nearest, those that contain a part.
+ *
+ * Exact: the hash has an index in the file, and the form confirms it. Nearest: all traits are held in memory, read anew
+ * when the file has changed, and compared one after another; a row is dropped as soon as what is known of its distance
+ * is beyond the worst of those kept. Containing: rows with enough panels of the part's numbers of edges are taken from
+ * memory, their forms are read and searched.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue/catalogue_internal.h"
+
+
+/* ---- the index ---- */
+
+static mus_status search_row(mus_catalogue *catalogue, sqlite3_stmt *statement)
+{
+    const uint8_t *hash = sqlite3_column_blob(statement, 1), *traits = sqlite3_column_blob(statement, 2);
+    int hash_size = sqlite3_column_bytes(statement, 1), size = sqlite3_column_bytes(statement, 2);
+    int64_t room = catalogue->row_room;
+    mus_status status = mus__catalogue_reserve(catalogue->context, &catalogue->row, &room, (int64_t)catalogue->nrow + 1,
+                                               sizeof *catalogue->row);
+    catalogue->row_room = (int32_t)room;
+    if (status == MUS_OK)
+        status = mus__catalogue_reserve(catalogue->context, &catalogue->pool, &catalogue->pool_room,
+                                        catalogue->npool + size / 8 + 1, sizeof *catalogue->pool);
+    if (status != MUS_OK) return status;
+    mus__row *row = &catalogue->row[catalogue->nrow];
+    row->id = sqlite3_column_int(statement, 0);
+    row->first = catalogue->npool;
+    row->n = size / 8;
+    if (hash_size != 16 || traits == NULL ||
+        !mus__traits_unpack(traits, (size_t)size, catalogue->pool + catalogue->npool))
+        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "pattern %d is damaged", (int)row->id);
+    memcpy(row->hash, hash, sizeof row->hash);
+    catalogue->npool += row->n;
+    catalogue->nrow++;
+    return MUS_OK;
+}
+
+
+/* the index as the file is now */
+static mus_status search_refresh(mus_catalogue *catalogue)
+{
+    sqlite3_stmt *statement = NULL;
+    int64_t now = -1;
+    if (sqlite3_prepare_v2(catalogue->db, "PRAGMA data_version", -1, &statement, NULL) == SQLITE_OK &&
+        sqlite3_step(statement) == SQLITE_ROW)
+        now = sqlite3_column_int64(statement, 0);
+    sqlite3_finalize(statement);
+    if (now < 0) return mus__catalogue_trouble(catalogue);
+    if (now == catalogue->seen && catalogue->edits == catalogue->seen_edits) return MUS_OK;
+
+    catalogue->nrow = 0;
+    catalogue->npool = 0;
+    catalogue->seen = -1;
+    mus_status status = MUS_OK;
+    int code =
+        sqlite3_prepare_v2(catalogue->db, "SELECT id, hash, traits FROM pattern ORDER BY id", -1, &statement, NULL);
+    if (code == SQLITE_OK)
+        while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
+            status = search_row(catalogue, statement);
+    if (status == MUS_OK && code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
+    sqlite3_finalize(statement);
+    if (status == MUS_OK) catalogue->seen = now, catalogue->seen_edits = catalogue->edits;
+    return status;
+}
+
+
+/* the form of a row: borrowed from `statement`, which the caller finalizes */
+static mus_status search_form(const mus_catalogue *catalogue, int32_t id, sqlite3_stmt **statement,
+                              const uint8_t **form, size_t *size)
+{
+    if (*statement == NULL &&
+        sqlite3_prepare_v2(catalogue->db, "SELECT form FROM pattern WHERE id = ?1", -1, statement, NULL) != SQLITE_OK)
+        return mus__catalogue_trouble(catalogue);
+    sqlite3_reset(*statement);
+    sqlite3_bind_int(*statement, 1, id);
+    int code = sqlite3_step(*statement);
+    if (code == SQLITE_DONE) return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern %d is unknown", (int)id);
+    if (code != SQLITE_ROW) return mus__catalogue_trouble(catalogue);
+    *form = sqlite3_column_blob(*statement, 0);
+    *size = (size_t)sqlite3_column_bytes(*statement, 0);
+    return MUS_OK;
+}
+
+
+/* ---- exact ---- */
+
+mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *pattern, int32_t *ids, int32_t capacity,
+                               int32_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (catalogue == NULL) return MUS_ERR_ARG;
+    if (pattern == NULL || (ids != NULL && capacity < 0))
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "exact: pattern is NULL, or room for %d", (int)capacity);
+    uint8_t *form, hash[16];
+    size_t size;
+    int32_t n = 0;
+    mus_status status = mus__catalogue_form(catalogue->context, pattern, &form, &size, hash);
+    sqlite3_stmt *statement = NULL;
+    if (status == MUS_OK &&
+        sqlite3_prepare_v2(catalogue->db, "SELECT id, form FROM pattern WHERE hash = ?1 ORDER BY id", -1, &statement,
+                           NULL) != SQLITE_OK)
+        status = mus__catalogue_trouble(catalogue);
+    if (status == MUS_OK) {
+        sqlite3_bind_blob(statement, 1, hash, sizeof hash, SQLITE_STATIC);
+        int code;
+        while ((code = sqlite3_step(statement)) == SQLITE_ROW) {
+            if ((size_t)sqlite3_column_bytes(statement, 1) != size ||
+                memcmp(sqlite3_column_blob(statement, 1), form, size) != 0)
+                continue;
+            if (ids != NULL && n < capacity) ids[n] = sqlite3_column_int(statement, 0);
+            n++;
+        }
+        if (code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
+    }
+    sqlite3_finalize(statement);
+    mus_context_alloc(catalogue->context, form, 0);
+    if (status == MUS_OK && count != NULL) *count = n;
+    return status;
+}
+
+
+/* ---- nearest ---- */
+
+/* the `capacity` nearest rows, in order; ids are rows of the index for now */
+static int32_t search_scan(const mus_catalogue *catalogue, const double *traits, int32_t capacity, int32_t *rows,
+                           double *distances)
+{
+    int32_t kept = 0;
+    double limit = INFINITY, parts[MUS_DISTANCE_COUNT];
+    for (int32_t i = 0; i < catalogue->nrow; i++) {
+        double d = mus__traits_distance(traits, catalogue->pool + catalogue->row[i].first, limit, parts);
+        if (kept == capacity && d >= limit) continue;
+        int32_t at = kept < capacity ? kept++ : capacity - 1;
+        for (; at > 0 && distances[at - 1] > d; at--) rows[at] = rows[at - 1], distances[at] = distances[at - 1];
+        rows[at] = i, distances[at] = d;
+        if (kept == capacity) limit = distances[capacity - 1];
+    }
+    return kept;
+}
+
+
+mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pattern, int32_t capacity, int32_t *ids,
+                                 double *distances, int32_t *exact, int32_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (catalogue == NULL) return MUS_ERR_ARG;
+    if (pattern == NULL || ids == NULL || count == NULL || capacity < 1)
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "nearest: pattern, ids or count is NULL, or room for %d",
+                                   (int)capacity);
+    mus_context *context = catalogue->context;
+    uint8_t *form = NULL, hash[16];
+    double *traits = NULL, *own = NULL;
+    size_t size = 0;
+    int32_t n, kept = 0;
+    sqlite3_stmt *statement = NULL;
+    mus_status status = search_refresh(catalogue);
+    if (status == MUS_OK) status = mus__catalogue_form(context, pattern, &form, &size, hash);
+    if (status == MUS_OK) status = mus__traits_of(pattern, &traits, &n);
+    if (status == MUS_OK) {
+        int32_t room = capacity < catalogue->nrow ? capacity : catalogue->nrow;
+        own = mus_context_alloc(context, NULL, ((size_t)room + 1) * sizeof *own);
+        if (own == NULL) status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the nearest patterns");
+        if (own != NULL && room > 0) kept = search_scan(catalogue, traits, room, ids, own);
+    }
+
+    /* rows to numbers; equal hashes are confirmed by the forms */
+    for (int32_t i = 0; i < kept && status == MUS_OK; i++) {
+        const mus__row *row = &catalogue->row[ids[i]];
+        const uint8_t *other;
+        size_t other_size;
+        bool same = memcmp(row->hash, hash, sizeof hash) == 0;
+        if (same) {
+            status = search_form(catalogue, row->id, &statement, &other, &other_size);
+            same = status == MUS_OK && other_size == size && memcmp(other, form, size) == 0;
+        }
+        if (exact != NULL) exact[i] = same;
+        if (distances != NULL) distances[i] = own[i];
+        ids[i] = row->id;
+    }
+    sqlite3_finalize(statement);
+    mus_context_alloc(context, form, 0);
+    mus_context_alloc(context, traits, 0);
+    mus_context_alloc(context, own, 0);
+    if (status == MUS_OK) *count = kept;
+    return status;
+}
+
+
+/* ---- explain ---- */
+
+/* a number with two places behind a full stop, in every locale */
+static const char *search_number(double value, char *out)
+{
+    long long hundredths = (long long)floor(value * 100.0 + 0.5);
+    snprintf(out, 32, "%lld.%02lld", hundredths / 100, hundredths % 100);
+    return out;
+}
+
+
+/* append a line and stay within the room */
+static void search_line(char *text, size_t capacity, const char *line)
+{
+    size_t used = strlen(text), more = strlen(line);
+    if (used + 1 >= capacity) return;
+    if (used + more + 1 > capacity) more = capacity - used - 1;
+    memcpy(text + used, line, more);
+    text[used + more] = '\0';
+}
+
+
+/* "0.51 0.60 0.60 m" of the openings, ascending, the first eight */
+static void search_openings(const double *traits, char *out, size_t room)
+{
+    int32_t n = (int32_t)traits[MUS__TRAIT_OPENINGS];
+    char number[32];
+    size_t used = 0;
+    out[0] = '\0';
+    for (int32_t i = 0; i < n && i < 8; i++)
+        used += (size_t)snprintf(out + used, room - used, "%s ", search_number(traits[MUS__TRAIT_HEAD + i], number));
+    snprintf(out + used, room - used, "%s", n == 0 ? "none" : n > 8 ? "... m" : "m");
+}
+
+
+static void search_text(const double *a, const double *b, const double *parts, char *text, size_t capacity)
+{
+    static const char *const what[MUS_DISTANCE_COUNT] = {"panels",
+                                                         "seams",
+                                                         "pieces that hang apart, Euler",
+                                                         "openings",
+                                                         "panels apart in size or edges; area",
+                                                         "cloth and sewn length"};
+    text[0] = '\0';
+    for (int32_t k = 0; k < MUS_DISTANCE_COUNT; k++) {
+        char line[640], n[4][32], own[2][240];
+        if (parts[k] == 0.0) continue;
+        if (k == MUS_DISTANCE_OPENINGS) {
+            search_openings(a, own[0], sizeof own[0]);
+            search_openings(b, own[1], sizeof own[1]);
+        } else if (k == MUS_DISTANCE_PIECES || k == MUS_DISTANCE_SEAMS) {
+            int32_t t = k == MUS_DISTANCE_PIECES ? MUS__TRAIT_PANELS : MUS__TRAIT_SEAMS;
+            snprintf(own[0], sizeof own[0], "%.0f", a[t]);
+            snprintf(own[1], sizeof own[1], "%.0f", b[t]);
+        } else if (k == MUS_DISTANCE_SURFACE) {
+            snprintf(own[0], sizeof own[0], "%.0f, %.0f", a[MUS__TRAIT_PIECES], a[MUS__TRAIT_EULER]);
+            snprintf(own[1], sizeof own[1], "%.0f, %.0f", b[MUS__TRAIT_PIECES], b[MUS__TRAIT_EULER]);
+        } else {
+            const double *side[2] = {a, b};
+            for (int32_t i = 0; i < 2; i++)
+                snprintf(own[i], sizeof own[i], "%s m2, %s m", search_number(side[i][MUS__TRAIT_CLOTH], n[0]),
+                         search_number(side[i][MUS__TRAIT_SEWN], n[1]));
+        }
+        snprintf(line, sizeof line, "%s %s: %s against %s\n", search_number(parts[k], n[2]), what[k], own[0], own[1]);
+        search_line(text, capacity, line);
+    }
+}
+
+
+mus_status mus_catalogue_explain(mus_catalogue *catalogue, const mus_pattern *pattern, int32_t id, double *parts,
+                                 char *text, size_t capacity)
+{
+    if (catalogue == NULL) return MUS_ERR_ARG;
+    if (pattern == NULL) return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "explain: pattern is NULL");
+    double *traits = NULL, own[MUS_DISTANCE_COUNT] = {0};
+    int32_t n, i = 0;
+    mus_status status = search_refresh(catalogue);
+    if (status != MUS_OK) return status;
+    while (i < catalogue->nrow && catalogue->row[i].id != id) i++;
+    if (i == catalogue->nrow) return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern %d is unknown", (int)id);
+    status = mus__traits_of(pattern, &traits, &n);
+    if (status != MUS_OK) return status;
+    const double *other = catalogue->pool + catalogue->row[i].first;
+    mus__traits_distance(traits, other, INFINITY, own);
+    if (parts != NULL) memcpy(parts, own, sizeof own);
+    if (text != NULL && capacity > 0) search_text(traits, other, own, text, capacity);
+    mus_context_alloc(catalogue->context, traits, 0);
+    return MUS_OK;
+}
+
+
+/* ---- containing ---- */
+
+/* can panels with these numbers of edges (of the part's traits) be found among the row's? Many of one number count */
+static bool search_may_contain(const double *part, const double *whole)
+{
+    int32_t n = (int32_t)part[MUS__TRAIT_PANELS], m = (int32_t)whole[MUS__TRAIT_PANELS];
+    const double *a = part + MUS__TRAIT_HEAD + (int32_t)part[MUS__TRAIT_OPENINGS] + 2;
+    const double *b = whole + MUS__TRAIT_HEAD + (int32_t)whole[MUS__TRAIT_OPENINGS] + 2;
+    for (int32_t i = 0; i < n; i++) {
+        int32_t need = 0, have = 0;
+        for (int32_t j = 0; j < n; j++) need += a[3 * j] == a[3 * i];
+        for (int32_t j = 0; j < m; j++) have += b[3 * j] == a[3 * i];
+        if (have < need) return false;
+    }
+    return true;
+}
+
+
+mus_status mus_catalogue_containing(mus_catalogue *catalogue, const mus_pattern *part, int32_t *ids, int32_t capacity,
+                                    int32_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (catalogue == NULL) return MUS_ERR_ARG;
+    if (part == NULL || (ids != NULL && capacity < 0))
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "containing: part is NULL, or room for %d", (int)capacity);
+    uint8_t *form = NULL, hash[16];
+    double *traits = NULL;
+    size_t size = 0;
+    int32_t n, found = 0;
+    sqlite3_stmt *statement = NULL;
+    mus_status status = search_refresh(catalogue);
+    if (status == MUS_OK) status = mus__catalogue_form(catalogue->context, part, &form, &size, hash);
+    if (status == MUS_OK) status = mus__traits_of(part, &traits, &n);
+    for (int32_t i = 0; i < catalogue->nrow && status == MUS_OK; i++) {
+        const mus__row *row = &catalogue->row[i];
+        const uint8_t *other;
+        size_t other_size;
+        bool inside = false;
+        if (!search_may_contain(traits, catalogue->pool + row->first)) continue;
+        status = search_form(catalogue, row->id, &statement, &other, &other_size);
+        if (status == MUS_OK) status = mus__part_inside(catalogue->context, form, size, other, other_size, &inside);
+        if (status != MUS_OK || !inside) continue;
+        if (ids != NULL && found < capacity) ids[found] = row->id;
+        found++;
+    }
+    sqlite3_finalize(statement);
+    mus_context_alloc(catalogue->context, form, 0);
+    mus_context_alloc(catalogue->context, traits, 0);
+    if (status == MUS_OK && count != NULL) *count = found;
+    return status;
+}

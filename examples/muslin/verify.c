@@ -16,7 +16,7 @@
 
 static int (*const families[])(verify *v) = {verify_step, verify_motion, verify_force,   verify_cloth,
                                               verify_bend, verify_drape,  verify_contact, verify_collide,
-                                              verify_plane, verify_spline};
+                                              verify_plane, verify_spline, verify_body};
 
 
 /* ---- which cases ---- */

@@ -55,5 +55,6 @@ int verify_contact(verify *v);
 int verify_collide(verify *v);
 int verify_plane(verify *v);
 int verify_spline(verify *v);
+int verify_body(verify *v);
 
 #endif

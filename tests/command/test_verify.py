@@ -40,6 +40,10 @@ def test_every_case_of_splines_is_there(rows):
     assert {"N1", "N2", "N3"} <= {row["id"] for row in rows}
 
 
+def test_every_case_of_contours_and_solids_is_there(rows):
+    assert {"K1", "K2", "K3", "K4"} <= {row["id"] for row in rows}
+
+
 def test_the_error_is_that_of_the_columns(rows):
     for row in rows:
         error = abs((row["got"] - row["exact"]) / row["exact"]) if row["exact"] else abs(row["got"])

@@ -120,8 +120,8 @@ MUS_API void mus_move_destroy(mus_move *move);
 MUS_API int32_t mus_move_count(void);
 MUS_API const char *mus_move_name(int32_t move);
 
-/** Make a named movement for a body of that stature [m], with the legs of the mean person. Errors: MUS_ERR_ARG (also: an
- * unknown name), MUS_ERR_MEMORY. */
+/** Make a named movement for a body of that stature [m], with the legs of the mean person. Errors: MUS_ERR_ARG (also:
+ * an unknown name), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_move_named(mus_context *context, const char *name, double stature, mus_move **out);
 
 /** Make a named movement fitted to a body: at its keys and half way between, the feet are on the floor and the arms

@@ -339,7 +339,7 @@ START_TEST(named_poses_fit_bodies)
 END_TEST
 
 
-/* between the keys too the lowest point is within a part of the stature of the floor, and arms that start clear stay so */
+/* between the keys too the lowest point is within a part of the stature of the floor, and arms stay clear */
 START_TEST(movements_fit_bodies)
 {
     static const char *const sizes[] = {"W52", "M50", "C56"};

@@ -111,7 +111,7 @@ TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
 # parts of the programs that have C tests
-TESTED_EXAMPLES := examples/muslin/bench_plain.c
+TESTED_EXAMPLES := examples/muslin/bench_plain.c examples/muslin/bench_tree.c
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 
 LIB := $(INTO)/lib
@@ -148,6 +148,7 @@ need-print need-exchange need-catalogue need-example need-test: need-%:
 $(OUT)/obj/lib/drape/kernel%.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/contact/%.o: HOT = $(HOT_$(config))
 $(OUT)/obj/examples/muslin/bench_plain.o: HOT = $(HOT_$(config))
+$(OUT)/obj/examples/muslin/bench_tree.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/integrate/%.o: HOT = $(HOT_$(config))
 $(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
 $(call objects,$(PRINT)): | need-print

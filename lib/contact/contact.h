@@ -85,6 +85,18 @@ typedef struct mus__collider {
     double *table64;
 } mus__collider;
 
+/* number of the lowest bit that is set, of a number that is not 0 */
+static inline int32_t mus__lowest_bit(uint64_t bits)
+{
+#if defined(__GNUC__)
+    return __builtin_ctzll(bits);
+#else
+    int32_t k = 0;
+    for (; (bits & 1) == 0; bits >>= 1) k++;
+    return k;
+#endif
+}
+
 enum { MUS_STOOD, MUS_GLIDED, MUS_TURNED };
 
 /* fields and boxes are relative to `origin` (3), as the state is: float keeps its digits near it. The fields are those

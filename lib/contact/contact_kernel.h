@@ -25,9 +25,8 @@
 #define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
 #define SIT_OUT_MOST 100    /* calls */
 
-#define LOOK_BLOCK 256 /* nodes */
 #define SQUEEZE_MOST 5.0 /* [m/s] out of a wedge that closes */
-#define MEET_MOST 8    /* surfaces that a node touches at once; more are left out */
+#define MEET_MOST 8      /* surfaces that a node touches at once; more are left out */
 
 
 /* how a node came here */
@@ -155,13 +154,24 @@ static uint64_t MUS_FIELD(boxes_of)(int32_t nlimb, const MUS_REAL *box, const MU
 }
 
 
-/* one more surface that the node touches */
-static inline void MUS_FIELD(add_meeting)(MUS_FIELD(meeting) * list, int32_t *count, MUS_REAL lift, MUS_REAL friction,
-                                          const MUS_REAL *normal, const MUS_FIELD(way) * way, const MUS_REAL *from,
-                                          const MUS_REAL *p)
+#include "contact/ask_kernel.h"
+
+
+/* the surfaces that a node touches: the first as it is, more in the list */
+typedef struct MUS_FIELD(hits) {
+    int32_t count;
+    MUS_REAL lift, friction, normal[3];
+    const MUS_FIELD(way) * way;
+    MUS_FIELD(meeting) list[MEET_MOST];
+} MUS_FIELD(hits);
+
+
+/* surface number `at` of the list */
+static void MUS_FIELD(list_hit)(MUS_FIELD(hits) * hits, int32_t at, MUS_REAL lift, MUS_REAL friction,
+                                const MUS_REAL *normal, const MUS_FIELD(way) * way, const MUS_REAL *from,
+                                const MUS_REAL *p)
 {
-    if (*count == MEET_MOST) return;
-    MUS_FIELD(meeting) *m = &list[(*count)++];
+    MUS_FIELD(meeting) *m = &hits->list[at];
     m->lift = lift;
     m->friction = friction;
     for (int32_t d = 0; d < 3; d++) m->normal[d] = normal[d];
@@ -169,25 +179,51 @@ static inline void MUS_FIELD(add_meeting)(MUS_FIELD(meeting) * list, int32_t *co
 }
 
 
-/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. Returns a lower bound
- * of the node's distance to them, at most `margin`; below clearance + TOUCH_BAND when it touched */
+/* one more surface that the node touches */
+static inline void MUS_FIELD(hit)(MUS_FIELD(hits) * hits, MUS_REAL lift, MUS_REAL friction, const MUS_REAL *normal,
+                                  const MUS_FIELD(way) * way, const MUS_REAL *from, const MUS_REAL *p)
+{
+    if (hits->count == 0) {
+        hits->lift = lift, hits->friction = friction, hits->way = way;
+        for (int32_t d = 0; d < 3; d++) hits->normal[d] = normal[d];
+        hits->count = 1;
+        return;
+    }
+    if (hits->count == MEET_MOST) return;
+    if (hits->count == 1) MUS_FIELD(list_hit)(hits, 0, hits->lift, hits->friction, hits->normal, hits->way, from, p);
+    MUS_FIELD(list_hit)(hits, hits->count++, lift, friction, normal, way, from, p);
+}
+
+
+/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. `asking` (may be
+ * NULL) has answers for it from `head` on. Returns a lower bound of the node's distance to them, at most `margin`;
+ * below clearance + TOUCH_BAND when it touched */
 static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
                                         const MUS_FIELD(scene) * scene, uint64_t in, uint32_t on, int32_t still,
-                                        const MUS_FIELD(path) * path, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
+                                        const MUS_FIELD(asking) * asking, int32_t head, const MUS_FIELD(path) * path,
+                                        MUS_REAL *p, MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
     MUS_REAL distance = scene->margin, normal[3];
-    MUS_FIELD(meeting) list[MEET_MOST];
-    int32_t count = 0, near;
-    for (int32_t l = 0; in != 0; l++, in >>= 1) {
-        if ((in & 1) == 0) continue;
-        const MUS_REAL depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
-        (*queries)++;
-        if (near == 0) continue;
+    MUS_FIELD(hits) hits;
+    int32_t near;
+    hits.count = 0;
+    for (; in != 0; in &= in - 1) {
+        const int32_t l = mus__lowest_bit(in);
+        MUS_REAL depth;
+        const MUS_REAL *out = normal;
+        if (head > 0 && asking->answer[head].part == l) {
+            depth = asking->answer[head].depth;
+            out = asking->answer[head].normal;
+            head = asking->answer[head].next;
+        } else {
+            depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
+            (*queries)++;
+            if (near == 0) continue;
+        }
         if (-depth < distance) distance = -depth;
-        if (depth > -band) MUS_FIELD(add_meeting)
-        (list, &count, depth + clearance, (MUS_REAL)rule->friction, normal, still ? NULL : MUS_FIELD(way_of)(scene, l),
-         path->from, p);
+        const MUS_FIELD(way) *way = still ? NULL : MUS_FIELD(way_of)(scene, l);
+        if (depth > -band) MUS_FIELD(hit)(&hits, depth + clearance, (MUS_REAL)rule->friction, out, way, path->from, p);
     }
     for (int32_t k = 0; on != 0; k++, on >>= 1) {
         if ((on & 1) == 0) continue;
@@ -195,17 +231,21 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, scene->margin, &near);
         (*queries)++;
         if (-depth < distance) distance = -depth;
-        if (near && depth > -band) MUS_FIELD(add_meeting)
-        (list, &count, depth + clearance, flat->friction, flat->normal, still || !flat->moving ? NULL : &flat->way,
-         path->from, p);
+        const MUS_FIELD(way) *way = still || !flat->moving ? NULL : &flat->way;
+        if (near && depth > -band)
+            MUS_FIELD(hit)(&hits, depth + clearance, flat->friction, flat->normal, way, path->from, p);
     }
-    if (count == 1) {
-        const MUS_FIELD(path) own = {list->from, path->time, path->slip};
-        for (int32_t d = 0; d < 3; d++) w[d] -= list->speed[d];
-        MUS_FIELD(respond)(list->lift, list->friction, rule, &own, list->normal, p, w);
-        for (int32_t d = 0; d < 3; d++) w[d] += list->speed[d];
-    } else if (count > 1) {
-        MUS_FIELD(respond_all)(rule, path, list, count, p, w);
+    if (hits.count > 1) {
+        MUS_FIELD(respond_all)(rule, path, hits.list, hits.count, p, w);
+    } else if (hits.count == 1 && hits.way == NULL) {
+        MUS_FIELD(respond)(hits.lift, hits.friction, rule, path, hits.normal, p, w);
+    } else if (hits.count == 1) {
+        MUS_REAL from[3], speed[3];
+        MUS_FIELD(carry)(hits.way, path->from, p, from, speed);
+        const MUS_FIELD(path) own = {from, path->time, path->slip};
+        for (int32_t d = 0; d < 3; d++) w[d] -= speed[d];
+        MUS_FIELD(respond)(hits.lift, hits.friction, rule, &own, hits.normal, p, w);
+        for (int32_t d = 0; d < 3; d++) w[d] += speed[d];
     }
     return distance;
 }
@@ -279,11 +319,13 @@ int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, i
 }
 
 
-/* node i, which is in the boxes `in` and near the planes `on`, or may have to be swept */
+/* node i, which is in the boxes `in` and near the planes `on`, or may have to be swept; `asking` and `head` as of touch
+ */
 static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__contact_rule *rule,
                                  const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t in, uint32_t on,
-                                 int32_t sweeps, const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest,
-                                 MUS_REAL *x, MUS_REAL *v, mus__contact_tally *tally)
+                                 int32_t sweeps, const MUS_FIELD(asking) * asking, int32_t head,
+                                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x,
+                                 MUS_REAL *v, mus__contact_tally *tally)
 {
     const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
@@ -296,7 +338,8 @@ static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__conta
     const int32_t swept = in != parts || on != planes;
     if (in != 0 || on != 0) {
         const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
-        const MUS_REAL distance = MUS_FIELD(touch)(collider, rule, scene, in, on, 0, &path, p, w, &tally->queries);
+        const MUS_REAL distance =
+            MUS_FIELD(touch)(collider, rule, scene, in, on, 0, asking, head, &path, p, w, &tally->queries);
 
         /* it sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
         const MUS_REAL off = rule->travel > 0.0 && !swept ? (distance - clearance) / 2 / (MUS_REAL)rule->travel : 0;
@@ -324,20 +367,34 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
     MUS_FIELD(fill_scene)(collider, rule, margin, &scene);
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
-    uint32_t low[LOOK_BLOCK], high[LOOK_BLOCK] = {0}, on[LOOK_BLOCK] = {0};
-    for (int32_t start = first; start < last; start += LOOK_BLOCK) {
-        const int32_t count = last - start < LOOK_BLOCK ? last - start : LOOK_BLOCK;
+    MUS_FIELD(asking) asking;
+    uint32_t low[ASK_BLOCK], high[ASK_BLOCK] = {0}, on[ASK_BLOCK] = {0};
+    uint64_t in[ASK_BLOCK];
+    uint8_t skip[ASK_BLOCK];
+    for (int32_t start = first; start < last; start += ASK_BLOCK) {
+        const int32_t count = last - start < ASK_BLOCK ? last - start : ASK_BLOCK;
+        uint64_t any = (uint64_t)(sweeps != 0);
         MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
         if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
         if (scene.nplane > 0) MUS_FIELD(look_down)(&scene, n, count, x + start, on);
-        for (int32_t i = start; i < start + count; i++) {
-            const uint64_t in = low[i - start] | (uint64_t)high[i - start] << 32;
-            if (in == 0 && on[i - start] == 0 && !sweeps) continue;
-            if (rest[i] > 0)
-                rest[i]--;
-            else if (inverse[i] != 0)
-                MUS_FIELD(meet_node)
-            (collider, rule, &scene, n, i, in, on[i - start], sweeps, inverse, before, rest, x, v, tally);
+        for (int32_t i = 0; i < count; i++) {
+            in[i] = low[i] | (uint64_t)high[i] << 32;
+            skip[i] = 0;
+            if (in[i] == 0 && on[i] == 0 && !sweeps) continue;
+
+            /* one that sits out or is held is not asked; the count goes on where it is near a box */
+            const int32_t idle = rest[start + i] > 0;
+            if (idle) rest[start + i]--;
+            if (idle || inverse[start + i] == 0) in[i] = 0, skip[i] = 1;
+            any |= in[i] | (skip[i] ? 0 : on[i]);
+        }
+        if (any == 0) continue;
+        if (!sweeps) MUS_FIELD(ask_block)(collider, margin, n, count, x + start, in, &asking, &tally->queries);
+        for (int32_t i = 0; i < count; i++) {
+            if (skip[i] || (in[i] == 0 && on[i] == 0 && !sweeps)) continue;
+            MUS_FIELD(meet_node)
+            (collider, rule, &scene, n, start + i, in[i], on[i], sweeps, sweeps ? NULL : &asking,
+             sweeps ? 0 : asking.head[i], inverse, before, rest, x, v, tally);
         }
     }
 }

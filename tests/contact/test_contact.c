@@ -180,6 +180,45 @@ START_TEST(float_and_double_respond_alike)
 END_TEST
 
 
+/* many nodes are asked of a part at once: each gets what it gets alone, to the last bit */
+START_TEST(a_node_among_many_gets_what_it_gets_alone)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = make_collider(context, _i);
+    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 1e-3, 1e-3, 0.0, 0.0};
+    enum { N = 700 };
+    static double x[3 * N], v[3 * N], before[3 * N], one_x[3 * N], one_v[3 * N], mobile[N];
+    static float xf[3 * N], vf[3 * N], beforef[3 * N], onef_x[3 * N], onef_v[3 * N], mobilef[N];
+    static uint8_t rest[N];
+    mus__contact_tally many = {0}, alone = {0};
+    uint64_t random = 12;
+    for (int i = 0; i < 3 * N; i++) {
+        x[i] = support_uniform(&random, i / N == 1 ? -0.45 : -0.21, i / N == 1 ? 0.45 : 0.21) - collider->origin[i / N];
+        v[i] = support_uniform(&random, -1.0, 1.0);
+        before[i] = x[i] - 1e-3 * v[i];
+        xf[i] = (float)x[i], vf[i] = (float)v[i], beforef[i] = (float)before[i];
+        mobile[i % N] = mobilef[i % N] = 1;
+    }
+    memcpy(one_x, x, sizeof x), memcpy(one_v, v, sizeof v);
+    memcpy(onef_x, xf, sizeof xf), memcpy(onef_v, vf, sizeof vf);
+    mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, rest, x, v, &many);
+    mus__contact_f32(collider, &rule, N, 0, N, mobilef, beforef, 0, rest, xf, vf, &many);
+    for (int i = 0; i < N; i++) {
+        mus__contact_f64(collider, &rule, N, i, i + 1, mobile, before, 0, rest, one_x, one_v, &alone);
+        mus__contact_f32(collider, &rule, N, i, i + 1, mobilef, beforef, 0, rest, onef_x, onef_v, &alone);
+    }
+    ck_assert_int_eq((int)many.queries, (int)alone.queries);
+    ck_assert_int_gt((int)many.queries, N);
+    ck_assert_mem_eq(x, one_x, sizeof x);
+    ck_assert_mem_eq(v, one_v, sizeof v);
+    ck_assert_mem_eq(xf, onef_x, sizeof xf);
+    ck_assert_mem_eq(vf, onef_v, sizeof vf);
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
 {
     mus_context *context = support_context();
@@ -263,6 +302,7 @@ Suite *mus_suite_contact(void)
     tcase_add_test(tests, a_node_that_leaves_keeps_its_velocity);
     tcase_add_test(tests, a_swallowed_node_leaves_at_bounded_speed);
     tcase_add_test(tests, float_and_double_respond_alike);
+    tcase_add_loop_test(tests, a_node_among_many_gets_what_it_gets_alone, 0, 2);
     tcase_add_test(tests, out_of_reach_costs_no_query_and_changes_nothing);
     tcase_add_test(tests, sitting_out_lets_nothing_through);
     tcase_add_test(tests, each_failing_allocation_is_a_status);

@@ -208,7 +208,7 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
         mus__contact_f32(collider, &rule, N, i, i + 1, mobilef, beforef, 0, rest, onef_x, onef_v, &alone);
     }
     ck_assert_int_eq((int)many.queries, (int)alone.queries);
-    ck_assert_int_gt((int)many.queries, N);
+    ck_assert_int_ge((int)many.queries, 200);
     ck_assert_mem_eq(x, one_x, sizeof x);
     ck_assert_mem_eq(v, one_v, sizeof v);
     ck_assert_mem_eq(xf, onef_x, sizeof xf);

@@ -33,7 +33,7 @@ def test_every_case_of_membrane_and_bending_is_there(rows):
 
 def test_every_case_on_limbs_and_planes_is_there(rows):
     ids = {row["id"] for row in rows}
-    assert {f"F{i}" for i in range(1, 9)} | {"C1", "C2", "C3", "C5", "V1", "V2", "V3"} <= ids
+    assert {f"F{i}" for i in range(1, 9)} | {"C1", "C2", "C3", "C4", "C5", "V1", "V2", "V3"} <= ids
 
 
 def test_every_case_of_splines_is_there(rows):

@@ -45,7 +45,7 @@ static const struct {
     int rows;
 } verify_contact_cases[] = {{"F3", 4},  {"F4", 4}, {"F7", 2}, {"F8", 2}, {"C1", 6},
                             {"C3", 12}, {"C5", 1}, {"V2", 2}, {"V3", 4}, {"F1", 3},
-                            {"F2", 6},  {"F5", 1}, {"F6", 3}, {"V1", 2}, {"C2", 2}};
+                            {"F2", 6},  {"F5", 1}, {"F6", 3}, {"V1", 2}, {"C2", 2}, {"C4", 3}};
 
 
 START_TEST(each_case_on_limbs_has_its_exact_answer)

@@ -265,7 +265,7 @@ the smallest distance. A garment's shapes at rest lie about as far apart for any
 
 def rest_part(jobs):
     heads = ("scene", "way", "nodes", "to 10 mm: CPU s", "to 1 mm: CPU s", "with sewing, 10 and 1 mm")
-    lines, shapes = [], []
+    lines, shapes, statics = [], [], []
     for name in ["rest_tshirt"] + hangs(jobs):
         rows = jobs[name]
         for variant in dict.fromkeys(r["variant"] for r in rows if r["quantity"] == "distance from rest"):
@@ -275,7 +275,11 @@ def rest_part(jobs):
             lines.append((rows[0]["scene"], variant, nodes, number(ten and ten[0], 3),
                           number(one and one[0], 3) if one else f"not reached, {best:.2g} mm at the end",
                           f"{number(ten and ten[1], 3)}, {number(one and one[1], 3)}" if variant == "settle" else ""))
-        shapes += [(r["scene"], r["nodes"], r["variant"], r["note"]) for r in _of(rows, quantity="shape at rest")]
+        shapes += [(r["scene"], r["nodes"], r["variant"], r["note"], number(r["cpu_s"]))
+                   for r in _of(rows, quantity="shape at rest")]
+        statics += [(r["nodes"], r["quantity"], f"{r['value']:.5f}", f"{r['exact']:.5f}",
+                     f"{100 * (r['value'] / r['exact'] - 1):+.2f} %", r.get("note", ""))
+                    for r in rows if r["quantity"] in ("largest strain at rest", "pins carry of the weight")]
     spread = [(r["variant"], number(r["error_mm"], 3), number(r["error_rms_mm"], 3), number(r["cpu_s"], 3), r["status"])
               for r in _of(jobs["rest_tshirt"], quantity="spread")]
     return f"""## To rest
@@ -285,9 +289,17 @@ CPU seconds from which on the cloth stays within 10 mm and 1 mm (its farthest no
 ![rest](rest.png)
 
 {table(heads, lines)}
-The shapes at rest:
+Shapes at rest are found by another method than settle's: Newton's, with the true stiffness by differences of the forces
+and Cholesky factors of it (newton.py), from where a run ended. It shares the forces with settle, and no time, mass or
+damping. What lies on the body is held where it sticks, and judged: the skin must push it, and friction suffice. Factors
+prove that the energy has a minimum there: a shape of its own, which no other method leaves. Of the hanging cloth, shapes
+that are more than 1 mm apart have letters: where there are two, RK4 with drag and settle come to two equilibria, of the
+same energy, and the one is the mirror image of the other: both are rest shapes.
 
-{table(('scene', 'nodes', 'of', 'how it was found'), shapes)}
+{table(('scene', 'nodes', 'from', 'how it was found', 'CPU s'), shapes)}
+The hanging cloth as settle leaves it in float, with the end that it has by itself, beside the static solver:
+
+{table(('nodes', 'quantity', 'settle', 'static solver', 'apart', ''), statics)}
 Other starts of the T-shirt, run to their own end, and their distance from that shape, the spread:
 
 {table(('start', 'greatest [mm]', 'rms [mm]', 'CPU s', 'end'), spread)}
@@ -317,7 +329,7 @@ LEFT_OUT = """## What was left out, and why
   written in numpy, whose seconds say nothing of the library: those points are in the pictures of counts alone.
 - mus_integrate in float: its points would lie on those of the float drape.
 - An implicit step: none is built; lib/integrate says why, with its measurement.
-- A second program for disc and garments: springs of the boundary strip are not public; the second reference is another
+- A second program of motion for disc and garments: springs of the strip are not public; the second reference is another
   stepper there.
 - Sheet and strip with bending or paper's springs: both are straight or stretched, bending takes no part.
 - Paper's springs below 10 mm on the disc: their stiffness grows with the fourth power of 1 / spacing, and with it time.

@@ -241,13 +241,13 @@ int32_t mus_body_source(const mus_body *body, int32_t measure)
 
 int32_t mus_body_vertex_count(const mus_body *body)
 {
-    return body != NULL ? body->vertex_count : 0;
+    return body != NULL ? body->vertex_count + body->digit_vertices : 0;
 }
 
 
 int32_t mus_body_triangle_count(const mus_body *body)
 {
-    return body != NULL ? body->triangle_count : 0;
+    return body != NULL ? body->triangle_count + body->digit_triangles : 0;
 }
 
 

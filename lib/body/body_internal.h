@@ -37,6 +37,7 @@ typedef struct mus__contour {
     int32_t height;       /* measure that sets its place, or MUS_NONE */
     bool hard;            /* the girth was given: the contour may not be left out */
     bool flat;            /* narrowest or widest of its neighbours: the slope is held monotone, so 0, here */
+    bool fine;            /* rings stand twice as close above it */
     double target;        /* girth to be fitted to [m], 0: a and b stand as they are */
     double s;             /* place on the axis */
     double ca, cb;        /* centre in the contour's plane */
@@ -84,8 +85,9 @@ struct mus_body {
     int32_t *triangles; /* (triangle_count x 3) */
     double *ring;         /* (rings of all limbs) s of each */
     double fillet;        /* width of the skin's fillets where limbs meet [m], 0: limbs stay as they are */
-    double *skin;         /* (vertex_count x 3) of the picture: limbs grown together where they meet */
-    double *skin_normals; /* (vertex_count x 3) */
+    double *skin;         /* (vertex_count + digit_vertices x 3) of the picture: limbs grown together where they meet */
+    double *skin_normals; /* (vertex_count + digit_vertices x 3) */
+    int32_t digit_vertices, digit_triangles; /* fingers and toes, of the picture alone; after all limbs */
     mus__rig rig;
     mus__frame *frame; /* (parts) of a posed body, NULL: in the rest pose */
     mus_pose pose;     /* of a posed body */
@@ -170,6 +172,10 @@ mus_status mus__body_fields(mus_body *body, double spacing);
 
 /* ---- body_surface.c, body_measure.c ---- */
 
+/* normals (rings n + 2 x 3) of an end point, rings of n and an end point, from ring `from` on */
+void mus__surface_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals);
+/* triangles (2 rings n x 3) of the same, the first end point being `vertex` */
+void mus__surface_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out);
 /* triangulate all limbs; stack (limb_count) sampled at def.samples equal angles */
 mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
 /* fill body->made from the vertices */
@@ -179,6 +185,11 @@ mus_status mus__body_remeasure(mus_body *body);
 
 /* the skin from the surface of the limbs; needs the fields */
 mus_status mus__body_skin(mus_body *body);
+/* fingers and toes: how much they are, and their vertices, normals and triangles after those of the limbs */
+void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
+void mus__digit_make(mus_body *body);
+/* face, palms and feet: vertices of the skin and their normals */
+void mus__skin_shape(mus_body *body);
 
 /* ---- field.c ---- */
 

@@ -205,7 +205,7 @@ void mus__body_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t
         const char *name;
         double f, breadth, height, out;
     } row[] = {
-        {"heel_back", 0.030, 0.17, 0.19, 0.000},   {"heel", 0.11, 0.235, 0.22, 0.000},
+        {"heel_back", 0.035, 0.165, 0.20, 0.000},  {"heel", 0.11, 0.235, 0.24, 0.000},
         {"ankle_joint", 0.24, 0.255, 0.28, 0.000}, {"instep", 0.40, 0.275, 0.275, 0.004},
         {"waist", 0.54, 0.325, 0.215, 0.012},      {"ball", 0.70, 0.375, 0.155, 0.020},
         {"toes", 0.84, 0.345, 0.115, 0.030},       {"toe_tips", 0.945, 0.245, 0.090, 0.036},

@@ -109,7 +109,7 @@ mus_status mus_body_pose(const mus_body *body, const mus_pose *pose, mus_body **
     copy->field = NULL, copy->nfield = 0;
     copy->vertices = copy->normals = NULL, copy->triangles = NULL;
     copy->ring = copy->skin = copy->skin_normals = NULL;
-    copy->vertex_count = copy->triangle_count = 0;
+    copy->vertex_count = copy->triangle_count = copy->digit_vertices = copy->digit_triangles = 0;
     copy->pose = *pose;
     status = bpose_make(body, pose, copy);
     if (status == MUS_OK)

@@ -44,7 +44,7 @@ static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double sp
         if (out != NULL) out[count] = middle - axis * cos(end * j / SURFACE_CAP_RINGS);
     }
     for (int32_t i = 0; i < last; i++) {
-        int32_t steps = surface_steps(stack, i, spacing);
+        int32_t steps = surface_steps(stack, i, limb->contour[i].fine ? 0.5 * spacing : spacing);
         double low = limb->contour[i].s, high = limb->contour[i + 1].s;
         limb->contour[i].ring = count;
         for (int32_t j = 0; j < steps; j++, count++)
@@ -105,13 +105,13 @@ static void surface_carry(const mus_body *body, int32_t l, const double *s, doub
 }
 
 
-static void surface_triangles(const mus__limb *limb, int32_t n, int32_t *out)
+void mus__surface_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out)
 {
-    int32_t first = limb->first_vertex + 1, top = first + n * limb->rings, high = first + n * (limb->rings - 1);
+    int32_t first = vertex + 1, top = first + n * rings, high = first + n * (rings - 1);
     for (int32_t k = 0; k < n; k++, out += 3) {
         out[0] = first - 1, out[1] = first + (k + 1) % n, out[2] = first + k;
     }
-    for (int32_t j = 0; j + 1 < limb->rings; j++) {
+    for (int32_t j = 0; j + 1 < rings; j++) {
         int32_t low = first + n * j;
         for (int32_t k = 0; k < n; k++, out += 6) {
             int32_t next = (k + 1) % n;
@@ -144,11 +144,11 @@ static void surface_hexagon(const double *q0, const double *q1, const double *q2
 
 /* a normal has the direction of the sum of the triangles' areas around it; below the first ring and above the last the
  * end point stands for all neighbours */
-static void surface_normals(const double *x, int32_t n, int32_t rings, double *normals)
+void mus__surface_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals)
 {
     const ptrdiff_t row = 3 * (ptrdiff_t)n;
     const double *low = x, *high = x + 3 + rings * row;
-    for (int32_t j = 0; j < rings; j++) {
+    for (int32_t j = from; j < rings; j++) {
         const double *p = x + 3 + j * row;
         double *out = normals + 3 + j * row;
         for (int32_t k = 0; k < n; k++, out += 3) {
@@ -164,6 +164,7 @@ static void surface_normals(const double *x, int32_t n, int32_t rings, double *n
     for (int end = 0; end < 2; end++) {
         const double *p = x + 3 + (end == 0 ? 0 : (rings - 1) * row);
         double *out = normals + (end == 0 ? 0 : 3 + rings * row), cross[3];
+        out[0] = out[1] = out[2] = 0.0;
         for (int32_t k = 0; k < n; k++) {
             const double *q = p + 3 * (ptrdiff_t)k, *r = p + 3 * (ptrdiff_t)((k + 1) % n);
             const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
@@ -197,7 +198,9 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
 
     body->vertices = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
     body->normals = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
-    body->triangles = mus__new(body->context, 3 * (int64_t)body->triangle_count, sizeof(int32_t));
+    mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
+    body->triangles =
+        mus__new(body->context, 3 * ((int64_t)body->triangle_count + body->digit_triangles), sizeof(int32_t));
     body->ring = mus__new(body->context, rings, sizeof(double));
     double *work = mus__new(body->context, n, sizeof(double));
     if (!body->vertices || !body->normals || !body->triangles || !body->ring || !work) {
@@ -212,9 +215,10 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         surface_rings(&stack[l], limb, spacing, s);
         surface_vertices(&stack[l], limb, s, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
         if (body->frame != NULL) surface_carry(body, l, s, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
-        surface_triangles(limb, n, body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
-        surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings,
-                        body->normals + 3 * (ptrdiff_t)limb->first_vertex);
+        mus__surface_triangles(limb->first_vertex, limb->rings, n,
+                               body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
+        mus__surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings, 0,
+                             body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
     mus__free(body->context, work);
     return MUS_OK;

@@ -221,9 +221,10 @@ static void torso_head(const torso_plan *plan)
     double head = torso_value(plan, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
 
     /* a small child has little face below the brow */
-    torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape), (0.58 + 0.11 * plan->grown) * head,
-                    0.0);
-    torso_put_girth(plan, TORSO_JAW, bone->jaw, (0.75 + 0.04 * plan->grown) * head, 0.0);
+    mus__contour *chin = torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape),
+                                         (0.58 + 0.11 * plan->grown) * head, 0.0);
+    mus__contour *jaw = torso_put_girth(plan, TORSO_JAW, bone->jaw, (0.75 + 0.04 * plan->grown) * head, 0.0);
+    chin->fine = jaw->fine = true;
     torso_put_measure(plan, TORSO_BROW, bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 0.0);
 
     /* u of the way from brow to crown the ellipsoid has sqrt(1 - u^2) of the brow's girth */

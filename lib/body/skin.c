@@ -42,6 +42,9 @@
 /* no vertex moves further than so much of a reach, 12 mm of 25: deep in a narrow wedge the union is far */
 #define SKIN_MOST 0.5
 
+/* the thigh is measured so far below the crotch, in parts of its height */
+#define SKIN_THIGH 0.02
+
 /* cosine of the normals of two surfaces that face each other */
 #define SKIN_FACING (-0.5)
 
@@ -134,7 +137,7 @@ static double skin_depth(const mus__skin_union *at, const double *p, const doubl
 
 bool mus__skin_move(const mus__skin_union *at, double *x, double *normal)
 {
-    const double margin = SKIN_MARGIN * at->reach, most = SKIN_MOST * at->reach;
+    const double margin = SKIN_MARGIN * at->reach;
     double p[3], gradient[3], other, here;
     memcpy(p, x, sizeof p);
     double depth = skin_depth(at, p, x, normal, gradient, &other);
@@ -151,7 +154,7 @@ bool mus__skin_move(const mus__skin_union *at, double *x, double *normal)
     }
     mus__unit3(gradient);
     const double way[3] = {p[0] - x[0], p[1] - x[1], p[2] - x[2]};
-    const double far = mus__norm3(way), part = far > most ? share * most / far : share;
+    const double far = mus__norm3(way), part = far > at->most ? share * at->most / far : share;
     for (int i = 0; i < 3; i++) {
         x[i] += part * way[i];
         normal[i] += share * (gradient[i] - normal[i]);
@@ -220,9 +223,22 @@ static bool skin_own(const mus_body *body, int32_t q, double s)
 }
 
 
+/* how far vertices of a ring at s may move: in the rest pose not past the contour of the thigh, which keeps its
+ * girth */
+static double skin_most(const mus__skin_union *at, double s)
+{
+    const mus__skeleton *bone = &at->body->skeleton;
+    const double most = SKIN_MOST * at->reach;
+    if (!at->body->measured || at->body->frame != NULL || s <= bone->knee) return most;
+    if (at->limb != MUS_LIMB_LEG_LEFT && at->limb != MUS_LIMB_LEG_RIGHT) return most;
+    return fmin(fmax(0.9 * (s - bone->crotch * (1.0 - SKIN_THIGH)), 0.0), most);
+}
+
+
 /* the parts that the box of a ring touches */
 static void skin_parts(mus__skin_union *at, double s, const double *low, const double *high)
 {
+    at->most = skin_most(at, s);
     at->count = 0;
     for (int32_t q = 0; q < at->body->nfield; q++) {
         bool apart = at->body->rig.part[q].limb == at->limb && !skin_own(at->body, q, s);
@@ -301,11 +317,14 @@ static void skin_mirror(mus_body *body, double *x)
 mus_status mus__body_skin(mus_body *body)
 {
     size_t bytes = 3 * (size_t)body->vertex_count * sizeof(double);
-    body->skin = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
-    body->skin_normals = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+    int64_t room = (int64_t)body->vertex_count + body->digit_vertices;
+    body->skin = mus__new(body->context, 3 * room, sizeof(double));
+    body->skin_normals = mus__new(body->context, 3 * room, sizeof(double));
     if (body->skin == NULL || body->skin_normals == NULL) return mus__fail_memory(body->context, "the skin of a body");
     memcpy(body->skin, body->vertices, bytes);
     memcpy(body->skin_normals, body->normals, bytes);
+    if (body->measured) mus__skin_shape(body);
+    if (body->digit_vertices > 0) mus__digit_make(body);
     if (body->fillet == 0.0) return MUS_OK;
 
     mus__skin_union at = {.body = body, .reach = body->fillet};

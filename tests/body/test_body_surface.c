@@ -54,8 +54,16 @@ START_TEST(shells_of_all_limbs_are_closed_and_outward)
             ck_assert_int_eq(range[1] - range[3] * 3 / 2 + range[3], 2); /* V - E + F of a sphere */
             vertices += range[1], triangles += range[3];
         }
-        ck_assert_int_eq(vertices, mus_body_vertex_count(body));
-        ck_assert_int_eq(triangles, mus_body_triangle_count(body));
+
+        /* twenty fingers and toes, each a shell */
+        ck_assert_int_eq(vertices + body->digit_vertices, mus_body_vertex_count(body));
+        ck_assert_int_eq(triangles + body->digit_triangles, mus_body_triangle_count(body));
+        range[1] = body->digit_vertices / 20, range[3] = body->digit_triangles / 20;
+        for (int32_t d = 0; d < 20; d++) {
+            range[0] = vertices + d * range[1], range[2] = triangles + d * range[3];
+            ck_assert_double_gt(check_shell(body, range, "digit"), 0.0);
+            ck_assert_int_eq(range[1] - range[3] * 3 / 2 + range[3], 2);
+        }
         mus_body_destroy(body);
     }
     support_context_end(context);
@@ -145,7 +153,7 @@ START_TEST(normals_are_unit_outward_and_smooth)
     for (int32_t i = 0; i < mus_body_vertex_count(body); i++)
         ck_assert_double_eq_tol(mus__norm3(normal + 3 * (ptrdiff_t)i), 1.0, 1e-12);
     int32_t seen = 0, sharp = 0, own = 0;
-    for (int32_t t = 0; t < mus_body_triangle_count(body); t++) {
+    for (int32_t t = 0; t < body->triangle_count; t++) {
         const int32_t *v = triangles + 3 * (ptrdiff_t)t;
         double u[3], w[3], area[3];
         if (own + 1 < MUS_LIMB_COUNT && t >= body->limb[own + 1].first_triangle) own++;
@@ -194,6 +202,70 @@ START_TEST(rings_are_as_close_as_asked)
 END_TEST
 
 
+/* the skin of two limbs at one place has one normal; it is nowhere within the limbs, and off them in creases only. Off
+ * the face, hands and feet, whose relief is the picture's alone */
+START_TEST(the_skin_is_the_union_of_the_limbs)
+{
+    static const char *const sizes[] = {"W40", "M50", "C116"};
+    mus_context *context = support_context();
+    for (int i = 0; i < 3; i++) {
+        mus_body *body = people_body(context, sizes[i], NULL);
+        const double tall = body->skeleton.crown;
+        int32_t off = 0, bare = 0;
+        for (int32_t l = 0; l <= MUS_LIMB_LEG_RIGHT; l++) {
+            const mus__limb *limb = &body->limb[l];
+            for (int32_t v = limb->first_vertex; v < limb->first_vertex + limb->vertices; v++) {
+                const double *x = body->vertices + 3 * (ptrdiff_t)v, *y = body->skin + 3 * (ptrdiff_t)v;
+                const double way[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]}, far = mus__norm3(way);
+                if (x[1] > body->skeleton.nape - 0.001 || x[1] < body->skeleton.ankle) continue;
+                if (fabs(x[0]) > 0.2 * tall) continue;
+                bare++;
+                if (far == 0.0) continue;
+                off++;
+                ck_assert_msg(far < 0.0076 * tall, "%s %s vertex %d: %g m", sizes[i], limb->name, (int)v, far);
+
+                /* what was outside all other limbs is not within its own */
+                if (depth_in_others(body, l, x) < 0.0)
+                    ck_assert_double_gt(mus__dot3(way, body->normals + 3 * (ptrdiff_t)v), -5e-4);
+            }
+        }
+        ck_assert_int_gt(off, 500);
+        ck_assert_int_lt(off, bare / 4);
+        mus_body_destroy(body);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* within 2 mm of a skin vertex of the torso that a fillet moved, no vertex of an arm stands across it */
+START_TEST(normals_run_on_from_limb_to_limb)
+{
+    mus_context *context = support_context();
+    mus_body *body = people_body(context, "W40", NULL);
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO], *arm = &body->limb[MUS_LIMB_ARM_LEFT];
+    const double *x = body->skin, *normal = body->skin_normals;
+    int32_t met = 0, across = 0;
+    for (int32_t i = torso->first_vertex; i < torso->first_vertex + torso->vertices; i++) {
+        if (memcmp(x + 3 * (ptrdiff_t)i, body->vertices + 3 * (ptrdiff_t)i, 3 * sizeof *x) == 0) continue;
+        if (depth_in_others(body, MUS_LIMB_TORSO, body->vertices + 3 * (ptrdiff_t)i) > 0.004) continue;
+        for (int32_t j = arm->first_vertex; j < arm->first_vertex + arm->vertices; j++) {
+            const double *p = x + 3 * (ptrdiff_t)i, *q = x + 3 * (ptrdiff_t)j;
+            const double d[3] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+            if (mus__norm3(d) > 0.002) continue;
+            if (depth_in_others(body, MUS_LIMB_ARM_LEFT, body->vertices + 3 * (ptrdiff_t)j) > 0.004) continue;
+            met++;
+            across += mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < 0.9;
+        }
+    }
+    ck_assert_int_gt(met, 5);
+    ck_assert_msg(across * 10 <= met, "%d of %d", (int)across, (int)met);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_body_surface(void);
 Suite *mus_suite_body_surface(void)
 {
@@ -205,6 +277,8 @@ Suite *mus_suite_body_surface(void)
     tcase_add_test(tests, triangles_take_two_neighbours_of_a_contour_at_most);
     tcase_add_test(tests, normals_are_unit_outward_and_smooth);
     tcase_add_test(tests, rings_are_as_close_as_asked);
+    tcase_add_test(tests, the_skin_is_the_union_of_the_limbs);
+    tcase_add_test(tests, normals_run_on_from_limb_to_limb);
     suite_add_tcase(suite, tests);
     return suite;
 }

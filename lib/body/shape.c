@@ -1,0 +1,205 @@
+/*
+ * shape.c: face, palms and feet of the picture: what the contours of a stack do not say.
+ *
+ * Works on the skin's rings in the rest pose, carried there and back by the frame of the ring. A face is relief along
+ * the radius of the head: sums of bell curves in the distance from the middle plane and the height between chin (0)
+ * and brow (1); its rings are sampled closer in front. The palm and the ball of the foot are drawn together in length,
+ * where fingers and toes begin (digit.c); the foot has an arch on its inner side. Girths, volume and contact do not see
+ * any of this. Proportions of the face: Farkas, Anthropometry of the Head and Face, 1994, softened.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+#define SHAPE_PALM 0.38  /* of its length from the knuckles on that the mitten keeps */
+#define SHAPE_BALL 0.45  /* of its length from the ball on that the foot keeps */
+#define SHAPE_FRONT 0.45 /* how much closer samples stand at the nose, 0 to 1 */
+
+/* relief of a face: height and how far from the middle, widths of the bell in both, how far out; in parts of chin to
+ * brow, of the half breadth at the brow, and of the head's depth */
+static const struct {
+    double high, aside, tall, wide, out;
+} shape_face[] = {
+    {0.78, 0.42, 0.10, 0.24, -0.036}, /* eyes */
+    {0.98, 0.36, 0.09, 0.30, 0.012},  /* brows */
+    {0.60, 0.72, 0.13, 0.24, 0.012},  /* cheeks */
+    {0.26, 0.00, 0.050, 0.24, 0.024}, /* lips */
+    {0.16, 0.00, 0.045, 0.26, -0.008},
+    {0.04, 0.00, 0.085, 0.30, 0.026}, /* chin */
+    {0.46, 0.17, 0.045, 0.08, 0.018}, /* wings of the nose */
+};
+
+
+static double shape_bell(double x)
+{
+    return x * x < 30.0 ? exp(-x * x) : 0.0;
+}
+
+
+/* 0 below 0, 1 above 1, smooth between */
+static double shape_step(double t)
+{
+    t = fmin(fmax(t, 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+
+/* contour of a limb by name; NULL without it */
+static const mus__contour *shape_contour(const mus__limb *limb, const char *name)
+{
+    for (int32_t i = 0; i < limb->count; i++)
+        if (strcmp(limb->contour[i].name, name) == 0) return &limb->contour[i];
+    return NULL;
+}
+
+
+/* relief of the face at a height q and off the middle by x, in half breadths */
+static double shape_relief(double q, double x)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < sizeof shape_face / sizeof *shape_face; i++) {
+        const double up = shape_bell((q - shape_face[i].high) / shape_face[i].tall);
+        sum += shape_face[i].out * up * shape_bell((fabs(x) - shape_face[i].aside) / shape_face[i].wide);
+    }
+
+    /* the nose rises from between the eyes to its tip, and falls back to the lip */
+    const double ridge = shape_step((0.86 - q) / 0.40) * shape_step((q - 0.38) / 0.09);
+    return sum + 0.085 * ridge * shape_bell(x / (0.10 + 0.05 * shape_step((0.62 - q) / 0.2)));
+}
+
+
+/* samples of a ring slide towards the front, on the line between their neighbours' places: index k to
+ * k - front n sin(2 pi (k - nose)/n) / 2 pi */
+static void shape_gather(int32_t n, double front, const double *ring, double *out)
+{
+    for (int32_t k = 0; k < n; k++) {
+        const double turn = 2.0 * MUS_PI * (k - 0.75 * n) / n, at = k - front * n * sin(turn) / (2.0 * MUS_PI);
+        const double low = floor(at), t = at - low;
+        const int32_t i = (int32_t)(low + n) % n;
+        const double *p = ring + 3 * (ptrdiff_t)((i + n - 1) % n), *q = ring + 3 * (ptrdiff_t)i;
+        const double *r = ring + 3 * (ptrdiff_t)((i + 1) % n), *s = ring + 3 * (ptrdiff_t)((i + 2) % n);
+
+        /* Catmull and Rom's cubic through the four */
+        for (int c = 0; c < 3; c++)
+            out[3 * (ptrdiff_t)k + c] =
+                q[c] + 0.5 * t *
+                           (r[c] - p[c] + t * (2.0 * p[c] - 5.0 * q[c] + 4.0 * r[c] - s[c] +
+                                               t * (3.0 * (q[c] - r[c]) + s[c] - p[c])));
+    }
+}
+
+
+/* a ring of the head at rest */
+static void shape_head(const mus_body *body, double s, int32_t n, double *x)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__contour *chin = shape_contour(torso, "chin"), *brow = shape_contour(torso, "brow");
+    if (chin == NULL || brow == NULL || n > MUS_BODY_SAMPLES) return;
+    const double q = (s - chin->s) / (brow->s - chin->s), z0 = -brow->cb;
+    double ring[3 * MUS_BODY_SAMPLES];
+    memcpy(ring, x, 3 * (size_t)n * sizeof *x);
+    shape_gather(n, SHAPE_FRONT * shape_step((q + 0.4) / 0.4) * shape_step((1.8 - q) / 0.5), ring, x);
+    for (int32_t k = 0; k < n; k++) {
+        double *p = x + 3 * (ptrdiff_t)k;
+        const double side = p[0] / brow->a, front = (p[2] - z0) / brow->b;
+        if (front > 0.0) {
+            /* out along the way from the axis, a nose forwards */
+            const double out = shape_relief(q, side) * brow->b * shape_step(front / 0.5);
+            const double length = sqrt(p[0] * p[0] + (p[2] - z0) * (p[2] - z0));
+            p[0] += 0.5 * out * p[0] / length;
+            p[2] += out * (p[2] - z0) / length;
+        }
+
+        /* ears, a little behind the middle */
+        const double flank = shape_bell((front + 0.08) / 0.13) * shape_step(4.0 * fabs(side) - 2.4);
+        const double ear = shape_bell((q - 0.66) / 0.20) * flank;
+        p[0] += (p[0] > 0.0 ? 0.13 : -0.13) * ear * brow->a;
+        p[2] -= 0.10 * ear * brow->a;
+    }
+}
+
+
+/* a place of the foot at rest: the ball drawn together, an arch on the inner side */
+static void shape_foot(const mus__limb *limb, double inward, double *p)
+{
+    const double foot = limb->pole[1] - limb->pole[0], f = (p[2] - limb->origin[2] - limb->pole[0]) / foot;
+    const double middle = limb->contour[limb->count / 2].ca;
+    const double in = shape_step(0.1 + inward * (p[0] - middle) / (0.16 * foot)), high = p[1] / (0.20 * foot);
+    const double arch = shape_bell((f - 0.43) / 0.17) * in * shape_step(1.0 - high);
+    p[1] += 0.055 * foot * arch;
+    p[0] -= inward * 0.035 * foot * arch;
+
+    /* the back of the heel is round from above, and lower than the tendon */
+    const double heel = shape_step((0.10 - f) / 0.12);
+    p[2] += 0.045 * foot * heel * (high - 0.45) * (high - 0.45) / 0.3;
+    if (f > 0.70) p[2] -= (1.0 - SHAPE_BALL) * (f - 0.70) * foot;
+}
+
+
+/* rings of a limb that have a shape of their own begin here */
+static double shape_from(const mus_body *body, int32_t l)
+{
+    const mus__limb *limb = &body->limb[l];
+    if (l == MUS_LIMB_FOOT_LEFT || l == MUS_LIMB_FOOT_RIGHT) return -INFINITY;
+    const mus__contour *from = NULL;
+    if (l == MUS_LIMB_TORSO) from = shape_contour(limb, "nape");
+    if (l == MUS_LIMB_ARM_LEFT || l == MUS_LIMB_ARM_RIGHT) from = shape_contour(limb, "hand");
+    return from != NULL ? from->s : INFINITY;
+}
+
+
+/* n vertices at s of a limb, in the rest pose */
+static void shape_ring(const mus_body *body, int32_t l, double s, int32_t n, double *x)
+{
+    const mus__limb *limb = &body->limb[l];
+    if (l == MUS_LIMB_TORSO && n > 1) shape_head(body, s, n, x);
+    for (int32_t k = 0; k < n; k++, x += 3) {
+        if (l == MUS_LIMB_FOOT_LEFT || l == MUS_LIMB_FOOT_RIGHT)
+            shape_foot(limb, l == MUS_LIMB_FOOT_LEFT ? -1.0 : 1.0, x);
+        if (l == MUS_LIMB_ARM_LEFT || l == MUS_LIMB_ARM_RIGHT) {
+            const double beyond = (1.0 - SHAPE_PALM) * (s - shape_from(body, l));
+            for (int i = 0; i < 3; i++) x[i] -= beyond * limb->axis[i];
+        }
+    }
+}
+
+
+/* the same where the body stands: to the rest pose and back */
+static void shape_posed(const mus_body *body, int32_t l, double s, int32_t n, double *x)
+{
+    if (body->frame == NULL) {
+        shape_ring(body, l, s, n, x);
+        return;
+    }
+    mus__frame frame;
+    mus__rig_ring(&body->rig, body->frame, l, s, &frame);
+    for (int32_t k = 0; k < n; k++) {
+        double *p = x + 3 * (ptrdiff_t)k, d[3];
+        for (int i = 0; i < 3; i++) d[i] = p[i] - frame.place[i];
+        for (int i = 0; i < 3; i++) p[i] = frame.turn[i] * d[0] + frame.turn[3 + i] * d[1] + frame.turn[6 + i] * d[2];
+    }
+    shape_ring(body, l, s, n, x);
+    for (int32_t k = 0; k < n; k++) mus__frame_point(&frame, x + 3 * (ptrdiff_t)k, x + 3 * (ptrdiff_t)k);
+}
+
+
+void mus__skin_shape(mus_body *body)
+{
+    for (int32_t l = 0; l < body->limb_count; l++) {
+        const mus__limb *limb = &body->limb[l];
+        const int32_t n = body->def.samples;
+        if (limb->gone || l >= MUS_LIMB_COUNT) continue;
+        const double from = shape_from(body, l), *s = body->ring + limb->first_ring;
+        double *x = body->skin + 3 * (ptrdiff_t)limb->first_vertex;
+        int32_t first = 0;
+        while (first < limb->rings && s[first] < from) first++;
+        if (first == limb->rings) continue;
+        if (first == 0) shape_posed(body, l, limb->pole[0], 1, x);
+        for (int32_t j = first; j < limb->rings; j++) shape_posed(body, l, s[j], n, x + 3 * (1 + (ptrdiff_t)j * n));
+        shape_posed(body, l, limb->pole[1], 1, x + 3 * (1 + (ptrdiff_t)limb->rings * n));
+        mus__surface_normals(x, n, limb->rings, first > 0 ? first - 1 : 0,
+                             body->skin_normals + 3 * (ptrdiff_t)limb->first_vertex);
+    }
+}

@@ -113,6 +113,7 @@ int command_bench(int argc, char **argv)
     json_open(&b.j, "rows", '[');
     mus_status status = bench_speed(&b, all);
     if (status == MUS_OK) status = bench_contact(&b);
+    if (status == MUS_OK) status = bench_body(&b);
     if (status == MUS_OK) status = bench_scenes(&b, all);
     if (status != MUS_OK) code = scene_fail(&s, status);
     json_close(&b.j, ']');

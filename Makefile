@@ -11,7 +11,7 @@
 #   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
 #                   options to tests/motion/run.py)
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
-#                   (PEOPLE='--csv FILE': a row a person)
+#                   (PEOPLE='--csv FILE --each 10': a row a person, each tenth of them)
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)

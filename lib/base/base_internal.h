@@ -41,6 +41,8 @@ struct mus_context {
 /* `count` elements of `size` bytes, zeroed; NULL when there is no memory, the product overflows or count < 0. A count
  * of 0 gives a block that can be freed. */
 void *mus__new(mus_context *context, int64_t count, size_t size);
+/* the same without zeroes: for large arrays of which each element is written before it is read */
+void *mus__room(mus_context *context, int64_t count, size_t size);
 void mus__free(mus_context *context, void *block);
 /* grow *array (capacity *capacity elements of `size`) to hold `need`; new elements are zeroed. Old array kept on
  * failure */

@@ -81,18 +81,26 @@ uint64_t mus_context_allocations(const mus_context *context)
 }
 
 
-void *mus__new(mus_context *context, int64_t count, size_t size)
+void *mus__room(mus_context *context, int64_t count, size_t size)
 {
     if (count < 0 || size == 0 || (uint64_t)count > (SIZE_MAX / 2 - HEAD) / size) return NULL;
 
     size_t bytes = (size_t)count * size + HEAD;
     unsigned char *block = context->def.alloc(context->def.alloc_user, NULL, 0, bytes);
     if (block == NULL) return NULL;
-    memset(block, 0, bytes);
+    memset(block, 0, HEAD);
     memcpy(block, &bytes, sizeof bytes);
     context->bytes += bytes;
     context->allocations++;
     return block + HEAD;
+}
+
+
+void *mus__new(mus_context *context, int64_t count, size_t size)
+{
+    void *room = mus__room(context, count, size);
+    if (room != NULL) memset(room, 0, (size_t)count * size);
+    return room;
 }
 
 

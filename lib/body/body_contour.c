@@ -51,7 +51,9 @@ static double contour_bump(double h, double angle, double middle, double t)
 {
     double l = contour_apart(t, middle - angle) / CONTOUR_BUMP_WIDTH;
     double r = contour_apart(t, middle + angle) / CONTOUR_BUMP_WIDTH;
-    return h * (exp(-l * l) + exp(-r * r));
+
+    /* 6.5 widths off it is 4e-19 of h */
+    return h * ((l < 6.5 ? exp(-l * l) : 0.0) + (r < 6.5 ? exp(-r * r) : 0.0));
 }
 
 

@@ -182,11 +182,11 @@ mus_status mus__stack_make(mus_context *context, const mus__limb *limb, int32_t 
     out->limb = limb;
     out->n = n;
     out->turn = turn;
-    out->radius = mus__new(context, count * n, sizeof(double));
-    out->slope = mus__new(context, count * n, sizeof(double));
+    out->radius = mus__room(context, count * n, sizeof(double));
+    out->slope = mus__room(context, count * n, sizeof(double));
     out->centre = mus__new(context, count * 2, sizeof(double));
     out->drift = mus__new(context, count * 2, sizeof(double));
-    out->work = mus__new(context, count + (int64_t)n * 3, sizeof(double));
+    out->work = mus__room(context, count + (int64_t)n * 3, sizeof(double));
     if (!out->radius || !out->slope || !out->centre || !out->drift || !out->work) {
         mus__stack_free(context, out);
         return mus__fail_memory(context, "the contours of a limb");

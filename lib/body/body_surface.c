@@ -165,6 +165,7 @@ void mus__surface_normals(const double *x, int32_t n, int32_t rings, int32_t fro
         const double *p = x + 3 + (end == 0 ? 0 : (rings - 1) * row);
         double *out = normals + (end == 0 ? 0 : 3 + rings * row), cross[3];
         out[0] = out[1] = out[2] = 0.0;
+        out[0] = out[1] = out[2] = 0.0;
         for (int32_t k = 0; k < n; k++) {
             const double *q = p + 3 * (ptrdiff_t)k, *r = p + 3 * (ptrdiff_t)((k + 1) % n);
             const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
@@ -196,8 +197,8 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         rings += limb->rings;
     }
 
-    body->vertices = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
-    body->normals = mus__new(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+    body->vertices = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+    body->normals = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
     mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
     body->triangles =
         mus__new(body->context, 3 * ((int64_t)body->triangle_count + body->digit_triangles), sizeof(int32_t));

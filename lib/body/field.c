@@ -71,7 +71,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
     out->s0 = low;
     out->ds = length / (out->nring - 1);
     out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
-    out->radius = mus__new(context, (int64_t)out->nring * out->nangle, sizeof(double));
+    out->radius = mus__room(context, (int64_t)out->nring * out->nangle, sizeof(double));
     out->largest = mus__new(context, out->nring, sizeof(double));
     if (!out->centre || !out->radius || !out->largest) {
         mus__field_free(context, out);

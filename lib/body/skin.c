@@ -318,8 +318,8 @@ mus_status mus__body_skin(mus_body *body)
 {
     size_t bytes = 3 * (size_t)body->vertex_count * sizeof(double);
     int64_t room = (int64_t)body->vertex_count + body->digit_vertices;
-    body->skin = mus__new(body->context, 3 * room, sizeof(double));
-    body->skin_normals = mus__new(body->context, 3 * room, sizeof(double));
+    body->skin = mus__room(body->context, 3 * room, sizeof(double));
+    body->skin_normals = mus__room(body->context, 3 * room, sizeof(double));
     if (body->skin == NULL || body->skin_normals == NULL) return mus__fail_memory(body->context, "the skin of a body");
     memcpy(body->skin, body->vertices, bytes);
     memcpy(body->skin_normals, body->normals, bytes);

@@ -159,8 +159,8 @@ static mus_limb outlined(double x, const double *two, double *rows)
 }
 
 
-/* points at one height of two legs: inside by depth against inside by winding number; a contact field has 128 directions,
- * between which a corner is cut */
+/* points at one height of two legs: inside by depth against inside by winding number; a contact field has 128
+ * directions, between which a corner is cut */
 static void two_contours(verify *v)
 {
     static const double apart = 0.11;

@@ -58,7 +58,7 @@ MUS_API mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_patte
                                        int32_t capacity, int32_t *count);
 
 /* Parts of the distance between two patterns: 1 for each panel more or less; 0.05 for each seam; 2 for each piece that
- * hangs apart and 0.5 for each unit of the Euler characteristic; openings matched by length, 2 for one without a partner
+ * hangs apart and 0.5 for each unit of the Euler characteristic; openings matched by length, 2 for one without partner
  * and else 0.02 for each per cent; panels matched by size, 2 without a partner, else 0.02 for each per cent of area and
  * of perimeter (2 at most) and 0.2 for each edge (1 at most); 0.01 for each per cent of cloth and of sewn length. */
 #define MUS_DISTANCE_PIECES 0

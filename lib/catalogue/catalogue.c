@@ -15,6 +15,7 @@
 /* another program may be writing: wait this long [ms] */
 #define BUSY_WAIT 5000
 #define NAME_BYTES 1024
+#define FORM_BYTES 2048
 
 
 mus_status mus__catalogue_fail(const mus_catalogue *catalogue, mus_status status, const char *format, ...)
@@ -54,13 +55,23 @@ mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern,
                                uint8_t *hash)
 {
     uint64_t half[2];
+    mus_status status = MUS_OK;
+    *n = FORM_BYTES;
     *form = NULL;
-    mus_status status = mus_pattern_form(pattern, NULL, NULL, 0, n, half);
-    if (status != MUS_OK) return status;
-    *form = mus_context_alloc(context, NULL, *n);
-    if (*form == NULL) return mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the form of a pattern");
-    for (int32_t i = 0; i < 16; i++) hash[i] = (uint8_t)(half[i / 8] >> (56 - 8 * (i % 8)) & 255);
-    return mus_pattern_form(pattern, NULL, *form, *n, n, half);
+
+    /* a garment's form is shorter than the first room; the second is as large as it has to be */
+    for (size_t room = 0; status == MUS_OK && room < *n;) {
+        room = *n;
+        uint8_t *bytes = mus_context_alloc(context, *form, room);
+        if (bytes == NULL) {
+            status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the form of a pattern");
+        } else {
+            *form = bytes;
+            status = mus_pattern_form(pattern, NULL, bytes, room, n, half);
+        }
+    }
+    for (int32_t i = 0; i < 16 && status == MUS_OK; i++) hash[i] = (uint8_t)(half[i / 8] >> (56 - 8 * (i % 8)) & 255);
+    return status;
 }
 
 
@@ -95,9 +106,11 @@ static mus_status catalogue_begin_file(mus_catalogue *catalogue)
     if (status == MUS_OK) status = catalogue_number(catalogue, "SELECT count(*) FROM sqlite_master", &tables);
     if (status == MUS_OK && id == 0 && tables == 0 && catalogue->writable)
         return catalogue_do(catalogue,
-                            "CREATE TABLE pattern (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, hash BLOB NOT "
-                            "NULL, form BLOB NOT NULL, traits BLOB NOT NULL);"
-                            "CREATE INDEX pattern_hash ON pattern (hash);"
+                            "CREATE TABLE form (id INTEGER PRIMARY KEY, hash BLOB NOT NULL, form BLOB NOT NULL);"
+                            "CREATE INDEX form_hash ON form (hash);"
+                            "CREATE TABLE pattern (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, form INTEGER NOT "
+                            "NULL REFERENCES form (id), traits BLOB NOT NULL);"
+                            "CREATE INDEX pattern_form ON pattern (form);"
                             "PRAGMA application_id = 1297437507; PRAGMA user_version = 1; COMMIT");
     if (status == MUS_OK && id != MUS__CATALOGUE_ID)
         status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "it is no catalogue of muslin");
@@ -149,6 +162,8 @@ void mus_catalogue_destroy(mus_catalogue *catalogue)
     if (catalogue == NULL) return;
     mus_context *context = catalogue->context;
     sqlite3_finalize(catalogue->add);
+    sqlite3_finalize(catalogue->add_form);
+    sqlite3_finalize(catalogue->find_form);
     sqlite3_close(catalogue->db);
     mus_context_alloc(context, catalogue->row, 0);
     mus_context_alloc(context, catalogue->pool, 0);
@@ -158,25 +173,89 @@ void mus_catalogue_destroy(mus_catalogue *catalogue)
 }
 
 
-static mus_status catalogue_put(mus_catalogue *catalogue, const char *name, const uint8_t *hash, const uint8_t *form,
-                                size_t form_size, const uint8_t *traits, int32_t ntrait, int32_t *out)
+/* a statement that is kept, made when it is first needed */
+static mus_status catalogue_statement(const mus_catalogue *catalogue, const char *sql, sqlite3_stmt **statement)
 {
-    static const char sql[] = "INSERT INTO pattern (name, hash, form, traits) VALUES (?1, ?2, ?3, ?4) ON CONFLICT "
-                              "(name) DO UPDATE SET hash = ?2, form = ?3, traits = ?4 RETURNING id";
-    if (catalogue->add == NULL &&
-        sqlite3_prepare_v3(catalogue->db, sql, -1, SQLITE_PREPARE_PERSISTENT, &catalogue->add, NULL) != SQLITE_OK)
-        return mus__catalogue_trouble(catalogue);
-    sqlite3_stmt *add = catalogue->add;
-    sqlite3_bind_text(add, 1, name, -1, SQLITE_STATIC);
-    sqlite3_bind_blob(add, 2, hash, 16, SQLITE_STATIC);
-    sqlite3_bind_blob(add, 3, form, (int)form_size, SQLITE_STATIC);
-    sqlite3_bind_blob(add, 4, traits, 8 * ntrait, SQLITE_STATIC);
-    bool there = sqlite3_step(add) == SQLITE_ROW;
-    if (there) *out = sqlite3_column_int(add, 0);
-    bool done = there && sqlite3_step(add) == SQLITE_DONE;
-    mus_status status = done ? MUS_OK : mus__catalogue_trouble(catalogue);
+    if (*statement != NULL ||
+        sqlite3_prepare_v3(catalogue->db, sql, -1, SQLITE_PREPARE_PERSISTENT, statement, NULL) == SQLITE_OK)
+        return MUS_OK;
+    return mus__catalogue_trouble(catalogue);
+}
+
+
+mus_status mus__catalogue_find_form(mus_catalogue *catalogue, const uint8_t *form, size_t n, const uint8_t *hash,
+                                    int64_t *out)
+{
+    *out = 0;
+    mus_status status =
+        catalogue_statement(catalogue, "SELECT id, form FROM form WHERE hash = ?1", &catalogue->find_form);
+    if (status != MUS_OK) return status;
+    sqlite3_stmt *find = catalogue->find_form;
+    sqlite3_bind_blob(find, 1, hash, 16, SQLITE_STATIC);
+    int code;
+    while ((code = sqlite3_step(find)) == SQLITE_ROW && *out == 0) {
+        const uint8_t *other = sqlite3_column_blob(find, 1);
+        if ((size_t)sqlite3_column_bytes(find, 1) == n && memcmp(other, form, n) == 0)
+            *out = sqlite3_column_int64(find, 0);
+    }
+    if (code != SQLITE_DONE && code != SQLITE_ROW) status = mus__catalogue_trouble(catalogue);
+    sqlite3_reset(find);
+    sqlite3_clear_bindings(find);
+    return status;
+}
+
+
+/* number of a form, which is kept when it is not there yet */
+static mus_status catalogue_keep_form(mus_catalogue *catalogue, const uint8_t *form, size_t n, const uint8_t *hash,
+                                      int64_t *out)
+{
+    mus_status status = mus__catalogue_find_form(catalogue, form, n, hash, out);
+    if (status == MUS_OK && *out == 0)
+        status = catalogue_statement(catalogue, "INSERT INTO form (hash, form) VALUES (?1, ?2)", &catalogue->add_form);
+    if (status != MUS_OK || *out != 0) return status;
+    sqlite3_stmt *add = catalogue->add_form;
+    sqlite3_bind_blob(add, 1, hash, 16, SQLITE_STATIC);
+    sqlite3_bind_blob(add, 2, form, (int)n, SQLITE_STATIC);
+    if (sqlite3_step(add) != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
+    if (status == MUS_OK) *out = sqlite3_last_insert_rowid(catalogue->db);
     sqlite3_reset(add);
     sqlite3_clear_bindings(add);
+    return status;
+}
+
+
+static mus_status catalogue_put(mus_catalogue *catalogue, const char *name, int64_t form, const uint8_t *traits,
+                                int32_t ntrait, int32_t *out)
+{
+    static const char sql[] = "INSERT INTO pattern (name, form, traits) VALUES (?1, ?2, ?3) ON CONFLICT (name) DO "
+                              "UPDATE SET form = ?2, traits = ?3 RETURNING id";
+    mus_status status = catalogue_statement(catalogue, sql, &catalogue->add);
+    if (status != MUS_OK) return status;
+    sqlite3_stmt *add = catalogue->add;
+    sqlite3_bind_text(add, 1, name, -1, SQLITE_STATIC);
+    sqlite3_bind_int64(add, 2, form);
+    sqlite3_bind_blob(add, 3, traits, 8 * ntrait, SQLITE_STATIC);
+    bool there = sqlite3_step(add) == SQLITE_ROW;
+    if (there) *out = sqlite3_column_int(add, 0);
+    if (!there || sqlite3_step(add) != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
+    sqlite3_reset(add);
+    sqlite3_clear_bindings(add);
+    return status;
+}
+
+
+/* form and pattern in one transaction, within the caller's when one is begun */
+static mus_status catalogue_keep(mus_catalogue *catalogue, const char *name, const uint8_t *form, size_t n,
+                                 const uint8_t *hash, const uint8_t *traits, int32_t ntrait, int32_t *out)
+{
+    int64_t number;
+    mus_status status = catalogue_do(catalogue, catalogue->begun ? "SAVEPOINT one" : "BEGIN IMMEDIATE");
+    if (status != MUS_OK) return status;
+    status = catalogue_keep_form(catalogue, form, n, hash, &number);
+    if (status == MUS_OK) status = catalogue_put(catalogue, name, number, traits, ntrait, out);
+    if (status == MUS_OK) status = catalogue_do(catalogue, catalogue->begun ? "RELEASE one" : "COMMIT");
+    if (status != MUS_OK)
+        sqlite3_exec(catalogue->db, catalogue->begun ? "ROLLBACK TO one; RELEASE one" : "ROLLBACK", NULL, NULL, NULL);
     return status;
 }
 
@@ -205,7 +284,7 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     }
     if (status == MUS_OK) {
         mus__traits_pack(traits, n, bytes);
-        status = catalogue_put(catalogue, name, hash, form, size, bytes, n, &id);
+        status = catalogue_keep(catalogue, name, form, size, hash, bytes, n, &id);
     }
     if (status == MUS_OK) {
         catalogue->edits++;

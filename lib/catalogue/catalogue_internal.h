@@ -1,9 +1,11 @@
 /*
  * catalogue_internal.h: an open catalogue, what it keeps of a pattern, and what the files of this folder share.
  *
- * The file: application_id "MUSC", user_version 1, and one table
+ * The file: application_id "MUSC", user_version 1, and two tables; a form is kept once for all patterns that
+ * have it, and stays when the last of them gets another
  *
- *     pattern (id INTEGER PRIMARY KEY, name TEXT UNIQUE, hash BLOB (16), form BLOB, traits BLOB)    index on hash
+ *     form (id INTEGER PRIMARY KEY, hash BLOB (16), form BLOB)                                      index on hash
+ *     pattern (id INTEGER PRIMARY KEY, name TEXT UNIQUE, form INTEGER of form.id, traits BLOB)      index on form
  *
  * traits are numbers of 8 bytes, most significant first (IEEE 754), so a file is the same on every machine: the head
  * below, openings' lengths ascending [m], then area [m2], perimeter [m] and edges of each panel, ascending by area.
@@ -33,7 +35,7 @@ enum {
 
 /* a row of the index in memory */
 typedef struct mus__row {
-    uint8_t hash[16];
+    int64_t form; /* number of its form in the file */
     int32_t id, n;
     int64_t first; /* of its n traits in the pool */
 } mus__row;
@@ -41,7 +43,7 @@ typedef struct mus__row {
 struct mus_catalogue {
     mus_context *context;
     sqlite3 *db;
-    sqlite3_stmt *add;
+    sqlite3_stmt *add, *add_form, *find_form;
     bool writable, begun;
     char *path, *name;
 
@@ -63,6 +65,9 @@ mus_status mus__catalogue_trouble(const mus_catalogue *catalogue);
 /* the form of a pattern: a block to free with mus_context_alloc; hash (16). */
 mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern, uint8_t **form, size_t *n,
                                uint8_t *hash);
+/* number of a form in the file, 0 when it has none such */
+mus_status mus__catalogue_find_form(mus_catalogue *catalogue, const uint8_t *form, size_t n, const uint8_t *hash,
+                                    int64_t *out);
 /* grow *array of `size` byte elements to hold `need` */
 mus_status mus__catalogue_reserve(mus_context *context, void *array, int64_t *room, int64_t need, size_t size);
 

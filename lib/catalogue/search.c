@@ -1,10 +1,10 @@
 /*
  * search.c: patterns found again: the same, the nearest, those that contain a part.
  *
- * Exact: the hash has an index in the file, and the form confirms it. Nearest: all traits are held in memory, read anew
- * when the file has changed, and compared one after another; a row is dropped as soon as what is known of its distance
- * is beyond the worst of those kept. Containing: rows with enough panels of the part's numbers of edges are taken from
- * memory, their forms are read and searched.
+ * Exact: the hash has an index in the file, the form confirms it, and patterns are listed by the number of their form.
+ * Nearest: all traits are held in memory, read anew when the file has changed, and compared one after another; a row is
+ * dropped as soon as what is known of its distance is beyond the worst of those kept. Containing: rows with enough
+ * panels of the part's numbers of edges are taken from memory, their forms are read and searched.
  */
 #include <math.h>
 #include <stdio.h>
@@ -18,8 +18,8 @@
 
 static mus_status search_row(mus_catalogue *catalogue, sqlite3_stmt *statement)
 {
-    const uint8_t *hash = sqlite3_column_blob(statement, 1), *traits = sqlite3_column_blob(statement, 2);
-    int hash_size = sqlite3_column_bytes(statement, 1), size = sqlite3_column_bytes(statement, 2);
+    const uint8_t *traits = sqlite3_column_blob(statement, 2);
+    int size = sqlite3_column_bytes(statement, 2);
     int64_t room = catalogue->row_room;
     mus_status status = mus__catalogue_reserve(catalogue->context, &catalogue->row, &room, (int64_t)catalogue->nrow + 1,
                                                sizeof *catalogue->row);
@@ -30,12 +30,11 @@ static mus_status search_row(mus_catalogue *catalogue, sqlite3_stmt *statement)
     if (status != MUS_OK) return status;
     mus__row *row = &catalogue->row[catalogue->nrow];
     row->id = sqlite3_column_int(statement, 0);
+    row->form = sqlite3_column_int64(statement, 1);
     row->first = catalogue->npool;
     row->n = size / 8;
-    if (hash_size != 16 || traits == NULL ||
-        !mus__traits_unpack(traits, (size_t)size, catalogue->pool + catalogue->npool))
+    if (traits == NULL || !mus__traits_unpack(traits, (size_t)size, catalogue->pool + catalogue->npool))
         return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "pattern %d is damaged", (int)row->id);
-    memcpy(row->hash, hash, sizeof row->hash);
     catalogue->npool += row->n;
     catalogue->nrow++;
     return MUS_OK;
@@ -59,7 +58,7 @@ static mus_status search_refresh(mus_catalogue *catalogue)
     catalogue->seen = -1;
     mus_status status = MUS_OK;
     int code =
-        sqlite3_prepare_v2(catalogue->db, "SELECT id, hash, traits FROM pattern ORDER BY id", -1, &statement, NULL);
+        sqlite3_prepare_v2(catalogue->db, "SELECT id, form, traits FROM pattern ORDER BY id", -1, &statement, NULL);
     if (code == SQLITE_OK)
         while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
             status = search_row(catalogue, statement);
@@ -70,17 +69,18 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 }
 
 
-/* the form of a row: borrowed from `statement`, which the caller finalizes */
-static mus_status search_form(const mus_catalogue *catalogue, int32_t id, sqlite3_stmt **statement,
+/* a form by its number: borrowed from `statement`, which the caller finalizes */
+static mus_status search_form(const mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
                               const uint8_t **form, size_t *size)
 {
     if (*statement == NULL &&
-        sqlite3_prepare_v2(catalogue->db, "SELECT form FROM pattern WHERE id = ?1", -1, statement, NULL) != SQLITE_OK)
+        sqlite3_prepare_v2(catalogue->db, "SELECT form FROM form WHERE id = ?1", -1, statement, NULL) != SQLITE_OK)
         return mus__catalogue_trouble(catalogue);
     sqlite3_reset(*statement);
-    sqlite3_bind_int(*statement, 1, id);
+    sqlite3_bind_int64(*statement, 1, number);
     int code = sqlite3_step(*statement);
-    if (code == SQLITE_DONE) return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern %d is unknown", (int)id);
+    if (code == SQLITE_DONE)
+        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "form %lld is not there", (long long)number);
     if (code != SQLITE_ROW) return mus__catalogue_trouble(catalogue);
     *form = sqlite3_column_blob(*statement, 0);
     *size = (size_t)sqlite3_column_bytes(*statement, 0);
@@ -99,27 +99,23 @@ mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *patt
         return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "exact: pattern is NULL, or room for %d", (int)capacity);
     uint8_t *form, hash[16];
     size_t size;
+    int64_t number = 0;
     int32_t n = 0;
     mus_status status = mus__catalogue_form(catalogue->context, pattern, &form, &size, hash);
-    sqlite3_stmt *statement = NULL;
-    if (status == MUS_OK &&
-        sqlite3_prepare_v2(catalogue->db, "SELECT id, form FROM pattern WHERE hash = ?1 ORDER BY id", -1, &statement,
-                           NULL) != SQLITE_OK)
-        status = mus__catalogue_trouble(catalogue);
-    if (status == MUS_OK) {
-        sqlite3_bind_blob(statement, 1, hash, sizeof hash, SQLITE_STATIC);
-        int code;
-        while ((code = sqlite3_step(statement)) == SQLITE_ROW) {
-            if ((size_t)sqlite3_column_bytes(statement, 1) != size ||
-                memcmp(sqlite3_column_blob(statement, 1), form, size) != 0)
-                continue;
-            if (ids != NULL && n < capacity) ids[n] = sqlite3_column_int(statement, 0);
-            n++;
-        }
-        if (code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
-    }
-    sqlite3_finalize(statement);
+    if (status == MUS_OK) status = mus__catalogue_find_form(catalogue, form, size, hash, &number);
     mus_context_alloc(catalogue->context, form, 0);
+    if (status != MUS_OK || number == 0) return status;
+
+    sqlite3_stmt *statement = NULL;
+    int code =
+        sqlite3_prepare_v2(catalogue->db, "SELECT id FROM pattern WHERE form = ?1 ORDER BY id", -1, &statement, NULL);
+    if (code == SQLITE_OK) sqlite3_bind_int64(statement, 1, number);
+    while (statement != NULL && (code = sqlite3_step(statement)) == SQLITE_ROW) {
+        if (ids != NULL && n < capacity) ids[n] = sqlite3_column_int(statement, 0);
+        n++;
+    }
+    if (code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
+    sqlite3_finalize(statement);
     if (status == MUS_OK && count != NULL) *count = n;
     return status;
 }
@@ -157,8 +153,8 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
     uint8_t *form = NULL, hash[16];
     double *traits = NULL, *own = NULL;
     size_t size = 0;
+    int64_t number = 0;
     int32_t n, kept = 0;
-    sqlite3_stmt *statement = NULL;
     mus_status status = search_refresh(catalogue);
     if (status == MUS_OK) status = mus__catalogue_form(context, pattern, &form, &size, hash);
     if (status == MUS_OK) status = mus__traits_of(pattern, &traits, &n);
@@ -169,21 +165,14 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
         if (own != NULL && room > 0) kept = search_scan(catalogue, traits, room, ids, own);
     }
 
-    /* rows to numbers; equal hashes are confirmed by the forms */
+    /* rows to numbers */
+    if (status == MUS_OK) status = mus__catalogue_find_form(catalogue, form, size, hash, &number);
     for (int32_t i = 0; i < kept && status == MUS_OK; i++) {
         const mus__row *row = &catalogue->row[ids[i]];
-        const uint8_t *other;
-        size_t other_size;
-        bool same = memcmp(row->hash, hash, sizeof hash) == 0;
-        if (same) {
-            status = search_form(catalogue, row->id, &statement, &other, &other_size);
-            same = status == MUS_OK && other_size == size && memcmp(other, form, size) == 0;
-        }
-        if (exact != NULL) exact[i] = same;
+        if (exact != NULL) exact[i] = row->form == number;
         if (distances != NULL) distances[i] = own[i];
         ids[i] = row->id;
     }
-    sqlite3_finalize(statement);
     mus_context_alloc(context, form, 0);
     mus_context_alloc(context, traits, 0);
     mus_context_alloc(context, own, 0);
@@ -318,11 +307,11 @@ mus_status mus_catalogue_containing(mus_catalogue *catalogue, const mus_pattern 
     if (status == MUS_OK) status = mus__traits_of(part, &traits, &n);
     for (int32_t i = 0; i < catalogue->nrow && status == MUS_OK; i++) {
         const mus__row *row = &catalogue->row[i];
-        const uint8_t *other;
-        size_t other_size;
+        const uint8_t *other = NULL;
+        size_t other_size = 0;
         bool inside = false;
         if (!search_may_contain(traits, catalogue->pool + row->first)) continue;
-        status = search_form(catalogue, row->id, &statement, &other, &other_size);
+        status = search_form(catalogue, row->form, &statement, &other, &other_size);
         if (status == MUS_OK) status = mus__part_inside(catalogue->context, form, size, other, other_size, &inside);
         if (status != MUS_OK || !inside) continue;
         if (ids != NULL && found < capacity) ids[found] = row->id;

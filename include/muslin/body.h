@@ -60,6 +60,8 @@ typedef struct mus_body_def {
     int32_t limbs;        /* added to a body of a tape, 0 to 48, default 0: */
     const mus_limb *limb; /* (limbs) a prosthesis, a belly, a hump; copied. They count in contact, surface and volume,
                              not in the measures */
+    int32_t plain;        /* nonzero: the surface is that of the contours alone, without fillets where limbs meet, face,
+                             fingers and toes: half the time, for what draws nothing; measures and contact are the same */
 } mus_body_def;
 
 MUS_API void mus_body_def_init(mus_body_def *def, size_t size);

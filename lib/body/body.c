@@ -253,13 +253,15 @@ int32_t mus_body_triangle_count(const mus_body *body)
 
 const double *mus_body_vertices(const mus_body *body)
 {
-    return body != NULL ? body->skin : NULL;
+    if (body == NULL) return NULL;
+    return body->skin != NULL ? body->skin : body->vertices;
 }
 
 
 const double *mus_body_normals(const mus_body *body)
 {
-    return body != NULL ? body->skin_normals : NULL;
+    if (body == NULL) return NULL;
+    return body->skin_normals != NULL ? body->skin_normals : body->normals;
 }
 
 

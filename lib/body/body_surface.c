@@ -199,7 +199,7 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
 
     body->vertices = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
     body->normals = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
-    mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
+    if (!body->def.plain) mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
     body->triangles =
         mus__new(body->context, 3 * ((int64_t)body->triangle_count + body->digit_triangles), sizeof(int32_t));
     body->ring = mus__new(body->context, rings, sizeof(double));

@@ -316,6 +316,7 @@ static void skin_mirror(mus_body *body, double *x)
 
 mus_status mus__body_skin(mus_body *body)
 {
+    if (body->def.plain) return MUS_OK;
     size_t bytes = 3 * (size_t)body->vertex_count * sizeof(double);
     int64_t room = (int64_t)body->vertex_count + body->digit_vertices;
     body->skin = mus__room(body->context, 3 * room, sizeof(double));

@@ -11,8 +11,8 @@
  *
  *     r' = 3/8 r (5 - y (10/3 - y)),  y = x r^2
  *
- * The tables have 3/8 a (mus__plan_share). Roots and quotients of doubles would take most of the kernel's time, and each
- * operation saved here is 2 % of it. Basic operations alone: the same bits anywhere. Where x is 0 all is finite.
+ * The tables have 3/8 a (mus__plan_share). Roots and quotients of doubles would take most of the kernel's time, and
+ * each operation saved here is 2 % of it. Basic operations alone: the same bits anywhere. Where x is 0 all is finite.
  */
 static MUS_INLINE double over_root(double share, double x)
 {

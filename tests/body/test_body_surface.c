@@ -1,5 +1,7 @@
 /* test_body_surface.c: shells closed and outward, the paper's conditions on contours (3.1) and triangles (3.3),
  * normals. */
+#include <stdlib.h>
+
 #include "body/body_internal.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
@@ -266,6 +268,45 @@ START_TEST(normals_run_on_from_limb_to_limb)
 END_TEST
 
 
+/* without the picture's skin: the same measures, volume, depths; the surface is the rings */
+START_TEST(a_plain_body_differs_in_its_picture_only)
+{
+    mus_context *context = support_context();
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
+    def.plain = 1;
+    mus_body *whole = people_body(context, "M50", NULL), *plain = people_body(context, "M50", &def);
+    for (int32_t m = 0; m < mus_measure_count(); m++) {
+        const double a = mus_body_made(whole, m), b = mus_body_made(plain, m);
+        ck_assert(a == b || (isnan(a) && isnan(b)));
+    }
+    ck_assert_double_eq(mus_body_volume(plain), mus_body_volume(whole));
+    ck_assert_int_lt(mus_body_vertex_count(plain), mus_body_vertex_count(whole));
+    ck_assert_int_eq(mus_body_vertex_count(plain), plain->vertex_count);
+    ck_assert_mem_eq(mus_body_vertices(plain), whole->vertices, 3 * sizeof(double) * (size_t)plain->vertex_count);
+    ck_assert_mem_eq(mus_body_normals(plain), whole->normals, 3 * sizeof(double) * (size_t)plain->vertex_count);
+
+    const int32_t n = plain->vertex_count;
+    double *depth = malloc(2 * (size_t)n * sizeof *depth);
+    ck_assert_int_eq(mus_body_depth(plain, n, mus_body_vertices(whole), depth, NULL), MUS_OK);
+    ck_assert_int_eq(mus_body_depth(whole, n, mus_body_vertices(whole), depth + n, NULL), MUS_OK);
+    ck_assert_mem_eq(depth, depth + n, (size_t)n * sizeof *depth);
+    free(depth);
+
+    /* a posed copy stays plain */
+    mus_pose pose;
+    mus_body *posed;
+    ck_assert_int_eq(mus_body_rest_pose(plain, &pose), MUS_OK);
+    ck_assert_int_eq(mus_body_pose(plain, &pose, &posed), MUS_OK);
+    ck_assert_int_eq(mus_body_vertex_count(posed), mus_body_vertex_count(plain));
+    mus_body_destroy(posed);
+    mus_body_destroy(plain);
+    mus_body_destroy(whole);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_body_surface(void);
 Suite *mus_suite_body_surface(void)
 {
@@ -279,6 +320,7 @@ Suite *mus_suite_body_surface(void)
     tcase_add_test(tests, rings_are_as_close_as_asked);
     tcase_add_test(tests, the_skin_is_the_union_of_the_limbs);
     tcase_add_test(tests, normals_run_on_from_limb_to_limb);
+    tcase_add_test(tests, a_plain_body_differs_in_its_picture_only);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -35,7 +35,7 @@ static const struct {
 
 typedef struct person {
     bool male;
-    double seconds, volume, litres_off; /* part of the true volume */
+    double seconds, drawn, volume, litres_off; /* part of the true volume */
     double off[ANSUR_MEASURES], cut[ANSUR_MEASURES];
     double caliper[CALIPERS];
 } person;
@@ -106,15 +106,19 @@ static mus_status measure_person(mus_context *context, const ansur *table, int r
     mus_body *body = NULL;
     if (tape == NULL) return MUS_ERR_TAPE;
 
-    /* the shortest of three, as a person is made */
+    /* the shortest of three, as a person is made; then once more with the skin of a picture */
     mus_status status = MUS_OK;
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
     out->seconds = 1e30;
-    for (int round = 0; round < 3 && status == MUS_OK; round++) {
+    for (int round = 0; round < 4 && status == MUS_OK; round++) {
         mus_body_destroy(body);
+        def.plain = round < 3;
         const clock_t start = clock();
-        status = mus_body_create(context, tape, NULL, &body);
+        status = mus_body_create(context, tape, &def, &body);
         const double spent = (double)(clock() - start) / CLOCKS_PER_SEC;
-        if (spent < out->seconds) out->seconds = spent;
+        if (round == 3) out->drawn = spent;
+        else if (spent < out->seconds) out->seconds = spent;
     }
     mus_tape_destroy(tape);
     if (status != MUS_OK) return status;
@@ -215,8 +219,10 @@ static bool print_times(const person *people, int n)
 {
     GATHER(people, n, -1, 1000.0 * p->seconds)
     const double median = quantile(values, count, 0.5), most = quantile(values, count, 1.0);
-    printf("\nCPU time of a body [ms]: median %.2f, 95 %% %.2f, worst %.2f\n", median, quantile(values, count, 0.95),
+    printf("\nCPU time of a plain body [ms]: median %.2f, 95 %% %.2f, worst %.2f", median, quantile(values, count, 0.95),
            most);
+    for (int i = 0; i < n; i++) values[i] = 1000.0 * people[i].drawn;
+    printf("; with skin, face, hands and feet: median %.2f\n", quantile(values, n, 0.5));
     return median < 5.0 && most < 20.0;
 }
 

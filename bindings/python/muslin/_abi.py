@@ -249,7 +249,7 @@ class mus_limb(Structure):
 
 class mus_body_def(Structure):
     _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32),
-                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb))]
+                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb)), ("plain", c_int32)]
 
 
 class mus_pose(Structure):

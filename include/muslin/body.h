@@ -61,7 +61,7 @@ typedef struct mus_body_def {
     const mus_limb *limb; /* (limbs) a prosthesis, a belly, a hump; copied. They count in contact, surface and volume,
                              not in the measures */
     int32_t plain;        /* nonzero: the surface is that of the contours alone, without fillets where limbs meet, face,
-                             fingers and toes: half the time, for what draws nothing; measures and contact are the same */
+                             fingers and toes: half the time, for what draws nothing; measures and contact stay */
 } mus_body_def;
 
 MUS_API void mus_body_def_init(mus_body_def *def, size_t size);

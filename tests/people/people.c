@@ -219,8 +219,8 @@ static bool print_times(const person *people, int n)
 {
     GATHER(people, n, -1, 1000.0 * p->seconds)
     const double median = quantile(values, count, 0.5), most = quantile(values, count, 1.0);
-    printf("\nCPU time of a plain body [ms]: median %.2f, 95 %% %.2f, worst %.2f", median, quantile(values, count, 0.95),
-           most);
+    printf("\nCPU time of a plain body [ms]: median %.2f, 95 %% %.2f, worst %.2f", median,
+           quantile(values, count, 0.95), most);
     for (int i = 0; i < n; i++) values[i] = 1000.0 * people[i].drawn;
     printf("; with skin, face, hands and feet: median %.2f\n", quantile(values, n, 0.5));
     return median < 5.0 && most < 20.0;

@@ -48,7 +48,7 @@ def main():
     parse.add_argument("--out", required=True, type=pathlib.Path)
     parse.add_argument("--garments", default="tshirt,skirt")
     parse.add_argument("--size", default="W40")
-    parse.add_argument("--spacing", default="15")
+    parse.add_argument("--spacing", default="10")
     parse.add_argument("--poses", help="names in place of all")
     parse.add_argument("--moves", default="walk")
     parse.add_argument("--count", type=int, default=240)

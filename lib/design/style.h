@@ -26,30 +26,30 @@
 
 /* axis, its word, its options in the order of their enum. The first is the default */
 #define MUS__AXES(X)                                                                                                  \
-    X(GARMENT, "garment", "top skirt trousers dress jumpsuit cape")                                                   \
-    X(NECK, "neck", "jewel scoop v deep_v square boat sweetheart keyhole halter strapless")                           \
-    X(SLEEVE, "sleeve", "none cap short elbow three_quarter long puff bishop bell raglan dolman gigot")               \
-    X(SHAPE, "shape",                                                                                                 \
-      "side_waist waist shoulder_waist french princess_shoulder princess_armhole neck_gathers cf_gathers empire boxy") \
-    X(COLLAR, "collar", "none mandarin shirt peter_pan turtleneck hood shawl sailor")                                 \
-    X(CLOSURE, "closure", "none front back side")                                                                     \
-    X(TOP_LENGTH, "top_length", "hip crop waist tunic")                                                               \
-    X(SKIRT, "skirt",                                                                                                 \
-      "straight pencil a_line gored4 gored6 gored8 quarter half three_quarter full gathered knife box tiered wrap "   \
-      "godet trumpet")                                                                                                \
-    X(LENGTH, "length", "knee mini midi maxi hi_low")                                                                 \
-    X(LEG, "leg", "straight tapered bootcut flare wide culotte jogger harem")                                         \
-    X(LEG_LENGTH, "leg_length", "full short bermuda capri ankle")                                                     \
-    X(BAND, "band", "straight contour facing elastic")                                                                \
-    X(RISE, "rise", "natural low high")                                                                               \
-    X(EASE, "ease", "regular slim loose")                                                                             \
-    X(CLOTH, "cloth", "woven knit")                                                                                   \
-    X(CUFF, "cuff", "none cuff rib")                                                                                  \
-    X(YOKE, "yoke", "none yoke")                                                                                      \
-    X(POCKET, "pocket", "none patch")
+    X(GARMENT, "garment", "top", "skirt", "trousers", "dress", "jumpsuit", "cape")                                    \
+    X(NECK, "neck", "jewel", "scoop", "v", "deep_v", "square", "boat", "sweetheart", "keyhole", "halter", "strapless") \
+    X(SLEEVE, "sleeve", "none", "cap", "short", "elbow", "three_quarter", "long", "puff", "bishop", "bell", "raglan", \
+      "dolman", "gigot")                                                                                              \
+    X(SHAPE, "shape", "side_waist", "waist", "shoulder_waist", "french", "princess_shoulder", "princess_armhole",     \
+      "neck_gathers", "cf_gathers", "empire", "boxy")                                                                 \
+    X(COLLAR, "collar", "none", "mandarin", "shirt", "peter_pan", "turtleneck", "hood", "shawl", "sailor")            \
+    X(CLOSURE, "closure", "none", "front", "back", "side")                                                            \
+    X(TOP_LENGTH, "top_length", "hip", "crop", "waist", "tunic")                                                      \
+    X(SKIRT, "skirt", "straight", "pencil", "a_line", "gored4", "gored6", "gored8", "quarter", "half",                \
+      "three_quarter", "full", "gathered", "knife", "box", "tiered", "wrap", "godet", "trumpet")                      \
+    X(LENGTH, "length", "knee", "mini", "midi", "maxi", "hi_low")                                                     \
+    X(LEG, "leg", "straight", "tapered", "bootcut", "flare", "wide", "culotte", "jogger", "harem")                    \
+    X(LEG_LENGTH, "leg_length", "full", "short", "bermuda", "capri", "ankle")                                         \
+    X(BAND, "band", "straight", "contour", "facing", "elastic")                                                       \
+    X(RISE, "rise", "natural", "low", "high")                                                                         \
+    X(EASE, "ease", "regular", "slim", "loose")                                                                       \
+    X(CLOTH, "cloth", "woven", "knit")                                                                                \
+    X(CUFF, "cuff", "none", "cuff", "rib")                                                                            \
+    X(YOKE, "yoke", "none", "yoke")                                                                                   \
+    X(POCKET, "pocket", "none", "patch")
 
 enum {
-#define MUS__AXIS_ENUM(name, word, options) MUS__AXIS_##name,
+#define MUS__AXIS_ENUM(name, ...) MUS__AXIS_##name,
     MUS__AXES(MUS__AXIS_ENUM)
 #undef MUS__AXIS_ENUM
         MUS__AXIS_COUNT
@@ -92,10 +92,20 @@ typedef struct mus__style {
 
 /* ---- style.c ---- */
 
-/* "dress neck=v sleeve=puff": the first word is the garment. Errors: MUS_ERR_DESIGN (unknown word: the options are
- * named; two words that exclude one another: both named, and why) */
+/* "dress neck=v sleeve=puff": the first word is the garment. An axis that is not named takes its first option, but for
+ * closure, shape and neck, which take the first that goes with what is named (a knit top asks for boxy first). Axes
+ * that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the options are named; two words that exclude
+ * one another: both named, and why) */
 mus_status mus__style_read(mus_context *context, const char *words, mus__style *out);
+/* MUS_OK, or MUS_ERR_DESIGN with the two words that exclude one another, and why */
+mus_status mus__style_check(mus_context *context, const mus__style *style);
+/* a garment has an axis: a skirt has no sleeve */
+bool mus__style_has(int32_t garment, int32_t axis);
+/* the word of an option ("puff"), of an axis ("sleeve"); NULL outside */
 const char *mus__style_word(int32_t axis, int32_t option);
+const char *mus__style_axis(int32_t axis);
+/* all that is not an axis' first option, in words; cut off at `size` bytes with the end */
+void mus__style_spell(const mus__style *style, char *text, size_t size);
 
 /* ---- a half garment in the making ---- */
 
@@ -107,7 +117,9 @@ typedef struct mus__half {
     mus__style style;
     mus__board board;
     mus__bodice bodice;             /* of a garment with a top */
-    double waist_ease, hip_ease;    /* total, one value for top and skirt or trousers, so that they meet */
+    double bust_ease;               /* total, of the ease level and the cloth, or the caller's wish for a top */
+    double waist_ease, hip_ease;    /* total, one value for top and skirt or trousers, so that they meet. Where a top
+                                       has no waist darts, mus__top_draft() sets waist_ease to what it has become */
     double waist_level;             /* height above the floor of y = 0 of torso panels [m] */
 } mus__half;
 
@@ -142,7 +154,7 @@ void mus__panel_place_hips(mus__half *half, int32_t panel, bool front, double wi
 void mus__panel_place_arm(mus__half *half, int32_t panel, double crown_x, double crown_y, double width);
 /* about the left leg, y = 0 of the panel at `height`; front before, back behind; x = `crease` over the leg's middle */
 void mus__panel_place_leg(mus__half *half, int32_t panel, bool front, double crease, double width, double height);
-/* rolled about an upright axis at the height of neck or waist: a band or collar, x = 0 at centre front or centre back */
+/* rolled about an upright axis at the height of neck or waist: a band or collar, x = 0 at centre front or back */
 void mus__panel_place_ring(mus__half *half, int32_t panel, bool front, double girth, double height);
 
 #endif

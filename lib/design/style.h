@@ -17,6 +17,12 @@
  *   "shoulder", "side", "waist" (where a skirt, trousers or a band is sewn on), "hem", "cuff", "centre" (cf, cb)
  * A label stays on a side that is sewn later; openings are declared by mus__board_opening_add() from what the garment
  * should have (neck, cuffs or armholes, waist, hem or hems).
+ *
+ * What a cut takes off "front" is called "front_...", off "back" "back_...", and a run may go over several panels:
+ * mus__half_rim() follows the rim of what is sewn so far. A closure is drawn done up: a front that buttons, a back or
+ * side that zips is a seam (MUS__CENTRE_SEAM), with its extension as allowance, buttons and the zip's end as marks.
+ * Openings of a top: neck, two armholes (or cuffs), hem or waist; neck=halter: neck, one "armhole" that runs round both
+ * arms and the back, hem or waist; neck=strapless: neck, hem or waist.
  */
 #ifndef MUS_STYLE_H
 #define MUS_STYLE_H
@@ -127,6 +133,15 @@ typedef struct mus__half {
  * off them), sewn at shoulder and side, darts sewn, placed round the torso; without sleeve and collar. Down to the hem
  * (top) or the waist line with label "waist" (dress, jumpsuit) */
 void mus__top_draft(mus__half *half);
+
+/* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
+void mus__closure_finish(mus__half *half);
+
+/* place.c: the open sides of `label` one after the other as the rim of the sewn half runs (cloth to the left), over
+ * darts and seams from panel to panel, of the panels whose names begin with `panels` ("" for all): how many; at most
+ * `room` are written. So the waist of a front runs from the centre to the side, that of a back from the side to the
+ * centre, and "" "armhole" is a ring that begins at the front underarm; "neck" runs from centre back to centre front */
+int32_t mus__half_rim(const mus__half *half, const char *panels, const char *label, int32_t *sides, int32_t room);
 
 /* sleeve_style.c: from the armhole runs of the half: the sleeve of its style drafted to their lengths, sewn in,
  * underarm sewn, placed round the arm, with its cuff; raglan and dolman recut front and back */

@@ -42,6 +42,7 @@ typedef struct mus__board_side {
     int32_t panel; /* MUS_NONE: removed */
     int32_t prev, next;
     int32_t centre;   /* MUS__CENTRE_*; not kept in a pattern */
+    int32_t knot;     /* corners (starts of sides) of one knot and one place are one point of the panel; or MUS_NONE */
     bool backward;    /* the edge of the pattern runs against the outline */
     double allowance; /* NaN: left to the sheet */
     mus__board_chain chain;
@@ -61,6 +62,7 @@ typedef struct mus__board_seam {
     int32_t a, b;      /* sides; a == MUS_NONE: removed */
     int32_t direction; /* MUS_SEAM_* of the sides as walked */
     double ease, tolerance;
+    bool bridge; /* both sides are one edge of the pattern, which its panel's word passes twice */
 } mus__board_seam;
 
 typedef struct mus__board_notch {
@@ -80,6 +82,7 @@ typedef struct mus__board {
     char name[MUS__NAME_BYTES];
     int32_t npanel, nside, nseam, nnotch, nmark, nopening;
     int32_t panel_room, side_room, seam_room, notch_room, mark_room, opening_room;
+    int32_t nknot;
     mus__board_panel *panel;
     mus__board_side *side;
     mus__board_seam *seam;
@@ -88,15 +91,19 @@ typedef struct mus__board {
     mus__opening *opening;
 } mus__board;
 
-/* ---- board.c: to and from a pattern, and finding one's way ---- */
+/* ---- board_pattern.c: to and from a pattern ---- */
 
-void mus__board_begin(mus__board *board, mus_context *context, const char *name);
+/* a panel without outline or an edge of no outline fails the board: both are faults of a pattern */
 void mus__board_read(mus__board *board, const mus_pattern *pattern);
 /* as a new pattern; board->status says how it went, *out is NULL after a failure */
 void mus__board_write(mus__board *board, mus_pattern **out);
+
+/* ---- board.c: drawing, and finding one's way ---- */
+
+void mus__board_begin(mus__board *board, mus_context *context, const char *name);
 void mus__board_free(mus__board *board);
 /* set the status and the sentence, once; for recipes too */
-void mus__board_fail(mus__board *board, mus_status status, const char *format, ...);
+void mus__board_fail(mus__board *board, mus_status status, const char *format, ...) MUS_PRINTF(3, 4);
 
 int32_t mus__board_panel_add(mus__board *board, const char *name, const char *label);
 /* append a side to a panel that is being drawn: it must start where the last one ended (the last ends where the first
@@ -129,6 +136,40 @@ int32_t mus__board_mark_add(mus__board *board, int32_t panel, const char *name, 
 void mus__board_opening_add(mus__board *board, const char *label);
 void mus__board_rename(mus__board *board, int32_t side, const char *name, const char *label /* NULL: as it is */);
 
+/* is it one that is there? if not, the board fails */
+bool mus__board_has_side(mus__board *board, int32_t side);
+bool mus__board_has_panel(mus__board *board, int32_t panel);
+/* a side of `chain`, which is taken over even when this fails: without name, label, neighbours, seam and notches */
+int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *chain);
+/* `next` comes after `side` in the ring: its start is set to the end of `side`, bit for bit */
+void mus__board_follow(mus__board *board, int32_t side, int32_t next);
+/* a free name in a panel: `name` without a number at its end, and "_2" or the next number that is free; out
+ * (MUS__NAME_BYTES) */
+void mus__board_free_name(const mus__board *board, int32_t panel, const char *name, char *out);
+/* forget a side: its seams and notches go, its chain too; the ring is the caller's matter */
+void mus__board_side_remove(mus__board *board, int32_t side);
+/* a panel is about to change its shape: it is no longer the mirror image of another, nor another of it */
+void mus__board_part_twins(mus__board *board, int32_t panel);
+
+/* ---- board_chain.c: chains of pieces. Those that make one fail the board without memory, with *out empty ---- */
+
+void mus__board_chain_make(mus__board *board, int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
+                           mus__board_chain *out);
+double mus__board_chain_length(const mus__board_chain *chain);
+/* point at arc length s (of `length`), and the unit tangent along; either may be NULL */
+void mus__board_chain_at(const mus__board_chain *chain, double length, double s, double *xy, double *tangent);
+void mus__board_chain_reverse(mus__board_chain *chain);
+/* x' = m0 x + m1 y + m2, y' = m3 x + m4 y + m5 of every point */
+void mus__board_chain_move(mus__board_chain *chain, const double *map);
+/* the parts before and after arc length s, 0 < s < length; pieces are divided exactly */
+void mus__board_chain_split(mus__board *board, const mus__board_chain *chain, double length, double s,
+                            mus__board_chain *before, mus__board_chain *after);
+/* a then b; two lines that are one straight line become one */
+void mus__board_chain_join(mus__board *board, const mus__board_chain *a, const mus__board_chain *b,
+                           mus__board_chain *out);
+/* are b's points those of a, read from the other end when `reversed`, bit for bit? */
+bool mus__board_chain_same(const mus__board_chain *a, const mus__board_chain *b, bool reversed);
+
 /* ---- board_sew.c ---- */
 
 /* join two sides; ease = length of b - length of a that is meant */
@@ -150,6 +191,8 @@ void mus__board_sew(mus__board *board, int32_t na, const int32_t *a, int32_t nb,
 int32_t mus__board_split(mus__board *board, int32_t side, double s, const char *name);
 /* `side` and the next, unsewn or sewn to two that are one after the other, become one, with the name of `side` */
 void mus__board_merge(mus__board *board, int32_t side);
+/* would it do so? Asks only, and fails nothing */
+bool mus__board_mergeable(const mus__board *board, int32_t side);
 
 /* ---- board_cut.c: panels apart and together ---- */
 
@@ -162,9 +205,11 @@ void mus__board_merge(mus__board *board, int32_t side);
 int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npiece, const int32_t *kinds, int32_t nxy,
                        const double *xy, const char *name, const char *seam_name);
 /* undo of a cut: the panels of a seam between two panels become one: the other is moved so that its side lies on this
- * one (they must be congruent within 1e-6 m), its sides taken in, the seam gone */
+ * one (they must be congruent within 1e-6 m), its sides taken in, the seam gone. Where sides next to it are sewn to one
+ * another and lie on each other too, their seams go as well */
 void mus__board_join(mus__board *board, int32_t side);
-/* move a whole panel in its plane: turned by `angle` about `centre`, then shifted; grain, marks and notches go along */
+/* move a whole panel in its plane: turned by `angle` about `centre`, then shifted; grain, marks and notches go along.
+ * A flat placement is changed so that the panel stays where it was in space, a bent one so for a shift alone */
 void mus__board_turn(mus__board *board, int32_t panel, const double *centre, double angle, const double *shift);
 /* the mirror image (x to -x) of a panel as a new one: words run counter-clockwise again; placement mirrored in X */
 int32_t mus__board_mirror(mus__board *board, int32_t panel, const char *name);

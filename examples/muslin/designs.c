@@ -18,11 +18,21 @@ int command_designs(int argc, char **argv)
     json j = {0};
     json_open(&j, NULL, '[');
     for (int32_t d = 0; d < mus_design_count(); d++) {
-        if (!as_json) printf("%-16s %-10s %s\n", mus_design_name(d), mus_design_family(d), mus_design_title(d));
+        const int32_t groups = mus_design_groups(d);
+        if (!as_json)
+            printf("%-28s %-12s %c%c%c  %s\n", mus_design_name(d), mus_design_family(d),
+                   groups & MUS_GROUP_WOMEN ? 'w' : '-', groups & MUS_GROUP_MEN ? 'm' : '-',
+                   groups & MUS_GROUP_CHILDREN ? 'c' : '-', mus_design_title(d));
         json_open(&j, NULL, '{');
         json_text(&j, "name", mus_design_name(d));
         json_text(&j, "family", mus_design_family(d));
         json_text(&j, "title", mus_design_title(d));
+        json_text(&j, "words", mus_design_words(d));
+        json_open(&j, "groups", '[');
+        if (groups & MUS_GROUP_WOMEN) json_text(&j, NULL, "women");
+        if (groups & MUS_GROUP_MEN) json_text(&j, NULL, "men");
+        if (groups & MUS_GROUP_CHILDREN) json_text(&j, NULL, "children");
+        json_close(&j, ']');
         json_close(&j, '}');
     }
     json_close(&j, ']');

@@ -1,8 +1,9 @@
 /*
  * muslin/design.h: garments drafted from the tape.
  *
- * A design is a named recipe: blocks (bodice, sleeve, skirt) drafted to the measures, made into a pattern with seams,
- * notches, grain and placement round the body. Formulas: man page mus_design(3).
+ * A design is a few words, "dress neck=v sleeve=puff": one option for each axis of style. Blocks (bodice, sleeve,
+ * skirt, trousers) are drafted to the measures, the words work on them, and they become a pattern with seams, notches,
+ * grain and placement round the body. Many designs have names. Axes and formulas: man page mus_design(3).
  */
 #ifndef MUSLIN_DESIGN_H
 #define MUSLIN_DESIGN_H
@@ -21,14 +22,42 @@ MUS_API const char *mus_design_name(int32_t design);
 MUS_API const char *mus_design_family(int32_t design);
 MUS_API const char *mus_design_title(int32_t design);
 
+/** Words of a named design ("top neck=v sleeve=puff"), "" of one that has a recipe of its own, NULL outside. */
+MUS_API const char *mus_design_words(int32_t design);
+
+/* Whom a design is for. */
+#define MUS_GROUP_WOMEN 1
+#define MUS_GROUP_MEN 2
+#define MUS_GROUP_CHILDREN 4
+
+/** The groups of a named design, bits of MUS_GROUP_*: it drafts for every table size of them. 0 outside. */
+MUS_API int32_t mus_design_groups(int32_t design);
+
 /** Index of a design by name, MUS_NONE if unknown. */
 MUS_API int32_t mus_design_find(const char *name);
+
+/** The axes of words, for a menu: how many, the name of one ("sleeve"), how many options it has, the name of one
+ * ("puff"); NULL and 0 outside. Axis 0 is the garment, whose option stands alone as the first word. */
+MUS_API int32_t mus_design_axis_count(void);
+MUS_API const char *mus_design_axis_name(int32_t axis);
+MUS_API int32_t mus_design_option_count(int32_t axis);
+MUS_API const char *mus_design_option_name(int32_t axis, int32_t option);
+
+/**
+ * Words in full: what was left out and is chosen, in the order of the axes; first options are left out but for neck,
+ * shape and closure. Words that mean the same give the same text.
+ *
+ * Shapes:  text, at most `size` bytes with the end; 512 hold any
+ * Errors:  MUS_ERR_ARG; MUS_ERR_DESIGN (unknown word: the options are named; two words that exclude one another: both
+ *          are named, and why). text is "" then
+ */
+MUS_API mus_status mus_design_spell(mus_context *context, const char *words, char *text, size_t size);
 
 /** Options of a draft; NaN takes the design's own value. */
 typedef struct mus_draft_def {
     size_t size;
-    double ease;   /* total ease on the bust (tops) or hip (skirts) [m] */
-    double length; /* tops: waist to hem; skirts: waist to hem [m] */
+    double ease;   /* total ease on the bust (tops) or hip (skirts, trousers) [m] */
+    double length; /* waist to hem [m] */
     double sleeve; /* sleeve length from the shoulder point [m] */
 } mus_draft_def;
 

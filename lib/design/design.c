@@ -1,57 +1,15 @@
 /*
- * design.c: the list of named designs, and drafting one of them: tape to measures and skeleton, recipe, check.
- *
- * A design is a row: name, family, title, recipe. Adding one is adding a row.
+ * design.c: a named design drafted: tape to measures and skeleton, its recipe, check.
  */
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/design_list.h"
 
-static const struct {
-    const char *name, *family, *title;
-    void (*draft)(mus__draft *draft);
-} design_list[] = {
-    {"tshirt", "top", "T-shirt", mus__draft_tshirt},
-    {"sleeveless", "top", "Sleeveless top", mus__draft_sleeveless},
-    {"bodice", "block", "Bodice block", mus__draft_bodice},
-    {"skirt", "skirt", "Straight skirt", mus__draft_skirt},
-    {"skirt_plain", "skirt", "A-line skirt without darts", mus__draft_skirt_plain},
+/* recipes of the first designs of the list, in order */
+static void (*const design_recipe[])(mus__draft *draft) = {
+    mus__draft_tshirt, mus__draft_sleeveless, mus__draft_bodice, mus__draft_skirt, mus__draft_skirt_plain,
 };
-
-#define DESIGNS ((int32_t)(sizeof design_list / sizeof design_list[0]))
-
-
-int32_t mus_design_count(void)
-{
-    return DESIGNS;
-}
-
-
-const char *mus_design_name(int32_t design)
-{
-    return design >= 0 && design < DESIGNS ? design_list[design].name : NULL;
-}
-
-
-const char *mus_design_family(int32_t design)
-{
-    return design >= 0 && design < DESIGNS ? design_list[design].family : NULL;
-}
-
-
-const char *mus_design_title(int32_t design)
-{
-    return design >= 0 && design < DESIGNS ? design_list[design].title : NULL;
-}
-
-
-int32_t mus_design_find(const char *name)
-{
-    for (int32_t d = 0; name != NULL && d < DESIGNS; d++)
-        if (strcmp(design_list[d].name, name) == 0) return d;
-    return MUS_NONE;
-}
 
 
 void mus_draft_def_init(mus_draft_def *def, size_t size)
@@ -103,17 +61,53 @@ static mus_status design_check_def(mus_context *context, const mus_draft_def *de
 }
 
 
-/* the first fault of a draft is the recipe's failure */
-static void design_check(mus__draft *draft)
+mus_status mus__design_check(mus_context *context, mus_pattern *pattern)
 {
     int32_t faults;
     const char *text;
-    if (draft->status != MUS_OK) return;
-    draft->status = mus_pattern_check(draft->pattern, &faults);
-    if (draft->status != MUS_OK || faults == 0) return;
-    mus_pattern_fault(draft->pattern, 0, NULL, NULL, NULL, NULL, &text);
-    draft->status =
-        mus__fail(draft->context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(draft->pattern), text);
+    const mus_status status = mus_pattern_check(pattern, &faults);
+    if (status != MUS_OK || faults == 0) return status;
+    mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+    return mus__fail(context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(pattern), text);
+}
+
+
+mus_status mus__design_read(mus_context *context, const mus_tape *tape, const mus_draft_def *def,
+                            mus_draft_def *wishes, mus__measures *measures, mus__skeleton *skeleton)
+{
+    mus_draft_def_init(wishes, sizeof *wishes);
+    mus_status status = mus__def_read(context, wishes, sizeof *wishes, sizeof *wishes, def, "mus_draft_def");
+    if (status == MUS_OK) status = design_check_def(context, wishes);
+    if (status != MUS_OK) return status;
+
+    mus_tape *copy = NULL;
+    status = mus_tape_copy(tape, &copy);
+    if (status == MUS_OK && !mus_tape_is_complete(copy)) status = mus_tape_complete(copy);
+    if (status == MUS_OK) {
+        mus__measures_read(copy, measures);
+        mus__skeleton_make(copy, skeleton);
+    } else if (mus_tape_context(tape) != context) {
+        mus__fail(context, status, "%s", mus_context_error(mus_tape_context(tape)));
+    }
+    mus_tape_destroy(copy);
+    return status;
+}
+
+
+/* a design that has a recipe of its own */
+static mus_status design_draft_recipe(mus_context *context, int32_t design, const mus_tape *tape,
+                                      const mus_draft_def *def, mus_pattern **out)
+{
+    mus__draft draft;
+    memset(&draft, 0, sizeof draft);
+    draft.context = context;
+    draft.status = mus__design_read(context, tape, def, &draft.def, &draft.measures, &draft.skeleton);
+    if (draft.status == MUS_OK) draft.status = mus_pattern_create(context, mus_design_name(design), &draft.pattern);
+    if (draft.status == MUS_OK) design_recipe[design](&draft);
+    if (draft.status == MUS_OK) draft.status = mus__design_check(context, draft.pattern);
+    if (draft.status == MUS_OK) *out = draft.pattern;
+    else mus_pattern_destroy(draft.pattern);
+    return draft.status;
 }
 
 
@@ -123,36 +117,8 @@ mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape
     if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
     if (tape == NULL || out == NULL) return mus__fail(context, MUS_ERR_ARG, "draft: tape or out is NULL");
-    if (design < 0 || design >= DESIGNS)
-        return mus__fail(context, MUS_ERR_ARG, "design %d, expected 0 to %d", (int)design, (int)DESIGNS - 1);
-
-    mus__draft draft;
-    memset(&draft, 0, sizeof draft);
-    draft.context = context;
-    mus_draft_def_init(&draft.def, sizeof draft.def);
-    mus_status status = mus__def_read(context, &draft.def, sizeof draft.def, sizeof draft.def, def, "mus_draft_def");
-    if (status == MUS_OK) status = design_check_def(context, &draft.def);
-
-    mus_tape *copy = NULL;
-    if (status == MUS_OK) status = mus_tape_copy(tape, &copy);
-    if (status == MUS_OK && !mus_tape_is_complete(copy)) status = mus_tape_complete(copy);
-    if (status != MUS_OK) {
-        if (mus_tape_context(tape) != context)
-            mus__fail(context, status, "%s", mus_context_error(mus_tape_context(tape)));
-        mus_tape_destroy(copy);
-        return status;
-    }
-    mus__measures_read(copy, &draft.measures);
-    mus__skeleton_make(copy, &draft.skeleton);
-    mus_tape_destroy(copy);
-
-    draft.status = mus_pattern_create(context, design_list[design].name, &draft.pattern);
-    if (draft.status == MUS_OK) design_list[design].draft(&draft);
-    design_check(&draft);
-    if (draft.status != MUS_OK) {
-        mus_pattern_destroy(draft.pattern);
-        return draft.status;
-    }
-    *out = draft.pattern;
-    return MUS_OK;
+    if (design < 0 || design >= mus_design_count())
+        return mus__fail(context, MUS_ERR_ARG, "design %d, expected 0 to %d", (int)design,
+                         (int)mus_design_count() - 1);
+    return design_draft_recipe(context, design, tape, def, out);
 }

@@ -225,6 +225,12 @@ void mus__place_hips(mus__piece *piece, bool front, double width, double height)
 
 /* ---- the designs ---- */
 
+/* the caller's wishes; measures and skeleton of a tape, completed on a copy */
+mus_status mus__design_read(mus_context *context, const mus_tape *tape, const mus_draft_def *def,
+                            mus_draft_def *wishes, mus__measures *measures, mus__skeleton *skeleton);
+/* the first fault of a draft is the failure of its recipe */
+mus_status mus__design_check(mus_context *context, mus_pattern *pattern);
+
 void mus__draft_bodice(mus__draft *draft);
 void mus__draft_tshirt(mus__draft *draft);
 void mus__draft_sleeveless(mus__draft *draft);

@@ -96,12 +96,12 @@ typedef struct mus__style {
     int32_t option[MUS__AXIS_COUNT];
 } mus__style;
 
-/* ---- style.c ---- */
+/* ---- style.c, style_rules.c ---- */
 
 /* "dress neck=v sleeve=puff": the first word is the garment. An axis that is not named takes its first option, but for
  * closure, shape and neck, which take the first that goes with what is named (a knit top asks for boxy first). Axes
- * that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the options are named; two words that exclude
- * one another: both named, and why) */
+ * that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the options are named; two words that
+ * exclude one another: both named, and why) */
 mus_status mus__style_read(mus_context *context, const char *words, mus__style *out);
 /* MUS_OK, or MUS_ERR_DESIGN with the two words that exclude one another, and why */
 mus_status mus__style_check(mus_context *context, const mus__style *style);
@@ -110,8 +110,17 @@ bool mus__style_has(int32_t garment, int32_t axis);
 /* the word of an option ("puff"), of an axis ("sleeve"); NULL outside */
 const char *mus__style_word(int32_t axis, int32_t option);
 const char *mus__style_axis(int32_t axis);
+/* index of a rule that the style breaks, looking at the axes in the bits of `axes` alone; MUS_NONE if there is none */
+int32_t mus__style_broken(const mus__style *style, uint32_t axes);
+/* the rule as the context's error; MUS_OK for MUS_NONE */
+mus_status mus__style_explain(mus_context *context, const mus__style *style, int32_t rule);
 /* all that is not an axis' first option, in words; cut off at `size` bytes with the end */
 void mus__style_spell(const mus__style *style, char *text, size_t size);
+
+/* ---- design_words.c ---- */
+
+mus_status mus__style_draft(mus_context *context, const char *name, const mus__style *style, const mus_tape *tape,
+                            const mus_draft_def *def, mus_pattern **out);
 
 /* ---- a half garment in the making ---- */
 

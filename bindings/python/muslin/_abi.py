@@ -148,6 +148,9 @@ MUS_FAULT_MIRRORED = 9
 MUS_FAULT_MISSING_PIECE = 10
 MUS_FAULT_OPENING = 11
 MUS_FAULT_CLOSED = 12
+MUS_GROUP_WOMEN = 1
+MUS_GROUP_MEN = 2
+MUS_GROUP_CHILDREN = 4
 MUS_BEND_PLATE = 0
 MUS_BEND_PAPER = 1
 MUS_METHOD_RK4 = 0
@@ -538,7 +541,14 @@ FUNCTIONS = {
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),
     "mus_design_title": ("core", c_char_p, [c_int32]),
+    "mus_design_words": ("core", c_char_p, [c_int32]),
+    "mus_design_groups": ("core", c_int32, [c_int32]),
     "mus_design_find": ("core", c_int32, [c_char_p]),
+    "mus_design_axis_count": ("core", c_int32, []),
+    "mus_design_axis_name": ("core", c_char_p, [c_int32]),
+    "mus_design_option_count": ("core", c_int32, [c_int32]),
+    "mus_design_option_name": ("core", c_char_p, [c_int32, c_int32]),
+    "mus_design_spell": ("core", c_int32, [POINTER(mus_context), c_char_p, c_char_p, c_size_t]),
     "mus_draft_def_init": ("core", None, [POINTER(mus_draft_def), c_size_t]),
     "mus_design_draft": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_tape), POINTER(mus_draft_def),
                                            POINTER(POINTER(mus_pattern))]),

@@ -1,23 +1,45 @@
-"""design.py: garments drafted from the tape."""
+"""design.py: garments drafted from the tape, by name or by words."""
 import ctypes
 
 from . import _abi
 from ._library import lib
-from .context import create, make_def, text
+from .context import Context, create, make_def, text
 from .pattern import Pattern
+
+GROUPS = {_abi.MUS_GROUP_WOMEN: "women", _abi.MUS_GROUP_MEN: "men", _abi.MUS_GROUP_CHILDREN: "children"}
 
 
 def designs():
-    """[{"name", "family", "title"}] of the named designs."""
-    return [{"name": lib.mus_design_name(i).decode(), "family": lib.mus_design_family(i).decode(),
-             "title": lib.mus_design_title(i).decode()} for i in range(lib.mus_design_count())]
+    """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children"."""
+    rows = []
+    for i in range(lib.mus_design_count()):
+        bits = lib.mus_design_groups(i)
+        rows.append({"name": lib.mus_design_name(i).decode(), "family": lib.mus_design_family(i).decode(),
+                     "title": lib.mus_design_title(i).decode(), "words": lib.mus_design_words(i).decode(),
+                     "groups": [group for bit, group in GROUPS.items() if bits & bit]})
+    return rows
+
+
+def axes():
+    """{"garment": ["top", ...], "neck": [...], ...}: the words that designs are made of."""
+    return {lib.mus_design_axis_name(a).decode():
+            [lib.mus_design_option_name(a, i).decode() for i in range(lib.mus_design_option_count(a))]
+            for a in range(lib.mus_design_axis_count())}
+
+
+def spell(words):
+    """Words in full, what was left out chosen; MuslinError for words that do not go together."""
+    full = ctypes.create_string_buffer(1024)
+    context = Context.of_thread()
+    context.call("mus_design_spell", context.handle, text(words), full, len(full))
+    return full.value.decode()
 
 
 def draft(design, tape, **options):
     """The pattern of a design, by name, for a tape. options: ease, length, sleeve [m] (mus_draft_def)."""
     index = lib.mus_design_find(text(design))
     if index == _abi.MUS_NONE:
-        raise KeyError(f"no design {design!r}: {', '.join(row['name'] for row in designs())}")
+        raise KeyError(f"no design {design!r}; muslin.designs() lists them")
     definition = make_def(_abi.mus_draft_def, lib.mus_draft_def_init, options)
     context = tape.context
     return Pattern(context=context, _handle=create(context, "pattern", "mus_design_draft", context.handle, index,

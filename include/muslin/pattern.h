@@ -81,6 +81,46 @@ MUS_API mus_status mus_pattern_set_edge_label(mus_pattern *pattern, int32_t edge
 /** Seam allowance of an edge [m]; NaN (the default) leaves it to the sheet. Errors: MUS_ERR_ARG (< 0, > 0.2). */
 MUS_API mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t edge, double allowance);
 
+/* Where on the body an edge is held up: girths of the torso, then of the arm or leg that the edge starts round. */
+#define MUS_HOLD_NONE 0
+#define MUS_HOLD_NECK 1   /* a collar, the strap of a halter */
+#define MUS_HOLD_ARMPIT 2 /* a strapless top */
+#define MUS_HOLD_BUST 3
+#define MUS_HOLD_WAIST 4 /* a waistband */
+#define MUS_HOLD_HIP 5
+#define MUS_HOLD_CROTCH 6
+#define MUS_HOLD_BICEPS 7
+#define MUS_HOLD_WRIST 8
+#define MUS_HOLD_THIGH 9
+#define MUS_HOLD_KNEE 10
+#define MUS_HOLD_ANKLE 11
+#define MUS_HOLD_COUNT 12
+
+/** Name of a hold ("waist"), NULL outside the range; and the hold of a name, MUS_NONE without. */
+MUS_API const char *mus_hold_name(int32_t level);
+MUS_API int32_t mus_hold_find(const char *name);
+
+/**
+ * An edge that does not slide down: a drape keeps it from going more than `below` under the level on its body.
+ *
+ * The edge moves freely along the skin and up. MUS_HOLD_NONE (the default) lets go. A body that has not the level (one
+ * of given limbs) holds nothing. hold_label: all edges with that label; `count` (may be NULL) gets how many there are.
+ * Units:   below [m], -1 to 1
+ * Errors:  MUS_ERR_ARG
+ */
+MUS_API mus_status mus_pattern_set_edge_hold(mus_pattern *pattern, int32_t edge, int32_t level, double below);
+MUS_API mus_status mus_pattern_hold_label(mus_pattern *pattern, const char *label, int32_t level, double below,
+                                          int32_t *count);
+
+/**
+ * An elastic along an edge (a casing, a rib): `ratio` times as long as the edge at rest, `stiffness` [N] the force that
+ * would stretch it to double length. Stiffness 0 (the default): none.
+ *
+ * A soft rib has 20 N, an elastic 2 cm wide 60 N, a waistband that hardly stretches 1000 N.
+ * Errors:  MUS_ERR_ARG (ratio outside 0.1 to 1, stiffness outside 0 to 1e6)
+ */
+MUS_API mus_status mus_pattern_set_edge_elastic(mus_pattern *pattern, int32_t edge, double ratio, double stiffness);
+
 /** Options of a seam. */
 typedef struct mus_seam_def {
     size_t size;
@@ -178,6 +218,11 @@ MUS_API mus_status mus_pattern_edge_ends(const mus_pattern *pattern, int32_t edg
 MUS_API const char *mus_pattern_edge_name(const mus_pattern *pattern, int32_t edge);
 MUS_API const char *mus_pattern_edge_label(const mus_pattern *pattern, int32_t edge);
 MUS_API double mus_pattern_edge_allowance(const mus_pattern *pattern, int32_t edge);
+
+/** What keeps an edge up: MUS_HOLD_* and how far below it [m]; ratio and stiffness [N] of its elastic. Any out may be
+ * NULL. */
+MUS_API mus_status mus_pattern_edge_hold(const mus_pattern *pattern, int32_t edge, int32_t *level, double *below);
+MUS_API mus_status mus_pattern_edge_elastic(const mus_pattern *pattern, int32_t edge, double *ratio, double *stiffness);
 
 /** The chain of an edge: kinds (npiece) and all its points with both ends (nxy x 2). Borrowed until the next edit. */
 MUS_API mus_status mus_pattern_edge_pieces(const mus_pattern *pattern, int32_t edge, int32_t *npiece,

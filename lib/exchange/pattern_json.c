@@ -243,6 +243,37 @@ static mus_status read_chain(const mus_json_at *at, mus_pattern *pattern, const 
 }
 
 
+/* what keeps an edge up: {"at": level, "below": m} and {"ratio": r, "stiffness": N}, both may be missing */
+static mus_status read_stay(const mus_json_at *at, mus_pattern *pattern, int32_t edge)
+{
+    mus_status status = MUS_OK;
+    double below, ratio, stiffness;
+    mus_json_at hold = mus__json_member(at, "hold"), elastic = mus__json_member(at, "elastic"), member;
+    if (hold.json != NULL) {
+        const char *name = "";
+        status = mus__json_expect(&hold, JSON_OBJECT);
+        member = mus__json_member(&hold, "at");
+        if (status == MUS_OK) status = mus__json_text(&member, &name);
+        if (status == MUS_OK && mus_hold_find(name) < 0)
+            return mus__json_fail(&member, MUS_ERR_FORMAT, "expected a level (neck, waist ...), got \"%.40s\"", name);
+        member = mus__json_member(&hold, "below");
+        if (status == MUS_OK) status = mus__json_number(&member, &below);
+        if (status != MUS_OK) return status;
+        status = mus_pattern_set_edge_hold(pattern, edge, mus_hold_find(name), below);
+        if (status != MUS_OK) return mus__json_wrap(&hold, status);
+    }
+    if (elastic.json == NULL) return MUS_OK;
+    status = mus__json_expect(&elastic, JSON_OBJECT);
+    member = mus__json_member(&elastic, "ratio");
+    if (status == MUS_OK) status = mus__json_number(&member, &ratio);
+    member = mus__json_member(&elastic, "stiffness");
+    if (status == MUS_OK) status = mus__json_number(&member, &stiffness);
+    if (status != MUS_OK) return status;
+    status = mus_pattern_set_edge_elastic(pattern, edge, ratio, stiffness);
+    return status == MUS_OK ? MUS_OK : mus__json_wrap(&elastic, status);
+}
+
+
 static mus_status read_edge(const mus_json_at *at, mus_pattern *pattern)
 {
     const char *name, *label;
@@ -256,7 +287,7 @@ static mus_status read_edge(const mus_json_at *at, mus_pattern *pattern)
     if (status != MUS_OK) return status;
     status = mus_pattern_set_edge_label(pattern, edge, label);
     if (status == MUS_OK && member.json != NULL) status = mus_pattern_set_edge_allowance(pattern, edge, allowance);
-    return status == MUS_OK ? MUS_OK : mus__json_wrap(at, status);
+    return status == MUS_OK ? read_stay(at, pattern, edge) : mus__json_wrap(at, status);
 }
 
 

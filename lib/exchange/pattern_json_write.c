@@ -105,6 +105,29 @@ static void put_pieces(mus_sink *sink, int32_t npiece, const int32_t *kinds, con
 }
 
 
+/* holds and elastics that there are */
+static mus_status put_stay(mus_sink *sink, const mus_pattern *pattern, int32_t edge)
+{
+    int32_t level;
+    double below, ratio, stiffness;
+    mus_status status = mus_pattern_edge_hold(pattern, edge, &level, &below);
+    if (status == MUS_OK) status = mus_pattern_edge_elastic(pattern, edge, &ratio, &stiffness);
+    if (status == MUS_OK && level != MUS_HOLD_NONE) {
+        mus__sink_print(sink, ", \"hold\": {\"at\": \"%s\", \"below\": ", mus_hold_name(level));
+        mus__sink_number(sink, below);
+        mus__sink_print(sink, "}");
+    }
+    if (status == MUS_OK && stiffness > 0.0) {
+        mus__sink_print(sink, ", \"elastic\": {\"ratio\": ");
+        mus__sink_number(sink, ratio);
+        mus__sink_print(sink, ", \"stiffness\": ");
+        mus__sink_number(sink, stiffness);
+        mus__sink_print(sink, "}");
+    }
+    return status;
+}
+
+
 static mus_status put_edge(mus_sink *sink, const mus_pattern *pattern, int32_t edge)
 {
     int32_t start, end, npiece, nxy;
@@ -122,9 +145,10 @@ static mus_status put_edge(mus_sink *sink, const mus_pattern *pattern, int32_t e
         mus__sink_print(sink, ", \"allowance\": ");
         mus__sink_number(sink, allowance);
     }
+    status = put_stay(sink, pattern, edge);
     put_pieces(sink, npiece, kinds, xy);
     mus__sink_print(sink, "}");
-    return MUS_OK;
+    return status;
 }
 
 

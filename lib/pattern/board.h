@@ -45,6 +45,7 @@ typedef struct mus__board_side {
     int32_t knot;     /* corners (starts of sides) of one knot and one place are one point of the panel; or MUS_NONE */
     bool backward;    /* the edge of the pattern runs against the outline */
     double allowance; /* NaN: left to the sheet */
+    mus__edge_stay stay; /* hold and elastic, as the edge's: kept by reading, splits, doubling and writing */
     mus__board_chain chain;
     double length;
 } mus__board_side;

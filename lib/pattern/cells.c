@@ -159,6 +159,7 @@ mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t 
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = pattern->context;
     mus__edge edge = {.start = start, .end = end, .npiece = npiece, .seam = MUS_NONE, .allowance = (double)NAN};
+    edge.stay.ratio = 1.0;
     mus_status status = mus__pattern_take_name(pattern, "edge", name, edge.name);
     if (status == MUS_OK) status = cell_chain_check(pattern, edge.name, start, end, npiece, kinds, nxy, xy);
     if (status != MUS_OK) return status;

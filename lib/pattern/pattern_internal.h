@@ -33,12 +33,19 @@ typedef struct mus__point {
     int32_t panel;
 } mus__point;
 
+/* what keeps an edge up: a hold on the body and how far below it, an elastic (stiffness 0: none) */
+typedef struct mus__edge_stay {
+    int32_t hold; /* MUS_HOLD_* */
+    double below, ratio, stiffness;
+} mus__edge_stay;
+
 typedef struct mus__edge {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
     int32_t panel, start, end;
     int32_t seam, nseam; /* the first seam that it is in or MUS_NONE, and how many there are */
     int32_t npiece, nxy; /* nxy counts both ends */
     double allowance;
+    mus__edge_stay stay;
     double *xy;     /* (nxy x 2), the block that holds the next two as well */
     double *run;    /* (npiece + 1) arc length at the start of each piece; the last is the edge's length */
     int32_t *kinds; /* (npiece) */

@@ -81,6 +81,8 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
     ck_assert_int_eq(mus_pattern_set_panel_label(pattern, 1, "body"), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edges[1][1], "left_armhole"), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, edges[1][2], 0.015 / 7.0), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edges[0][0], MUS_HOLD_WAIST, -0.02 / 3.0) |
+                         mus_pattern_set_edge_elastic(pattern, edges[0][0], 2.0 / 3.0, 70.0 / 3.0), MUS_OK);
     double angle = support_uniform(&seed, -3, 3);
     mus_placement placement;
     mus_placement_init(&placement, sizeof placement);
@@ -96,8 +98,7 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
     mus_seam_def seam;
     mus_seam_def_init(&seam, sizeof seam);
     for (int k = 0; k < 3; k++) {
-        seam.edge_a = edges[0][k];
-        seam.edge_b = edges[1 + k % 2][k];
+        seam.edge_a = edges[0][k], seam.edge_b = edges[1 + k % 2][k];
         seam.direction = k % 2;
         seam.ease = support_uniform(&seed, -1, 1);
         seam.tolerance = k * 1e-3;
@@ -175,6 +176,14 @@ static void assert_same_edges(const mus_pattern *a, const mus_pattern *b)
         ck_assert_str_eq(mus_pattern_edge_label(a, i), mus_pattern_edge_label(b, i));
         double allowance[2] = {mus_pattern_edge_allowance(a, i), mus_pattern_edge_allowance(b, i)};
         ck_assert(allowance[0] == allowance[1] || (isnan(allowance[0]) && isnan(allowance[1])));
+        double stay[2][3];
+        int32_t level[2];
+        for (int k = 0; k < 2; k++) {
+            ck_assert_int_eq(mus_pattern_edge_hold(k == 0 ? a : b, i, &level[k], &stay[k][0]), MUS_OK);
+            ck_assert_int_eq(mus_pattern_edge_elastic(k == 0 ? a : b, i, &stay[k][1], &stay[k][2]), MUS_OK);
+        }
+        ck_assert_int_eq(level[0], level[1]);
+        ck_assert_mem_eq(stay[0], stay[1], sizeof stay[0]);
     }
 }
 
@@ -361,6 +370,11 @@ static const struct {
     {"{\"kind\": \"line\"}", "{\"kind\": \"line\", \"end\": [0, 0]}", "at edges[0].pieces[0].end"},
     {"{\"kind\": \"line\"}", "", "at edges[0].pieces: expected an array of 1"},
     {"\"name\": \"fold\"", "\"allowance\": 7", "at edges[3]: "},
+    {"\"name\": \"fold\"", "\"hold\": {\"at\": \"moon\", \"below\": 0}", "at edges[3].hold.at: expected a level"},
+    {"\"name\": \"fold\"", "\"hold\": {\"at\": \"hip\"}", "at edges[3].hold.below: "},
+    {"\"name\": \"fold\"", "\"hold\": {\"at\": \"hip\", \"below\": 2}", "at edges[3].hold: "},
+    {"\"name\": \"fold\"", "\"elastic\": {\"ratio\": 2, \"stiffness\": 1}", "at edges[3].elastic: "},
+    {"\"name\": \"fold\"", "\"elastic\": [1, 2]", "at edges[3].elastic: expected an object"},
     {"\"b\": 3", "\"b\": 1", "at seams[0]: "},
     {"\"reversed\"", "\"twisted\"", "at seams[0].direction: expected reversed or direct"},
     {"\"s\": 0.5", "\"s\": 1.5", "at notches[0]: "},

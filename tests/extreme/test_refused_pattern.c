@@ -46,6 +46,26 @@ static mus_status call_add_notch(const sample *s, int32_t k, double bad)
 }
 
 
+static mus_status call_set_edge_hold(const sample *s, int32_t k, double bad)
+{
+    return k >= 1 ? MUS_NONE : mus_pattern_set_edge_hold(s->pattern, s->edge[0], MUS_HOLD_WAIST, bad);
+}
+
+
+static mus_status call_hold_label(const sample *s, int32_t k, double bad)
+{
+    int32_t count;
+    return k >= 1 ? MUS_NONE : mus_pattern_hold_label(s->pattern, "hem", MUS_HOLD_WAIST, bad, &count);
+}
+
+
+static mus_status call_set_edge_elastic(const sample *s, int32_t k, double bad)
+{
+    if (k >= 2) return MUS_NONE;
+    return mus_pattern_set_edge_elastic(s->pattern, s->edge[0], k == 0 ? bad : 0.8, k == 1 ? bad : 20.0);
+}
+
+
 static mus_status call_add_mark(const sample *s, int32_t k, double bad)
 {
     double xy[6] = {0.1, 0.1, 0.2, 0.2, 0.3, 0.1};
@@ -117,6 +137,9 @@ static const struct {
     {"mus_pattern_add_edge", call_add_edge},
     {"mus_pattern_add_notch", call_add_notch},
     {"mus_pattern_set_edge_allowance", call_set_edge_allowance},
+    {"mus_pattern_set_edge_hold", call_set_edge_hold},
+    {"mus_pattern_hold_label", call_hold_label},
+    {"mus_pattern_set_edge_elastic", call_set_edge_elastic},
     {"mus_pattern_add_mark", call_add_mark},
     {"mus_pattern_set_grain", call_set_grain},
     {"mus_pattern_set_placement", call_set_placement},

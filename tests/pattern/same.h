@@ -40,6 +40,8 @@ static inline sample sample_make(mus_context *context)
     ck_assert_int_eq(mus_pattern_set_outline(s.pattern, s.sleeve, 4, s.edge + 4, along), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_label(s.pattern, s.edge[0], "hem"), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_allowance(s.pattern, s.edge[0], 0.03), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_hold(s.pattern, s.edge[2], MUS_HOLD_NECK, 0.01), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_elastic(s.pattern, s.edge[2], 0.8, 20.0), MUS_OK);
     for (int32_t i = 0; i < 2; i++) {
         mus_seam_def def;
         mus_seam_def_init(&def, sizeof def);
@@ -104,6 +106,14 @@ static inline void same_edges(const mus_pattern *a, const mus_pattern *b)
             ck_assert_int_eq(mus_pattern_edge_pieces(p[k], i, &npiece[k], &kinds[k], &nxy[k], &xy[k]), MUS_OK);
         }
         double allowance[2] = {mus_pattern_edge_allowance(a, i), mus_pattern_edge_allowance(b, i)};
+        double below[2], elastic[2][2];
+        int32_t level[2];
+        for (int32_t k = 0; k < 2; k++) {
+            ck_assert_int_eq(mus_pattern_edge_hold(p[k], i, &level[k], &below[k]), MUS_OK);
+            ck_assert_int_eq(mus_pattern_edge_elastic(p[k], i, &elastic[k][0], &elastic[k][1]), MUS_OK);
+        }
+        ck_assert(level[0] == level[1] && below[0] == below[1]);
+        ck_assert_mem_eq(elastic[0], elastic[1], sizeof elastic[0]);
         double length[2] = {mus_pattern_edge_length(a, i), mus_pattern_edge_length(b, i)};
         ck_assert(start[0] == start[1] && end[0] == end[1] && npiece[0] == npiece[1] && nxy[0] == nxy[1]);
         ck_assert_mem_eq(kinds[0], kinds[1], (size_t)npiece[0] * sizeof *kinds[0]);

@@ -133,6 +133,19 @@ MUS_PIECE_CUBIC = 2
 MUS_PIECE_ARC = 3
 MUS_SEAM_REVERSED = 0
 MUS_SEAM_DIRECT = 1
+MUS_HOLD_NONE = 0
+MUS_HOLD_NECK = 1
+MUS_HOLD_ARMPIT = 2
+MUS_HOLD_BUST = 3
+MUS_HOLD_WAIST = 4
+MUS_HOLD_HIP = 5
+MUS_HOLD_CROTCH = 6
+MUS_HOLD_BICEPS = 7
+MUS_HOLD_WRIST = 8
+MUS_HOLD_THIGH = 9
+MUS_HOLD_KNEE = 10
+MUS_HOLD_ANKLE = 11
+MUS_HOLD_COUNT = 12
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
@@ -471,6 +484,11 @@ FUNCTIONS = {
                                                   POINTER(c_int32)]),
     "mus_pattern_set_edge_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_set_edge_allowance": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double]),
+    "mus_hold_name": ("core", c_char_p, [c_int32]),
+    "mus_hold_find": ("core", c_int32, [c_char_p]),
+    "mus_pattern_set_edge_hold": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_double]),
+    "mus_pattern_hold_label": ("core", c_int32, [POINTER(mus_pattern), c_char_p, c_int32, c_double, POINTER(c_int32)]),
+    "mus_pattern_set_edge_elastic": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_seam_def_init": ("core", None, [POINTER(mus_seam_def), c_size_t]),
     "mus_pattern_add_seam": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_seam_def), POINTER(c_int32)]),
     "mus_pattern_add_notch": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, POINTER(c_int32)]),
@@ -505,6 +523,9 @@ FUNCTIONS = {
     "mus_pattern_edge_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_edge_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_edge_allowance": ("core", c_double, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_edge_hold": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
+    "mus_pattern_edge_elastic": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double),
+                                                   POINTER(c_double)]),
     "mus_pattern_edge_pieces": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
                                                   POINTER(POINTER(c_int32)), POINTER(c_int32),
                                                   POINTER(POINTER(c_double))]),

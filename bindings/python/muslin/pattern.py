@@ -87,6 +87,24 @@ class Pattern(Object):
         """Seam allowance of an edge [m]; None leaves it to the sheet."""
         self.do("set_edge_allowance", edge, math.nan if allowance is None else allowance)
 
+    def set_hold(self, edge, level, below=0.0):
+        """Keep an edge from sliding more than `below` [m] under a level of the body ("waist"; "none" lets go)."""
+        self.do("set_edge_hold", edge, self._hold(level), below)
+
+    def hold_label(self, label, level, below=0.0):
+        """The same for all edges with a label: how many there are."""
+        count = ctypes.c_int32()
+        self.do("hold_label", text(label), self._hold(level), below, ctypes.byref(count))
+        return count.value
+
+    @staticmethod
+    def _hold(level):
+        return lib.mus_hold_find(text(level)) if isinstance(level, str) else level
+
+    def set_elastic(self, edge, ratio, stiffness):
+        """An elastic along an edge: length over that of the edge, and newton for double length (0: none)."""
+        self.do("set_edge_elastic", edge, ratio, stiffness)
+
     def set_grain(self, panel, x, y):
         """Direction of the warp in the plane of a panel."""
         self.do("set_grain", panel, x, y)
@@ -168,6 +186,18 @@ class Pattern(Object):
         """[m], None where the sheet decides."""
         value = self.get("edge_allowance", edge)
         return None if math.isnan(value) else value
+
+    def edge_hold(self, edge):
+        """(level, metre below it) of an edge; ("none", 0.0) without."""
+        level, below = ctypes.c_int32(), ctypes.c_double()
+        self.do("edge_hold", edge, ctypes.byref(level), ctypes.byref(below))
+        return lib.mus_hold_name(level.value).decode(), below.value
+
+    def edge_elastic(self, edge):
+        """(ratio, newton) of an edge's elastic; (1.0, 0.0) without."""
+        ratio, stiffness = ctypes.c_double(), ctypes.c_double()
+        self.do("edge_elastic", edge, ctypes.byref(ratio), ctypes.byref(stiffness))
+        return ratio.value, stiffness.value
 
     def edge_at(self, edge, t):
         """Points (n x 2) of an edge at relative arc lengths t (0 start .. 1 end)."""

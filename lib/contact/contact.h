@@ -138,7 +138,7 @@ typedef struct mus__contact_rule {
     double clearance; /* nodes are kept this far off [m] */
     double friction;
     double push;   /* a node that was inside before is put back by at most this in one call [m] */
-    double travel; /* no node moves farther between two calls [m]; 0: not known, every node is asked every time */
+    double travel; /* no node moves farther between two calls [m]; 0: not known */
     double slip;   /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
     double step;   /* [s] since the last call */
     double ball;   /* of near.h: how far a node near the skin may go until it is asked again [m] */
@@ -147,6 +147,16 @@ typedef struct mus__contact_rule {
 
 /* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */
 #define MUS_NEAR_BALL 2.5e-4
+
+/* what a node need not be asked for a while: until it or the surfaces have gone `slack` [m], the parts whose bits are set,
+ * or all surfaces */
+typedef struct mus__aside {
+    float slack;
+    uint32_t parts; /* of the first ASIDE_PARTS, or ASIDE_ALL */
+} mus__aside;
+
+#define ASIDE_PARTS 31
+#define ASIDE_ALL ((uint32_t)1 << ASIDE_PARTS)
 
 /* what calls add up */
 typedef struct mus__contact_tally {
@@ -163,6 +173,13 @@ static inline double mus__contact_swift(const mus__collider *collider, const mus
     return swift > 0.0 ? swift : 0.0;
 }
 
+/* how far surfaces may have gone since the last call [m]; a float of it is not below */
+static inline double mus__contact_carried(const mus__collider *collider, const mus__contact_rule *rule)
+{
+    const double *d = collider->drift, drift = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    return 1.001 * rule->step * (collider->haste + drift) + 1e-9;
+}
+
 /* nonzero when a node of first .. last-1 is swift; v planes (3 x n) */
 int32_t mus__contact_rush_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
                               int32_t last, const float *v);
@@ -170,12 +187,12 @@ int32_t mus__contact_rush_f64(const mus__collider *collider, const mus__contact_
                               int32_t last, const double *v);
 
 /* nodes first .. last-1 of n: x, v planes (3 x n); inverse (n) 1/mass, 0 for nodes that are held; before (3 x n) places
- * before the step; `sweeps` nonzero: fast nodes are swept */
+ * before the step; `sweeps` nonzero: fast nodes are swept; aside (n) starts as zeros, and when surfaces jump */
 void mus__contact_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                      int32_t last, const float *inverse, const float *before, int32_t sweeps, uint8_t *rest, float *x,
-                      float *v, mus__contact_tally *tally);
+                      int32_t last, const float *inverse, const float *before, int32_t sweeps, mus__aside *aside,
+                      float *x, float *v, mus__contact_tally *tally);
 void mus__contact_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                      int32_t last, const double *inverse, const double *before, int32_t sweeps, uint8_t *rest,
+                      int32_t last, const double *inverse, const double *before, int32_t sweeps, mus__aside *aside,
                       double *x, double *v, mus__contact_tally *tally);
 
 #define MUS_REAL float

@@ -11,7 +11,9 @@
  * where it has carried the node from, velocities to its own there. What touches several surfaces is in meet_kernel.h.
  *
  * Nodes are first held against the boxes of the parts, a block at a time and many nodes at once; only what is in a box
- * is asked of its part.
+ * is asked of its part. An answer is a distance: until a node has gone an eighth of it, or the surfaces have, that
+ * part need not be asked again. An eighth, since the distance is of first order: beside the caps of parts it was found
+ * up to five times too far. What a node goes is measured.
  *
  * What is fast is swept (sweep_kernel.h). Whether paths are measured at all is decided by the speeds after the step
  * before (`swift`).
@@ -22,8 +24,9 @@
 
 #define HELD_BAND (sizeof(MUS_REAL) == sizeof(float) ? 1e-7 : 1e-15) /* [m]: as far off the skin as before */
 
-#define SIT_OUT_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
-#define SIT_OUT_MOST 100    /* calls */
+#define ASIDE_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
+#define ASIDE_GAP 2e-3    /* [m]: a part this far beyond the clearance is not asked for a while */
+#define ASIDE_SAFE 8      /* part of the distance that a node may go until then: one in so many */
 
 #define SQUEEZE_MOST 5.0 /* [m/s] out of a wedge that closes */
 #define MEET_MOST 8      /* surfaces that a node touches at once; more are left out */
@@ -166,6 +169,23 @@ typedef struct MUS_FIELD(hits) {
 } MUS_FIELD(hits);
 
 
+/* how far surfaces are beyond the clearance: the nearest of all, and of the parts that are farther than ASIDE_GAP
+ * which they are and the nearest */
+typedef struct MUS_FIELD(gaps) {
+    MUS_REAL all, some;
+    uint64_t far;
+} MUS_FIELD(gaps);
+
+
+static inline void MUS_FIELD(gap)(MUS_FIELD(gaps) * gaps, int32_t part, MUS_REAL gap)
+{
+    if (gap < gaps->all) gaps->all = gap;
+    if (!(gap > (MUS_REAL)ASIDE_GAP)) return;
+    gaps->far |= (uint64_t)1 << part;
+    if (gap < gaps->some) gaps->some = gap;
+}
+
+
 /* surface number `at` of the list */
 static void MUS_FIELD(list_hit)(MUS_FIELD(hits) * hits, int32_t at, MUS_REAL lift, MUS_REAL friction,
                                 const MUS_REAL *normal, const MUS_FIELD(way) * way, const MUS_REAL *from,
@@ -196,15 +216,15 @@ static inline void MUS_FIELD(hit)(MUS_FIELD(hits) * hits, MUS_REAL lift, MUS_REA
 
 
 /* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. `asking` (may be
- * NULL) has answers for it from `head` on. Returns a lower bound of the node's distance to them, at most `margin`;
- * below clearance + TOUCH_BAND when it touched */
-static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
+ * NULL) has answers for it from `head` on; gaps (which the caller starts) gets lower bounds of the node's distance to
+ * them. Nonzero when it touched */
+static inline int32_t MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
                                         const MUS_FIELD(scene) * scene, uint64_t in, uint32_t on, int32_t still,
-                                        const MUS_FIELD(asking) * asking, int32_t head, const MUS_FIELD(path) * path,
-                                        MUS_REAL *p, MUS_REAL *w, int64_t *queries)
+                                       const MUS_FIELD(asking) * asking, int32_t head, const MUS_FIELD(path) * path,
+                                       MUS_FIELD(gaps) * gaps, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
 {
     const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
-    MUS_REAL distance = scene->margin, normal[3];
+    MUS_REAL normal[3];
     MUS_FIELD(hits) hits;
     int32_t near;
     hits.count = 0;
@@ -219,9 +239,9 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         } else {
             depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
             (*queries)++;
-            if (near == 0) continue;
+            if (near == 0) depth = -scene->margin;
         }
-        if (-depth < distance) distance = -depth;
+        MUS_FIELD(gap)(gaps, l, -depth - clearance);
         const MUS_FIELD(way) *way = still ? NULL : MUS_FIELD(way_of)(scene, l);
         if (depth > -band) MUS_FIELD(hit)(&hits, depth + clearance, (MUS_REAL)rule->friction, out, way, path->from, p);
     }
@@ -230,7 +250,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         const MUS_FIELD(flat) *flat = &scene->flat[k];
         const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, scene->margin, &near);
         (*queries)++;
-        if (-depth < distance) distance = -depth;
+        if (-depth - clearance < gaps->all) gaps->all = -depth - clearance;
         const MUS_FIELD(way) *way = still || !flat->moving ? NULL : &flat->way;
         if (near && depth > -band)
             MUS_FIELD(hit)(&hits, depth + clearance, flat->friction, flat->normal, way, path->from, p);
@@ -247,7 +267,7 @@ static inline MUS_REAL MUS_FIELD(touch)(const mus__collider *collider, const mus
         MUS_FIELD(respond)(hits.lift, hits.friction, rule, &own, hits.normal, p, w);
         for (int32_t d = 0; d < 3; d++) w[d] += speed[d];
     }
-    return distance;
+    return hits.count > 0;
 }
 
 
@@ -319,32 +339,49 @@ int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, i
 }
 
 
-/* node i, which is in the boxes `in` and near the planes `on`, or may have to be swept; `asking` and `head` as of touch
- */
+/* how far nodes, or the surfaces, have gone since the last call */
+MUS_CLONES
+static void MUS_FIELD(wander)(MUS_REAL carried, int64_t n, int32_t count, const MUS_REAL *restrict before,
+                              const MUS_REAL *restrict x, MUS_REAL *restrict gone)
+{
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL d0 = x[i] - before[i], d1 = x[n + i] - before[n + i], d2 = x[2 * n + i] - before[2 * n + i];
+        gone[i] = carried + (MUS_REAL)MUS_FIELD(sqrt)(d0 * d0 + d1 * d1 + d2 * d2);
+    }
+}
+
+
+/* node i, which is in the boxes `boxes`, of which `in` are to be asked, and near the planes `on`, or may have to be
+ * swept; `asking` and `head` as of touch */
 static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__contact_rule *rule,
-                                 const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t in, uint32_t on,
-                                 int32_t sweeps, const MUS_FIELD(asking) * asking, int32_t head,
-                                 const MUS_REAL *inverse, const MUS_REAL *before, uint8_t *rest, MUS_REAL *x,
+                                 const MUS_FIELD(scene) * scene, int32_t n, int32_t i, uint64_t boxes, uint64_t in,
+                                 uint32_t on, int32_t sweeps, const MUS_FIELD(asking) * asking, int32_t head,
+                                 const MUS_REAL *inverse, const MUS_REAL *before, mus__aside *aside, MUS_REAL *x,
                                  MUS_REAL *v, mus__contact_tally *tally)
 {
     const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
-    MUS_REAL p[3], w[3], from[3];
+    const MUS_REAL gap = scene->margin - (MUS_REAL)(rule->clearance - collider->skin);
+    MUS_REAL p[3], w[3], from[3], moved = 0;
     int32_t touched = 0;
     for (int32_t d = 0; d < 3; d++) p[d] = x[at[d]], w[d] = v[at[d]], from[d] = before[at[d]];
     const uint64_t parts = in;
     const uint32_t planes = on;
     if (sweeps) touched = MUS_FIELD(sweep_all)(collider, rule, scene, &in, &on, from, p, w, &tally->queries);
     const int32_t swept = in != parts || on != planes;
+
+    /* parts that were asked already and are not near are as far as a distance is taken */
+    MUS_FIELD(gaps) gaps = {gap, gap, boxes & ~in & (((uint64_t)1 << ASIDE_PARTS) - 1)};
     if (in != 0 || on != 0) {
         const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
-        const MUS_REAL distance =
-            MUS_FIELD(touch)(collider, rule, scene, in, on, 0, asking, head, &path, p, w, &tally->queries);
-
-        /* it sits out as many calls as half its distance allows; the half is for the error of a first-order distance */
-        const MUS_REAL off = rule->travel > 0.0 && !swept ? (distance - clearance) / 2 / (MUS_REAL)rule->travel : 0;
-        rest[i] = off >= SIT_OUT_MOST ? SIT_OUT_MOST : off > 0 ? (uint8_t)off : 0;
-        touched |= distance < clearance + (MUS_REAL)TOUCH_BAND;
+        touched |=
+            MUS_FIELD(touch)(collider, rule, scene, in, on, 0, asking, head, &path, &gaps, p, w, &tally->queries);
+    }
+    for (int32_t d = 0; touched && d < 3; d++) moved += (p[d] - x[at[d]]) * (p[d] - x[at[d]]);
+    if (aside->slack <= 0 && !swept) {
+        const int32_t all = gaps.all > 0;
+        aside->slack = (float)((all ? gaps.all : gaps.some) / ASIDE_SAFE - (MUS_REAL)MUS_FIELD(sqrt)(moved));
+        aside->parts = all ? ASIDE_ALL : (uint32_t)gaps.far & ~ASIDE_ALL;
     }
     if (!touched) return;
     const double mass = 1.0 / (double)inverse[i];
@@ -357,19 +394,21 @@ static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__conta
 
 
 void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first, int32_t last,
-                 const MUS_REAL *inverse, const MUS_REAL *before, int32_t sweeps, uint8_t *rest, MUS_REAL *x,
+                 const MUS_REAL *inverse, const MUS_REAL *before, int32_t sweeps, mus__aside *aside, MUS_REAL *x,
                  MUS_REAL *v, mus__contact_tally *tally)
 {
     MUS_FIELD(scene) scene;
     const int32_t nlimb = collider->nlimb;
-    MUS_REAL margin = (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND;
-    if (rule->travel > 0.0) margin += (MUS_REAL)SIT_OUT_MARGIN;
+    const MUS_REAL margin =
+        (MUS_REAL)(rule->clearance - collider->skin) + (MUS_REAL)TOUCH_BAND + (MUS_REAL)ASIDE_MARGIN;
     MUS_FIELD(fill_scene)(collider, rule, margin, &scene);
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
+    const MUS_REAL carried = (MUS_REAL)mus__contact_carried(collider, rule);
     MUS_FIELD(asking) asking;
     uint32_t low[ASK_BLOCK], high[ASK_BLOCK] = {0}, on[ASK_BLOCK] = {0};
-    uint64_t in[ASK_BLOCK];
+    uint64_t boxes[ASK_BLOCK], in[ASK_BLOCK];
+    MUS_REAL gone[ASK_BLOCK];
     uint8_t skip[ASK_BLOCK];
     for (int32_t start = first; start < last; start += ASK_BLOCK) {
         const int32_t count = last - start < ASK_BLOCK ? last - start : ASK_BLOCK;
@@ -377,24 +416,27 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
         MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
         if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
         if (scene.nplane > 0) MUS_FIELD(look_down)(&scene, n, count, x + start, on);
+        MUS_FIELD(wander)(carried, n, count, before + start, x + start, gone);
         for (int32_t i = 0; i < count; i++) {
-            in[i] = low[i] | (uint64_t)high[i] << 32;
-            skip[i] = 0;
-            if (in[i] == 0 && on[i] == 0 && !sweeps) continue;
+            mus__aside *own = &aside[start + i];
+            own->slack -= (float)gone[i];
+            boxes[i] = in[i] = low[i] | (uint64_t)high[i] << 32;
+            skip[i] = inverse[start + i] == 0;
 
-            /* one that sits out or is held is not asked; the count goes on where it is near a box */
-            const int32_t idle = rest[start + i] > 0;
-            if (idle) rest[start + i]--;
-            if (idle || inverse[start + i] == 0) in[i] = 0, skip[i] = 1;
+            /* what it is too far from to have come to is not asked */
+            if (own->slack > 0 && own->parts == ASIDE_ALL) skip[i] = 1;
+            else if (own->slack > 0) in[i] &= ~(uint64_t)own->parts;
+            if (skip[i]) in[i] = 0;
             any |= in[i] | (skip[i] ? 0 : on[i]);
         }
         if (any == 0) continue;
         if (!sweeps) MUS_FIELD(ask_block)(collider, margin, n, count, x + start, in, &asking, &tally->queries);
         for (int32_t i = 0; i < count; i++) {
-            if (skip[i] || (in[i] == 0 && on[i] == 0 && !sweeps)) continue;
+            mus__aside *own = &aside[start + i];
+            if (skip[i] || (!sweeps && on[i] == 0 && (boxes[i] == 0 || (in[i] == 0 && own->slack > 0)))) continue;
             MUS_FIELD(meet_node)
-            (collider, rule, &scene, n, start + i, in[i], on[i], sweeps, sweeps ? NULL : &asking,
-             sweeps ? 0 : asking.head[i], inverse, before, rest, x, v, tally);
+            (collider, rule, &scene, n, start + i, boxes[i], in[i], on[i], sweeps, sweeps ? NULL : &asking,
+             sweeps ? 0 : asking.head[i], inverse, before, own, x, v, tally);
         }
     }
 }

@@ -104,7 +104,9 @@ static int32_t MUS_FIELD(meet)(const MUS_FIELD(chase) * chase, const MUS_FIELD(p
 {
     const MUS_REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
     const uint64_t in = chase->parts & MUS_FIELD(boxes_of)(chase->collider->nlimb, chase->scene->box, p);
-    MUS_FIELD(touch)(chase->collider, chase->rule, chase->scene, in, 0, 1, NULL, 0, path, p, w, chase->queries);
+    MUS_FIELD(gaps) gaps = {0, 0, 0};
+    MUS_FIELD(touch)
+    (chase->collider, chase->rule, chase->scene, in, 0, 1, NULL, 0, path, &gaps, p, w, chase->queries);
     if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
         for (int32_t i = 0; i < 3; i++) way[i] = w[i];
         return 1;

@@ -99,7 +99,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     mine->time = mus_drape_time(drape);
     drape->moved = 1;
     drape->settled = 0;
-    memset(drape->sim.rest, 0, (size_t)drape->n);
+    memset(drape->sim.aside, 0, (size_t)drape->n * sizeof *drape->sim.aside);
     for (mus_drape *each = drape; each != NULL; each = each->coarse) {
         each->collider = collider;
         each->sim.collider = collider;

@@ -30,8 +30,8 @@ mus_status mus__sim_create(mus_context *context, mus__sim *sim)
     int64_t total = GAP + line;
     for (int32_t i = 0; i < count; i++) total += arrays[i].planes * n + GAP + line;
     sim->memory = mus__new(context, total, sim->ops->real);
-    sim->rest = mus__new(context, n, sizeof *sim->rest);
-    if (sim->memory == NULL || sim->rest == NULL) {
+    sim->aside = mus__new(context, n, sizeof *sim->aside);
+    if (sim->memory == NULL || sim->aside == NULL) {
         mus__sim_destroy(context, sim);
         return mus__fail_memory(context, "the state of a drape");
     }
@@ -49,7 +49,7 @@ mus_status mus__sim_create(mus_context *context, mus__sim *sim)
 void mus__sim_destroy(mus_context *context, mus__sim *sim)
 {
     mus__free(context, sim->memory);
-    mus__free(context, sim->rest);
+    mus__free(context, sim->aside);
     sim->memory = NULL;
-    sim->rest = NULL;
+    sim->aside = NULL;
 }

@@ -52,7 +52,7 @@ struct mus__sim {
     int32_t n; /* from plane to plane: the nodes, and zeros up to whole blocks of lanes */
     double origin[3]; /* of the state in the body frame: float keeps its digits near it; 0 in double */
 
-    void *memory;   /* all of the following but rest, in one block */
+    void *memory;   /* all of the following but aside, in one block */
     void *y;        /* (6 n) positions and velocities */
     void *next;     /* (6 n) stage; where steps of Euler and Verlet write: it and y change places */
     void *stage;    /* (3 n) second stage of RK4; (6 n) with dashpots, which read velocities of neighbours */
@@ -61,7 +61,7 @@ struct mus__sim {
     void *inverse;  /* (n) 1/inertia, 0 for held or welded nodes */
     void *weight;   /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
     void *good;     /* (6 n) last good state */
-    uint8_t *rest;  /* (n) contact calls that a node may sit out */
+    mus__aside *aside; /* (n) what contact need not ask of a node for a while */
     void *near;     /* (8 n) planes of the skin, while sew or settle run; NULL: every node is asked every time */
 
     /* what the steps use; set between steps, never inside */

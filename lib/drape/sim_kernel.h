@@ -211,7 +211,7 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
         MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
     else
         MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->before, sim->swift,
-                    sim->rest, x, v,
+                    sim->aside, x, v,
                     &sim->part_tally[part]);
 }
 
@@ -323,7 +323,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
             y[(3 + d) * n + i] = v != NULL ? (MUS_REAL)v[3 * i + d] : 0;
         }
     MUS_FN(flush)(sim);
-    memset(sim->rest, 0, (size_t)n);
+    memset(sim->aside, 0, (size_t)n * sizeof *sim->aside);
     sim->fresh = 0;
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
@@ -382,7 +382,7 @@ static void MUS_FN(snapshot)(mus__sim *sim)
 static void MUS_FN(restore)(mus__sim *sim)
 {
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
-    memset(sim->rest, 0, (size_t)sim->n);
+    memset(sim->aside, 0, (size_t)sim->n * sizeof *sim->aside);
     sim->fresh = 0;
 }
 

@@ -112,7 +112,7 @@ mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double du
     drape->moved = 1;
     drape->settled = 0;
     drape->residual = NAN;
-    memset(drape->sim.rest, 0, (size_t)drape->n);
+    memset(drape->sim.aside, 0, (size_t)drape->n * sizeof *drape->sim.aside);
     return MUS_OK;
 }
 

@@ -142,7 +142,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
-    memset(sim->rest, 0, (size_t)drape->n);
+    memset(sim->aside, 0, (size_t)drape->n * sizeof *sim->aside);
     sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt,
                                     drape->def.contact_ball, 0.0};
     mus__drape_meet_first(drape);

@@ -7,6 +7,7 @@
 
 #include "contact/contact.h"
 #include "geom/vec.h"
+#include "muslin/tape.h"
 #include "support.h"
 
 Suite *mus_suite_contact(void);
@@ -91,7 +92,7 @@ static void touch(double r, double clearance, double friction, double push, doub
     const double mobile[1] = {1.0};
     const mus__contact_rule rule = {clearance, friction, push, 0.0, 0.0, 0.0, 0.0, 0.0};
     mus__contact_tally tally = {0};
-    uint8_t rest[1] = {0};
+    mus__aside rest[1] = {{0, 0}};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
     const double before[3] = {x[0], x[1], x[2]};
     mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
@@ -156,7 +157,7 @@ START_TEST(float_and_double_respond_alike)
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
     mus__contact_tally tally = {0};
-    uint8_t rest[100] = {0};
+    mus__aside rest[100] = {{0, 0}};
     for (int i = 0; i < 300; i++) {
         x[i] = support_uniform(&random, -0.2, 0.2) - collider->origin[i / 100];
         v[i] = support_uniform(&random, -1.0, 1.0);
@@ -168,6 +169,7 @@ START_TEST(float_and_double_respond_alike)
     float beforef[300];
     memcpy(before, x, sizeof before), memcpy(beforef, xf, sizeof beforef);
     mus__contact_f64(collider, &rule, 100, 0, 100, mobile, before, 0, rest, x, v, &tally);
+    memset(rest, 0, sizeof rest);
     mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, beforef, 0, rest, xf, vf, &tallyf);
     ck_assert_int_eq((int)tally.queries, (int)tallyf.queries);
     for (int i = 0; i < 300; i++) {
@@ -189,7 +191,7 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
     enum { N = 700 };
     static double x[3 * N], v[3 * N], before[3 * N], one_x[3 * N], one_v[3 * N], mobile[N];
     static float xf[3 * N], vf[3 * N], beforef[3 * N], onef_x[3 * N], onef_v[3 * N], mobilef[N];
-    static uint8_t rest[N];
+    static mus__aside rest[N];
     mus__contact_tally many = {0}, alone = {0};
     uint64_t random = 12;
     for (int i = 0; i < 3 * N; i++) {
@@ -202,9 +204,12 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
     memcpy(one_x, x, sizeof x), memcpy(one_v, v, sizeof v);
     memcpy(onef_x, xf, sizeof xf), memcpy(onef_v, vf, sizeof vf);
     mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, rest, x, v, &many);
+    memset(rest, 0, sizeof rest);
     mus__contact_f32(collider, &rule, N, 0, N, mobilef, beforef, 0, rest, xf, vf, &many);
+    memset(rest, 0, sizeof rest);
     for (int i = 0; i < N; i++) {
         mus__contact_f64(collider, &rule, N, i, i + 1, mobile, before, 0, rest, one_x, one_v, &alone);
+        memset(rest, 0, sizeof rest);
         mus__contact_f32(collider, &rule, N, i, i + 1, mobilef, beforef, 0, rest, onef_x, onef_v, &alone);
     }
     ck_assert_int_eq((int)many.queries, (int)alone.queries);
@@ -225,7 +230,7 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
     mus__collider *collider = make_collider(context, 1);
     const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double mobile[1] = {1.0};
-    uint8_t rest[1] = {0};
+    mus__aside rest[1] = {{0, 0}};
     mus__contact_tally tally = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
     const double before[3] = {10.0, 0.0, 0.0};
@@ -252,7 +257,7 @@ START_TEST(sitting_out_lets_nothing_through)
     for (int k = 0; k < 200; k++) {
         const double turn = support_uniform(&random, 0.0, 6.283), off = support_uniform(&random, -0.08, 0.08);
         const double d[2] = {cos(turn), sin(turn)};
-        uint8_t rest[1] = {0};
+        mus__aside rest[1] = {{0, 0}};
         double x[3] = {0.3 * d[0] - off * d[1] - collider->origin[0], -collider->origin[1],
                        0.3 * d[1] + off * d[0] - collider->origin[2]};
         double v[3] = {-d[0], 0.0, -d[1]};
@@ -266,6 +271,57 @@ START_TEST(sitting_out_lets_nothing_through)
     }
     ck_assert_int_lt((int)tally.queries, (int)(0.8 * (double)calls));
     mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* nodes that wander about a walking body: what is put aside for a while would not have touched, to the last bit */
+START_TEST(what_is_put_aside_would_not_have_touched)
+{
+    mus_context *context = support_context();
+    const double h = 4e-4;
+    mus_tape *tape;
+    mus_body *body;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    mus_tape_destroy(tape);
+    const double origin[3] = {0.0, 1.0, 0.0};
+    mus__collider *collider;
+    ck_assert_int_eq(mus__collider_create(context, body, origin, 0.002, &collider), MUS_OK);
+    const mus__contact_rule rule = {0.002, 0.4, 1e-3, 0.0, h, h, 0.0, 0.0};
+    enum { N = 1000 };
+    static double x[3 * N], v[3 * N], before[3 * N], all_x[3 * N], all_v[3 * N], mobile[N];
+    static mus__aside aside[N], none[N];
+    mus__contact_tally kept = {0}, asked = {0};
+    uint64_t random = 19;
+    memset(aside, 0, sizeof aside);
+    for (int i = 0; i < N; i++) {
+        mobile[i] = 1000.0;
+        x[i] = support_uniform(&random, -0.3, 0.3);
+        x[N + i] = support_uniform(&random, -0.6, 0.45);
+        x[2 * N + i] = support_uniform(&random, -0.15, 0.15);
+    }
+    for (int call = 0; call < 600; call++) {
+        const double drift[3] = {_i * 0.4 * sin(0.02 * call), 0.0, _i * 0.3 * cos(0.03 * call)};
+        const double shift[3] = {collider->shift[0] + h * drift[0], 0.0, collider->shift[2] + h * drift[2]};
+        mus__collider_move(collider, NULL, shift, drift, h);
+        memcpy(before, x, sizeof before);
+        for (int i = 0; i < 3 * N; i++) {
+            v[i] = 0.99 * v[i] + support_uniform(&random, -0.1, 0.1);
+            x[i] += h * v[i];
+        }
+        memcpy(all_x, x, sizeof x), memcpy(all_v, v, sizeof v);
+        memset(none, 0, sizeof none);
+        mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, aside, x, v, &kept);
+        mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, none, all_x, all_v, &asked);
+        ck_assert_mem_eq(x, all_x, sizeof x);
+        ck_assert_mem_eq(v, all_v, sizeof v);
+    }
+    ck_assert_int_lt(3 * (int)kept.queries, 2 * (int)asked.queries);
+    mus__collider_destroy(collider);
+    mus_body_destroy(body);
     support_context_end(context);
 }
 END_TEST
@@ -305,6 +361,7 @@ Suite *mus_suite_contact(void)
     tcase_add_loop_test(tests, a_node_among_many_gets_what_it_gets_alone, 0, 2);
     tcase_add_test(tests, out_of_reach_costs_no_query_and_changes_nothing);
     tcase_add_test(tests, sitting_out_lets_nothing_through);
+    tcase_add_loop_test(tests, what_is_put_aside_would_not_have_touched, 0, 2);
     tcase_add_test(tests, each_failing_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

@@ -46,7 +46,7 @@ START_TEST(planes_do_what_asking_every_time_does)
     const mus__contact_rule rule = {0.002, friction, 1e-3, 0.0, h, h, MUS_NEAR_BALL, 0.0};
     static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES];
     static double near[8 * NODES], inverse[NODES];
-    uint8_t rest[NODES] = {0};
+    mus__aside rest[NODES] = {{0, 0}};
     mus__contact_tally asked = {0}, kept = {0};
     uint64_t random = 11;
     int differ = 0;
@@ -67,6 +67,7 @@ START_TEST(planes_do_what_asking_every_time_does)
             x[i] += h * v[i];
         }
         memcpy(p, x, sizeof p), memcpy(w, v, sizeof w);
+        memset(rest, 0, sizeof rest);
         mus__contact_f64(collider, &rule, NODES, 0, NODES, inverse, before, 0, rest, p, w, &asked);
         mus__near_f64(collider, &rule, NODES, 0, NODES, inverse, near, x, v, &kept);
         for (int i = 0; i < 3 * NODES; i++) {

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geom/curve.h"
 #include "pattern/board.h"
 #include "support.h"
 
@@ -143,6 +144,77 @@ static inline void table_there_and_back(const mus_pattern *pattern, const char *
     table_same(pattern, again, title);
     mus__board_free(&board);
     mus_pattern_destroy(again);
+}
+
+
+/* signed area of all panels of a board, or of one */
+static inline double table_area(const mus__board *board, int32_t panel)
+{
+    double area = 0.0;
+    for (int32_t i = 0; i < board->nside; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || (panel != MUS_NONE && side->panel != panel)) continue;
+        const double *p = side->chain.xy;
+        for (int32_t k = 0; k < side->chain.npiece; k++) {
+            area += mus__curve_area(side->chain.kinds[k], p);
+            p += 2 * (mus__curve_points(side->chain.kinds[k]) - 1);
+        }
+    }
+    return area;
+}
+
+
+/* rings are whole: links go both ways, ends meet bit for bit, lengths are those of the chains, seams and notches are on
+ * sides that are there */
+static inline void table_whole(const mus__board *board)
+{
+    table_well(board);
+    for (int32_t i = 0; i < board->nside; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE) continue;
+        ck_assert(board->side[side->next].prev == i && board->side[side->next].panel == side->panel);
+        ck_assert(board->side[side->prev].next == i);
+        ck_assert_mem_eq(mus__board_end(board, i), mus__board_start(board, side->next), 2 * sizeof(double));
+        ck_assert_double_eq_tol(side->length, mus__board_chain_length(&side->chain), 1e-12);
+    }
+    for (int32_t i = 0; i < board->npanel; i++)
+        if (board->panel[i].first != MUS_NONE) ck_assert_int_eq(board->side[board->panel[i].first].panel, i);
+    for (int32_t i = 0; i < board->nseam; i++) {
+        const mus__board_seam *seam = &board->seam[i];
+        if (seam->a == MUS_NONE) continue;
+        ck_assert(board->side[seam->a].panel != MUS_NONE && board->side[seam->b].panel != MUS_NONE);
+    }
+    for (int32_t i = 0; i < board->nnotch; i++) {
+        const mus__board_notch *notch = &board->notch[i];
+        if (notch->side == MUS_NONE) continue;
+        ck_assert(board->side[notch->side].panel != MUS_NONE);
+        ck_assert(notch->s >= 0.0 && notch->s <= board->side[notch->side].length + 1e-12);
+    }
+}
+
+
+/* vertices, edges, faces, Euler number and loops of what is on the board */
+static inline void table_topology(mus__board *board, mus_topology *out)
+{
+    mus_pattern *pattern;
+    mus__board_write(board, &pattern);
+    table_well(board);
+    mus_topology_init(out, sizeof *out);
+    ck_assert_int_eq(mus_pattern_topology(pattern, out), MUS_OK);
+    mus_pattern_destroy(pattern);
+}
+
+
+/* "front.side": a side by the names of its panel and its own */
+static inline int32_t table_side(const mus__board *board, const char *title)
+{
+    char panel[64];
+    const size_t n = strcspn(title, ".");
+    memcpy(panel, title, n);
+    panel[n] = '\0';
+    const int32_t side = mus__board_find(board, mus__board_find_panel(board, panel), title + n + 1);
+    ck_assert_msg(side != MUS_NONE, "no side %s", title);
+    return side;
 }
 
 #endif

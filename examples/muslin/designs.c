@@ -47,6 +47,8 @@ int command_draft(int argc, char **argv)
     source from = {0};
     const char *out = NULL;
     const option options[] = {{"--design", OPTION_TEXT, &from.design, 0, 0, "NAME  a named design"},
+                              {"--words", OPTION_TEXT, &from.words, 0, 0,
+                               "WORDS  a design in words: \"dress neck=v sleeve=puff\""},
                               SOURCE_TAPE(from),
                               {"-o", OPTION_OUTPUT, &out, 0, 0, "FILE  the pattern as muslin JSON; - standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};

@@ -87,12 +87,15 @@ int scene_pattern(scene *s, const source *from)
 {
     const double start = seconds();
     mus_status status;
-    if (from->design != NULL && from->pattern != NULL)
-        return complain(EXIT_INPUT, s->command, "--design and --pattern exclude each other");
-    if (from->design == NULL && from->pattern == NULL)
-        return complain(EXIT_INPUT, s->command, "no garment is given: --design NAME or --pattern FILE");
+    const int given = (from->design != NULL) + (from->words != NULL) + (from->pattern != NULL);
+    if (given > 1) return complain(EXIT_INPUT, s->command, "--design, --words and --pattern exclude one another");
+    if (given == 0)
+        return complain(EXIT_INPUT, s->command, "no garment is given: --design NAME, --words WORDS or --pattern FILE");
     if (from->pattern != NULL) {
         status = mus_pattern_read(s->context, from->pattern, &s->pattern);
+    } else if (from->words != NULL) {
+        if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs --tape FILE or --size SIZE");
+        status = mus_design_draft_words(s->context, from->words, s->tape, NULL, &s->pattern);
     } else {
         const int32_t design = mus_design_find(from->design);
         if (design == MUS_NONE)

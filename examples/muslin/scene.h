@@ -18,7 +18,7 @@ typedef struct scene {
 /* Where tape and pattern come from: texts of options, NULL when not given. */
 typedef struct source {
     const char *tape, *row, *size;
-    const char *design, *pattern;
+    const char *design, *words, *pattern;
 } source;
 
 /* The options of a source, to stand in the tables of subcommands. */
@@ -28,6 +28,7 @@ typedef struct source {
         {"--size", OPTION_TEXT, &(s).size, 0, 0, "SIZE  a table size in place of a tape: W40, M50, C116"}
 #define SOURCE_PATTERN(s)                                                                      \
     {"--design", OPTION_TEXT, &(s).design, 0, 0, "NAME  a named design (muslin designs lists them)"}, \
+        {"--words", OPTION_TEXT, &(s).words, 0, 0, "WORDS  a design in words: \"dress neck=v sleeve=puff\""}, \
         {"--pattern", OPTION_TEXT, &(s).pattern, 0, 0, "FILE  a pattern: muslin .json or GarmentCode specification"}
 
 /* Start: a context whose warnings go to standard error. Returns an exit code. */

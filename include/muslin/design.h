@@ -73,6 +73,11 @@ MUS_API void mus_draft_def_init(mus_draft_def *def, size_t size);
 MUS_API mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape,
                                     const mus_draft_def *def, mus_pattern **out);
 
+/** Draft a garment by words; the rest as mus_design_draft(). Errors: MUS_ERR_DESIGN too for what mus_design_spell()
+ * refuses. */
+MUS_API mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
+                                          const mus_draft_def *def, mus_pattern **out);
+
 #ifdef __cplusplus
 }
 #endif

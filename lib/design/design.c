@@ -1,15 +1,18 @@
 /*
- * design.c: a named design drafted: tape to measures and skeleton, its recipe, check.
+ * design.c: a named design drafted: tape to measures and skeleton, its recipe or its words (design_words.c), check.
  */
 #include <math.h>
 #include <string.h>
 
 #include "design/design_list.h"
+#include "design/style.h"
 
 /* recipes of the first designs of the list, in order */
 static void (*const design_recipe[])(mus__draft *draft) = {
     mus__draft_tshirt, mus__draft_sleeveless, mus__draft_bodice, mus__draft_skirt, mus__draft_skirt_plain,
 };
+
+#define DESIGN_RECIPES ((int32_t)(sizeof design_recipe / sizeof design_recipe[0]))
 
 
 void mus_draft_def_init(mus_draft_def *def, size_t size)
@@ -114,11 +117,15 @@ static mus_status design_draft_recipe(mus_context *context, int32_t design, cons
 mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape, const mus_draft_def *def,
                             mus_pattern **out)
 {
+    mus__style style;
     if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
     if (tape == NULL || out == NULL) return mus__fail(context, MUS_ERR_ARG, "draft: tape or out is NULL");
     if (design < 0 || design >= mus_design_count())
         return mus__fail(context, MUS_ERR_ARG, "design %d, expected 0 to %d", (int)design,
                          (int)mus_design_count() - 1);
-    return design_draft_recipe(context, design, tape, def, out);
+    if (design < DESIGN_RECIPES) return design_draft_recipe(context, design, tape, def, out);
+    const mus_status status = mus__style_read(context, mus_design_words(design), &style);
+    if (status != MUS_OK) return status;
+    return mus__style_draft(context, mus_design_name(design), &style, tape, def, out);
 }

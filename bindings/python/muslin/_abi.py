@@ -573,6 +573,8 @@ FUNCTIONS = {
     "mus_draft_def_init": ("core", None, [POINTER(mus_draft_def), c_size_t]),
     "mus_design_draft": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_tape), POINTER(mus_draft_def),
                                            POINTER(POINTER(mus_pattern))]),
+    "mus_design_draft_words": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_tape),
+                                                 POINTER(mus_draft_def), POINTER(POINTER(mus_pattern))]),
     "mus_fabric_init": ("core", None, [POINTER(mus_fabric), c_size_t]),
     "mus_fabric_count": ("core", c_int32, []),
     "mus_fabric_name": ("core", c_char_p, [c_int32]),

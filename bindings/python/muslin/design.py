@@ -36,11 +36,18 @@ def spell(words):
 
 
 def draft(design, tape, **options):
-    """The pattern of a design, by name, for a tape. options: ease, length, sleeve [m] (mus_draft_def)."""
+    """The pattern of a design for a tape: by name ("tshirt"), or by words ("dress neck=v sleeve=puff").
+
+    A text that is no name is taken as words. options: ease, length, sleeve [m] (mus_draft_def).
+    """
     index = lib.mus_design_find(text(design))
-    if index == _abi.MUS_NONE:
-        raise KeyError(f"no design {design!r}; muslin.designs() lists them")
     definition = make_def(_abi.mus_draft_def, lib.mus_draft_def_init, options)
     context = tape.context
-    return Pattern(context=context, _handle=create(context, "pattern", "mus_design_draft", context.handle, index,
-                                                   tape.handle, ctypes.byref(definition)))
+    if index != _abi.MUS_NONE:
+        function, what = "mus_design_draft", index
+    elif str(design).split(" ")[0] in axes()["garment"]:
+        function, what = "mus_design_draft_words", text(design)
+    else:
+        raise KeyError(f"no design {design!r}; muslin.designs() lists the names, muslin.axes() the words")
+    return Pattern(context=context, _handle=create(context, "pattern", function, context.handle, what, tape.handle,
+                                                   ctypes.byref(definition)))

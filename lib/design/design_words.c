@@ -1,0 +1,90 @@
+/*
+ * design_words.c: a style drafted: measures and eases, the parts that its words ask for on a cutting table as a left
+ * half, doubled, written as a pattern and checked.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "design/style.h"
+
+
+/* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children */
+static void design_eases(mus__half *half)
+{
+    static const struct {
+        double bust, bust_plain, waist, hip;
+    } ease[2][3] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}},
+                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}}};
+    const int32_t *option = half->style.option, garment = option[MUS__AXIS_GARMENT];
+    const int32_t cloth = option[MUS__AXIS_CLOTH], level = option[MUS__AXIS_EASE];
+    const double *m = half->measures.v, k = mus__measures_scale(&half->measures) * MUS__CM;
+    const bool women = half->measures.sex == MUS_SEX_FEMALE;
+    half->bust_ease = k * (women ? ease[cloth][level].bust : ease[cloth][level].bust_plain);
+    half->waist_ease = k * ease[cloth][level].waist;
+    half->hip_ease = k * ease[cloth][level].hip;
+
+    /* what has no shoulders holds by being close; a band too, and it is held up by the hips being wider */
+    if (garment <= MUS__GARMENT_JUMPSUIT && option[MUS__AXIS_NECK] == MUS__NECK_STRAPLESS)
+        half->bust_ease = fmin(half->bust_ease, k);
+    if (garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS)
+        half->waist_ease = fmin(2.0 * MUS__CM, 0.1 * fmax(0.0, m[MUS_MEASURE_HIP] - m[MUS_MEASURE_WAIST]));
+
+    /* the caller's ease is that of the bust (skirts and trousers: hip); waist and hip keep their distance from it */
+    if (isnan(half->def.ease)) return;
+    if (garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS) {
+        half->hip_ease = half->def.ease;
+        return;
+    }
+    half->waist_ease += half->def.ease - half->bust_ease;
+    half->hip_ease += half->def.ease - half->bust_ease;
+    half->bust_ease = half->def.ease;
+}
+
+
+/* the parts that the words ask for, from the shoulders down */
+static void design_make(mus__half *half)
+{
+    if (half->board.npanel == 0)
+        mus__board_fail(&half->board, MUS_ERR_DESIGN, "draft of %s: it has no panel", half->board.name);
+    mus__board_double(&half->board);
+}
+
+
+mus_status mus__style_draft(mus_context *context, const char *name, const mus__style *style, const mus_tape *tape,
+                            const mus_draft_def *def, mus_pattern **out)
+{
+    mus__half half;
+    mus_pattern *pattern = NULL;
+    memset(&half, 0, sizeof half);
+    half.context = context;
+    half.style = *style;
+    mus_status status = mus__design_read(context, tape, def, &half.def, &half.measures, &half.skeleton);
+    if (status != MUS_OK) return status;
+    half.waist_level = half.skeleton.waist;
+    design_eases(&half);
+    mus__board_begin(&half.board, context, name);
+    design_make(&half);
+    mus__board_write(&half.board, &pattern);
+    status = half.board.status;
+    mus__board_free(&half.board);
+    if (status == MUS_OK) status = mus__design_check(context, pattern);
+    if (status == MUS_OK) *out = pattern;
+    else mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
+                                  const mus_draft_def *def, mus_pattern **out)
+{
+    char name[MUS__NAME_BYTES];
+    mus__style style;
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (words == NULL || tape == NULL || out == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "draft: words, tape or out is NULL");
+    const mus_status status = mus__style_read(context, words, &style);
+    if (status != MUS_OK) return status;
+    mus__style_spell(&style, name, sizeof name);
+    return mus__style_draft(context, name, &style, tape, def, out);
+}

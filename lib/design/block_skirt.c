@@ -58,16 +58,20 @@ static mus_status skirt_dart(mus_context *context, mus__skirt_half *half, double
 }
 
 
-/* one dart in the middle of the net waist, or two at 0.36 and 0.70 of it */
+/* one dart in the middle of the net waist, or two at 0.36 and 0.70 of it; where the first has a place to be at, the
+ * second is half way from it to the side */
 static mus_status skirt_darts(mus_context *context, const mus__skirt_def *def, bool front, double net,
                               mus__skirt_half *half)
 {
     const double d = half->dart_width;
     const double long_leg = (front ? 0.50 : 0.68) * def->depth, short_leg = (front ? 0.45 : 0.60) * def->depth;
     if (!(d > 0.0)) return MUS_OK;
-    if (d <= (front ? 3.2 : 2.8) * MUS__CM) return skirt_dart(context, half, 0.5 * net + 0.5 * d, d, long_leg);
-    mus_status status = skirt_dart(context, half, 0.36 * net + 0.25 * d, 0.5 * d, long_leg);
-    if (status == MUS_OK) status = skirt_dart(context, half, 0.70 * net + 0.75 * d, 0.5 * d, short_leg);
+    const double given = def->dart_at[front ? 0 : 1];
+    if (d <= (front ? 3.2 : 2.8) * MUS__CM)
+        return skirt_dart(context, half, (given > 0.0 ? given : 0.5 * net) + 0.5 * d, d, long_leg);
+    const double first = given > 0.0 ? given : 0.36 * net, second = given > 0.0 ? 0.5 * (given + net) : 0.70 * net;
+    mus_status status = skirt_dart(context, half, first + 0.25 * d, 0.5 * d, long_leg);
+    if (status == MUS_OK) status = skirt_dart(context, half, second + 0.75 * d, 0.5 * d, short_leg);
     return status;
 }
 
@@ -119,7 +123,7 @@ static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bo
 {
     /* half widths: front 5 mm more, back 5 mm less */
     double shift = (front ? 0.5 : -0.5) * MUS__CM;
-    double net = (def->waist + def->waist_ease) / 4.0 + shift;
+    double net = (def->waist + def->waist_ease) / 4.0 + shift + (front ? def->shift : -def->shift);
     half->hip = skirt_hip(def) + shift;
     double side = skirt_side_in(def, half->hip - net, half);
 

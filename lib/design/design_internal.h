@@ -140,6 +140,8 @@ typedef struct mus__skirt_def {
     double length;      /* top edge to hem, at the centre */
     double flare;       /* hem wider than the hip by, a half */
     double rise;        /* top edge higher at the side by */
+    double shift;       /* waist of the front wider by, of the back narrower: beyond the block's own 5 mm */
+    double dart_at[2];  /* front, back: the first dart so far from the centre, darts closed; 0: the block's own place */
     bool darts;
 } mus__skirt_def;
 

@@ -1,0 +1,124 @@
+/*
+ * test_top.c: the body of a top from words: every neckline with every length and closure in the sizes of a small, a
+ * middle and a large woman, a man and a child: drafted, doubled, without fault, with the openings that are meant.
+ */
+#include "design/halves.h"
+
+static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
+
+#define SIZES ((int)(sizeof sizes / sizeof sizes[0]))
+#define SEAM_MATCH (0.05 * CM) /* of plain seams */
+
+
+/* one style on one size; false when its words exclude one another */
+static bool check_style(const char *size, const mus__style *style)
+{
+    mus_context *context = support_context();
+    const bool allowed = mus__style_check(context, style) == MUS_OK;
+    if (allowed) {
+        char words[256];
+        mus__style_spell(style, words, sizeof words);
+        mus_tape *tape = drafts_tape(context, size);
+        mus__half half;
+        mus_pattern *pattern = NULL;
+        int32_t faults = 0;
+        const char *text = "";
+        halves_begin(context, tape, style, &half);
+        mus__top_draft(&half);
+        halves_openings(&half);
+        mus__board_double(&half.board);
+        mus__closure_finish(&half);
+        mus__board_write(&half.board, &pattern);
+        ck_assert_msg(half.board.status == MUS_OK, "%s: %s: %s", size, words, mus_context_error(context));
+        ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+        if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+        ck_assert_msg(faults == 0, "%s: %s: %s", size, words, text);
+
+        /* a plain top has plain seams: nothing is eased away */
+        for (int32_t s = 0; s < mus_pattern_seam_count(pattern); s++) {
+            mus_seam_def seam;
+            mus_seam_def_init(&seam, sizeof seam);
+            ck_assert_int_eq(mus_pattern_seam(pattern, s, &seam), MUS_OK);
+            ck_assert_msg(fabs(seam.ease) <= SEAM_MATCH, "%s: %s: seam of %s has an ease of %.2f cm", size, words,
+                          mus_pattern_edge_name(pattern, seam.edge_a), seam.ease / CM);
+        }
+        mus_pattern_destroy(pattern);
+        mus__board_free(&half.board);
+        mus_tape_destroy(tape);
+    }
+    support_context_end(context);
+    return allowed;
+}
+
+
+START_TEST(every_neckline_drafts_in_every_length_and_closure)
+{
+    static const int32_t shapes[] = {MUS__SHAPE_SIDE_WAIST, MUS__SHAPE_BOXY};
+    int checked = 0;
+    for (int32_t neck = 0; neck <= MUS__NECK_STRAPLESS; neck++)
+        for (int32_t closure = 0; closure <= MUS__CLOSURE_SIDE; closure++)
+            for (int32_t length = 0; length <= MUS__TOP_LENGTH_TUNIC; length++)
+                for (int32_t bits = 0; bits < 4; bits++) {
+                    mus__style style = {{0}};
+                    style.option[MUS__AXIS_NECK] = neck;
+                    style.option[MUS__AXIS_CLOSURE] = closure;
+                    style.option[MUS__AXIS_TOP_LENGTH] = length;
+                    style.option[MUS__AXIS_SHAPE] = shapes[bits & 1];
+                    style.option[MUS__AXIS_CLOTH] = bits >> 1;
+                    checked += check_style(sizes[_i], &style);
+                }
+    ck_assert_int_gt(checked, 200);
+}
+END_TEST
+
+
+START_TEST(a_rim_runs_over_darts_and_seams)
+{
+    mus_context *context = support_context();
+    mus__style style;
+    mus__half half;
+    ck_assert_int_eq(mus__style_read(context, "dress closure=back", &style), MUS_OK);
+    mus_tape *tape = drafts_tape(context, "W40");
+    halves_begin(context, tape, &style, &half);
+    mus__top_draft(&half);
+    ck_assert_int_eq(half.board.status, MUS_OK);
+    const mus__board *board = &half.board;
+
+    /* the waist: from the centre front to the centre back, its darts closed W + 4 */
+    int32_t sides[16];
+    const int32_t n = mus__half_rim(&half, "", "waist", sides, 16);
+    double length = 0.0;
+    ck_assert_int_eq(n, 4);
+    for (int32_t i = 0; i < n; i++) length += board->side[sides[i]].length;
+    ck_assert_double_eq_tol(2.0 * length, half.measures.v[MUS_MEASURE_WAIST] + 4.0 * CM, 1e-9);
+    ck_assert_double_eq_tol(2.0 * length, half.measures.v[MUS_MEASURE_WAIST] + half.waist_ease, 1e-9);
+    ck_assert_double_eq_tol(mus__board_start(board, sides[0])[0], 0.0, 1e-12);
+    ck_assert_double_eq_tol(mus__board_end(board, sides[3])[0], 0.0, 1e-12);
+    ck_assert_str_eq(board->panel[board->side[sides[0]].panel].name, "front");
+
+    /* front alone; the armhole is a ring from the underarm of the front; room is kept */
+    ck_assert_int_eq(mus__half_rim(&half, "front", "waist", sides, 16), 2);
+    ck_assert_int_eq(mus__half_rim(&half, "", "armhole", sides, 1), 2);
+    ck_assert_str_eq(board->panel[board->side[sides[0]].panel].name, "front");
+    ck_assert_int_eq(mus__half_rim(&half, "", "side", sides, 16), 0);
+    ck_assert_int_eq(mus__half_rim(&half, "", "neck", sides, 16), 2);
+    ck_assert_str_eq(board->panel[board->side[sides[0]].panel].name, "back");
+    mus__board_free(&half.board);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_top(void);
+
+Suite *mus_suite_top(void)
+{
+    Suite *suite = suite_create("top");
+    TCase *tc = tcase_create("top");
+    tcase_set_timeout(tc, 120);
+    tcase_add_loop_test(tc, every_neckline_drafts_in_every_length_and_closure, 0, SIZES);
+    tcase_add_test(tc, a_rim_runs_over_darts_and_seams);
+    suite_add_tcase(suite, tc);
+    return suite;
+}

@@ -117,12 +117,9 @@ int32_t mus__board_panel_add(mus__board *board, const char *name, const char *la
 
 int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *chain)
 {
-    mus__board_side side = {.panel = panel,
-                            .prev = MUS_NONE,
-                            .next = MUS_NONE,
-                            .knot = MUS_NONE,
-                            .allowance = (double)NAN,
-                            .chain = *chain};
+    mus__board_side side = {.panel = panel, .prev = MUS_NONE, .next = MUS_NONE, .knot = MUS_NONE, .chain = *chain};
+    side.allowance = (double)NAN;
+    side.stay.ratio = 1.0;
     *chain = (mus__board_chain){0};
     if (side.chain.xy != NULL && board_room(board, &board->side, &board->side_room, board->nside, sizeof side)) {
         side.length = mus__board_chain_length(&side.chain);

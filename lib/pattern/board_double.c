@@ -85,6 +85,7 @@ static int32_t double_side(mus__board *board, double_mirror *mirror, int32_t sid
     memcpy(image->label, own->label, sizeof image->label);
     image->backward = own->backward;
     image->allowance = own->allowance;
+    image->stay = own->stay;
     image->knot = board->side[own->next].knot;
     image->length = own->length;
     mirror->image[side] = made;

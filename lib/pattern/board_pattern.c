@@ -40,6 +40,7 @@ static void board_read_side(mus__board *board, const mus_pattern *pattern, int32
                               .length = from->run[from->npiece]};
     memcpy(side->name, from->name, sizeof side->name);
     memcpy(side->label, from->label, sizeof side->label);
+    side->stay = from->stay;
     if (first[edge] == MUS_NONE) {
         first[edge] = index;
         return;
@@ -202,6 +203,11 @@ static mus_status board_write_edge(board_writer *w, int32_t k)
     mus__free(board->context, turned.xy);
     if (status == MUS_OK) status = mus_pattern_set_edge_label(w->pattern, w->edge[index], side->label);
     if (status == MUS_OK) status = mus_pattern_set_edge_allowance(w->pattern, w->edge[index], side->allowance);
+    const mus__edge_stay *stay = &side->stay;
+    if (status == MUS_OK && stay->hold != MUS_HOLD_NONE)
+        status = mus_pattern_set_edge_hold(w->pattern, w->edge[index], stay->hold, stay->below);
+    if (status == MUS_OK && stay->stiffness != 0.0)
+        status = mus_pattern_set_edge_elastic(w->pattern, w->edge[index], stay->ratio, stay->stiffness);
     return status;
 }
 

@@ -167,6 +167,7 @@ static void sew_split_one(mus__board *board, sew_place *list, int32_t index, con
     b->centre = a->centre;
     b->backward = a->backward;
     b->allowance = a->allowance;
+    b->stay = a->stay;
     memcpy(b->label, a->label, sizeof b->label);
     char own[MUS__NAME_BYTES];
     if (name == NULL) mus__board_free_name(board, panel, a->name, own);

@@ -72,6 +72,13 @@ static inline void table_same_word(const mus_pattern *a, const mus_pattern *b, i
         ck_assert_double_eq_tol(mus_pattern_edge_length(a, x), mus_pattern_edge_length(b, y), 1e-12);
         const double allowance[2] = {mus_pattern_edge_allowance(a, x), mus_pattern_edge_allowance(b, y)};
         ck_assert(allowance[0] == allowance[1] || (isnan(allowance[0]) && isnan(allowance[1])));
+        int32_t hold[2];
+        double stay[2][3];
+        for (int32_t k = 0; k < 2; k++) {
+            ck_assert_int_eq(mus_pattern_edge_hold(p[k], edges[k][i], &hold[k], &stay[k][0]), MUS_OK);
+            ck_assert_int_eq(mus_pattern_edge_elastic(p[k], edges[k][i], &stay[k][1], &stay[k][2]), MUS_OK);
+        }
+        ck_assert(hold[0] == hold[1] && memcmp(stay[0], stay[1], sizeof stay[0]) == 0);
         ck_assert_int_eq(mus_pattern_edge_seam(a, x) == MUS_NONE, mus_pattern_edge_seam(b, y) == MUS_NONE);
         for (int32_t k = 0; k < 2; k++) table_notches(p[k], edges[k][i], turns[k][i], notch[k]);
         for (int32_t k = 0; k < 4; k++) ck_assert_double_eq_tol(notch[0][k], notch[1][k], 1e-12);

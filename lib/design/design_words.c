@@ -41,12 +41,27 @@ static void design_eases(mus__half *half)
 }
 
 
+/* a part that has no recipe yet is refused by its word */
+static void design_refuse(mus__half *half, int32_t axis)
+{
+    if (half->style.option[axis] == 0) return;
+    mus__board_fail(&half->board, MUS_ERR_DESIGN, "draft of %s: %s=%s has no recipe", half->board.name,
+                    mus__style_axis(axis), mus__style_word(axis, half->style.option[axis]));
+}
+
+
 /* the parts that the words ask for, from the shoulders down */
 static void design_make(mus__half *half)
 {
-    if (half->board.npanel == 0)
-        mus__board_fail(&half->board, MUS_ERR_DESIGN, "draft of %s: it has no panel", half->board.name);
+    const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
+    const bool lower = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
+    if (!lower) mus__top_draft(half);
+    design_refuse(half, MUS__AXIS_SLEEVE);
+    design_refuse(half, MUS__AXIS_COLLAR);
+    design_refuse(half, MUS__AXIS_POCKET);
+    if (garment != MUS__GARMENT_TOP) design_refuse(half, MUS__AXIS_GARMENT);
     mus__board_double(&half->board);
+    mus__closure_finish(half);
 }
 
 

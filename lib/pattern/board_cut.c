@@ -312,12 +312,12 @@ void mus__board_join(mus__board *board, int32_t side)
         if (board->mark[i].panel == from) board->mark[i].panel = panel;
     board->panel[from].first = MUS_NONE;
     board->panel[from].name[0] = '\0';
-    const int32_t keep = before[0] != side ? before[0] : before[1];
     cut_tie(board, side, other);
     for (int32_t i = 0; i < 2; i++)
         if (board->side[before[i]].panel == panel) cut_zip(board, before[i]);
-    if (board->side[board->panel[panel].first].panel != panel)
-        board->panel[panel].first = board->side[keep].panel == panel ? board->side[keep].next : MUS_NONE;
+    /* the word begins where it did, if that is still there */
+    for (int32_t i = 0; i < board->nside && board->side[board->panel[panel].first].panel != panel; i++)
+        if (board->side[i].panel == panel) board->panel[panel].first = i;
 }
 
 

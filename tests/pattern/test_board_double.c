@@ -107,8 +107,8 @@ START_TEST(doubled_halves_have_the_cells_of_whole_garments)
             ck_assert_double_eq_tol(table_area(&board, MUS_NONE), 2.0 * area, 1e-12);
             table_topology(&board, &t);
             ck_assert_msg(t.vertices == row->vertices && t.edges == row->edges && t.faces == row->faces &&
-                              t.euler == row->euler && t.loops == row->loops && t.orientable == 1 &&
-                              t.manifold == 1 && t.genus == 0 && t.components == 1,
+                              t.euler == row->euler && t.loops == row->loops && t.orientable == 1 && t.manifold == 1 &&
+                              t.genus == 0 && t.components == 1,
                           "%s: V %d E %d F %d chi %d loops %d genus %d", row->name, (int)t.vertices, (int)t.edges,
                           (int)t.faces, (int)t.euler, (int)t.loops, (int)t.genus);
             mus__board_free(&board);

@@ -61,7 +61,7 @@ static void cut_cubic(mus__chain *chain, const double *cubic, double s0, double 
 }
 
 
-static void cut_move(mus__chain *chain, double dx, double dy)
+static void fullness_move(mus__chain *chain, double dx, double dy)
 {
     for (int32_t i = 0; i < chain->nxy; i++) chain->xy[2 * i] += dx, chain->xy[2 * i + 1] += dy;
 }
@@ -277,10 +277,10 @@ void mus__sleeve_puff(const mus__sleeve *block, double front, double back, doubl
 {
     mus__sleeve_plain(block, front, back, out);
     const double top[2] = {block->crown, block->height + raise}, low = block->height - block->length;
-    cut_move(&out->cap[MUS__CAP_BACK_LOW], 0.5 * spread, 0.0);
-    cut_move(&out->under_back, 0.5 * spread, 0.0);
-    cut_move(&out->cap[MUS__CAP_FRONT_LOW], -0.5 * spread, 0.0);
-    cut_move(&out->under_front, -0.5 * spread, 0.0);
+    fullness_move(&out->cap[MUS__CAP_BACK_LOW], 0.5 * spread, 0.0);
+    fullness_move(&out->under_back, 0.5 * spread, 0.0);
+    fullness_move(&out->cap[MUS__CAP_FRONT_LOW], -0.5 * spread, 0.0);
+    fullness_move(&out->under_front, -0.5 * spread, 0.0);
     cut_crown(out, top);
     out->width = block->width + spread;
 

@@ -86,7 +86,8 @@ static void neckline_contour(mus__bodice_half *front, double width)
     const double angle = fmin(width / fmax(mus__dist2(middle, front->bust), 0.05), 35.0 * MUS__DEGREE - front->theta);
     if (!(angle > 0.0)) return;
     double *points[] = {front->snp, front->tip, front->pitch, front->under, front->mouth};
-    for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) mus__top_turn(points[i], front->bust, angle, points[i]);
+    const size_t n = sizeof points / sizeof points[0];
+    for (size_t i = 0; i < n; i++) mus__top_turn(points[i], front->bust, angle, points[i]);
     for (int i = 0; i < 4; i++) {
         mus__top_turn(front->arm_high + 2 * i, front->bust, angle, front->arm_high + 2 * i);
         mus__top_turn(front->arm_low + 2 * i, front->bust, angle, front->arm_low + 2 * i);
@@ -189,7 +190,8 @@ static void neckline_halter(mus__half *half, mus__top *top)
     const double *t = front->tip;
     mus__top_under(half, top, true, closed, u);
     top->arm[MUS__TOP_FRONT].npiece = 0;
-    neckline_curve(&top->arm[MUS__TOP_FRONT], u, fmax(u[0] - 5.0 * cm, t[0]), u[1] + 3.0 * cm, t[0], t[1] - 5.0 * cm, t);
+    const double hollow = fmax(u[0] - 5.0 * cm, t[0]);
+    neckline_curve(&top->arm[MUS__TOP_FRONT], u, hollow, u[1] + 3.0 * cm, t[0], t[1] - 5.0 * cm, t);
     top->shoulder[MUS__TOP_FRONT] = true;
     neckline_front(half, top, &top->neck[MUS__TOP_FRONT]);
     mus__chain_reverse(&top->neck[MUS__TOP_FRONT]);
@@ -323,7 +325,8 @@ void mus__neckline_strap(mus__half *half)
     if (mus__half_rim(half, "front", "shoulder", shoulder, MUS__TOP_RUN) < 1) return;
     const double width = board->side[shoulder[0]].length, length = half->bodice.back.neck_length;
     const double corner[4][2] = {{-length, 0.0}, {0.0, 0.0}, {0.0, width}, {-length, width}};
-    static const char *const names[4][2] = {{"edge", "armhole"}, {"cb", "centre"}, {"neck", "neck"}, {"sh", "shoulder"}};
+    static const char *const names[4][2] = {
+        {"edge", "armhole"}, {"cb", "centre"}, {"neck", "neck"}, {"sh", "shoulder"}};
     const int32_t panel = mus__board_panel_add(board, "strap", "strap");
     int32_t side[4];
     for (int i = 0; i < 4; i++) {

@@ -116,7 +116,7 @@ static bool panel_on_rim(const mus__half *half, const char *panels, const char *
 }
 
 
-/* the side after (step +1) or before an open side on the rim: sewn sides are crossed to the panel on their other side */
+/* the side after (step +1) or before an open side on the rim: sewn sides are crossed to the panel beyond them */
 static int32_t panel_rim_step(const mus__board *board, int32_t side, int step)
 {
     int32_t at = side;

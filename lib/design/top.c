@@ -62,7 +62,7 @@ int32_t mus__drawing_lay(mus__half *half, const mus__drawing *drawing, const cha
 
 /* a loose top lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is off the body, and
  * not beyond the shoulder point, where the arm turns down: up to 0.15 shorter */
-static void top_loose_shoulder(const mus__half *half, mus__measures *measures)
+static void torso_loose_shoulder(const mus__half *half, mus__measures *measures)
 {
     double *m = measures->v;
     m[MUS_MEASURE_SHOULDER_SLOPE] -= 0.08;
@@ -73,7 +73,7 @@ static void top_loose_shoulder(const mus__half *half, mus__measures *measures)
 
 
 /* y of the lower edge: the waist of a dress or jumpsuit, else by the caller's wish or the word */
-static double top_hem(const mus__half *half, double scale)
+static double torso_hem(const mus__half *half, double scale)
 {
     const double hip = half->measures.v[MUS_MEASURE_WAIST_TO_HIP];
     if (!mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP)) return 0.0;
@@ -88,7 +88,7 @@ static double top_hem(const mus__half *half, double scale)
 
 
 /* the block of the person: darted for women, but for a loose knit; a boxy one lies loosely on the shoulder */
-static void top_blocks(mus__half *half, mus__top *top)
+static void torso_blocks(mus__half *half, mus__top *top)
 {
     mus__measures measures = half->measures;
     mus__bodice_def def;
@@ -98,7 +98,7 @@ static void top_blocks(mus__half *half, mus__top *top)
     def.bust_ease = half->bust_ease;
     def.waist_ease = half->waist_ease;
     if (boxy) {
-        top_loose_shoulder(half, &measures);
+        torso_loose_shoulder(half, &measures);
         def.scye_ease = 1.5 * k * MUS__CM;
         def.balance = 0.4 * MUS__CM;
         def.darts = def.darts && mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_WOVEN);
@@ -111,14 +111,14 @@ static void top_blocks(mus__half *half, mus__top *top)
 
     top->scale = k;
     top->darts = def.darts && !boxy;
-    top->hem = top_hem(half, k);
+    top->hem = torso_hem(half, k);
     half->waist_level = half->skeleton.waist;
 }
 
 
 /* side seam: in at the waist, out to the hip. A block without darts is taken in by as much at the side as a darted one
  * is, a dress or jumpsuit by what the waist asks for, but not steeper than 0.18; what is left is ease of the waist */
-static void top_sides(mus__half *half, mus__top *top)
+static void torso_sides(mus__half *half, mus__top *top)
 {
     const mus__bodice *bodice = &half->bodice;
     const double *m = half->measures.v;
@@ -162,7 +162,7 @@ void mus__top_under(const mus__half *half, const mus__top *top, bool front, doub
 
 /* the side from the hem up to the waist, or where the straight part begins; `under` closed underarm. Fills the chain
  * without its last line and gives the line's start */
-static bool top_side_low(const mus__half *half, const mus__top *top, const double *under, mus__chain *chain,
+static bool torso_side_low(const mus__half *half, const mus__top *top, const double *under, mus__chain *chain,
                          double *start)
 {
     const double waist[2] = {under[0] - top->side_in, 0.0};
@@ -190,7 +190,8 @@ static bool top_side_low(const mus__half *half, const mus__top *top, const doubl
         double lo = 0.0, hi = 1.0;
         for (int i = 0; i < 50; i++) {
             const double t = 0.5 * (lo + hi), u = 1.0 - t;
-            const double y = u * (u * (u * cubic[1] + 3.0 * t * cubic[3]) + 3.0 * t * t * cubic[5]) + t * t * t * cubic[7];
+            const double high = u * (u * cubic[1] + 3.0 * t * cubic[3]) + 3.0 * t * t * cubic[5];
+            const double y = u * high + t * t * t * cubic[7];
             if (y > top->hem) lo = t;
             else hi = t;
         }
@@ -205,14 +206,14 @@ static bool top_side_low(const mus__half *half, const mus__top *top, const doubl
 
 /* side edges from the hem to the underarm; in front with the bust dart open about the bust point. Gives the start of
  * the hem's end and the underarm */
-static void top_side(const mus__half *half, const mus__top *top, bool front, mus__drawing *drawing)
+static void torso_side(const mus__half *half, const mus__top *top, bool front, mus__drawing *drawing)
 {
     const mus__bodice *bodice = &half->bodice;
     const mus__bodice_half *block = front ? &bodice->front : &bodice->back;
     const double closed[2] = {block->side[0] + bodice->side_in, bodice->underarm};
     double start[2], under[2], turned[2];
     mus__chain chain, line;
-    const bool curved = top_side_low(half, top, closed, &chain, start);
+    const bool curved = torso_side_low(half, top, closed, &chain, start);
     mus__top_under(half, top, front, under, turned);
 
     /* without a bust dart one edge */
@@ -271,7 +272,8 @@ void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus
 
 
 /* the lower edge from the centre to the side, with the waist darts of the block: w1, wd1, wd2, w2, ... */
-static void top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end, mus__drawing *drawing)
+static void torso_low(const mus__half *half, const mus__top *top, int32_t which, const double *end,
+                      mus__drawing *drawing)
 {
     static const char *const edges[] = {"w1", "w2", "w3"}, *const legs[] = {"wd1", "wd2", "wd3", "wd4"};
     const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
@@ -303,7 +305,7 @@ static void top_low(const mus__half *half, const mus__top *top, int32_t which, c
 
 
 /* darts that were drawn are sewn */
-static void top_sew_darts(mus__half *half, int32_t panel)
+static void torso_sew_darts(mus__half *half, int32_t panel)
 {
     static const char *const legs[][2] = {{"wd1", "wd2"}, {"wd3", "wd4"}, {"bd1", "bd2"}};
     for (int i = 0; i < 3; i++) {
@@ -314,7 +316,7 @@ static void top_sew_darts(mus__half *half, int32_t panel)
 }
 
 
-static void top_draw(mus__half *half, mus__top *top, int32_t which)
+static void torso_draw(mus__half *half, mus__top *top, int32_t which)
 {
     const bool front = which == MUS__TOP_FRONT;
     mus__drawing drawing = {.front = front, .n = 0};
@@ -322,12 +324,12 @@ static void top_draw(mus__half *half, mus__top *top, int32_t which)
 
     /* centre down, hem out, side up */
     mus__drawing side = {.front = front, .n = 0};
-    top_side(half, top, front, &side);
+    torso_side(half, top, front, &side);
     const mus__chain *neck = &top->neck[which], *low = &side.edge[0].chain;
     const double *head = neck->xy + 2 * (neck->nxy - 1), foot[2] = {0.0, top->hem};
     mus__chain_line(&chain, head, foot);
     mus__drawing_add(&drawing, front ? "cf" : "cb", "centre", MUS__TOP_SEAM, &chain);
-    top_low(half, top, which, low->xy, &drawing);
+    torso_low(half, top, which, low->xy, &drawing);
     for (int32_t i = 0; i < side.n; i++) {
         const mus__drawing_edge *edge = &side.edge[i];
         mus__drawing_add(&drawing, edge->name, edge->label, edge->allowance, &edge->chain);
@@ -343,17 +345,17 @@ static void top_draw(mus__half *half, mus__top *top, int32_t which)
     mus__drawing_add(&drawing, "neck", top->rim[which], MUS__TOP_NECK_SEAM, neck);
 
     top->panel[which] = mus__drawing_lay(half, &drawing, front ? "front" : "back");
-    top_sew_darts(half, top->panel[which]);
+    torso_sew_darts(half, top->panel[which]);
     const int32_t arm = mus__board_find(&half->board, top->panel[which], "arm");
     const mus__bodice_half *block = front ? &half->bodice.front : &half->bodice.back;
+    const double pitch = front ? block->arm_low_length : block->arm_length - block->arm_low_length;
     if (arm != MUS_NONE && top->shoulder[MUS__TOP_BACK])
-        mus__board_notch_add(&half->board, arm, front ? block->arm_low_length : block->arm_length - block->arm_low_length,
-                             front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
+        mus__board_notch_add(&half->board, arm, pitch, front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
 }
 
 
 /* sew what the rim of the fronts and of the backs has under one label */
-static void top_sew(mus__half *half, const char *label)
+static void torso_sew(mus__half *half, const char *label)
 {
     int32_t front[MUS__TOP_RUN], back[MUS__TOP_RUN];
     const int32_t nfront = mus__half_rim(half, "front", label, front, MUS__TOP_RUN);
@@ -362,7 +364,7 @@ static void top_sew(mus__half *half, const char *label)
 }
 
 
-static void top_place(mus__half *half, const mus__top *top)
+static void torso_place(mus__half *half, const mus__top *top)
 {
     const double width = half->bodice.front.under[0] + top->hip_out;
     for (int32_t p = 0; p < half->board.npanel; p++) {
@@ -379,18 +381,18 @@ void mus__top_draft(mus__half *half)
     mus__top top;
     memset(&top, 0, sizeof top);
     if (half->board.status != MUS_OK) return;
-    top_blocks(half, &top);
+    torso_blocks(half, &top);
     if (half->board.status != MUS_OK) return;
-    top_sides(half, &top);
+    torso_sides(half, &top);
     mus__neckline_draw(half, &top);
     if (half->board.status != MUS_OK) return;
     mus__shaping_plan(half, &top);
-    for (int32_t which = 0; which < 2; which++) top_draw(half, &top, which);
+    for (int32_t which = 0; which < 2; which++) torso_draw(half, &top, which);
     mus__shaping_work(half, &top);
     if (mus__style_is(half, MUS__AXIS_YOKE, MUS__YOKE_YOKE)) mus__shaping_yoke(half, &top);
     mus__closure_set(half);
-    top_sew(half, "shoulder");
-    top_sew(half, "side");
+    torso_sew(half, "shoulder");
+    torso_sew(half, "side");
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
-    top_place(half, &top);
+    torso_place(half, &top);
 }

@@ -20,6 +20,8 @@
 #define PART_CHORDS 64
 /* so much [m] at both ends of a cut may run along the outline, which the chords show a little off */
 #define PART_NEAR 5e-4
+/* a cut whose middle is this near [m] to the outline runs along it */
+#define PART_ALONG 1e-5
 
 
 double mus__board_area(const mus__board *board, int32_t panel)
@@ -195,7 +197,8 @@ void mus__board_part_clear(mus__board *board, int32_t panel, const char *what, c
     }
     mus__board_part outline = {0};
     mus__board_part_run(board, &outline, board->panel[panel].first, board->side[board->panel[panel].first].prev);
-    if (board->status == MUS_OK && mus__polygon_winding(outline.n, outline.xy, middle) == 0)
+    if (board->status == MUS_OK && (mus__polygon_winding(outline.n, outline.xy, middle) == 0 ||
+                                    mus__polygon_distance(outline.n, outline.xy, middle) < PART_ALONG))
         mus__board_fail(board, MUS_ERR_ARG, "%s on panel %s: the line from (%g, %g) to (%g, %g) lies outside the panel",
                         what, name, a[0], a[1], b[0], b[1]);
     mus__board_part_end(board, &outline);

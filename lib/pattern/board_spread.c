@@ -114,9 +114,9 @@ static void spread_close(mus__board *board, const spread_joint *joint)
     spread_shift_notches(board, after, before, a->length);
     spread_join(board, &a->chain, &a->chain, &b->chain);
     a->length += b->length;
-    int32_t next = b->next;
+    a->next = b->next;
+    board->side[b->next].prev = before;
     mus__board_side_remove(board, after);
-    mus__board_follow(board, before, next);
 }
 
 

@@ -16,10 +16,50 @@ START_TEST(a_pattern_read_and_written_is_the_same)
     for (size_t i = 0; i < sizeof garments / sizeof garments[0]; i++) {
         for (uint64_t seed = 0; seed < 4; seed++) {
             mus_pattern *pattern = gluing_make(context, garments[i].panels, garments[i].seams, seed);
+            for (int32_t e = 0; e < mus_pattern_edge_count(pattern); e += 3)
+                ck_assert_int_eq(mus_pattern_add_notch(pattern, e, 0.01, MUS_NOTCH_DOUBLE, NULL), MUS_OK);
             table_there_and_back(pattern, garments[i].name);
             mus_pattern_destroy(pattern);
         }
     }
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(an_outline_that_comes_back_to_a_point_still_does)
+{
+    mus_context *context = support_context();
+    static const double xy[5][2] = {{0, 0}, {0.3, 0}, {0.2, 0.2}, {0, 0.3}, {-0.2, 0.1}};
+    static const int32_t walk[7] = {0, 1, 2, 0, 3, 4, 0}, along[6] = {1, 1, 1, 1, 1, 1}, line = MUS_PIECE_LINE;
+    mus_pattern *pattern, *again;
+    mus__board board;
+    int32_t panel, point[5], edge[6];
+    ck_assert_int_eq(mus_pattern_create(context, "eight", &pattern), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_panel(pattern, "eight", &panel), MUS_OK);
+    for (int32_t i = 0; i < 5; i++)
+        ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[i][0], xy[i][1], &point[i]), MUS_OK);
+    for (int32_t i = 0; i < 6; i++)
+        ck_assert_int_eq(
+            mus_pattern_add_edge(pattern, NULL, point[walk[i]], point[walk[i + 1]], 1, &line, 0, NULL, &edge[i]),
+            MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 6, edge, along), MUS_OK);
+
+    /* as it was, mirrored, and in the part of a cut that has the point twice */
+    const int32_t arc = MUS_PIECE_ARC, points[3] = {5, 10, 12};
+    const double cut[6] = {0.3, 0.0, 0.15, -0.05, 0.0, 0.0};
+    mus__board_read(&board, pattern);
+    for (int32_t i = 0; i < 3; i++) {
+        if (i == 1) mus__board_mirror(&board, 0, "image");
+        if (i == 2) mus__board_cut(&board, 1, 0, 1, &arc, 3, cut, "part", "cut");
+        table_whole(&board);
+        mus__board_write(&board, &again);
+        table_well(&board);
+        ck_assert_int_eq(mus_pattern_point_count(again), points[i]);
+        mus_pattern_destroy(again);
+    }
+    mus__board_free(&board);
+    mus_pattern_destroy(pattern);
     support_context_end(context);
 }
 END_TEST
@@ -228,6 +268,7 @@ Suite *mus_suite_board(void)
     Suite *suite = suite_create("board");
     TCase *tcase = tcase_create("board");
     tcase_add_test(tcase, a_pattern_read_and_written_is_the_same);
+    tcase_add_test(tcase, an_outline_that_comes_back_to_a_point_still_does);
     tcase_add_test(tcase, runs_go_over_closed_darts_and_begin_where_they_begin);
     tcase_add_test(tcase, places_along_a_side_are_met_and_tangents_are_units);
     tcase_add_test(tcase, the_first_failure_stays_and_nothing_is_done_after_it);

@@ -153,6 +153,28 @@ START_TEST(a_split_keeps_length_area_and_points_and_merging_undoes_it)
 END_TEST
 
 
+START_TEST(a_split_at_a_joint_of_pieces_divides_none)
+{
+    mus_context *context = support_context();
+    sample s = sample_make(context);
+    for (int32_t i = -1; i <= 1; i++) {
+        mus__board board;
+        mus__board_read(&board, s.pattern);
+        const int32_t side = s.edge[2];
+        const int32_t made = mus__board_split(&board, side, 0.1 + 1e-12 * i, NULL);
+        ck_assert(board.side[side].chain.npiece == 1 && board.side[made].chain.npiece == 1);
+        ck_assert(board.side[side].chain.kinds[0] == MUS_PIECE_LINE && board.side[made].chain.nxy == 4);
+        mus__board_merge(&board, side);
+        table_whole(&board);
+        ck_assert(board.side[side].chain.npiece == 2);
+        mus__board_free(&board);
+    }
+    mus_pattern_destroy(s.pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_split_goes_through_all_sheets_and_bridges)
 {
     mus_context *context = support_context();
@@ -293,6 +315,7 @@ Suite *mus_suite_board_sew(void)
     tcase_add_test(tcase, runs_with_other_joints_are_matched_at_equal_relative_length);
     tcase_add_test(tcase, joints_nearer_than_a_millimetre_are_one);
     tcase_add_test(tcase, a_split_keeps_length_area_and_points_and_merging_undoes_it);
+    tcase_add_test(tcase, a_split_at_a_joint_of_pieces_divides_none);
     tcase_add_test(tcase, a_split_goes_through_all_sheets_and_bridges);
     tcase_add_test(tcase, ease_is_divided_and_added_in_proportion);
     tcase_add_test(tcase, what_cannot_be_split_or_sewn_is_refused);

@@ -18,6 +18,7 @@ static const struct {
     {"body", command_body, "tape to body; girths asked, girths made"},
     {"designs", command_designs, "the named designs"},
     {"draft", command_draft, "tape to pattern"},
+    {"grade", command_grade, "one design in a row of sizes: ease, seams, rules"},
     {"dress", command_dress, "sew and drape: picture, mesh, report"},
     {"print", command_print, "ready-to-cut paper: PDF, SVG"},
     {"convert", command_convert, "one pattern or tape file to another form"},

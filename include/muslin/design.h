@@ -78,6 +78,41 @@ MUS_API mus_status mus_design_draft(mus_context *context, int32_t design, const 
 MUS_API mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
                                           const mus_draft_def *def, mus_pattern **out);
 
+/* ---- sizes ---- */
+
+/**
+ * Grade rules: how far each point of `from` moves to where `to` has it, the same design drafted for another size.
+ *
+ * Points are known by the edges of panels of the same name that end in them; one that `to` does not have gets NaN.
+ * Shapes:  rules (points of `from` x 2) [m]; *count is how many points have a rule, may be NULL
+ * Errors:  MUS_ERR_ARG
+ */
+MUS_API mus_status mus_design_grade(const mus_pattern *from, const mus_pattern *to, double *rules, int32_t *count);
+
+/**
+ * A pattern with each point moved by its rule; what lies between the ends of an edge moves by a mean of both, weighed
+ * by the way along the edge; eases become what the lengths then are. For files that carry rules: a size that is drafted
+ * is exact.
+ *
+ * Shapes:  rules (points x 2) [m], all finite
+ * Errors:  MUS_ERR_ARG (the panel is named); MUS_ERR_PATTERN; MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_design_grade_apply(const mus_pattern *pattern, const double *rules, mus_pattern **out);
+
+#define MUS_EASE_BUST 0
+#define MUS_EASE_WAIST 1
+#define MUS_EASE_HIP 2
+#define MUS_EASE_COUNT 3
+
+/**
+ * What the garment is wider than the body all round at bust, waist and hip, by a level cut through the panels that
+ * stand round the torso as they are placed. NaN at a level that it does not reach.
+ *
+ * Shapes:  ease (MUS_EASE_COUNT) [m]
+ * Errors:  MUS_ERR_ARG, MUS_ERR_TAPE
+ */
+MUS_API mus_status mus_design_ease(const mus_pattern *pattern, const mus_tape *tape, double *ease);
+
 #ifdef __cplusplus
 }
 #endif

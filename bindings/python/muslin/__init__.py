@@ -19,7 +19,7 @@ from .body import Body
 from .catalogue import Catalogue
 from .cloth import Cloth, Fabric, fabrics
 from .context import Context
-from .design import axes, designs, draft, spell
+from .design import axes, designs, draft, ease, grade, spell
 from .drape import Drape
 from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
@@ -31,5 +31,5 @@ from .scan import scan
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
-           "Tape", "axes", "designs", "draft", "fabrics", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
+           "Tape", "axes", "designs", "draft", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
            "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]

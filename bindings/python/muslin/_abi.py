@@ -164,6 +164,10 @@ MUS_FAULT_CLOSED = 12
 MUS_GROUP_WOMEN = 1
 MUS_GROUP_MEN = 2
 MUS_GROUP_CHILDREN = 4
+MUS_EASE_BUST = 0
+MUS_EASE_WAIST = 1
+MUS_EASE_HIP = 2
+MUS_EASE_COUNT = 3
 MUS_BEND_PLATE = 0
 MUS_BEND_PAPER = 1
 MUS_METHOD_RK4 = 0
@@ -575,6 +579,11 @@ FUNCTIONS = {
                                            POINTER(POINTER(mus_pattern))]),
     "mus_design_draft_words": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_tape),
                                                  POINTER(mus_draft_def), POINTER(POINTER(mus_pattern))]),
+    "mus_design_grade": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_pattern), POINTER(c_double),
+                                           POINTER(c_int32)]),
+    "mus_design_grade_apply": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_double),
+                                                 POINTER(POINTER(mus_pattern))]),
+    "mus_design_ease": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_tape), POINTER(c_double)]),
     "mus_fabric_init": ("core", None, [POINTER(mus_fabric), c_size_t]),
     "mus_fabric_count": ("core", c_int32, []),
     "mus_fabric_name": ("core", c_char_p, [c_int32]),

@@ -51,3 +51,17 @@ def draft(design, tape, **options):
         raise KeyError(f"no design {design!r}; muslin.designs() lists the names, muslin.axes() the words")
     return Pattern(context=context, _handle=create(context, "pattern", function, context.handle, what, tape.handle,
                                                    ctypes.byref(definition)))
+
+
+def grade(from_pattern, to_pattern):
+    """[(dx, dy)] for each point of a pattern: how far it moves to where the next size has it; NaN where it is not."""
+    rules = (ctypes.c_double * (2 * from_pattern.get("point_count")))()
+    from_pattern.context.call("mus_design_grade", from_pattern.handle, to_pattern.handle, rules, None)
+    return list(zip(rules[0::2], rules[1::2]))
+
+
+def ease(pattern, tape):
+    """{"bust", "waist", "hip"}: what the garment is wider than the body by [m], NaN where it is not."""
+    values = (ctypes.c_double * _abi.MUS_EASE_COUNT)()
+    pattern.context.call("mus_design_ease", pattern.handle, tape.handle, values)
+    return dict(zip(("bust", "waist", "hip"), values))

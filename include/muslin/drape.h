@@ -220,6 +220,18 @@ MUS_API mus_status mus_drape_plan(mus_drape *drape, double frame, mus_drape_fore
  */
 MUS_API mus_status mus_drape_forces(const mus_drape *drape, double *out);
 
+/**
+ * Depth of points in what the cloth collides with, body and planes as they stand now: positive inside.
+ *
+ * It is what contact itself sees: a node is held where depth > -clearance, along this normal. (mus_body_depth() asks
+ * the body as it was made; at a shoulder the two differ by some tenths of a millimetre.)
+ * Shapes:  points (n x 3) [m], depth (n) [m], normal (n x 3) outward or NULL
+ * depth is -1e30, and the normal 0, for a point that is farther than 4 cm from everything.
+ * Errors:  MUS_ERR_ARG (NULL; n < 0; a point that is not finite)
+ */
+MUS_API mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *points, double *depth,
+                                   double *normal);
+
 /** Called during sew and settle a few times a second of wall time at most; nonzero stops the run with MUS_OK.
  * phase: "sew" or "settle"; progress 0..1. */
 typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progress);

@@ -148,8 +148,8 @@ typedef struct mus__contact_rule {
 /* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */
 #define MUS_NEAR_BALL 2.5e-4
 
-/* what a node need not be asked for a while: until it or the surfaces have gone `slack` [m], the parts whose bits are set,
- * or all surfaces */
+/* what a node need not be asked for a while: until it or the surfaces have gone `slack` [m], the parts whose bits are
+ * set, or all surfaces */
 typedef struct mus__aside {
     float slack;
     uint32_t parts; /* of the first ASIDE_PARTS, or ASIDE_ALL */

@@ -29,6 +29,26 @@ static double deepest(const mus_drape *drape)
 }
 
 
+mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *points, double *depth, double *normal)
+{
+    const double far = 0.04; /* [m] */
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (n < 0 || points == NULL || depth == NULL)
+        return mus__fail(drape->context, MUS_ERR_ARG, "drape: depth of %d points, %s", (int)n,
+                         points == NULL ? "points are NULL" : depth == NULL ? "depth is NULL" : "expected 0 or more");
+    for (int64_t i = 0; i < 3 * (int64_t)n; i++)
+        if (!isfinite(points[i]))
+            return mus__fail(drape->context, MUS_ERR_ARG, "drape: point %d is not finite", (int)(i / 3));
+    for (int32_t i = 0; i < n; i++) {
+        double out[3] = {0.0, 0.0, 0.0};
+        depth[i] = drape->collider == NULL ? -1e30
+                                           : mus__collider_depth(drape->collider, points + 3 * (int64_t)i, far, out);
+        if (normal != NULL) memcpy(normal + 3 * (int64_t)i, out, sizeof out);
+    }
+    return MUS_OK;
+}
+
+
 /* seams whose pairs are all within the collision distance */
 static int32_t closed_seams(const mus_drape *drape)
 {

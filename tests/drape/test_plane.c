@@ -427,6 +427,37 @@ START_TEST(adding_a_plane_fails_clean)
 END_TEST
 
 
+/* what contact sees is told: over an incline the height and its normal, far off nothing */
+START_TEST(depth_is_the_height_over_the_plane)
+{
+    ground g = ground_start(0);
+    ground_drape(&g);
+    const mus_plane plane = ground_plane(0.1, 0.2, 0.6, 0.8);
+    double depth[4], normal[12];
+    const double up = 0.01, down = -0.02;
+    const double points[12] = {0.1 + 0.6 * up,   0.2 + 0.8 * up, 0.5,     0.1 + 0.6 * down, 0.2 + 0.8 * down, 0.0,
+                               0.1 + 0.8, 0.2 - 0.6, 7.0, 0.7, 1.0, 0.0};
+    ck_assert_int_eq(mus_drape_depth(g.drape, 4, points, depth, normal), MUS_OK);
+    for (int i = 0; i < 4; i++) ck_assert(depth[i] == -1e30 && normal[3 * i + 1] == 0.0);
+    ck_assert_int_eq(mus_drape_add_plane(g.drape, &plane, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_depth(g.drape, 4, points, depth, normal), MUS_OK);
+    const double exact[3] = {-up, -down, 0.0};
+    for (int i = 0; i < 3; i++) {
+        ck_assert_double_eq_tol(depth[i], exact[i], 1e-15);
+        ck_assert(normal[3 * i] == 0.6 && normal[3 * i + 1] == 0.8 && normal[3 * i + 2] == 0.0);
+    }
+    ck_assert(depth[3] == -1e30);
+    ck_assert_int_eq(mus_drape_depth(g.drape, 0, points, depth, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_depth(g.drape, -1, points, depth, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_depth(g.drape, 1, NULL, depth, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_depth(NULL, 1, points, depth, NULL), MUS_ERR_ARG);
+    const double bad[3] = {0.0, NAN, 0.0};
+    ck_assert_int_eq(mus_drape_depth(g.drape, 1, bad, depth, NULL), MUS_ERR_ARG);
+    ground_end(&g);
+}
+END_TEST
+
+
 Suite *mus_suite_plane(void)
 {
     Suite *suite = suite_create("plane");
@@ -446,6 +477,7 @@ Suite *mus_suite_plane(void)
     tcase_add_test(tests, a_plane_is_put_back_by_place);
     tcase_add_test(tests, what_nodes_remember_is_forgotten_when_a_plane_moves);
     tcase_add_test(tests, adding_a_plane_fails_clean);
+    tcase_add_test(tests, depth_is_the_height_over_the_plane);
     suite_add_tcase(suite, tests);
     return suite;
 }

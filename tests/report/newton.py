@@ -10,7 +10,6 @@ energy has a minimum there. Nodes on a body are held where they stick, which is 
 and friction must suffice. A node that is pulled off is let go; one that friction cannot hold slides, in its tangent
 plane, against the friction that its push allows; a free one that has come under the skin is put on it.
 """
-import ctypes
 import time
 
 import numpy as np
@@ -22,7 +21,7 @@ from scipy.spatial import cKDTree
 STEP = 2e-7       # of differences [m]
 TIGHT = 1e-6      # of a node's weight
 SPARE = 0.9       # of the friction that a push allows is what a sliding node is given, for the push may change
-NEAR, REACHED = 2e-5, 5e-4  # of the skin [m]
+NEAR, REACHED = 2e-5, 5e-5  # of the skin [m]
 EARNEST = 0.05    # of a node's weight
 REACH = 2.95      # spacings: second differences along diagonals reach 2.83
 FREE, STUCK, SLIDING = 0, 1, 2
@@ -200,17 +199,14 @@ class Statics:
         return new, f_new, e_new, left_new, share
 
     def skin(self, points):
-        """(depth, outward normals) of points (n x 3)."""
-        depth, normal = (ctypes.c_double * len(points))(), (ctypes.c_double * (3 * len(points)))()
-        places = np.ascontiguousarray(points, float)
-        self.body.do("depth", len(points), places.ctypes.data_as(ctypes.POINTER(ctypes.c_double)), depth, normal)
-        return np.array(depth), np.array(normal).reshape(-1, 3)
+        """(depth, outward normals) of points (n x 3), as contact has them."""
+        depth, normal = self.drape.depth(np.ascontiguousarray(points, float))
+        return np.array(depth), np.array(normal)
 
     # ---- on a body ----
 
     def touch(self, x):
-        """Nodes that the skin pushes stick: those that lie on it, and those as far off as settle looks for it (a
-        shoulder's skin is 0.2 mm elsewhere for contact) that are pushed in earnest."""
+        """Nodes that the skin pushes stick: those that lie on it, and those a little off that are pushed in earnest."""
         depth, self.normal = self.skin(x)
         push = -(self.force(x) * self.normal).sum(axis=1) / self.weight
         gap = -depth - self.clearance

@@ -646,6 +646,8 @@ FUNCTIONS = {
     "mus_drape_forecast_init": ("core", None, [POINTER(mus_drape_forecast), c_size_t]),
     "mus_drape_plan": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_drape_forecast)]),
     "mus_drape_forces": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_drape_depth": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_double), POINTER(c_double),
+                                          POINTER(c_double)]),
     "mus_drape_sew": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_settle": ("core", c_int32, [POINTER(mus_drape), mus_progress_fn, c_void_p]),
     "mus_drape_positions": ("core", POINTER(c_double), [POINTER(mus_drape)]),

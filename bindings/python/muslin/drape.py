@@ -144,6 +144,13 @@ class Drape(Object):
         self.do("forces", forces)
         return result(forces, 3)
 
+    def depth(self, points):
+        """(depth (n) [m], positive inside; outward normals (n x 3)) of points (n x 3) in what the cloth collides with."""
+        places, n = doubles(points, 3)
+        depth, normals = (ctypes.c_double * n)(), (ctypes.c_double * (3 * n))()
+        self.do("depth", n, places, depth, normals)
+        return result(depth), result(normals, 3)
+
     def gaps(self, cloth):
         """Gap of each seam pair [m]; `cloth` is the one that the drape was made of."""
         gaps = (ctypes.c_double * max(1, cloth.get("pair_count")))()

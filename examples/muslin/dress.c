@@ -25,7 +25,7 @@ typedef struct dress {
     mus_fabric fabric;
     const char *fabric_name, *png, *glb, *obj, *report;
     double spacing_mm, threads, precision, friction;
-    bool as_json, quiet;
+    bool as_json, quiet, self_contact;
     motion moved;
     bool led; /* the animated file is written */
 
@@ -87,6 +87,7 @@ static mus_status prepare(dress *d)
     def.threads = (int32_t)d->threads;
     def.precision = (int32_t)d->precision;
     def.friction = d->friction;
+    def.self_contact = d->self_contact;
     status = mus_drape_create(d->s.context, d->cloth, d->body, &def, &d->drape);
     return status == MUS_OK ? mus_drape_place(d->drape) : status;
 }
@@ -165,6 +166,16 @@ static void write_seconds(const dress *d, json *j)
 }
 
 
+/* what there is of cloth on cloth */
+static void write_layers(const dress *d, const mus_drape_report *r, json *j)
+{
+    int64_t crossings = 0;
+    if (mus_drape_crossings(d->drape, 0, NULL, &crossings) == MUS_OK) json_int(j, "crossings", crossings);
+    json_int(j, "self_contacts", r->self_contacts);
+    json_int(j, "self_queries", r->self_queries);
+}
+
+
 static void describe(const dress *d, json *j)
 {
     json_open(j, NULL, '{');
@@ -195,6 +206,7 @@ static void describe(const dress *d, json *j)
         json_number(j, "settle_time_s", r.settle_time);
         json_int(j, "spring_evaluations", r.spring_evaluations);
         json_int(j, "contact_queries", r.contact_queries);
+        if (d->self_contact) write_layers(d, &r, j);
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }
@@ -297,6 +309,7 @@ static int read_options(dress *d, int argc, char **argv)
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
+        {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},

@@ -9,6 +9,7 @@
 #include "drape/level.h"
 
 #define FLOAT_REACH 1e4 /* [m] */
+#define LEAST_THICKNESS 1e-5 /* [m]: floats round a metre off by a hundredth of it */
 #define MOST_GRAVITY 1e4 /* [m/s2]: a thousand g and no more */
 
 
@@ -28,6 +29,8 @@ void mus_drape_def_init(mus_drape_def *def, size_t size)
     own.sew_seconds = 6.0;
     own.settle_seconds = 10.0;
     own.settle_residual = 0.02;
+    own.thickness = 0.002;
+    own.self_friction = NAN;
     memset(def, 0, size);
     memcpy(def, &own, size < sizeof own ? size : sizeof own);
 }
@@ -64,6 +67,9 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
     if (status == MUS_OK) status = check_number(context, "sew_seconds", def->sew_seconds, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "settle_seconds", def->settle_seconds, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "settle_residual", def->settle_residual, 1e-12, 10.0);
+    if (status == MUS_OK) status = check_number(context, "thickness", def->thickness, LEAST_THICKNESS, 0.05);
+    if (status == MUS_OK && !isnan(def->self_friction) && def->self_friction != INFINITY)
+        status = check_number(context, "self_friction", def->self_friction, 0.0, 1e6);
     return status;
 }
 
@@ -147,6 +153,7 @@ void mus__drape_name_skipped(mus_drape *drape)
         {!drape->plan.dashpots, "dashpots"},
         {drape->def.drag == 0.0, "drag"},
         {drape->def.threads == 1, "threads"},
+        {drape->self == NULL, "layers"},
     };
     size_t at = 0;
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
@@ -196,6 +203,7 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     if (status == MUS_OK) status = take_memory(drape);
     if (status == MUS_OK) status = take_surroundings(drape, body);
     if (status == MUS_OK && def->contact_ball > 0.0) status = mus__drape_near(drape);
+    if (status == MUS_OK) status = mus__drape_self_create(drape);
     drape->sim.near = NULL;
     if (status != MUS_OK) {
         mus_drape_destroy(drape);
@@ -246,6 +254,7 @@ void mus_drape_destroy(mus_drape *drape)
         mus__pool_destroy(drape->pool);
         mus__collider_destroy(drape->collider);
     }
+    mus__cloth_self_destroy(drape->self);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);

@@ -33,6 +33,7 @@ struct mus_drape {
     mus_drape_def def;
     mus_cloth *cloth;
     mus__collider *collider; /* NULL without a body and planes */
+    mus__cloth_self *self;   /* NULL unless the def asks for it */
     mus__pool *pool;
     mus_drape *parent;       /* of a coarser double, which borrows its collider and pool; NULL */
     mus_drape *coarse;       /* the coarser double, NULL until sew or settle want it (level.c) */
@@ -135,6 +136,25 @@ void mus__drape_stand_back(mus_drape *drape);
 mus_status mus__drape_still(const mus_drape *drape, const char *what);
 /* names of the passes that this scene has no work for, anew */
 void mus__drape_name_skipped(mus_drape *drape);
+
+/* ---- cloth against cloth (self.c) ---- */
+
+/* what it needs, if the def asks for it */
+mus_status mus__drape_self_create(mus_drape *drape);
+/* its triangles are those of the open or welded cloth */
+void mus__drape_self_weld(mus_drape *drape);
+/* before steps of `h`, places, masses and contact's rule set: from now on it acts in each. */
+mus_status mus__drape_self_ready(mus_drape *drape, double h);
+/* the rule of steps of `h`, the rule of contact set */
+void mus__drape_self_rule(mus_drape *drape, double h);
+/* MUS_ERR_LIMIT when a step found more pairs than there is room for */
+mus_status mus__drape_self_fits(const mus_drape *drape);
+/* it does not act from now on */
+void mus__drape_self_off(mus_drape *drape);
+/* mean force that it gave node i since it was forgotten (3) [N], added to `force` */
+void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
+void mus__drape_self_forget(mus_drape *drape);
+void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);

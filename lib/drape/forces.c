@@ -183,6 +183,7 @@ double mus__drape_residual(const mus_drape *drape, const double *x)
         double *r = f + 3 * (int64_t)i;
         const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
+        mus__drape_self_force(drape, i, r);
         if (drape->collider != NULL) carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
         sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
         count++;

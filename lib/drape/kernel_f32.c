@@ -13,6 +13,8 @@
 #define MUS_OVER_ROOT(a, x) ((a) / sqrtf((x) + 1e-20f)) /* at 0: finite */
 #define MUS_CONTACT mus__contact_f32
 #define MUS_NEAR mus__near_f32
+#define MUS_CLOTH mus__cloth_self_f32
+#define MUS_CLOTH_LOOK mus__cloth_self_look_f32
 #define MUS_SIM mus__sim_f32
 #include "drape/sim_kernel.h"
 
@@ -24,4 +26,6 @@
 #undef MUS_OVER_ROOT
 #undef MUS_CONTACT
 #undef MUS_NEAR
+#undef MUS_CLOTH
+#undef MUS_CLOTH_LOOK
 #undef MUS_SIM

@@ -28,6 +28,8 @@ static MUS_INLINE double over_root(double share, double x)
 #define MUS_OVER_ROOT(a, x) over_root(a, x)
 #define MUS_CONTACT mus__contact_f64
 #define MUS_NEAR mus__near_f64
+#define MUS_CLOTH mus__cloth_self_f64
+#define MUS_CLOTH_LOOK mus__cloth_self_look_f64
 #define MUS_SIM mus__sim_f64
 #include "drape/sim_kernel.h"
 
@@ -39,4 +41,6 @@ static MUS_INLINE double over_root(double share, double x)
 #undef MUS_OVER_ROOT
 #undef MUS_CONTACT
 #undef MUS_NEAR
+#undef MUS_CLOTH
+#undef MUS_CLOTH_LOOK
 #undef MUS_SIM

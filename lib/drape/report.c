@@ -105,6 +105,7 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.settle_time = drape->settle_time;
     report.step_parts = drape->parts;
     report.rest_distance = drape->distance;
+    mus__drape_self_report(drape, &report);
     *out = report;
     return MUS_OK;
 }

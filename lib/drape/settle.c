@@ -56,6 +56,7 @@ static void advance_mean(mus_drape *drape, int32_t steps, double h)
     const int64_t n3 = 3 * (int64_t)drape->n;
     for (int32_t i = 0; i < steps - MEAN_STEPS; i++) sim->ops->euler(sim, h);
     memset(drape->mean, 0, (size_t)n3 * sizeof *drape->mean);
+    mus__drape_self_forget(drape);
     for (int32_t i = 0; i < MEAN_STEPS; i++) {
         sim->ops->euler(sim, h);
         sim->ops->get(sim, drape->x, drape->v);
@@ -185,8 +186,11 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         sim->drag = drag;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h,
                                         MUS_NEAR_BALL, 0.0};
+        status = mus__drape_self_ready(drape, h);
+        if (status != MUS_OK) break;
         advance_mean(drape, batch, h);
         status = mus__drape_guard(drape);
+        if (status == MUS_OK) status = mus__drape_self_fits(drape);
         if (status != MUS_OK) break;
         mus__drape_tick(drape, batch, h, 1);
         t += batch * h;

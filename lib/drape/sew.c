@@ -58,6 +58,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     mus_status status = mus__drape_near(drape);
     if (status != MUS_OK) return status;
     memset(sim->gravity, 0, sizeof sim->gravity);
+    mus__drape_self_off(drape);
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;

@@ -11,6 +11,7 @@
 #define MUS_DRAPE_SIM_H
 
 #include "base/pool.h"
+#include "contact/cloth_self.h"
 #include "contact/near.h"
 #include "drape/plan.h"
 
@@ -41,6 +42,8 @@ typedef struct mus__sim_ops {
     double (*speed2)(const mus__sim *sim);
     void (*snapshot)(mus__sim *sim);
     void (*restore)(mus__sim *sim);
+    /* the pairs of cloth near cloth and their balls, where places were changed from outside */
+    void (*look)(mus__sim *sim);
 } mus__sim_ops;
 
 struct mus__sim {
@@ -62,6 +65,7 @@ struct mus__sim {
     void *weight;   /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
     void *good;     /* (6 n) last good state */
     mus__aside *aside; /* (n) what contact need not ask of a node for a while */
+    mus__cloth_self *self; /* NULL: cloth is not asked of cloth */
     void *near;     /* (8 n) planes of the skin, while sew or settle run; NULL: every node is asked every time */
 
     /* what the steps use; set between steps, never inside */
@@ -72,6 +76,8 @@ struct mus__sim {
     int32_t fresh;      /* nonzero: f holds the forces at y */
     double collision_distance;
     mus__contact_rule rule;
+    mus__cloth_rule self_rule;
+    double self_time;   /* [s] that self->force is the impulse of */
     int32_t swift;      /* nodes are so fast that contact sweeps them */
     mus__contact_tally part_tally[64];
     int64_t force_evaluations;

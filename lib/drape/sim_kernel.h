@@ -1,8 +1,8 @@
 /*
  * sim_kernel.h: the steps of a sim, as a template on the floating type.
  *
- * Define MUS_REAL, MUS_FN(name) (names of that type), MUS_SQRT, MUS_CONTACT and MUS_SIM, then include. Loops are plain
- * and counted over planes, so that the compiler vectorises them; the plan's order fixes every sum.
+ * Define MUS_REAL, MUS_FN(name) (names of that type), MUS_SQRT, MUS_CONTACT, MUS_CLOTH and MUS_SIM, then include. Loops
+ * are plain and counted over planes, so that the compiler vectorises them; the plan's order fixes every sum.
  *
  * RK4 in the form that needs least memory (a_i the acceleration at stage i; v does not depend on the order of nodes):
  *
@@ -270,12 +270,29 @@ static void MUS_FN(stitch)(mus__sim *sim)
 }
 
 
+/* cloth against cloth, at the end of a step of h */
+static inline void MUS_FN(meet_self)(mus__sim *sim, double h)
+{
+    if (sim->self == NULL) return;
+    MUS_REAL *y = sim->y;
+    MUS_CLOTH(sim->self, &sim->self_rule, sim->inverse, y, y + 3 * (int64_t)sim->n);
+    sim->self_time += h;
+}
+
+
+static void MUS_FN(look)(mus__sim *sim)
+{
+    if (sim->self != NULL) MUS_CLOTH_LOOK(sim->self, &sim->self_rule, sim->inverse, sim->y);
+}
+
+
 static void MUS_FN(euler)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
     sim->swift = sim->collider != NULL && sim->rule.travel > sim->collider->safe;
     MUS_FN(run_move)(sim, PHASE_EULER);
     if (sim->plan->npair > 0) MUS_FN(stitch)(sim);
+    MUS_FN(meet_self)(sim, h);
 }
 
 
@@ -287,6 +304,7 @@ static void MUS_FN(rk4)(mus__sim *sim, double h)
     MUS_FN(run_phase)(sim, PHASE_RK2, sim->next, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK3, sim->stage, NULL);
     MUS_FN(run_phase)(sim, PHASE_RK4, sim->next, sim->y);
+    MUS_FN(meet_self)(sim, h);
 }
 
 
@@ -296,9 +314,11 @@ static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
     sim->phase_h = h;
     if (!sim->fresh) MUS_FN(force)(sim);
     MUS_FN(run_move)(sim, PHASE_START);
+    MUS_FN(meet_self)(sim, h);
     for (int32_t i = 1; i < steps; i++) {
         for (int32_t part = 0; part < 64 && !sim->swift; part++) sim->swift = sim->part_tally[part].swift;
         MUS_FN(run_move)(sim, PHASE_VERLET);
+        MUS_FN(meet_self)(sim, h);
     }
     MUS_FN(run_move)(sim, PHASE_KICK);
 }
@@ -325,6 +345,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
     MUS_FN(flush)(sim);
     memset(sim->aside, 0, (size_t)n * sizeof *sim->aside);
     sim->fresh = 0;
+    if (sim->self != NULL) sim->self->stale = 1;
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -384,6 +405,7 @@ static void MUS_FN(restore)(mus__sim *sim)
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
     memset(sim->aside, 0, (size_t)sim->n * sizeof *sim->aside);
     sim->fresh = 0;
+    if (sim->self != NULL) sim->self->stale = 1;
 }
 
 
@@ -401,4 +423,5 @@ const mus__sim_ops MUS_SIM = {
     .speed2 = MUS_FN(speed2),
     .snapshot = MUS_FN(snapshot),
     .restore = MUS_FN(restore),
+    .look = MUS_FN(look),
 };

@@ -148,6 +148,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     mus__drape_meet_first(drape);
     if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
     drape->moved = 0;
+    mus__drape_self_forget(drape);
     sim->near = drape->def.contact_ball > 0.0 && !mus__drape_moves(drape, 0, dt) ? drape->skin : NULL;
 }
 
@@ -162,6 +163,7 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
     sim->rule.push = PUSH_SPEED * h;
     sim->rule.slip = verlet ? h : 0.5 * h;
     sim->rule.step = h;
+    mus__drape_self_rule(drape, h);
 
     /* what moves is moved before each step */
     const int32_t alone = !verlet || mus__drape_moves(drape, (int64_t)ahead * parts, h) ? 1 : count;
@@ -201,6 +203,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
 
     mus__sim *sim = &drape->sim;
     mus__drape_prepare(drape, dt);
+    status = mus__drape_self_ready(drape, dt);
     drape->parts = 1;
 
     /* time goes on when a state was found good: at a look, and at the end */
@@ -211,6 +214,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         done += batch;
         drape->since_look += batch;
         status = mus__drape_check_motion(drape);
+        if (status == MUS_OK) status = mus__drape_self_fits(drape);
         drape->way += batch * dt * drape->speed;
         const int32_t due = drape->since_look >= LOOK_STEPS;
         if (status == MUS_OK && !due && drape->way > LOOK_WAY * drape->cloth->spacing && drape->cloth->spacing > 0.0) {

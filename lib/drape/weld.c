@@ -17,6 +17,7 @@ void mus__drape_open(mus_drape *drape)
         drape->mass[i] = drape->cloth->mass[i];
     }
     mus__plan_weld(drape->cloth, NULL, &drape->plan);
+    mus__drape_self_weld(drape);
 
     /* near the end a pair is stiffer than the cloth it joins, so that a tight seam closes within the distance */
     const double *stretch = drape->cloth->fabric.stretch;
@@ -67,6 +68,7 @@ void mus__drape_weld(mus_drape *drape)
 
     mus__plan_weld(cloth, rep, &drape->plan);
     drape->welded = 1;
+    mus__drape_self_weld(drape);
     memset(drape->sim.f, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);
     mus__drape_push(drape);
     mus__drape_publish(drape);

@@ -16,6 +16,7 @@
 /* half an ulp of 1, and the bounds A of the source */
 #define PREDICATE_EPSILON (1.0 / 9007199254740992.0)
 #define PREDICATE_ORIENT ((3.0 + 16.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
+#define PREDICATE_PLANE ((7.0 + 56.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_CIRCLE ((10.0 + 96.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 /* 2^27 + 1 halves a double into two of 26 bits */
 #define PREDICATE_SPLIT 134217729.0
@@ -134,6 +135,25 @@ static double predicate_circle_exact(const double *const *point, const double *d
 }
 
 
+static double predicate_plane_exact(const double *const *point, const double *d)
+{
+    int length[3][3], n = 0;
+    double delta[3][3][2], sum[192];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) length[i][k] = predicate_difference(point[i][k], d[k], delta[i][k]);
+
+    /* sum over the cycle of z of one times the cross product of x and y of the other two */
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        double cross[16], part[64];
+        int ncross = predicate_cross(length[j], delta[j], length[k], delta[k], cross);
+        int npart = predicate_times(ncross, cross, length[i][2], delta[i][2], part);
+        n = predicate_add(n, sum, npart, part, 1.0);
+    }
+    return n > 0 ? sum[n - 1] : 0.0;
+}
+
+
 double mus__orient2d(const double *a, const double *b, const double *c)
 {
     double left = (a[0] - c[0]) * (b[1] - c[1]), right = (a[1] - c[1]) * (b[0] - c[0]);
@@ -155,4 +175,20 @@ double mus__incircle(const double *a, const double *b, const double *c, const do
 
     const double *point[3] = {a, b, c};
     return predicate_circle_exact(point, d);
+}
+
+
+double mus__orient3d(const double *a, const double *b, const double *c, const double *d)
+{
+    double ax = a[0] - d[0], ay = a[1] - d[1], az = a[2] - d[2];
+    double bx = b[0] - d[0], by = b[1] - d[1], bz = b[2] - d[2];
+    double cx = c[0] - d[0], cy = c[1] - d[1], cz = c[2] - d[2];
+    double value = az * (bx * cy - by * cx) + bz * (cx * ay - cy * ax) + cz * (ax * by - ay * bx);
+    double size = fabs(az) * (fabs(bx * cy) + fabs(by * cx)) + fabs(bz) * (fabs(cx * ay) + fabs(cy * ax)) +
+                  fabs(cz) * (fabs(ax * by) + fabs(ay * bx));
+    double bound = PREDICATE_PLANE * size;
+    if (value > bound || -value > bound) return value;
+
+    const double *point[3] = {a, b, c};
+    return predicate_plane_exact(point, d);
 }

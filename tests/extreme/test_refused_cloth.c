@@ -93,7 +93,7 @@ static mus_status try_drape(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23; mus_drape_def.friction: NaN is the fabric's, infinity sticks (X31) */
+/* X23; mus_drape_def.friction, mus_drape_def.self_friction: NaN is the fabric's, infinity sticks (X31) */
 START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -102,6 +102,7 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_drape_def, clearance, 1, false, "clearance"),
         REFUSED(mus_drape_def, drag, 1, false, "drag"),
         REFUSED(mus_drape_def, contact_ball, 1, false, "contact_ball"),
+        REFUSED(mus_drape_def, thickness, 1, false, "thickness"),
         REFUSED(mus_drape_def, seam_pull, 1, false, "seam_pull"),
         REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
         REFUSED(mus_drape_def, settle_seconds, 1, false, "settle_seconds"),
@@ -117,6 +118,11 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
     ck_assert_int_eq(try_drape(context, &def, NULL), MUS_ERR_ARG);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "friction"));
     def.friction = INFINITY;
+    ck_assert_int_eq(try_drape(context, &def, NULL), MUS_OK);
+    def.self_friction = -INFINITY;
+    ck_assert_int_eq(try_drape(context, &def, NULL), MUS_ERR_ARG);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "self_friction"));
+    def.self_friction = INFINITY;
     ck_assert_int_eq(try_drape(context, &def, NULL), MUS_OK);
     support_context_end(context);
 }

@@ -44,6 +44,45 @@ static int circle_by_integers(const int64_t (*p)[2])
 }
 
 
+static int plane_by_integers(const int64_t (*p)[3])
+{
+    wide sum = 0;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        wide jx = p[j][0] - p[3][0], jy = p[j][1] - p[3][1], kx = p[k][0] - p[3][0], ky = p[k][1] - p[3][1];
+        sum += (p[i][2] - p[3][2]) * (jx * ky - jy * kx);
+    }
+    return wide_sign(sum);
+}
+
+
+START_TEST(the_plane_has_the_sign_of_integers)
+{
+    /* four points of one far plane, then one unit beside it */
+    uint64_t state = 4;
+    int zeros = 0;
+    for (int i = 0; i < 20000; i++) {
+        int64_t u[3], v[3], p[4][3];
+        for (int k = 0; k < 3; k++) {
+            u[k] = (int64_t)(support_random(&state) % 100000);
+            v[k] = (int64_t)(support_random(&state) % 100000) - 50000;
+        }
+        for (int c = 0; c < 4; c++) {
+            int64_t s = (int64_t)(support_random(&state) % 1000000), t = (int64_t)(support_random(&state) % 1000000);
+            for (int k = 0; k < 3; k++) p[c][k] = 7 + s * u[k] + t * v[k];
+        }
+        p[i % 4][i % 3] += (int64_t)(support_random(&state) % 3) - 1;
+        double x[4][3];
+        for (int k = 0; k < 12; k++) x[k / 3][k % 3] = ldexp((double)p[k / 3][k % 3], -37);
+        int want = plane_by_integers((const int64_t(*)[3])p);
+        zeros += want == 0;
+        ck_assert_int_eq(sign(mus__orient3d(x[0], x[1], x[2], x[3])), want);
+    }
+    ck_assert_int_gt(zeros, 1000);
+}
+END_TEST
+
+
 START_TEST(orientation_has_the_sign_of_integers)
 {
     /* collinear points of a far line, then one unit beside it: differences of 2^52 that no double product holds */
@@ -137,6 +176,7 @@ Suite *mus_suite_predicate(void)
     TCase *tests = tcase_create("predicate");
     tcase_add_test(tests, orientation_has_the_sign_of_integers);
     tcase_add_test(tests, the_circle_has_the_sign_of_integers);
+    tcase_add_test(tests, the_plane_has_the_sign_of_integers);
     tcase_add_test(tests, signs_do_not_depend_on_the_order);
     tcase_add_test(tests, corners_of_a_rectangle_lie_on_one_circle);
     suite_add_tcase(suite, tests);

@@ -347,7 +347,8 @@ class mus_drape_def(Structure):
     _fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
                 ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
                 ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
-                ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double)]
+                ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double),
+                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double)]
 
 
 class mus_plane(Structure):
@@ -368,7 +369,8 @@ class mus_drape_report(Structure):
                 ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
                 ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
-                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3)]
+                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3),
+                ("self_contacts", c_int32), ("self_queries", c_int64)]
 
 
 class mus_sheet_def(Structure):
@@ -659,6 +661,7 @@ FUNCTIONS = {
     "mus_drape_skipped": ("core", c_char_p, [POINTER(mus_drape)]),
     "mus_drape_hash": ("core", c_uint64, [POINTER(mus_drape)]),
     "mus_drape_gaps": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_drape_crossings": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_int32), POINTER(c_int64)]),
     "mus_drape_normals": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
     "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),

@@ -157,6 +157,12 @@ class Drape(Object):
         self.do("gaps", gaps)
         return result(gaps)
 
+    def crossings(self):
+        """How many pairs of triangles of the cloth cross, exactly; 0 is a certificate."""
+        count = ctypes.c_int64()
+        self.do("crossings", 0, None, ctypes.byref(count))
+        return count.value
+
     @property
     def time(self):
         """Cloth time since place [s]."""

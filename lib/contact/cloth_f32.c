@@ -1,0 +1,20 @@
+/* cloth_f32.c: cloth against cloth in float. */
+#include <math.h>
+#include <string.h>
+
+#include "base/clones.h"
+#include "contact/cloth_self.h"
+
+#define MUS_REAL float
+#define MUS_FIELD(name) mus__f32_##name
+#define MUS_SELF mus__cloth_self_f32
+#define MUS_SELF_LOOK mus__cloth_self_look_f32
+#define MUS_SQRT sqrtf
+#include "contact/cloth_kernel.h"
+
+/* for a build of all files in one */
+#undef MUS_REAL
+#undef MUS_FIELD
+#undef MUS_SELF
+#undef MUS_SELF_LOOK
+#undef MUS_SQRT

@@ -1,0 +1,98 @@
+/*
+ * cloth_self.h: cloth against cloth: node against triangle, edge against edge, with thickness and friction.
+ *
+ * A call after each step. It never asks when two things meet within a step, because none can: every node has a ball
+ * round the place where it was last looked at, and is held in it until it is looked at again.
+ *
+ *   Two things (node and triangle, or edge and edge, without a common node) at distance D: each of their nodes has a
+ *   ball of less than D/2. A point of either is a mean of its nodes, so it moves by less than D/2 too, and the two
+ *   never touch. Two triangles that do not cross can begin to only where such a pair touches. So where no triangles
+ *   cross, none ever will: at any speed, in any step, whatever forces and other contact do to the nodes.
+ *
+ *   look:   near pairs are taken anew from a grid, when a node has gone farther than the list reaches (`skin`)
+ *   ball:   distances of the pairs in the list, and from them the balls, when a node comes to the end of its ball
+ *   touch:  pairs that may be nearer than the thickness answer each call: impulses that end their approach, friction
+ *           up to mu times these, and a push apart
+ *
+ * The balls are of the state after the answer, which therefore is as free as the forces are.
+ *
+ * A pair's thickness is that of the drape or, near short edges, half the least height of the triangles there, so that
+ * what is joined flat never touches. Nodes that a seam joins count as one, sewn or not yet.
+ */
+#ifndef MUS_CONTACT_CLOTH_SELF_H
+#define MUS_CONTACT_CLOTH_SELF_H
+
+#include "contact/cloth_grid.h"
+#include "contact/contact.h"
+
+typedef struct mus__cloth_near { /* a node and a triangle, or two edges */
+    int32_t node[4];
+} mus__cloth_near;
+
+typedef struct mus__cloth_self {
+    mus_context *context;
+    size_t real;           /* bytes of a number of the state */
+    int32_t n, nodes;      /* from plane to plane; nodes */
+    int32_t ntriangle;     /* with corners of three classes */
+    double thickness, friction;
+    double skin;           /* how far nodes may go until the list is made anew; as the memory allows [m] */
+    int32_t stale;         /* nonzero: places were changed from outside */
+    int32_t full;          /* nonzero: there is no memory for the pairs, and nothing moves until there is */
+    int32_t *class_of;     /* (nodes) nodes that seams join have one */
+    int32_t *triangle;     /* (ntriangle x 3) nodes that stand for the corners */
+    uint8_t *own;          /* (ntriangle) corners (bits 0..2) and edges (3..5) that this triangle answers for */
+    void *thick;           /* (nodes) thickness there */
+    void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
+    void *home;            /* (3 n) where each was when the list was made */
+    void *force;           /* (3 n) impulses since the caller cleared them [N s] */
+    uint8_t *level;        /* (nodes) how many layers between it and what holds it; MUS_SELF_LOOSE: nothing does */
+    int32_t nnode_pair, npair, ntouch;
+    int32_t pair_capacity;
+    mus__cloth_near *pair; /* (pair_capacity) near pairs: nnode_pair of a node and a triangle, then two edges each */
+    int32_t *touch;        /* (pair_capacity) numbers of those that may touch */
+    mus__cloth_grid grid;
+
+    /* since create */
+    int64_t looks, balls, held;  /* lists made, balls taken, nodes that were held in their ball */
+    int64_t answers, measured;   /* pairs asked in calls, and for balls */
+    int32_t close;               /* pairs closer than the thickness in the last call */
+    int32_t most_pairs;
+} mus__cloth_self;
+
+#define MUS_SELF_LOOSE 254
+#define MUS_SELF_UNKNOWN 255
+#define MUS_SELF_LEVELS 8 /* layers on each other that know what holds them */
+
+typedef struct mus__cloth_rule {
+    double step; /* [s] since the last call */
+    double slip; /* [s] h for symplectic Euler, h/2 for RK4, as that of mus__contact_rule */
+    double push; /* [m] what overlaps is put apart by at most this in one call */
+    const mus__collider *collider; /* may be NULL */
+    double clearance;              /* of it [m] */
+} mus__cloth_rule;
+
+/* class_of (nodes): those that pairs (npair x 2) join have one, the smallest of them */
+void mus__cloth_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32_t *class_of);
+
+/* of a cloth of `nodes` (state with planes of n) and triangles (ntriangle x 3) at rest at `rest` (nodes x 2); pairs
+ * (npair x 2) of nodes that seams join. Everything that calls need */
+mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, int32_t nodes, int32_t ntriangle,
+                                  const int32_t *triangle, const double *rest, int32_t npair, const int32_t *pair,
+                                  double thickness, double friction, mus__cloth_self **out);
+void mus__cloth_self_destroy(mus__cloth_self *self);
+/* triangles are now those of the nodes that stand for each: rep (nodes), NULL: each for itself */
+void mus__cloth_self_weld(mus__cloth_self *self, int32_t ntriangle, const int32_t *triangle, const int32_t *rep);
+/* between steps: room for twice the pairs that there were, where it became narrow */
+mus_status mus__cloth_self_grow(mus__cloth_self *self);
+
+/* before a step, where places were changed from outside: x planes (3 x n), inverse (n) 1/mass, 0 for held nodes */
+void mus__cloth_self_look_f32(mus__cloth_self *self, const mus__cloth_rule *rule, const float *inverse,
+                              const float *x);
+void mus__cloth_self_look_f64(mus__cloth_self *self, const mus__cloth_rule *rule, const double *inverse,
+                              const double *x);
+/* after a step: x, v planes (3 x n) */
+void mus__cloth_self_f32(mus__cloth_self *self, const mus__cloth_rule *rule, const float *inverse, float *x, float *v);
+void mus__cloth_self_f64(mus__cloth_self *self, const mus__cloth_rule *rule, const double *inverse, double *x,
+                         double *v);
+
+#endif

@@ -1,0 +1,153 @@
+/*
+ * self.c: cloth against cloth as a drape uses it: made when the def asks for it, told of welds, asked for its forces.
+ *
+ * Contact acts by impulses after each step, so forces know nothing of it. What it gave a node over some steps, by their
+ * time, is the mean force that a residual takes: at rest it carries what springs, weight and skin leave.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "contact/cloth_crossing.h"
+#include "drape/drape_internal.h"
+
+#define SELF_PUSH_SPEED 0.5   /* [m/s]: what overlaps leaves each other no faster */
+#define SELF_THICKEST 0.5     /* of the spacing */
+
+
+mus_status mus__drape_self_create(mus_drape *drape)
+{
+    const mus_cloth *cloth = drape->cloth;
+    const mus_drape_def *def = &drape->def;
+    if (!def->self_contact || cloth->ntriangle == 0) return MUS_OK;
+    if (cloth->spacing > 0.0 && def->thickness > SELF_THICKEST * cloth->spacing)
+        return mus__fail(drape->context, MUS_ERR_ARG,
+                         "drape: thickness is %g m, expected at most half the spacing, %g m",
+                         def->thickness, SELF_THICKEST * cloth->spacing);
+    const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
+    return mus__cloth_self_create(drape->context, drape->sim.ops->real, drape->sim.n, drape->n, cloth->ntriangle,
+                                  cloth->triangle, cloth->rest, cloth->npair, cloth->pair, def->thickness, friction,
+                                  &drape->self);
+}
+
+
+void mus__drape_self_weld(mus_drape *drape)
+{
+    if (drape->self == NULL) return;
+    mus__cloth_self_weld(drape->self, drape->cloth->ntriangle, drape->cloth->triangle,
+                         drape->welded ? drape->rep : NULL);
+}
+
+
+void mus__drape_self_rule(mus_drape *drape, double h)
+{
+    mus__sim *sim = &drape->sim;
+    sim->self_rule = (mus__cloth_rule){h, sim->rule.slip, SELF_PUSH_SPEED * h, drape->collider, drape->def.clearance};
+}
+
+
+mus_status mus__drape_self_ready(mus_drape *drape, double h)
+{
+    if (drape->self == NULL) return MUS_OK;
+    if (drape->sim.self == NULL) drape->self->stale = 1;
+    drape->sim.self = drape->self;
+    mus__drape_self_rule(drape, h);
+    drape->sim.ops->look(&drape->sim);
+    while (drape->self->full) {
+        const mus_status status = mus__cloth_self_grow(drape->self);
+        if (status != MUS_OK) return status;
+        drape->sim.ops->look(&drape->sim);
+    }
+    const mus_status status = mus__cloth_self_grow(drape->self);
+    drape->sim.ops->look(&drape->sim);
+    return status;
+}
+
+
+mus_status mus__drape_self_fits(const mus_drape *drape)
+{
+    if (drape->sim.self == NULL || !drape->self->full) return MUS_OK;
+    return mus__fail(drape->context, MUS_ERR_LIMIT,
+                     "drape: more than %d pairs of cloth and cloth are near each other; they are held where they are, "
+                     "and the next call has room for twice as many",
+                     (int)drape->self->pair_capacity);
+}
+
+
+void mus__drape_self_off(mus_drape *drape)
+{
+    drape->sim.self = NULL;
+    mus__drape_self_forget(drape);
+}
+
+
+void mus__drape_self_forget(mus_drape *drape)
+{
+    if (drape->self == NULL) return;
+    memset(drape->self->force, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);
+    drape->sim.self_time = 0.0;
+}
+
+
+void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
+{
+    const mus__sim *sim = &drape->sim;
+    if (drape->self == NULL || !(sim->self_time > 0.0)) return;
+    for (int64_t d = 0; d < 3; d++)
+        force[d] += mus__plan_number(&drape->plan, drape->self->force, d * sim->n + i) / sim->self_time;
+}
+
+
+void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report)
+{
+    if (drape->self == NULL) return;
+    for (const mus_drape *cut = drape; cut != NULL; cut = cut->coarse)
+        if (cut->self != NULL) report->self_queries += cut->self->answers + cut->self->measured;
+    report->self_contacts = drape->self->close;
+}
+
+
+/* what a count notes: the first pairs of triangles */
+typedef struct self_found {
+    int32_t *pair, most, last[2];
+    int64_t count;
+} self_found;
+
+
+static void self_note(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
+{
+    self_found *found = user;
+    (void)p;
+    (void)q;
+    const int32_t a = of < met ? of : met, b = of < met ? met : of;
+    if (found->count > 0 && found->last[0] == a && found->last[1] == b) return;
+    if (found->count < found->most) {
+        found->pair[2 * found->count] = a;
+        found->pair[2 * found->count + 1] = b;
+    }
+    found->last[0] = a, found->last[1] = b;
+    found->count++;
+}
+
+
+mus_status mus_drape_crossings(const mus_drape *drape, int32_t most, int32_t *pairs, int64_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (drape == NULL) return MUS_ERR_ARG;
+    mus_context *context = drape->context;
+    if (count == NULL || most < 0 || (most > 0 && pairs == NULL))
+        return mus__fail(context, MUS_ERR_ARG, "drape: crossings: %s",
+                         count == NULL ? "count is NULL" : most < 0 ? "most is below 0" : "pairs is NULL");
+    const mus_cloth *cloth = drape->cloth;
+    mus__cloth_grid grid;
+    int32_t *class_of = mus__new(context, drape->n, sizeof *class_of);
+    if (class_of == NULL) return mus__fail_memory(context, "a count of crossings");
+    const mus_status status = mus__cloth_grid_create(context, cloth->ntriangle, &grid);
+    if (status == MUS_OK) {
+        self_found found = {pairs, most, {MUS_NONE, MUS_NONE}, 0};
+        mus__cloth_classes(drape->n, cloth->npair, cloth->pair, class_of);
+        *count = mus__cloth_crossings(&grid, cloth->ntriangle, cloth->triangle, class_of, drape->x, self_note, &found);
+        mus__cloth_grid_destroy(context, &grid);
+    }
+    mus__free(context, class_of);
+    return status;
+}

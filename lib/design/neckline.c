@@ -281,7 +281,8 @@ static void neckline_pass(mus__half *half, mus__top *top)
     for (int i = 0; i < HEAD_STEPS; i++) {
         const double girth = 2.0 * (neckline_length(&top->neck[0]) + neckline_length(&top->neck[1]));
         if (girth * stretch >= need) return;
-        const double out = fmin(0.2 * MUS__CM, 0.05 * front->shoulder_length);
+        const bool wide = front->shoulder_length < 0.45 * m[MUS_MEASURE_SHOULDER];
+        const double out = wide ? 0.0 : fmin(0.2 * MUS__CM, 0.05 * front->shoulder_length);
         mus__bodice_lower_neck(front, out, 0.3 * MUS__CM);
         mus__bodice_lower_neck(back, out, 0.1 * MUS__CM);
         neckline_edges(half, top);

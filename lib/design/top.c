@@ -106,6 +106,14 @@ static void torso_blocks(mus__half *half, mus__top *top)
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
     if (mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) def.bust_ease = fmin(def.bust_ease, 1.0 * MUS__CM);
+    const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
+    const bool moves = shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_SHOULDER_WAIST || shape == MUS__SHAPE_FRENCH ||
+                       shape == MUS__SHAPE_NECK_GATHERS || shape == MUS__SHAPE_CF_GATHERS;
+    if (moves && !def.darts) {
+        mus__board_fail(&half->board, MUS_ERR_DESIGN, "shape=%s moves a bust dart, which is drafted for women alone",
+                        mus__style_word(MUS__AXIS_SHAPE, shape));
+        return;
+    }
     const mus_status status = mus__bodice_draft(half->context, &measures, &def, &half->bodice);
     if (status != MUS_OK) half->board.status = status;
 
@@ -288,8 +296,8 @@ static void torso_low(const mus__half *half, const mus__top *top, int32_t which,
     for (int32_t d = 0; d < ndart; d++) {
         double dart[6];
         memcpy(dart, block->dart[d], sizeof dart);
-        if (which == MUS__TOP_FRONT && top->waist_point > 0.0) dart[3] = block->bust[1] - top->waist_point;
-        dart[3] = fmin(dart[3], highest);
+        if (which == MUS__TOP_FRONT && top->meet) dart[3] = block->bust[1];
+        if (which == MUS__TOP_BACK) dart[3] = fmin(dart[3], highest);
         mus__top_dart_leg(top, dart, -1.0, &left);
         mus__top_dart_leg(top, dart, 1.0, &right);
         mus__chain_line(&chain, at, left.xy);
@@ -394,5 +402,6 @@ void mus__top_draft(mus__half *half)
     torso_sew(half, "shoulder");
     torso_sew(half, "side");
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
+    mus__shaping_neck_band(half, &top);
     torso_place(half, &top);
 }

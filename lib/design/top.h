@@ -46,7 +46,7 @@ typedef struct mus__top {
     double low;      /* underarm lower along the side seam by */
     bool darts;      /* there is shaping at the waist */
     bool waist_darts[2]; /* and its darts are drawn, not worked out of the panel later */
-    double waist_point;  /* the front's ends so far below the bust point; 0: as in the block */
+    bool meet;           /* the front's ends in the bust point */
     double point_back;   /* the bust dart is drawn to so far before the bust point */
     mus__chain neck[2], arm[2]; /* front, back: side neck to centre; underarm to shoulder point */
     bool shoulder[2];           /* has a shoulder edge; else neck follows the underarm, and arm is empty */
@@ -82,7 +82,7 @@ void mus__shaping_work(mus__half *half, mus__top *top);
 int32_t mus__shaping_turn(mus__half *half, mus__top *top, int32_t target, double s, double fraction, int32_t keep);
 /* a side of the front or back panel by name, "low" for the lower edge */
 int32_t mus__shaping_side(const mus__half *half, const mus__top *top, int32_t which, const char *name);
-/* a side drawn again as one cubic with its end tangents */
+/* a side and those of its label after it drawn again as one cubic with the end tangents */
 void mus__shaping_smooth(mus__board *board, int32_t side);
 
 /* ---- shaping_cut.c ---- */

@@ -10,6 +10,26 @@ static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 #define SEAM_MATCH (0.05 * CM) /* of plain seams */
 
 
+/* eases [cm] of the seams that are meant to have one, by the name of either side; elsewhere none */
+static const struct {
+    const char *name;
+    double least, most;
+} eases[] = {{"princess", -1.2, 1.2}, {"strip", -0.05, 6.0}, {"front", -0.05, 12.0}, {"empire", -4.0, 4.0}};
+
+
+static bool eased(const mus_pattern *pattern, const mus_seam_def *seam)
+{
+    const char *names[2] = {mus_pattern_edge_name(pattern, seam->edge_a), mus_pattern_edge_name(pattern, seam->edge_b)};
+    for (size_t i = 0; i < sizeof eases / sizeof eases[0]; i++)
+        for (int j = 0; j < 2; j++) {
+            if (strncmp(names[j], eases[i].name, strlen(eases[i].name)) != 0) continue;
+            const double ease = fabs(seam->ease) / CM;
+            return ease <= eases[i].most;
+        }
+    return fabs(seam->ease) <= SEAM_MATCH;
+}
+
+
 /* one style on one size; false when its words exclude one another */
 static bool check_style(const char *size, const mus__style *style)
 {
@@ -39,7 +59,7 @@ static bool check_style(const char *size, const mus__style *style)
             mus_seam_def seam;
             mus_seam_def_init(&seam, sizeof seam);
             ck_assert_int_eq(mus_pattern_seam(pattern, s, &seam), MUS_OK);
-            ck_assert_msg(fabs(seam.ease) <= SEAM_MATCH, "%s: %s: seam of %s has an ease of %.2f cm", size, words,
+            ck_assert_msg(eased(pattern, &seam), "%s: %s: seam of %s has an ease of %.2f cm", size, words,
                           mus_pattern_edge_name(pattern, seam.edge_a), seam.ease / CM);
         }
         mus_pattern_destroy(pattern);
@@ -53,18 +73,21 @@ static bool check_style(const char *size, const mus__style *style)
 
 START_TEST(every_neckline_drafts_in_every_length_and_closure)
 {
-    static const int32_t shapes[] = {MUS__SHAPE_SIDE_WAIST, MUS__SHAPE_BOXY};
     int checked = 0;
     for (int32_t neck = 0; neck <= MUS__NECK_STRAPLESS; neck++)
         for (int32_t closure = 0; closure <= MUS__CLOSURE_SIDE; closure++)
             for (int32_t length = 0; length <= MUS__TOP_LENGTH_TUNIC; length++)
-                for (int32_t bits = 0; bits < 4; bits++) {
+                for (int32_t shape = 0; shape <= MUS__SHAPE_BOXY; shape++) {
                     mus__style style = {{0}};
                     style.option[MUS__AXIS_NECK] = neck;
                     style.option[MUS__AXIS_CLOSURE] = closure;
                     style.option[MUS__AXIS_TOP_LENGTH] = length;
-                    style.option[MUS__AXIS_SHAPE] = shapes[bits & 1];
-                    style.option[MUS__AXIS_CLOTH] = bits >> 1;
+                    style.option[MUS__AXIS_SHAPE] = shape;
+                    const bool moves = shape != MUS__SHAPE_SIDE_WAIST && shape != MUS__SHAPE_EMPIRE &&
+                                       shape != MUS__SHAPE_BOXY && shape != MUS__SHAPE_PRINCESS_SHOULDER &&
+                                       shape != MUS__SHAPE_PRINCESS_ARMHOLE;
+                    if (moves && sizes[_i][0] != 'W') continue;
+                    style.option[MUS__AXIS_CLOTH] = closure == MUS__CLOSURE_NONE;
                     checked += check_style(sizes[_i], &style);
                 }
     ck_assert_int_gt(checked, 200);

@@ -111,10 +111,11 @@ START_TEST(ease_is_what_was_asked)
         ck_assert(isnan(ease[MUS_EASE_BUST]));
         ck_assert_double_eq_tol(ease[MUS_EASE_HIP], def.ease, 0.001);
         /* the top edge rises 1.2 cm to the sides: the level lies under it there */
-        ck_assert(ease[MUS_EASE_WAIST] > 0.02 && ease[MUS_EASE_WAIST] < 0.04);
+        ck_assert(ease[MUS_EASE_WAIST] > 0.02 && ease[MUS_EASE_WAIST] < 0.06);
         ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, &def, &shirt), MUS_OK);
         ck_assert_int_eq(mus_design_ease(shirt, tape, ease), MUS_OK);
-        ck_assert_double_eq_tol(ease[MUS_EASE_BUST], def.ease, 0.012);
+        /* a shirt that is closer on the bust than on the hip widens below it */
+        ck_assert(ease[MUS_EASE_BUST] > def.ease - 0.001 && ease[MUS_EASE_BUST] < fmax(def.ease, 0.05) + 0.012);
         mus_pattern_destroy(skirt);
         mus_pattern_destroy(shirt);
     }

@@ -55,9 +55,12 @@ static void design_make(mus__half *half)
 {
     const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
     const bool lower = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
-    if (!lower) mus__top_draft(half);
-    design_refuse(half, MUS__AXIS_SLEEVE);
-    design_refuse(half, MUS__AXIS_COLLAR);
+    if (!lower) {
+        mus__top_draft(half);
+        mus__sleeve_attach(half);
+        mus__collar_attach(half);
+    }
+    if (garment == MUS__GARMENT_TOP) mus__board_opening_add(&half->board, "hem");
     design_refuse(half, MUS__AXIS_POCKET);
     if (garment != MUS__GARMENT_TOP) design_refuse(half, MUS__AXIS_GARMENT);
     mus__board_double(&half->board);

@@ -145,4 +145,19 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan);
 /* a band of `length` sewn to the cuff edge of the half, `down` below the crown along the arm */
 void mus__cuff_attach(mus__half *half, double length, double depth, double down);
 
+/* ---- collar_style.c ---- */
+
+/* what a collar is drafted to */
+typedef struct mus__neck {
+    mus__rim rim;      /* the neckline, centre back to centre front */
+    double length;     /* of the half */
+    double shoulder;   /* arc length where the shoulder seam meets it */
+    bool front_open, back_open; /* the garment opens there */
+} mus__neck;
+
+/* collars that lie: Peter Pan, sailor, shawl */
+void mus__collar_flat(mus__half *half, mus__neck *neck);
+/* two pieces with a seam over the head */
+void mus__hood_attach(mus__half *half, mus__neck *neck);
+
 #endif

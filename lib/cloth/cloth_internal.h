@@ -17,7 +17,8 @@ enum {
     MUS__SPRING_WEFT = 1,
     MUS__SPRING_SHEAR = 2,
     MUS__SPRING_BORDER = 3,
-    MUS__SPRING_SKIP = 4 /* the paper's bending: over one node */
+    MUS__SPRING_SKIP = 4, /* the paper's bending: over one node */
+    MUS__SPRING_ELASTIC = 5
 };
 
 typedef struct mus__spring_run { /* E = 1/2 k (|x_b - x_a| - rest)^2, each spring once */
@@ -42,6 +43,12 @@ typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge 
     double k;
 } mus__hinge;
 
+/* a node that is held up (MUS_HOLD_*), `below` its level; the length of edge that it stands for */
+typedef struct mus__hold {
+    int32_t node, level, right;
+    double below, length;
+} mus__hold;
+
 typedef struct mus__row { /* one maximal stretch of neighbouring lattice nodes in a lattice row */
     int32_t first, count;
 } mus__row;
@@ -61,6 +68,7 @@ struct mus_cloth {
     double spacing;
     double mass_total;
     int32_t npanel, nnode, ntriangle, nrow, nrun, nbend, nspring, nhinge, nseam_hinge, npair, nborder, nseam;
+    int32_t nhold;
     mus__panel_mesh *panel;    /* (npanel) */
     double *rest;              /* (nnode x 2) in the panel's plane */
     double *mass;              /* (nnode) */
@@ -76,6 +84,7 @@ struct mus_cloth {
     int32_t *pair;             /* (npair x 2) */
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
+    mus__hold *hold;           /* (nhold) */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 
     /* of bare nodes only, else NULL: no panel places them and no fabric damps them */

@@ -182,6 +182,7 @@ static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
     if (status == MUS_OK && body != NULL)
         status = mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->collider);
     if (status == MUS_OK && body != NULL) status = mus__drape_stance_create(drape, body);
+    if (status == MUS_OK && body != NULL) mus__drape_levels(drape, body);
     return status;
 }
 
@@ -224,6 +225,7 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
     for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
     drape->cold = 1;
+    mus__drape_hold(drape);
     mus__drape_open(drape);
     mus__drape_push(drape);
     *out = drape;

@@ -7,6 +7,7 @@
 #ifndef MUS_DRAPE_INTERNAL_H
 #define MUS_DRAPE_INTERNAL_H
 
+#include "body/body_level.h"
 #include "drape/plan.h"
 #include "drape/sim.h"
 #include "drape/transfer.h"
@@ -26,6 +27,7 @@ typedef struct mus__drape_stance {
     mus__frame frame[MUS_PARTS_MOST]; /* where the parts were last put */
     double time, duration;            /* the movement began, and takes so long [s] */
     int32_t posed, carried;           /* nonzero: not as limbs are made; the body came posed */
+    mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */
 } mus__drape_stance;
 
 struct mus_drape {
@@ -156,8 +158,17 @@ void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
 void mus__drape_self_forget(mus_drape *drape);
 void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 
+/* ---- levels of the body that edges are held at (hold.c) ---- */
+
+/* where they lie as the body was made */
+void mus__drape_levels(mus_drape *drape, const mus_body *body);
+/* where they lie now: to the plan; nothing without held nodes */
+void mus__drape_hold(mus_drape *drape);
+
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);
+/* of a seam pair near the end [N/m]: more than the cloth that it joins, so that a tight seam closes */
+double mus__drape_pair_stiffness(const mus_drape *drape);
 void mus__drape_weld(mus_drape *drape);
 
 /* ---- forces in double, plain form (forces.c) ---- */

@@ -179,7 +179,7 @@ static void MUS_FN(groups_dash)(const mus__sim *sim, const mus__chunk *chunk, MU
 }
 
 
-/* ends of seam pairs of a chunk: k d, at most the tension times the length that the pair stands for */
+/* ends of seam pairs of a chunk: k d, d with the pair's lift, at most the tension times the length that the pair stands for */
 static void MUS_FN(pair_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
 {
     const mus__plan *plan = sim->plan;
@@ -189,12 +189,34 @@ static void MUS_FN(pair_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_
         const mus__pair_end *end = &plan->pair_end[e];
         const mus__pair *pair = &plan->pair[end->pair];
         const MUS_REAL *a = y + end->node, *b = y + end->other;
-        const MUS_REAL d0 = b[0] - a[0], d1 = b[n] - a[n], d2 = b[2 * n] - a[2 * n];
+        const MUS_REAL d0 = b[0] - a[0] + (MUS_REAL)pair->lift[0], d1 = b[n] - a[n] + (MUS_REAL)pair->lift[1];
+        const MUS_REAL d2 = b[2 * n] - a[2 * n] + (MUS_REAL)pair->lift[2];
         const MUS_REAL cap = (MUS_REAL)(plan->seam_pull * pair->length), k = pair->locked ? 0 : (MUS_REAL)pair->k;
         const MUS_REAL most = cap / MUS_SQRT(d0 * d0 + d1 * d1 + d2 * d2 + TINY);
         const MUS_REAL pull = k < most ? k : most;
         MUS_REAL *out = f + (end->node - chunk->first);
         out[0] += pull * d0, out[SPAN] += pull * d1, out[2 * SPAN] += pull * d2;
+    }
+}
+
+
+/* held nodes of a chunk: up to their level where they are below it */
+static void MUS_FN(held_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
+{
+    const mus__plan *plan = sim->plan;
+    const int64_t n = sim->n;
+    for (int32_t h = chunk->held; h < chunk->held + chunk->nheld; h++) {
+        const mus__held *held = &plan->held[h];
+        const mus__held_level *level = &plan->level[held->level][held->right];
+        const double *up = level->up, *origin = sim->origin;
+        const MUS_REAL *x = (const MUS_REAL *)sim->phase_y + held->node;
+        const MUS_REAL u0 = (MUS_REAL)up[0], u1 = (MUS_REAL)up[1], u2 = (MUS_REAL)up[2];
+        const MUS_REAL at = (MUS_REAL)(level->at - held->below -
+                                       (up[0] * origin[0] + up[1] * origin[1] + up[2] * origin[2]));
+        const MUS_REAL sunk = at - (u0 * x[0] + u1 * x[n] + u2 * x[2 * n]), most = (MUS_REAL)held->most;
+        MUS_REAL pull = (MUS_REAL)held->k * (sunk > 0 ? sunk : 0), *out = f + (held->node - chunk->first);
+        pull = pull < most ? pull : most;
+        out[0] += pull * u0, out[SPAN] += pull * u1, out[2 * SPAN] += pull * u2;
     }
 }
 
@@ -208,4 +230,5 @@ static void MUS_FN(chunk_force)(const mus__sim *sim, const mus__chunk *chunk, MU
     if (sim->dashpots) MUS_FN(groups_dash)(sim, chunk, f);
     else MUS_FN(groups)(sim, chunk, f);
     MUS_FN(pair_pull)(sim, chunk, f);
+    if (chunk->nheld > 0) MUS_FN(held_pull)(sim, chunk, f);
 }

@@ -3,6 +3,7 @@
  * that the kernels are tested against.
  *
  *   spring  E = 1/2 k (l - rest)^2       f_a = k (1 - rest/l) (x_b - x_a)
+ *   held    E = 1/2 k d^2, d > 0 below its level
  *   bend    E = 1/2 k |a - 2 b + c|^2    hinge  E = 1/2 k |sum c_i x_i|^2
  * Half runs see each lattice spring twice, so their energy is halved; a stencil's energy is taken at its middle.
  */
@@ -64,6 +65,20 @@ static double add_hinge(const double *x, const mus__hinge *hinge, double *f)
 }
 
 
+/* a held node below its level is pulled up, at most by `most`; returns the energy */
+static double add_held(const mus__plan *plan, const mus__held *held, const double *x, double *f)
+{
+    const mus__held_level *level = &plan->level[held->level][held->right];
+    const double *p = x + 3 * (int64_t)held->node, *up = level->up;
+    const double sunk = level->at - held->below - (up[0] * p[0] + up[1] * p[1] + up[2] * p[2]);
+    if (!(sunk > 0.0)) return 0.0;
+    const double far = held->most / held->k, pull = sunk < far ? held->k * sunk : held->most;
+    if (f != NULL)
+        for (int32_t i = 0; i < 3; i++) f[3 * (int64_t)held->node + i] += pull * up[i];
+    return sunk < far ? 0.5 * held->k * sunk * sunk : held->most * (sunk - 0.5 * far);
+}
+
+
 double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double *f)
 {
     double energy = 0.0;
@@ -80,6 +95,7 @@ double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double
         energy += add_spring(x, spring->a, spring->b, spring->k, spring->rest, 1, f);
     }
     for (int32_t h = 0; h < plan->nhinge; h++) energy += add_hinge(x, &plan->hinge[h], f);
+    for (int32_t h = 0; h < plan->nheld; h++) energy += add_held(plan, &plan->held[h], x, f);
     return energy;
 }
 
@@ -105,6 +121,7 @@ double mus__plan_strain(const mus__plan *plan, const double *x)
         }
     }
     for (int32_t s = 0; s < plan->nspring; s++) {
+        if (plan->spring[s].kind == MUS__SPRING_ELASTIC) continue;
         const double strain = strain_of(x, plan->spring[s].a, plan->spring[s].b, plan->spring[s].rest);
         if (strain > most) most = strain;
     }

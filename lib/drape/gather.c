@@ -213,11 +213,14 @@ void mus__plan_gather(const mus_cloth *cloth, mus__plan *plan)
 
     mus__plan_lists(plan);
 
-    /* pair ends of each chunk */
-    for (int32_t c = 0, e = 0; c < plan->nchunk; c++) {
+    /* pair ends and held nodes of each chunk */
+    for (int32_t c = 0, e = 0, h = 0; c < plan->nchunk; c++) {
         mus__chunk *chunk = &plan->chunk[c];
         chunk->end = e;
         while (e < 2 * plan->npair && plan->pair_end[e].node < chunk->first + chunk->count) e++;
         chunk->nend = e - chunk->end;
+        chunk->held = h;
+        while (h < plan->nheld && plan->held[h].node < chunk->first + chunk->count) h++;
+        chunk->nheld = h - chunk->held;
     }
 }

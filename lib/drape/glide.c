@@ -56,6 +56,7 @@ void mus__drape_stand(mus_drape *drape, int64_t steps, double h, double came)
     double shift[3];
     for (int32_t d = 0; d < 3; d++) shift[d] = drape->glide_from[d] + drape->glide[d] * since;
     mus__collider_move(drape->collider, mus__drape_frames(drape, steps, h), shift, drape->glide, came);
+    mus__drape_hold(drape);
     mus__drape_stand_planes(drape, steps, h, came);
     mus__collider_haste(drape->collider);
     drape->moving = came > 0.0;

@@ -57,6 +57,7 @@ static void restrict_pins(mus_drape *drape)
 void mus__drape_restrict(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse;
+    mus__drape_hold(coarse);
     mus__drape_open(coarse);
     mus__transfer_apply(&drape->down, drape->x, coarse->x);
     mus__transfer_apply(&drape->down, drape->v, coarse->v);

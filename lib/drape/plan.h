@@ -52,7 +52,20 @@ typedef struct mus__pair {
     int32_t locked;  /* stitched: the two move as one */
     double k;        /* [N/m] near the end */
     double length;   /* of seam that the pair stands for [m] */
+    double lift[3];  /* added to the way from end to end, of both: round what is between them [m] */
 } mus__pair;
+
+/* a held node: pulled up to the plane of its level, k of the way, at most by `most` */
+typedef struct mus__held {
+    int32_t node, level, right;
+    double below, k, most; /* [m], [N/m], [N] */
+} mus__held;
+
+/* where a level lies now: places x with up . x = at; there 0: the body has it not */
+typedef struct mus__held_level {
+    int32_t there;
+    double up[3], at;
+} mus__held_level;
 
 typedef struct mus__shape { /* index differences, ascending; 0 past the last */
     int32_t near[MUS_NEAR_MOST], far[MUS_SLOTS];
@@ -67,6 +80,7 @@ typedef struct mus__chunk {
     int32_t block, nblock;   /* 0: no lattice node among them */
     int32_t group, ngroup;   /* in list.group */
     int32_t end, nend;       /* in pair_end */
+    int32_t held, nheld;     /* in held */
 } mus__chunk;
 
 typedef struct mus__list_entry {
@@ -105,6 +119,10 @@ typedef struct mus__plan {
     double *spring_dashpot; /* (nspring) */
     mus__hinge *hinge;
     mus__pair *pair;
+
+    int32_t nheld;
+    mus__held *held;         /* (nheld) ascending by node */
+    mus__held_level level[MUS_HOLD_COUNT][2]; /* left, right; the torso's are the same twice */
 
     /* for the kernels; constants (void *) are float or double by `real` */
     size_t real;

@@ -110,7 +110,7 @@ static double take_move(mus_drape *drape)
 static int32_t has_slid_off(const mus_drape *drape)
 {
     double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
-    if (drape->collider == NULL) return 0;
+    if (drape->collider == NULL || drape->plan.nheld > 0) return 0;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->pinned[i]) return 0;
         if (drape->mass[i] <= 0.0) continue;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "drape/level.h"
+#include "geom/vec.h"
 
 #define CHECK_STEPS 64
 #define SAFETY 0.7      /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
@@ -20,15 +21,39 @@
 #define RAMP_START 0.02 /* of the full pull at the beginning */
 #define RAMP_SECONDS 1.5
 #define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
+#define STIFF_MOST 16.0 /* times a pair's stiffness at the end: in the last millimetres that is what pulls */
+#define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
+#define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
+#define LIFT_STEPS 10
+#define LIFT_CHECKS 4   /* between searches */
+
+/* eight directions: up first, so that a strap goes over the shoulder and not round it */
+static const double lift_turns[8][2] = {{1.0, 0.0},  {0.7071, 0.7071},   {0.7071, -0.7071}, {0.0, 1.0},
+                                        {0.0, -1.0}, {-0.7071, 0.7071}, {-0.7071, -0.7071}, {-1.0, 0.0}};
 
 
-/* pull at time t of a budget of `all` seconds [N/m] */
+/* how late it is at time t of a budget of `all` seconds: 0 while the pull rises, 1 at the end */
+static double lateness(double t, double all)
+{
+    const double late = (t - RAMP_SECONDS) / (all > RAMP_SECONDS ? all - RAMP_SECONDS : 1.0);
+    return fmin(fmax(late, 0.0), 1.0);
+}
+
+
+/* pull at time t of that budget [N/m] */
 static double pull_at(double full, double t, double all)
 {
     const double rise = t / RAMP_SECONDS;
     if (rise < 1.0) return full * RAMP_START * pow(1.0 / RAMP_START, rise);
-    const double late = (t - RAMP_SECONDS) / (all > RAMP_SECONDS ? all - RAMP_SECONDS : 1.0);
-    return full * pow(RAMP_MOST, late < 1.0 ? late : 1.0);
+    return full * pow(RAMP_MOST, lateness(t, all));
+}
+
+
+/* pairs that are nearly home and tight get stiffer with time */
+static void stiffen(mus_drape *drape, double t, double all)
+{
+    const double k = mus__drape_pair_stiffness(drape) * pow(STIFF_MOST, lateness(t, all));
+    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = k;
 }
 
 
@@ -37,6 +62,51 @@ static int32_t count_open(const mus__plan *plan)
     int32_t open = 0;
     for (int32_t p = 0; p < plan->npair; p++) open += !plan->pair[p].locked;
     return open;
+}
+
+
+/* how far from a point the body ends along a direction [m], MUS_FAR beyond what is looked at */
+static double way_out(const mus_drape *drape, const double *from, const double *along)
+{
+    for (int32_t i = 1; i <= LIFT_STEPS; i++) {
+        double x[3];
+        for (int32_t d = 0; d < 3; d++) x[d] = from[d] + LIFT_STEP * i * along[d];
+        if (mus__collider_depth(drape->collider, x, 0.0, NULL) < 0.0) return LIFT_STEP * i;
+    }
+    return 2.0 * LIFT_STEP * LIFT_STEPS;
+}
+
+
+/* from the middle of a pair that a part of the body keeps apart, the shortest way out square to the pair: lift (3) is
+ * twice that, and 0 where nothing is between */
+static void lift_pair(const mus_drape *drape, mus__pair *pair)
+{
+    const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
+    double middle[3], along[3], up[3] = {0.0, 1.0, 0.0}, side[3], best = 2.0 * LIFT_STEP * LIFT_STEPS;
+    memset(pair->lift, 0, sizeof pair->lift);
+    if (pair->locked) return;
+    for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
+    if (!(mus__norm3(along) > LIFT_FROM) || mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
+    mus__unit3(along);
+    if (fabs(along[1]) > 0.9) up[0] = 1.0, up[1] = 0.0;
+    mus__cross3(along, up, side);
+    mus__unit3(side);
+    mus__cross3(side, along, up);
+    for (int32_t i = 0; i < 8; i++) {
+        double way[3];
+        for (int32_t d = 0; d < 3; d++) way[d] = lift_turns[i][0] * up[d] + lift_turns[i][1] * side[d];
+        const double far = way_out(drape, middle, way);
+        if (!(far < best)) continue;
+        best = far;
+        for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * far * way[d];
+    }
+}
+
+
+/* pairs that are pulled against the body from both sides, as at a shoulder, are drawn over its edge instead */
+static void lift_pairs(mus_drape *drape)
+{
+    for (int32_t p = 0; p < drape->plan.npair && drape->collider != NULL; p++) lift_pair(drape, &drape->plan.pair[p]);
 }
 
 
@@ -65,8 +135,11 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
 
     const int32_t pairs = drape->plan.npair;
     int32_t open = pairs;
+    int32_t check = 0;
     for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
         mus__drape_publish(drape);
+        if (check++ % LIFT_CHECKS == 0) lift_pairs(drape);
+        stiffen(drape, t, all);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
                                         MUS_NEAR_BALL,       1.0 - SEW_GRIP};

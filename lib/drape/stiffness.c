@@ -31,6 +31,7 @@ static void add_isotropic(const mus__plan *plan, double *t)
         t[plan->pair[p].a] += 2.0 * plan->pair[p].k;
         t[plan->pair[p].b] += 2.0 * plan->pair[p].k;
     }
+    for (int32_t h = 0; h < plan->nheld; h++) t[plan->held[h].node] += plan->held[h].k;
 }
 
 

@@ -9,6 +9,13 @@
 #include "drape/drape_internal.h"
 
 
+double mus__drape_pair_stiffness(const mus_drape *drape)
+{
+    const double *stretch = drape->cloth->fabric.stretch;
+    return 8.0 * (stretch[0] > stretch[1] ? stretch[0] : stretch[1]);
+}
+
+
 void mus__drape_open(mus_drape *drape)
 {
     drape->welded = 0;
@@ -19,10 +26,8 @@ void mus__drape_open(mus_drape *drape)
     mus__plan_weld(drape->cloth, NULL, &drape->plan);
     mus__drape_self_weld(drape);
 
-    /* near the end a pair is stiffer than the cloth it joins, so that a tight seam closes within the distance */
-    const double *stretch = drape->cloth->fabric.stretch;
-    const double k = stretch[0] > stretch[1] ? stretch[0] : stretch[1];
-    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = 8.0 * k;
+    const double k = mus__drape_pair_stiffness(drape);
+    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = k;
     drape->plan.seam_pull = drape->def.seam_pull;
 }
 

@@ -1,0 +1,76 @@
+/*
+ * body_level.c: levels of a body: of the torso by the heights of the skeleton, of arms and legs by their contours.
+ */
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "body/body_level.h"
+
+
+/* height of a level of the torso, below 0 for those of limbs */
+static double level_height(const mus__skeleton *bone, int32_t level)
+{
+    switch (level) {
+    case MUS__LEVEL_NECK: return bone->neck_side;
+    case MUS__LEVEL_ARMPIT: return bone->armpit;
+    case MUS__LEVEL_BUST: return bone->bust;
+    case MUS__LEVEL_WAIST: return bone->waist;
+    case MUS__LEVEL_HIP: return bone->hip;
+    case MUS__LEVEL_CROTCH: return bone->crotch;
+    default: return -1.0;
+    }
+}
+
+
+/* the contour that a level of a limb lies at, and one nearer to the root */
+static const char *level_contour(int32_t level)
+{
+    switch (level) {
+    case MUS__LEVEL_BICEPS: return "upper_arm";
+    case MUS__LEVEL_WRIST: return "wrist";
+    case MUS__LEVEL_THIGH: return "thigh";
+    case MUS__LEVEL_KNEE: return "knee";
+    case MUS__LEVEL_ANKLE: return "ankle";
+    default: return "";
+    }
+}
+
+
+/* the part of a limb that s lies in, MUS_NONE without */
+static int32_t level_part(const mus__rig *rig, int32_t limb, double s)
+{
+    int32_t found = MUS_NONE;
+    for (int32_t p = 0; p < rig->parts; p++) {
+        if (rig->part[p].limb != limb) continue;
+        if (found == MUS_NONE || s >= rig->part[p].end[0]) found = p;
+    }
+    return found;
+}
+
+
+void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out)
+{
+    memset(out, 0, sizeof *out);
+    if (!body->measured) return;
+    const int32_t arm = level == MUS__LEVEL_BICEPS || level == MUS__LEVEL_WRIST;
+    const double height = level_height(&body->skeleton, level);
+    const int32_t l = height > 0.0 ? MUS_LIMB_TORSO : (arm ? MUS_LIMB_ARM_LEFT : MUS_LIMB_LEG_LEFT) + right;
+    const mus__limb *limb = &body->limb[l];
+    if (limb->gone) return;
+    double s = height, a = 0.0, b = 0.0;
+    out->there = height > 0.0;
+    for (int32_t i = 0; i < limb->count; i++) {
+        const mus__contour *c = &limb->contour[i];
+        if (strcmp(c->name, level_contour(level)) != 0) continue;
+        out->there = 1, s = c->s, a = c->ca, b = c->cb;
+    }
+    out->limb = l;
+    out->part = level_part(&body->rig, l, s);
+    if (out->part == MUS_NONE) out->there = 0;
+
+    /* arms run from the shoulder down, torso and legs upwards */
+    for (int i = 0; i < 3; i++) {
+        out->point[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
+        out->up[i] = arm ? -limb->axis[i] : limb->axis[i];
+    }
+}

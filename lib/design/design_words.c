@@ -54,15 +54,21 @@ static void design_refuse(mus__half *half, int32_t axis)
 static void design_make(mus__half *half)
 {
     const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
-    const bool lower = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
-    if (!lower) {
+    const bool skirt = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_DRESS;
+    const bool legs = garment == MUS__GARMENT_TROUSERS || garment == MUS__GARMENT_JUMPSUIT;
+    const bool waist = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
+    if (!waist) {
         mus__top_draft(half);
         mus__sleeve_attach(half);
         mus__collar_attach(half);
     }
-    if (garment == MUS__GARMENT_TOP) mus__board_opening_add(&half->board, "hem");
-    design_refuse(half, MUS__AXIS_POCKET);
-    if (garment != MUS__GARMENT_TOP) design_refuse(half, MUS__AXIS_GARMENT);
+    if (garment == MUS__GARMENT_CAPE) design_refuse(half, MUS__AXIS_GARMENT);
+    if (skirt) mus__skirt_attach(half);
+    if (legs) mus__trousers_attach(half);
+    if (skirt || legs) mus__band_attach(half);
+    mus__pocket_attach(half);
+    if (waist) mus__board_opening_add(&half->board, "waist");
+    for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, "hem");
     mus__board_double(&half->board);
     mus__closure_finish(half);
 }

@@ -80,6 +80,17 @@ double mus__lower_snap(const mus__half *half, bool front, double s, double reach
 /* sew the waist of the panels from `first` on to that of the bodice, when there is one */
 void mus__lower_waist_sew(mus__half *half, int32_t first);
 
+/* ---- lower_place.c ---- */
+
+/* face azimuth `around` from the front to the left, the top leaned in by `tilt`, bent by `bend` */
+void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt, const double *origin, double bend);
+/* half a ring round the waist */
+void mus__lower_place_waist(mus__half *half, int32_t panel, bool front, double girth, double height);
+/* before or behind the left leg: the crease (from the centre line) over it, the fork `inner` from the crease; `girth`
+ * of front and back on the crotch line */
+void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double crease, double inner, double girth,
+                          double height);
+
 /* ---- block_trousers.c ---- */
 
 typedef struct mus__trousers_def {

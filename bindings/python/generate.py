@@ -112,7 +112,7 @@ def render(headers):
     version = ".".join(str(headers.constants[f"MUS_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
     out = ['"""_abi.py: the C interface as ctypes sees it, and nothing else.',
            "", "Written by bindings/python/generate.py from include/muslin/*.h; do not edit.", '"""',
-           "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,",
+           "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_float, c_int32, c_int64,",
            "                    c_size_t, c_uint64, c_uint8, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
     out += [f"{name} = {value}" for name, value in headers.constants.items()]
     out += ["", "# names of the lists, by number"]

@@ -48,17 +48,28 @@ static int32_t show_progress(void *user, const char *phase, double progress)
 }
 
 
-static const char *status_word(mus_status status)
+/* why it ended as it did: of the list, with the place; what the run of a movement says goes before */
+static void find_reason(const dress *d, mus_reason *out)
 {
-    switch (status) {
-    case MUS_OK: return "settled";
-    case MUS_ERR_SEW: return "seam cannot close";
-    case MUS_ERR_UNSETTLED: return "not settled";
-    case MUS_ERR_DIVERGED: return "unstable";
-    case MUS_ERR_STEP: return "step refused";
-    case MUS_ERR_MEMORY: return "no memory";
-    default: return "bad input";
+    mus_reason_init(out, sizeof *out);
+    if (d->drape != NULL) mus_drape_reason(d->drape, out);
+    else if (d->outcome == MUS_ERR_PATTERN) mus_pattern_reason(d->s.pattern, out);
+    if (d->outcome == MUS_OK) {
+        out->kind = MUS_REASON_SETTLED;
+    } else if (d->outcome == MUS_ERR_DIVERGED || d->outcome == MUS_ERR_STEP) {
+        out->kind = MUS_REASON_UNSTABLE;
+    } else if (out->kind == MUS_REASON_NONE || out->kind == MUS_REASON_SETTLED) {
+        out->kind = MUS_REASON_BAD_INPUT;
     }
+    if (out->text[0] == '\0') snprintf(out->text, sizeof out->text, "%.*s", (int)sizeof out->text - 1, d->reason);
+}
+
+
+static const char *status_word(const dress *d)
+{
+    mus_reason why;
+    find_reason(d, &why);
+    return d->outcome == MUS_ERR_MEMORY ? "no memory" : mus_reason_name(why.kind);
 }
 
 
@@ -105,6 +116,12 @@ static void run(dress *d)
     if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, NULL);
     d->settle_seconds = seconds() - start;
     if (show) fputs("\r             \r", stderr);
+
+    /* at rest, but through itself: no garment */
+    mus_reason why;
+    mus_reason_init(&why, sizeof why);
+    mus_drape_reason(d->drape, &why);
+    if (d->outcome == MUS_OK && why.kind == MUS_REASON_TANGLED) d->outcome = MUS_ERR_UNSETTLED;
     if (d->outcome != MUS_OK) snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
 }
 
@@ -176,12 +193,32 @@ static void write_layers(const dress *d, const mus_drape_report *r, json *j)
 }
 
 
+/* the sentence, and the panel, seam and place that it is about */
+static void write_reason(const dress *d, json *j)
+{
+    mus_reason why;
+    find_reason(d, &why);
+    if (why.kind == MUS_REASON_SETTLED) return;
+    json_text(j, "reason", why.text);
+    json_open(j, "at", '{');
+    if (why.panel != MUS_NONE) json_text(j, "panel", mus_pattern_panel_name(d->s.pattern, why.panel));
+    if (why.seam != MUS_NONE) json_int(j, "seam", why.seam);
+    if (why.count > 0) json_int(j, "crossings", why.count);
+    if (why.node != MUS_NONE) {
+        json_open(j, "place", '[');
+        for (int32_t i = 0; i < 3; i++) json_number(j, NULL, why.place[i]);
+        json_close(j, ']');
+    }
+    json_close(j, '}');
+}
+
+
 static void describe(const dress *d, json *j)
 {
     json_open(j, NULL, '{');
     json_text(j, "garment", mus_pattern_name(d->s.pattern));
-    json_text(j, "status", status_word(d->outcome));
-    if (d->outcome != MUS_OK) json_text(j, "reason", d->reason);
+    json_text(j, "status", status_word(d));
+    write_reason(d, j);
     if (d->drape != NULL) {
         mus_drape_report r;
         char hash[24];
@@ -267,7 +304,7 @@ static int write_report(const dress *d)
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
         printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, strain %.1f %%, %.1f s\n",
-               mus_pattern_name(d->s.pattern), status_word(d->outcome), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
+               mus_pattern_name(d->s.pattern), status_word(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
                1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
                d->mesh_seconds + d->sew_seconds + d->settle_seconds);
     return code;
@@ -338,8 +375,10 @@ static int read_options(dress *d, int argc, char **argv)
 
 static int run_failed(const dress *d)
 {
+    mus_reason why;
+    find_reason(d, &why);
     return complain(failure_code(d->outcome), "dress", "%s",
-                    d->reason[0] != '\0' ? d->reason : mus_status_text(d->outcome));
+                    why.text[0] != '\0' ? why.text : mus_status_text(d->outcome));
 }
 
 

@@ -135,6 +135,9 @@ MUS_API void mus_cloth_destroy(mus_cloth *cloth);
 MUS_API int32_t mus_cloth_node_count(const mus_cloth *cloth);
 MUS_API int32_t mus_cloth_triangle_count(const mus_cloth *cloth);
 MUS_API int32_t mus_cloth_panel_count(const mus_cloth *cloth);
+/** Names of the pattern and of a panel, as cut; "" without a pattern, NULL outside the range. Borrowed. */
+MUS_API const char *mus_cloth_name(const mus_cloth *cloth);
+MUS_API const char *mus_cloth_panel_name(const mus_cloth *cloth, int32_t panel);
 /** Springs of all kinds, each counted once (a bending stencil counts as one). */
 MUS_API int32_t mus_cloth_spring_count(const mus_cloth *cloth);
 /** Pairs of nodes that seams bring together. */

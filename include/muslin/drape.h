@@ -16,6 +16,7 @@
 #include "muslin/body.h"
 #include "muslin/cloth.h"
 #include "muslin/integrate.h"
+#include "muslin/pattern.h"
 #include "muslin/pose.h"
 
 #ifdef __cplusplus
@@ -264,6 +265,45 @@ MUS_API int32_t mus_drape_node_count(const mus_drape *drape);
 
 /** Cloth time since place [s]. */
 MUS_API double mus_drape_time(const mus_drape *drape);
+
+/* Why a garment is on, or is not: the whole list. */
+#define MUS_REASON_NONE 0          /* nothing was asked of it yet, or a caller stopped it */
+#define MUS_REASON_SETTLED 1
+#define MUS_REASON_TWISTED_SEAM 2  /* seam: it makes the garment one-sided */
+#define MUS_REASON_PANEL_CROSSES 3 /* panel: its outline crosses itself */
+#define MUS_REASON_SEAM_OPEN 4     /* seam, place, value: its gap [m] */
+#define MUS_REASON_START_TANGLED 5 /* panel or seam: it begins inside the body, twisted, or with its sides exchanged */
+#define MUS_REASON_SLID_OFF 6      /* panel that was uppermost, value: when [s] */
+#define MUS_REASON_TANGLED 7       /* count: crossings of cloth with cloth */
+#define MUS_REASON_NOT_SETTLED 8   /* panel, node and place that are farthest from rest, value: the residual */
+#define MUS_REASON_UNSTABLE 9      /* the motion diverged */
+#define MUS_REASON_BAD_INPUT 10    /* any other fault of what was given */
+#define MUS_REASON_COUNT 11
+
+/** A reason with its place. */
+typedef struct mus_reason {
+    size_t size;
+    int32_t kind;    /* MUS_REASON_* */
+    int32_t panel;   /* or MUS_NONE */
+    int32_t seam;    /* or MUS_NONE */
+    int32_t node;    /* of the cloth, or MUS_NONE */
+    int32_t count;   /* of a tangle */
+    double value;    /* see the list */
+    double place[3]; /* [m], 0 without one */
+    char text[256];  /* one sentence, UTF-8, names cut where it is full */
+} mus_reason;
+
+MUS_API void mus_reason_init(mus_reason *reason, size_t size);
+
+/** A kind in words ("slid off"); NULL outside the list. */
+MUS_API const char *mus_reason_name(int32_t kind);
+
+/** Why the last sew or settle ended as it did. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
+MUS_API mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out);
+
+/** What a check says against a pattern, MUS_REASON_NONE if nothing: the reason that no cloth can be cut of it. The
+ * pattern is checked on a copy. Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY. */
+MUS_API mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out);
 
 /** What a drape did and how it stands. */
 typedef struct mus_drape_report {

@@ -63,6 +63,21 @@ static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 }
 
 
+/* names of the pattern and its panels, for sentences */
+static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
+{
+    cloth->names = mus__new(cloth->context, (int64_t)cloth->npanel + 1, MUS__CLOTH_NAME);
+    if (cloth->names == NULL) return mus__fail_memory(cloth->context, "a cloth");
+    for (int32_t p = -1; p < cloth->npanel; p++) {
+        const char *name = p < 0 ? mus_pattern_name(pattern) : mus_pattern_panel_name(pattern, p);
+        const size_t length = strlen(name);
+        memcpy(cloth->names + (ptrdiff_t)MUS__CLOTH_NAME * (p + 1), name,
+               length < MUS__CLOTH_NAME ? length : MUS__CLOTH_NAME - 1);
+    }
+    return MUS_OK;
+}
+
+
 /* all panels, then all seams, then the limit */
 static mus_status cloth_build(mus__mesh *mesh)
 {
@@ -116,6 +131,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
     if (cloth->panel == NULL || mesh.edge == NULL || mesh.seam_bend == NULL)
         status = mus__fail_memory(context, "a cloth");
+    if (status == MUS_OK) status = cloth_names(cloth, pattern);
     if (status == MUS_OK) status = cloth_build(&mesh);
     if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
     /* said once: by the coarsest cut */
@@ -148,7 +164,7 @@ void mus_cloth_destroy(mus_cloth *cloth)
     void *blocks[] = {cloth->panel,  cloth->rest,       cloth->mass, cloth->node_panel, cloth->triangle,
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
-                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold};
+                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names};
     mus_context *context = cloth->context;
     mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);
@@ -171,6 +187,19 @@ int32_t mus_cloth_triangle_count(const mus_cloth *cloth)
 int32_t mus_cloth_panel_count(const mus_cloth *cloth)
 {
     return cloth != NULL ? cloth->npanel : 0;
+}
+
+
+const char *mus_cloth_name(const mus_cloth *cloth)
+{
+    return cloth == NULL || cloth->names == NULL ? "" : cloth->names;
+}
+
+
+const char *mus_cloth_panel_name(const mus_cloth *cloth, int32_t panel)
+{
+    if (cloth == NULL || panel < 0 || panel >= cloth->npanel) return NULL;
+    return cloth->names == NULL ? "" : cloth->names + (ptrdiff_t)MUS__CLOTH_NAME * (panel + 1);
 }
 
 

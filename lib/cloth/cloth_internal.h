@@ -12,6 +12,8 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
+#define MUS__CLOTH_NAME 128 /* bytes: as long as names of patterns are */
+
 enum {
     MUS__SPRING_WARP = 0,
     MUS__SPRING_WEFT = 1,
@@ -85,6 +87,7 @@ struct mus_cloth {
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
     mus__hold *hold;           /* (nhold) */
+    char *names;               /* (npanel + 1 x MUS__CLOTH_NAME) of the pattern, then of its panels; NULL without one */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 
     /* of bare nodes only, else NULL: no panel places them and no fabric damps them */

@@ -225,6 +225,8 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
     for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
     drape->cold = 1;
+    mus_reason_init(&drape->reason, sizeof drape->reason);
+    mus_reason_init(&drape->start, sizeof drape->start);
     mus__drape_hold(drape);
     mus__drape_open(drape);
     mus__drape_push(drape);
@@ -262,7 +264,7 @@ void mus_drape_destroy(mus_drape *drape)
     mus__sim_destroy(context, &drape->sim);
     void *blocks[] = {drape->x,    drape->v,    drape->force,     drape->mean,
                       drape->work, drape->mass, drape->stiffness, drape->rep,  drape->pinned,
-                      drape->skin, drape->plane, drape->stance};
+                      drape->skin, drape->plane, drape->stance,    drape->slide};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, drape);
 }

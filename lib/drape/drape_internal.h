@@ -30,6 +30,13 @@ typedef struct mus__drape_stance {
     mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */
 } mus__drape_stance;
 
+/* a panel's piece of the garment: what hangs together by seams */
+typedef struct mus__slide {
+    int32_t piece; /* its lowest panel */
+    int32_t panel; /* of a piece: where its uppermost node was */
+    double top;    /* and how high that was, along the torso [m] */
+} mus__slide;
+
 struct mus_drape {
     mus_context *context;
     mus_drape_def def;
@@ -81,6 +88,9 @@ struct mus_drape {
     int32_t moving;          /* nonzero: the collider was last told of a motion */
     int32_t moved;           /* nonzero: a surface did since nodes were asked what they remember */
     char skipped[96];
+
+    mus_reason reason, start; /* of the last run; what was odd before it (kind MUS_REASON_NONE: nothing) */
+    mus__slide *slide;        /* (npanel) of settle, NULL before the first */
 };
 
 /* ---- state (drape.c) ---- */
@@ -164,6 +174,25 @@ void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 void mus__drape_levels(mus_drape *drape, const mus_body *body);
 /* where they lie now: to the plan; nothing without held nodes */
 void mus__drape_hold(mus_drape *drape);
+/* where one lies now; there 0 without a body that has it */
+void mus__drape_level(const mus_drape *drape, int32_t level, int32_t right, mus__held_level *out);
+
+/* ---- what slides off the body (slide.c) ---- */
+
+/* where the pieces of the garment hang, at x (n x 3): before a settle */
+mus_status mus__drape_slide_start(mus_drape *drape, const double *x);
+/* nonzero, and the reason written, when one of them has slid off at x; `falling` after which loose cloth counts */
+int32_t mus__drape_slid(mus_drape *drape, const double *x, int32_t loose);
+
+/* ---- reasons (reason.c) ---- */
+
+/* note how a run ended; panel, seam and node may be MUS_NONE. The sentence is that of the context's error, or `text` */
+void mus__drape_reason_set(mus_drape *drape, int32_t kind, int32_t panel, int32_t seam, int32_t node, double value,
+                           const char *text);
+/* after sew or settle: what its status says */
+void mus__drape_reason_status(mus_drape *drape, mus_status status);
+/* before sewing: panels inside the body, seams twisted or exchanged */
+void mus__drape_reason_start(mus_drape *drape);
 
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);

@@ -179,7 +179,7 @@ static void MUS_FN(groups_dash)(const mus__sim *sim, const mus__chunk *chunk, MU
 }
 
 
-/* ends of seam pairs of a chunk: k d, d with the pair's lift, at most the tension times the length that the pair stands for */
+/* ends of seam pairs of a chunk: k d, d with the lift, at most the tension times the length of the pair */
 static void MUS_FN(pair_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_REAL *f)
 {
     const mus__plan *plan = sim->plan;

@@ -20,25 +20,30 @@ void mus__drape_levels(mus_drape *drape, const mus_body *body)
 }
 
 
+void mus__drape_level(const mus_drape *drape, int32_t level, int32_t right, mus__held_level *out)
+{
+    while (drape->parent != NULL) drape = drape->parent;
+    const mus__drape_stance *stance = drape->stance;
+    memset(out, 0, sizeof *out);
+    if (stance == NULL) return;
+    const mus__body_level *made = &stance->level[level][right];
+    double point[3];
+    memcpy(point, made->point, sizeof point);
+    memcpy(out->up, made->up, sizeof out->up);
+    out->there = made->there;
+    if (made->there && stance->posed) {
+        mus__frame_point(&stance->frame[made->part], point, point);
+        mus__frame_turn(&stance->frame[made->part], out->up, out->up);
+    }
+    for (int32_t d = 0; d < 3; d++) out->point[d] = point[d] + drape->collider->shift[d];
+    out->at = mus__dot3(out->up, out->point);
+}
+
+
 void mus__drape_hold(mus_drape *drape)
 {
-    const mus_drape *root = drape;
-    while (root->parent != NULL) root = root->parent;
-    const mus__drape_stance *stance = root->stance;
-    if (stance == NULL || drape->cloth->nhold == 0) return;
-    const double *shift = root->collider->shift;
+    if (drape->cloth->nhold == 0) return;
     for (int32_t level = MUS_HOLD_NONE + 1; level < MUS_HOLD_COUNT; level++)
-        for (int32_t right = 0; right < 2; right++) {
-            const mus__body_level *made = &stance->level[level][right];
-            mus__held_level *now = &drape->plan.level[level][right];
-            double point[3];
-            memcpy(point, made->point, sizeof point);
-            memcpy(now->up, made->up, sizeof now->up);
-            now->there = made->there;
-            if (made->there && stance->posed) {
-                mus__frame_point(&stance->frame[made->part], point, point);
-                mus__frame_turn(&stance->frame[made->part], now->up, now->up);
-            }
-            now->at = mus__dot3(now->up, point) + mus__dot3(now->up, shift);
-        }
+        for (int32_t right = 0; right < 2; right++)
+            mus__drape_level(drape, level, right, &drape->plan.level[level][right]);
 }

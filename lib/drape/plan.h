@@ -64,7 +64,7 @@ typedef struct mus__held {
 /* where a level lies now: places x with up . x = at; there 0: the body has it not */
 typedef struct mus__held_level {
     int32_t there;
-    double up[3], at;
+    double up[3], at, point[3];
 } mus__held_level;
 
 typedef struct mus__shape { /* index differences, ascending; 0 past the last */

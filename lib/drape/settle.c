@@ -30,7 +30,6 @@
 #define DRAG_LEAST 1.0
 #define DRAG_GROWTH 1.5      /* from one check to the next at most */
 #define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
-#define OFF_THE_BODY 0.005   /* [m]: no node this near: nothing carries the garment */
 #define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
 
 #define ROUNDING_LEFT 0.03   /* of what rounding makes a node feel, in the mean place of the last steps */
@@ -106,21 +105,6 @@ static double take_move(mus_drape *drape)
 }
 
 
-/* nonzero when nothing is held and no node is near the body any more */
-static int32_t has_slid_off(const mus_drape *drape)
-{
-    double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
-    if (drape->collider == NULL || drape->plan.nheld > 0) return 0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        if (drape->pinned[i]) return 0;
-        if (drape->mass[i] <= 0.0) continue;
-        if (mus__collider_touching(drape->collider, drape->mean + 3 * (int64_t)i, OFF_THE_BODY, normal, friction) > 0)
-            return 0;
-    }
-    return 1;
-}
-
-
 /* what is still to go if moves go on shrinking as from the last check to this one; all of ten moves when they do not */
 static double expected_distance(double move, double last)
 {
@@ -168,6 +152,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
     mus_status status = take_scratch(drape);
     if (status == MUS_OK) status = mus__drape_near(drape);
+    if (status == MUS_OK) status = mus__drape_slide_start(drape, drape->x);
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
     double safety = SAFETY_STEP;
@@ -206,14 +191,13 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
                          (drape->residual <= rounding && drift <= ROUNDING_DRIFT * goal->drift);
         still = drift <= goal->drift ? still + 1 : 0;
         if (still >= STILL_CHECKS && safety > LEAST_SAFETY) safety *= 0.5, still = 0;
-        run->slid = t > LOOSE_SECONDS && has_slid_off(drape);
+        run->slid = mus__drape_slid(drape, drape->mean, t > LOOSE_SECONDS);
         mus__run_report(run, t / goal->seconds);
     }
     sim->near = NULL;
     if (status != MUS_OK) return status;
     if (drape->settled || run->stop) return MUS_OK;
-    if (run->slid)
-        return mus__fail(drape->context, MUS_ERR_UNSETTLED, "slid off the body after %.1f s", drape->settle_time);
+    if (run->slid) return mus__fail(drape->context, MUS_ERR_UNSETTLED, "%s", drape->reason.text);
     return mus__fail(
         drape->context, MUS_ERR_UNSETTLED,
         "not at rest after %.2f s: residual %.3g of a node's weight (%.3g allowed), drift %.2g mm/s (%.2g)",
@@ -255,12 +239,14 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
                            REST_DRIFT};
     mus__run run;
     mus__run_start(&run, "settle", progress, user);
+    mus_reason_init(&drape->reason, sizeof drape->reason);
     if (drape->cold) {
         status = settle_levels(drape, &run, &goal);
     } else {
         status = relax(drape, &run, &goal);
         mus__drape_publish(drape);
     }
+    mus__drape_reason_status(drape, status);
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->cold = 0;
     return status;
 }

@@ -192,5 +192,9 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     if (status != MUS_OK) return status;
     mus__run run;
     mus__run_start(&run, "sew", progress, user);
-    return sew_levels(drape, &run);
+    mus_reason_init(&drape->reason, sizeof drape->reason);
+    mus__drape_reason_start(drape);
+    const mus_status done = sew_levels(drape, &run);
+    mus__drape_reason_status(drape, done);
+    return done;
 }

@@ -93,4 +93,43 @@ static inline mus_drape *scene_drape(mus_context *context, const mus_cloth *clot
     return drape;
 }
 
+
+/* two panels 0.6 m wide and 0.4 m long before and behind, sewn at the sides: wider than the hip of W40;
+ * their upper edges are held */
+static inline mus_pattern *scene_tube(mus_context *context, double waist, int32_t level, double below)
+{
+    mus_pattern *pattern;
+    int32_t edge[2][4], panel, count;
+    ck_assert_int_eq(mus_pattern_create(context, "tube", &pattern), MUS_OK);
+    for (int i = 0; i < 2; i++) {
+        panel = scene_rectangle(pattern, i == 0 ? "front" : "back", -0.3, -0.4, 0.6, 0.4, edge[i]);
+        mus_placement place;
+        mus_placement_init(&place, sizeof place);
+        place.origin[1] = waist, place.origin[2] = i == 0 ? 0.25 : -0.25;
+        if (i == 1) place.rotation[0] = place.rotation[8] = -1.0;
+        ck_assert_int_eq(mus_pattern_set_placement(pattern, panel, &place), MUS_OK);
+        ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edge[i][2], "waist"), MUS_OK);
+    }
+    scene_sew(pattern, edge[0][1], edge[1][3], 0.0);
+    scene_sew(pattern, edge[0][3], edge[1][1], 0.0);
+    ck_assert_int_eq(mus_pattern_hold_label(pattern, "waist", level, below, &count), MUS_OK);
+    ck_assert_int_eq(count, 2);
+    return pattern;
+}
+
+
+static inline mus_body *scene_body(mus_context *context)
+{
+    mus_tape *tape;
+    mus_body *body;
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
+    def.plain = 1;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, &def, &body), MUS_OK);
+    mus_tape_destroy(tape);
+    return body;
+}
+
 #endif

@@ -11,44 +11,6 @@
 #define SPACING 0.025
 
 
-/* two panels 0.55 m wide and 0.4 m long before and behind, sewn at the sides: wider than any hip of W40 */
-static mus_pattern *make_tube(mus_context *context, double waist, int32_t level, double below)
-{
-    mus_pattern *pattern;
-    int32_t edge[2][4], panel, count;
-    ck_assert_int_eq(mus_pattern_create(context, "tube", &pattern), MUS_OK);
-    for (int i = 0; i < 2; i++) {
-        panel = scene_rectangle(pattern, i == 0 ? "front" : "back", -0.3, -0.4, 0.6, 0.4, edge[i]);
-        mus_placement place;
-        mus_placement_init(&place, sizeof place);
-        place.origin[1] = waist, place.origin[2] = i == 0 ? 0.25 : -0.25;
-        if (i == 1) place.rotation[0] = place.rotation[8] = -1.0;
-        ck_assert_int_eq(mus_pattern_set_placement(pattern, panel, &place), MUS_OK);
-        ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edge[i][2], "waist"), MUS_OK);
-    }
-    scene_sew(pattern, edge[0][1], edge[1][3], 0.0);
-    scene_sew(pattern, edge[0][3], edge[1][1], 0.0);
-    ck_assert_int_eq(mus_pattern_hold_label(pattern, "waist", level, below, &count), MUS_OK);
-    ck_assert_int_eq(count, 2);
-    return pattern;
-}
-
-
-static mus_body *make_body(mus_context *context)
-{
-    mus_tape *tape;
-    mus_body *body;
-    mus_body_def def;
-    mus_body_def_init(&def, sizeof def);
-    def.plain = 1;
-    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
-    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
-    ck_assert_int_eq(mus_body_create(context, tape, &def, &body), MUS_OK);
-    mus_tape_destroy(tape);
-    return body;
-}
-
-
 /* lowest and highest of the tube's waist nodes */
 static void waist_span(const mus_drape *drape, double *low, double *high)
 {
@@ -65,7 +27,7 @@ static void waist_span(const mus_drape *drape, double *low, double *high)
 static mus_drape *make_drape(mus_context *context, const mus_body *body, double waist, int32_t level, double below,
                              mus_cloth **cloth)
 {
-    mus_pattern *pattern = make_tube(context, waist, level, below);
+    mus_pattern *pattern = scene_tube(context, waist, level, below);
     mus_drape *drape;
     mus_drape_def def;
     *cloth = scene_cut(context, pattern, SPACING, 0.0);
@@ -80,7 +42,7 @@ static mus_drape *make_drape(mus_context *context, const mus_body *body, double 
 START_TEST(a_held_waist_stays_and_carries_the_garment)
 {
     mus_context *context = support_context();
-    mus_body *body = make_body(context);
+    mus_body *body = scene_body(context);
     mus_cloth *cloth;
     double waist[3], low, high;
     ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_WAIST, waist), MUS_OK);
@@ -119,7 +81,7 @@ END_TEST
 START_TEST(without_a_hold_the_same_tube_slides_down)
 {
     mus_context *context = support_context();
-    mus_body *body = make_body(context);
+    mus_body *body = scene_body(context);
     mus_cloth *cloth;
     double waist[3], low, high;
     mus_body_landmark(body, MUS_LANDMARK_WAIST, waist);
@@ -140,7 +102,7 @@ END_TEST
 START_TEST(a_hold_moves_with_the_body)
 {
     mus_context *context = support_context();
-    mus_body *body = make_body(context);
+    mus_body *body = scene_body(context);
     mus_cloth *cloth;
     mus_pose pose;
     double waist[3], low, high;
@@ -178,7 +140,7 @@ END_TEST
 START_TEST(kernels_pull_as_the_plain_form_does)
 {
     mus_context *context = support_context();
-    mus_body *body = make_body(context);
+    mus_body *body = scene_body(context);
     mus_cloth *cloth;
     double waist[3];
     mus_body_landmark(body, MUS_LANDMARK_WAIST, waist);

@@ -2,7 +2,7 @@
 
 Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 """
-from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_int64,
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_float, c_int32, c_int64,
                     c_size_t, c_uint64, c_uint8, c_void_p)
 
 VERSION = "0.1.0"
@@ -173,6 +173,18 @@ MUS_BEND_PAPER = 1
 MUS_METHOD_RK4 = 0
 MUS_METHOD_VERLET = 1
 MUS_METHOD_EULER = 2
+MUS_REASON_NONE = 0
+MUS_REASON_SETTLED = 1
+MUS_REASON_TWISTED_SEAM = 2
+MUS_REASON_PANEL_CROSSES = 3
+MUS_REASON_SEAM_OPEN = 4
+MUS_REASON_START_TANGLED = 5
+MUS_REASON_SLID_OFF = 6
+MUS_REASON_TANGLED = 7
+MUS_REASON_NOT_SETTLED = 8
+MUS_REASON_UNSTABLE = 9
+MUS_REASON_BAD_INPUT = 10
+MUS_REASON_COUNT = 11
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -360,6 +372,11 @@ class mus_drape_forecast(Structure):
     _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
                 ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
                 ("seconds", c_double), ("node_evaluations", c_int64)]
+
+
+class mus_reason(Structure):
+    _fields_ = [("size", c_size_t), ("kind", c_int32), ("panel", c_int32), ("seam", c_int32), ("node", c_int32),
+                ("count", c_int32), ("value", c_double), ("place", c_double * 3), ("text", c_char * 256)]
 
 
 class mus_drape_report(Structure):
@@ -608,6 +625,8 @@ FUNCTIONS = {
     "mus_cloth_node_count": ("core", c_int32, [POINTER(mus_cloth)]),
     "mus_cloth_triangle_count": ("core", c_int32, [POINTER(mus_cloth)]),
     "mus_cloth_panel_count": ("core", c_int32, [POINTER(mus_cloth)]),
+    "mus_cloth_name": ("core", c_char_p, [POINTER(mus_cloth)]),
+    "mus_cloth_panel_name": ("core", c_char_p, [POINTER(mus_cloth), c_int32]),
     "mus_cloth_spring_count": ("core", c_int32, [POINTER(mus_cloth)]),
     "mus_cloth_pair_count": ("core", c_int32, [POINTER(mus_cloth)]),
     "mus_cloth_spacing": ("core", c_double, [POINTER(mus_cloth)]),
@@ -656,6 +675,10 @@ FUNCTIONS = {
     "mus_drape_velocities": ("core", POINTER(c_double), [POINTER(mus_drape)]),
     "mus_drape_node_count": ("core", c_int32, [POINTER(mus_drape)]),
     "mus_drape_time": ("core", c_double, [POINTER(mus_drape)]),
+    "mus_reason_init": ("core", None, [POINTER(mus_reason), c_size_t]),
+    "mus_reason_name": ("core", c_char_p, [c_int32]),
+    "mus_drape_reason": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_reason)]),
+    "mus_pattern_reason": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_reason)]),
     "mus_drape_report_init": ("core", None, [POINTER(mus_drape_report), c_size_t]),
     "mus_drape_report_get": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape_report)]),
     "mus_drape_skipped": ("core", c_char_p, [POINTER(mus_drape)]),

@@ -176,6 +176,14 @@ class Drape(Object):
         return read_struct(report)
 
     @property
+    def reason(self):
+        """Why the last sew or settle ended as it did, as a dict (mus_reason); kind in words too, as name."""
+        reason = make_def(_abi.mus_reason, lib.mus_reason_init)
+        self.do("reason", ctypes.byref(reason))
+        values = read_struct(reason)
+        return {**values, "name": lib.mus_reason_name(reason.kind).decode(), "text": reason.text.decode("utf-8", "replace")}
+
+    @property
     def skipped(self):
         """Names of what this scene did without."""
         return [name for name in self.get("skipped").split(",") if name]

@@ -1,0 +1,130 @@
+/*
+ * slide.c: what slides off the body while it settles, piece by piece of what hangs together by seams.
+ *
+ * Cloth that ends high up is carried by the shoulders or the bust, cloth that ends lower by the waist or the hip. A
+ * piece has slid off when its uppermost node has gone a hand below what carried it: below the bust if it began above
+ * it, below the hip if it began between; or, once it has had time to drop onto the body, when no node is near it. Held
+ * edges carry: where there are any, only the first counts.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+#include "geom/vec.h"
+
+#define SLIDE_DEEP 0.08      /* [m] below what carried it, and below where it began */
+#define SLIDE_RIM 0.02       /* [m]: a top that begins so little below the bust is a top */
+#define OFF_THE_BODY 0.005   /* [m]: no node this near: nothing carries the garment */
+
+
+/* highest node of each piece along `up`, into top (npanel) and, if wanted, its panel */
+static void slide_tops(const mus_drape *drape, const double *x, const double *up, double *top, int32_t *panel)
+{
+    const mus_cloth *cloth = drape->cloth;
+    for (int32_t p = 0; p < cloth->npanel; p++) top[p] = -INFINITY;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const int32_t piece = drape->slide[cloth->node_panel[i]].piece;
+        const double high = mus__dot3(up, x + 3 * (int64_t)drape->rep[i]);
+        if (!(high > top[piece])) continue;
+        top[piece] = high;
+        if (panel != NULL) panel[piece] = cloth->node_panel[i];
+    }
+}
+
+
+mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
+{
+    const mus_cloth *cloth = drape->cloth;
+    mus__held_level hip;
+    mus__drape_level(drape, MUS_HOLD_HIP, 0, &hip);
+    if (!hip.there || cloth->npanel == 0) return MUS_OK;
+    if (drape->slide == NULL) drape->slide = mus__new(drape->context, cloth->npanel, sizeof *drape->slide);
+    double *top = mus__new(drape->context, cloth->npanel, sizeof *top);
+    int32_t *panel = mus__new(drape->context, cloth->npanel, sizeof *panel);
+    const int32_t done = drape->slide != NULL && top != NULL && panel != NULL;
+    if (done) {
+        /* pieces by their lowest panel: few panels, so sweeps until nothing changes */
+        for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].piece = p;
+        for (int32_t changed = 1; changed;) {
+            changed = 0;
+            for (int32_t k = 0; k < cloth->npair; k++) {
+                int32_t *a = &drape->slide[cloth->node_panel[cloth->pair[2 * k]]].piece;
+                int32_t *b = &drape->slide[cloth->node_panel[cloth->pair[2 * k + 1]]].piece;
+                if (*a == *b) continue;
+                *a = *b = *a < *b ? *a : *b;
+                changed = 1;
+            }
+        }
+        slide_tops(drape, x, hip.up, top, panel);
+        for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].top = top[p], drape->slide[p].panel = panel[p];
+    }
+    mus__free(drape->context, top);
+    mus__free(drape->context, panel);
+    return done ? MUS_OK : mus__fail_memory(drape->context, "the pieces of a garment");
+}
+
+
+static void slide_say(mus_drape *drape, int32_t panel, const char *below)
+{
+    const mus_cloth *cloth = drape->cloth;
+    const char *garment = mus_cloth_name(cloth), *name = panel != MUS_NONE ? mus_cloth_panel_name(cloth, panel) : "";
+    char text[256];
+    snprintf(text, sizeof text, "slid off%s: %.100s%s%.60s at %.1f s", below[0] != '\0' ? "" : " the body",
+             garment[0] != '\0' ? garment : name, below[0] != '\0' ? " below " : "", below, drape->settle_time);
+    mus__drape_reason_set(drape, MUS_REASON_SLID_OFF, panel, MUS_NONE, MUS_NONE, drape->settle_time, text);
+}
+
+
+/* nonzero when nothing is held and no node is near the body any more */
+static int32_t slide_loose(const mus_drape *drape, const double *x)
+{
+    double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
+    if (drape->plan.nheld > 0) return 0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->pinned[i]) return 0;
+        if (drape->mass[i] <= 0.0) continue;
+        if (mus__collider_touching(drape->collider, x + 3 * (int64_t)i, OFF_THE_BODY, normal, friction) > 0) return 0;
+    }
+    return 1;
+}
+
+
+/* the first piece that has gone below what carried it, MUS_NONE without; *below names that */
+static int32_t slide_piece(const mus_drape *drape, const double *x, const char **below)
+{
+    const mus_cloth *cloth = drape->cloth;
+    mus__held_level bust, hip;
+    double *top = drape->work; /* scratch, 6 numbers a node */
+    mus__drape_level(drape, MUS_HOLD_BUST, 0, &bust);
+    mus__drape_level(drape, MUS_HOLD_HIP, 0, &hip);
+    if (!bust.there || !hip.there || drape->slide == NULL || cloth->npanel > 6 * (int64_t)drape->n) return MUS_NONE;
+    slide_tops(drape, x, hip.up, top, NULL);
+    for (int32_t p = 0; p < cloth->npanel; p++) {
+        const mus__slide *slide = &drape->slide[p];
+        const double breast = mus__dot3(hip.up, bust.point);
+        const int32_t high = slide->top > breast - SLIDE_RIM;
+        const double carried = high ? breast : hip.at;
+        if (slide->piece != p || !(slide->top > hip.at)) continue;
+        *below = mus_hold_name(high ? MUS_HOLD_BUST : MUS_HOLD_HIP);
+        if (top[p] < carried - SLIDE_DEEP && top[p] < slide->top - SLIDE_DEEP) return p;
+    }
+    return MUS_NONE;
+}
+
+
+int32_t mus__drape_slid(mus_drape *drape, const double *x, int32_t loose)
+{
+    const char *below = "";
+    if (drape->collider == NULL) return 0;
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->pinned[i]) return 0;
+    const int32_t piece = slide_piece(drape, x, &below);
+    if (piece != MUS_NONE) {
+        slide_say(drape, drape->slide[piece].panel, below);
+        return 1;
+    }
+    if (!loose || !slide_loose(drape, x)) return 0;
+    slide_say(drape, MUS_NONE, "");
+    return 1;
+}

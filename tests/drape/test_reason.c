@@ -1,0 +1,179 @@
+/*
+ * test_reason.c: each reason of the list, made on purpose, with its panel, seam or place.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "scenes.h"
+
+
+static mus_reason why(const mus_drape *drape)
+{
+    mus_reason reason;
+    mus_reason_init(&reason, sizeof reason);
+    ck_assert_int_eq(mus_drape_reason(drape, &reason), MUS_OK);
+    return reason;
+}
+
+
+START_TEST(the_list_is_closed_and_named)
+{
+    for (int32_t i = 0; i < MUS_REASON_COUNT; i++) {
+        ck_assert_ptr_nonnull(mus_reason_name(i));
+        for (int32_t k = 0; k < i; k++) ck_assert_str_ne(mus_reason_name(i), mus_reason_name(k));
+    }
+    ck_assert_ptr_null(mus_reason_name(-1));
+    ck_assert_ptr_null(mus_reason_name(MUS_REASON_COUNT));
+    ck_assert_str_eq(mus_reason_name(MUS_REASON_SLID_OFF), "slid off");
+    mus_reason reason;
+    memset(&reason, 0, sizeof reason);
+    ck_assert_int_eq(mus_drape_reason(NULL, &reason), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_reason(NULL, &reason), MUS_ERR_ARG);
+}
+END_TEST
+
+
+START_TEST(seams_that_stay_open_and_cloth_at_rest)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_strips(context, 1.0);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape_def def;
+    mus_drape *drape;
+    mus_drape_def_init(&def, sizeof def);
+    def.sew_seconds = _i == 0 ? 0.2 : 6.0;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, &def, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    ck_assert_int_eq(why(drape).kind, MUS_REASON_NONE);
+    const int32_t *pairs = mus_cloth_pairs(cloth);
+    for (int32_t p = 0; p < mus_cloth_pair_count(cloth) && _i == 0; p++) {
+        mus_drape_pin(drape, pairs[2 * p], 1);
+        mus_drape_pin(drape, pairs[2 * p + 1], 1);
+    }
+    const mus_status status = mus_drape_sew(drape, NULL, NULL);
+    mus_reason reason = why(drape);
+    if (_i == 0) {
+        ck_assert_int_eq(status, MUS_ERR_SEW);
+        ck_assert_int_eq(reason.kind, MUS_REASON_SEAM_OPEN);
+        ck_assert_int_eq(reason.seam, 0);
+        ck_assert_double_eq_tol(reason.value, 0.1, 1e-6);
+        ck_assert_double_eq_tol(reason.place[1], 1.1, 1e-6);
+        ck_assert_ptr_nonnull(strstr(reason.text, "100.0 mm"));
+    } else {
+        ck_assert_int_eq(status, MUS_OK);
+        ck_assert_int_eq(reason.kind, MUS_REASON_NONE);
+        mus_drape_pin(drape, pairs[0], 1);
+        ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_OK);
+        ck_assert_int_eq(why(drape).kind, MUS_REASON_SETTLED);
+    }
+    reason.size = 3;
+    ck_assert_int_eq(mus_drape_reason(drape, &reason), MUS_ERR_VERSION);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a tube without a hold slides below the hip; with one and no time it is not settled; begun inside, it is tangled */
+START_TEST(a_tube_that_fails_says_how)
+{
+    mus_context *context = support_context();
+    mus_body *body = scene_body(context);
+    double waist[3];
+    mus_body_landmark(body, MUS_LANDMARK_WAIST, waist);
+    mus_pattern *pattern = scene_tube(context, waist[1], _i == 0 ? MUS_HOLD_NONE : MUS_HOLD_WAIST, 0.0);
+    if (_i == 2) scene_move(pattern, 0, 0.0, waist[1], 0.0);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.025, 0.0);
+    mus_drape_def def;
+    mus_drape *drape;
+    mus_drape_def_init(&def, sizeof def);
+    if (_i == 1) def.settle_seconds = 0.05, def.settle_residual = 1e-9;
+    if (_i == 2) def.sew_seconds = 0.01;
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    mus_status status = mus_drape_sew(drape, NULL, NULL);
+    if (_i < 2) ck_assert_int_eq(status, MUS_OK);
+    if (_i < 2) status = mus_drape_settle(drape, NULL, NULL);
+    const mus_reason reason = why(drape);
+    ck_assert_int_eq(status, _i < 2 ? MUS_ERR_UNSETTLED : MUS_ERR_SEW);
+    if (_i == 0) {
+        ck_assert_int_eq(reason.kind, MUS_REASON_SLID_OFF);
+        ck_assert_msg(strstr(reason.text, "slid off: tube below hip at ") != NULL, "%s", reason.text);
+        ck_assert_double_gt(reason.value, 0.1);
+        ck_assert_int_ne(reason.panel, MUS_NONE);
+    } else if (_i == 1) {
+        ck_assert_int_eq(reason.kind, MUS_REASON_NOT_SETTLED);
+        ck_assert_int_ne(reason.node, MUS_NONE);
+        ck_assert_double_gt(reason.value, 1e-9);
+    } else {
+        ck_assert_int_eq(reason.kind, MUS_REASON_START_TANGLED);
+        ck_assert_int_eq(reason.panel, 0);
+        ck_assert_msg(strstr(reason.text, "panel front begins inside the body") != NULL, "%s", reason.text);
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* of the pattern alone: a band sewn with a twist, an outline that crosses itself, a seam of unequal sides */
+START_TEST(a_pattern_says_why_it_cannot_be_cut)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus_reason reason;
+    mus_seam_def seam;
+    int32_t edge[4], index;
+    ck_assert_int_eq(mus_pattern_create(context, "band", &pattern), MUS_OK);
+    scene_rectangle(pattern, "band", 0, 0, 0.5, 0.1, edge);
+    mus_reason_init(&reason, sizeof reason);
+    ck_assert_int_eq(mus_pattern_reason(pattern, &reason), MUS_OK);
+    ck_assert_int_eq(reason.kind, MUS_REASON_NONE);
+    if (_i == 0) {
+        mus_seam_def_init(&seam, sizeof seam);
+        seam.edge_a = edge[1], seam.edge_b = edge[3], seam.direction = MUS_SEAM_DIRECT;
+        ck_assert_int_eq(mus_pattern_add_seam(pattern, &seam, &index), MUS_OK);
+    } else if (_i == 1) {
+        const double at[4][2] = {{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}};
+        const int32_t line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+        int32_t panel, point[4];
+        mus_pattern_add_panel(pattern, "bow", &panel);
+        for (int i = 0; i < 4; i++) mus_pattern_add_point(pattern, panel, at[i][0], at[i][1], &point[i]);
+        for (int i = 0; i < 4; i++)
+            mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]);
+        ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, along), MUS_OK);
+    } else {
+        scene_sew(pattern, edge[0], edge[1], 0.0);
+    }
+    ck_assert_int_eq(mus_pattern_reason(pattern, &reason), MUS_OK);
+    static const int32_t kinds[] = {MUS_REASON_TWISTED_SEAM, MUS_REASON_PANEL_CROSSES, MUS_REASON_BAD_INPUT};
+    ck_assert_msg(reason.kind == kinds[_i], "%d: %s", (int)reason.kind, reason.text);
+    if (_i == 0) ck_assert_int_eq(reason.seam, 0);
+    if (_i == 1) ck_assert_int_eq(reason.panel, 1);
+    ck_assert_str_ne(reason.text, "");
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_reason(void);
+
+
+Suite *mus_suite_reason(void)
+{
+    Suite *suite = suite_create("reason");
+    TCase *tests = tcase_create("reason");
+    tcase_set_timeout(tests, 60.0);
+    tcase_add_test(tests, the_list_is_closed_and_named);
+    tcase_add_loop_test(tests, seams_that_stay_open_and_cloth_at_rest, 0, 2);
+    tcase_add_loop_test(tests, a_tube_that_fails_says_how, 0, 3);
+    tcase_add_loop_test(tests, a_pattern_says_why_it_cannot_be_cut, 0, 3);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

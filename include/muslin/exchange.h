@@ -2,8 +2,8 @@
  * muslin/exchange.h: readers and writers of files (libmuslin-exchange).
  *
  * Tapes: muslin's own text form, GarmentCode body yaml, Valentina/Seamly .vit, a row of a csv table. Patterns:
- * muslin's own JSON (exact round trip) and GarmentCode specifications. Fabrics: muslin's own JSON. Meshes: OBJ and
- * binary glTF 2.0.
+ * muslin's own JSON (exact round trip), GarmentCode specifications, FreeSewing dumps. Fabrics: muslin's own JSON.
+ * Meshes: OBJ and binary glTF 2.0.
  * Outside dependencies: jansson, libyaml, expat.
  *
  * A reader gives one sentence on failure, with file, line or byte, and what was expected (mus_context_error). Memory
@@ -38,7 +38,7 @@ MUS_API mus_status mus_tape_read(mus_context *context, const char *path, const c
 MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 
 /**
- * Read a pattern: muslin JSON or GarmentCode specification, told apart by their content.
+ * Read a pattern: muslin JSON, GarmentCode specification or FreeSewing dump, told apart by their content.
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY

@@ -123,6 +123,7 @@ mus_status mus__json_text(const mus_json_at *at, const char **out);
 
 mus_status mus__pattern_read_json(const mus_json_at *root, mus_pattern *pattern);
 mus_status mus__pattern_read_garmentcode(const mus_json_at *root, mus_pattern *pattern);
+mus_status mus__pattern_read_freesewing(const mus_json_at *root, mus_pattern *pattern);
 
 /* ---- a file to write: built in memory, then saved ---- */
 

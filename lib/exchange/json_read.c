@@ -170,13 +170,17 @@ static mus_status read_pattern(const mus_source *source, mus_pattern **out)
     mus_json_at root = {source, NULL, NULL, 0, json};
     bool own = json_object_get(json, "muslin_pattern") != NULL;
     bool garmentcode = json_object_get(json, "pattern") != NULL;
-    if (!own && !garmentcode)
-        status =
-            mus__json_fail(&root, MUS_ERR_FORMAT,
-                           "expected a pattern: an object with \"muslin_pattern\", or with \"pattern\" (GarmentCode)");
+    const char *format = json_string_value(json_object_get(json, "format"));
+    bool freesewing = format != NULL && strcmp(format, "freesewing-dump-1") == 0;
+    if (!own && !garmentcode && !freesewing)
+        status = mus__json_fail(&root, MUS_ERR_FORMAT,
+                                "expected a pattern: an object with \"muslin_pattern\", with \"pattern\" "
+                                "(GarmentCode), or with \"format\" \"freesewing-dump-1\"");
     if (status == MUS_OK) status = mus_pattern_create(source->context, name, out);
     if (status == MUS_OK)
-        status = own ? mus__pattern_read_json(&root, *out) : mus__pattern_read_garmentcode(&root, *out);
+        status = own          ? mus__pattern_read_json(&root, *out)
+                 : freesewing ? mus__pattern_read_freesewing(&root, *out)
+                              : mus__pattern_read_garmentcode(&root, *out);
     json_decref(json);
     return status;
 }

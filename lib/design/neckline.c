@@ -1,5 +1,5 @@
 /*
- * neckline.c: what lies between the underarm and the centre of a front or back: armhole, shoulder and the ten necklines.
+ * neckline.c: what lies between the underarm and the centre of a front or back: armhole, shoulder, the ten necklines.
  *
  * Each neckline moves the side neck along the shoulder (as much in front as behind, so that shoulders match), lowers
  * the centres, and draws its own front edge; behind it stays one curve. Where nothing opens, the neckline is lowered on

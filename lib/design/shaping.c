@@ -27,7 +27,7 @@ static bool shaping_darted(const mus__half *half)
 
 void mus__shaping_plan(const mus__half *half, mus__top *top)
 {
-    /* a waist dart that becomes part of a seam is not drawn, nor one that a French dart cannot take from below a waist */
+    /* a waist dart that becomes part of a seam is not drawn, nor one from a hem that a French dart cannot take in */
     const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
     const bool princess = shape == MUS__SHAPE_PRINCESS_SHOULDER || shape == MUS__SHAPE_PRINCESS_ARMHOLE;
     const bool merged = shaping_darted(half) && (shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_FRENCH);
@@ -87,8 +87,10 @@ static void shaping_french(mus__half *half, mus__top *top)
     const double down = fmax((end[1] - y) * steep, 0.01), s = board->side[side].length - down;
     int32_t leg = mus__shaping_turn(half, top, side, s, 1.0, keep);
     const int32_t waist = mus__shaping_side(half, top, MUS__TOP_FRONT, "wd1");
-    if (leg != MUS_NONE && waist != MUS_NONE)
+    if (leg != MUS_NONE && waist != MUS_NONE) {
         leg = mus__board_dart_rotate(board, waist, side, board->side[side].length, keep, 1.0);
+        mus__shaping_smooth(board, mus__shaping_side(half, top, MUS__TOP_FRONT, "w1"));
+    }
     if (leg != MUS_NONE) mus__board_dart_shorten(board, leg, SHAPING_BACK);
 }
 
@@ -167,15 +169,15 @@ static void shaping_boxy(mus__half *half, mus__top *top)
     mus__board *board = &half->board;
     const mus__bodice_half *front = &half->bodice.front;
     const int32_t keep = mus__shaping_side(half, top, MUS__TOP_FRONT, "cf");
-    int32_t leg = mus__shaping_turn(half, top, mus__shaping_side(half, top, MUS__TOP_FRONT, "low"), front->bust[0], 0.65,
-                                    keep);
+    const int32_t low = mus__shaping_side(half, top, MUS__TOP_FRONT, "low");
+    int32_t leg = mus__shaping_turn(half, top, low, front->bust[0], 0.65, keep);
     if (leg == MUS_NONE) return;
     mus__shaping_smooth(board, mus__board_dart_release(board, leg));
 
     /* without an armhole all that is left goes into the lower edge too */
     const int32_t arm = mus__shaping_side(half, top, MUS__TOP_FRONT, "arm");
     if (arm == MUS_NONE || board->status != MUS_OK) return;
-    const double s = fmin(front->arm_low_length, 0.5 * board->side[arm].length);
+    const double s = fmin(front->arm_low_length, 0.7 * board->side[arm].length);
     leg = mus__shaping_turn(half, top, arm, s, 1.0, keep);
     if (leg != MUS_NONE) shaping_smooth_arm(board, mus__board_dart_release(board, leg));
 }

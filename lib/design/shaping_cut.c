@@ -58,7 +58,7 @@ static void princess_high(const princess_line *line, mus__chain *out)
 }
 
 
-/* the lower part, from the point to the lower edge: to the waist, from there to the hips and down as a waist dart does */
+/* the lower part, from the point to the lower edge: to the waist, then to the hips and down as a waist dart does */
 static void princess_low(const mus__top *top, const princess_line *line, mus__chain *out)
 {
     double along[2];
@@ -168,7 +168,8 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
     const double s = armhole ? back->arm_length - back->arm_low_length : 0.5 * board->side[upper].length;
     const int32_t from = mus__board_split(board, upper, s, NULL);
     const int32_t to = mus__board_split(board, low, board->side[low].length - axis, NULL);
-    const double point[2] = {-axis, half->bodice.underarm - 2.0 * MUS__CM};
+    const double under = half->bodice.underarm, high = under - 2.0 * top->scale * MUS__CM;
+    const double point[2] = {-axis, fmax(high, 0.5 * (under + top->hem))};
     const int32_t side = mus__board_find(board, top->panel[MUS__TOP_BACK], "cb");
     const int32_t panel = princess_through(board, from, to, point, "back_side");
     princess_names(board, side, panel, "back", "back_side");
@@ -270,7 +271,7 @@ void mus__shaping_princess(mus__half *half, mus__top *top, bool armhole)
 
 /* ---- empire ---- */
 
-/* a midriff below the bust without darts: cut along the dart's axis, its edges drawn as the dart's legs, joined again */
+/* a midriff below the bust without darts: cut along the dart's axis, edges drawn as the dart's legs, joined again */
 static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, double level)
 {
     mus__board *board = &half->board;
@@ -294,7 +295,7 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
     const int32_t outer = mus__board_partner(board, inner);
     mus__chain chain[2];
     for (int i = 0; i < 2; i++) {
-        const double turn = i == 0 ? -1.0 : 1.0, above = wide * (1.0 - level / bust), below = wide * (1.0 - top->hem / bust);
+        const double turn = i == 0 ? -wide : wide, above = 1.0 - level / bust, below = 1.0 - top->hem / bust;
         const double head[2] = {axis + turn * above, level}, foot[2] = {axis + turn * below, top->hem};
         mus__chain_line(&chain[i], head, foot);
     }
@@ -331,7 +332,7 @@ void mus__shaping_empire(mus__half *half, mus__top *top)
     const int32_t under = mus__board_find(board, low, "empire");
     if (board->status != MUS_OK || edge == MUS_NONE || under == MUS_NONE) return;
 
-    /* above the line the waist dart goes on as one of its own; below it is closed, or left as ease of a hem that hangs */
+    /* above the line the waist dart goes on as one of its own; below it is closed, or left as ease where a hem hangs */
     const double wide = half->bodice.dart_width * (1.0 - level / front->bust[1]);
     if (!top->darts || !(wide > 2e-3)) return;
     mus__board_rename(board, edge, "empire", "empire");

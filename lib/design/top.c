@@ -60,12 +60,13 @@ int32_t mus__drawing_lay(mus__half *half, const mus__drawing *drawing, const cha
 
 /* ---- blocks ---- */
 
-/* a loose top lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is off the body, and
- * not beyond the shoulder point, where the arm turns down: up to 0.15 shorter */
-static void torso_loose_shoulder(const mus__half *half, mus__measures *measures)
+/* a seam on the shoulder does not go beyond the shoulder point, where the arm turns down: up to 0.15 shorter. A loose
+ * top, and one without sleeves, lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is off
+ * the body */
+static void torso_shoulder(const mus__half *half, bool loose, mus__measures *measures)
 {
     double *m = measures->v;
-    m[MUS_MEASURE_SHOULDER_SLOPE] -= 0.08;
+    if (loose) m[MUS_MEASURE_SHOULDER_SLOPE] -= 0.08;
     const double neck = m[MUS_MEASURE_NECK] / 6.0 + 0.85 * MUS__CM, along = cos(m[MUS_MEASURE_SHOULDER_SLOPE]);
     const double reach = (half->skeleton.shoulder_x - neck) / along;
     m[MUS_MEASURE_SHOULDER] = fmax(0.85 * m[MUS_MEASURE_SHOULDER], fmin(m[MUS_MEASURE_SHOULDER], reach));
@@ -79,7 +80,7 @@ static double torso_hem(const mus__half *half, double scale)
     if (!mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP)) return 0.0;
     if (!isnan(half->def.length)) return -half->def.length;
     switch (half->style.option[MUS__AXIS_TOP_LENGTH]) {
-    case MUS__TOP_LENGTH_CROP: return 4.0 * scale * MUS__CM;
+    case MUS__TOP_LENGTH_CROP: return fmin(4.0 * scale * MUS__CM, 0.25 * half->bodice.underarm);
     case MUS__TOP_LENGTH_WAIST: return 0.0;
     case MUS__TOP_LENGTH_TUNIC: return -(hip + 20.0 * scale * MUS__CM);
     default: return -(hip + 6.0 * scale * MUS__CM);
@@ -94,15 +95,16 @@ static void torso_blocks(mus__half *half, mus__top *top)
     mus__bodice_def def;
     const double k = mus__measures_scale(&measures);
     const bool boxy = mus__style_is(half, MUS__AXIS_SHAPE, MUS__SHAPE_BOXY);
+    const bool bare = mus__style_is(half, MUS__AXIS_SLEEVE, MUS__SLEEVE_NONE);
     mus__bodice_def_init(&def, &measures);
+    torso_shoulder(half, boxy || bare, &measures);
     def.bust_ease = half->bust_ease;
     def.waist_ease = half->waist_ease;
     if (boxy) {
-        torso_loose_shoulder(half, &measures);
         def.scye_ease = 1.5 * k * MUS__CM;
         def.balance = 0.4 * MUS__CM;
         def.darts = def.darts && mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_WOVEN);
-    } else if (mus__style_is(half, MUS__AXIS_SLEEVE, MUS__SLEEVE_NONE)) {
+    } else if (bare) {
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
     if (mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) def.bust_ease = fmin(def.bust_ease, 1.0 * MUS__CM);
@@ -141,8 +143,6 @@ static void torso_sides(mus__half *half, mus__top *top)
     } else if (!top->darts) {
         top->side_in = top_alone ? fmax(0.0, fmin(0.35 * t, 2.5 * MUS__CM)) : fmin(t, 0.18 * bodice->underarm);
     }
-    const double darts = top->darts ? 2.0 * bodice->dart_width : 0.0;
-    half->waist_ease = girth - 4.0 * top->side_in - 2.0 * darts - m[MUS_MEASURE_WAIST];
 
     /* hip level; a boxy hem clears the hip, in proportion above it */
     top->hip = -m[MUS_MEASURE_WAIST_TO_HIP];
@@ -384,6 +384,18 @@ static void torso_place(mus__half *half, const mus__top *top)
 }
 
 
+/* the ease that the waist line has become: shaping that is left out, or flare, makes it wider */
+static void torso_waist(mus__half *half)
+{
+    int32_t sides[MUS__TOP_RUN];
+    const int32_t n = mus__half_rim(half, "", "waist", sides, MUS__TOP_RUN);
+    if (half->board.status != MUS_OK || n < 1 || n > MUS__TOP_RUN) return;
+    double length = 0.0;
+    for (int32_t i = 0; i < n; i++) length += half->board.side[sides[i]].length;
+    half->waist_ease = 2.0 * length - half->measures.v[MUS_MEASURE_WAIST];
+}
+
+
 void mus__top_draft(mus__half *half)
 {
     mus__top top;
@@ -404,4 +416,5 @@ void mus__top_draft(mus__half *half)
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
     mus__shaping_neck_band(half, &top);
     torso_place(half, &top);
+    torso_waist(half);
 }

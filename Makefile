@@ -12,6 +12,8 @@
 #                   options to tests/motion/run.py)
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
 #                   (PEOPLE='--csv FILE --each 10': a row a person, each tenth of them)
+#   make designs    every named design drafted for every table size of its groups and for 200 people: refusals by reason,
+#                   seams, darts, time (DESIGNS='--family blouse --list': each refusal of a family)
 #   make catalogue-bench  a catalogue of the GarmentCode specifications and of 100,000 variants (COUNT=1000): time of
 #                   searches, and whether the same design on another body is found first
 #   make check-omit the C tests once without each module, and once without all that can be left out
@@ -132,7 +134,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now people people-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -212,10 +214,13 @@ $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
 $(BIN)/people: $(call objects,tests/people/people.c) $(A_TESTS) $(A_CORE)
 $(BIN)/people: ARCHIVES := $(A_TESTS) $(A_CORE)
 $(BIN)/people: OUTSIDE := -lm
+$(BIN)/designs: $(call objects,tests/designs/designs.c) $(A_TESTS) $(A_CORE)
+$(BIN)/designs: ARCHIVES := $(A_TESTS) $(A_CORE)
+$(BIN)/designs: OUTSIDE := -lm
 $(BIN)/catalogue-bench: $(call objects,tests/catalogue/bench.c) $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: ARCHIVES := $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: OUTSIDE := $(call pkg_libs,$(EXCHANGE_PKG) $(CATALOGUE_PKG)) -lm
-$(PROGRAMS) $(BIN)/tests $(BIN)/people $(BIN)/catalogue-bench:
+$(PROGRAMS) $(BIN)/tests $(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench:
 	@mkdir -p $(@D)
 	$(LINK) $(filter %.o,$^) $(ARCHIVES) $(OUTSIDE) -o $@
 
@@ -277,6 +282,12 @@ people:
 	@$(call again,people-now)
 people-now: $(BIN)/people
 	$(BIN)/people '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv' $(PEOPLE)
+
+designs:
+	@sh tests/guard/packages.sh build test
+	@$(call again,designs-now)
+designs-now: $(BIN)/designs
+	$(BIN)/designs '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv' $(DESIGNS)
 
 catalogue-bench:
 	@sh tests/guard/packages.sh build test

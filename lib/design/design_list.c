@@ -7,21 +7,27 @@
 #include "design/design_list.h"
 #include "design/style.h"
 
-#define W MUS_GROUP_WOMEN
-#define M MUS_GROUP_MEN
-#define C MUS_GROUP_CHILDREN
+#define ALL (MUS_GROUP_WOMEN | MUS_GROUP_MEN | MUS_GROUP_CHILDREN)
 
 /* these have recipes of their own, design.c lists them in the same order */
 static const mus__design_row design_own[] = {
-    {"tshirt", "top", "T-shirt", "", W | M | C},
-    {"sleeveless", "top", "Sleeveless top", "", W | M | C},
-    {"bodice", "block", "Bodice block", "", W | M | C},
-    {"skirt", "skirt", "Straight skirt", "", W | M | C},
-    {"skirt_plain", "skirt", "A-line skirt without darts", "", W | M | C},
+    {"tshirt", "top", "T-shirt", "", ALL},
+    {"sleeveless", "top", "Sleeveless top", "", ALL},
+    {"bodice", "block", "Bodice block", "", ALL},
+    {"skirt", "skirt", "Straight skirt", "", ALL},
+    {"skirt_plain", "skirt", "A-line skirt without darts", "", ALL},
 };
 
-static const mus__design_rows design_lists[] = {
-    {design_own, (int32_t)(sizeof design_own / sizeof design_own[0])},
+static const int32_t design_own_count = (int32_t)(sizeof design_own / sizeof design_own[0]);
+
+/* the lists in the order of their numbers */
+static const struct {
+    const mus__design_row *row;
+    const int32_t *n;
+} design_lists[] = {
+    {design_own, &design_own_count},
+    {mus__designs_top, &mus__designs_top_count},
+    {mus__designs_knit, &mus__designs_knit_count},
 };
 
 #define DESIGN_LISTS (sizeof design_lists / sizeof design_lists[0])
@@ -30,8 +36,8 @@ static const mus__design_rows design_lists[] = {
 static const mus__design_row *design_find_row(int32_t design)
 {
     for (size_t i = 0; i < DESIGN_LISTS && design >= 0; i++) {
-        if (design < design_lists[i].n) return &design_lists[i].row[design];
-        design -= design_lists[i].n;
+        if (design < *design_lists[i].n) return &design_lists[i].row[design];
+        design -= *design_lists[i].n;
     }
     return NULL;
 }
@@ -40,7 +46,7 @@ static const mus__design_row *design_find_row(int32_t design)
 int32_t mus_design_count(void)
 {
     int32_t n = 0;
-    for (size_t i = 0; i < DESIGN_LISTS; i++) n += design_lists[i].n;
+    for (size_t i = 0; i < DESIGN_LISTS; i++) n += *design_lists[i].n;
     return n;
 }
 
@@ -83,8 +89,8 @@ int32_t mus_design_groups(int32_t design)
 int32_t mus_design_find(const char *name)
 {
     int32_t first = 0;
-    for (size_t i = 0; name != NULL && i < DESIGN_LISTS; first += design_lists[i++].n)
-        for (int32_t r = 0; r < design_lists[i].n; r++)
+    for (size_t i = 0; name != NULL && i < DESIGN_LISTS; first += *design_lists[i++].n)
+        for (int32_t r = 0; r < *design_lists[i].n; r++)
             if (strcmp(design_lists[i].row[r].name, name) == 0) return first + r;
     return MUS_NONE;
 }

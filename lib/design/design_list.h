@@ -13,10 +13,7 @@ typedef struct mus__design_row {
     int32_t groups;    /* bits of MUS_GROUP_* */
 } mus__design_row;
 
-/* a list of them */
-typedef struct mus__design_rows {
-    const mus__design_row *row;
-    int32_t n;
-} mus__design_rows;
+extern const mus__design_row mus__designs_top[], mus__designs_knit[];
+extern const int32_t mus__designs_top_count, mus__designs_knit_count;
 
 #endif

@@ -121,8 +121,8 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
     half->board.status = mus__sleeve_draft(half->context, &def, &plan->block);
     if (half->board.status != MUS_OK) return;
 
-    /* 3 cm of underarm at least, which a small child's arm asks for */
-    const double height = plan->block.height, least = height + 3.0 * k * MUS__CM;
+    /* 3 cm of underarm at least, which a small child's arm asks for; the block itself needs 2 */
+    const double height = plan->block.height, least = height + fmax(3.0 * k, 2.2) * MUS__CM;
     def.length = fmax(part * arm, least);
     plan->reach = fmin(1.0, fmax(0.05, (def.length - height) / fmax(arm - height, 1.0 * MUS__CM)));
     const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM);

@@ -113,7 +113,7 @@ START_TEST(any_allowed_option_drafts_or_is_refused_with_reason)
         def.ease = support_uniform(&state, -0.5, 1.0);
         def.length = support_uniform(&state, 0.02, 2.5);
         def.sleeve = support_uniform(&state, 0.02, 1.2);
-        const int32_t design = (int32_t)(support_random(&state) % (uint64_t)mus_design_count());
+        const int32_t design = (int32_t)(support_random(&state) % (uint64_t)RECIPES);
         const char *size = mus_tape_size_name((int32_t)(support_random(&state) % 28));
         const mus_status status = design_with(context, mus_design_name(design), size, &def, &pattern);
         if (status == MUS_OK) {
@@ -259,7 +259,8 @@ static void design_same_rest(const mus_pattern *a, const mus_pattern *b)
 START_TEST(a_draft_made_twice_is_the_same_to_the_bit)
 {
     mus_context *context = support_context();
-    for (int32_t d = 0; d < mus_design_count(); d++) {
+    for (int32_t d = 0; d < mus_design_count(); d += d < RECIPES ? 1 : 7) {
+        if ((mus_design_groups(d) & MUS_GROUP_WOMEN) == 0) continue;
         mus_pattern *a = drafts_pattern(context, mus_design_name(d), "W44");
         mus_pattern *b = drafts_pattern(context, mus_design_name(d), "W44");
         design_same_edges(a, b);
@@ -274,6 +275,8 @@ END_TEST
 
 START_TEST(each_failing_allocation_leaves_nothing)
 {
+    static const char *const named[] = {"breton", "shirt_cuffed", "hoodie", "corset_top"};
+    const int32_t design = _i < RECIPES ? _i : mus_design_find(named[_i - RECIPES]);
     for (int64_t n = 0;; n++) {
         mus_context *context = support_context();
         mus_tape *tape;
@@ -281,7 +284,7 @@ START_TEST(each_failing_allocation_leaves_nothing)
         ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
         ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
         support_fail_after(n, false);
-        const mus_status status = mus_design_draft(context, _i, tape, NULL, &pattern);
+        const mus_status status = mus_design_draft(context, design, tape, NULL, &pattern);
         support_fail_never();
         if (status != MUS_OK) ck_assert_ptr_null(pattern);
         mus_pattern_destroy(pattern);
@@ -309,7 +312,7 @@ Suite *mus_suite_design(void)
     tcase_add_test(tcase, bad_arguments_are_refused);
     tcase_add_test(tcase, an_incomplete_tape_is_completed_on_a_copy);
     tcase_add_test(tcase, a_draft_made_twice_is_the_same_to_the_bit);
-    tcase_add_loop_test(tcase, each_failing_allocation_leaves_nothing, 0, mus_design_count());
+    tcase_add_loop_test(tcase, each_failing_allocation_leaves_nothing, 0, RECIPES + 4);
     suite_add_tcase(suite, tcase);
     return suite;
 }

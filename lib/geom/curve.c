@@ -10,6 +10,7 @@
  * Source: de Casteljau's scheme; Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4.
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "geom/curve.h"
@@ -95,16 +96,43 @@ static double curve_arc_segment(const curve_arc *arc)
 }
 
 
-static double curve_speed(int32_t kind, const double *p, double t)
+/* derivative of a Bezier piece by t as a polynomial of its control polygon's sides a, b, c:
+ * quadratic 2 (s a + t b), cubic 3 (s^2 a + 2 s t b + t^2 c) with s = 1 - t */
+typedef struct curve_pace {
+    bool cubic;
+    double a[2], b[2], c[2];
+} curve_pace;
+
+
+static void curve_pace_read(int32_t kind, const double *p, curve_pace *pace)
 {
-    double d[2];
-    mus__curve_tangent(kind, p, t, d);
-    return sqrt(d[0] * d[0] + d[1] * d[1]);
+    pace->cubic = kind == MUS__CUBIC;
+    for (int i = 0; i < 2; i++) {
+        pace->a[i] = p[2 + i] - p[i];
+        pace->b[i] = p[4 + i] - p[2 + i];
+        pace->c[i] = pace->cubic ? p[6 + i] - p[4 + i] : 0.0;
+    }
+}
+
+
+static inline double curve_speed(const curve_pace *pace, double t)
+{
+    const double s = 1.0 - t, *a = pace->a, *b = pace->b, *c = pace->c;
+    double x, y;
+    if (pace->cubic) {
+        const double ss = s * s, st = 2.0 * s * t, tt = t * t;
+        x = 3.0 * (ss * a[0] + st * b[0] + tt * c[0]);
+        y = 3.0 * (ss * a[1] + st * b[1] + tt * c[1]);
+    } else {
+        x = 2.0 * (s * a[0] + t * b[0]);
+        y = 2.0 * (s * a[1] + t * b[1]);
+    }
+    return sqrt(x * x + y * y);
 }
 
 
 /* Gauss-Legendre with 16 nodes over a .. b */
-static double curve_gauss(int32_t kind, const double *p, double a, double b)
+static double curve_gauss(const curve_pace *pace, double a, double b)
 {
     static const double node[8] = {0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863,
                                    0.6178762444026437484, 0.7554044083550030339, 0.8656312023878317439,
@@ -114,29 +142,30 @@ static double curve_gauss(int32_t kind, const double *p, double a, double b)
                                      0.0622535239386478929, 0.0271524594117540949};
     double middle = 0.5 * (a + b), half = 0.5 * (b - a), sum = 0.0;
     for (int i = 0; i < 8; i++)
-        sum +=
-            weight[i] * (curve_speed(kind, p, middle - half * node[i]) + curve_speed(kind, p, middle + half * node[i]));
+        sum += weight[i] * (curve_speed(pace, middle - half * node[i]) + curve_speed(pace, middle + half * node[i]));
     return sum * half;
 }
 
 
 /* length over a .. b whose one-part estimate is `whole` */
-static double curve_refine(int32_t kind, const double *p, double a, double b, double whole, double tolerance, int depth)
+static double curve_refine(const curve_pace *pace, double a, double b, double whole, double tolerance, int depth)
 {
     double middle = 0.5 * (a + b);
-    double left = curve_gauss(kind, p, a, middle), right = curve_gauss(kind, p, middle, b);
+    double left = curve_gauss(pace, a, middle), right = curve_gauss(pace, middle, b);
     if (fabs(left + right - whole) <= tolerance || depth == 0) return left + right;
-    return curve_refine(kind, p, a, middle, left, tolerance, depth - 1) +
-           curve_refine(kind, p, middle, b, right, tolerance, depth - 1);
+    return curve_refine(pace, a, middle, left, tolerance, depth - 1) +
+           curve_refine(pace, middle, b, right, tolerance, depth - 1);
 }
 
 
 /* length from parameter a to b of a Bezier piece, negative when b < a */
 static double curve_between(int32_t kind, const double *p, double a, double b)
 {
+    curve_pace pace;
+    curve_pace_read(kind, p, &pace);
     double polygon = 0.0;
     for (int32_t i = 0; i + 1 < mus__curve_points(kind); i++) polygon += mus__dist2(p + 2 * i, p + 2 * i + 2);
-    return curve_refine(kind, p, a, b, curve_gauss(kind, p, a, b), CURVE_TOLERANCE * polygon, CURVE_DEPTH);
+    return curve_refine(&pace, a, b, curve_gauss(&pace, a, b), CURVE_TOLERANCE * polygon, CURVE_DEPTH);
 }
 
 
@@ -225,13 +254,15 @@ double mus__curve_param(int32_t kind, const double *p, double s)
     if (kind == MUS__LINE || kind == MUS__ARC) return t;
 
     /* Newton on length(t) = s within a bracket that shrinks at every turn */
+    curve_pace pace;
+    curve_pace_read(kind, p, &pace);
     double low = 0.0, high = 1.0, at = curve_between(kind, p, 0.0, t);
     for (int i = 0; i < 100 && fabs(at - s) > 1e-14 * length; i++) {
         if (at > s)
             high = t;
         else
             low = t;
-        double speed = curve_speed(kind, p, t), next = speed > 0.0 ? t - (at - s) / speed : low;
+        double speed = curve_speed(&pace, t), next = speed > 0.0 ? t - (at - s) / speed : low;
         if (!(next > low && next < high)) next = 0.5 * (low + high);
         if (next == t) break;
         at += curve_between(kind, p, t, next);

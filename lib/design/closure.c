@@ -12,6 +12,7 @@
 
 #define CLOSURE_STAND (1.75 * MUS__CM)
 #define CLOSURE_ZIP (1.5 * MUS__CM)
+#define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* apart, at most */
 
 
@@ -47,7 +48,50 @@ void mus__closure_set(mus__half *half)
 }
 
 
+/* does a name end so? */
+static bool closure_ends(const char *name, const char *end)
+{
+    const size_t n = strlen(name), m = strlen(end);
+    return n >= m && strcmp(name + n - m, end) == 0;
+}
+
+
+/* a notch where a side of the front crosses the height y, and where it is sewn to */
+static void closure_notch(mus__board *board, int32_t side, double y)
+{
+    double lo = 0.0, hi = board->side[side].length, at[2];
+    mus__board_at(board, side, lo, at, NULL);
+    const bool above = at[1] > y;
+    mus__board_at(board, side, hi, at, NULL);
+    if ((at[1] > y) == above) return;
+    for (int i = 0; i < 40; i++) {
+        const double s = 0.5 * (lo + hi);
+        mus__board_at(board, side, s, at, NULL);
+        if ((at[1] > y) == above) lo = s;
+        else hi = s;
+    }
+    const int32_t other = mus__board_partner(board, side);
+    mus__board_notch_add(board, side, lo, MUS_NOTCH_TRIPLE);
+    if (other == MUS_NONE) return;
+    const double part = 1.0 - lo / board->side[side].length;
+    mus__board_notch_add(board, other, part * board->side[other].length, MUS_NOTCH_TRIPLE);
+}
+
+
 void mus__closure_finish(mus__half *half)
 {
-    (void)half;
+    /* the ends of a zip 18 cm long about the waist, in the left side seam */
+    mus__board *board = &half->board;
+    const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);
+    if (board->status != MUS_OK || lower || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SIDE)) return;
+    const double reach = 0.5 * CLOSURE_SIDE_ZIP * mus__measures_scale(&half->measures);
+    const int32_t nside = board->nside;
+    for (int32_t i = 0; i < nside; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || strcmp(side->label, "side") != 0 || closure_ends(side->name, "_r")) continue;
+        const char *panel = board->panel[side->panel].name;
+        if (strncmp(panel, "front", 5) != 0 || closure_ends(panel, "_right")) continue;
+        closure_notch(board, i, reach);
+        closure_notch(board, i, -reach);
+    }
 }

@@ -68,7 +68,7 @@ void mus__shaping_neck_band(mus__half *half, mus__top *top)
     board->side[side[opens ? 2 : 4]].allowance = 0.0;
     mus__board_sew(board, nfront, front, 1, &side[0]);
     mus__board_sew(board, nback, back, 1, &side[1]);
-    mus__panel_place_ring(half, panel, true, 2.0 * length, half->skeleton.neck_side);
+    mus__panel_place_ring(half, panel, true, 2.0 * length + 0.08, half->skeleton.neck_side);
 }
 
 

@@ -61,8 +61,8 @@ int32_t mus__drawing_lay(mus__half *half, const mus__drawing *drawing, const cha
 /* ---- blocks ---- */
 
 /* a seam on the shoulder does not go beyond the shoulder point, where the arm turns down: up to 0.15 shorter. A loose
- * top, and one without sleeves, lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is off
- * the body */
+ * top, and one without sleeves, lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is
+ * off the body */
 static void torso_shoulder(const mus__half *half, bool loose, mus__measures *measures)
 {
     double *m = measures->v;

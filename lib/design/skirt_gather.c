@@ -11,18 +11,18 @@
 #include "design/lower.h"
 #include "geom/vec.h"
 
-#define GATHER_TIERS 3
-#define GATHER_PLEAT (4.0 * MUS__CM) /* of a pleat that shows */
+#define RUFFLE_TIERS 3
+#define RUFFLE_PLEAT (4.0 * MUS__CM) /* of a pleat that shows */
 
-typedef struct gather_strip {
+typedef struct ruffle_strip {
     const char *name;
     double width, top, centre, side; /* levels: of its top edge, of its lower edge at the centre and at the side */
     const char *top_label, *low_label;
-} gather_strip;
+} ruffle_strip;
 
 
 /* hem (level at the centre, sloping to the side), side, top, centre */
-static int32_t gather_draw(mus__half *half, const gather_strip *strip, bool front)
+static int32_t ruffle_draw(mus__half *half, const ruffle_strip *strip, bool front)
 {
     const double w = strip->width, a[2] = {0.0, strip->centre}, b[2] = {w, strip->side}, top[2] = {w, strip->top};
     const double middle[2] = {0.0, strip->top};
@@ -45,10 +45,10 @@ static int32_t gather_draw(mus__half *half, const gather_strip *strip, bool fron
 
 
 /* notches where the pleats fold: each takes `fold` of cloth beside what shows of it */
-static void gather_pleats(mus__half *half, int32_t panel, double width, double ratio)
+static void ruffle_pleats(mus__half *half, int32_t panel, double width, double ratio)
 {
     const int32_t side = mus__board_find(&half->board, panel, "waist");
-    const int32_t n = (int32_t)lround(width / (ratio * GATHER_PLEAT));
+    const int32_t n = (int32_t)lround(width / (ratio * RUFFLE_PLEAT));
     for (int32_t i = 0; i < n; i++) {
         const double from = width * i / n, fold = width / n / ratio;
         mus__board_notch_add(&half->board, side, from + 0.5 * fold, MUS_NOTCH_SINGLE);
@@ -58,20 +58,20 @@ static void gather_pleats(mus__half *half, int32_t panel, double width, double r
 
 
 /* front and back of one strip, sewn at the side, round the hips; ratio: what its top is larger than net (2) */
-static void gather_pair(mus__half *half, const char *const *names, const double *net, double ratio, double top,
+static void ruffle_pair(mus__half *half, const char *const *names, const double *net, double ratio, double top,
                         double length, double fall, const char *low_label, int32_t *panels)
 {
     const double level = mus__lower_level(half);
     for (int i = 0; i < 2; i++) {
         const bool front = i == 0;
-        const gather_strip strip = {.name = names[i],
+        const ruffle_strip strip = {.name = names[i],
                                     .width = ratio * net[i],
                                     .top = top,
                                     .centre = top - length + (front ? fall : -fall),
                                     .side = top - length,
                                     .top_label = top == 0.0 ? "waist" : "tier",
                                     .low_label = low_label};
-        panels[i] = gather_draw(half, &strip, front);
+        panels[i] = ruffle_draw(half, &strip, front);
     }
     mus__lower_sew(half, panels[0], "side", panels[1], "side", 0.0);
     for (int i = 0; i < 2; i++)
@@ -79,15 +79,15 @@ static void gather_pair(mus__half *half, const char *const *names, const double 
 }
 
 
-static void gather_tiers(mus__half *half, const double *net, double first, double length)
+static void ruffle_tiers(mus__half *half, const double *net, double first, double length)
 {
-    static const char *const names[GATHER_TIERS][2] = {
+    static const char *const names[RUFFLE_TIERS][2] = {
         {"skirt_front", "skirt_back"}, {"tier2_front", "tier2_back"}, {"tier3_front", "tier3_back"}};
     double ratio = first;
     int32_t above[2] = {MUS_NONE, MUS_NONE}, panels[2];
-    for (int32_t t = 0; t < GATHER_TIERS; t++) {
-        gather_pair(half, names[t], net, ratio, -t * length / GATHER_TIERS, length / GATHER_TIERS, 0.0,
-                    t + 1 < GATHER_TIERS ? "tier" : "hem", panels);
+    for (int32_t t = 0; t < RUFFLE_TIERS; t++) {
+        ruffle_pair(half, names[t], net, ratio, -t * length / RUFFLE_TIERS, length / RUFFLE_TIERS, 0.0,
+                    t + 1 < RUFFLE_TIERS ? "tier" : "hem", panels);
         for (int i = 0; i < 2 && t > 0; i++)
             mus__lower_sew(half, above[i], "hem", panels[i], "waist", (ratio - ratio / 1.5) * net[i]);
         memcpy(above, panels, sizeof above);
@@ -109,12 +109,12 @@ void mus__skirt_gathered(mus__half *half)
     const double hip = 0.5 * (fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]) + 4.0 * MUS__CM);
     ratio = fmax(ratio, hip / (net[0] + net[1]));
     if (kind == MUS__SKIRT_TIERED) {
-        gather_tiers(half, net, ratio, length);
+        ruffle_tiers(half, net, ratio, length);
         return;
     }
     int32_t panels[2];
     const double fall = half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW ? 0.18 * length : 0.0;
-    gather_pair(half, names, net, ratio, 0.0, length, fall, "hem", panels);
+    ruffle_pair(half, names, net, ratio, 0.0, length, fall, "hem", panels);
     for (int i = 0; i < 2 && kind != MUS__SKIRT_GATHERED; i++)
-        gather_pleats(half, panels[i], ratio * net[i], ratio);
+        ruffle_pleats(half, panels[i], ratio * net[i], ratio);
 }

@@ -93,6 +93,8 @@ static const char floor_fragment[] =
     "}\n";
 
 /* centroid: at the rim of a triangle all values are taken inside of it, or specks show along outlines */
+/* between its nodes cloth cuts through what is strongly curved (1 mm at a spacing of 20 mm): the body is taken as 6 mm
+ * farther from the eye than it is when it is asked which of the two hides the other */
 static const char body_vertex[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -100,6 +102,8 @@ static const char body_vertex[] =
     "layout(location = 3) in vec3 a_colour;\n"
     "layout(location = 4) in vec2 a_open;\n"
     "uniform mat4 u_view;\n"
+    "uniform vec3 u_eye;\n"
+    "uniform int u_kind;\n"
     "centroid out vec3 v_position;\n"
     "centroid out vec3 v_normal;\n"
     "centroid out vec2 v_texcoord;\n"
@@ -111,7 +115,8 @@ static const char body_vertex[] =
     "    v_texcoord = a_texcoord;\n"
     "    v_colour = a_colour;\n"
     "    v_open = a_open;\n"
-    "    gl_Position = u_view * vec4(a_position, 1.0);\n"
+    "    vec3 behind = u_kind == 0 ? 0.006 * normalize(a_position - u_eye) : vec3(0.0);\n"
+    "    gl_Position = u_view * vec4(a_position + behind, 1.0);\n"
     "}\n";
 
 /* Plain weave: threads 0.5 mm apart, over and under in turn, so the repeat is 1 mm. Single threads differ in

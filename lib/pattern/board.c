@@ -396,6 +396,7 @@ void mus__board_free_name(const mus__board *board, int32_t panel, const char *na
     memset(out, 0, MUS__NAME_BYTES);
     if (stem == 0) return;
     if (stem > MUS__NAME_BYTES - 12) stem = MUS__NAME_BYTES - 12;
+    while (stem > 0 && ((unsigned char)name[stem] & 0xC0) == 0x80) stem--;
     for (int32_t n = 2; n <= board->nside + 2; n++) {
         snprintf(out, MUS__NAME_BYTES, "%.*s_%d", (int)stem, name, (int)n);
         if (mus__board_find(board, panel, out) == MUS_NONE) return;

@@ -113,8 +113,7 @@ START_TEST(random_cuts_splits_turns_and_joins_keep_area_and_topology)
 {
     mus_context *context = support_context();
     uint64_t random = 2024;
-    int32_t done = 0;
-    for (int32_t round = 0; round < 60; round++) {
+    for (int32_t round = 0; round < 1000; round++) {
         const garment *row = &garments[(size_t)round % (sizeof garments / sizeof garments[0])];
         mus_pattern *pattern = gluing_make(context, row->panels, row->seams, (uint64_t)round);
         mus__board board;
@@ -124,7 +123,6 @@ START_TEST(random_cuts_splits_turns_and_joins_keep_area_and_topology)
         table_topology(&board, &before);
         int32_t change[3] = {0, 0, 0};
         for (int32_t step = 0; step < 20;) step += random_step(&board, &random, change);
-        done += 20;
         table_whole(&board);
         ck_assert_double_eq_tol(table_area(&board, MUS_NONE), area, 1e-9);
         table_topology(&board, &after);
@@ -138,7 +136,6 @@ START_TEST(random_cuts_splits_turns_and_joins_keep_area_and_topology)
         mus__board_free(&board);
         mus_pattern_destroy(pattern);
     }
-    ck_assert_int_ge(done, 1000);
     support_context_end(context);
 }
 END_TEST

@@ -13,6 +13,9 @@
 #include "geom/curve.h"
 #include "geom/vec.h"
 
+/* crotch and shoulder of a jumpsuit are tied: its body is longer, so that one can bend and sit */
+#define TORSO_BLOUSE (2.5 * MUS__CM)
+
 
 bool mus__style_is(const mus__half *half, int32_t axis, int32_t option)
 {
@@ -98,6 +101,10 @@ static void torso_blocks(mus__half *half, mus__top *top)
     const bool bare = mus__style_is(half, MUS__AXIS_SLEEVE, MUS__SLEEVE_NONE);
     mus__bodice_def_init(&def, &measures);
     torso_shoulder(half, boxy || bare, &measures);
+    if (mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_JUMPSUIT)) {
+        measures.v[MUS_MEASURE_BACK_WAIST] += TORSO_BLOUSE * k;
+        measures.v[MUS_MEASURE_FRONT_WAIST] += TORSO_BLOUSE * k;
+    }
     def.bust_ease = half->bust_ease;
     def.waist_ease = half->waist_ease;
     if (boxy) {
@@ -415,6 +422,7 @@ void mus__top_draft(mus__half *half)
     torso_sew(half, "side");
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
     mus__shaping_neck_band(half, &top);
+    mus__neckline_hold(half);
     torso_place(half, &top);
     torso_waist(half);
 }

@@ -69,6 +69,8 @@ void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus
 void mus__neckline_draw(mus__half *half, mus__top *top);
 /* neckline.c: the strap of a halter, sewn to the front */
 void mus__neckline_strap(mus__half *half);
+/* neckline.c: what keeps a strapless top up */
+void mus__neckline_hold(mus__half *half);
 /* turn p about o by angle a */
 void mus__top_turn(const double *p, const double *o, double a, double *out);
 

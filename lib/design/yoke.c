@@ -11,6 +11,7 @@
 #include "geom/curve.h"
 
 #define YOKE_FRONT (2.0 * MUS__CM)
+#define YOKE_PLEAT (2.0 * MUS__CM) /* of a half */
 
 
 /* cut along a straight line between the starts of two sides; the panel that is cut off */
@@ -24,12 +25,27 @@ static int32_t yoke_cut(mus__board *board, int32_t from, int32_t to, const char 
 }
 
 
+/* the back of a top without waist darts is 4 cm wider below the yoke, which its upper edge is gathered to */
+static void yoke_pleat(mus__half *half, mus__top *top)
+{
+    mus__board *board = &half->board;
+    const int32_t seam = mus__board_find(board, top->panel[MUS__TOP_BACK], "yoke");
+    const int32_t low = mus__shaping_side(half, top, MUS__TOP_BACK, "low");
+    const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
+    if (board->status != MUS_OK || top->waist_darts[MUS__TOP_BACK] || !alone || seam == MUS_NONE || low == MUS_NONE)
+        return;
+    const double near = 0.15 * board->side[seam].length, wide = YOKE_PLEAT * top->scale;
+    mus__board_spread(board, seam, near, low, board->side[low].length - near, wide, wide);
+}
+
+
 void mus__shaping_yoke(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
     const int32_t cb = mus__shaping_side(half, top, MUS__TOP_BACK, "cb");
     const int32_t arm = mus__shaping_side(half, top, MUS__TOP_BACK, "arm");
-    const int32_t front_arm = mus__shaping_side(half, top, MUS__TOP_FRONT, "arm");
+    int32_t front_arm = mus__shaping_side(half, top, MUS__TOP_FRONT, "arm");
+    if (front_arm == MUS_NONE) front_arm = mus__shaping_side(half, top, MUS__TOP_FRONT, "arm_2");
     const int32_t neck = mus__shaping_side(half, top, MUS__TOP_FRONT, "neck");
     if (board->status != MUS_OK || cb == MUS_NONE || arm == MUS_NONE || front_arm == MUS_NONE || neck == MUS_NONE)
         return;
@@ -46,6 +62,7 @@ void mus__shaping_yoke(mus__half *half, mus__top *top)
     const int32_t to = mus__board_split(board, arm, s, NULL);
     const int32_t from = mus__board_split(board, cb, board->side[cb].length - (nape[1] - at[1]), NULL);
     yoke_cut(board, from, to, "back_yoke", "yoke");
+    yoke_pleat(half, top);
 
     /* front: along the shoulder */
     const double down = fmin(YOKE_FRONT * top->scale, 0.3 * board->side[neck].length);

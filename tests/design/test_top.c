@@ -13,8 +13,8 @@ static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 /* eases [cm] of the seams that are meant to have one, by the name of either side; elsewhere none */
 static const struct {
     const char *name;
-    double least, most;
-} eases[] = {{"princess", -1.2, 1.2}, {"strip", -0.05, 6.0}, {"front", -0.05, 12.0}, {"empire", -4.0, 4.0}};
+    double most;
+} eases[] = {{"princess", 1.2}, {"strip", 6.0}, {"front", 12.0}, {"empire", 4.0}, {"yoke", 4.1}};
 
 
 static bool eased(const mus_pattern *pattern, const mus_seam_def *seam)
@@ -23,8 +23,7 @@ static bool eased(const mus_pattern *pattern, const mus_seam_def *seam)
     for (size_t i = 0; i < sizeof eases / sizeof eases[0]; i++)
         for (int j = 0; j < 2; j++) {
             if (strncmp(names[j], eases[i].name, strlen(eases[i].name)) != 0) continue;
-            const double ease = fabs(seam->ease) / CM;
-            return ease <= eases[i].most;
+            return fabs(seam->ease) <= eases[i].most * CM;
         }
     return fabs(seam->ease) <= SEAM_MATCH;
 }
@@ -95,6 +94,30 @@ START_TEST(every_neckline_drafts_in_every_length_and_closure)
 END_TEST
 
 
+/* yokes, dresses and jumpsuits over the same necks and shapes */
+START_TEST(yokes_and_dresses_draft_too)
+{
+    int checked = 0;
+    for (int32_t neck = 0; neck <= MUS__NECK_STRAPLESS; neck++)
+        for (int32_t shape = 0; shape <= MUS__SHAPE_BOXY; shape++)
+            for (int32_t bits = 0; bits < 6; bits++) {
+                mus__style style = {{0}};
+                const bool darted = shape > MUS__SHAPE_SIDE_WAIST && shape < MUS__SHAPE_PRINCESS_SHOULDER;
+                const bool gathers = shape == MUS__SHAPE_NECK_GATHERS || shape == MUS__SHAPE_CF_GATHERS;
+                if ((darted || gathers) && sizes[_i][0] != 'W') continue;
+                style.option[MUS__AXIS_NECK] = neck;
+                style.option[MUS__AXIS_SHAPE] = shape;
+                style.option[MUS__AXIS_CLOSURE] = bits % 2 == 0 ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK;
+                if (bits / 2 == 0) style.option[MUS__AXIS_YOKE] = MUS__YOKE_YOKE;
+                if (bits / 2 == 1) style.option[MUS__AXIS_GARMENT] = MUS__GARMENT_DRESS;
+                if (bits / 2 == 2) style.option[MUS__AXIS_GARMENT] = MUS__GARMENT_JUMPSUIT;
+                checked += check_style(sizes[_i], &style);
+            }
+    ck_assert_int_gt(checked, 100);
+}
+END_TEST
+
+
 START_TEST(a_rim_runs_over_darts_and_seams)
 {
     mus_context *context = support_context();
@@ -141,6 +164,7 @@ Suite *mus_suite_top(void)
     TCase *tc = tcase_create("top");
     tcase_set_timeout(tc, 120);
     tcase_add_loop_test(tc, every_neckline_drafts_in_every_length_and_closure, 0, SIZES);
+    tcase_add_loop_test(tc, yokes_and_dresses_draft_too, 0, SIZES);
     tcase_add_test(tc, a_rim_runs_over_darts_and_seams);
     suite_add_tcase(suite, tc);
     return suite;

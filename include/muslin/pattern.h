@@ -8,7 +8,8 @@
  * eq. 13 to 20.
  *
  * Units: metre, in the plane of each panel (x right, y up; y is the warp unless the grain says otherwise).
- * Indices are int32_t, count from 0, and are stable: nothing is ever removed from a pattern.
+ * Indices are int32_t, count from 0, and are stable: nothing is ever removed from a pattern by the calls below. The
+ * edits of muslin/edit.h cut, join and remove: after one of them indices and borrowed pointers are new, names stay.
  */
 #ifndef MUSLIN_PATTERN_H
 #define MUSLIN_PATTERN_H

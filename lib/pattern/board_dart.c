@@ -29,6 +29,8 @@
 #define DART_LEGS 2e-3
 /* mouth sides that meet at a sharper corner than this (cosine of 45 degrees) are not one side */
 #define DART_CORNER 0.70710678
+/* legs that cross by less [rad] lie on each other */
+#define DART_SLIT 1e-9
 /* a dart is no shorter [m] */
 #define DART_SHORTEST 5e-3
 
@@ -49,6 +51,22 @@ static bool dart_is(const mus__board *board, int32_t leg)
 }
 
 
+/* the angle from u = a - o to v = b - o, in the sense of the word (turn +1 or -1), 0 to 2 pi: a dart of more than half
+ * a turn is one too. What is a little below 0 is a slit whose legs lie on each other */
+static double dart_between(const double *a, const double *o, const double *b, double turn)
+{
+    const double u[2] = {a[0] - o[0], a[1] - o[1]}, v[2] = {b[0] - o[0], b[1] - o[1]};
+    const double angle = turn * atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    return angle >= 0.0 ? angle : angle > -DART_SLIT ? 0.0 : angle + 2.0 * MUS_PI;
+}
+
+
+static double dart_sense(const mus__board *board, int32_t panel)
+{
+    return mus__board_area(board, panel) < 0.0 ? -1.0 : 1.0;
+}
+
+
 static bool dart_read(mus__board *board, int32_t leg, dart_view *dart)
 {
     if (!mus__board_has_side(board, leg)) return false;
@@ -63,13 +81,8 @@ static bool dart_read(mus__board *board, int32_t leg, dart_view *dart)
     memcpy(dart->a, mus__board_start(board, leg), sizeof dart->a);
     memcpy(dart->point, mus__board_end(board, leg), sizeof dart->point);
     memcpy(dart->b, mus__board_end(board, dart->back), sizeof dart->b);
-
-    /* counted in the sense of the word, so that a dart of more than half a turn is one too */
-    const double *o = dart->point;
-    double u[2] = {dart->a[0] - o[0], dart->a[1] - o[1]}, v[2] = {dart->b[0] - o[0], dart->b[1] - o[1]};
-    double turn = mus__board_area(board, dart->panel) < 0.0 ? -1.0 : 1.0;
-    dart->angle = atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
-    if (dart->angle * turn < 0.0) dart->angle += 2.0 * MUS_PI * turn;
+    const double turn = dart_sense(board, dart->panel);
+    dart->angle = turn * dart_between(dart->a, dart->point, dart->b, turn);
     return true;
 }
 
@@ -78,12 +91,8 @@ double mus__board_dart_angle(const mus__board *board, int32_t leg)
 {
     if (board->status != MUS_OK || leg < 0 || leg >= board->nside || board->side[leg].panel == MUS_NONE) return 0.0;
     if (!dart_is(board, leg)) return 0.0;
-    const double *o = mus__board_end(board, leg), *p = mus__board_start(board, leg);
-    const double *q = mus__board_end(board, board->side[leg].next);
-    double u[2] = {p[0] - o[0], p[1] - o[1]}, v[2] = {q[0] - o[0], q[1] - o[1]};
-    double turn = mus__board_area(board, board->side[leg].panel) < 0.0 ? -1.0 : 1.0;
-    double angle = turn * atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
-    return angle < 0.0 ? angle + 2.0 * MUS_PI : angle;
+    return dart_between(mus__board_start(board, leg), mus__board_end(board, leg),
+                        mus__board_end(board, board->side[leg].next), dart_sense(board, board->side[leg].panel));
 }
 
 

@@ -62,6 +62,7 @@ void mus__pattern_edited(mus_pattern *pattern)
     mus__free(pattern->context, pattern->fault);
     pattern->fault = NULL;
     pattern->nfault = 0;
+    mus__history_forget_undone(pattern);
 }
 
 
@@ -93,6 +94,7 @@ void mus_pattern_destroy(mus_pattern *pattern)
 {
     if (pattern == NULL) return;
     mus_context *context = pattern->context;
+    mus__history_end(pattern);
     for (int32_t i = 0; i < pattern->npanel; i++) mus__free(context, pattern->panel[i].outline);
     for (int32_t i = 0; i < pattern->nedge; i++) mus__free(context, pattern->edge[i].xy);
     for (int32_t i = 0; i < pattern->nmark; i++) mus__free(context, pattern->mark[i].xy);

@@ -72,6 +72,13 @@ typedef struct mus__fault {
     char text[MUS__FAULT_BYTES];
 } mus__fault;
 
+/* what a pattern was before its last edits, and after those that were undone: patterns without a history of their own.
+ * The last of each list is next */
+typedef struct mus__history {
+    int32_t depth, ndone, nundone;
+    mus_pattern **done, **undone; /* (depth) each, one block */
+} mus__history;
+
 struct mus_pattern {
     mus_context *context;
     char name[MUS__NAME_BYTES];
@@ -86,6 +93,7 @@ struct mus_pattern {
     mus__mark *mark;       /* (nmark) */
     mus__opening *opening; /* (nopening) */
     mus__fault *fault;     /* (nfault) of the last check; dropped by every edit */
+    mus__history *history; /* what it was before edits, NULL unless it is kept */
 };
 
 /* ---- pattern.c ---- */
@@ -102,6 +110,12 @@ void mus__pattern_edited(mus_pattern *pattern);
 mus_status mus__pattern_give(const mus_pattern *pattern, void *out, const void *own, size_t own_size, const char *name);
 /* "front.side", or "front.edge_12" for an edge without a name; out (2 x MUS__NAME_BYTES) */
 void mus__pattern_edge_title(const mus_pattern *pattern, int32_t edge, char *out);
+
+/* ---- history.c ---- */
+
+/* nothing can be redone any more */
+void mus__history_forget_undone(mus_pattern *pattern);
+void mus__history_end(mus_pattern *pattern);
 
 /* ---- cells.c ---- */
 

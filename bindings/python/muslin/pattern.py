@@ -6,6 +6,7 @@ from . import _abi
 from ._library import lib
 from .arrays import doubles, integers, result
 from .context import Context, Object, create, make_def, read_struct, text
+from .edit import Edits
 
 _FAULTS = {value: name[len("MUS_FAULT_"):].lower() for name, value in vars(_abi).items()
            if name.startswith("MUS_FAULT_")}
@@ -13,8 +14,8 @@ _PIECES = {"line": _abi.MUS_PIECE_LINE, "quadratic": _abi.MUS_PIECE_QUADRATIC, "
            "arc": _abi.MUS_PIECE_ARC}
 
 
-class Pattern(Object):
-    """A pattern. Cells are numbers that stay: panels, points, edges, seams count from 0."""
+class Pattern(Edits, Object):
+    """A pattern. Cells are numbers that stay until the next of its Edits: panels, points, edges, seams from 0."""
 
     _kind = "pattern"
 

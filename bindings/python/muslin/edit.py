@@ -1,0 +1,173 @@
+"""edit.py: a drawn pattern changed as on the cutting table; what a Pattern can do by muslin/edit.h.
+
+Every method leaves the pattern as it was when it raises. Numbers of panels, edges, points and seams are new after each
+call: find them again by name, or use what the call gives back.
+"""
+import ctypes
+
+from . import _abi
+from ._library import lib
+from .arrays import doubles, integers
+from .context import make_def, read_struct, text
+
+_PIECES = {"line": _abi.MUS_PIECE_LINE, "quadratic": _abi.MUS_PIECE_QUADRATIC, "cubic": _abi.MUS_PIECE_CUBIC,
+           "arc": _abi.MUS_PIECE_ARC}
+
+
+def _chain(pieces, points):
+    """npiece, kinds, nxy, xy of a chain without its ends; no pieces is a straight line."""
+    kinds, count = integers([_PIECES.get(piece, piece) for piece in pieces])
+    places, n = doubles(points, 2)
+    return count, kinds, n, places
+
+
+class Edits:
+    """Edits of a pattern, with undo and redo."""
+
+    # ---- history ----
+
+    def keep_history(self, depth=100):
+        """Keep what the pattern was before each of the last `depth` edits."""
+        self.do("keep_history", depth)
+
+    def undo(self):
+        self.do("undo")
+
+    def redo(self):
+        self.do("redo")
+
+    @property
+    def history(self):
+        """How many edits can be undone and redone."""
+        return self.get("undo_count"), self.get("redo_count")
+
+    # ---- darts ----
+
+    def dart(self, leg):
+        """(angle [rad], width of the mouth [m], depth [m]) of the dart with an edge as leg."""
+        values = [ctypes.c_double() for _ in range(3)]
+        self.do("dart", leg, *map(ctypes.byref, values))
+        return tuple(value.value for value in values)
+
+    def add_dart(self, edge, s, width, point):
+        """A dart on an edge about arc length s; a leg of it."""
+        return self._made("add_dart", edge, s, width, doubles(point, 2)[0])
+
+    def rotate_dart(self, leg, target, s, keep, fraction=1.0):
+        """Pivot a dart to arc length s of edge `target`; the part with edge `keep` stays. A leg of the new dart."""
+        return self._made("rotate_dart", leg, target, s, keep, fraction)
+
+    def split_dart(self, leg, targets, keep):
+        """Split a dart: targets [(edge, s, fraction)]; legs of the new darts in that order."""
+        edges, n = integers([target[0] for target in targets])
+        places, _ = doubles([target[1] for target in targets])
+        fractions, _ = doubles([target[2] for target in targets])
+        out = (ctypes.c_int32 * n)()
+        self.do("split_dart", leg, n, edges, places, fractions, keep, out)
+        return list(out)
+
+    def merge_darts(self, leg, into, keep):
+        """Close a dart into another with the same point."""
+        return self._made("merge_darts", leg, into, keep)
+
+    def shorten_dart(self, leg, back):
+        """The point of a dart `back` nearer to its mouth."""
+        self.do("shorten_dart", leg, back)
+
+    def release_dart(self, leg):
+        """Forget a dart: its cloth is gathered or eased. The edge that has its mouth."""
+        return self._made("release_dart", leg)
+
+    def dart_to_seam(self, leg, target, s, name, seam_name, pieces=(), points=()):
+        """A dart becomes part of a seam that goes on to arc length s of edge `target`: (panel, seam)."""
+        return self._made_two("dart_to_seam", leg, target, s, *_chain(pieces, points), text(name), text(seam_name))
+
+    # ---- panels ----
+
+    def separate(self, edge_a, s_a, edge_b, s_b, name, seam_name, pieces=(), points=()):
+        """Cut a panel along a chain from place a to place b: (panel, seam)."""
+        return self._made_two("separate", edge_a, s_a, edge_b, s_b, *_chain(pieces, points), text(name),
+                              text(seam_name))
+
+    def join_panels(self, seam):
+        """The two panels of a seam become one."""
+        return self._made("join_panels", seam)
+
+    def mirror_panel(self, panel, name):
+        return self._made("mirror_panel", panel, text(name))
+
+    def unfold(self, fold):
+        """A panel and its mirror image in a straight edge become one."""
+        self.do("unfold", fold)
+
+    def add_facing(self, edge, width, name):
+        """A facing sewn to a free edge."""
+        return self._made("add_facing", edge, width, text(name))
+
+    def remove_panel(self, panel):
+        self.do("remove_panel", panel)
+
+    def remove_seam(self, seam):
+        self.do("remove_seam", seam)
+
+    # ---- fullness and length ----
+
+    def spread(self, edge_a, s_a, edge_b, s_b, w_a, w_b):
+        """Slash from place a to place b and open it by w_a and w_b."""
+        self.do("spread", edge_a, s_a, edge_b, s_b, w_a, w_b)
+
+    def flare(self, hem, hinge, n, amount):
+        """Open a hem by `amount` in n even slashes that are hinged at another edge."""
+        self.do("flare", hem, hinge, n, amount)
+
+    def pleat(self, edge_a, s_a, edge_b, s_b, depth_a, depth_b):
+        self.do("pleat", edge_a, s_a, edge_b, s_b, depth_a, depth_b)
+
+    def lengthen(self, panel, point, direction, amount):
+        """What lies left of the line through `point` along `direction` moves by `amount`."""
+        self.do("lengthen", panel, doubles(point, 2)[0], doubles(direction, 2)[0], amount)
+
+    # ---- points and edges ----
+
+    def move_point(self, point, x, y):
+        self.do("move_point", point, x, y)
+
+    def move_control(self, edge, index, x, y):
+        """Point `index` of an edge's chain, its ends not counted out."""
+        self.do("move_control", edge, index, x, y)
+
+    def redraw_edge(self, edge, pieces=("line",), points=()):
+        self.do("redraw_edge", edge, *_chain(pieces, points))
+
+    def fair_edge(self, edge):
+        """Round the corners between the pieces of an edge."""
+        self.do("fair_edge", edge)
+
+    def split_edge(self, edge, s, name=None):
+        return self._made("split_edge", edge, s, text(name))
+
+    def merge_edges(self, edge):
+        """One edge of this and the next in the outline."""
+        return self._made("merge_edges", edge)
+
+    # ---- seams ----
+
+    def walk_seam(self, seam):
+        """The two sides of a seam walked along each other (mus_seam_walk as a dict)."""
+        walk = make_def(_abi.mus_seam_walk, lib.mus_seam_walk_init)
+        self.do("walk_seam", seam, ctypes.byref(walk))
+        return read_struct(walk)
+
+    def true_seam(self, seam, edge, at_end=True):
+        """One end of an edge of the seam moves until the seam is true."""
+        self.do("true_seam", seam, edge, 1 if at_end else 0)
+
+    def _made(self, function, *arguments):
+        index = ctypes.c_int32()
+        self.do(function, *arguments, ctypes.byref(index))
+        return index.value
+
+    def _made_two(self, function, *arguments):
+        panel, seam = ctypes.c_int32(), ctypes.c_int32()
+        self.do(function, *arguments, ctypes.byref(panel), ctypes.byref(seam))
+        return panel.value, seam.value

@@ -134,7 +134,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now sheet sheet-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -276,6 +276,16 @@ motion:
 	@$(call again,motion-now)
 motion-now: all
 	$(PYTHON) tests/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
+
+# 100 designs on one body; one design on 10 women, 8 men and 2 children
+SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
+sheet:
+	@sh tests/guard/packages.sh build
+	@$(call again,sheet-now)
+sheet-now: all
+	@mkdir -p $(OUT)/out
+	$(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs 2 $(SHEET)
+	$(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs 2 $(SHEET)
 
 people:
 	@sh tests/guard/packages.sh build test

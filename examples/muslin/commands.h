@@ -7,6 +7,7 @@ int command_designs(int argc, char **argv);
 int command_draft(int argc, char **argv);
 int command_grade(int argc, char **argv);
 int command_dress(int argc, char **argv);
+int command_sheet(int argc, char **argv);
 int command_print(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_catalogue(int argc, char **argv);

@@ -20,6 +20,7 @@ static const struct {
     {"draft", command_draft, "tape to pattern"},
     {"grade", command_grade, "one design in a row of sizes: ease, seams, rules"},
     {"dress", command_dress, "sew and drape: picture, mesh, report"},
+    {"sheet", command_sheet, "many designs on many bodies as one picture"},
     {"print", command_print, "ready-to-cut paper: PDF, SVG"},
     {"convert", command_convert, "one pattern or tape file to another form"},
     {"catalogue", command_catalogue, "patterns kept in a file, to be found again"},

@@ -3,6 +3,7 @@
  */
 #include "picture.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -148,6 +149,21 @@ int film_shoot(film *f, const garment *g, const char *path)
     }
     render_error error;
     if (draw(f, meshes, count, path, &error) == 0) return EXIT_DONE;
+    return complain(EXIT_FAILED, f->s->command, "%s", error.text);
+}
+
+
+int film_tile(film *f, const garment *g, int32_t width, int32_t height, unsigned char *rgba)
+{
+    static const render_camera front = {20.0, 4.0, 1.1, NAN};
+    render_mesh meshes[2];
+    render_error error;
+    int32_t count = 0;
+    if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
+    mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
+    const render_scene dressed = {count, meshes, 1, f->box};
+    if (render_load(f->r, &dressed, &error) == 0 && render_draw(f->r, &front, width, height, rgba, &error) == 0)
+        return EXIT_DONE;
     return complain(EXIT_FAILED, f->s->command, "%s", error.text);
 }
 

@@ -41,6 +41,8 @@ typedef struct film {
 /* Returns an exit code; close it whatever it was. */
 int film_open(film *f, const scene *s, const look *l, const double *box);
 int film_shoot(film *f, const garment *g, const char *path);
+/* Draw one view of the front, a little from the wearer's left, into `rgba` (height x width x 4). */
+int film_tile(film *f, const garment *g, int32_t width, int32_t height, unsigned char *rgba);
 void film_close(film *f);
 
 #endif

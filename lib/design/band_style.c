@@ -18,6 +18,9 @@
 #include "design/lower.h"
 
 #define BAND_FACING (5.0 * MUS__CM)
+#define BAND_SETTLES (1.0 * MUS__CM) /* what a waist may sink before it is held */
+#define BAND_ELASTIC_RATIO 0.9
+#define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
 
 typedef struct band_plan {
     double height;
@@ -101,6 +104,18 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
 }
 
 
+/* the edge at `level` is held up; the elastic is in it */
+static void band_stay(mus__half *half, int32_t side, double level)
+{
+    mus__edge_stay *stay = &half->board.side[side].stay;
+    stay->hold = MUS_HOLD_WAIST;
+    stay->below = BAND_SETTLES - level;
+    if (half->style.option[MUS__AXIS_BAND] != MUS__BAND_ELASTIC) return;
+    stay->ratio = BAND_ELASTIC_RATIO;
+    stay->stiffness = BAND_ELASTIC_STIFFNESS;
+}
+
+
 /* the lower edge of a facing, as a mark on the pieces: below the waist by its depth */
 static void band_facing_mark(mus__half *half, int32_t n, const int32_t *waist)
 {
@@ -138,6 +153,7 @@ void mus__band_attach(mus__half *half)
     band_plan plan;
     band_plan_make(half, full, band_joint(half, n, waist, 0.5), &plan);
     if (!(plan.height > 0.0)) {
+        for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], mus__lower_level(half));
         band_facing_mark(half, n, waist);
         return;
     }
@@ -151,4 +167,8 @@ void mus__band_attach(mus__half *half)
     }
     const int32_t low[2] = {mus__board_find(board, front, "low"), mus__board_find(board, back, "low")};
     mus__board_sew(board, 2, low, n, waist);
+    if (board->status != MUS_OK) return;
+    const double level = mus__lower_level(half) + plan.height;
+    band_stay(half, mus__board_find(board, front, "top"), level);
+    band_stay(half, mus__board_find(board, back, "top"), level);
 }

@@ -5,8 +5,12 @@
  *         .`|`.        It is cut in four sectors with seams at the centres and the sides; a sector is drawn about its
  *      r ´  |  `       own middle line, the waist at its lowest point at y = 0. Where the hem falls from front to back
  *       (---0---)      (hi-low), its radius goes with the cosine of the way round, drawn as cubics through points and
- *   L  /         \     tangents. Sectors stand as a cone does, tilted out by asin f, but not so far that they would
- *     (___________)    start in the hands. Source: drafting.md section 3.5.
+ *   L  /         \     (hi-low), its radius goes with the cosine of the way round, drawn as cubics through points and
+ *     (___________)    tangents.
+ *
+ * Sectors stand as a cone does, tilted out by asin f, but no flatter than lets the hands be above it; what is then too
+ * wide for a quarter of the way round is rolled about the middle line until its hem's corners meet the next one's.
+ * Source: drafting.md section 3.5.
  */
 #include <math.h>
 #include <string.h>
@@ -14,7 +18,7 @@
 #include "design/lower.h"
 #include "geom/vec.h"
 
-#define ROUND_STEEPEST 1.08 /* tilt from the vertical [rad]: below the hands of arms that hang at 40 degrees */
+#define ROUND_TILT 0.785 /* from the vertical [rad]: below the hands of arms that hang at 40 degrees */
 #define ROUND_HEM_PIECES 2
 
 typedef struct round_plan {
@@ -84,6 +88,26 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
 }
 
 
+/* a cone that leans out, its waist off the body. The corner (x, y) of the hem, rolled by bend b, is at b sin(x/b) along
+ * the way round and, with the drop d = b (1 - cos(x/b)), at off - y sin tilt - d cos tilt outwards: no further round
+ * than outwards, since four sectors share the way round */
+static void round_place(mus__half *half, const round_plan *plan, int32_t panel, bool front, const double *corner)
+{
+    const double around = (front ? 0.25 : 0.75) * MUS_PI, tilt = fmin(asin(plan->part), ROUND_TILT);
+    const double off = 0.05 + half->measures.v[MUS_MEASURE_WAIST] / (2.0 * MUS_PI);
+    const double origin[3] = {off * sin(around), half->waist_level + mus__lower_level(half), off * cos(around)};
+    const double x = fabs(corner[0]);
+    double bend = 0.0;
+    for (int i = 0; i < 40; i++) {
+        const double along = bend > 0.0 ? bend * sin(x / bend) : x;
+        const double drop = bend > 0.0 ? bend * (1.0 - cos(x / bend)) : 0.0;
+        if (along <= off - corner[1] * sin(tilt) - drop * cos(tilt)) break;
+        bend = bend > 0.0 ? 0.95 * bend : 2.0 * x;
+    }
+    mus__lower_place(half, panel, around, tilt, origin, bend);
+}
+
+
 /* one sector: hem, outer edge up, waist, inner edge down; outer is the side seam */
 static int32_t round_draw(mus__half *half, const round_plan *plan, bool front)
 {
@@ -103,12 +127,7 @@ static int32_t round_draw(mus__half *half, const round_plan *plan, bool front)
     mus__sketch_line(&sketch, "centre", "centre", 1.0 * MUS__CM, b, hem.xy);
     const int32_t panel = mus__sketch_panel(half, &sketch, front ? "skirt_front" : "skirt_back", "skirt", !front);
     mus__lower_centre(half, panel, "centre", MUS__CENTRE_SEAM);
-
-    /* a cone that leans out, its waist off the body */
-    const double around = (front ? 0.25 : 0.75) * MUS_PI;
-    const double off = 0.05 + half->measures.v[MUS_MEASURE_WAIST] / (2.0 * MUS_PI);
-    const double origin[3] = {off * sin(around), half->waist_level + mus__lower_level(half), off * cos(around)};
-    mus__lower_place(half, panel, around, fmin(asin(plan->part), ROUND_STEEPEST), origin, 0.0);
+    round_place(half, plan, panel, front, hem.xy);
     return panel;
 }
 

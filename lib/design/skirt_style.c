@@ -132,24 +132,24 @@ void mus__skirt_straight(mus__half *half)
 }
 
 
-/* what laps over from the left front to the right one, from the end of the centre seam down: its edge runs from nothing
- * there out to `width` at the hem, and for a hem that falls ends above it. It is cut once */
+/* what laps over from the left front to the right one, from the end of the centre seam down: a sector about that end,
+ * so that it hangs no lower than the hem; one for a hem that falls is shorter at its edge. It is cut once */
 static void skirt_lap(mus__half *half, int32_t front, double top, double bottom, double width)
 {
-    const bool falls = half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW;
-    const double height = top - bottom, end = falls ? bottom + 0.35 * height : bottom;
-    const double a[2] = {0.0, bottom}, b[2] = {0.0, top}, c[2] = {-width, end};
-    double edge[8], low[8];
+    const double height = top - bottom, angle = fmin(width / height, 0.6);
+    const double reach = height * (half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW ? 0.7 : 1.0);
+    const double a[2] = {0.0, bottom}, b[2] = {0.0, top}, c[2] = {-reach * sin(angle), top - reach * cos(angle)};
+    const double handle = angle / 3.0;
+    double low[8];
     mus__chain chain;
     mus__sketch sketch;
     mus__sketch_begin(&sketch);
-    mus__cubic_set(low, c, c[0] + 0.3 * width, end - (falls ? 0.5 : 0.0) * (end - bottom), -0.35 * width, bottom, a);
+    mus__cubic_set(low, c, c[0] + handle * reach * cos(angle), c[1] - handle * reach * sin(angle), -handle * height,
+                   bottom, a);
     mus__chain_cubic(&chain, low);
     mus__sketch_add(&sketch, "hem", "hem", SKIRT_ALLOWANCE, &chain);
     mus__sketch_line(&sketch, "join", "centre", SKIRT_ALLOWANCE, a, b);
-    mus__cubic_set(edge, b, -0.45 * width, top - 0.25 * height, -width, end + 0.45 * (top - end), c);
-    mus__chain_cubic(&chain, edge);
-    mus__sketch_add(&sketch, "edge", "hem", SKIRT_ALLOWANCE, &chain);
+    mus__sketch_line(&sketch, "edge", "hem", SKIRT_ALLOWANCE, b, c);
     const int32_t lap = mus__sketch_panel(half, &sketch, "skirt_lap", "skirt", false);
     if (half->board.status != MUS_OK) return;
     half->board.panel[lap].single = 1;

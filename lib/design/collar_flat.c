@@ -154,25 +154,21 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 }
 
 
-/* before the body is sewn the collar lies above the shoulders, round the neck, its sides bent down, its front lower */
-static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
+/* before the body is sewn the collar lies round the neck above the highest of the body's panels, so that none comes
+ * through it: it falls on to the shoulders from above. A short one would stand as well as lie, since its cone has two
+ * ways round: by `tilt` it starts with its back and its sides turned down */
+static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel, double tilt)
 {
     mus__board *board = &half->board;
     if (board->status != MUS_OK) return;
     const double radius = fmax(half->measures.v[MUS_MEASURE_NECK] / (2.0 * MUS_PI), 0.3 * neck->length);
-    const double tilt = 0.35, c = cos(tilt), s = sin(tilt);
-    const double ey[3] = {0.0, -s, c}, en[3] = {0.0, -c, -s};
+    const double c = cos(tilt), s = sin(tilt), turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
     mus_placement *place = &board->panel[panel].placement;
-    for (int32_t i = 0; i < 3; i++) {
-        place->rotation[3 * i] = i == 0 ? 1.0 : 0.0;
-        place->rotation[3 * i + 1] = ey[i];
-        place->rotation[3 * i + 2] = en[i];
-    }
-    place->origin[0] = 0.0;
-    place->origin[1] = half->skeleton.nape + 3.5 * MUS__CM;
+    mus_placement_init(place, sizeof *place);
+    memcpy(place->rotation, turn, sizeof turn);
+    place->origin[1] = half->skeleton.nape + (tilt > 0.0 ? 7.0 : 4.0) * MUS__CM;
     place->origin[2] = half->skeleton.shoulder_z - radius;
-    place->bend = -2.2 * radius;
-    place->bend_x = 0.0;
+    place->bend = tilt > 0.0 ? -2.2 * radius : 0.0;
 }
 
 
@@ -185,8 +181,8 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
         over != MUS_NONE ? board->side[neck->rim.over[over]].length : half->measures.v[MUS_MEASURE_SHOULDER];
     const double front = neck->length - neck->shoulder;
 
-    /* overlap of the shoulder points: 2 cm, a shawl 4, a sailor's collar lies quite flat */
-    const double overlap = style == MUS__COLLAR_SAILOR ? 0.0 : (style == MUS__COLLAR_SHAWL ? 4.0 : 2.0) * k * MUS__CM;
+    /* overlap of the shoulder points: 2 cm, a shawl 1, a sailor's collar lies quite flat */
+    const double overlap = style == MUS__COLLAR_SAILOR ? 0.0 : (style == MUS__COLLAR_SHAWL ? 1.0 : 2.0) * k * MUS__CM;
     flat_collar flat = {.style = style};
     const double angle = 2.0 * asin(fmin(0.5, 0.5 * overlap / shoulder));
     flat_neck(board, neck, angle, fmin(4.0 * k * MUS__CM, 0.9 * neck->shoulder), &flat);
@@ -221,5 +217,5 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
     board->side[cb].centre = neck->back_open ? MUS__CENTRE_OPEN : MUS__CENTRE_FOLD;
     mus__board_sew(board, 2, neck_sides, neck->rim.n, neck->rim.side);
-    flat_place(half, neck, panel);
+    flat_place(half, neck, panel, style == MUS__COLLAR_PETER_PAN ? 0.4 : 0.0);
 }

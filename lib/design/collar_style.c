@@ -64,8 +64,8 @@ static int32_t collar_band(mus__half *half, const char *name, const mus__chain *
 }
 
 
-/* a stand of `height` on the neckline; sides as those of a band */
-static int32_t collar_stand(mus__half *half, mus__neck *neck, const char *name, double height, mus__stand *stand,
+/* a stand of `height` on the neckline, which starts `above` it; sides as those of a band */
+static int32_t collar_stand(mus__half *half, mus__neck *neck, double height, double above, mus__stand *stand,
                             int32_t *sides)
 {
     mus__board *board = &half->board;
@@ -77,24 +77,24 @@ static int32_t collar_stand(mus__half *half, mus__neck *neck, const char *name, 
     mus__chain bottom, top;
     mus__chain_cubic(&bottom, stand->bottom);
     mus__chain_cubic(&top, stand->top);
-    const int32_t panel = collar_band(half, name, &bottom, &top, neck->back_open, sides);
+    const int32_t panel = collar_band(half, "collar", &bottom, &top, neck->back_open, sides);
     mus__board_sew(board, 1, sides, neck->rim.n, neck->rim.side);
-    mus__panel_place_ring(half, panel, neck->back_open, collar_girth(half, neck), collar_height(half));
+    mus__panel_place_ring(half, panel, neck->back_open, collar_girth(half, neck), collar_height(half) + above);
     return panel;
 }
 
 
-/* stand and leaf; the leaf starts turned down outside the stand */
+/* stand and leaf; the leaf starts turned down outside the stand, both so high that the body's panels pass below it */
 static void collar_shirt(mus__half *half, mus__neck *neck)
 {
     mus__board *board = &half->board;
-    const double k = mus__measures_scale(&half->measures), height = 3.0 * k * MUS__CM;
+    const double k = mus__measures_scale(&half->measures), height = 3.0 * k * MUS__CM, fall = height + 1.2 * k * MUS__CM;
     mus__stand stand;
     mus__leaf leaf;
     int32_t sides[4], leaf_sides[4];
-    collar_stand(half, neck, "collar_stand", height, &stand, sides);
+    collar_stand(half, neck, height, fall, &stand, sides);
     if (board->status != MUS_OK) return;
-    const mus__leaf_def def = {.length = stand.top_length, .fall = height + 1.2 * k * MUS__CM,
+    const mus__leaf_def def = {.length = stand.top_length, .fall = fall,
                                .point = 7.0 * k * MUS__CM, .rise = -1.0 * k * MUS__CM};
     board->status = mus__leaf_draft(half->context, &def, &leaf);
     if (board->status != MUS_OK) return;
@@ -108,7 +108,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     const int32_t panel = collar_band(half, "collar_leaf", &inner, &outer, neck->back_open, leaf_sides);
     mus__board_sew(board, 1, leaf_sides, 1, &sides[2]);
     mus__panel_place_ring(half, panel, neck->back_open, collar_girth(half, neck) + 6.0 * MUS__CM,
-                          collar_height(half) + height);
+                          collar_height(half) + fall + height);
     if (board->status != MUS_OK) return;
 
     /* about its inner edge: y and the right side the other way */
@@ -167,7 +167,7 @@ void mus__collar_attach(mus__half *half)
     neck.back_open = collar_opens(half, board->side[rim->side[0]].prev, MUS__CLOSURE_BACK);
     neck.front_open = collar_opens(half, board->side[rim->side[rim->n - 1]].next, MUS__CLOSURE_FRONT);
     switch (style) {
-    case MUS__COLLAR_MANDARIN: collar_stand(half, &neck, "collar", 3.5 * k * MUS__CM, &stand, sides); break;
+    case MUS__COLLAR_MANDARIN: collar_stand(half, &neck, 3.5 * k * MUS__CM, 0.0, &stand, sides); break;
     case MUS__COLLAR_SHIRT: collar_shirt(half, &neck); break;
     case MUS__COLLAR_TURTLENECK: collar_turtleneck(half, &neck); break;
     case MUS__COLLAR_HOOD: mus__hood_attach(half, &neck); break;

@@ -6,8 +6,8 @@
  * shoulder lines there is then a dart, which goes on over the ball of the shoulder.
  *
  *          neckB  /\  neckF                       Dolman: the sleeve is drawn on to front and back; the shoulder goes
- *                /  \                             on along the top of the arm, bent down to 35 degrees below the
- *          rag  / || \  rag                       horizontal, the underarm is lower and round.
+ *                /  \                             on along the top of the arm, bent down as the arm is held, the
+ *          rag  / || \  rag                       underarm is lower and round.
  *              /  \/  \
  *    capB_low /  dart  \ capF_low
  *             |________|
@@ -400,15 +400,16 @@ static void dolman_read(const mus__half *garment, const mus__rim *arm, dolman_ha
 }
 
 
-/* both halves drafted with the arm at 35 degrees below the horizontal, or flatter until the underarm is high enough for
- * the side seam: how far the side comes down; NaN: the seam is too short */
+/* both halves drafted along the arm as it is held, or flatter until the underarm is high enough for the side seam: how
+ * far the side comes down; NaN: the seam is too short */
 static double dolman_fit(const mus__half *garment, const mus__sleeve_plan *plan, dolman_half *dolman, double *bent)
 {
     const mus__board *board = &garment->board;
     const double room = 0.8 * fmin(board->side[dolman[0].side].length, board->side[dolman[1].side].length);
-    for (double angle = 35.0; angle >= 15.0; angle -= 5.0) {
+    const double arm = garment->measures.v[MUS_MEASURE_ARM_ANGLE];
+    for (double angle = arm - 2.0 * MUS__DEGREE; angle > arm - 30.0 * MUS__DEGREE; angle -= 4.0 * MUS__DEGREE) {
         double drop = 0.0;
-        *bent = angle * MUS__DEGREE - 0.5 * (dolman[0].slope + dolman[1].slope);
+        *bent = angle - 0.5 * (dolman[0].slope + dolman[1].slope);
         for (int32_t i = 0; i < 2; i++) {
             dolman_draft(garment, plan, dolman[i].slope + *bent, &dolman[i]);
             drop += 0.5 * dolman_drop(garment, &dolman[i]);

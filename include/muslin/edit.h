@@ -169,8 +169,9 @@ MUS_API mus_status mus_pattern_move_control(mus_pattern *pattern, int32_t edge, 
 MUS_API mus_status mus_pattern_redraw_edge(mus_pattern *pattern, int32_t edge, int32_t npiece, const int32_t *kinds,
                                            int32_t nxy, const double *xy);
 
-/** Round the corners between the pieces of an edge, from the middle of one piece to the middle of the next. */
-MUS_API mus_status mus_pattern_fair_edge(mus_pattern *pattern, int32_t edge);
+/** Draw an edge with corners again as one smooth line, as few cubics as stay `within` [m] of it: its ends and tangents
+ * there are kept, its seam takes the difference as ease. Errors: MUS_ERR_ARG (within not in 1e-6 to 1). */
+MUS_API mus_status mus_pattern_fair_edge(mus_pattern *pattern, int32_t edge, double within);
 
 /** Put a point into an edge at s; what it is sewn to is divided too. The part before it (along the outline) keeps the
  * name, *out (may be NULL) is the other, called `name`, or if that is NULL by the old name with a number. */

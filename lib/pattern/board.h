@@ -305,8 +305,11 @@ void mus__board_lengthen(mus__board *board, int32_t panel, const double *point, 
 void mus__board_redraw(mus__board *board, int32_t side, int32_t npiece, const int32_t *kinds, int32_t nxy,
                        const double *xy);
 
-/* corners between the pieces of a side rounded from the middle of one piece to the middle of the next (of two lines a
- * parabola that touches both): what a curved ruler makes of a slashed hem. Its ends and tangents there stay */
-void mus__board_fair(mus__board *board, int32_t side);
+/* ---- board_fair.c ---- */
+
+/* a side drawn again as one smooth line: as few cubics as stay `within` [m] of what it is, its ends and its tangents
+ * there kept; what a curved ruler makes of a slashed hem or of a neck whose darts were released. A side without corners
+ * stays as it is. Its seam's ease follows its length */
+void mus__board_fair(mus__board *board, int32_t side, double within);
 
 #endif

@@ -130,8 +130,9 @@ static int32_t dart_line_after(mus__board *board, int32_t side, const char *name
 }
 
 
-/* legs of a new dart between two sides whose ends are its mouth, sewn; gives back the leg from the mouth */
-static int32_t dart_legs(mus__board *board, int32_t before, const double *point, const char *name)
+/* legs of a new dart between two sides whose ends are its mouth, sewn, which is cut `allowance` beside them; gives back
+ * the leg from the mouth */
+static int32_t dart_legs(mus__board *board, int32_t before, const double *point, const char *name, double allowance)
 {
     if (board->status != MUS_OK) return MUS_NONE;
     char names[2][MUS__NAME_BYTES];
@@ -141,6 +142,8 @@ static int32_t dart_legs(mus__board *board, int32_t before, const double *point,
     int32_t leg = dart_line_after(board, before, names[0], point);
     int32_t back = dart_line_after(board, leg, names[1], mouth);
     mus__board_seam_add(board, leg, back, MUS_SEAM_REVERSED, 0.0);
+    if (board->status != MUS_OK) return MUS_NONE;
+    board->side[leg].allowance = board->side[back].allowance = allowance;
     return leg;
 }
 
@@ -167,7 +170,10 @@ static bool dart_were_one(const mus__board *board, int32_t side)
     mus__board_at(board, side, a->length, u, v);
     double before[2] = {v[0], v[1]};
     mus__board_at(board, a->next, 0.0, u, v);
-    return alike && allowance && a->centre == b->centre && before[0] * v[0] + before[1] * v[1] > DART_CORNER;
+    const mus__edge_stay *x = &a->stay, *y = &b->stay;
+    const bool stays =
+        x->hold == y->hold && x->below == y->below && x->ratio == y->ratio && x->stiffness == y->stiffness;
+    return alike && allowance && stays && a->centre == b->centre && before[0] * v[0] + before[1] * v[1] > DART_CORNER;
 }
 
 
@@ -312,7 +318,7 @@ int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, d
     if (made != MUS_NONE)
         mus__board_part_move_end(board, made, true, dart.point);
     else
-        made = dart_legs(board, cut.p1, dart.point, board->side[target].name);
+        made = dart_legs(board, cut.p1, dart.point, board->side[target].name, board->side[leg].allowance);
     if (board->status == MUS_OK && made == cut.other) mus__board_follow(board, made, board->side[made].next);
     if (fraction == 1.0) dart_mouth_close(board, dart_remove(board, &dart));
     return board->status == MUS_OK ? made : MUS_NONE;
@@ -379,7 +385,7 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     }
     mus__board_part_move_end(board, side, true, a);
     mus__board_part_move_end(board, after, false, b);
-    return board->status == MUS_OK ? dart_legs(board, side, point, board->side[side].name) : MUS_NONE;
+    return board->status == MUS_OK ? dart_legs(board, side, point, board->side[side].name, 0.0) : MUS_NONE;
 }
 
 

@@ -1,5 +1,5 @@
 /*
- * board_spread.c: fullness and length: slash and spread, lengthen and shorten, draw a side again, make it fair.
+ * board_spread.c: fullness and length: slash and spread, lengthen and shorten, draw a side again.
  *
  * Slash P-Q of length L, opened by w0 at P and w1 at Q: the part to the right of P-Q (the word runs counter-clockwise)
  * is turned about P by d, 2 sin(d / 2) = (w1 - w0) / L, clockwise, and P goes to P'' at distance w0, square to the
@@ -21,8 +21,6 @@
 #define SPREAD_HINGE 1e-9
 /* a slash this near to an end of a side [m] leaves that side whole */
 #define SPREAD_END 1e-6
-/* tangent of the angle at which two pieces meet in a corner that fairing rounds: half a degree, which no eye sees */
-#define SPREAD_CORNER 0.0087
 
 /* a place of the outline that opens: before the side `after`, which may be a part of another for a while */
 typedef struct spread_joint {
@@ -297,85 +295,4 @@ void mus__board_redraw(mus__board *board, int32_t side, int32_t npiece, const in
     if (meets[0] != start[0] || meets[1] != start[1]) mus__board_part_move_end(board, prev, true, start);
     meets = mus__board_start(board, next);
     if (meets[0] != end[0] || meets[1] != end[1]) mus__board_part_move_end(board, next, false, end);
-}
-
-
-/* ---- a side made fair ---- */
-
-/* a chain that grows piece by piece */
-typedef struct spread_pen {
-    int32_t npiece, nxy;
-    int32_t *kinds;
-    double *xy;
-} spread_pen;
-
-
-static void spread_draw(spread_pen *pen, int32_t kind, const double *p)
-{
-    int32_t n = mus__curve_points(kind);
-    pen->kinds[pen->npiece++] = kind;
-    memcpy(pen->xy + 2 * (size_t)(pen->nxy - 1), p, 2 * (size_t)n * sizeof *p);
-    pen->nxy += n - 1;
-}
-
-
-/* is there a corner where piece p (of kind a) ends and q starts? */
-static bool spread_corner(int32_t a, const double *p, int32_t b, const double *q)
-{
-    double u[2], v[2];
-    mus__curve_tangent(a, p, 1.0, u);
-    mus__curve_tangent(b, q, 0.0, v);
-    return fabs(u[0] * v[1] - u[1] * v[0]) > SPREAD_CORNER * (u[0] * v[0] + u[1] * v[1]);
-}
-
-
-/* from the middle of p to the middle of q, along both there: of two lines the parabola that their corner controls */
-static void spread_round(int32_t a, const double *p, int32_t b, const double *q, double *out)
-{
-    double u[2], v[2];
-    mus__curve_at(a, p, 0.5, out);
-    mus__curve_at(b, q, 0.5, out + 6);
-    mus__curve_tangent(a, p, 0.5, u);
-    mus__curve_tangent(b, q, 0.5, v);
-    for (int k = 0; k < 2; k++) out[2 + k] = out[k] + u[k] / 3.0, out[4 + k] = out[6 + k] - v[k] / 3.0;
-}
-
-
-void mus__board_fair(mus__board *board, int32_t side)
-{
-    if (!mus__board_has_side(board, side)) return;
-    const mus__board_chain *chain = &board->side[side].chain;
-    const double *p = chain->xy;
-    double before = board->side[side].length, left[8], right[8], round[8];
-    int64_t most = 3 * (int64_t)chain->npiece;
-    double *block = mus__new(board->context, 8 * most + most, sizeof *block);
-    if (block == NULL) {
-        mus__board_fail(board, MUS_ERR_MEMORY, "no memory for a side");
-        return;
-    }
-
-    /* the half of a piece on the side of a corner gives way to the curve round that corner */
-    spread_pen pen = {0, 1, (int32_t *)(void *)(block + 8 * most), block};
-    bool met = false;
-    for (int32_t i = 0; i < chain->npiece; i++) {
-        const int32_t kind = chain->kinds[i];
-        const double *q = p + 2 * (mus__curve_points(kind) - 1);
-        bool corner = i + 1 < chain->npiece && spread_corner(kind, p, chain->kinds[i + 1], q);
-        mus__curve_split(kind, p, 0.5, left, right);
-        if (!met && !corner)
-            spread_draw(&pen, kind, p);
-        else if (!met || !corner)
-            spread_draw(&pen, kind, met ? right : left);
-        if (corner) {
-            spread_round(kind, p, chain->kinds[i + 1], q, round);
-            spread_draw(&pen, MUS__CUBIC, round);
-        }
-        met = corner;
-        p = q;
-    }
-    memcpy(pen.xy, chain->xy, 2 * sizeof *p);
-    memcpy(pen.xy + 2 * (size_t)(pen.nxy - 1), p, 2 * sizeof *p);
-    mus__board_redraw(board, side, pen.npiece, pen.kinds, pen.nxy, pen.xy);
-    mus__free(board->context, block);
-    if (board->status == MUS_OK) mus__board_part_ease(board, side, board->side[side].length - before);
 }

@@ -142,12 +142,12 @@ mus_status mus_pattern_redraw_edge(mus_pattern *pattern, int32_t edge, int32_t n
 }
 
 
-mus_status mus_pattern_fair_edge(mus_pattern *pattern, int32_t edge)
+mus_status mus_pattern_fair_edge(mus_pattern *pattern, int32_t edge, double within)
 {
     mus__editing e;
     mus_status status = mus__edit_begin(&e, pattern);
     if (status != MUS_OK) return status;
-    mus__board_fair(&e.board, mus__edit_side(&e, edge));
+    mus__board_fair(&e.board, mus__edit_side(&e, edge), within);
     return mus__edit_end(&e, 0, NULL, NULL);
 }
 

@@ -11,6 +11,8 @@
 #include "pattern/editing.h"
 
 #define FLARE_MOST 64
+#define FLARE_WITHIN                                                                                                   \
+    0.008 /* [m]: a hem is drawn by eye; a slash a hand's breadth from the next leaves corners of 5 mm */
 
 
 mus_status mus_pattern_spread(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b, double w_a,
@@ -42,7 +44,7 @@ mus_status mus_pattern_flare(mus_pattern *pattern, int32_t hem, int32_t hinge, i
             const double t = (double)(i + 1) / (n + 1);
             mus__board_spread(board, a, t * along, b, (1.0 - t) * hinged, amount / n, 0.0);
         }
-        mus__board_fair(board, a);
+        mus__board_fair(board, a, FLARE_WITHIN);
     }
     return mus__edit_end(&e, 0, NULL, NULL);
 }

@@ -133,10 +133,16 @@ static mus_status refuse_split_edge(const edit_case *c, int32_t k, double bad)
 }
 
 
+static mus_status refuse_fair_edge(const edit_case *c, int32_t k, double bad)
+{
+    return k >= 1 ? MUS_NONE : mus_pattern_fair_edge(c->pattern, c->cf, bad);
+}
+
+
 static const edit_call edit_calls[] = {refuse_add_dart,     refuse_rotate_dart, refuse_split_dart, refuse_shorten_dart,
                                        refuse_dart_to_seam, refuse_separate,    refuse_add_facing, refuse_spread,
                                        refuse_flare,        refuse_pleat,       refuse_lengthen,   refuse_move_point,
-                                       refuse_move_control, refuse_redraw_edge, refuse_split_edge};
+                                       refuse_move_control, refuse_redraw_edge, refuse_split_edge, refuse_fair_edge};
 
 
 START_TEST(no_edit_takes_a_number_that_is_not_finite)
@@ -165,7 +171,7 @@ START_TEST(no_edit_takes_a_number_that_is_not_finite)
             }
         }
     }
-    ck_assert_int_eq(tried, 3 * 46);
+    ck_assert_int_eq(tried, 3 * 47);
     mus_pattern_destroy(copy);
     mus_pattern_destroy(c.pattern);
     support_context_end(context);
@@ -214,7 +220,7 @@ START_TEST(no_edit_takes_what_is_not_there)
         ck_assert_int_eq(mus_pattern_move_point(pattern, e, 0.1, 0.1), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_move_control(pattern, e, 1, 0.1, 0.1), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_redraw_edge(pattern, e, 0, NULL, 0, NULL), MUS_ERR_ARG);
-        ck_assert_int_eq(mus_pattern_fair_edge(pattern, e), MUS_ERR_ARG);
+        ck_assert_int_eq(mus_pattern_fair_edge(pattern, e, 0.01), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_split_edge(pattern, e, 0.1, NULL, &out), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_merge_edges(pattern, e, &out), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_walk_seam(pattern, e, &walk), MUS_ERR_ARG);

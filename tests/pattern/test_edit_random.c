@@ -162,7 +162,7 @@ static mus_status edit_random(mus_pattern *pattern, uint64_t *state, int32_t kin
         return mus_pattern_true_seam(pattern, seam, def.edge_a, (int32_t)(support_random(state) % 2));
     case EDIT_TO_SEAM:
         return mus_pattern_dart_to_seam(pattern, leg, e[0], s[0], 0, NULL, 0, NULL, name, name, NULL, NULL);
-    default: return mus_pattern_fair_edge(pattern, e[0]);
+    default: return mus_pattern_fair_edge(pattern, e[0], 0.004);
     }
 }
 

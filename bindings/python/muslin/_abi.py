@@ -626,7 +626,7 @@ FUNCTIONS = {
     "mus_pattern_move_control": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_double, c_double]),
     "mus_pattern_redraw_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32), c_int32,
                                                   POINTER(c_double)]),
-    "mus_pattern_fair_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_fair_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double]),
     "mus_pattern_split_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_char_p, POINTER(c_int32)]),
     "mus_pattern_merge_edges": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
     "mus_seam_walk_init": ("core", None, [POINTER(mus_seam_walk), c_size_t]),

@@ -139,9 +139,9 @@ class Edits:
     def redraw_edge(self, edge, pieces=("line",), points=()):
         self.do("redraw_edge", edge, *_chain(pieces, points))
 
-    def fair_edge(self, edge):
-        """Round the corners between the pieces of an edge."""
-        self.do("fair_edge", edge)
+    def fair_edge(self, edge, within=0.005):
+        """Draw an edge with corners again as one smooth line that stays `within` [m] of it."""
+        self.do("fair_edge", edge, within)
 
     def split_edge(self, edge, s, name=None):
         return self._made("split_edge", edge, s, text(name))

@@ -20,7 +20,7 @@
 #include "geom/vec.h"
 
 /* the legs keep this far from the middle plane [m] */
-#define LEG_WALL 0.002
+#define LEG_WALL 0.004
 
 
 static mus__contour *limb_add(mus__limb *limb, const char *name, double s, double girth, double ratio, double n)

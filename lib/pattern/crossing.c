@@ -21,6 +21,13 @@ typedef struct crossing_segment {
 } crossing_segment;
 
 
+/* a segment in the order of the sweep */
+typedef struct crossing_place {
+    double left;
+    int32_t segment;
+} crossing_place;
+
+
 static double crossing_left(const crossing_segment *s)
 {
     return s->a[0] < s->b[0] ? s->a[0] : s->b[0];
@@ -34,38 +41,56 @@ static double crossing_right(const crossing_segment *s)
 
 
 /* left end, then index of the chord, so that the order is one whatever the sort does */
-static bool crossing_before(const crossing_segment *s, const crossing_segment *t)
+static bool crossing_before(const crossing_segment *s, const crossing_place *x, const crossing_place *y)
 {
-    double x = crossing_left(s), y = crossing_left(t);
-    return x != y ? x < y : s->corner_b != t->corner_b ? s->corner_b < t->corner_b : s->corner_a < t->corner_a;
+    if (x->left != y->left) return x->left < y->left;
+    const crossing_segment *p = &s[x->segment], *q = &s[y->segment];
+    return p->corner_b != q->corner_b ? p->corner_b < q->corner_b : p->corner_a < q->corner_a;
 }
 
 
-/* heap sort: no memory, n log n on any input */
-static void crossing_sort(crossing_segment *s, int32_t n)
+/* where the run that begins at `from` ends: each place of it is before the next */
+static int32_t crossing_run(const crossing_segment *s, const crossing_place *place, int32_t from, int32_t n)
 {
-    int32_t start = n / 2, end = n;
-    while (end > 1) {
-        if (start > 0) {
-            start--;
-        } else {
-            end--;
-            crossing_segment last = s[end];
-            s[end] = s[0];
-            s[0] = last;
-        }
+    int32_t end = from + 1;
+    while (end < n && !crossing_before(s, &place[end], &place[end - 1])) end++;
+    return end;
+}
 
-        /* sift down */
-        crossing_segment item = s[start];
-        int32_t at = start;
-        for (int32_t child = 2 * at + 1; child < end; child = 2 * at + 1) {
-            if (child + 1 < end && crossing_before(&s[child], &s[child + 1])) child++;
-            if (!crossing_before(&item, &s[child])) break;
-            s[at] = s[child];
-            at = child;
+
+/* runs that go the wrong way are turned round: where an outline comes back, all chords are one */
+static void crossing_turn(const crossing_segment *s, crossing_place *place, int32_t n)
+{
+    for (int32_t from = 0, end; from < n; from = end) {
+        end = from + 1;
+        while (end < n && crossing_before(s, &place[end], &place[end - 1])) end++;
+        for (int32_t i = from, j = end - 1; i < j; i++, j--) {
+            const crossing_place swap = place[i];
+            place[i] = place[j];
+            place[j] = swap;
         }
-        s[at] = item;
     }
+}
+
+
+/* natural merge sort, n log(runs): an outline goes to and fro in x a few times only. spare (n); where the sorted
+ * places are, one of the two */
+static crossing_place *crossing_sort(const crossing_segment *s, crossing_place *place, crossing_place *spare, int32_t n)
+{
+    crossing_turn(s, place, n);
+    while (n > 0 && crossing_run(s, place, 0, n) < n) {
+        for (int32_t from = 0, at = 0; from < n; from = at) {
+            const int32_t half = crossing_run(s, place, from, n);
+            const int32_t end = half < n ? crossing_run(s, place, half, n) : n;
+            for (int32_t i = from, j = half; at < end; at++)
+                spare[at] =
+                    j >= end || (i < half && !crossing_before(s, &place[j], &place[i])) ? place[i++] : place[j++];
+        }
+        crossing_place *swap = place;
+        place = spare;
+        spare = swap;
+    }
+    return place;
 }
 
 
@@ -140,10 +165,11 @@ mus_status mus__panel_crosses(const mus_pattern *pattern, int32_t panel, bool *c
     for (int32_t k = 0; k < n; k++) room += (int64_t)pattern->edge[own->outline[k]].npiece * CROSSING_CHORDS;
     if (room > INT32_MAX - n) return mus__fail(context, MUS_ERR_LIMIT, "panel %s: its outline is too long", own->name);
 
-    crossing_segment *segment = mus__new(context, room, sizeof *segment);
+    crossing_segment *segment = mus__room(context, room, sizeof *segment);
+    crossing_place *order = mus__room(context, 2 * room, sizeof *order);
     int32_t *corner = mus__new(context, 2 * (int64_t)n + pattern->nedge, sizeof *corner);
     mus_status status = MUS_OK;
-    if (segment == NULL || corner == NULL) {
+    if (segment == NULL || order == NULL || corner == NULL) {
         status = mus__fail_memory(context, "the check of an outline");
         goto done;
     }
@@ -159,11 +185,12 @@ mus_status mus__panel_crosses(const mus_pattern *pattern, int32_t panel, bool *c
                                   segment + count);
     }
 
-    crossing_sort(segment, count);
+    for (int32_t i = 0; i < count; i++) order[i] = (crossing_place){crossing_left(&segment[i]), i};
+    const crossing_place *sorted = crossing_sort(segment, order, order + room, count);
     for (int32_t i = 0; i < count && !*crosses; i++) {
-        const crossing_segment *s = &segment[i];
-        for (int32_t j = i + 1; j < count && crossing_left(&segment[j]) <= crossing_right(s); j++) {
-            const crossing_segment *t = &segment[j];
+        const crossing_segment *s = &segment[sorted[i].segment];
+        for (int32_t j = i + 1; j < count && sorted[j].left <= crossing_right(s); j++) {
+            const crossing_segment *t = &segment[sorted[j].segment];
             bool neighbours = s->corner_a == t->corner_a || s->corner_a == t->corner_b || s->corner_b == t->corner_a ||
                               s->corner_b == t->corner_b;
             if (neighbours || !crossing_meet(s, t)) continue;
@@ -175,6 +202,7 @@ mus_status mus__panel_crosses(const mus_pattern *pattern, int32_t panel, bool *c
     }
 done:
     mus__free(context, segment);
+    mus__free(context, order);
     mus__free(context, corner);
     return status;
 }

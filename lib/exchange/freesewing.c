@@ -4,9 +4,9 @@
  * A part there is a set of named paths in millimetres, y down, of lines and cubics. Its outline is the path "seam", or,
  * where a part has none, the first visible path of fabric, lining or interfacing that is no seam allowance. A part
  * that is cut on the fold is drawn as a half: it is unfolded in the straight piece of its outline that lies on the fold
- * line. The outline runs counter-clockwise afterwards. FreeSewing does not say what is sewn to what: edges end where the
- * outline turns by more than 15 degrees and are named by the points at their ends ("hps-shoulder"); the mirrored half
- * adds "_m". Seams are the caller's.
+ * line. The outline runs counter-clockwise afterwards. FreeSewing does not say what is sewn to what: edges end where
+ * the outline turns by more than 15 degrees and are named by the points at their ends ("hps-shoulder"); the mirrored
+ * half adds "_m". Seams are the caller's.
  *
  * Snippets: notch is a single notch, bnotch a double one, on the place of the outline that is nearest; what lies off
  * the outline (buttons, buttonholes, eyelets) is a mark; logos are left out. A fold without a grain line is the grain.

@@ -332,6 +332,30 @@ START_TEST(gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
+/* X23: mus_drape_depth */
+START_TEST(the_depth_of_a_point_that_is_not_finite_is_refused)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *drape;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &drape), MUS_OK);
+    const double bad[] = {NAN, INFINITY, -INFINITY};
+    for (int k = 0; k < 9; k++) {
+        double points[6] = {0.0, 1.0, 0.0, 0.0, 1.0, 0.0}, depth[2] = {7.0, 7.0};
+        points[3 + k % 3] = bad[k / 3];
+        ck_assert_int_eq(mus_drape_depth(drape, 2, points, depth, NULL), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "point 1"));
+        ck_assert(depth[0] == 7.0 && depth[1] == 7.0);
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_cloth(void)
 {
     Suite *suite = suite_create("refused_cloth");
@@ -341,6 +365,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, a_fabric_without_weight_is_refused);
     tcase_add_test(tests, a_drape_def_that_is_not_finite_is_refused_by_name);
     tcase_add_test(tests, a_plane_that_is_not_finite_is_refused_by_name);
+    tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_refused);
     tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
     tcase_add_test(tests, gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was);

@@ -318,19 +318,22 @@ void mus__neckline_draw(mus__half *half, mus__top *top)
 }
 
 
-/* a strapless top is boned: its upper edge does not go more than 5 mm below where it is drawn */
+/* a strapless top is boned: its upper edge does not go more than 5 mm below where it is drawn. The back of a halter has
+ * an elastic in its upper edge */
 void mus__neckline_hold(mus__half *half)
 {
     mus__board *board = &half->board;
     int32_t sides[MUS__TOP_RUN];
-    if (!mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) return;
-    const int32_t n = mus__half_rim(half, "", "neck", sides, MUS__TOP_RUN);
+    const bool halter = mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_HALTER);
+    if (!halter && !mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) return;
+    const int32_t n = mus__half_rim(half, halter ? "back" : "", halter ? "armhole" : "neck", sides, MUS__TOP_RUN);
     for (int32_t i = 0; i < n && i < MUS__TOP_RUN; i++) {
         const double *start = mus__board_start(board, sides[i]), *end = mus__board_end(board, sides[i]);
         const double level = half->waist_level + fmin(start[1], end[1]);
         mus__edge_stay *stay = &board->side[sides[i]].stay;
         stay->hold = MUS_HOLD_ARMPIT;
         stay->below = fmax(0.0, half->skeleton.armpit - level) + 0.005;
+        if (halter) stay->ratio = 0.94, stay->stiffness = 60.0;
     }
 }
 

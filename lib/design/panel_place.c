@@ -2,9 +2,9 @@
  * panel_place.c: where the panels of a half garment start round the body, and the rim of what is sewn so far.
  *
  * Panels start outside the body and face outwards. Torso panels stand off by the body's depth, their sides bent
- * towards each other before and behind the arms; hips panels are bent to half a ring each; sleeves and trouser legs
- * are rolls about the limb, collars and bands rolls about an upright axis. Only the wearer's left half is placed: the
- * doubling mirrors it. A back panel has its x to the wearer's right, so x <= 0 is the left.
+ * towards each other before and behind the arms; hips panels are bent to half a ring each; sleeves are rolls about the
+ * arm, collars and bands rolls about an upright axis. Only the wearer's left half is placed: the doubling mirrors it. A
+ * back panel has its x to the wearer's right, so x <= 0 is the left.
  */
 #include <math.h>
 #include <string.h>
@@ -83,15 +83,6 @@ void mus__panel_place_arm(mus__half *half, int32_t panel, double crown_x, double
     double origin[3];
     for (int i = 0; i < 3; i++) origin[i] = joint[i] + down * axis[i] + radius * en[i] - crown_x * ex[i];
     panel_place_set(half, panel, ex, ey, en, origin, radius, crown_x);
-}
-
-
-void mus__panel_place_leg(mus__half *half, int32_t panel, bool front, double crease, double width, double height)
-{
-    /* before and behind as far off as the torso is deep; bent to a ring of 1.6 times the leg's radius */
-    const double off = panel_place_off(half), z = -0.005 * half->skeleton.crown + (front ? off : -off);
-    const double radius = 1.6 * (width / (2.0 * MUS_PI) + 0.01);
-    panel_place_upright(half, panel, front, half->skeleton.leg_x, height, z, radius, crease);
 }
 
 

@@ -146,7 +146,7 @@ void mus__top_draft(mus__half *half);
 /* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
 void mus__closure_finish(mus__half *half);
 
-/* place.c: the open sides of `label` one after the other as the rim of the sewn half runs (cloth to the left), over
+/* panel_place.c: the open sides of `label` one after the other as the rim of the sewn half runs (cloth to the left), over
  * darts and seams from panel to panel, of the panels whose names begin with `panels` ("" for all): how many; at most
  * `room` are written. So the waist of a front runs from the centre to the side, that of a back from the side to the
  * centre, and "" "armhole" is a ring that begins at the front underarm; "neck" runs from centre back to centre front */
@@ -171,13 +171,11 @@ void mus__trousers_attach(mus__half *half);
 void mus__band_attach(mus__half *half);
 void mus__pocket_attach(mus__half *half);
 
-/* ---- place.c: round the body, panels of the half (those of the other half are mirrored by the doubling) ---- */
+/* ---- panel_place.c: round the body, panels of the half (those of the other half are mirrored by the doubling) ---- */
 
 void mus__panel_place_torso(mus__half *half, int32_t panel, bool front, double width, double height);
 void mus__panel_place_hips(mus__half *half, int32_t panel, bool front, double width, double height);
 void mus__panel_place_arm(mus__half *half, int32_t panel, double crown_x, double crown_y, double width);
-/* about the left leg, y = 0 of the panel at `height`; front before, back behind; x = `crease` over the leg's middle */
-void mus__panel_place_leg(mus__half *half, int32_t panel, bool front, double crease, double width, double height);
 /* rolled about an upright axis at the height of neck or waist: a band or collar, x = 0 at centre front or back */
 void mus__panel_place_ring(mus__half *half, int32_t panel, bool front, double girth, double height);
 

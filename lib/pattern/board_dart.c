@@ -307,6 +307,9 @@ int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, d
         mus__board_fail(board, MUS_ERR_ARG,
                         "dart at %s of panel %s: its legs reach %g m and %g m, they may differ by %g m", title, name, a,
                         b, DART_LEGS);
+    else if (mus__board_partner(board, board->side[leg].prev) == board->side[dart.back].next)
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it is the inner part of one that goes on to %s",
+                        title, name, board->side[board->side[leg].prev].name);
     if (board->status != MUS_OK || !dart_cut_at(board, &dart, target, s, &cut)) return MUS_NONE;
 
     bool still = dart_run_has(board, cut.p0, cut.p1, keep);

@@ -361,7 +361,7 @@ void mus__board_merge(mus__board *board, int32_t side)
     }
     for (int32_t i = 0; i < m.nseam; i++) {
         mus__board_seam *seam = &board->seam[m.seam[i][0]], *other = &board->seam[m.seam[i][1]];
-        seam->ease += other->ease;
+        seam->ease += sew_stays(&m, seam->a) == sew_stays(&m, other->a) ? other->ease : -other->ease;
         seam->tolerance = fmax(seam->tolerance, other->tolerance);
         seam->bridge = seam->bridge && other->bridge;
         seam->a = sew_stays(&m, seam->a);

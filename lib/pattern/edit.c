@@ -92,10 +92,15 @@ int32_t mus__edit_leg(mus__editing *e, int32_t edge)
 }
 
 
-/* the side that starts at a place: split there unless it is a corner */
+/* the side that starts at a place: split there unless it is a corner. A side that was divided since, because it is sewn
+ * to one that was, has its second part after it */
 static int32_t edit_corner(mus__board *board, int32_t side, double at)
 {
     if (board->status != MUS_OK) return MUS_NONE;
+    while (at > board->side[side].length + EDIT_CORNER) {
+        at -= board->side[side].length;
+        side = board->side[side].next;
+    }
     if (at <= EDIT_CORNER) return side;
     if (at >= board->side[side].length - EDIT_CORNER) return board->side[side].next;
     return mus__board_split(board, side, at, NULL);

@@ -88,7 +88,8 @@ static int32_t collar_stand(mus__half *half, mus__neck *neck, double height, dou
 static void collar_shirt(mus__half *half, mus__neck *neck)
 {
     mus__board *board = &half->board;
-    const double k = mus__measures_scale(&half->measures), height = 3.0 * k * MUS__CM, fall = height + 1.2 * k * MUS__CM;
+    const double k = mus__measures_scale(&half->measures), height = 3.0 * k * MUS__CM;
+    const double fall = height + 1.2 * k * MUS__CM;
     mus__stand stand;
     mus__leaf leaf;
     int32_t sides[4], leaf_sides[4];
@@ -161,9 +162,10 @@ void mus__collar_attach(mus__half *half)
     mus__rim_read(half, "neck", &neck.rim);
     if (board->status != MUS_OK) return;
     const mus__rim *rim = &neck.rim;
-    const int32_t over = mus__rim_over(board, rim, "shoulder");
+    int32_t shoulder = mus__rim_over(board, rim, "shoulder");
+    if (shoulder == MUS_NONE) shoulder = mus__rim_near(rim, 0.38, 0.15);
     neck.length = rim->s[rim->n];
-    neck.shoulder = over != MUS_NONE ? rim->s[over] : 0.4 * neck.length;
+    neck.shoulder = shoulder != MUS_NONE ? rim->s[shoulder] : 0.38 * neck.length;
     neck.back_open = collar_opens(half, board->side[rim->side[0]].prev, MUS__CLOSURE_BACK);
     neck.front_open = collar_opens(half, board->side[rim->side[rim->n - 1]].next, MUS__CLOSURE_FRONT);
     switch (style) {

@@ -110,6 +110,8 @@ void mus__rim_read(mus__half *half, const char *label, mus__rim *out);
 int32_t mus__rim_split(mus__board *board, mus__rim *rim, double s);
 /* number of the first side that is come to over a seam with `label`, or MUS_NONE */
 int32_t mus__rim_over(const mus__board *board, const mus__rim *rim, const char *label);
+/* number of the side that starts nearest to `part` of the whole length, within `off` of it, or MUS_NONE */
+int32_t mus__rim_near(const mus__rim *rim, double part, double off);
 /* arc length of the first notch of `kind` on sides first..last - 1; NaN: there is none */
 double mus__rim_notch(const mus__board *board, const mus__rim *rim, int32_t first, int32_t last, int32_t kind);
 /* at arc length s, laid flat; tangent is a unit vector */
@@ -135,7 +137,7 @@ typedef struct mus__sleeve_plan {
 
 void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out);
 
-/* ---- sleeve_recut.c: sleeves that take part of the front and back along ---- */
+/* ---- sleeve_raglan.c, sleeve_dolman.c: sleeves that take part of the front and back along ---- */
 
 void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan);
 void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan);

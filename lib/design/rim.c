@@ -104,6 +104,17 @@ int32_t mus__rim_over(const mus__board *board, const mus__rim *rim, const char *
 }
 
 
+int32_t mus__rim_near(const mus__rim *rim, double part, double off)
+{
+    int32_t best = MUS_NONE;
+    for (int32_t i = 1; i < rim->n; i++) {
+        const double d = fabs(rim->s[i] / rim->s[rim->n] - part);
+        if (d < off) best = i, off = d;
+    }
+    return best;
+}
+
+
 double mus__rim_notch(const mus__board *board, const mus__rim *rim, int32_t first, int32_t last, int32_t kind)
 {
     double s = (double)NAN;

@@ -143,12 +143,9 @@ void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
     mus__rim_read(half, "armhole", arm);
     if (board->status != MUS_OK) return;
 
-    /* the shoulder is where the front meets the back; the highest joint when no seam there is called so */
+    /* the shoulder is where the front meets the back; a yoke goes over it, with a joint there */
     out->shoulder = mus__rim_over(board, arm, "shoulder");
-    for (int32_t i = 1; i < arm->n && out->shoulder == MUS_NONE; i++) {
-        const double off = fabs(arm->s[i] / arm->s[arm->n] - 0.5);
-        if (arm->over[i] != MUS_NONE && off < 0.2) out->shoulder = i;
-    }
+    if (out->shoulder == MUS_NONE) out->shoulder = mus__rim_near(arm, 0.51, 0.1);
     if (out->shoulder == MUS_NONE || out->shoulder == 0) {
         mus__board_fail(board, MUS_ERR_DESIGN, "sleeve: the armhole has no shoulder seam to put its crown to");
         return;

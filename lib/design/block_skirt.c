@@ -121,9 +121,10 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
 
 static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bool front, mus__skirt_half *half)
 {
-    /* half widths: front 5 mm more, back 5 mm less */
-    double shift = (front ? 0.5 : -0.5) * MUS__CM;
-    double net = (def->waist + def->waist_ease) / 4.0 + shift + (front ? def->shift : -def->shift);
+    /* half widths: front 5 mm more, back 5 mm less, and what else they differ by: at waist and hip alike, so that both
+     * sides take in the same and are as long as each other */
+    double shift = front ? 0.5 * MUS__CM + def->shift : -0.5 * MUS__CM - def->shift;
+    double net = (def->waist + def->waist_ease) / 4.0 + shift;
     half->hip = skirt_hip(def) + shift;
     double side = skirt_side_in(def, half->hip - net, half);
 

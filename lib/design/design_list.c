@@ -28,6 +28,10 @@ static const struct {
     {design_own, &design_own_count},
     {mus__designs_top, &mus__designs_top_count},
     {mus__designs_knit, &mus__designs_knit_count},
+    {mus__designs_skirt, &mus__designs_skirt_count},
+    {mus__designs_trousers, &mus__designs_trousers_count},
+    {mus__designs_dress, &mus__designs_dress_count},
+    {mus__designs_suit, &mus__designs_suit_count},
 };
 
 #define DESIGN_LISTS (sizeof design_lists / sizeof design_lists[0])

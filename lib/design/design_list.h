@@ -13,7 +13,9 @@ typedef struct mus__design_row {
     int32_t groups;    /* bits of MUS_GROUP_* */
 } mus__design_row;
 
-extern const mus__design_row mus__designs_top[], mus__designs_knit[];
-extern const int32_t mus__designs_top_count, mus__designs_knit_count;
+extern const mus__design_row mus__designs_top[], mus__designs_knit[], mus__designs_skirt[], mus__designs_trousers[],
+    mus__designs_dress[], mus__designs_suit[];
+extern const int32_t mus__designs_top_count, mus__designs_knit_count, mus__designs_skirt_count,
+    mus__designs_trousers_count, mus__designs_dress_count, mus__designs_suit_count;
 
 #endif

@@ -68,8 +68,6 @@ static const struct {
     {{"yoke=yoke", "neck=halter,strapless"}, "there is no shoulder to cut it from"},
     {{"yoke=yoke", "sleeve=raglan,dolman"}, "the sleeve takes its place"},
     {{"yoke=yoke", "shape=princess_shoulder,shoulder_waist,neck_gathers"}, "it would cut what ends on the shoulder"},
-    {{"yoke=yoke", "garment=skirt", "skirt!=straight,a_line,gathered,knife,box,tiered"},
-     "the cut leaves no place for it"},
     {{"ease=loose", "neck=strapless"}, "only what is close stays up"},
     {{"ease=slim", "shape=boxy", "cloth=woven"}, "without darts a close woven top does not go on"},
     {{"garment=cape", "neck=square,boat,sweetheart,keyhole,halter,strapless,deep_v"}, "it hangs from round the neck"},

@@ -93,6 +93,7 @@ static bool note(page *p, const options *o, const char *name, const char *whom, 
     note_most(one->dart, who, &p->dart, p->dart_of, sizeof p->dart_of);
     if (one->crossings > 0 && p->crossings == 0) snprintf(p->crossing_of, sizeof p->crossing_of, "%s", who);
     p->crossings += one->crossings > 0;
+    if (o->list && one->crossings > 0) printf("  %s: panel %d meets itself\n", who, one->crossing);
     return one->seam <= 5e-4 && one->dart <= 1e-4 && one->crossings == 0;
 }
 

@@ -14,6 +14,7 @@
 #define CHORDS 12
 #define LINE 256 /* points of an edge */
 #define MOST_CHORDS 4096
+#define NOISE 1e-12 /* [m2]: 0.1 nm beside a chord of a centimetre */
 
 
 int try_group(const mus_tape *tape)
@@ -74,9 +75,17 @@ static double side_of(const double *a, const double *b, const double *p)
 }
 
 
+/* p and q lie on different sides of the line through a and b, by more than rounding */
+static bool parted(const double *a, const double *b, const double *p, const double *q)
+{
+    const double s = side_of(a, b, p), t = side_of(a, b, q);
+    return s * t < 0.0 && fabs(s) > NOISE && fabs(t) > NOISE;
+}
+
+
 static bool chords_cross(const double *a, const double *b, const double *c, const double *d)
 {
-    return side_of(a, b, c) * side_of(a, b, d) < 0.0 && side_of(c, d, a) * side_of(c, d, b) < 0.0;
+    return parted(a, b, c, d) && parted(c, d, a, b);
 }
 
 
@@ -127,7 +136,8 @@ void try_draft(mus_context *context, int design, const mus_tape *tape, design_tr
         out->panels = mus_pattern_panel_count(pattern);
         out->seams = mus_pattern_seam_count(pattern);
         look_at_seams(pattern, out);
-        for (int32_t p = 0; p < out->panels; p++) out->crossings += outline_crosses(pattern, p);
+        for (int32_t p = 0; p < out->panels; p++)
+            if (outline_crosses(pattern, p)) out->crossings++, out->crossing = p;
     }
     if (kept != NULL) *kept = pattern;
     else mus_pattern_destroy(pattern);

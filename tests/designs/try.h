@@ -18,6 +18,7 @@ typedef struct design_try {
     double seam;         /* most that a seam's lengths differ by beside its ease [m] */
     double dart;         /* most that the legs of a dart differ by [m] */
     int crossings;       /* outlines that meet themselves, as chords */
+    int crossing;        /* one of those panels */
     int panels, seams;
 } design_try;
 

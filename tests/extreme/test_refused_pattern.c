@@ -6,6 +6,32 @@
 #include "pattern/same.h"
 #include "refused.h"
 
+/* mus_design_grade_apply: any number of any rule */
+START_TEST(an_infinite_rule_of_a_grade_is_refused_with_its_panel)
+{
+    static const double bad[3] = {NAN, INFINITY, -INFINITY};
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_pattern *pattern, *out;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find("skirt_plain"), tape, NULL, &pattern), MUS_OK);
+    const int32_t n = 2 * mus_pattern_point_count(pattern);
+    for (int32_t i = 0; i < n; i++) {
+        double rules[64] = {0.0};
+        ck_assert_int_le(n, 64);
+        rules[i] = bad[i % 3];
+        ck_assert_int_eq(mus_design_grade_apply(pattern, rules, &out), MUS_ERR_ARG);
+        ck_assert_ptr_null(out);
+        ck_assert(strstr(mus_context_error(context), "front") != NULL || strstr(mus_context_error(context), "back"));
+    }
+    mus_pattern_destroy(pattern);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_pattern(void);
 
 /* one call on the sample with `bad` in place number `k`; MUS_NONE when there is no such place */
@@ -210,6 +236,7 @@ Suite *mus_suite_refused_pattern(void)
     tcase_add_loop_test(tests, a_number_that_is_not_finite_leaves_the_pattern_as_it_was, 0,
                         sizeof pattern_calls / sizeof *pattern_calls);
     tcase_add_test(tests, an_infinite_option_of_a_draft_is_refused_by_name);
+    tcase_add_test(tests, an_infinite_rule_of_a_grade_is_refused_with_its_panel);
     suite_add_tcase(suite, tests);
     return suite;
 }

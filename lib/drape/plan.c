@@ -166,6 +166,7 @@ static int held_by_node(const void *a, const void *b)
 static void fill_held(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
 {
     plan->nheld = 0;
+    plan->held_share = 1.0;
     for (int32_t i = 0; i < cloth->nhold; i++) {
         const mus__hold *hold = &cloth->hold[i];
         if (!plan->level[hold->level][hold->right].there) continue;

@@ -122,6 +122,7 @@ typedef struct mus__plan {
 
     int32_t nheld;
     mus__held *held;         /* (nheld) ascending by node */
+    double held_share;       /* of `most` that they pull with now: 1, less while sewing */
     mus__held_level level[MUS_HOLD_COUNT][2]; /* left, right; the torso's are the same twice */
 
     /* for the kernels; constants (void *) are float or double by `real` */

@@ -22,14 +22,12 @@
 #define RAMP_SECONDS 1.5
 #define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
 #define STIFF_MOST 16.0 /* times a pair's stiffness at the end: in the last millimetres that is what pulls */
+#define SEW_HOLD 0.1    /* of what held edges pull with: gravity is off, and a seam that is tight under them must close */
 #define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
 #define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
-#define LIFT_STEPS 10
+#define LIFT_STEPS 8
+#define LIFT_STEEP 0.7  /* pairs that stand one above the other have neither over nor under */
 #define LIFT_CHECKS 4   /* between searches */
-
-/* eight directions: up first, so that a strap goes over the shoulder and not round it */
-static const double lift_turns[8][2] = {{1.0, 0.0},  {0.7071, 0.7071},   {0.7071, -0.7071}, {0.0, 1.0},
-                                        {0.0, -1.0}, {-0.7071, 0.7071}, {-0.7071, -0.7071}, {-1.0, 0.0}};
 
 
 /* how late it is at time t of a budget of `all` seconds: 0 while the pull rises, 1 at the end */
@@ -65,7 +63,7 @@ static int32_t count_open(const mus__plan *plan)
 }
 
 
-/* how far from a point the body ends along a direction [m], MUS_FAR beyond what is looked at */
+/* how far from a point the body ends along a direction [m], twice as far as is looked when it does not */
 static double way_out(const mus_drape *drape, const double *from, const double *along)
 {
     for (int32_t i = 1; i <= LIFT_STEPS; i++) {
@@ -77,29 +75,27 @@ static double way_out(const mus_drape *drape, const double *from, const double *
 }
 
 
-/* from the middle of a pair that a part of the body keeps apart, the shortest way out square to the pair: lift (3) is
- * twice that, and 0 where nothing is between */
+/*
+ * From the middle of a pair that a part of the body keeps apart, the way out square to the pair, over it or under it,
+ * whichever is shorter; lift (3) is twice that, and 0 where nothing is between. Never sideways: round a leg there are
+ * two ways, and the panels, not the skin, know which is theirs.
+ */
 static void lift_pair(const mus_drape *drape, mus__pair *pair)
 {
     const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
-    double middle[3], along[3], up[3] = {0.0, 1.0, 0.0}, side[3], best = 2.0 * LIFT_STEP * LIFT_STEPS;
+    double middle[3], along[3], up[3] = {0.0, 1.0, 0.0};
     memset(pair->lift, 0, sizeof pair->lift);
     if (pair->locked) return;
     for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
     if (!(mus__norm3(along) > LIFT_FROM) || mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
     mus__unit3(along);
-    if (fabs(along[1]) > 0.9) up[0] = 1.0, up[1] = 0.0;
-    mus__cross3(along, up, side);
-    mus__unit3(side);
-    mus__cross3(side, along, up);
-    for (int32_t i = 0; i < 8; i++) {
-        double way[3];
-        for (int32_t d = 0; d < 3; d++) way[d] = lift_turns[i][0] * up[d] + lift_turns[i][1] * side[d];
-        const double far = way_out(drape, middle, way);
-        if (!(far < best)) continue;
-        best = far;
-        for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * far * way[d];
-    }
+    if (fabs(along[1]) > LIFT_STEEP) return;
+    for (int32_t d = 0; d < 3; d++) up[d] -= along[1] * along[d];
+    mus__unit3(up);
+    const double down[3] = {-up[0], -up[1], -up[2]};
+    const double above = way_out(drape, middle, up), below = way_out(drape, middle, down);
+    if (fmin(above, below) > LIFT_STEP * LIFT_STEPS) return;
+    for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * (above <= below ? above * up[d] : below * down[d]);
 }
 
 
@@ -132,6 +128,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;
+    drape->plan.held_share = SEW_HOLD;
 
     const int32_t pairs = drape->plan.npair;
     int32_t open = pairs;
@@ -153,6 +150,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
         mus__run_report(run, 1.0 - (double)open / pairs);
     }
     sim->near = NULL;
+    drape->plan.held_share = 1.0;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);

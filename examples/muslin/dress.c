@@ -23,7 +23,7 @@ typedef struct dress {
     mesh_source mesh;
     look look;
     mus_fabric fabric;
-    const char *fabric_name, *png, *glb, *obj, *report;
+    const char *fabric_name, *map, *png, *glb, *obj, *report;
     double spacing_mm, threads, precision, friction;
     bool as_json, quiet, self_contact;
     motion moved;
@@ -32,6 +32,8 @@ typedef struct dress {
     mus_body *body;
     mus_cloth *cloth;
     mus_drape *drape;
+    mus_fit *fit; /* of a garment that is sewn; may be NULL */
+    fit_map coloured;
     mus_status outcome;
     char reason[512];
     double body_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
@@ -247,6 +249,7 @@ static void describe(const dress *d, json *j)
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }
+    if (d->fit != NULL) fit_write(d->fit, j);
     if (d->moved.pose != NULL || d->moved.move != NULL) write_motion(&d->moved, j);
     write_seconds(d, j);
     json_close(j, '}');
@@ -265,6 +268,16 @@ static mus_status body_now(const dress *d, mus_body **own)
 }
 
 
+/* how what is sewn fits; without memory for it there is none to tell */
+static void look_at_fit(dress *d)
+{
+    mus_drape_report r;
+    mus_drape_report_init(&r, sizeof r);
+    if (mus_drape_report_get(d->drape, &r) == MUS_OK && r.seams_closed == r.seams)
+        if (mus_fit_create(d->drape, d->body, &d->fit) != MUS_OK) d->fit = NULL;
+}
+
+
 /* picture and meshes of what there is now */
 static int write_shapes(dress *d)
 {
@@ -274,6 +287,10 @@ static int write_shapes(dress *d)
     mus_status status = body_now(d, &own);
     if (status != MUS_OK) return scene_fail(&d->s, status);
     int code = garment_make(&d->s, &d->look, own != NULL ? own : d->body, d->cloth, d->drape, &g);
+    if (code == EXIT_DONE && d->map != NULL && d->fit != NULL) {
+        code = fit_map_make(&d->s, d->map, d->fit, &d->coloured);
+        d->look.map = &d->coloured;
+    }
     if (code == EXIT_DONE && d->glb != NULL && !d->led) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
     if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
         status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
@@ -282,6 +299,8 @@ static int write_shapes(dress *d)
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
     d->render_seconds = seconds() - start;
     garment_free(&g);
+    fit_map_free(&d->coloured);
+    d->look.map = NULL;
     mus_body_destroy(own);
     return code;
 }
@@ -350,6 +369,7 @@ static int read_options(dress *d, int argc, char **argv)
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
+        {"--map", OPTION_TEXT, &d->map, 0, 0, "NAME  colours of the cloth by strain, pressure or ease"},
         {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
         {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
         {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0, "NAME  into a pose (muslin body --poses lists them)"},
@@ -395,6 +415,7 @@ int command_dress(int argc, char **argv)
     code = scene_open(&d->s, "dress");
     if (code == EXIT_DONE) code = find_fabric(d);
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
+    if (code == EXIT_DONE) code = fit_map_check(&d->s, d->map);
     if (code == EXIT_DONE) code = motion_check(&d->s, &d->moved);
     if (code == EXIT_DONE && d->mesh.file != NULL) {
         const double start = seconds();
@@ -410,11 +431,13 @@ int command_dress(int argc, char **argv)
         else
             snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
         if (d->outcome == MUS_OK) code = move_on(d);
+        if (d->drape != NULL && code == EXIT_DONE) look_at_fit(d);
         if (d->drape != NULL && code == EXIT_DONE) code = write_shapes(d);
         const int report = write_report(d);
         if (code == EXIT_DONE) code = report;
         if (code == EXIT_DONE && d->outcome != MUS_OK) code = run_failed(d);
     }
+    mus_fit_destroy(d->fit);
     mus_drape_destroy(d->drape);
     mus_cloth_destroy(d->cloth);
     mus_body_destroy(d->body);

@@ -115,11 +115,13 @@ static int draw(film *f, const render_mesh *meshes, int32_t count, const char *p
     const render_scene dressed = {count, meshes, 1, f->box};
     unsigned char *rgba = malloc((size_t)width * (size_t)height * 4);
     int result = -1;
-    if (rgba == NULL) strcpy(error->text, "no memory for the picture");
-    else if (render_load(f->r, &dressed, error) == 0 &&
-             render_picture(f->r, views, cameras, width, height, rgba, error) == 0 &&
-             render_png_write(path, width, height, rgba, error) == 0)
-        result = 0;
+    if (rgba == NULL) {
+        strcpy(error->text, "no memory for the picture");
+    } else if (render_load(f->r, &dressed, error) == 0 &&
+               render_picture(f->r, views, cameras, width, height, rgba, error) == 0) {
+        if (l->map != NULL) fit_map_legend(l->map, width, height, rgba);
+        result = render_png_write(path, width, height, rgba, error) == 0 ? 0 : -1;
+    }
     free(rgba);
     return result;
 }
@@ -143,6 +145,7 @@ int film_shoot(film *f, const garment *g, const char *path)
     int32_t count = 0;
     if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
     mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
+    if (f->l->map != NULL) meshes[count - 1].colours = f->l->map->colours;
     if (f->print.rgba != NULL) {
         meshes[count - 1].print = &f->print;
         meshes[count - 1].print_width = f->l->repeat;

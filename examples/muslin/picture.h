@@ -2,6 +2,7 @@
 #ifndef MUSLIN_PICTURE_H
 #define MUSLIN_PICTURE_H
 
+#include "fitmap.h"
 #include "render/render.h"
 #include "scene.h"
 
@@ -10,6 +11,7 @@ typedef struct look {
     const char *colour, *texture, *pixels;
     texts views;
     double repeat; /* width of one repeat of the texture [m] */
+    const fit_map *map; /* colours of the cloth, with a legend; NULL: none */
 } look;
 
 /* Check the texts, and that the texture can be read, before the long work. Returns an exit code. */

@@ -16,5 +16,6 @@
 #include "muslin/cloth.h"
 #include "muslin/integrate.h"
 #include "muslin/drape.h"
+#include "muslin/fit.h"
 
 #endif

@@ -4,6 +4,7 @@
  * The pattern is checked on a copy (a check writes its faults into the pattern), then each panel is meshed and its
  * springs made while its lattice is at hand; seams come last, when all panels have nodes.
  */
+#include <math.h>
 #include <string.h>
 
 #include "cloth/mesh.h"
@@ -63,11 +64,18 @@ static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 }
 
 
-/* names of the pattern and its panels, for sentences */
+/* names of the pattern and its panels, for sentences; the warp of each, for strains */
 static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 {
     cloth->names = mus__new(cloth->context, (int64_t)cloth->npanel + 1, MUS__CLOTH_NAME);
-    if (cloth->names == NULL) return mus__fail_memory(cloth->context, "a cloth");
+    cloth->warp = mus__new(cloth->context, 2 * (int64_t)cloth->npanel, sizeof *cloth->warp);
+    if (cloth->names == NULL || cloth->warp == NULL) return mus__fail_memory(cloth->context, "a cloth");
+    for (int32_t p = 0; p < cloth->npanel; p++) {
+        double *warp = cloth->warp + 2 * (ptrdiff_t)p;
+        mus_pattern_grain(pattern, p, warp);
+        const double size = hypot(warp[0], warp[1]);
+        warp[0] /= size, warp[1] /= size;
+    }
     for (int32_t p = -1; p < cloth->npanel; p++) {
         const char *name = p < 0 ? mus_pattern_name(pattern) : mus_pattern_panel_name(pattern, p);
         const size_t length = strlen(name);
@@ -164,7 +172,8 @@ void mus_cloth_destroy(mus_cloth *cloth)
     void *blocks[] = {cloth->panel,  cloth->rest,       cloth->mass, cloth->node_panel, cloth->triangle,
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
-                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names};
+                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names,
+                      cloth->warp};
     mus_context *context = cloth->context;
     mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);

@@ -87,6 +87,7 @@ struct mus_cloth {
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
     mus__hold *hold;           /* (nhold) */
+    double *warp;              /* (npanel x 2) unit, in the flat; NULL without a pattern: along y */
     char *names;               /* (npanel + 1 x MUS__CLOTH_NAME) of the pattern, then of its panels; NULL without one */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 

@@ -213,7 +213,8 @@ static void MUS_FN(held_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_
         const MUS_REAL u0 = (MUS_REAL)up[0], u1 = (MUS_REAL)up[1], u2 = (MUS_REAL)up[2];
         const MUS_REAL at = (MUS_REAL)(level->at - held->below -
                                        (up[0] * origin[0] + up[1] * origin[1] + up[2] * origin[2]));
-        const MUS_REAL sunk = at - (u0 * x[0] + u1 * x[n] + u2 * x[2 * n]), most = (MUS_REAL)(plan->held_share * held->most);
+        const MUS_REAL sunk = at - (u0 * x[0] + u1 * x[n] + u2 * x[2 * n]);
+        const MUS_REAL most = (MUS_REAL)(plan->held_share * held->most);
         MUS_REAL pull = (MUS_REAL)held->k * (sunk > 0 ? sunk : 0), *out = f + (held->node - chunk->first);
         pull = pull < most ? pull : most;
         out[0] += pull * u0, out[SPAN] += pull * u1, out[2 * SPAN] += pull * u2;

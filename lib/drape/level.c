@@ -57,6 +57,7 @@ static void restrict_pins(mus_drape *drape)
 void mus__drape_restrict(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse;
+    memcpy(coarse->def.gravity, drape->def.gravity, sizeof coarse->def.gravity); /* it may have changed since */
     mus__drape_hold(coarse);
     mus__drape_open(coarse);
     mus__transfer_apply(&drape->down, drape->x, coarse->x);

@@ -22,11 +22,11 @@
 #define RAMP_SECONDS 1.5
 #define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
 #define STIFF_MOST 16.0 /* times a pair's stiffness at the end: in the last millimetres that is what pulls */
-#define SEW_HOLD 0.1    /* of what held edges pull with: gravity is off, and a seam that is tight under them must close */
+#define SEW_HOLD 0.1    /* of what held edges pull with: gravity is off, and a tight seam under them must close */
 #define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
 #define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
-#define LIFT_STEPS 8
-#define LIFT_STEEP 0.7  /* pairs that stand one above the other have neither over nor under */
+#define LIFT_STEPS 10
+#define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
 #define LIFT_CHECKS 4   /* between searches */
 
 
@@ -76,33 +76,43 @@ static double way_out(const mus_drape *drape, const double *from, const double *
 
 
 /*
- * From the middle of a pair that a part of the body keeps apart, the way out square to the pair, over it or under it,
- * whichever is shorter; lift (3) is twice that, and 0 where nothing is between. Never sideways: round a leg there are
- * two ways, and the panels, not the skin, know which is theirs.
+ * From the middle of a pair that a part of the body keeps apart, the shortest way out square to the pair, straight or
+ * aslant over it, or under it; lift (3) is twice that, and 0 where nothing is between. Never sideways: round an arm
+ * there are two ways, and the panels, not the skin, know which is theirs.
  */
-static void lift_pair(const mus_drape *drape, mus__pair *pair)
+static void lift_pair(const mus_drape *drape, const mus__held_level *armpit, mus__pair *pair)
 {
+    static const double turns[4][2] = {{1.0, 0.0}, {0.7071, 0.7071}, {0.7071, -0.7071}, {-1.0, 0.0}};
     const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
-    double middle[3], along[3], up[3] = {0.0, 1.0, 0.0};
+    double middle[3], along[3], up[3], side[3], best = LIFT_STEP * LIFT_STEPS;
     memset(pair->lift, 0, sizeof pair->lift);
     if (pair->locked) return;
     for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
-    if (!(mus__norm3(along) > LIFT_FROM) || mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
+    if (!(mus__norm3(along) > LIFT_FROM) || mus__dot3(armpit->up, middle) < armpit->at) return;
+    if (mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
     mus__unit3(along);
-    if (fabs(along[1]) > LIFT_STEEP) return;
-    for (int32_t d = 0; d < 3; d++) up[d] -= along[1] * along[d];
-    mus__unit3(up);
-    const double down[3] = {-up[0], -up[1], -up[2]};
-    const double above = way_out(drape, middle, up), below = way_out(drape, middle, down);
-    if (fmin(above, below) > LIFT_STEP * LIFT_STEPS) return;
-    for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * (above <= below ? above * up[d] : below * down[d]);
+    mus__cross3(along, armpit->up, side);
+    if (mus__norm3(side) < LIFT_LEVEL) return;
+    mus__unit3(side);
+    mus__cross3(side, along, up);
+    for (int32_t i = 0; i < 4; i++) {
+        double way[3];
+        for (int32_t d = 0; d < 3; d++) way[d] = turns[i][0] * up[d] + turns[i][1] * side[d];
+        const double far = way_out(drape, middle, way);
+        if (!(far < best)) continue;
+        best = far;
+        for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * far * way[d];
+    }
 }
 
 
-/* pairs that are pulled against the body from both sides, as at a shoulder, are drawn over its edge instead */
+/* pairs that are pulled against a shoulder from both sides are drawn over it instead */
 static void lift_pairs(mus_drape *drape)
 {
-    for (int32_t p = 0; p < drape->plan.npair && drape->collider != NULL; p++) lift_pair(drape, &drape->plan.pair[p]);
+    mus__held_level armpit;
+    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+    if (!armpit.there) return;
+    for (int32_t p = 0; p < drape->plan.npair; p++) lift_pair(drape, &armpit, &drape->plan.pair[p]);
 }
 
 

@@ -4,7 +4,7 @@
  * Cloth that ends high up is carried by the shoulders or the bust, cloth that ends lower by the waist or the hip. A
  * piece has slid off when its uppermost node has gone a hand below what carried it: below the bust if it began above
  * it, below the hip if it began between; or, once it has had time to drop onto the body, when no node is near it. Held
- * edges carry: where there are any, only the first counts.
+ * edges carry their piece.
  */
 #include <math.h>
 #include <stdio.h>
@@ -58,6 +58,13 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
         }
         slide_tops(drape, x, hip.up, top, panel);
         for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].top = top[p], drape->slide[p].panel = panel[p];
+
+        /* sewing may have thrown it up: as high as the pattern puts it, no higher; held pieces do not slide */
+        mus__cloth_place(cloth, drape->work);
+        slide_tops(drape, drape->work, hip.up, top, NULL);
+        for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].top = fmin(drape->slide[p].top, top[p]);
+        for (int32_t h = 0; h < drape->plan.nheld; h++)
+            drape->slide[drape->slide[cloth->node_panel[drape->plan.held[h].node]].piece].top = -INFINITY;
     }
     mus__free(drape->context, top);
     mus__free(drape->context, panel);

@@ -131,6 +131,35 @@ def test_the_package_has_the_hash_of_the_command(dress, patterns, tape):
         assert drape.state_hash == report["state_hash"]
 
 
+def test_the_package_tells_the_fit_of_the_command(dress, patterns, tape):
+    muslin = pytest.importorskip("muslin")
+    report, _ = dress("--pattern", patterns("tshirt"), "--tape", tape, "--spacing", 30)
+    body = muslin.Body(muslin.Tape.read(tape))
+    drape = muslin.Drape(muslin.Cloth(muslin.Pattern.read(patterns("tshirt")), spacing=0.030), body)
+    drape.place()
+    drape.sew()
+    drape.settle()
+    fit = muslin.Fit(drape, body)
+    assert drape.reason["name"] == "settled"
+    assert [level["level"] for level in fit.levels] == [level["level"] for level in report["fit"]["levels"]]
+    for ours, theirs in zip(fit.levels, report["fit"]["levels"]):
+        assert ours["ease"] == pytest.approx(theirs["ease_m"], abs=1e-8)
+    assert {"bust", "waist", "hip"} <= {level["level"] for level in fit.levels}
+    assert max(fit.pressure) == pytest.approx(report["fit"]["pressure_Pa"]["most"], rel=1e-8)
+
+
+def test_a_map_colours_the_cloth_and_has_a_scale(command, dress, tape, tmp_path):
+    pictures = []
+    for name in (None, "strain", "pressure", "ease"):
+        picture = tmp_path / f"{name}.png"
+        dress("--design", "tshirt", "--tape", tape, "--spacing", 40, "--pixels", "300x200", "--png", picture,
+              *(["--map", name] if name else []))
+        pictures.append(picture.read_bytes())
+    assert len(set(pictures)) == 4
+    done = command("dress", "--design", "tshirt", "--tape", tape, "--map", "taste", code=2)
+    assert b"expected strain, pressure or ease" in done.stderr
+
+
 def test_json_on_standard_output_is_the_report(command, dress, tape):
     scene = ("--design", "skirt", "--tape", tape, "--spacing", 40)
     report, _ = dress(*scene)

@@ -23,6 +23,7 @@ from .design import axes, designs, draft, ease, grade, spell
 from .drape import Drape
 from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
+from .fit import Fit
 from .integrate import integrate
 from .pattern import Pattern
 from .pose import Move, Pose, joint_limits, moves, poses
@@ -30,6 +31,6 @@ from .print import Sheet
 from .scan import scan
 from .tape import Tape, measures, sizes
 
-__all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Fabric", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
+__all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Fabric", "Fit", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
            "Tape", "axes", "designs", "draft", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
            "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]

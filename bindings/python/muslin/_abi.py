@@ -244,6 +244,10 @@ class mus_drape(Structure):
     pass
 
 
+class mus_fit(Structure):
+    pass
+
+
 class mus_sheet(Structure):
     pass
 
@@ -394,6 +398,11 @@ class mus_drape_report(Structure):
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
                 ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3),
                 ("self_contacts", c_int32), ("self_queries", c_int64)]
+
+
+class mus_fit_level(Structure):
+    _fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double), ("garment", c_double),
+                ("worn", c_double), ("ease", c_double), ("gap", c_double)]
 
 
 class mus_sheet_def(Structure):
@@ -737,6 +746,16 @@ FUNCTIONS = {
     "mus_drape_gaps": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_crossings": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_int32), POINTER(c_int64)]),
     "mus_drape_normals": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_fit_create": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_body), POINTER(POINTER(mus_fit))]),
+    "mus_fit_destroy": ("core", None, [POINTER(mus_fit)]),
+    "mus_fit_node_count": ("core", c_int32, [POINTER(mus_fit)]),
+    "mus_fit_warp": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_weft": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_pressure": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_gap": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_level_init": ("core", None, [POINTER(mus_fit_level), c_size_t]),
+    "mus_fit_level_count": ("core", c_int32, [POINTER(mus_fit)]),
+    "mus_fit_level_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_level)]),
     "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
     "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),
                                             POINTER(POINTER(mus_sheet))]),

@@ -1,0 +1,59 @@
+"""fit.py: how a draped garment fits."""
+import ctypes
+
+from . import _abi
+from ._library import lib
+from .arrays import view
+from .context import Object, create, make_def, read_struct
+
+
+class Fit(Object):
+    """Ease a level, strain, pressure and gap of a drape as it stands now; without its body there are no levels."""
+
+    _kind = "fit"
+
+    def __init__(self, drape, body=None):
+        super().__init__(drape.context, create(drape.context, "fit", "mus_fit_create", drape.handle,
+                                               body.handle if body is not None else None))
+
+    def __len__(self):
+        return self.get("node_count")
+
+    def _array(self, name):
+        return view(self, self.get(name), len(self))
+
+    @property
+    def warp(self):
+        """Engineering strain along the warp at each node."""
+        return self._array("warp")
+
+    @property
+    def weft(self):
+        """Engineering strain along the weft at each node."""
+        return self._array("weft")
+
+    @property
+    def pressure(self):
+        """On the skin [Pa] at each node."""
+        return self._array("pressure")
+
+    @property
+    def gap(self):
+        """Distance to the body [m] at each node, NaN where it is far."""
+        return self._array("gap")
+
+    @property
+    def levels(self):
+        """One dict a level: level and side by name, body, garment, worn, ease, gap [m]."""
+        result = []
+        for index in range(self.get("level_count")):
+            level = make_def(_abi.mus_fit_level, lib.mus_fit_level_init)
+            self.do("level_get", index, ctypes.byref(level))
+            values = read_struct(level)
+            right = values.pop("right")
+            side = None if right == _abi.MUS_NONE else "right" if right else "left"
+            result.append({**values, "level": lib.mus_hold_name(level.level).decode(), "side": side})
+        return result
+
+
+__all__ = ["Fit"]

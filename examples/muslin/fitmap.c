@@ -1,0 +1,214 @@
+/*
+ * fitmap.c: how a garment fits, as colours on it with a legend, and in the report.
+ *
+ * Strain is the greater of warp and weft, from blue (pressed together) over green to red (drawn out); pressure goes
+ * from green to red; ease, the distance to the body, from red (it lies on) over green to blue. The legend's letters are
+ * a 5 x 7 alphabet of those that its words need.
+ */
+#include "fitmap.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STOPS 5
+#define LETTER_WIDE 5
+#define LETTER_HIGH 7
+
+/* linear: blue, cyan, green, yellow, red */
+static const double stop[STOPS][3] = {
+    {0.03, 0.08, 0.55}, {0.05, 0.45, 0.55}, {0.10, 0.45, 0.10}, {0.80, 0.60, 0.03}, {0.65, 0.03, 0.02}};
+
+/* what each map shows: from which colour to which (0..1 along the stops), and its scale */
+static const struct {
+    const char *name, *title;
+    double low, high, from, to, unit;
+} maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0},
+            {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001},
+            {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0}};
+
+/* rows from the top, the leftmost dot is 16 */
+static const struct {
+    char letter;
+    unsigned char row[LETTER_HIGH];
+} letters[] = {
+    {'0', {14, 17, 19, 21, 25, 17, 14}}, {'1', {4, 12, 4, 4, 4, 4, 14}},      {'2', {14, 17, 1, 2, 4, 8, 31}},
+    {'3', {31, 2, 4, 2, 1, 17, 14}},     {'4', {2, 6, 10, 18, 31, 2, 2}},     {'5', {31, 16, 30, 1, 1, 17, 14}},
+    {'6', {6, 8, 16, 30, 17, 17, 14}},   {'7', {31, 1, 2, 4, 8, 8, 8}},       {'8', {14, 17, 17, 14, 17, 17, 14}},
+    {'9', {14, 17, 17, 15, 1, 2, 12}},   {'-', {0, 0, 0, 31, 0, 0, 0}},       {'.', {0, 0, 0, 0, 0, 12, 12}},
+    {'%', {24, 25, 2, 4, 8, 19, 3}},     {'a', {0, 0, 14, 1, 15, 17, 15}},    {'c', {0, 0, 14, 16, 16, 17, 14}},
+    {'e', {0, 0, 14, 17, 31, 16, 14}},   {'i', {4, 0, 12, 4, 4, 4, 14}},      {'k', {16, 16, 18, 20, 24, 20, 18}},
+    {'m', {0, 0, 26, 21, 21, 17, 17}},   {'n', {0, 0, 22, 25, 17, 17, 17}},   {'p', {0, 0, 30, 17, 30, 16, 16}},
+    {'r', {0, 0, 22, 25, 16, 16, 16}},   {'s', {0, 0, 14, 16, 14, 1, 30}},    {'t', {8, 8, 28, 8, 8, 9, 6}},
+    {'u', {0, 0, 17, 17, 17, 19, 13}},   {'P', {30, 17, 17, 30, 16, 16, 16}},
+};
+
+
+/* the map of that name, or -1 */
+static int32_t find_map(const char *name)
+{
+    for (int32_t i = 0; i < (int32_t)(sizeof maps / sizeof *maps); i++)
+        if (strcmp(maps[i].name, name) == 0) return i;
+    return -1;
+}
+
+
+int fit_map_check(const scene *s, const char *name)
+{
+    if (name == NULL || find_map(name) >= 0) return EXIT_DONE;
+    return complain(EXIT_INPUT, s->command, "--map %s: expected strain, pressure or ease", name);
+}
+
+
+/* colour at t (0..1) along the stops */
+static void ramp(double t, double *out)
+{
+    const double at = (t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t) * (STOPS - 1);
+    const int32_t k = at < STOPS - 1 ? (int32_t)at : STOPS - 2;
+    for (int32_t d = 0; d < 3; d++) out[d] = stop[k][d] + (at - k) * (stop[k + 1][d] - stop[k][d]);
+}
+
+
+/* what a map shows at a node, in SI */
+static double value_of(int32_t map, const mus_fit *fit, int32_t i)
+{
+    const double warp = mus_fit_warp(fit)[i], weft = mus_fit_weft(fit)[i], gap = mus_fit_gap(fit)[i];
+    if (map == 0) return fabs(warp) > fabs(weft) ? warp : weft;
+    if (map == 1) return mus_fit_pressure(fit)[i];
+    return isnan(gap) ? maps[2].high : gap;
+}
+
+
+int fit_map_make(const scene *s, const char *name, const mus_fit *fit, fit_map *out)
+{
+    const int32_t map = find_map(name), n = mus_fit_node_count(fit);
+    memset(out, 0, sizeof *out);
+    out->colours = malloc((size_t)n * 3 * sizeof *out->colours + 1);
+    if (out->colours == NULL) return complain(EXIT_FAILED, s->command, "no memory for the map");
+    snprintf(out->title, sizeof out->title, "%s", maps[map].title);
+    out->which = map;
+    out->low = maps[map].low, out->high = maps[map].high;
+    for (int32_t i = 0; i < n; i++) {
+        const double part = (maps[map].unit * value_of(map, fit, i) - out->low) / (out->high - out->low);
+        const double t = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+        ramp(maps[map].from + t * (maps[map].to - maps[map].from), out->colours + 3 * (size_t)i);
+    }
+    return EXIT_DONE;
+}
+
+
+void fit_map_free(fit_map *map)
+{
+    free(map->colours);
+    memset(map, 0, sizeof *map);
+}
+
+
+/* ---- the legend ---- */
+
+typedef struct page {
+    int32_t width, height, dot; /* dot: pixels a dot of a letter */
+    unsigned char *rgba;
+} page;
+
+
+static void fill(const page *p, int32_t x, int32_t y, int32_t wide, int32_t high, const unsigned char *colour)
+{
+    for (int32_t j = y < 0 ? 0 : y; j < y + high && j < p->height; j++)
+        for (int32_t i = x < 0 ? 0 : x; i < x + wide && i < p->width; i++)
+            memcpy(p->rgba + 4 * ((size_t)j * (size_t)p->width + (size_t)i), colour, 3);
+}
+
+
+static void say(const page *p, int32_t x, int32_t y, const char *text)
+{
+    static const unsigned char ink[3] = {40, 42, 46};
+    for (; *text != '\0'; text++, x += (LETTER_WIDE + 1) * p->dot)
+        for (size_t k = 0; k < sizeof letters / sizeof *letters; k++)
+            for (int32_t j = 0; letters[k].letter == *text && j < LETTER_HIGH; j++)
+                for (int32_t i = 0; i < LETTER_WIDE; i++)
+                    if (letters[k].row[j] >> (LETTER_WIDE - 1 - i) & 1)
+                        fill(p, x + i * p->dot, y + j * p->dot, p->dot, p->dot, ink);
+}
+
+
+/* 8 bits of sRGB from linear */
+static unsigned char eight(double linear)
+{
+    const double c = linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+    return (unsigned char)(255.0 * c + 0.5);
+}
+
+
+void fit_map_legend(const fit_map *map, int32_t width, int32_t height, unsigned char *rgba)
+{
+    const page p = {width, height, height / 400 > 0 ? height / 400 : 1, rgba};
+    const int32_t letter = (LETTER_WIDE + 1) * p.dot, line = (LETTER_HIGH + 3) * p.dot, bar = 12 * p.dot;
+    const int32_t high = height / 4, wide = letter * (int32_t)strlen(map->title);
+    const int32_t x = width - wide - 4 * p.dot, y = 3 * line;
+
+    /* the title, the bar from the top down, five numbers */
+    say(&p, x, y - 2 * line, map->title);
+    for (int32_t j = 0; j < high; j++) {
+        double linear[3];
+        ramp(maps[map->which].from + (1.0 - (double)j / high) * (maps[map->which].to - maps[map->which].from), linear);
+        const unsigned char colour[3] = {eight(linear[0]), eight(linear[1]), eight(linear[2])};
+        fill(&p, x, y + j, bar, 1, colour);
+    }
+    for (int32_t k = 0; k <= 4; k++) {
+        char number[16];
+        const double value = map->high + 0.25 * k * (map->low - map->high);
+        snprintf(number, sizeof number, fabs(value - floor(value + 0.5)) < 0.005 ? "%.0f" : "%.1f", value + 0.0);
+        say(&p, x + bar + 2 * p.dot, y + k * high / 4 - LETTER_HIGH * p.dot / 2, number);
+    }
+}
+
+
+/* ---- the report ---- */
+
+/* most and mean of n numbers that are numbers */
+static void write_spread(json *j, const char *key, int32_t n, const double *value)
+{
+    double least = INFINITY, most = -INFINITY, sum = 0.0;
+    int32_t count = 0;
+    for (int32_t i = 0; i < n; i++) {
+        if (isnan(value[i])) continue;
+        least = fmin(least, value[i]), most = fmax(most, value[i]);
+        sum += value[i];
+        count++;
+    }
+    json_open(j, key, '{');
+    json_number(j, "least", least);
+    json_number(j, "most", most);
+    json_number(j, "mean", count > 0 ? sum / count : NAN);
+    json_close(j, '}');
+}
+
+
+void fit_write(const mus_fit *fit, json *j)
+{
+    const int32_t n = mus_fit_node_count(fit);
+    json_open(j, "fit", '{');
+    json_open(j, "levels", '[');
+    for (int32_t k = 0; k < mus_fit_level_count(fit); k++) {
+        mus_fit_level level;
+        mus_fit_level_init(&level, sizeof level);
+        if (mus_fit_level_get(fit, k, &level) != MUS_OK) continue;
+        json_open(j, NULL, '{');
+        json_text(j, "level", mus_hold_name(level.level));
+        if (level.right != MUS_NONE) json_text(j, "side", level.right ? "right" : "left");
+        json_number(j, "body_m", level.body);
+        json_number(j, "garment_m", level.garment);
+        json_number(j, "worn_m", level.worn);
+        json_number(j, "ease_m", level.ease);
+        json_number(j, "gap_m", level.gap);
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+    write_spread(j, "strain_warp", n, mus_fit_warp(fit));
+    write_spread(j, "strain_weft", n, mus_fit_weft(fit));
+    write_spread(j, "pressure_Pa", n, mus_fit_pressure(fit));
+    write_spread(j, "gap_m", n, mus_fit_gap(fit));
+    json_close(j, '}');
+}

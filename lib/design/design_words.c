@@ -60,6 +60,7 @@ static void design_make(mus__half *half)
     if (!waist) {
         mus__top_draft(half);
         mus__sleeve_attach(half);
+        mus__neck_band_attach(half);
         mus__collar_attach(half);
     }
     if (garment == MUS__GARMENT_CAPE) design_refuse(half, MUS__AXIS_GARMENT);

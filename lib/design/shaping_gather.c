@@ -7,6 +7,7 @@
  * reference 4.2, 5.2.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "design/top.h"
@@ -24,51 +25,75 @@ void mus__shaping_neck_gathers(mus__half *half, mus__top *top)
     const int32_t cf = mus__shaping_side(half, top, MUS__TOP_FRONT, "cf");
     int32_t neck = mus__shaping_side(half, top, MUS__TOP_FRONT, "neck");
     if (board->status != MUS_OK || neck == MUS_NONE) return;
-    top->gathered = board->side[neck].length;
+    const double length = board->side[neck].length;
 
     /* the neck is walked from the side neck to the centre: thirds of the dart at 0.35, 0.55, 0.75 of it, the last
      * first; what is let out lies behind the next place */
     for (int i = GATHER_PARTS - 1; i >= 0; i--) {
-        const double s = (0.35 + 0.2 * i) * top->gathered;
+        const double s = (0.35 + 0.2 * i) * length;
         const int32_t leg = mus__shaping_turn(half, top, neck, s, 1.0 / (i + 1), cf);
         if (leg == MUS_NONE) return;
         neck = mus__board_dart_release(board, leg);
     }
-    mus__shaping_smooth(board, mus__shaping_side(half, top, MUS__TOP_FRONT, "neck"));
+    neck = mus__shaping_side(half, top, MUS__TOP_FRONT, "neck");
+    mus__shaping_smooth(board, neck);
+    if (board->status == MUS_OK) half->neck_gathers = length / board->side[neck].length;
+}
+
+
+/* a piece of the band's lower edge for each side of the neck, as long as that side is to be */
+static void gather_pieces(const mus__half *half, const int32_t *rim, int32_t n, double *length)
+{
+    const mus__board *board = &half->board;
+    for (int32_t i = 0; i < n; i++) {
+        const mus__board_side *side = &board->side[rim[n - 1 - i]];
+        const bool front = strncmp(board->panel[side->panel].name, "front", 5) == 0;
+        length[i] = side->length * (front ? half->neck_gathers : 1.0);
+    }
 }
 
 
 /* x = 0 at the centre front, x > 0 over the left side to the centre back */
-void mus__shaping_neck_band(mus__half *half, mus__top *top)
+void mus__neck_band_attach(mus__half *half)
 {
     mus__board *board = &half->board;
-    int32_t front[MUS__TOP_RUN], back[MUS__TOP_RUN];
-    const int32_t nfront = mus__half_rim(half, "front", "neck", front, MUS__TOP_RUN);
-    const int32_t nback = mus__half_rim(half, "back", "neck", back, MUS__TOP_RUN);
-    if (!(top->gathered > 0.0) || nfront < 1 || nback < 1) return;
-    double behind = 0.0;
-    for (int32_t i = 0; i < nback; i++) behind += board->side[back[i]].length;
-    const double length = top->gathered + behind, high = 2.5 * top->scale * MUS__CM;
-    const double corner[5][2] = {{0.0, 0.0}, {top->gathered, 0.0}, {length, 0.0}, {length, high}, {0.0, high}};
-    static const char *const names[5][2] = {
-        {"front", ""}, {"back", ""}, {"cb", "centre"}, {"top", "neck"}, {"cf", "centre"}};
+    int32_t rim[MUS__TOP_RUN], lower[MUS__TOP_RUN];
+    double length[MUS__TOP_RUN], at[2] = {0.0, 0.0};
+    if (board->status != MUS_OK || !(half->neck_gathers > 0.0)) return;
+    const int32_t n = mus__half_rim(half, "", "neck", rim, MUS__TOP_RUN);
+    if (n < 1 || n > MUS__TOP_RUN) return;
+    gather_pieces(half, rim, n, length);
+
+    /* the lower edge in pieces, back up, the upper edge, down at the front */
     const int32_t panel = mus__board_panel_add(board, "neck_band", "band");
-    int32_t side[5];
-    for (int i = 0; i < 5; i++) {
-        side[i] = mus__board_line_add(board, panel, names[i][0], names[i][1], corner[i], corner[(i + 1) % 5]);
-        if (side[i] != MUS_NONE) board->side[side[i]].allowance = MUS__TOP_NECK_SEAM;
+    for (int32_t i = 0; i < n; i++) {
+        const double end[2] = {at[0] + length[i], 0.0};
+        char name[16];
+        snprintf(name, sizeof name, "low_%d", (int)i + 1);
+        lower[i] = mus__board_line_add(board, panel, name, "", at, end);
+        at[0] = end[0];
     }
+    const double high = 2.5 * mus__measures_scale(&half->measures) * MUS__CM;
+    const double corner[4][2] = {{at[0], 0.0}, {at[0], high}, {0.0, high}, {0.0, 0.0}};
+    const int32_t cb = mus__board_line_add(board, panel, "cb", "centre", corner[0], corner[1]);
+    const int32_t top = mus__board_line_add(board, panel, "top", "neck", corner[1], corner[2]);
+    const int32_t cf = mus__board_line_add(board, panel, "cf", "centre", corner[2], corner[3]);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
 
     /* one piece with a seam behind; with a closure in front, one behind on the fold */
     const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT);
-    board->side[side[2]].centre = opens ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM;
-    board->side[side[4]].centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-    board->side[side[opens ? 2 : 4]].allowance = 0.0;
-    mus__board_sew(board, nfront, front, 1, &side[0]);
-    mus__board_sew(board, nback, back, 1, &side[1]);
-    mus__panel_place_ring(half, panel, true, 2.0 * length + 0.08, half->skeleton.neck_side);
+    board->side[top].allowance = MUS__TOP_NECK_SEAM;
+    board->side[cb].centre = opens ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM;
+    board->side[cf].centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
+    board->side[opens ? cf : cb].allowance = MUS__TOP_NECK_SEAM;
+    board->side[opens ? cb : cf].allowance = 0.0;
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t side = rim[n - 1 - i];
+        board->side[lower[i]].allowance = MUS__TOP_NECK_SEAM;
+        mus__board_seam_add(board, side, lower[i], MUS_SEAM_REVERSED, length[i] - board->side[side].length);
+    }
+    mus__panel_place_ring(half, panel, true, 2.0 * at[0] + 0.08, half->skeleton.neck_side);
 }
 
 

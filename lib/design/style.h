@@ -135,6 +135,7 @@ typedef struct mus__half {
     double bust_ease;               /* total, of the ease level and the cloth, or the caller's wish for a top */
     double waist_ease, hip_ease;    /* total, one value for top and skirt or trousers, so that they meet. Where a top
                                        has no waist darts, mus__top_draft() sets waist_ease to what it has become */
+    double neck_gathers;            /* length that the front neck is gathered to over its own; 0 when it is not */
     double waist_level;             /* height above the floor of y = 0 of torso panels [m] */
 } mus__half;
 
@@ -142,6 +143,9 @@ typedef struct mus__half {
  * off them), sewn at shoulder and side, darts sewn, placed round the torso; without sleeve and collar. Down to the hem
  * (top) or the waist line with label "waist" (dress, jumpsuit) */
 void mus__top_draft(mus__half *half);
+
+/* the band that holds the gathers of a neck, when it has any: after the sleeves, of which raglan ones share the neck */
+void mus__neck_band_attach(mus__half *half);
 
 /* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
 void mus__closure_finish(mus__half *half);

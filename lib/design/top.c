@@ -421,8 +421,10 @@ void mus__top_draft(mus__half *half)
     torso_sew(half, "shoulder");
     torso_sew(half, "side");
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
-    mus__shaping_neck_band(half, &top);
     mus__neckline_hold(half);
     torso_place(half, &top);
     torso_waist(half);
+
+    /* a step that finds no room says so by an argument that is out of range */
+    if (half->board.status == MUS_ERR_ARG) half->board.status = MUS_ERR_DESIGN;
 }

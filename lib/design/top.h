@@ -52,7 +52,6 @@ typedef struct mus__top {
     bool shoulder[2];           /* has a shoulder edge; else neck follows the underarm, and arm is empty */
     const char *rim[2];         /* label of the neck edge */
     int32_t panel[2];           /* front, back */
-    double gathered;            /* length of the front neck before it was gathered, 0 when it is not */
 } mus__top;
 
 #define MUS__TOP_FRONT 0
@@ -97,8 +96,6 @@ void mus__shaping_yoke(mus__half *half, mus__top *top);
 /* ---- shaping_gather.c ---- */
 
 void mus__shaping_neck_gathers(mus__half *half, mus__top *top);
-/* the band that holds the gathers of a neck, once shoulders are sewn */
-void mus__shaping_neck_band(mus__half *half, mus__top *top);
 void mus__shaping_centre_gathers(mus__half *half, mus__top *top);
 
 /* closure.c: centre sides and marks */

@@ -267,6 +267,7 @@ START_TEST(failing_allocations_are_told)
         halves_begin(context, tape, &style, &half);
         support_fail_after(n, false);
         mus__top_draft(&half);
+        mus__neck_band_attach(&half);
         mus__board_double(&half.board);
         mus__closure_finish(&half);
         mus__board_write(&half.board, &pattern);

@@ -3,6 +3,7 @@
  * middle and a large woman, a man and a child: drafted, doubled, without fault, with the openings that are meant.
  */
 #include "design/halves.h"
+#include "people/ansur.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 
@@ -14,7 +15,7 @@ static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 static const struct {
     const char *name;
     double most;
-} eases[] = {{"princess", 1.2}, {"strip", 6.0}, {"front", 12.0}, {"empire", 4.0}, {"yoke", 4.1}};
+} eases[] = {{"princess", 1.2}, {"strip", 6.0}, {"low", 12.0}, {"empire", 4.0}, {"yoke", 4.1}};
 
 
 static bool eased(const mus_pattern *pattern, const mus_seam_def *seam)
@@ -29,40 +30,56 @@ static bool eased(const mus_pattern *pattern, const mus_seam_def *seam)
 }
 
 
+/* one style on one tape: drafted, doubled, without a fault */
+static void check_whole(mus_context *context, const char *who, const mus_tape *tape, const mus__style *style)
+{
+    char words[256];
+    mus__half half;
+    mus_pattern *pattern = NULL;
+    int32_t faults = 0;
+    const char *text = "";
+    mus__style_spell(style, words, sizeof words);
+    halves_begin(context, tape, style, &half);
+    mus__top_draft(&half);
+    mus__neck_band_attach(&half);
+    halves_openings(&half);
+    mus__board_double(&half.board);
+    mus__closure_finish(&half);
+    mus__board_write(&half.board, &pattern);
+    ck_assert_msg(half.board.status == MUS_OK, "%s: %s: %s", who, words, mus_context_error(context));
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+    ck_assert_msg(faults == 0, "%s: %s: %s", who, words, text);
+
+    /* one piece with an outside, without a handle: characteristic 2 less the openings */
+    mus_topology topology;
+    mus_topology_init(&topology, sizeof topology);
+    ck_assert_int_eq(mus_pattern_topology(pattern, &topology), MUS_OK);
+    ck_assert_int_eq(topology.components, 1);
+    ck_assert_int_eq(topology.loops, mus_pattern_opening_count(pattern));
+    ck_assert_int_eq(topology.euler, 2 - topology.loops);
+
+    /* a plain top has plain seams: nothing is eased away */
+    for (int32_t s = 0; s < mus_pattern_seam_count(pattern); s++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        ck_assert_int_eq(mus_pattern_seam(pattern, s, &seam), MUS_OK);
+        ck_assert_msg(eased(pattern, &seam), "%s: %s: seam of %s has an ease of %.2f cm", who, words,
+                      mus_pattern_edge_name(pattern, seam.edge_a), seam.ease / CM);
+    }
+    mus_pattern_destroy(pattern);
+    mus__board_free(&half.board);
+}
+
+
 /* one style on one size; false when its words exclude one another */
 static bool check_style(const char *size, const mus__style *style)
 {
     mus_context *context = support_context();
     const bool allowed = mus__style_check(context, style) == MUS_OK;
     if (allowed) {
-        char words[256];
-        mus__style_spell(style, words, sizeof words);
         mus_tape *tape = drafts_tape(context, size);
-        mus__half half;
-        mus_pattern *pattern = NULL;
-        int32_t faults = 0;
-        const char *text = "";
-        halves_begin(context, tape, style, &half);
-        mus__top_draft(&half);
-        halves_openings(&half);
-        mus__board_double(&half.board);
-        mus__closure_finish(&half);
-        mus__board_write(&half.board, &pattern);
-        ck_assert_msg(half.board.status == MUS_OK, "%s: %s: %s", size, words, mus_context_error(context));
-        ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
-        if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
-        ck_assert_msg(faults == 0, "%s: %s: %s", size, words, text);
-
-        /* a plain top has plain seams: nothing is eased away */
-        for (int32_t s = 0; s < mus_pattern_seam_count(pattern); s++) {
-            mus_seam_def seam;
-            mus_seam_def_init(&seam, sizeof seam);
-            ck_assert_int_eq(mus_pattern_seam(pattern, s, &seam), MUS_OK);
-            ck_assert_msg(eased(pattern, &seam), "%s: %s: seam of %s has an ease of %.2f cm", size, words,
-                          mus_pattern_edge_name(pattern, seam.edge_a), seam.ease / CM);
-        }
-        mus_pattern_destroy(pattern);
-        mus__board_free(&half.board);
+        check_whole(context, size, tape, style);
         mus_tape_destroy(tape);
     }
     support_context_end(context);
@@ -118,6 +135,51 @@ START_TEST(yokes_and_dresses_draft_too)
 END_TEST
 
 
+/* real people: every 150th woman and man of the survey */
+START_TEST(people_of_the_survey_have_tops)
+{
+    static const char *const words[] = {
+        "top closure=back",
+        "top shape=boxy cloth=knit neck=v",
+        "top shape=boxy neck=boat top_length=tunic",
+        "top closure=front yoke=yoke",
+        "dress closure=back shape=princess_shoulder neck=square",
+        "dress closure=side shape=princess_armhole neck=sweetheart",
+        "top closure=back neck=halter shape=empire",
+        "dress closure=back neck=strapless",
+        "top closure=back neck=deep_v shape=waist",
+        "top closure=back shape=neck_gathers top_length=crop",
+        "dress closure=front shape=french neck=scoop",
+        "top closure=back shape=cf_gathers",
+    };
+    char path[512];
+    ansur table;
+    if (support_data("anthropometry/ansur2_garment_cm.csv", path, sizeof path) == NULL) return;
+    ck_assert(ansur_open(&table, path));
+    mus_context *context = support_context();
+    int32_t drafted = 0;
+    for (int row = 0; row < table.rows; row += 150) {
+        mus_tape *tape = ansur_tape(context, &table, row);
+        if (tape == NULL || mus_tape_complete(tape) != MUS_OK) continue;
+        for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
+            mus__style style;
+            ck_assert_int_eq(mus__style_read(context, words[w], &style), MUS_OK);
+            const int32_t shape = style.option[MUS__AXIS_SHAPE];
+            const bool moves = shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_FRENCH ||
+                               shape == MUS__SHAPE_NECK_GATHERS || shape == MUS__SHAPE_CF_GATHERS;
+            if (moves && ansur_male(&table, row)) continue;
+            check_whole(context, ansur_name(&table, row), tape, &style);
+            drafted++;
+        }
+        mus_tape_destroy(tape);
+    }
+    ck_assert_int_gt(drafted, 200);
+    support_context_end(context);
+    ansur_close(&table);
+}
+END_TEST
+
+
 START_TEST(a_rim_runs_over_darts_and_seams)
 {
     mus_context *context = support_context();
@@ -165,6 +227,7 @@ Suite *mus_suite_top(void)
     tcase_set_timeout(tc, 120);
     tcase_add_loop_test(tc, every_neckline_drafts_in_every_length_and_closure, 0, SIZES);
     tcase_add_loop_test(tc, yokes_and_dresses_draft_too, 0, SIZES);
+    tcase_add_test(tc, people_of_the_survey_have_tops);
     tcase_add_test(tc, a_rim_runs_over_darts_and_seams);
     suite_add_tcase(suite, tc);
     return suite;

@@ -155,18 +155,19 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 
 
 /* before the body is sewn the collar lies round the neck above the highest of the body's panels, so that none comes
- * through it: it falls on to the shoulders from above. A short one would stand as well as lie, since its cone has two
- * ways round: by `tilt` it starts with its back and its sides turned down */
+ * through it: it falls on to the shoulders from above. Where the shoulders overlap it would stand as well as lie, since its
+ * cone has two ways round: by `tilt` it starts with its back and its sides turned down */
 static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel, double tilt)
 {
     mus__board *board = &half->board;
     if (board->status != MUS_OK) return;
     const double radius = fmax(half->measures.v[MUS_MEASURE_NECK] / (2.0 * MUS_PI), 0.3 * neck->length);
-    const double c = cos(tilt), s = sin(tilt), turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
+    const double k = mus__measures_scale(&half->measures), c = cos(tilt), s = sin(tilt);
+    const double turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
     mus_placement *place = &board->panel[panel].placement;
     mus_placement_init(place, sizeof *place);
     memcpy(place->rotation, turn, sizeof turn);
-    place->origin[1] = half->skeleton.nape + (tilt > 0.0 ? 7.0 : 4.0) * MUS__CM;
+    place->origin[1] = half->skeleton.nape + (tilt > 0.0 ? 7.0 : 4.0) * k * MUS__CM;
     place->origin[2] = half->skeleton.shoulder_z - radius;
     place->bend = tilt > 0.0 ? -2.2 * radius : 0.0;
 }

@@ -268,8 +268,8 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan)
     mus__board_sew(board, 1, &sides[0][0], 1, &sides[1][0]);
     mus__board_sew(board, 1, &sides[0][2], 1, &sides[1][2]);
 
-    /* arms lie between two flat panels */
-    for (int32_t i = 0; i < 2; i++) board->panel[board->side[sides[i][0]].panel].placement.bend = 0.0;
+    /* arms lie between two panels that are all but flat */
+    for (int32_t i = 0; i < 2; i++) board->panel[board->side[sides[i][0]].panel].placement.bend *= 3.0;
     if (plan->cuff_depth > 0.0)
         mus__cuff_attach(half, plan->cuff_length, plan->cuff_depth, plan->block.length);
 }

@@ -265,7 +265,11 @@ static void sleeve_set_in(mus__half *half, mus__sleeve_plan *plan)
     const int32_t panel = sleeve_panel(half, &cut, parted, cap);
     if (board->status != MUS_OK) return;
     sleeve_sew(half, plan, cap, parted);
-    mus__panel_place_arm(half, panel, cut.crown[0], cut.crown[1], cut.width);
+
+    /* rolled so close that the hem reaches round the arm more than half way, too */
+    const double arm = half->measures.v[MUS_MEASURE_UPPER_ARM] + 2.0 * MUS__CM;
+    const double roll = fmin(cut.width, fmax(arm, 1.5 * mus__chain_length(&cut.hem)));
+    mus__panel_place_arm(half, panel, cut.crown[0], cut.crown[1], roll);
     const double *hem = cut.hem.xy;
     if (plan->cuff_depth > 0.0)
         mus__cuff_attach(half, plan->cuff_length, plan->cuff_depth, plan->block.height - hem[1]);

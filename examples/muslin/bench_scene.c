@@ -6,7 +6,7 @@
  * reactions are of the rest.
  *
  * Frame: a nightshirt M60 of 2 m2 and about 5,000 nodes (the T-shirt down to the calves, with long sleeves) of the same
- * fabric round its body: 20 ms of time, one contact pass a step.
+ * fabric round its body: 20 ms of time, one contact pass a step. Layers: the same with cloth against cloth.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +149,7 @@ static mus_status time_frames(mus_drape *drape, bench_row *row)
 
 
 static mus_status run_frame(bench *b, const char *name, const mus_pattern *garment, const mus_body *body,
-                            int32_t integrator, double ball)
+                            int32_t integrator, double ball, int32_t self_contact)
 {
     bench_row row = bench_row_start(name, 32, 1);
     mus_cloth_def cut;
@@ -162,6 +162,7 @@ static mus_status run_frame(bench *b, const char *name, const mus_pattern *garme
     mus_drape_def_init(&def, sizeof def);
     def.integrator = integrator;
     def.contact_ball = ball;
+    def.self_contact = self_contact;
     mus_status status = mus_cloth_create(b->context, garment, &cut, &cloth);
     if (status == MUS_OK) status = mus_drape_create(b->context, cloth, body, &def, &drape);
     if (status == MUS_OK) status = mus_drape_place(drape);
@@ -190,10 +191,12 @@ static mus_status run_frames(bench *b)
     if (status == MUS_OK) status = mus_tape_set_size(tape, "M60");
     if (status == MUS_OK) status = mus_body_create(b->context, tape, NULL, &body);
     if (status == MUS_OK) status = mus_design_draft(b->context, mus_design_find("tshirt"), tape, &draft, &garment);
-    if (status == MUS_OK) status = run_frame(b, "frame_rk4", garment, body, MUS_METHOD_RK4, 0.0);
-    if (status == MUS_OK) status = run_frame(b, "frame_rk4_ball", garment, body, MUS_METHOD_RK4, 0.00025);
-    if (status == MUS_OK) status = run_frame(b, "frame_verlet", garment, body, MUS_METHOD_VERLET, 0.0);
-    if (status == MUS_OK) status = run_frame(b, "frame_verlet_ball", garment, body, MUS_METHOD_VERLET, 0.00025);
+    if (status == MUS_OK) status = run_frame(b, "frame_rk4", garment, body, MUS_METHOD_RK4, 0.0, 0);
+    if (status == MUS_OK) status = run_frame(b, "frame_rk4_ball", garment, body, MUS_METHOD_RK4, 0.00025, 0);
+    if (status == MUS_OK) status = run_frame(b, "frame_verlet", garment, body, MUS_METHOD_VERLET, 0.0, 0);
+    if (status == MUS_OK) status = run_frame(b, "frame_verlet_ball", garment, body, MUS_METHOD_VERLET, 0.00025, 0);
+    if (status == MUS_OK) status = run_frame(b, "frame_rk4_layers", garment, body, MUS_METHOD_RK4, 0.0, 1);
+    if (status == MUS_OK) status = run_frame(b, "frame_verlet_layers", garment, body, MUS_METHOD_VERLET, 0.0, 1);
     mus_pattern_destroy(garment);
     mus_body_destroy(body);
     mus_tape_destroy(tape);

@@ -44,7 +44,7 @@ typedef struct mus_drape_def {
                                 * of this radius [m], 0 (default) .. 0.001. At 0.00025 contact is some micrometres off
                                 * and several times as cheap; contact_impulse of the report then leaves out what planes
                                 * gave */
-    int32_t self_contact;      /* nonzero: cloth meets cloth in mus_drape_step and mus_drape_settle; 0 (default) */
+    int32_t self_contact;      /* nonzero: cloth meets cloth in stepping, sewing and settling; 0 (default) */
     double thickness;          /* cloth is kept this far from cloth [m], default 0.002, at most half the spacing */
     double self_friction;      /* of cloth on cloth; NaN (default): the fabric's; infinite: what touches, sticks */
 } mus_drape_def;
@@ -357,6 +357,18 @@ MUS_API mus_status mus_drape_gaps(const mus_drape *drape, double *out);
  * Cost:   about a microsecond a node
  */
 MUS_API mus_status mus_drape_crossings(const mus_drape *drape, int32_t most, int32_t *pairs, int64_t *count);
+
+/**
+ * Draw cloth that crosses cloth apart, by shortening the contours of crossings, in at most 60 rounds; needs
+ * self_contact.
+ *
+ * MUS_OK with *left 0 is a certificate as that of mus_drape_crossings; from then on nothing crosses. Shallow crossings
+ * go; of a sheet that is halfway through another nothing says which side is right. At rest after it.
+ * Errors: MUS_ERR_TANGLED (*left pairs of triangles still cross; the state is as far as it got); MUS_ERR_ARG;
+ *         MUS_ERR_STATE (without self_contact, or a surface moves); MUS_ERR_DIVERGED; MUS_ERR_LIMIT; MUS_ERR_MEMORY
+ * Cost:   12 steps and two counts a round
+ */
+MUS_API mus_status mus_drape_untangle(mus_drape *drape, int64_t *left);
 
 /** Smooth unit normals of the cloth (nodes x 3), right side out, averaged over welded seams. */
 MUS_API mus_status mus_drape_normals(const mus_drape *drape, double *out);

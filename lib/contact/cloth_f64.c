@@ -4,6 +4,7 @@
 
 #include "base/clones.h"
 #include "contact/cloth_self.h"
+#include "contact/contact.h"
 
 #define MUS_REAL double
 #define MUS_FIELD(name) mus__f64_##name

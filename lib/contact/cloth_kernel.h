@@ -6,18 +6,20 @@
  * the bytes do not depend on how many threads there are.
  */
 
+#define SELF_FLAT_PART 0.5 /* of the distance in the flat: flat cloth does not touch itself */
 #define SELF_BALL 0.45     /* of the distance of a pair; below a half */
 #define SELF_TURN 0.64     /* of the squared radius: from there on balls are taken anew */
 #define SELF_ACTIVE 2.0    /* thicknesses: pairs that are nearer answer until balls are taken anew */
 #define SELF_APPROACH 0.45 /* of what others are farther apart than the thickness: they do not come to it unseen */
 #define SELF_BAND 0.002    /* of the thickness: cloth this little farther off still rests on cloth. Small, for
                             * beside an edge it is that far off at an angle of the root of twice this */
-#define SELF_PUSH 0.25     /* of the overlap, in one call */
+#define SELF_PUSH 0.05     /* of the overlap, in one call */
+#define SELF_AGAIN 0.9     /* of what a pair gave in the last call it gives at once */
 #define SELF_WORN 0.3      /* of the skin: with less left for a node the list is made anew */
 #define SELF_ROUND 4e-7    /* of a coordinate: what differences of floats may be off by */
 #define SELF_REACH_MOST 16 /* halvings of the skin until the pairs fit */
-#define SELF_GROUND 3e-4   /* [m] farther off a surface than the clearance: still on it */
-#define SELF_HELD 0.05     /* a node with less of a share in a pair does not bear on it */
+#define SELF_BEARS 0.05    /* a node with less of a share in a pair does not bear on it */
+#define SELF_AGAINST 0.5   /* cosine of what holds a node and what pushes it */
 
 
 /* squared distance of p and the triangle a b c, and the shares of its corners in the nearest place
@@ -117,6 +119,40 @@ typedef struct MUS_FIELD(self_search) {
 } MUS_FIELD(self_search);
 
 
+/* the thickness of a pair */
+static float MUS_FIELD(self_thickness)(const mus__cloth_self *self, int32_t edges, const int32_t *node)
+{
+    const mus__cloth_flat *flat = &self->flat;
+    const float *thick = self->thick, most = (float)self->thickness;
+    const int32_t of = flat->panel[node[0]];
+    if (self->group[node[0]] != self->group[node[3]]) return most;
+
+    /* in one panel: half the distance in the flat */
+    if (flat->panel[node[1]] == of && flat->panel[node[2]] == of && flat->panel[node[3]] == of) {
+        MUS_REAL p[4][3], share[3];
+        const double *zero = flat->rest + 2 * (int64_t)node[0];
+        for (int32_t i = 0; i < 4; i++) {
+            for (int32_t d = 0; d < 2; d++) p[i][d] = (MUS_REAL)(flat->rest[2 * (int64_t)node[i] + d] - zero[d]);
+            p[i][2] = 0;
+        }
+        const MUS_REAL d2 = edges ? MUS_FIELD(self_edges)(p[0], p[1], p[2], p[3], share)
+                                  : MUS_FIELD(self_triangle)(p[0], p[1], p[2], p[3], share);
+        const float half = (float)((MUS_REAL)SELF_FLAT_PART * (MUS_REAL)MUS_SQRT(d2));
+        return half < most ? half : most;
+    }
+
+    /* across a seam: by what is there on both sides */
+    float side[2] = {0, 0};
+    const int32_t split = edges ? 2 : 1;
+    for (int32_t s = 0; s < 2; s++) {
+        side[s] = most;
+        for (int32_t i = s ? split : 0; i < (s ? 4 : split); i++)
+            if (thick[node[i]] < side[s]) side[s] = thick[node[i]];
+    }
+    return side[0] < most && side[1] < most ? side[0] < side[1] ? side[0] : side[1] : most;
+}
+
+
 /* the pair, if it has no node twice and is near enough */
 static void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t edges, int32_t a, int32_t b, int32_t c,
                                 int32_t e)
@@ -149,7 +185,7 @@ static void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t edges, 
         self->full = 1;
         return;
     }
-    const mus__cloth_near pair = {{a, b, c, e}};
+    const mus__cloth_near pair = {{a, b, c, e}, MUS_FIELD(self_thickness)(self, edges, node), 0};
     self->pair[edges ? --search->last : search->first++] = pair;
 }
 
@@ -234,42 +270,21 @@ static int32_t MUS_FIELD(self_left)(mus__cloth_self *self, const MUS_REAL *x)
 }
 
 
-/* the thickness of a pair */
-static inline MUS_REAL MUS_FIELD(self_thick)(const MUS_REAL *thick, const int32_t *node)
+/* nonzero when both things of a pair have a node that is part of a crossing */
+static inline int32_t MUS_FIELD(self_loose)(const mus__cloth_self *self, const int32_t *node, int32_t split)
 {
-    MUS_REAL t = thick[node[0]];
-    for (int32_t i = 1; i < 4; i++) t = thick[node[i]] < t ? thick[node[i]] : t;
-    return t;
-}
-
-
-/* what holds the nodes of pairs that may touch, from the outside: pins and surfaces */
-static void MUS_FIELD(self_grounds)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
-                                    const MUS_REAL *x)
-{
-    const int64_t n = self->n;
-    memset(self->level, MUS_SELF_UNKNOWN, (size_t)self->nodes);
-    for (int32_t k = 0; k < self->ntouch; k++)
-        for (int32_t i = 0; i < 4; i++) {
-            const int32_t node = self->pair[self->touch[k]].node[i];
-            if (self->level[node] != MUS_SELF_UNKNOWN) continue;
-            self->level[node] = inverse[node] == 0 ? 0 : MUS_SELF_LOOSE;
-            if (rule->collider == NULL || inverse[node] == 0) continue;
-            double p[3];
-            for (int64_t d = 0; d < 3; d++) p[d] = (double)x[d * n + node] + rule->collider->origin[d];
-            const double near = rule->clearance + SELF_GROUND;
-            if (mus__collider_depth(rule->collider, p, near, NULL) > -near) self->level[node] = 0;
-        }
+    const uint8_t *tangle = self->tangle;
+    const int32_t second = tangle[node[1]] != 0;
+    return (tangle[node[0]] || (split == 2 && second)) &&
+           (tangle[node[2]] || tangle[node[3]] || (split == 1 && second));
 }
 
 
 /* balls round where the nodes are now, and which pairs answer from now on */
-static void MUS_FIELD(self_balls)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
-                                  const MUS_REAL *x)
+static void MUS_FIELD(self_balls)(mus__cloth_self *self, const MUS_REAL *x)
 {
     const int64_t n = self->n;
     MUS_REAL *centre = self->ball, *ball = centre + 3 * n;
-    const MUS_REAL *thick = self->thick;
     if (self->stale || MUS_FIELD(self_left)(self, x)) {
         MUS_FIELD(self_list)(self, x);
         MUS_FIELD(self_left)(self, x);
@@ -284,8 +299,9 @@ static void MUS_FIELD(self_balls)(mus__cloth_self *self, const mus__cloth_rule *
         if (k == self->pair_capacity) break;
         const int32_t *node = self->pair[k].node;
         MUS_REAL p[4][3], share[4];
+        if (self->tangled > 0 && MUS_FIELD(self_loose)(self, node, k < self->nnode_pair ? 1 : 2)) continue;
         MUS_FIELD(self_take)(x, n, node, p);
-        const MUS_REAL t = MUS_FIELD(self_thick)(thick, node);
+        const MUS_REAL t = (MUS_REAL)self->pair[k].thickness;
         const MUS_REAL apart = (MUS_REAL)MUS_SQRT(MUS_FIELD(self_measure)(self, k, p, share));
         MUS_REAL room = (MUS_REAL)SELF_BALL * apart;
         if (apart < (MUS_REAL)SELF_ACTIVE * t) self->touch[self->ntouch++] = k;
@@ -298,7 +314,6 @@ static void MUS_FIELD(self_balls)(mus__cloth_self *self, const mus__cloth_rule *
         ball[i] = room > 0 && !self->full ? room * room : 0;
     }
     memcpy(centre, x, 3 * (size_t)n * sizeof *centre);
-    MUS_FIELD(self_grounds)(self, rule, inverse, x);
 }
 
 
@@ -336,102 +351,204 @@ static int32_t MUS_FIELD(self_hold)(mus__cloth_self *self, MUS_REAL *x)
 
 /* ---- touch: what near pairs answer ---- */
 
-/* the level of the nodes first .. last-1 that bear on the pair: the highest; and of the others of it, from below, the
- * impulse is borne by what is nearer to the ground: 0 or 1 a node in `free` */
+/*
+ * A layer that lies on the body hands on what it gets from the layers on it: the body takes it before the next call. In
+ * a pair such a layer is as good as held, and the other gets all of the answer; else a pile would sink by half of the
+ * answer in each step. It is held when the body pushed its nodes in this step, or a layer that is held did in the last
+ * call, against the way in which this pair pushes them.
+ */
+
+/* the level of the nodes first .. last-1 that bear on the pair, which pushes them along `sign` times the normal */
 static inline int32_t MUS_FIELD(self_level)(const mus__cloth_self *self, const int32_t *node, const MUS_REAL *share,
-                                            int32_t first, int32_t last)
+                                            int32_t first, int32_t last, MUS_REAL sign, const MUS_REAL *normal)
 {
+    const int64_t n = self->n;
+    const MUS_REAL *ground = self->ground;
     int32_t level = 0;
     for (int32_t i = first; i < last; i++) {
-        const MUS_REAL bears = share[i] > 0 ? share[i] : -share[i];
-        if (bears > (MUS_REAL)SELF_HELD && self->level[node[i]] > level) level = self->level[node[i]];
+        const int32_t k = node[i], now = self->last[k] < self->level[k] ? self->last[k] : self->level[k];
+        if (share[i] < (MUS_REAL)SELF_BEARS && share[i] > -(MUS_REAL)SELF_BEARS) continue;
+        if (now == MUS_SELF_LOOSE) return now;
+        const MUS_REAL along = ground[k] * normal[0] + ground[n + k] * normal[1] + ground[2 * n + k] * normal[2];
+        if (!(sign * along < -(MUS_REAL)SELF_AGAINST)) return MUS_SELF_LOOSE;
+        level = now > level ? now : level;
     }
     return level;
 }
 
 
-/* what lies on something that is held is held by it */
+/* the nodes first .. last-1 are pushed along `sign` times the normal by something of `level` */
 static inline void MUS_FIELD(self_stand)(mus__cloth_self *self, const int32_t *node, int32_t first, int32_t last,
-                                         int32_t level)
+                                         int32_t level, MUS_REAL sign, const MUS_REAL *normal)
 {
-    for (int32_t i = first; i < last; i++)
-        if (self->level[node[i]] > level + 1 && level < MUS_SELF_LEVELS) self->level[node[i]] = (uint8_t)(level + 1);
+    const int64_t n = self->n;
+    MUS_REAL *ground = self->ground;
+    for (int32_t i = first; i < last && level < MUS_SELF_LEVELS; i++) {
+        const int32_t k = node[i];
+        if (self->level[k] <= level + 1) continue;
+        self->level[k] = (uint8_t)(level + 1);
+        for (int32_t d = 0; d < 3; d++) ground[d * n + k] = sign * normal[d];
+    }
 }
 
 
-/* one pair: way (3) from its second thing to its first, of length `apart`, less than the thickness t or hardly more */
-static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
-                                   const int32_t *node, int32_t split, const MUS_REAL *share, const MUS_REAL *way,
-                                   MUS_REAL apart, MUS_REAL t, MUS_REAL *x, MUS_REAL *v)
+/* which nodes that may touch the body pushed in this step, and whither */
+static void MUS_FIELD(self_grounds)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *v)
 {
     const int64_t n = self->n;
-    MUS_REAL normal[3], w[3] = {0, 0, 0}, give = 0;
-    const int32_t one = MUS_FIELD(self_level)(self, node, share, 0, split);
-    const int32_t two = MUS_FIELD(self_level)(self, node, share, split, 4);
-    for (int32_t d = 0; d < 3; d++) normal[d] = way[d] / apart;
+    const MUS_REAL *before = self->before;
+    MUS_REAL *ground = self->ground;
+    uint8_t *const was = self->last;
+    self->last = self->level;
+    self->level = was;
+    memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
+    if (!rule->body) return;
+    for (int32_t k = 0; k < self->ntouch; k++)
+        for (int32_t i = 0; i < 4; i++) {
+            const int32_t node = self->pair[self->touch[k]].node[i];
+            MUS_REAL push[3], push2 = 0;
+            if (self->level[node] == 0) continue;
+            for (int64_t d = 0; d < 3; d++) {
+                push[d] = v[d * n + node] - before[d * n + node];
+                push2 += push[d] * push[d];
+            }
+            if (!(push2 > 0)) continue;
+            self->level[node] = 0;
+            const MUS_REAL length = (MUS_REAL)MUS_SQRT(push2);
+            for (int64_t d = 0; d < 3; d++) ground[d * n + node] = push[d] / length;
+        }
+}
+
+
+/* a pair that answers: shares of its nodes, unit normal from its second thing to its first, how much too near they
+ * are */
+typedef struct MUS_FIELD(self_pair) {
+    const int32_t *node;
+    int32_t split; /* nodes of the first thing */
+    MUS_REAL share[4], normal[3], lift;
+} MUS_FIELD(self_pair);
+
+
+/* pair number k as it lies now; nonzero when its things are nearer than the thickness, or hardly more */
+static inline int32_t MUS_FIELD(self_lies)(const mus__cloth_self *self, int32_t k, const MUS_REAL *x,
+                                           MUS_FIELD(self_pair) * pair)
+{
+    const MUS_REAL t = (MUS_REAL)self->pair[k].thickness, reach = (MUS_REAL)(1.0 + SELF_BAND) * t;
+    MUS_REAL p[4][3], *share = pair->share;
+    pair->node = self->pair[k].node;
+    pair->split = k < self->nnode_pair ? 1 : 2;
+    MUS_FIELD(self_take)(x, self->n, pair->node, p);
+    const MUS_REAL d2 = MUS_FIELD(self_measure)(self, k, p, share);
+    if (!(d2 < reach * reach) || !(d2 > 0)) return 0;
+    const MUS_REAL apart = (MUS_REAL)MUS_SQRT(d2);
+    pair->lift = t - apart;
+    for (int32_t d = 0; d < 3; d++)
+        pair->normal[d] =
+            (share[0] * p[0][d] + share[1] * p[1][d] + share[2] * p[2][d] + share[3] * p[3][d]) / apart;
+    return 1;
+}
+
+
+/* an impulse and a move per mass (3 each) to the nodes of a pair */
+static inline void MUS_FIELD(self_give)(mus__cloth_self *self, const MUS_FIELD(self_pair) * pair,
+                                        const MUS_REAL *inverse, const MUS_REAL *impulse, const MUS_REAL *move,
+                                        MUS_REAL *x, MUS_REAL *v)
+{
+    const int64_t n = self->n;
+    MUS_REAL *force = self->force;
     for (int32_t i = 0; i < 4; i++) {
-        for (int32_t d = 0; d < 3; d++) w[d] += share[i] * v[d * n + node[i]];
-        /* the layer below is as good as held: what it gets it hands on to the ground before the next call */
+        const MUS_REAL share = pair->share[i], moved = share * inverse[pair->node[i]];
+        for (int32_t d = 0; d < 3; d++) {
+            const int64_t at = d * n + pair->node[i];
+            v[at] += moved * impulse[d];
+            x[at] += moved * move[d];
+            force[at] += share * impulse[d];
+        }
+    }
+}
+
+
+/* what a pair gave in the last call, along its normal of now */
+static void MUS_FIELD(self_again)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
+                                  int32_t k, MUS_REAL *x, MUS_REAL *v)
+{
+    MUS_FIELD(self_pair) pair;
+    if (!MUS_FIELD(self_lies)(self, k, x, &pair)) {
+        self->pair[k].impulse = 0;
+        return;
+    }
+    self->pair[k].impulse *= (float)SELF_AGAIN;
+    MUS_REAL impulse[3], move[3];
+    for (int32_t d = 0; d < 3; d++) {
+        impulse[d] = (MUS_REAL)self->pair[k].impulse * pair.normal[d];
+        move[d] = pair.lift > 0 ? (MUS_REAL)rule->slip * impulse[d] : 0;
+    }
+    MUS_FIELD(self_give)(self, &pair, inverse, impulse, move, x, v);
+}
+
+
+/* what it gives beside that, or less, and friction of what it gives in all */
+static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
+                                   int32_t k, MUS_REAL *x, MUS_REAL *v)
+{
+    const int64_t n = self->n;
+    MUS_FIELD(self_pair) pair;
+    MUS_REAL w[3] = {0, 0, 0}, give = 0, speed2 = 0, rub = 0, slide[3], impulse[3], move[3];
+    if (!MUS_FIELD(self_lies)(self, k, x, &pair)) {
+        self->pair[k].impulse = 0;
+        return;
+    }
+    self->close++;
+    const int32_t *node = pair.node, split = pair.split;
+    const int32_t one = MUS_FIELD(self_level)(self, node, pair.share, 0, split, 1, pair.normal);
+    const int32_t two = MUS_FIELD(self_level)(self, node, pair.share, split, 4, -1, pair.normal);
+    for (int32_t i = 0; i < 4; i++) {
+        for (int32_t d = 0; d < 3; d++) w[d] += pair.share[i] * v[d * n + node[i]];
         if (i < split ? one >= two || one == MUS_SELF_LOOSE : two >= one || two == MUS_SELF_LOOSE)
-            give += share[i] * share[i] * inverse[node[i]];
+            give += pair.share[i] * pair.share[i] * inverse[node[i]];
     }
     if (!(give > 0)) return;
 
-    /* impulses per give: the approach ends, friction against the sliding */
-    const MUS_REAL out = MUS_FIELD(dot)(w, normal), lift = t - apart;
-    MUS_REAL push = (MUS_REAL)SELF_PUSH * lift, speed2 = 0, rub = 0, slide[3];
-    const MUS_REAL stop = out < 0 ? -out : 0, most = (MUS_REAL)rule->push;
-    push = push > most ? most : push > 0 ? push : 0;
-    for (int32_t d = 0; d < 3; d++) slide[d] = w[d] - out * normal[d], speed2 += slide[d] * slide[d];
-    if (stop > 0 && speed2 > 0) {
-        const MUS_REAL speed = (MUS_REAL)MUS_SQRT(speed2), grip = (MUS_REAL)self->friction * stop;
-        rub = grip < speed ? grip / speed : 1;
+    /* the approach ends, or what was given too much is taken back; friction against the sliding */
+    const MUS_REAL out = MUS_FIELD(dot)(w, pair.normal), last = (MUS_REAL)self->pair[k].impulse;
+    const MUS_REAL all = last - out / give > 0 ? last - out / give : 0, more = all - last;
+    for (int32_t d = 0; d < 3; d++) slide[d] = w[d] - out * pair.normal[d], speed2 += slide[d] * slide[d];
+    if (all > 0 && speed2 > 0) {
+        const MUS_REAL speed = (MUS_REAL)MUS_SQRT(speed2), grip = (MUS_REAL)self->friction * all * give;
+        rub = (grip < speed ? grip / speed : 1) / give;
     }
-    if (stop > 0 && one < two) MUS_FIELD(self_stand)(self, node, split, 4, one);
-    if (stop > 0 && two < one) MUS_FIELD(self_stand)(self, node, 0, split, two);
+    if (all > 0 && one < two) MUS_FIELD(self_stand)(self, node, split, 4, one, -1, pair.normal);
+    if (all > 0 && two < one) MUS_FIELD(self_stand)(self, node, 0, split, two, 1, pair.normal);
+    self->pair[k].impulse = (float)all;
+
     /* what moved with the old velocity moves back; but in the band it sinks on, so that it rests below its edge */
-    const MUS_REAL slip = (MUS_REAL)rule->slip, sink = lift > 0 ? slip : 0;
-    MUS_REAL *force = self->force;
-    for (int32_t i = 0; i < 4; i++) {
-        const MUS_REAL part = share[i] / give, moved = part * inverse[node[i]];
-        for (int32_t d = 0; d < 3; d++) {
-            const MUS_REAL out_of = stop * normal[d], along = rub * slide[d], impulse = out_of - along;
-            const int64_t at = d * n + node[i];
-            v[at] += moved * impulse;
-            x[at] += moved * (sink * out_of - slip * along + push * normal[d]);
-            force[at] += part * impulse;
-        }
+    const MUS_REAL slip = (MUS_REAL)rule->slip, sink = pair.lift > 0 ? slip : 0, most = (MUS_REAL)rule->push;
+    MUS_REAL push = (MUS_REAL)SELF_PUSH * pair.lift;
+    push = (push > most ? most : push > 0 ? push : 0) / give;
+    for (int32_t d = 0; d < 3; d++) {
+        impulse[d] = more * pair.normal[d] - rub * slide[d];
+        move[d] = (sink * more + push) * pair.normal[d] - slip * rub * slide[d];
     }
+    MUS_FIELD(self_give)(self, &pair, inverse, impulse, move, x, v);
 }
 
 
 static void MUS_FIELD(self_touch)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
                                   MUS_REAL *x, MUS_REAL *v)
 {
-    const MUS_REAL *thick = self->thick;
     self->close = 0;
-    for (int32_t k = 0; k < self->ntouch; k++) {
-        const int32_t at = self->touch[k], *node = self->pair[at].node;
-        MUS_REAL p[4][3], share[4], way[3];
-        MUS_FIELD(self_take)(x, self->n, node, p);
-        const MUS_REAL t = MUS_FIELD(self_thick)(thick, node), reach = (MUS_REAL)(1.0 + SELF_BAND) * t;
-        const MUS_REAL d2 = MUS_FIELD(self_measure)(self, at, p, share);
-        if (!(d2 < reach * reach) || !(d2 > 0)) continue;
-        for (int32_t d = 0; d < 3; d++)
-            way[d] = share[0] * p[0][d] + share[1] * p[1][d] + share[2] * p[2][d] + share[3] * p[3][d];
-        self->close++;
-        const int32_t split = at < self->nnode_pair ? 1 : 2;
-        MUS_FIELD(self_answer)(self, rule, inverse, node, split, share, way, (MUS_REAL)MUS_SQRT(d2), t, x, v);
-    }
+    for (int32_t k = 0; k < self->ntouch; k++)
+        if (self->pair[self->touch[k]].impulse > 0) MUS_FIELD(self_again)(self, rule, inverse, self->touch[k], x, v);
+    for (int32_t k = 0; k < self->ntouch; k++) MUS_FIELD(self_answer)(self, rule, inverse, self->touch[k], x, v);
     self->answers += self->ntouch;
 }
 
 
 /* ---- the calls ---- */
 
-void MUS_SELF_LOOK(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse, const MUS_REAL *x)
+void MUS_SELF_LOOK(mus__cloth_self *self, const MUS_REAL *x)
 {
-    if (self->stale) MUS_FIELD(self_balls)(self, rule, inverse, x);
+    if (self->stale) MUS_FIELD(self_balls)(self, x);
 }
 
 
@@ -439,8 +556,9 @@ void MUS_SELF(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL
 {
     int32_t turn = MUS_FIELD(self_hold)(self, x);
     if (self->ntouch > 0) {
+        MUS_FIELD(self_grounds)(self, rule, v);
         MUS_FIELD(self_touch)(self, rule, inverse, x, v);
         turn |= MUS_FIELD(self_hold)(self, x);
     }
-    if (turn) MUS_FIELD(self_balls)(self, rule, inverse, x);
+    if (turn) MUS_FIELD(self_balls)(self, x);
 }

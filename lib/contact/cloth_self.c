@@ -43,78 +43,101 @@ void mus__cloth_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32
 }
 
 
-static void self_put(const mus__cloth_self *self, void *array, int64_t i, double value)
+/* what hangs together: classes by seams, then by triangles too */
+static void self_groups(mus__cloth_self *self)
 {
-    if (self->real == sizeof(float)) ((float *)array)[i] = (float)value;
-    else ((double *)array)[i] = value;
-}
-
-
-static double self_number(const mus__cloth_self *self, const void *array, int64_t i)
-{
-    return self->real == sizeof(float) ? (double)((const float *)array)[i] : ((const double *)array)[i];
-}
-
-
-/* thickness at the nodes, from the heights of triangles in the flat; how far the list of pairs is to reach */
-static void self_thickness(mus__cloth_self *self, int32_t ntriangle, const int32_t *triangle, const double *rest)
-{
-    double edges = 0.0;
-    for (int32_t i = 0; i < self->nodes; i++) self_put(self, self->thick, i, self->thickness);
-    for (int64_t t = 0; t < ntriangle; t++) {
-        const double *a = rest + 2 * (int64_t)triangle[3 * t], *b = rest + 2 * (int64_t)triangle[3 * t + 1];
-        const double *c = rest + 2 * (int64_t)triangle[3 * t + 2];
-        const double u[2] = {b[0] - a[0], b[1] - a[1]}, v[2] = {c[0] - a[0], c[1] - a[1]};
-        const double w[2] = {c[0] - b[0], c[1] - b[1]}, area2 = fabs(u[0] * v[1] - u[1] * v[0]);
-        const double uu = u[0] * u[0] + u[1] * u[1], vv = v[0] * v[0] + v[1] * v[1], ww = w[0] * w[0] + w[1] * w[1];
-        const double longest = sqrt(fmax(uu, fmax(vv, ww))), height = longest > 0.0 ? area2 / longest : 0.0;
-        edges += (sqrt(uu) + sqrt(vv) + sqrt(ww)) / 3.0;
-        for (int32_t k = 0; k < 3; k++)
-            if (SELF_FLAT * height < self_number(self, self->thick, triangle[3 * t + k]))
-                self_put(self, self->thick, triangle[3 * t + k], SELF_FLAT * height);
+    const mus__cloth_flat *flat = &self->flat;
+    memcpy(self->group, self->class_of, (size_t)flat->nodes * sizeof *self->group);
+    for (int64_t e = 0; e < 3 * (int64_t)flat->ntriangle; e++) {
+        const int64_t next = e % 3 == 2 ? e - 2 : e + 1;
+        const int32_t a = self_root(self->group, flat->triangle[e]), b = self_root(self->group, flat->triangle[next]);
+        if (a < b) self->group[b] = a;
+        else self->group[a] = b;
     }
-    self->skin = ntriangle > 0 ? fmax(SELF_SKIN * edges / ntriangle, 0.25 * self->thickness) : self->thickness;
+    for (int32_t i = 0; i < flat->nodes; i++) self->group[i] = self_root(self->group, i);
 }
 
 
-mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, int32_t nodes, int32_t ntriangle,
-                                  const int32_t *triangle, const double *rest, int32_t npair, const int32_t *pair,
+/* least height of a triangle in the flat, and the mean of its edges */
+static double self_height(const double *a, const double *b, const double *c, double *edge)
+{
+    const double u[2] = {b[0] - a[0], b[1] - a[1]}, v[2] = {c[0] - a[0], c[1] - a[1]};
+    const double w[2] = {c[0] - b[0], c[1] - b[1]}, area2 = fabs(u[0] * v[1] - u[1] * v[0]);
+    const double ul = sqrt(u[0] * u[0] + u[1] * u[1]), vl = sqrt(v[0] * v[0] + v[1] * v[1]);
+    const double wl = sqrt(w[0] * w[0] + w[1] * w[1]), longest = fmax(ul, fmax(vl, wl));
+    *edge = (ul + vl + wl) / 3.0;
+    return longest > 0.0 ? area2 / longest : 0.0;
+}
+
+
+/* thickness where triangles have nodes of seams; how far the list of pairs is to reach */
+static void self_thickness(mus__cloth_self *self)
+{
+    const mus__cloth_flat *flat = &self->flat;
+    double edges = 0.0, edge;
+    uint8_t *sewn = self->level;
+    memset(sewn, 0, (size_t)flat->nodes);
+    for (int32_t p = 0; p < 2 * flat->npair; p++) sewn[flat->pair[p]] = 1;
+    for (int32_t i = 0; i < flat->nodes; i++) self->thick[i] = (float)self->thickness;
+    for (int64_t t = 0; t < flat->ntriangle; t++) {
+        const int32_t *corner = flat->triangle + 3 * t;
+        const double height = self_height(flat->rest + 2 * (int64_t)corner[0], flat->rest + 2 * (int64_t)corner[1],
+                                          flat->rest + 2 * (int64_t)corner[2], &edge);
+        edges += edge;
+        if (!sewn[corner[0]] && !sewn[corner[1]] && !sewn[corner[2]]) continue;
+        for (int32_t k = 0; k < 3; k++)
+            if (SELF_FLAT * height < (double)self->thick[corner[k]])
+                self->thick[corner[k]] = (float)(SELF_FLAT * height);
+    }
+    const double mean = flat->ntriangle > 0 ? edges / flat->ntriangle : 0.0;
+    self->skin = fmax(SELF_SKIN * mean, 0.5 * self->thickness);
+}
+
+
+mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, const mus__cloth_flat *flat,
                                   double thickness, double friction, mus__cloth_self **out)
 {
     *out = NULL;
     mus__cloth_self *self = mus__new(context, 1, sizeof *self);
     if (self == NULL) return mus__fail_memory(context, "a cloth's contact with itself");
+    const int64_t nodes = flat->nodes, planes = 3 * (int64_t)n;
     self->context = context;
     self->real = real;
     self->n = n;
-    self->nodes = nodes;
+    self->nodes = flat->nodes;
+    self->flat = *flat;
     self->thickness = thickness;
     self->friction = friction;
     self->pair_capacity = (int32_t)fmin(SELF_FIRST_PAIRS * (double)nodes + 256.0, 1e9);
-    self->class_of = mus__new(context, nodes, sizeof *self->class_of);
-    self->triangle = mus__new(context, 3 * (int64_t)ntriangle, sizeof *self->triangle);
-    self->own = mus__new(context, ntriangle, 1);
-    self->thick = mus__new(context, n, real);
-    self->ball = mus__new(context, 4 * (int64_t)n, real);
-    self->home = mus__new(context, 3 * (int64_t)n, real);
-    self->force = mus__new(context, 3 * (int64_t)n, real);
-    self->level = mus__new(context, nodes, 1);
-    self->pair = mus__new(context, self->pair_capacity, sizeof *self->pair);
-    self->touch = mus__new(context, self->pair_capacity, sizeof *self->touch);
-    mus_status status = mus__cloth_grid_create(context, ntriangle, &self->grid);
-    if (status == MUS_OK &&
-        (self->class_of == NULL || self->triangle == NULL || self->own == NULL || self->thick == NULL ||
-         self->ball == NULL || self->home == NULL || self->force == NULL || self->level == NULL ||
-         self->pair == NULL || self->touch == NULL))
-        status = mus__fail_memory(context, "a cloth's contact with itself");
+    const struct {
+        void *array;
+        int64_t count;
+        size_t size;
+    } arrays[] = {
+        {&self->class_of, nodes, sizeof *self->class_of}, {&self->group, nodes, sizeof *self->group},
+        {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
+        {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
+        {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
+        {&self->force, planes, real},                     {&self->before, planes, real},
+        {&self->ground, planes, real},                    {&self->level, nodes, 1},
+        {&self->last, nodes, 1},                          {&self->tangle, nodes, 1},
+        {&self->pair, self->pair_capacity, sizeof *self->pair},
+        {&self->touch, self->pair_capacity, sizeof *self->touch},
+    };
+    mus_status status = mus__cloth_grid_create(context, flat->ntriangle, &self->grid);
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0] && status == MUS_OK; i++) {
+        void *block = mus__new(context, arrays[i].count, arrays[i].size);
+        memcpy(arrays[i].array, &block, sizeof block);
+        if (block == NULL) status = mus__fail_memory(context, "a cloth's contact with itself");
+    }
     if (status != MUS_OK) {
         mus__cloth_self_destroy(self);
         return status;
     }
-    mus__cloth_classes(nodes, npair, pair, self->class_of);
-    self_thickness(self, ntriangle, triangle, rest);
-    memset(self->level, MUS_SELF_LOOSE, (size_t)nodes);
-    mus__cloth_self_weld(self, ntriangle, triangle, NULL);
+    mus__cloth_classes(flat->nodes, flat->npair, flat->pair, self->class_of);
+    self_groups(self);
+    self_thickness(self);
+    mus__cloth_self_weld(self, NULL);
     *out = self;
     return MUS_OK;
 }
@@ -125,8 +148,9 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     if (self == NULL) return;
     mus_context *context = self->context;
     mus__cloth_grid_destroy(context, &self->grid);
-    void *blocks[] = {self->class_of, self->triangle, self->own,   self->thick, self->ball,
-                      self->home,     self->force,    self->level, self->pair,  self->touch};
+    void *blocks[] = {self->class_of, self->group,  self->triangle, self->own,  self->thick,
+                      self->ball,     self->home,   self->force,    self->before, self->ground,
+                      self->level,    self->last,   self->tangle,   self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
 }
@@ -141,10 +165,11 @@ static int self_by_edge(const void *left, const void *right)
 }
 
 
-void mus__cloth_self_weld(mus__cloth_self *self, int32_t ntriangle, const int32_t *triangle, const int32_t *rep)
+void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep)
 {
+    const int32_t *triangle = self->flat.triangle;
     self->ntriangle = 0;
-    for (int64_t t = 0; t < ntriangle; t++) {
+    for (int64_t t = 0; t < self->flat.ntriangle; t++) {
         int32_t *to = self->triangle + 3 * (int64_t)self->ntriangle;
         for (int32_t k = 0; k < 3; k++) {
             const int32_t node = triangle[3 * t + k];
@@ -164,6 +189,7 @@ void mus__cloth_self_weld(mus__cloth_self *self, int32_t ntriangle, const int32_
             *known = 1;
         }
     memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
+    memset(self->last, MUS_SELF_LOOSE, (size_t)self->nodes);
 
     /* and the first of each edge; the grid's boxes, of 48 bytes a triangle, hold them meanwhile */
     self_edge *edge = (self_edge *)(void *)self->grid.box;
@@ -207,4 +233,44 @@ mus_status mus__cloth_self_grow(mus__cloth_self *self)
     self->full = 0;
     self->stale = 1;
     return MUS_OK;
+}
+
+
+typedef struct self_tangle {
+    mus__cloth_self *self;
+    mus__crossing_fn fn;
+    void *user;
+} self_tangle;
+
+
+static void self_mark(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
+{
+    const self_tangle *tangle = user;
+    mus__cloth_self *self = tangle->self;
+    for (int32_t k = 0; k < 3; k++) {
+        self->tangle[self->triangle[3 * (int64_t)of + k]] = 1;
+        self->tangle[self->triangle[3 * (int64_t)met + k]] = 1;
+    }
+    if (tangle->fn != NULL) tangle->fn(tangle->user, p, q, of, met);
+}
+
+
+int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__crossing_fn fn, void *user)
+{
+    self_tangle tangle = {self, fn, user};
+    memset(self->tangle, 0, (size_t)self->nodes);
+    const int64_t count = mus__cloth_crossings(&self->grid, self->ntriangle, self->triangle, self->class_of, x,
+                                               self_mark, &tangle);
+
+    /* and their neighbours, to which a crossing moves on */
+    for (int64_t t = 0; count > 0 && t < 3 * (int64_t)self->ntriangle; t += 3) {
+        const int32_t *corner = self->triangle + t;
+        if (self->tangle[corner[0]] != 1 && self->tangle[corner[1]] != 1 && self->tangle[corner[2]] != 1) continue;
+        for (int32_t k = 0; k < 3; k++)
+            if (self->tangle[corner[k]] == 0) self->tangle[corner[k]] = 2;
+    }
+    self->tangled = 0;
+    for (int32_t i = 0; i < self->nodes; i++) self->tangled += self->tangle[i] != 0;
+    self->stale = 1;
+    return count;
 }

@@ -12,22 +12,37 @@
  *   look:   near pairs are taken anew from a grid, when a node has gone farther than the list reaches (`skin`)
  *   ball:   distances of the pairs in the list, and from them the balls, when a node comes to the end of its ball
  *   touch:  pairs that may be nearer than the thickness answer each call: impulses that end their approach, friction
- *           up to mu times these, and a push apart
+ *           up to mu times these, and a push apart. Each starts from what it gave in the last call, so that what
+ *           presses steadily is carried after some calls, however many pairs share it
+ *
+ * Cloth may cross at the start. Nodes of triangles that cross are told apart (`tangle`): two things that both have such
+ * a node may go through each other as they like, until a count finds that they no longer do. All else is as above.
  *
  * The balls are of the state after the answer, which therefore is as free as the forces are.
  *
- * A pair's thickness is that of the drape or, near short edges, half the least height of the triangles there, so that
- * what is joined flat never touches. Nodes that a seam joins count as one, sewn or not yet.
+ * A pair's thickness is that of the drape; within a panel at most half the distance of the two in the flat, and across
+ * a seam half the least height of the triangles there, so that flat cloth never touches itself. Nodes that a seam joins
+ * count as one, sewn or not yet.
  */
 #ifndef MUS_CONTACT_CLOTH_SELF_H
 #define MUS_CONTACT_CLOTH_SELF_H
 
-#include "contact/cloth_grid.h"
-#include "contact/contact.h"
+#include "contact/cloth_crossing.h"
 
 typedef struct mus__cloth_near { /* a node and a triangle, or two edges */
     int32_t node[4];
+    float thickness;
+    float impulse; /* along the normal in the last call [N s] */
 } mus__cloth_near;
+
+/* the mesh at rest */
+typedef struct mus__cloth_flat {
+    int32_t nodes, ntriangle, npair;
+    const int32_t *triangle; /* (ntriangle x 3) */
+    const double *rest;      /* (nodes x 2) in the planes of the panels; must live as long as what is made of it */
+    const int32_t *panel;    /* (nodes) the same */
+    const int32_t *pair;     /* (npair x 2) nodes that seams join */
+} mus__cloth_flat;
 
 typedef struct mus__cloth_self {
     mus_context *context;
@@ -41,11 +56,18 @@ typedef struct mus__cloth_self {
     int32_t *class_of;     /* (nodes) nodes that seams join have one */
     int32_t *triangle;     /* (ntriangle x 3) nodes that stand for the corners */
     uint8_t *own;          /* (ntriangle) corners (bits 0..2) and edges (3..5) that this triangle answers for */
-    void *thick;           /* (nodes) thickness there */
+    mus__cloth_flat flat;
+    int32_t *group;        /* (nodes) one for what hangs together, by triangles and seams */
+    float *thick;          /* (nodes) where triangles of seams are: half the least height there; else the thickness */
     void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
     void *home;            /* (3 n) where each was when the list was made */
     void *force;           /* (3 n) impulses since the caller cleared them [N s] */
-    uint8_t *level;        /* (nodes) how many layers between it and what holds it; MUS_SELF_LOOSE: nothing does */
+    int32_t tangled;       /* nodes that are part of a crossing: 0, or what is said above does not hold for them */
+    uint8_t *tangle;       /* (nodes) nonzero for these */
+    void *before;          /* (3 n) velocities before the body gave its answer in this step, written by the stepper */
+    uint8_t *level, *last; /* (nodes) layers between it and the body that held it in this call, and in the last;
+                            * MUS_SELF_LOOSE: nothing does */
+    void *ground;          /* (3 n) unit: from what holds it */
     int32_t nnode_pair, npair, ntouch;
     int32_t pair_capacity;
     mus__cloth_near *pair; /* (pair_capacity) near pairs: nnode_pair of a node and a triangle, then two edges each */
@@ -60,37 +82,34 @@ typedef struct mus__cloth_self {
 } mus__cloth_self;
 
 #define MUS_SELF_LOOSE 254
-#define MUS_SELF_UNKNOWN 255
 #define MUS_SELF_LEVELS 8 /* layers on each other that know what holds them */
 
 typedef struct mus__cloth_rule {
     double step; /* [s] since the last call */
     double slip; /* [s] h for symplectic Euler, h/2 for RK4, as that of mus__contact_rule */
     double push; /* [m] what overlaps is put apart by at most this in one call */
-    const mus__collider *collider; /* may be NULL */
-    double clearance;              /* of it [m] */
+    int32_t body; /* nonzero: there is one, and velocities before its answer are known */
 } mus__cloth_rule;
 
 /* class_of (nodes): those that pairs (npair x 2) join have one, the smallest of them */
 void mus__cloth_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32_t *class_of);
 
-/* of a cloth of `nodes` (state with planes of n) and triangles (ntriangle x 3) at rest at `rest` (nodes x 2); pairs
- * (npair x 2) of nodes that seams join. Everything that calls need */
-mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, int32_t nodes, int32_t ntriangle,
-                                  const int32_t *triangle, const double *rest, int32_t npair, const int32_t *pair,
+/* of a cloth with a state in planes of n numbers of `real` bytes. Everything that calls need */
+mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, const mus__cloth_flat *flat,
                                   double thickness, double friction, mus__cloth_self **out);
 void mus__cloth_self_destroy(mus__cloth_self *self);
 /* triangles are now those of the nodes that stand for each: rep (nodes), NULL: each for itself */
-void mus__cloth_self_weld(mus__cloth_self *self, int32_t ntriangle, const int32_t *triangle, const int32_t *rep);
+void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep);
+/* between steps: which nodes are part of a crossing at x (nodes x 3); returns how many pairs of triangles cross. fn as
+ * of mus__cloth_crossings, may be NULL */
+int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__crossing_fn fn, void *user);
 /* between steps: room for twice the pairs that there were, where it became narrow */
 mus_status mus__cloth_self_grow(mus__cloth_self *self);
 
-/* before a step, where places were changed from outside: x planes (3 x n), inverse (n) 1/mass, 0 for held nodes */
-void mus__cloth_self_look_f32(mus__cloth_self *self, const mus__cloth_rule *rule, const float *inverse,
-                              const float *x);
-void mus__cloth_self_look_f64(mus__cloth_self *self, const mus__cloth_rule *rule, const double *inverse,
-                              const double *x);
-/* after a step: x, v planes (3 x n) */
+/* before a step, where places were changed from outside: x planes (3 x n) */
+void mus__cloth_self_look_f32(mus__cloth_self *self, const float *x);
+void mus__cloth_self_look_f64(mus__cloth_self *self, const double *x);
+/* after a step: x, v planes (3 x n), inverse (n) 1/mass, 0 for nodes that are held */
 void mus__cloth_self_f32(mus__cloth_self *self, const mus__cloth_rule *rule, const float *inverse, float *x, float *v);
 void mus__cloth_self_f64(mus__cloth_self *self, const mus__cloth_rule *rule, const double *inverse, double *x,
                          double *v);

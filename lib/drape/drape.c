@@ -225,6 +225,7 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     if (cloth->place != NULL) mus__cloth_place(cloth, drape->x);
     for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
     drape->cold = 1;
+    drape->sewn_so = 0;
     mus_reason_init(&drape->reason, sizeof drape->reason);
     mus_reason_init(&drape->start, sizeof drape->start);
     mus__drape_hold(drape);
@@ -359,6 +360,7 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
     mus__drape_push(drape);
     mus__drape_publish(drape);
     drape->cold = 1;
+    drape->sewn_so = 0;
     return MUS_OK;
 }
 
@@ -384,6 +386,7 @@ mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
     if (node < 0 || node >= drape->n)
         return mus__fail(drape->context, MUS_ERR_ARG, "drape: node %d, expected 0 to %d", (int)node, (int)drape->n - 1);
     drape->pinned[drape->rep[node]] = fixed != 0;
+    drape->sewn_so = 0;
     if (fixed) {
         memset(drape->v + 3 * (int64_t)drape->rep[node], 0, 3 * sizeof *drape->v);
         mus__drape_push(drape);

@@ -52,6 +52,7 @@ struct mus_drape {
     double friction;
     int32_t n;
     int32_t welded, settled;
+    int32_t sewn_so;         /* nonzero: with self_contact: the coarser double lies as the last sew left it */
     int32_t cold;            /* nonzero: not near rest, so a settle starts on the coarse cut */
 
     double *x, *v;      /* (n x 3) what the caller sees */
@@ -157,12 +158,12 @@ mus_status mus__drape_self_create(mus_drape *drape);
 void mus__drape_self_weld(mus_drape *drape);
 /* before steps of `h`, places, masses and contact's rule set: from now on it acts in each. */
 mus_status mus__drape_self_ready(mus_drape *drape, double h);
+/* crossings of a cloth with self_contact drawn apart as far as they go (untangle.c) */
+mus_status mus__drape_untangle(mus_drape *drape);
 /* the rule of steps of `h`, the rule of contact set */
 void mus__drape_self_rule(mus_drape *drape, double h);
 /* MUS_ERR_LIMIT when a step found more pairs than there is room for */
 mus_status mus__drape_self_fits(const mus_drape *drape);
-/* it does not act from now on */
-void mus__drape_self_off(mus_drape *drape);
 /* mean force that it gave node i since it was forgotten (3) [N], added to `force` */
 void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
 void mus__drape_self_forget(mus_drape *drape);

@@ -48,6 +48,7 @@ mus_status mus_drape_place(mus_drape *drape)
     drape->count = 0;
     drape->settled = 0;
     drape->cold = 1;
+    drape->sewn_so = 0;
     mus__drape_stand_back(drape);
     return MUS_OK;
 }
@@ -88,6 +89,7 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
     drape->count = 0;
     drape->settled = 0;
     drape->cold = 0;
+    drape->sewn_so = 0;
     mus__drape_stand_back(drape);
     return MUS_OK;
 }

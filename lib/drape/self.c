@@ -24,41 +24,44 @@ mus_status mus__drape_self_create(mus_drape *drape)
                          "drape: thickness is %g m, expected at most half the spacing, %g m",
                          def->thickness, SELF_THICKEST * cloth->spacing);
     const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
-    return mus__cloth_self_create(drape->context, drape->sim.ops->real, drape->sim.n, drape->n, cloth->ntriangle,
-                                  cloth->triangle, cloth->rest, cloth->npair, cloth->pair, def->thickness, friction,
+    const mus__cloth_flat flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
+                                  cloth->rest, cloth->node_panel, cloth->pair};
+    return mus__cloth_self_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat, def->thickness, friction,
                                   &drape->self);
 }
 
 
 void mus__drape_self_weld(mus_drape *drape)
 {
-    if (drape->self == NULL) return;
-    mus__cloth_self_weld(drape->self, drape->cloth->ntriangle, drape->cloth->triangle,
-                         drape->welded ? drape->rep : NULL);
+    if (drape->self != NULL) mus__cloth_self_weld(drape->self, drape->welded ? drape->rep : NULL);
 }
 
 
 void mus__drape_self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
-    sim->self_rule = (mus__cloth_rule){h, sim->rule.slip, SELF_PUSH_SPEED * h, drape->collider, drape->def.clearance};
+    sim->self_rule = (mus__cloth_rule){h, sim->rule.slip, SELF_PUSH_SPEED * h, drape->collider != NULL};
 }
 
 
 mus_status mus__drape_self_ready(mus_drape *drape, double h)
 {
-    if (drape->self == NULL) return MUS_OK;
-    if (drape->sim.self == NULL) drape->self->stale = 1;
-    drape->sim.self = drape->self;
+    mus__cloth_self *self = drape->self;
+    if (self == NULL) return MUS_OK;
+    if (drape->sim.self == NULL) self->stale = 1;
+    drape->sim.self = self;
     mus__drape_self_rule(drape, h);
-    drape->sim.ops->look(&drape->sim);
-    while (drape->self->full) {
-        const mus_status status = mus__cloth_self_grow(drape->self);
-        if (status != MUS_OK) return status;
-        drape->sim.ops->look(&drape->sim);
+    if (self->stale || self->tangled > 0) {
+        mus__drape_publish(drape);
+        mus__cloth_self_tangle(self, drape->x, NULL, NULL);
     }
-    const mus_status status = mus__cloth_self_grow(drape->self);
-    drape->sim.ops->look(&drape->sim);
+
+    /* room for the pairs that there are, and as many again */
+    mus_status status = MUS_OK;
+    do {
+        drape->sim.ops->look(&drape->sim);
+        status = mus__cloth_self_grow(self);
+    } while (status == MUS_OK && self->stale);
     return status;
 }
 
@@ -70,13 +73,6 @@ mus_status mus__drape_self_fits(const mus_drape *drape)
                      "drape: more than %d pairs of cloth and cloth are near each other; they are held where they are, "
                      "and the next call has room for twice as many",
                      (int)drape->self->pair_capacity);
-}
-
-
-void mus__drape_self_off(mus_drape *drape)
-{
-    drape->sim.self = NULL;
-    mus__drape_self_forget(drape);
 }
 
 

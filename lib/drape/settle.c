@@ -24,6 +24,7 @@
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left */
 #define STILL_CHECKS 4
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
+#define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
 #define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
@@ -169,7 +170,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const double h = safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = drag;
-        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h,
+        const double push = drape->self != NULL ? LAYER_PUSH_SPEED * h : 2.0 * travel;
+        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, push, travel, h, h,
                                         MUS_NEAR_BALL, 0.0};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
@@ -215,12 +217,19 @@ static mus_status settle_levels(mus_drape *drape, mus__run *run, const settling 
     if (coarse != NULL) {
         const double most = coarse->cloth->coarse != NULL ? MIDDLE_SECONDS : ROUGH_SECONDS;
         const settling rough = {FALL_SECONDS, most, fmax(ROUGH_RESIDUAL, goal->residual), ROUGH_DRIFT};
-        mus__drape_restrict(drape);
+        if (!drape->sewn_so) {
+            mus__drape_restrict(drape);
+            status = mus__drape_untangle(coarse);
+            if (status != MUS_OK) return status;
+        }
         status = settle_levels(coarse, run, &rough);
         if (status == MUS_ERR_MEMORY || run->stop) return status;
         if (!run->slid && (status == MUS_OK || status == MUS_ERR_UNSETTLED)) {
             mus__drape_prolong(drape);
             own.fall = 0.0;
+            drape->sewn_so = 0;
+            status = mus__drape_untangle(drape);
+            if (status != MUS_OK) return status;
         }
         run->slid = 0;
     }

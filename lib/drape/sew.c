@@ -134,7 +134,6 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     mus_status status = mus__drape_near(drape);
     if (status != MUS_OK) return status;
     memset(sim->gravity, 0, sizeof sim->gravity);
-    mus__drape_self_off(drape);
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;
@@ -151,8 +150,11 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
                                         MUS_NEAR_BALL,       1.0 - SEW_GRIP};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
+        status = mus__drape_self_ready(drape, h);
+        if (status != MUS_OK) break;
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
         status = mus__drape_guard(drape);
+        if (status == MUS_OK) status = mus__drape_self_fits(drape);
         mus__drape_tick(drape, CHECK_STEPS, h, 1);
         t += CHECK_STEPS * h;
         drape->sew_time += CHECK_STEPS * h;
@@ -165,7 +167,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);
     mus__drape_weld(drape);
-    return MUS_OK;
+    return mus__drape_untangle(drape);
 }
 
 
@@ -185,7 +187,8 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
         if (status == MUS_ERR_MEMORY) return status;
         if (status == MUS_OK) {
             mus__drape_prolong(drape);
-            return MUS_OK;
+            drape->sewn_so = drape->self != NULL;
+            return mus__drape_untangle(drape);
         }
     }
     return sew_here(drape, run);

@@ -207,6 +207,10 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
     MUS_REAL *x = sim->phase_touch, *v = x + 3 * (int64_t)sim->n;
     const int32_t start = plan->chunk[first].first, end = plan->chunk[last - 1].first + plan->chunk[last - 1].count;
+    if (sim->self != NULL)
+        for (int64_t d = 0; d < 3; d++)
+            memcpy((MUS_REAL *)sim->self->before + d * sim->n + start, v + d * sim->n + start,
+                   (size_t)(end - start) * sizeof *v);
     if (sim->near != NULL && !sim->swift)
         MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
     else
@@ -282,7 +286,7 @@ static inline void MUS_FN(meet_self)(mus__sim *sim, double h)
 
 static void MUS_FN(look)(mus__sim *sim)
 {
-    if (sim->self != NULL) MUS_CLOTH_LOOK(sim->self, &sim->self_rule, sim->inverse, sim->y);
+    if (sim->self != NULL) MUS_CLOTH_LOOK(sim->self, sim->y);
 }
 
 

@@ -215,6 +215,8 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         drape->since_look += batch;
         status = mus__drape_check_motion(drape);
         if (status == MUS_OK) status = mus__drape_self_fits(drape);
+        if (status == MUS_OK && drape->self != NULL && drape->self->tangled > 0)
+            status = mus__drape_self_ready(drape, dt);
         drape->way += batch * dt * drape->speed;
         const int32_t due = drape->since_look >= LOOK_STEPS;
         if (status == MUS_OK && !due && drape->way > LOOK_WAY * drape->cloth->spacing && drape->cloth->spacing > 0.0) {
@@ -230,7 +232,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     }
     mus__drape_stand(drape, 0, dt, 0.0);
     sim->near = NULL;
-    drape->settled = 0;
+    drape->settled = drape->sewn_so = 0;
     drape->residual = NAN;
     mus__drape_publish(drape);
     return status;

@@ -33,7 +33,8 @@ MUS_ERR_STEP = 14
 MUS_ERR_DIVERGED = 15
 MUS_ERR_SEW = 16
 MUS_ERR_UNSETTLED = 17
-MUS_STATUS_COUNT = 18
+MUS_ERR_TANGLED = 18
+MUS_STATUS_COUNT = 19
 MUS_SEX_UNSET = 0
 MUS_SEX_FEMALE = 1
 MUS_SEX_MALE = 2
@@ -203,7 +204,7 @@ MUS_DISTANCE_COUNT = 6
 # names of the lists, by number
 STATUS_NAMES = ("OK", "ERR_ARG", "ERR_MEMORY", "ERR_VERSION", "ERR_STATE", "ERR_LIMIT", "ERR_FILE", "ERR_FORMAT",
                 "ERR_UNSUPPORTED", "ERR_TAPE", "ERR_BODY", "ERR_PATTERN", "ERR_DESIGN", "ERR_MESH", "ERR_STEP",
-                "ERR_DIVERGED", "ERR_SEW", "ERR_UNSETTLED")
+                "ERR_DIVERGED", "ERR_SEW", "ERR_UNSETTLED", "ERR_TANGLED")
 MEASURE_NAMES = ("STATURE", "BUST", "WAIST", "HIP", "UNDERBUST", "HIGH_BUST", "HIGH_HIP", "NECK", "SHOULDER",
                  "SHOULDER_SLOPE", "ACROSS_BACK", "ACROSS_FRONT", "BACK_WAIST", "FRONT_WAIST", "BUST_DEPTH",
                  "BUST_SPAN", "SCYE_DEPTH", "ARM", "ELBOW", "UPPER_ARM", "WRIST", "HAND", "WAIST_HEIGHT",
@@ -745,6 +746,7 @@ FUNCTIONS = {
     "mus_drape_hash": ("core", c_uint64, [POINTER(mus_drape)]),
     "mus_drape_gaps": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_crossings": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_int32), POINTER(c_int64)]),
+    "mus_drape_untangle": ("core", c_int32, [POINTER(mus_drape), POINTER(c_int64)]),
     "mus_drape_normals": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_fit_create": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_body), POINTER(POINTER(mus_fit))]),
     "mus_fit_destroy": ("core", None, [POINTER(mus_fit)]),

@@ -163,6 +163,11 @@ class Drape(Object):
         self.do("crossings", 0, None, ctypes.byref(count))
         return count.value
 
+    def untangle(self):
+        """Draw cloth that crosses cloth apart; raises when some still does. Needs self_contact."""
+        left = ctypes.c_int64()
+        self.do("untangle", ctypes.byref(left))
+
     @property
     def time(self):
         """Cloth time since place [s]."""

@@ -1,0 +1,182 @@
+/*
+ * untangle.c: cloth that crosses cloth at the start is drawn apart until an exact count finds no crossing.
+ *
+ * Two sheets that cross have a contour in common. Where an edge of one sheet goes through a triangle of the other at I,
+ * the contour goes on from I into each triangle F at that edge, along the unit vector R in both planes. Moving the edge
+ * by d against the triangle moves I by d - (d.N)/(E.N) E, N the triangle's normal and E along the edge, and changes the
+ * length of the contour by  -d.G,
+ *
+ *     G = sum over F of  R - (E.R)/(E.N) N,
+ *
+ * so the edge goes along G and the triangle against it (Volino, Magnenat-Thalmann, Resolving Surface Collisions through
+ * Intersection Contour Minimization, 2006). Between these moves the cloth takes some steps, without gravity, in which
+ * what does not cross is kept apart and the body keeps its clearance. Nothing is known of which sheet was outside: a
+ * shallow crossing goes, one sheet halfway through another stays, and is counted.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+#include "geom/vec.h"
+
+#define UNTANGLE_ROUNDS 60
+#define UNTANGLE_STEPS 12
+#define UNTANGLE_DRAG 40.0    /* [1/s] */
+#define UNTANGLE_SPEED 1.0    /* [m/s] */
+#define UNTANGLE_MOVE 0.5     /* of the thickness, in a round */
+#define UNTANGLE_STEEP 0.1    /* E.N of an edge that runs along the triangle counts as this */
+#define UNTANGLE_SAFETY 0.7   /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+
+typedef struct untangle {
+    const mus_drape *drape;
+    double *move;   /* (n x 3) sums of what crossings ask of the nodes */
+    double *weight; /* (n) */
+} untangle;
+
+
+/* corner of triangle `of` that is not on its edge p q */
+static int32_t untangle_third(const mus__cloth_self *self, int32_t of, int32_t p, int32_t q)
+{
+    const int32_t *corner = self->triangle + 3 * (int64_t)of;
+    for (int32_t k = 0; k < 3; k++)
+        if (corner[k] != p && corner[k] != q) return corner[k];
+    return corner[0];
+}
+
+
+static void untangle_give(const untangle *u, int32_t node, double share, const double *move)
+{
+    for (int32_t d = 0; d < 3; d++) u->move[3 * (int64_t)node + d] += share * move[d];
+    u->weight[node] += fabs(share);
+}
+
+
+/* edge p q of triangle `of` goes through triangle `met` */
+static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
+{
+    const untangle *u = user;
+    const mus__cloth_self *self = u->drape->self;
+    const double *x = u->drape->x;
+    const int32_t *corner = self->triangle + 3 * (int64_t)met;
+    const double *a = x + 3 * (int64_t)corner[0], *b = x + 3 * (int64_t)corner[1], *c = x + 3 * (int64_t)corner[2];
+    const double *from = x + 3 * (int64_t)p, *to = x + 3 * (int64_t)q;
+    const double *third = x + 3 * (int64_t)untangle_third(self, of, p, q);
+    double ab[3], ac[3], way[3], off[3], inward[3], normal[3], own[3], along[3];
+    for (int32_t d = 0; d < 3; d++) {
+        ab[d] = b[d] - a[d], ac[d] = c[d] - a[d], way[d] = to[d] - from[d];
+        off[d] = from[d] - a[d], inward[d] = third[d] - from[d];
+    }
+    const double length = mus__norm3(way);
+    mus__cross3(ab, ac, normal);
+    mus__unit3(normal);
+    mus__cross3(way, inward, own);
+    mus__cross3(normal, own, along);
+    if (!(length > 0.0) || !(mus__norm3(along) > 0.0)) return;
+    mus__unit3(along);
+    mus__unit3(way);
+
+    /* the contour into `of`, away from its edge */
+    const double on_edge = mus__dot3(inward, way);
+    for (int32_t d = 0; d < 3; d++) inward[d] -= on_edge * way[d];
+    if (mus__dot3(along, inward) < 0.0)
+        for (int32_t d = 0; d < 3; d++) along[d] = -along[d];
+
+    const double rise = mus__dot3(way, normal), height = mus__dot3(off, normal);
+    const double steep = fabs(rise) > UNTANGLE_STEEP ? rise : rise < 0.0 ? -UNTANGLE_STEEP : UNTANGLE_STEEP;
+    const double part = fabs(rise) * length > 0.0 ? fmin(fmax(-height / (rise * length), 0.0), 1.0) : 0.5;
+    double move[3], place[3], share[3];
+    for (int32_t d = 0; d < 3; d++) {
+        move[d] = along[d] - mus__dot3(way, along) / steep * normal[d];
+        place[d] = from[d] + part * length * way[d] - a[d];
+    }
+
+    /* shares of the corners of `met` in the place */
+    const double bb = mus__dot3(ab, ab), cc = mus__dot3(ac, ac), bc = mus__dot3(ab, ac), det = bb * cc - bc * bc;
+    const double pb = mus__dot3(place, ab), pc = mus__dot3(place, ac);
+    share[1] = det > 0.0 ? (cc * pb - bc * pc) / det : 0.0;
+    share[2] = det > 0.0 ? (bb * pc - bc * pb) / det : 0.0;
+    share[0] = 1.0 - share[1] - share[2];
+    untangle_give(u, p, 1.0 - part, move);
+    untangle_give(u, q, part, move);
+    for (int32_t k = 0; k < 3; k++) untangle_give(u, corner[k], -share[k], move);
+}
+
+
+/* nodes a little along what was asked of them */
+static void untangle_move(mus_drape *drape, const untangle *u)
+{
+    const double most = UNTANGLE_MOVE * drape->def.thickness;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (!(u->weight[i] > 0.0) || drape->pinned[i]) continue;
+        double move[3];
+        for (int32_t d = 0; d < 3; d++) move[d] = u->move[3 * (int64_t)i + d] / u->weight[i];
+        const double length = mus__norm3(move), scale = most * (length > 1.0 ? 1.0 / length : 1.0);
+        for (int32_t d = 0; d < 3; d++) drape->x[3 * (int64_t)i + d] += scale * move[d];
+    }
+}
+
+
+/* some steps in which springs, body and what does not cross take part */
+static mus_status untangle_ease(mus_drape *drape)
+{
+    mus__sim *sim = &drape->sim;
+    memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
+    mus__drape_push(drape);
+    const double h = UNTANGLE_SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = UNTANGLE_SPEED * h;
+    memset(sim->gravity, 0, sizeof sim->gravity);
+    sim->drag = UNTANGLE_DRAG;
+    sim->speed_limit = UNTANGLE_SPEED;
+    sim->dashpots = 0;
+    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h, MUS_NEAR_BALL,
+                                    0.0};
+    mus_status status = mus__drape_self_ready(drape, h);
+    if (status != MUS_OK) return status;
+    for (int32_t i = 0; i < UNTANGLE_STEPS; i++) sim->ops->euler(sim, h);
+    status = mus__drape_guard(drape);
+    if (status == MUS_OK) status = mus__drape_self_fits(drape);
+    mus__drape_tick(drape, UNTANGLE_STEPS, h, 1);
+    mus__drape_publish(drape);
+    return status;
+}
+
+
+static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
+{
+    untangle u = {drape, drape->work, drape->work + 3 * (int64_t)drape->n};
+    mus_status status = mus__drape_near(drape);
+    mus__drape_publish(drape);
+    for (int32_t k = 0; status == MUS_OK; k++) {
+        memset(drape->work, 0, 4 * (size_t)drape->n * sizeof *drape->work);
+        *left = mus__cloth_self_tangle(drape->self, drape->x, untangle_note, &u);
+        if (*left == 0 || k == UNTANGLE_ROUNDS) break;
+        untangle_move(drape, &u);
+        status = untangle_ease(drape);
+    }
+    drape->sim.near = NULL;
+    memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
+    mus__drape_push(drape);
+    return status;
+}
+
+
+mus_status mus__drape_untangle(mus_drape *drape)
+{
+    int64_t left;
+    return drape->self != NULL ? untangle_rounds(drape, &left) : MUS_OK;
+}
+
+
+mus_status mus_drape_untangle(mus_drape *drape, int64_t *left)
+{
+    if (left != NULL) *left = 0;
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (left == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: left is NULL");
+    if (drape->self == NULL)
+        return mus__fail(drape->context, MUS_ERR_STATE, "drape: cloth is untangled with self_contact alone");
+    mus_status status = mus__drape_still(drape, "untangle");
+    if (status != MUS_OK) return status;
+    status = untangle_rounds(drape, left);
+    mus__drape_publish(drape);
+    if (status != MUS_OK || *left == 0) return status;
+    return mus__fail(drape->context, MUS_ERR_TANGLED, "drape: %lld pairs of triangles still cross", (long long)*left);
+}

@@ -155,8 +155,8 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 
 
 /* before the body is sewn the collar lies round the neck above the highest of the body's panels, so that none comes
- * through it: it falls on to the shoulders from above. Where the shoulders overlap it would stand as well as lie, since its
- * cone has two ways round: by `tilt` it starts with its back and its sides turned down */
+ * through it: it falls on to the shoulders from above. Where the shoulders overlap it would stand as well as lie, since
+ * its cone has two ways round: by `tilt` it starts with its back and its sides turned down */
 static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel, double tilt)
 {
     mus__board *board = &half->board;

@@ -42,7 +42,6 @@ static void raglan_chain(mus__board *board, int32_t side, mus__chain *out)
 typedef struct raglan_corner {
     int32_t panel;       /* what it was cut from */
     int32_t rag;         /* its new side there */
-    int32_t band;        /* what the neckline was sewn to, or MUS_NONE */
     mus__chain neck, shoulder, cut;
     double pitch[2], tip[2];
 } raglan_corner;
@@ -83,7 +82,6 @@ static void raglan_cut(mus__board *board, bool front, int32_t first, int32_t las
     raglan_chain(board, rag, &out->cut);
     memcpy(out->pitch, mus__board_start(board, front ? a : rag), sizeof out->pitch);
     memcpy(out->tip, mus__board_start(board, front ? b : c), sizeof out->tip);
-    out->band = mus__board_partner(board, front ? c : a);
     mus__board_seam_drop(board, rag);
     if (mus__board_partner(board, b) != MUS_NONE) mus__board_seam_drop(board, b);
     mus__board_remove_panel(board, corner);
@@ -224,10 +222,10 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
     const int32_t cap_back =
         mus__chain_side(board, panel, "capB_low", NULL, RAGLAN_SEAM, &cut.cap[MUS__CAP_BACK_LOW]);
     const int32_t rag_back = mus__chain_side(board, panel, "ragB", NULL, RAGLAN_SEAM, &back.cut);
-    const int32_t neck_b = mus__chain_side(board, panel, "neckB", "neck", RAGLAN_SEAM, &back.neck);
+    mus__chain_side(board, panel, "neckB", "neck", RAGLAN_SEAM, &back.neck);
     const int32_t dart_back = mus__chain_side(board, panel, "shB", NULL, RAGLAN_SEAM, &leg_back);
     const int32_t dart_front = mus__chain_side(board, panel, "shF", NULL, RAGLAN_SEAM, &leg_front);
-    const int32_t neck_f = mus__chain_side(board, panel, "neckF", "neck", RAGLAN_SEAM, &front.neck);
+    mus__chain_side(board, panel, "neckF", "neck", RAGLAN_SEAM, &front.neck);
     const int32_t rag_front = mus__chain_side(board, panel, "ragF", NULL, RAGLAN_SEAM, &front.cut);
     const int32_t cap_front =
         mus__chain_side(board, panel, "capF_low", NULL, RAGLAN_SEAM, &cut.cap[MUS__CAP_FRONT_LOW]);
@@ -235,8 +233,6 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     mus__board_seam_add(board, under_front, under_back, MUS_SEAM_REVERSED, 0.0);
-    if (front.band != MUS_NONE) mus__board_sew(board, 1, &neck_f, 1, &front.band);
-    if (back.band != MUS_NONE) mus__board_sew(board, 1, &neck_b, 1, &back.band);
     mus__board_sew(board, 1, &dart_front, 1, &dart_back);
     mus__board_sew(board, 1, &rag_front, 1, &front.rag);
     mus__board_sew(board, 1, &rag_back, 1, &back.rag);

@@ -10,7 +10,7 @@
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 #define SIZES (int)(sizeof sizes / sizeof sizes[0])
 
-/* collar, where the garment opens, panels that it has in the whole garment, and panels it is the openings' label of */
+/* collar, where the garment opens, and how many panels of the whole garment are of it */
 static const struct {
     int32_t collar, closure, panels;
 } list[] = {
@@ -111,6 +111,48 @@ START_TEST(collars_are_as_long_as_the_neckline)
 END_TEST
 
 
+/* Rows of drafting.md section 8 (faces, edges, vertices), and what ours has more. Dolman: shoulder and top of the arm
+ * are two edges on each side, + 2. Raglan: the armhole below the pitch and the cut above it, + 4; on each sleeve a dart
+ * (+ 2) with a neck edge before and behind it, + 4 in all. Turtleneck: its seam behind divides the back's neck, + 1.
+ * The hood's top is of four halves there and of two whole panels here: two panels, four edges and two vertices less */
+START_TEST(rows_of_the_reference)
+{
+    static const struct {
+        int32_t sleeve, collar, faces, edges, vertices;
+    } row[] = {
+        {MUS__SLEEVE_SHORT, MUS__COLLAR_NONE, 4, 16, 10},
+        {MUS__SLEEVE_RAGLAN, MUS__COLLAR_NONE, 4, 16 + 4 + 4, 10 + 4 + 4},
+        {MUS__SLEEVE_DOLMAN, MUS__COLLAR_NONE, 2, 14 + 2, 10 + 2},
+        {MUS__SLEEVE_SHORT, MUS__COLLAR_TURTLENECK, 5, 18 + 1, 11 + 1},
+        {MUS__SLEEVE_NONE, MUS__COLLAR_HOOD, 6 - 2, 21 - 4, 13 - 2},
+    };
+    mus_context *context = support_context();
+    mus__style style;
+    mus__half half;
+    mus_pattern *pattern;
+    memset(&style, 0, sizeof style);
+    style.option[MUS__AXIS_SLEEVE] = row[_i].sleeve;
+    style.option[MUS__AXIS_COLLAR] = row[_i].collar;
+    style.option[MUS__AXIS_CLOTH] = MUS__CLOTH_KNIT;
+    half_shirt(context, "W40", &style, 0.0, &half);
+    mus__sleeve_attach(&half);
+    mus__collar_attach(&half);
+    mus__board_double(&half.board);
+    mus__board_write(&half.board, &pattern);
+    ck_assert_msg(half.board.status == MUS_OK, "%s", mus_context_error(context));
+    mus_topology t;
+    mus_topology_init(&t, sizeof t);
+    ck_assert_int_eq(mus_pattern_topology(pattern, &t), MUS_OK);
+    ck_assert_int_eq(t.faces, row[_i].faces);
+    ck_assert_int_eq(t.edges, row[_i].edges);
+    ck_assert_int_eq(t.vertices, row[_i].vertices);
+    mus_pattern_destroy(pattern);
+    mus__board_free(&half.board);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a neckline that is not there */
 START_TEST(no_neckline_no_collar)
 {
@@ -134,6 +176,7 @@ Suite *mus_suite_collar_style(void)
     TCase *tcase = tcase_create("collar_style");
     tcase_add_loop_test(tcase, every_collar_is_a_clean_shirt, 0, SIZES);
     tcase_add_loop_test(tcase, collars_are_as_long_as_the_neckline, 0, SIZES);
+    tcase_add_loop_test(tcase, rows_of_the_reference, 0, 5);
     tcase_add_test(tcase, no_neckline_no_collar);
     suite_add_tcase(suite, tcase);
     return suite;

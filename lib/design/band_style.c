@@ -19,6 +19,7 @@
 
 #define BAND_FACING (5.0 * MUS__CM)
 #define BAND_SETTLES (1.0 * MUS__CM) /* what a waist may sink before it is held */
+#define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
 #define BAND_ELASTIC_RATIO 0.9
 #define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
 
@@ -60,7 +61,7 @@ static void band_plan_make(const mus__half *half, bool full, double part, band_p
     const double ease = mus__lower_waist_ease(half);
     double low = 0.5 * (mus__lower_girth(half, level) + ease);
     double top = 0.5 * (mus__lower_girth(half, level + plan->height) + ease);
-    if (band == MUS__BAND_ELASTIC) top = low = 0.5 * mus__lower_girth(half, level);
+    if (band == MUS__BAND_ELASTIC) top = low = 0.5 * (mus__lower_girth(half, level) + BAND_ELASTIC_EASE);
     else if (band != MUS__BAND_CONTOUR && !high) top = low;
     plan->low[1] = part * low, plan->low[0] = low - plan->low[1];
     plan->high[1] = part * top, plan->high[0] = top - plan->high[1];

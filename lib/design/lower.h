@@ -87,9 +87,9 @@ void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt
 /* half a ring round the waist */
 void mus__lower_place_waist(mus__half *half, int32_t panel, bool front, double girth, double height);
 /* before or behind the left leg: the crease (from the centre line) over it, the fork `inner` from the crease; `girth`
- * of front and back on the crotch line */
+ * of front and back on the crotch line; `away` the least distance before or behind the body's middle plane */
 void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double crease, double inner, double girth,
-                          double height);
+                          double away);
 
 /* ---- block_trousers.c ---- */
 

@@ -41,17 +41,17 @@ void mus__lower_place_waist(mus__half *half, int32_t panel, bool front, double g
 
 
 void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double crease, double inner, double girth,
-                          double height)
+                          double away)
 {
     /* depth of a torso is below 0.14 of its girth; the roll has 3 cm of room */
     const double *m = half->measures.v, radius = girth / (2.0 * MUS_PI) + 0.03;
-    const double off = 0.14 * fmax(m[MUS_MEASURE_WAIST], m[MUS_MEASURE_HIP]) + 0.03;
+    const double off = fmax(away, 0.14 * fmax(m[MUS_MEASURE_WAIST], m[MUS_MEASURE_HIP]) + 0.03);
     const double reach = radius * sin(fmin(inner / radius, 0.5 * MUS_PI)) + 0.004;
     const double x = fmax(half->skeleton.leg_x, reach);
 
     /* the crease lies over x, so the panel's x = 0 does not: the roll keeps the line of the crease in place */
     const double turn = front ? 1.0 : -1.0;
-    const double origin[3] = {x - crease, height, -0.005 * half->skeleton.crown + turn * off};
+    const double origin[3] = {x - crease, half->waist_level, -0.005 * half->skeleton.crown + turn * off};
     mus__lower_place(half, panel, front ? 0.0 : MUS_PI, 0.0, origin, radius);
     if (half->board.status == MUS_OK) half->board.panel[panel].placement.bend_x = turn * crease;
 }

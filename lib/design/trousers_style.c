@@ -18,6 +18,7 @@
 
 #define LEG_ALLOWANCE (1.0 * MUS__CM)
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
+#define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
 
 
 /* garment girths of knee and hem of legs that follow the leg; what the crotch line has for those that hang from it */
@@ -96,7 +97,12 @@ static mus__trousers_def trousers_block(const mus__half *half)
         def.inleg -= drop;
     }
     def.end = end[length];
-    if (trousers_ribbed(half)) def.end = fmax(0.2, def.end - (LEG_RIB * scale - 2.0 * scale * MUS__CM) / def.inleg);
+    if (trousers_ribbed(half)) {
+        /* the rib goes round the ankle, the leg falls 2 cm over it */
+        const double low = (length == MUS__LEG_LENGTH_FULL ? 0.050 : 0.080) * m[MUS_MEASURE_STATURE];
+        const double above = low + scale * (LEG_RIB - LEG_BLOUSE);
+        def.end = fmax(0.2, fmin(1.0, (m[MUS_MEASURE_WAIST_HEIGHT] - def.rise - above) / def.inleg));
+    }
     return def;
 }
 
@@ -147,15 +153,13 @@ static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, b
 }
 
 
-/* the rib: round the ankle (or wherever the leg ends), closed at the inseam, the leg gathered into it */
+/* the rib: round the ankle, closed at the inseam, the leg gathered into it */
 static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t front, int32_t back)
 {
     mus__board *board = &half->board;
     const double *m = half->measures.v, scale = mus__lower_scale(half), height = LEG_RIB * scale;
-    const double hem = block->front.hem[7], low = fabs(hem) + height;
-    const double calf = m[MUS_MEASURE_WAIST_HEIGHT] - low > 0.15 * m[MUS_MEASURE_STATURE] ? m[MUS_MEASURE_CALF]
-                                                                                          : m[MUS_MEASURE_ANKLE];
-    const double w = 0.5 * (calf + 3.0 * scale * MUS__CM), top = hem, bottom = hem - height;
+    const double w = 0.5 * (m[MUS_MEASURE_ANKLE] + 3.0 * scale * MUS__CM), top = block->front.hem[7];
+    const double bottom = top - height;
     const double a[2] = {-w, bottom}, b[2] = {w, bottom}, c[2] = {w, top}, d[2] = {-w, top};
     mus__sketch sketch;
     mus__sketch_begin(&sketch);
@@ -172,9 +176,9 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
     mus__board_rename(board, hems[1], "hem", "cuff");
     mus__board_sew(board, 2, hems, 1, tops);
 
-    /* rolled about the leg, its middle at the outside */
-    const double radius = w / MUS_PI + 0.012;
-    const double origin[3] = {0.065 * m[MUS_MEASURE_STATURE] + radius, half->waist_level,
+    /* rolled about the leg with room for the heel, its middle at the outside */
+    const double radius = w / MUS_PI + 0.03;
+    const double origin[3] = {0.065 * m[MUS_MEASURE_STATURE] + radius, half->waist_level + LEG_BLOUSE * scale,
                               -0.025 * m[MUS_MEASURE_STATURE]};
     mus__lower_place(half, rib, 0.5 * MUS_PI, 0.0, origin, radius);
 }
@@ -192,10 +196,13 @@ void mus__trousers_attach(mus__half *half)
     const int32_t front = trousers_draw(half, &block.front, true), back = trousers_draw(half, &block.back, false);
     mus__lower_sew(half, front, "outseam", back, "outseam", 0.0);
     mus__lower_sew(half, front, "inseam", back, "inseam", 0.0);
+
+    /* a hem that goes round the whole foot starts before the toes */
+    const double *m = half->measures.v, foot = m[MUS_MEASURE_FOOT];
+    const double toes = def.hem[0] + def.hem[1] > 2.2 * foot ? 0.115 * m[MUS_MEASURE_STATURE] + 0.04 : 0.0;
     mus__lower_place_leg(half, front, true, block.front.crease, block.front.crease + block.front.fork, block.thigh,
-                         half->waist_level);
-    mus__lower_place_leg(half, back, false, block.back.crease, block.back.crease + block.back.fork, block.thigh,
-                         half->waist_level);
+                         toes);
+    mus__lower_place_leg(half, back, false, block.back.crease, block.back.crease + block.back.fork, block.thigh, 0.0);
     if (trousers_ribbed(half)) trousers_rib(half, &block, front, back);
     mus__lower_waist_sew(half, first);
 }

@@ -135,8 +135,8 @@ static double lower_length(const mus_pattern *pattern, const char *panels, const
 }
 
 
-/* hem and area of a circle skirt by the radii that its length and waist give: those of drafting_golden.txt for a waist
- * with its ease of 77 and a length of 60, scaled to what W40 has here: hem 2 pi f (r + L), area pi f ((r + L)^2 - r^2) */
+/* hem and area of a circle skirt are those of drafting_golden.txt, which are for a waist with its ease of 77 and a length
+ * of 60, carried to the waist W of W40 here: hem W + 2 pi f L, area L (W + pi f L) */
 START_TEST(circles_have_their_radii)
 {
     static const struct {

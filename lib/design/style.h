@@ -135,7 +135,7 @@ typedef struct mus__half {
     double bust_ease;               /* total, of the ease level and the cloth, or the caller's wish for a top */
     double waist_ease, hip_ease;    /* total, one value for top and skirt or trousers, so that they meet. Where a top
                                        has no waist darts, mus__top_draft() sets waist_ease to what it has become */
-    double neck_gathers;            /* length that the front neck is gathered to over its own; 0 when it is not */
+    double neck_gathers;            /* length that the front neck is gathered to over its own; 0: it is not */
     double waist_level;             /* height above the floor of y = 0 of torso panels [m] */
 } mus__half;
 

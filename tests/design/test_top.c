@@ -173,7 +173,7 @@ START_TEST(people_of_the_survey_have_tops)
         }
         mus_tape_destroy(tape);
     }
-    ck_assert_int_gt(drafted, 200);
+    ck_assert_int_gt(drafted, 150);
     support_context_end(context);
     ansur_close(&table);
 }

@@ -150,10 +150,11 @@ void mus__neck_band_attach(mus__half *half);
 /* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
 void mus__closure_finish(mus__half *half);
 
-/* panel_place.c: the open sides of `label` one after the other as the rim of the sewn half runs (cloth to the left), over
- * darts and seams from panel to panel, of the panels whose names begin with `panels` ("" for all): how many; at most
- * `room` are written. So the waist of a front runs from the centre to the side, that of a back from the side to the
- * centre, and "" "armhole" is a ring that begins at the front underarm; "neck" runs from centre back to centre front */
+/* panel_place.c: the open sides of `label` one after the other as the rim of the sewn half runs (cloth to the left),
+ * over darts and seams from panel to panel, of the panels whose names begin with `panels` ("" for all): how many; at
+ * most `room` are written. So the waist of a front runs from the centre to the side, that of a back from the side to
+ * the centre, and "" "armhole" is a ring that begins at the front underarm; "neck" runs from centre back to centre
+ * front */
 int32_t mus__half_rim(const mus__half *half, const char *panels, const char *label, int32_t *sides, int32_t room);
 
 /* sleeve_style.c: from the armhole runs of the half: the sleeve of its style drafted to their lengths, sewn in,

@@ -14,8 +14,8 @@
 #                   (PEOPLE='--csv FILE --each 10': a row a person, each tenth of them)
 #   make designs    every named design drafted for every table size of its groups and for 200 people: refusals by reason,
 #                   seams, darts, time (DESIGNS='--family blouse --list': each refusal of a family)
-#   make catalogue-bench  a catalogue of the GarmentCode specifications and of 100,000 variants (COUNT=1000): time of
-#                   searches, and whether the same design on another body is found first
+#   make catalogue-bench  a catalogue of the named designs in five sizes, the GarmentCode specifications and 100,000
+#                   variants (COUNT=1000): time of searches, and whether the same design on another body is found first
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)

@@ -1,5 +1,5 @@
 /*
- * design_list_suit.c: named designs: jumpsuits and rompers. Rows: name, family, title, words, groups.
+ * design_list_suit.c: named designs: jumpsuits, rompers, capes. Rows: name, family, title, words, groups.
  */
 #include "design/design_list.h"
 
@@ -75,6 +75,19 @@ const mus__design_row mus__designs_suit[] = {
     {"romper_sweetheart_wide", "romper", "Romper, sweetheart neck, wide legs",
      "jumpsuit neck=sweetheart leg=wide leg_length=short", W},
     {"playsuit", "romper", "Playsuit", "jumpsuit sleeve=short collar=shirt leg_length=bermuda shape=boxy", W | M | C},
+
+    /* capes and ponchos */
+    {"cape_mini", "cape", "Cape, short", "cape length=mini closure=front collar=mandarin", W | M | C},
+    {"cape_hood_mini", "cape", "Hooded cape, short", "cape length=mini closure=front collar=hood", W | M | C},
+    {"cape_knee", "cape", "Cape, to the knee", "cape closure=front collar=mandarin", W | M | C},
+    {"cape_hood_knee", "cape", "Hooded cape, to the knee", "cape closure=front collar=hood", W | M | C},
+    {"cape_midi", "cape", "Cape, midi", "cape length=midi closure=front collar=mandarin", W | M | C},
+    {"cape_hood_midi", "cape", "Hooded cape, midi", "cape length=midi closure=front collar=hood", W | M | C},
+    {"cape_maxi", "cape", "Cape, long", "cape length=maxi closure=front collar=mandarin", W | M | C},
+    {"cape_hood_maxi", "cape", "Hooded cape, long", "cape length=maxi closure=front collar=hood", W | M | C},
+    {"poncho", "cape", "Poncho", "cape neck=scoop length=mini", W | M | C},
+    {"poncho_knee", "cape", "Poncho to the knee", "cape neck=scoop", W | M | C},
+    {"poncho_hood", "cape", "Hooded poncho", "cape neck=scoop length=mini collar=hood", W | M | C},
 };
 
 const int32_t mus__designs_suit_count = (int32_t)(sizeof mus__designs_suit / sizeof mus__designs_suit[0]);

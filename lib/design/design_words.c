@@ -41,15 +41,6 @@ static void design_eases(mus__half *half)
 }
 
 
-/* a part that has no recipe yet is refused by its word */
-static void design_refuse(mus__half *half, int32_t axis)
-{
-    if (half->style.option[axis] == 0) return;
-    mus__board_fail(&half->board, MUS_ERR_DESIGN, "draft of %s: %s=%s has no recipe", half->board.name,
-                    mus__style_axis(axis), mus__style_word(axis, half->style.option[axis]));
-}
-
-
 /* the parts that the words ask for, from the shoulders down */
 static void design_make(mus__half *half)
 {
@@ -57,13 +48,14 @@ static void design_make(mus__half *half)
     const bool skirt = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_DRESS;
     const bool legs = garment == MUS__GARMENT_TROUSERS || garment == MUS__GARMENT_JUMPSUIT;
     const bool waist = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
-    if (!waist) {
+    const bool cape = garment == MUS__GARMENT_CAPE;
+    if (cape) mus__cape_draft(half);
+    if (!waist && !cape) {
         mus__top_draft(half);
         mus__sleeve_attach(half);
         mus__neck_band_attach(half);
-        mus__collar_attach(half);
     }
-    if (garment == MUS__GARMENT_CAPE) design_refuse(half, MUS__AXIS_GARMENT);
+    if (!waist) mus__collar_attach(half);
     if (skirt) mus__skirt_attach(half);
     if (legs) mus__trousers_attach(half);
     if (skirt || legs) mus__band_attach(half);

@@ -147,6 +147,9 @@ void mus__top_draft(mus__half *half);
 /* the band that holds the gathers of a neck, when it has any: after the sleeves, of which raglan ones share the neck */
 void mus__neck_band_attach(mus__half *half);
 
+/* cape.c: front and back of a cape with their neck runs, sewn on the shoulders; without collar */
+void mus__cape_draft(mus__half *half);
+
 /* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
 void mus__closure_finish(mus__half *half);
 

@@ -70,9 +70,10 @@ static const struct {
     {{"yoke=yoke", "shape=princess_shoulder,shoulder_waist,neck_gathers"}, "it would cut what ends on the shoulder"},
     {{"ease=loose", "neck=strapless"}, "only what is close stays up"},
     {{"ease=slim", "shape=boxy", "cloth=woven"}, "without darts a close woven top does not go on"},
-    {{"garment=cape", "neck=square,boat,sweetheart,keyhole,halter,strapless,deep_v"}, "it hangs from round the neck"},
+    {{"garment=cape", "neck!=jewel,scoop"}, "it hangs from a round neckline"},
     {{"garment=cape", "collar=shirt,peter_pan,turtleneck,shawl,sailor"}, "a cape has a stand or a hood"},
     {{"garment=cape", "closure=side,back"}, "it opens in front"},
+    {{"garment=cape", "length=hi_low"}, "its hem is one circle"},
 };
 
 #define STYLE_RULES ((int32_t)(sizeof style_rules / sizeof style_rules[0]))

@@ -1,6 +1,7 @@
 /*
- * bench.c: make catalogue-bench: a catalogue of the GarmentCode specifications and of variants of them, 100,000 in all
- * or as many as asked: how long a search takes, and whether the same design on another body comes first.
+ * bench.c: make catalogue-bench: a catalogue of the named designs in five sizes, of the GarmentCode specifications and
+ * of 100,000 variants of them, or as many as asked: how long a search takes, and whether the same design on another
+ * body comes first.
  *
  *     build/bin/catalogue-bench DATA CATALOGUE.db [COUNT]
  *
@@ -8,13 +9,17 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include <stdbool.h>
 #include <time.h>
 
 #include "catalogue/variants.h"
 #include "muslin/catalogue.h"
+#include "muslin/design.h"
+#include "muslin/tape.h"
 
 #define QUERIES 400
 #define TOGETHER 1000
+#define SIZES 5
 
 
 static double cpu(void)
@@ -40,12 +45,81 @@ static void print_times(const char *what, double *seconds, int32_t n)
 }
 
 
-/* variants until there are `count` patterns */
+/* ---- named designs ---- */
+
+/* a design in one of five sizes of its first group; NULL when it is refused */
+static mus_pattern *draft(mus_context *context, int32_t design, int32_t size)
+{
+    static const char *const sizes[3][SIZES] = {{"W36", "W40", "W44", "W48", "W52"},
+                                                {"M46", "M50", "M52", "M56", "M60"},
+                                                {"C80", "C104", "C116", "C140", "C164"}};
+    const int32_t groups = mus_design_groups(design);
+    const int32_t group = groups & MUS_GROUP_WOMEN ? 0 : groups & MUS_GROUP_MEN ? 1 : 2;
+    mus_tape *tape = NULL;
+    mus_pattern *pattern = NULL;
+    mus_status status = mus_tape_create(context, &tape);
+    if (status == MUS_OK) status = mus_tape_set_size(tape, sizes[group][size]);
+    if (status == MUS_OK) status = mus_design_draft(context, design, tape, NULL, &pattern);
+    if (status != MUS_OK) printf("  %s of %s: %s\n", mus_design_name(design), sizes[group][size],
+                                 mus_context_error(context));
+    mus_tape_destroy(tape);
+    return pattern;
+}
+
+
+/* all of them in all sizes; id (designs x SIZES) gets their numbers */
+static mus_status fill_designs(mus_context *context, mus_catalogue *catalogue, int32_t *id)
+{
+    mus_status status = mus_catalogue_begin(catalogue);
+    for (int32_t d = 0; d < mus_design_count() && status == MUS_OK; d++)
+        for (int32_t k = 0; k < SIZES && status == MUS_OK; k++) {
+            char name[160];
+            mus_pattern *pattern = draft(context, d, k);
+            id[SIZES * d + k] = MUS_NONE;
+            snprintf(name, sizeof name, "%s, size %d", mus_design_name(d), (int)k);
+            if (pattern != NULL) status = mus_catalogue_add(catalogue, pattern, name, &id[SIZES * d + k]);
+            mus_pattern_destroy(pattern);
+        }
+    return status == MUS_OK ? mus_catalogue_commit(catalogue) : status;
+}
+
+
+/* each design in each size against all others: is the nearest the same design in another size? */
+static mus_status leave_one_design_out(mus_context *context)
+{
+    const int32_t designs = mus_design_count();
+    int32_t *id = malloc(sizeof *id * (size_t)(SIZES * designs)), first = 0, all = 0;
+    mus_catalogue *catalogue = NULL;
+    if (id == NULL) return MUS_ERR_MEMORY;
+    mus_status status = mus_catalogue_open(context, ":memory:", MUS_CATALOGUE_WRITE, &catalogue);
+    if (status == MUS_OK) status = fill_designs(context, catalogue, id);
+    for (int32_t i = 0; i < SIZES * designs && status == MUS_OK; i++) {
+        int32_t found[2], n;
+        mus_pattern *pattern = draft(context, i / SIZES, i % SIZES);
+        if (pattern == NULL) continue;
+        status = mus_catalogue_nearest(catalogue, pattern, 2, found, NULL, NULL, &n);
+        const int32_t other = found[0] == id[i] ? found[1] : found[0];
+        for (int32_t k = 0; k < SIZES; k++) first += id[i / SIZES * SIZES + k] == other;
+        all++;
+        mus_pattern_destroy(pattern);
+    }
+    if (status == MUS_OK)
+        printf("%-28s %d of %d, %.1f %%\n", "design in another size first", (int)first, (int)all, 100.0 * first / all);
+    mus_catalogue_destroy(catalogue);
+    free(id);
+    return status;
+}
+
+
+/* ---- filling and searching ---- */
+
+/* specifications, and `count` variants of them */
 static mus_status fill(mus_context *context, mus_catalogue *catalogue, const variant_set *set, int32_t count,
                        uint64_t *state)
 {
     mus_status status = MUS_OK;
-    for (int32_t n = 0; n < count && status == MUS_OK; n++) {
+    const int32_t all = set->count + count;
+    for (int32_t n = 0; n < all && status == MUS_OK; n++) {
         char name[160];
         if (n % TOGETHER == 0) status = mus_catalogue_begin(catalogue);
         const int32_t i = n < set->count ? n : (int32_t)(variant_random(state) % (uint64_t)set->count);
@@ -55,7 +129,7 @@ static mus_status fill(mus_context *context, mus_catalogue *catalogue, const var
         if (status == MUS_OK)
             status = mus_catalogue_add(catalogue, variant != NULL ? variant : set->pattern[i], name, NULL);
         mus_pattern_destroy(variant);
-        if (status == MUS_OK && (n % TOGETHER == TOGETHER - 1 || n == count - 1))
+        if (status == MUS_OK && (n % TOGETHER == TOGETHER - 1 || n == all - 1))
             status = mus_catalogue_commit(catalogue);
     }
     return status;
@@ -65,6 +139,7 @@ static mus_status fill(mus_context *context, mus_catalogue *catalogue, const var
 static mus_status search(mus_context *context, mus_catalogue *catalogue, const variant_set *set, uint64_t *state)
 {
     static double exact[QUERIES], nearest[QUERIES], part[20];
+    int32_t found_exactly = 0;
     int32_t ids[10], n;
     double start = cpu();
     mus_status status = mus_catalogue_nearest(catalogue, set->pattern[0], 10, ids, NULL, NULL, &n);
@@ -72,11 +147,16 @@ static mus_status search(mus_context *context, mus_catalogue *catalogue, const v
     for (int32_t q = 0; q < QUERIES && status == MUS_OK; q++) {
         const int32_t i = (int32_t)(variant_random(state) % (uint64_t)set->count);
         const variant_edit edit = variant_any_edit(set->pattern[i], state);
-        mus_pattern *variant = variant_make(context, set->pattern[i], &edit);
+        /* by turns a variant and a named design, which is there */
+        const bool named = q % 2 == 1;
+        mus_pattern *variant =
+            named ? draft(context, (int32_t)(variant_random(state) % (uint64_t)mus_design_count()), q / 2 % SIZES)
+                  : variant_make(context, set->pattern[i], &edit);
         const mus_pattern *one = variant != NULL ? variant : set->pattern[i];
         start = cpu();
         status = mus_catalogue_exact(catalogue, one, ids, 10, &n);
         exact[q] = cpu() - start;
+        found_exactly += named && n > 0;
         start = cpu();
         if (status == MUS_OK) status = mus_catalogue_nearest(catalogue, one, 10, ids, NULL, NULL, &n);
         nearest[q] = cpu() - start;
@@ -88,6 +168,7 @@ static mus_status search(mus_context *context, mus_catalogue *catalogue, const v
         mus_pattern_destroy(variant);
     }
     if (status != MUS_OK) return status;
+    printf("%-28s %d of %d\n", "designs found exactly", (int)found_exactly, QUERIES / 2);
     print_times("exact", exact, QUERIES);
     print_times("ten nearest", nearest, QUERIES);
     print_times("containing a whole garment", part, 20);
@@ -146,12 +227,18 @@ int main(int argc, char **argv)
     remove(argv[2]);
     mus_status status = mus_catalogue_open(context, argv[2], MUS_CATALOGUE_WRITE, &catalogue);
     double start = cpu();
+    int32_t *id = malloc(sizeof *id * (size_t)(SIZES * mus_design_count()));
+    if (status == MUS_OK) status = id != NULL ? fill_designs(context, catalogue, id) : MUS_ERR_MEMORY;
+    free(id);
+    const int32_t named = status == MUS_OK ? mus_catalogue_count(catalogue) : 0;
     if (status == MUS_OK) status = fill(context, catalogue, &set, count, &state);
+    const int32_t all = status == MUS_OK ? mus_catalogue_count(catalogue) : 1;
     if (status == MUS_OK)
-        printf("%d patterns, %d of them specifications, added in %.1f s of CPU: %.2f ms each\n",
-               (int)mus_catalogue_count(catalogue), (int)set.count, cpu() - start, 1e3 * (cpu() - start) / count);
+        printf("%d patterns, %d of them designs, %d specifications, added in %.1f s of CPU: %.2f ms each\n", (int)all,
+               (int)named, (int)set.count, cpu() - start, 1e3 * (cpu() - start) / all);
     if (status == MUS_OK) status = search(context, catalogue, &set, &state);
     if (status == MUS_OK) status = leave_one_out(context, &set);
+    if (status == MUS_OK) status = leave_one_design_out(context);
     if (status != MUS_OK) fprintf(stderr, "catalogue-bench: %s\n", mus_context_error(context));
     mus_catalogue_destroy(catalogue);
     variants_free(&set);

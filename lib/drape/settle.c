@@ -151,9 +151,14 @@ static double rounding_residual(const mus_drape *drape)
 /* on this cut, from where it is. MUS_OK: at rest or stopped */
 static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
+    const bool scratch = drape->mean == NULL;
     mus_status status = take_scratch(drape);
     if (status == MUS_OK) status = mus__drape_near(drape);
     if (status == MUS_OK) status = mus__drape_slide_start(drape, drape->x);
+    if (status != MUS_OK && scratch) {
+        mus__free(drape->context, drape->mean);
+        drape->mean = drape->before = drape->left = NULL;
+    }
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
     double safety = SAFETY_STEP;

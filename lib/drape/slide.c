@@ -39,7 +39,8 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
     mus__held_level hip;
     mus__drape_level(drape, MUS_HOLD_HIP, 0, &hip);
     if (!hip.there || cloth->npanel == 0) return MUS_OK;
-    if (drape->slide == NULL) drape->slide = mus__new(drape->context, cloth->npanel, sizeof *drape->slide);
+    mus__slide *first = drape->slide == NULL ? mus__new(drape->context, cloth->npanel, sizeof *first) : NULL;
+    if (first != NULL) drape->slide = first;
     double *top = mus__new(drape->context, cloth->npanel, sizeof *top);
     int32_t *panel = mus__new(drape->context, cloth->npanel, sizeof *panel);
     const int32_t done = drape->slide != NULL && top != NULL && panel != NULL;
@@ -68,7 +69,12 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
     }
     mus__free(drape->context, top);
     mus__free(drape->context, panel);
-    return done ? MUS_OK : mus__fail_memory(drape->context, "the pieces of a garment");
+    if (done) return MUS_OK;
+
+    /* what was taken here is given back */
+    if (first != NULL) drape->slide = NULL;
+    mus__free(drape->context, first);
+    return mus__fail_memory(drape->context, "the pieces of a garment");
 }
 
 

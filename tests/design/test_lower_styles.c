@@ -135,8 +135,8 @@ static double lower_length(const mus_pattern *pattern, const char *panels, const
 }
 
 
-/* hem and area of a circle skirt are those of drafting_golden.txt, which are for a waist with its ease of 77 and a length
- * of 60, carried to the waist W of W40 here: hem W + 2 pi f L, area L (W + pi f L) */
+/* hem and area of a circle skirt are those of drafting_golden.txt, which are for a waist with its ease of 77 and a
+ * length of 60, carried to the waist W of W40 here: hem W + 2 pi f L, area L (W + pi f L) */
 START_TEST(circles_have_their_radii)
 {
     static const struct {

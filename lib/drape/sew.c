@@ -27,6 +27,7 @@
 #define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
 #define LIFT_STEPS 10
 #define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
+#define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
 #define LIFT_CHECKS 4   /* between searches */
 
 
@@ -75,44 +76,85 @@ static double way_out(const mus_drape *drape, const double *from, const double *
 }
 
 
-/*
- * From the middle of a pair that a part of the body keeps apart, the shortest way out square to the pair, straight or
- * aslant over it, or under it; lift (3) is twice that, and 0 where nothing is between. Never sideways: round an arm
- * there are two ways, and the panels, not the skin, know which is theirs.
- */
-static void lift_pair(const mus_drape *drape, const mus__held_level *armpit, mus__pair *pair)
+/* at each node the way out of its panel, away from the middle of its triangles: out (n x 3), units, about 0 inside */
+static void ways_outward(const mus_drape *drape, double *out)
+{
+    const mus_cloth *cloth = drape->cloth;
+    memset(out, 0, 3 * (size_t)drape->n * sizeof *out);
+    for (int32_t t = 0; t < cloth->ntriangle; t++)
+        for (int32_t c = 0; c < 3; c++) {
+            const int32_t *v = cloth->triangle + 3 * (ptrdiff_t)t, i = v[c], j = v[(c + 1) % 3], k = v[(c + 2) % 3];
+            for (int32_t d = 0; d < 3; d++)
+                out[3 * (ptrdiff_t)i + d] += drape->x[3 * (ptrdiff_t)i + d] - 0.5 * (drape->x[3 * (ptrdiff_t)j + d] +
+                                                                                     drape->x[3 * (ptrdiff_t)k + d]);
+        }
+    for (int32_t i = 0; i < drape->n; i++) mus__unit3(out + 3 * (ptrdiff_t)i);
+}
+
+
+/* over the shoulder: the shortest way out square to `along`, straight or aslant over it, or under it; at most *best */
+static void lift_over(const mus_drape *drape, const double *middle, const double *along, const double *above,
+                      double *best, double *out)
 {
     static const double turns[4][2] = {{1.0, 0.0}, {0.7071, 0.7071}, {0.7071, -0.7071}, {-1.0, 0.0}};
-    const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
-    double middle[3], along[3], up[3], side[3], best = LIFT_STEP * LIFT_STEPS;
-    memset(pair->lift, 0, sizeof pair->lift);
-    if (pair->locked) return;
-    for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
-    if (!(mus__norm3(along) > LIFT_FROM) || mus__dot3(armpit->up, middle) < armpit->at) return;
-    if (mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
-    mus__unit3(along);
-    mus__cross3(along, armpit->up, side);
+    double up[3], side[3], way[3];
+    mus__cross3(along, above, side);
     if (mus__norm3(side) < LIFT_LEVEL) return;
     mus__unit3(side);
     mus__cross3(side, along, up);
     for (int32_t i = 0; i < 4; i++) {
-        double way[3];
         for (int32_t d = 0; d < 3; d++) way[d] = turns[i][0] * up[d] + turns[i][1] * side[d];
         const double far = way_out(drape, middle, way);
-        if (!(far < best)) continue;
-        best = far;
-        for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * far * way[d];
+        if (!(far < *best)) continue;
+        *best = far;
+        memcpy(out, way, sizeof way);
     }
 }
 
 
-/* pairs that are pulled against a shoulder from both sides are drawn over it instead */
+/* round a limb: where the edges of both panels point, square to `along`; they know which way is theirs */
+static void lift_round(const mus_drape *drape, const double *middle, const double *along, const double *a,
+                       const double *b, double *best, double *out)
+{
+    double way[3];
+    for (int32_t d = 0; d < 3; d++) way[d] = a[d] + b[d];
+    const double straight = mus__dot3(way, along);
+    for (int32_t d = 0; d < 3; d++) way[d] -= straight * along[d];
+    if (mus__norm3(way) < LIFT_SURE) return;
+    mus__unit3(way);
+    const double far = way_out(drape, middle, way);
+    if (!(far < *best)) return;
+    *best = far;
+    memcpy(out, way, sizeof way);
+}
+
+
+/* from the middle of a pair that a part of the body keeps apart, the way out: lift (3) is twice that, 0 without */
+static void lift_pair(const mus_drape *drape, const mus__held_level *armpit, const double *outward, mus__pair *pair)
+{
+    const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
+    double middle[3], along[3], way[3] = {0.0}, best = LIFT_STEP * LIFT_STEPS;
+    memset(pair->lift, 0, sizeof pair->lift);
+    if (pair->locked) return;
+    for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
+    if (!(mus__norm3(along) > LIFT_FROM) || mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
+    mus__unit3(along);
+    if (armpit->there && mus__dot3(armpit->up, middle) > armpit->at)
+        lift_over(drape, middle, along, armpit->up, &best, way);
+    else
+        lift_round(drape, middle, along, outward + 3 * (int64_t)pair->a, outward + 3 * (int64_t)pair->b, &best, way);
+    for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * best * way[d];
+}
+
+
+/* pairs that are pulled against the body from both sides are drawn round it instead */
 static void lift_pairs(mus_drape *drape)
 {
     mus__held_level armpit;
+    if (drape->collider == NULL) return;
     mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
-    if (!armpit.there) return;
-    for (int32_t p = 0; p < drape->plan.npair; p++) lift_pair(drape, &armpit, &drape->plan.pair[p]);
+    ways_outward(drape, drape->work);
+    for (int32_t p = 0; p < drape->plan.npair; p++) lift_pair(drape, &armpit, drape->work, &drape->plan.pair[p]);
 }
 
 

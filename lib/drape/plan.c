@@ -15,6 +15,7 @@
  * its level is lifted with: ten kilograms on a metre, so that no garment drags it down */
 #define HELD_STIFF 2e4
 #define HELD_MOST 100.0
+#define OPEN_ELASTIC 0.05 /* of what an elastic draws with while seams are open: those that it ends in must close */
 
 
 /* row that holds a lattice node, by bisection */
@@ -187,6 +188,7 @@ static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan 
         const double mass = 0.5 * (cloth->mass[spring.a] + cloth->mass[spring.b]);
         if (rep != NULL) spring.a = rep[spring.a], spring.b = rep[spring.b];
         if (spring.a == spring.b) continue;
+        if (spring.kind == MUS__SPRING_ELASTIC && rep == NULL && cloth->npair > 0) spring.k *= OPEN_ELASTIC;
         plan->spring_dashpot[plan->nspring] = cloth->dashpot != NULL
                                                   ? cloth->dashpot[s]
                                                   : 2.0 * cloth->fabric.damping * sqrt(0.5 * spring.k * mass);

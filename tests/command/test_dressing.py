@@ -309,3 +309,10 @@ def test_a_locale_with_a_decimal_comma_changes_no_report(command, comma, tape):
     plain.pop("seconds")
     other.pop("seconds")
     assert plain == other
+
+
+def test_an_elastic_that_ends_in_a_seam_lets_it_close(command, tmp_path):
+    report = tmp_path / "report.json"
+    command("dress", "--words", "skirt skirt=half band=elastic", "--size", "W40", "--spacing", 30, "--report", report)
+    done = json.loads(report.read_text())
+    assert done["status"] == "settled" and done["seams_closed"] == done["seams"] and done["max_seam_gap_mm"] < 1

@@ -168,8 +168,8 @@ static mus_status fail_open(mus_drape *drape)
 }
 
 
-/* pull, stitch and weld on this cut */
-static mus_status sew_here(mus_drape *drape, mus__run *run)
+/* pull, stitch and weld on this cut; `lifted`: round what is between, else straight */
+static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
 {
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
@@ -186,7 +186,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
     int32_t check = 0;
     for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
         mus__drape_publish(drape);
-        if (check++ % LIFT_CHECKS == 0) lift_pairs(drape);
+        if (lifted && check++ % LIFT_CHECKS == 0) lift_pairs(drape);
         stiffen(drape, t, all);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
@@ -213,6 +213,25 @@ static mus_status sew_here(mus_drape *drape, mus__run *run)
 }
 
 
+/* round what is between; where that does not close a seam, from the start again and straight */
+static mus_status sew_tries(mus_drape *drape, mus__run *run)
+{
+    const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;
+    double *start = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof *start);
+    if (start == NULL) return mus__fail_memory(drape->context, "the start of a sewing");
+    mus__drape_publish(drape);
+    memcpy(start, drape->x, bytes);
+    mus_status status = sew_here(drape, run, true);
+    if (status == MUS_ERR_SEW && drape->collider != NULL && !run->stop) {
+        mus__drape_open(drape);
+        status = mus_drape_set_state(drape, start, NULL);
+        if (status == MUS_OK) status = sew_here(drape, run, false);
+    }
+    mus__free(drape->context, start);
+    return status;
+}
+
+
 /*
  * On the coarser cut first, down to the coarsest; where its seams were welded, the finer cut's pairs lie together as
  * near as the coarse borders follow the fine ones, and are welded as they are. Where they could not be, the finer cut
@@ -233,7 +252,7 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
             return mus__drape_untangle(drape);
         }
     }
-    return sew_here(drape, run);
+    return sew_tries(drape, run);
 }
 
 

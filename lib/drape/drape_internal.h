@@ -233,5 +233,9 @@ mus_status mus__drape_check_motion(mus_drape *drape);
 mus_status mus__drape_guard(mus_drape *drape);
 /* sew and settle ask of the skin by planes (contact/near.h), from anew; taken by the first, kept */
 mus_status mus__drape_near(mus_drape *drape);
+/* what sewing and settling need beside the state (mean, before, left): taken by the first, kept until the drape is
+ * destroyed; a first that fails for memory gives it back */
+mus_status mus__drape_scratch(mus_drape *drape);
+void mus__drape_scratch_free(mus_drape *drape);
 
 #endif

@@ -114,16 +114,22 @@ static double expected_distance(double move, double last)
 }
 
 
-/* what a settle needs beside the state: taken by the first, kept until the drape is destroyed */
-static mus_status take_scratch(mus_drape *drape)
+mus_status mus__drape_scratch(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->mean != NULL) return MUS_OK;
     drape->mean = mus__new(drape->context, 3 * n3, sizeof *drape->mean);
-    if (drape->mean == NULL) return mus__fail_memory(drape->context, "a settle");
+    if (drape->mean == NULL) return mus__fail_memory(drape->context, "a sewing or a settle");
     drape->before = drape->mean + n3;
     drape->left = drape->before + n3;
     return MUS_OK;
+}
+
+
+void mus__drape_scratch_free(mus_drape *drape)
+{
+    mus__free(drape->context, drape->mean);
+    drape->mean = drape->before = drape->left = NULL;
 }
 
 
@@ -152,13 +158,10 @@ static double rounding_residual(const mus_drape *drape)
 static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
     const bool scratch = drape->mean == NULL;
-    mus_status status = take_scratch(drape);
+    mus_status status = mus__drape_scratch(drape);
     if (status == MUS_OK) status = mus__drape_near(drape);
     if (status == MUS_OK) status = mus__drape_slide_start(drape, drape->x);
-    if (status != MUS_OK && scratch) {
-        mus__free(drape->context, drape->mean);
-        drape->mean = drape->before = drape->left = NULL;
-    }
+    if (status != MUS_OK && scratch) mus__drape_scratch_free(drape);
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
     double safety = SAFETY_STEP;

@@ -216,18 +216,19 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
 /* round what is between; where that does not close a seam, from the start again and straight */
 static mus_status sew_tries(mus_drape *drape, mus__run *run)
 {
-    const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;
-    double *start = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof *start);
-    if (start == NULL) return mus__fail_memory(drape->context, "the start of a sewing");
+    if (drape->collider == NULL) return sew_here(drape, run, false);
+    const bool first = drape->mean == NULL;
+    mus_status status = mus__drape_scratch(drape);
+    if (status != MUS_OK) return status;
     mus__drape_publish(drape);
-    memcpy(start, drape->x, bytes);
-    mus_status status = sew_here(drape, run, true);
-    if (status == MUS_ERR_SEW && drape->collider != NULL && !run->stop) {
+    memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
+    status = sew_here(drape, run, true);
+    if (status == MUS_ERR_SEW && !run->stop) {
         mus__drape_open(drape);
-        status = mus_drape_set_state(drape, start, NULL);
+        status = mus_drape_set_state(drape, drape->mean, NULL);
         if (status == MUS_OK) status = sew_here(drape, run, false);
     }
-    mus__free(drape->context, start);
+    if (status == MUS_ERR_MEMORY && first) mus__drape_scratch_free(drape);
     return status;
 }
 

@@ -34,6 +34,13 @@
 /* a context on the counting allocator; log lines are kept for support_log() */
 mus_context *support_context(void);
 
+/* under the sanitizers a test takes ten times as long: long ones that differ in numbers alone run a part of them */
+#ifdef __SANITIZE_ADDRESS__
+#define SUPPORT_SLOW 1
+#else
+#define SUPPORT_SLOW 0
+#endif
+
 /* destroy a context; fails the test when objects of it still hold bytes, or a block was not given back */
 void support_context_end(mus_context *context);
 

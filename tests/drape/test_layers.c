@@ -278,8 +278,8 @@ Suite *mus_suite_layers(void)
     Suite *suite = suite_create("layers");
     TCase *tests = tcase_create("layers");
     tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, cloth_slides_on_cloth_beyond_the_angle_of_friction, 0, 8);
-    tcase_add_loop_test(tests, sheets_thrown_on_each_other_never_cross, 0, 6);
+    tcase_add_loop_test(tests, cloth_slides_on_cloth_beyond_the_angle_of_friction, 0, SUPPORT_SLOW ? 1 : 8);
+    tcase_add_loop_test(tests, sheets_thrown_on_each_other_never_cross, 0, SUPPORT_SLOW ? 2 : 6);
     tcase_add_loop_test(tests, layers_have_the_same_bytes_for_any_number_of_threads, 0, 2);
     tcase_add_test(tests, where_nothing_is_near_nothing_changes);
     tcase_add_test(tests, a_thickness_that_cloth_cannot_keep_is_refused);

@@ -515,7 +515,7 @@ static mus_status fs_read_part(mus_pattern *pattern, const mus_json_at *at)
 mus_status mus__pattern_read_freesewing(const mus_json_at *root, mus_pattern *pattern)
 {
     const char *text;
-    size_t count;
+    size_t count = 0;
     const mus_json_at units = mus__json_member(root, "units"), down = mus__json_member(root, "y_axis"),
                       parts = mus__json_member(root, "parts"), name = mus__json_member(root, "design");
     mus_status status = mus__json_text(&units, &text);

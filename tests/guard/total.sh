@@ -25,7 +25,7 @@ fi
 
 # ---- C: "97%: Checks: 100, Failures: 2, Errors: 1"; the exit code is the judge ----
 
-"$out/bin/tests" >"$log/c.log" 2>&1
+sh tests/guard/shards.sh "$out/bin/tests" "$log" >"$log/c.log" 2>&1
 code=$?
 cat "$log/c.log"
 counts=$(sed -n 's/^[0-9]*%: Checks: \([0-9]*\), Failures: \([0-9]*\), Errors: \([0-9]*\)$/\1 \2 \3/p' "$log/c.log" | tail -n 1)

@@ -2,11 +2,15 @@
 """run.py: dress every GarmentCode specification on the body that it was made for, and write a table.
 
 Each specification of the corpus runs in a process of its own with a time limit, so that a crash or a hang is a row and
-not the end. Written: OUT/table.csv (a row each), OUT/summary.txt, and a report a garment. A garment is "good" when it
-is settled, every seam is closed to 1 mm and nothing is deeper than 2 mm in the body.
+not the end. Written: OUT/table.csv (a row each), OUT/summary.txt, and a report a garment.
 
-Exit 1 when a run crashed, hung, wrote a number that is not finite, or a panel count differs from facts.csv; a garment
-that does not drape, and says why, is no fault of the run.
+A garment is "good" when it is settled, every seam is closed to 1 mm, nothing is deeper than 1 mm in the body, and, with
+--self-contact, no cloth crosses cloth. One is "invalid" when the checks of the library refuse its pattern before
+anything is sewn; invalid ones are named with the reason, and "good" is told as a share of the valid ones. CPU seconds
+are those that the system counts for the process of a garment, all of it: reading, body, cutting, sewing, settling.
+
+Exit 1 when a run crashed, hung, wrote a number that is not finite, a panel count differs from facts.csv, or a second
+run (--again) gave another state; a garment that does not drape, and says why, is no fault of the run.
 """
 import argparse
 import collections
@@ -14,14 +18,24 @@ import concurrent.futures
 import csv
 import json
 import math
+import os
 import pathlib
+import signal
+import statistics
 import subprocess
 import sys
+import tempfile
+import threading
 import time
 
-COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "panels", "nodes", "seams", "seams_closed",
-           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "steps", "wall_s", "state_hash", "fault"]
-GAP_MM, DEPTH_MM = 1.0, 2.0
+COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "valid", "panels", "nodes", "seams", "seams_closed",
+           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "wall_s", "state_hash",
+           "fault"]
+GAP_MM, DEPTH_MM = 1.0, 1.0
+# what the checks of a pattern say before anything is sewn
+REFUSED = {"twisted seam", "panel crosses itself", "bad input"}
+# what two runs must have in common
+SAME = ["status", "reason", "state_hash", "steps", "crossings"]
 
 
 def corpus(data):
@@ -40,52 +54,119 @@ def not_finite(value):
     return isinstance(value, float) and not math.isfinite(value)
 
 
-def dress(job, options, panels):
-    spec, tape, row = job
-    report_path = options.out / "reports" / row["file"]
+def run(command, limit):
+    """(exit code, None when stopped after `limit` seconds; lines on standard error; CPU seconds; wall seconds)."""
+    with tempfile.TemporaryFile("w+") as said:
+        start = time.monotonic()
+        child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said)
+        stopped = threading.Event()
+
+        # Popen.kill() would wait for the child itself, and the CPU seconds would be lost
+        def stop():
+            stopped.set()
+            os.kill(child.pid, signal.SIGKILL)
+        timer = threading.Timer(limit, stop)
+        timer.start()
+        _, status, used = os.wait4(child.pid, 0)
+        timer.cancel()
+        child.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        return (None if stopped.is_set() else child.returncode, said.read().strip().splitlines(),
+                used.ru_utime + used.ru_stime, time.monotonic() - start)
+
+
+def dress_once(job, options, report_path):
+    """(report, fault, CPU seconds, wall seconds) of one run."""
+    spec, tape, _ = job
     report_path.unlink(missing_ok=True)
-    result = dict.fromkeys(COLUMNS, "")
-    result.update(file=row["file"], type=row["type"], sleeves="no" if "sleeveless" in row["styles"] else "")
-    start = time.monotonic()
-    try:
-        spacing = ["--spacing", str(options.spacing)] if options.spacing else []
-        done = subprocess.run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet", *spacing,
-                               "--report", report_path], capture_output=True, text=True, timeout=options.limit)
-        code, said = done.returncode, done.stderr.strip().splitlines()
-    except subprocess.TimeoutExpired:
-        code, said = None, []
-    result["wall_s"] = f"{time.monotonic() - start:.1f}"
-    report = {}
+    asked = ["--spacing", str(options.spacing)] if options.spacing else []
+    asked += ["--self-contact"] if options.self_contact else []
+    code, said, cpu, wall = run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet", *asked,
+                                 "--report", report_path], options.limit)
+    report, fault = {}, ""
     if code is None:
-        result["fault"] = f"no end after {options.limit} s"
+        fault = f"no end after {options.limit:g} s"
     elif code < 0 or code > 2:
-        result["fault"] = f"crashed ({code})"
+        fault = f"crashed ({code})"
     elif report_path.exists():
         report = json.loads(report_path.read_text())
         if not_finite(report):
-            result["fault"] = "a number is not finite"
+            fault = "a number is not finite"
     else:
         report = {"status": "bad input", "reason": said[-1] if said else ""}
         if not said:
-            result["fault"] = "failed without a sentence"
+            fault = "failed without a sentence"
+    return report, fault, cpu, wall
+
+
+def is_good(report, self_contact):
+    return int(report.get("status") == "settled" and report["seams_closed"] == report["seams"]
+               and report["max_seam_gap_mm"] <= GAP_MM and report["max_penetration_mm"] <= DEPTH_MM
+               and (not self_contact or report.get("crossings") == 0))
+
+
+def dress(job, options, panels):
+    _, _, row = job
+    result = dict.fromkeys(COLUMNS, "")
+    result.update(file=row["file"], type=row["type"], sleeves="no" if "sleeveless" in row["styles"] else "")
+    report, fault, cpu, wall = dress_once(job, options, options.out / "reports" / row["file"])
+    if options.again and not fault:
+        again, fault, cpu_again, _ = dress_once(job, options, options.out / "again" / row["file"])
+        cpu = min(cpu, cpu_again)
+        other = [f"{key} {report.get(key)} and {again.get(key)}" for key in SAME if report.get(key) != again.get(key)]
+        if other and not fault:
+            fault = "a second run is not the same: " + ", ".join(other)
     result.update({key: report[key] for key in COLUMNS if key in report})
+    result.update(cpu_s=f"{cpu:.2f}", wall_s=f"{wall:.1f}", fault=fault)
     if report.get("panels", panels.get(row["file"])) != panels.get(row["file"]):
         result["fault"] = f"{report['panels']} panels, facts.csv has {panels.get(row['file'])}"
-    result["good"] = int(report.get("status") == "settled" and report["seams_closed"] == report["seams"]
-                         and report["max_seam_gap_mm"] <= GAP_MM and report["max_penetration_mm"] <= DEPTH_MM)
+    result["valid"] = int(report.get("status") not in REFUSED)
+    result["good"] = is_good(report, options.self_contact)
     return result
 
 
-def summary(rows):
+def share(rows):
+    good, valid = sum(row["good"] for row in rows), sum(row["valid"] for row in rows)
+    return f"{good} good of {valid} valid of {len(rows)}" + (f" ({100 * good / valid:.1f} %)" if valid else "")
+
+
+def seconds(rows):
+    """Median and 95th percentile of the CPU seconds of those that were dressed."""
+    cpu = sorted(float(row["cpu_s"]) for row in rows if row["valid"])
+    if not cpu:
+        return "none"
+    return (f"median {statistics.median(cpu):.1f}, p95 {cpu[math.ceil(0.95 * len(cpu)) - 1]:.1f}, most {cpu[-1]:.1f}, "
+            f"all {sum(cpu):.0f}")
+
+
+def lack(row, self_contact):
+    """Why a valid garment is not good, in a few words."""
+    if row["status"] != "settled":
+        return f"{row['status']}: {row['reason']}"
+    words = [f"{row['seams_closed']} of {row['seams']} seams closed"] * (row["seams_closed"] != row["seams"])
+    words += [f"gap {row['max_seam_gap_mm']:.2f} mm"] * (row["max_seam_gap_mm"] > GAP_MM)
+    words += [f"depth {row['max_penetration_mm']:.2f} mm"] * (row["max_penetration_mm"] > DEPTH_MM)
+    words += [f"{row['crossings']} crossings"] * (self_contact and row["crossings"] != 0)
+    return ", ".join(words)
+
+
+def summary(rows, options):
     lines = []
     kinds = {"skirts": lambda row: row["type"] == "skirt", "trousers": lambda row: row["type"] == "pants",
+             "jumpsuits": lambda row: row["type"] == "jumpsuit", "dresses": lambda row: row["type"] == "dress",
+             "tops": lambda row: row["type"] == "upper_garment",
              "sleeveless tops": lambda row: row["type"] == "upper_garment" and row["sleeves"] == "no",
              "all": lambda row: True}
     for name, belongs in kinds.items():
         part = [row for row in rows if belongs(row)]
         counts = collections.Counter(row["status"] or "none" for row in part)
-        lines.append(f"{name}: {sum(row['good'] for row in part)} good of {len(part)}; "
-                     + ", ".join(f"{status} {n}" for status, n in counts.most_common()))
+        lines.append(f"{name}: {share(part)}; " + ", ".join(f"{status} {n}" for status, n in counts.most_common()))
+    lines.append(f"CPU seconds: {seconds(rows)}")
+    lines += [f"invalid: {row['file']}: {row['status']}: {row['reason']}" for row in rows if not row["valid"]]
+    lines += [f"not good: {row['file']}: {lack(row, options.self_contact)}" for row in rows
+              if row["valid"] and not row["good"] and row["status"]]
+    if options.again:
+        lines.append(f"{sum('second run' not in row['fault'] for row in rows)} of {len(rows)} the same on a second run")
     faults = [f"{row['file']}: {row['fault']}" for row in rows if row["fault"]]
     return lines + [f"{len(faults)} faults", *faults]
 
@@ -96,29 +177,35 @@ def main():
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--limit", type=float, default=900, help="seconds a garment may take")
+    parser.add_argument("--limit", type=float, default=900, help="seconds that a run of a garment may take")
     parser.add_argument("--spacing", type=float, help="of the lattice [mm], default that of the command")
+    parser.add_argument("--self-contact", action="store_true", help="cloth does not go through cloth")
+    parser.add_argument("--again", action="store_true", help="run each twice: the state must be the same")
     parser.add_argument("--every", type=int, default=1, help="take each n-th specification only")
+    parser.add_argument("--only", help="those whose file name contains this, of the ones taken")
     options = parser.parse_args()
     if not (options.data / "garmentcode" / "index.json").exists():
         print(f"skipped: no {options.data / 'garmentcode'} (set MUSLIN_DATA)")
         return 0
 
-    (options.out / "reports").mkdir(parents=True, exist_ok=True)
+    for folder in ("reports", "again") if options.again else ("reports",):
+        (options.out / folder).mkdir(parents=True, exist_ok=True)
     with open(options.data / "garmentcode" / "facts.csv", newline="") as file:
         panels = {row["file"]: int(row["panels"]) for row in csv.DictReader(file)}
-    jobs = list(corpus(options.data))[::options.every]
+    jobs = [job for job in list(corpus(options.data))[::options.every] if (options.only or "") in job[2]["file"]]
     rows = []
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row in pool.map(lambda job: dress(job, options, panels), jobs):
-            rows.append(row)
-            print(f"{len(rows):4}/{len(jobs)} {row['file'][:44]:44} {row['wall_s']:>6} s  {row['status']} "
-                  f"{row['reason']}{' FAULT ' + row['fault'] if row['fault'] else ''}", flush=True)
-    with open(options.out / "table.csv", "w", newline="") as file:
+    # the table grows a row at a time: what is there stays there when the run is stopped
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, \
+            open(options.out / "table.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()
-        writer.writerows(rows)
-    text = "\n".join(summary(rows))
+        for row in pool.map(lambda job: dress(job, options, panels), jobs):
+            rows.append(row)
+            writer.writerow(row)
+            file.flush()
+            print(f"{len(rows):4}/{len(jobs)} {row['file'][:44]:44} {row['cpu_s']:>6} s  {row['status']} "
+                  f"{row['reason']}{' FAULT ' + row['fault'] if row['fault'] else ''}", flush=True)
+    text = "\n".join(summary(rows, options))
     (options.out / "summary.txt").write_text(text + "\n")
     print(text)
     return 1 if any(row["fault"] for row in rows) else 0

@@ -16,15 +16,39 @@
 #include <unistd.h>
 
 
+/* where complaints go instead of standard error; one for the process, as standard error is */
+static complaints *kept;
+
+
+void complaints_keep(complaints *into)
+{
+    kept = into;
+    if (into != NULL) memset(into, 0, sizeof *into);
+}
+
+
 int complain(int code, const char *command, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
-    fprintf(stderr, "muslin %s: ", command);
-    vfprintf(stderr, format, list);
-    fputc('\n', stderr);
+    if (kept == NULL) {
+        fprintf(stderr, "muslin %s: ", command);
+        vfprintf(stderr, format, list);
+        fputc('\n', stderr);
+    } else if (kept->text[0] == '\0') {
+        vsnprintf(kept->text, sizeof kept->text, format, list);
+    }
     va_end(list);
     return code;
+}
+
+
+void doubt(const char *command, const char *text)
+{
+    if (kept == NULL)
+        fprintf(stderr, "muslin %s: warning: %s\n", command, text);
+    else if (kept->doubts < (int32_t)(sizeof kept->doubt / sizeof *kept->doubt))
+        snprintf(kept->doubt[kept->doubts++], sizeof *kept->doubt, "%s", text);
 }
 
 
@@ -147,10 +171,11 @@ bool args_read(const char *command, const char *summary, const option *options, 
 {
     uint64_t seen = 0;
     for (int i = 0; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            print_help(command, summary, options);
-            exit(output_end(command));
-        }
+        if (strcmp(argv[i], "--help") != 0 && strcmp(argv[i], "-h") != 0) continue;
+        print_help(command, summary, options);
+        exit(output_end(command));
+    }
+    for (int i = 0; i < argc; i++) {
         const option *o = find_option(options, argv[i]);
         if (o == NULL && argv[i][0] == '-' && argv[i][1] != '\0')
             return REFUSE(command, "option %s is unknown; see muslin %s --help", argv[i], command);

@@ -53,6 +53,19 @@ bool output_check(const char *command, const char *path);
 /* One line on standard error, "muslin COMMAND: text". Returns `code`. */
 int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
+/* The same with the word "warning". */
+void doubt(const char *command, const char *text);
+
+/* What was said in place of lines on standard error: the first complaint, the first doubts, without the command. */
+typedef struct complaints {
+    char text[600];
+    int32_t doubts;
+    char doubt[8][512];
+} complaints;
+
+/* Keep complaints and doubts in `into` from now on, which is emptied; NULL: on standard error again. */
+void complaints_keep(complaints *into);
+
 /* Is all of standard output out? EXIT_DONE, or a line and EXIT_FAILED. */
 int output_end(const char *command);
 

@@ -20,7 +20,7 @@ double seconds(void)
 static void log_line(void *user, int32_t level, const char *text)
 {
     const scene *s = user;
-    if (level <= MUS_LOG_WARNING) fprintf(stderr, "muslin %s: warning: %s\n", s->command, text);
+    if (level <= MUS_LOG_WARNING) doubt(s->command, text);
 }
 
 
@@ -77,8 +77,7 @@ int scene_tape(scene *s, const source *from)
     }
     if (status == MUS_OK) status = mus_tape_complete(s->tape);
     if (status != MUS_OK) return scene_fail(s, status);
-    for (int32_t i = 0; i < mus_tape_warning_count(s->tape); i++)
-        fprintf(stderr, "muslin %s: warning: %s\n", s->command, mus_tape_warning(s->tape, i));
+    for (int32_t i = 0; i < mus_tape_warning_count(s->tape); i++) doubt(s->command, mus_tape_warning(s->tape, i));
     return EXIT_DONE;
 }
 

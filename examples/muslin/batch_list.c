@@ -227,10 +227,11 @@ static char *read_all(const char *path)
         if (got == 0) break;
     }
     const bool read = file != NULL && memory && !ferror(file);
-    if (!read) complain(memory ? EXIT_INPUT : EXIT_FAILED, "dress", "--batch %s: %s", path,
-                        memory ? strerror(errno) : "no memory");
+    const bool plain = read && memchr(text, 0, length) == NULL;
+    if (!plain) complain(memory ? EXIT_INPUT : EXIT_FAILED, "dress", "--batch %s: %s", path,
+                         read ? "no list: a byte of it is 0" : memory ? strerror(errno) : "no memory");
     if (file != NULL && file != stdin) fclose(file);
-    if (!read) {
+    if (!plain) {
         free(text);
         return NULL;
     }

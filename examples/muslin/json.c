@@ -34,18 +34,35 @@ static void put(json *j, const char *text, size_t bytes)
 }
 
 
+/* bytes of the UTF-8 character at `c`; 0 when it is none (surrogates and longer forms than needed are none) */
+static size_t character(const unsigned char *c)
+{
+    const size_t bytes = c[0] < 0x80 ? 1 : c[0] < 0xc2 ? 0 : c[0] < 0xe0 ? 2 : c[0] < 0xf0 ? 3 : c[0] < 0xf5 ? 4 : 0;
+    for (size_t i = 1; i < bytes; i++)
+        if ((c[i] & 0xc0) != 0x80) return 0;
+    const bool beyond = (c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
+                        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f);
+    return beyond ? 0 : bytes;
+}
+
+
+/* what is no UTF-8, of a file or cut short, is shown as such: JSON has no other bytes */
 static void put_string(json *j, const char *value)
 {
     put(j, "\"", 1);
-    for (const unsigned char *c = (const unsigned char *)value; *c != '\0'; c++) {
+    for (const unsigned char *c = (const unsigned char *)value; *c != '\0';) {
+        const size_t bytes = character(c);
         char escape[8];
-        if (*c == '"' || *c == '\\')
+        if (bytes == 0)
+            snprintf(escape, sizeof escape, "\\ufffd");
+        else if (*c == '"' || *c == '\\')
             snprintf(escape, sizeof escape, "\\%c", *c);
         else if (*c < 0x20)
             snprintf(escape, sizeof escape, "\\u%04x", *c);
         else
-            snprintf(escape, sizeof escape, "%c", *c);
+            snprintf(escape, sizeof escape, "%.*s", (int)bytes, (const char *)c);
         put(j, escape, strlen(escape));
+        c += bytes == 0 ? 1 : bytes;
     }
     put(j, "\"", 1);
 }

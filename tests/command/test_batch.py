@@ -137,6 +137,12 @@ def test_a_bad_line_is_told_in_its_place(batch, tmp_path, line, words):
     assert len(lines(tmp_path / "out", "times.jsonl")) == 2
 
 
+def test_a_line_in_another_coding_is_told_in_utf8(command, tmp_path):
+    command("dress", "--batch", "-", "-o", tmp_path / "out", input="--gr\xf6sse W40\n--länge 3\n".encode("latin-1"))
+    assert ["--gr\ufffdsse" in one["reason"] or "--l\ufffdnge" in one["reason"] for one in lines(tmp_path / "out")] \
+        == [True, True]
+
+
 def test_what_has_no_end_is_stopped_and_done_with_a_longer_limit(batch, tmp_path):
     text = "--design skirt --size W40\n"
     done = batch(text, "--limit", 0.02)
@@ -159,11 +165,11 @@ def test_a_crash_is_a_line_and_the_others_go_on(program, command, one_line, tmp_
         time.sleep(0.002)
     # and meanwhile nobody else works there
     assert "another batch" in one_line(command("dress", "--batch", tmp_path / "list", "-o", out, code=2))
-    os.kill(int(child[0]), signal.SIGSEGV)
+    os.kill(int(child[0]), signal.SIGABRT)
     said, _ = running.communicate(timeout=60)
     crashed, other = lines(out)
     assert running.returncode == 0 and b"1 crashed, 1 bad input" in said
-    assert crashed["status"] == "crashed" and "signal 11" in crashed["reason"]
+    assert crashed["status"] == "crashed" and "signal 6" in crashed["reason"]
     assert other["status"] == "bad input"
 
 
@@ -201,6 +207,7 @@ def test_what_cannot_be_begun_is_refused(command, one_line, tmp_path):
         return one_line(command("dress", "--batch", *arguments, code=2, cwd=tmp_path, input=text))
     assert "-o" in refused("-")
     assert "no garment" in refused("-", "-o", "out", text=b"# none\n\n")
+    assert "a byte of it is 0" in refused("-", "-o", "out", text=b"--design skirt\0--size W40\n")
     assert "not/there" in refused("not/there", "-o", "out")
     assert "not/there" in refused("-", "-o", "not/there")
     assert "--jobs" in refused("-", "-o", "out", "--jobs", "0")

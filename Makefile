@@ -8,6 +8,8 @@
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
 #                   hands options to tests/corpus/run.py)
+#   make page       24 GarmentCode garments at 15 mm with cloth on cloth as two pages of pictures, in build/page/
+#                   (PAGE='--spacing 25' hands options to tests/corpus/page.py)
 #   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
 #                   options to tests/motion/run.py)
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
@@ -134,7 +136,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now motion motion-now sheet sheet-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now motion motion-now sheet sheet-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
         check-omit-now check-ports check-large report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -270,6 +272,12 @@ corpus:
 	@$(call again,corpus-now)
 corpus-now: all
 	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+
+page:
+	@sh tests/guard/packages.sh build report
+	@$(call again,page-now)
+page-now: all
+	$(PYTHON) tests/corpus/page.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/page --jobs $(JOBS) $(PAGE)
 
 motion:
 	@sh tests/guard/packages.sh build

@@ -142,7 +142,7 @@ def seconds(rows):
 def lack(row, self_contact):
     """Why a valid garment is not good, in a few words."""
     if row["status"] != "settled":
-        return f"{row['status']}: {row['reason']}"
+        return row["reason"] if row["reason"].startswith(row["status"]) else f"{row['status']}: {row['reason']}"
     words = [f"{row['seams_closed']} of {row['seams']} seams closed"] * (row["seams_closed"] != row["seams"])
     words += [f"gap {row['max_seam_gap_mm']:.2f} mm"] * (row["max_seam_gap_mm"] > GAP_MM)
     words += [f"depth {row['max_penetration_mm']:.2f} mm"] * (row["max_penetration_mm"] > DEPTH_MM)

@@ -26,6 +26,18 @@ static int32_t show_progress(void *user, const char *phase, double progress)
 }
 
 
+/* whether any panel of a pattern has a place of its own to start at */
+static bool has_place(const mus_pattern *pattern)
+{
+    mus_placement none, own;
+    mus_placement_init(&none, sizeof none);
+    mus_placement_init(&own, sizeof own);
+    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
+        if (mus_pattern_placement(pattern, p, &own) == MUS_OK && memcmp(&own, &none, sizeof own) != 0) return true;
+    return false;
+}
+
+
 /* body, cloth, drape: everything before the first step */
 static mus_status prepare(dress *d)
 {
@@ -35,6 +47,12 @@ static mus_status prepare(dress *d)
         status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
         d->body_seconds = seconds() - start;
     }
+    if (status != MUS_OK) return status;
+
+    start = seconds();
+    if (d->body != NULL && (d->place != NULL ? strcmp(d->place, "found") == 0 : !has_place(d->s.pattern)))
+        status = mus_pattern_place(d->s.pattern, d->body);
+    d->place_seconds = seconds() - start;
     if (status != MUS_OK) return status;
 
     start = seconds();
@@ -198,6 +216,8 @@ int32_t dress_options(dress *d, option *table)
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
+        {"--place", OPTION_TEXT, &d->place, 0, 0,
+         "HOW  panels start as the pattern says (file) or where is found; default file, found where it says nothing"},
         {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
@@ -220,6 +240,8 @@ int dress_check(const char *command, const dress *d)
 {
     if (d->precision != 32.0 && d->precision != 64.0)
         return complain(EXIT_INPUT, command, "--precision %g: expected 32 or 64", d->precision);
+    if (d->place != NULL && strcmp(d->place, "file") != 0 && strcmp(d->place, "found") != 0)
+        return complain(EXIT_INPUT, command, "--place %s: expected file or found", d->place);
     return EXIT_DONE;
 }
 

@@ -13,7 +13,7 @@ typedef struct dress {
     mesh_source mesh;
     look look;
     mus_fabric fabric;
-    const char *fabric_name, *map, *png, *glb, *obj, *report;
+    const char *fabric_name, *place, *map, *png, *glb, *obj, *report;
     const char *batch; /* of the help alone: batch.c reads a batch */
     double spacing_mm, threads, precision, friction;
     bool as_json, quiet, self_contact;
@@ -27,7 +27,7 @@ typedef struct dress {
     fit_map coloured;
     mus_status outcome;
     char reason[512];
-    double body_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
+    double body_seconds, place_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
 } dress;
 
 /* Nothing is made yet, and every option has its default. */

@@ -84,6 +84,7 @@ void dress_seconds(const dress *d, json *j)
     json_open(j, "seconds", '{');
     json_number(j, "draft", d->s.draft_seconds);
     json_number(j, "body", d->body_seconds);
+    json_number(j, "place", d->place_seconds);
     json_number(j, "mesh", d->mesh_seconds);
     json_number(j, "sew", d->sew_seconds);
     json_number(j, "settle", d->settle_seconds);

@@ -63,6 +63,18 @@ MUS_API mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth
 
 MUS_API void mus_drape_destroy(mus_drape *drape);
 
+/**
+ * Find where the panels of a pattern start round a body, and write it as their placement: partner edges face each
+ * other, right sides off the body, no panel in the body.
+ *
+ * Panels that lie side by side make tubes, which go round the trunk, the neck, the arms; front, back, left, right,
+ * sleeve, collar, hood, cuff and leg in names and labels count, seams count more. The body is taken as it was made.
+ * Errors:  MUS_ERR_ARG; MUS_ERR_BODY (a body that was not made of a tape); MUS_ERR_PATTERN (a panel without outline);
+ *          MUS_ERR_MEMORY; the pattern is as it was
+ * Cost:    a few milliseconds
+ */
+MUS_API mus_status mus_pattern_place(mus_pattern *pattern, const mus_body *body);
+
 /** Put the nodes where the pattern's placement says, at rest, and open all seams again. */
 MUS_API mus_status mus_drape_place(mus_drape *drape);
 
@@ -297,6 +309,17 @@ MUS_API void mus_reason_init(mus_reason *reason, size_t size);
 
 /** A kind in words ("slid off"); NULL outside the list. */
 MUS_API const char *mus_reason_name(int32_t kind);
+
+/**
+ * What is wrong with how the cloth lies now, before it is sewn: MUS_REASON_START_TANGLED with panel or seam and a
+ * sentence, or MUS_REASON_NONE.
+ *
+ * A panel inside the body; a seam whose sides lie the wrong way round; panels in each other's place or turned round;
+ * panels through one another; layers whose order is not the same all round.
+ * Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY
+ * Cost:   some microseconds a node
+ */
+MUS_API mus_status mus_drape_start(const mus_drape *drape, mus_reason *out);
 
 /** Why the last sew or settle ended as it did. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out);

@@ -1,8 +1,8 @@
 /*
  * reason.c: why a garment is on or is not, as one of a closed list, with its panel, seam or place.
  *
- * Runs note their end here. What is odd before sewing (a panel that begins inside the body, a seam whose sides lie the
- * wrong way round) is noted too, and is the reason given when the run then fails: it is what a person would mend.
+ * Runs note their end here. What is odd before sewing (start.c) is noted too, and is the reason given when the run then
+ * fails: it is what a person would mend.
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,11 +10,6 @@
 
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
-
-#define INSIDE_DEEP 0.02  /* [m]: a node so far inside the body does not merely touch it */
-#define INSIDE_PART 0.25  /* of a panel's nodes: less is pushed out while sewing */
-#define EXCHANGED 0.5     /* a seam whose ends are this much nearer the other way round lies twisted */
-#define EXCHANGED_LEAST 0.05 /* [m]: shorter seams may lie as they like */
 
 static const char *const reason_names[MUS_REASON_COUNT] = {
     "nothing asked", "settled",  "twisted seam", "panel crosses itself", "seam cannot close", "start tangled",
@@ -37,7 +32,7 @@ const char *mus_reason_name(int32_t kind)
 }
 
 
-static void reason_write(mus_reason *out, int32_t kind, const char *text)
+void mus__reason_write(mus_reason *out, int32_t kind, const char *text)
 {
     mus_reason_init(out, sizeof *out);
     out->kind = kind;
@@ -48,7 +43,7 @@ static void reason_write(mus_reason *out, int32_t kind, const char *text)
 void mus__drape_reason_set(mus_drape *drape, int32_t kind, int32_t panel, int32_t seam, int32_t node, double value,
                            const char *text)
 {
-    reason_write(&drape->reason, kind, text);
+    mus__reason_write(&drape->reason, kind, text);
     drape->reason.panel = panel, drape->reason.seam = seam, drape->reason.node = node;
     drape->reason.value = value;
     if (node != MUS_NONE) memcpy(drape->reason.place, drape->x + 3 * (int64_t)node, sizeof drape->reason.place);
@@ -136,65 +131,8 @@ void mus__drape_reason_status(mus_drape *drape, mus_status status)
 }
 
 
-/* a panel much of which begins inside the body */
-static int32_t reason_inside(mus_drape *drape)
-{
-    const mus_cloth *cloth = drape->cloth;
-    for (int32_t p = 0; p < cloth->npanel && drape->collider != NULL; p++) {
-        const mus__panel_mesh *panel = &cloth->panel[p];
-        int32_t inside = 0;
-        for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++)
-            inside += mus__collider_depth(drape->collider, drape->x + 3 * (int64_t)i, 0.0, NULL) > INSIDE_DEEP;
-        if (!(inside > INSIDE_PART * panel->node_count)) continue;
-        char text[256];
-        snprintf(text, sizeof text, "panel %.100s begins inside the body: %d of its %d nodes",
-                 mus_cloth_panel_name(cloth, p), (int)inside, (int)panel->node_count);
-        reason_write(&drape->start, MUS_REASON_START_TANGLED, text);
-        drape->start.panel = p;
-        return 1;
-    }
-    return 0;
-}
-
-
-/* a seam that would lie much better with one side turned round: its panels begin twisted or exchanged */
-static void reason_exchanged(mus_drape *drape)
-{
-    const mus_cloth *cloth = drape->cloth;
-    for (int32_t first = 0, last; first < cloth->npair; first = last) {
-        const int32_t seam = cloth->pair_seam[first];
-        double length = 0.0, as_is = 0.0, turned = 0.0;
-        for (last = first; last < cloth->npair && cloth->pair_seam[last] == seam; last++)
-            length += cloth->pair_length[last];
-        if (length < EXCHANGED_LEAST) continue;
-        for (int32_t p = first; p < last; p++) {
-            const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p];
-            const double *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
-            const double *c = drape->x + 3 * (int64_t)cloth->pair[2 * (first + last - 1 - p) + 1];
-            const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, e[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-            as_is += mus__norm3(d), turned += mus__norm3(e);
-        }
-        if (!(turned < EXCHANGED * as_is)) continue;
-        char text[256];
-        const int32_t a = cloth->node_panel[cloth->pair[2 * first]], b = cloth->node_panel[cloth->pair[2 * first + 1]];
-        snprintf(text, sizeof text, "seam %d of %.80s and %.80s begins twisted: its sides lie the wrong way round",
-                 (int)seam, mus_cloth_panel_name(cloth, a), mus_cloth_panel_name(cloth, b));
-        reason_write(&drape->start, MUS_REASON_START_TANGLED, text);
-        drape->start.seam = seam, drape->start.panel = a;
-        return;
-    }
-}
-
-
-void mus__drape_reason_start(mus_drape *drape)
-{
-    mus_reason_init(&drape->start, sizeof drape->start);
-    if (!reason_inside(drape)) reason_exchanged(drape);
-}
-
-
 /* to a caller's struct of this size */
-static mus_status reason_give(mus_context *context, const mus_reason *own, mus_reason *out)
+mus_status mus__reason_give(mus_context *context, const mus_reason *own, mus_reason *out)
 {
     if (out == NULL || out->size != sizeof *out)
         return mus__fail(context, MUS_ERR_VERSION, "reason: size unknown; use mus_reason_init");
@@ -206,7 +144,7 @@ static mus_status reason_give(mus_context *context, const mus_reason *own, mus_r
 
 mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out)
 {
-    return drape == NULL ? MUS_ERR_ARG : reason_give(drape->context, &drape->reason, out);
+    return drape == NULL ? MUS_ERR_ARG : mus__reason_give(drape->context, &drape->reason, out);
 }
 
 
@@ -218,17 +156,17 @@ mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out)
     const char *text = "";
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = mus_pattern_context(pattern);
-    reason_write(&own, MUS_REASON_NONE, "");
+    mus__reason_write(&own, MUS_REASON_NONE, "");
     mus_status status = mus_pattern_copy(pattern, &copy);
     if (status == MUS_OK) status = mus_pattern_check(copy, &count);
     if (status == MUS_OK && count > 0) {
         mus_pattern_fault(copy, 0, &kind, &panel, NULL, &seam, &text);
-        reason_write(&own,
+        mus__reason_write(&own,
                      kind == MUS_FAULT_CROSSING ? MUS_REASON_PANEL_CROSSES
                      : kind == MUS_FAULT_TWISTED_SEAM ? MUS_REASON_TWISTED_SEAM : MUS_REASON_BAD_INPUT,
                      text);
         own.panel = panel, own.seam = seam;
     }
     mus_pattern_destroy(copy);
-    return status == MUS_OK ? reason_give(context, &own, out) : status;
+    return status == MUS_OK ? mus__reason_give(context, &own, out) : status;
 }

@@ -266,7 +266,8 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     mus__run run;
     mus__run_start(&run, "sew", progress, user);
     mus_reason_init(&drape->reason, sizeof drape->reason);
-    mus__drape_reason_start(drape);
+    const mus_status looked = mus__drape_start(drape, &drape->start);
+    if (looked != MUS_OK) return looked;
     const mus_status done = sew_levels(drape, &run);
     mus__drape_reason_status(drape, done);
     return done;

@@ -75,12 +75,13 @@ def run(command, limit):
                 used.ru_utime + used.ru_stime, time.monotonic() - start)
 
 
-def dress_once(job, options, report_path):
+def dress_once(job, options, report_path, place):
     """(report, fault, CPU seconds, wall seconds) of one run."""
     spec, tape, _ = job
     report_path.unlink(missing_ok=True)
     asked = ["--spacing", str(options.spacing)] if options.spacing else []
     asked += ["--self-contact"] if options.self_contact else []
+    asked += ["--place", place] if place else []
     code, said, cpu, wall = run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet", *asked,
                                  "--report", report_path], options.limit)
     report, fault = {}, ""
@@ -105,13 +106,13 @@ def is_good(report, self_contact):
                and (not self_contact or report.get("crossings") == 0))
 
 
-def dress(job, options, panels):
+def dress(job, options, panels, place=None):
     _, _, row = job
     result = dict.fromkeys(COLUMNS, "")
     result.update(file=row["file"], type=row["type"], sleeves="no" if "sleeveless" in row["styles"] else "")
-    report, fault, cpu, wall = dress_once(job, options, options.out / "reports" / row["file"])
+    report, fault, cpu, wall = dress_once(job, options, options.out / "reports" / row["file"], place)
     if options.again and not fault:
-        again, fault, cpu_again, _ = dress_once(job, options, options.out / "again" / row["file"])
+        again, fault, cpu_again, _ = dress_once(job, options, options.out / "again" / row["file"], place)
         cpu = min(cpu, cpu_again)
         other = [f"{key} {report.get(key)} and {again.get(key)}" for key in SAME if report.get(key) != again.get(key)]
         if other and not fault:
@@ -123,6 +124,12 @@ def dress(job, options, panels):
     result["valid"] = int(report.get("status") not in REFUSED)
     result["good"] = is_good(report, options.self_contact)
     return result
+
+
+def dress_found(job, options, panels):
+    """The row of a garment whose start is found, with what became of it from the start of its file."""
+    given = dress(job, options, panels, "file")
+    return {**dress(job, options, panels, "found"), "file_status": given["status"], "file_good": given["good"]}
 
 
 def share(rows):
@@ -161,6 +168,11 @@ def summary(rows, options):
         part = [row for row in rows if belongs(row)]
         counts = collections.Counter(row["status"] or "none" for row in part)
         lines.append(f"{name}: {share(part)}; " + ", ".join(f"{status} {n}" for status, n in counts.most_common()))
+    given = [row for row in rows if row.get("file_good")]
+    if given:
+        both = sum(row["good"] for row in given)
+        lines.append(f"starts found: {both} good of the {len(given)} that the start of the file makes good "
+                     f"({100 * both / len(given):.1f} %)")
     lines.append(f"CPU seconds: {seconds(rows)}")
     lines += [f"invalid: {row['file']}: {row['status']}: {row['reason']}" for row in rows if not row["valid"]]
     lines += [f"not good: {row['file']}: {lack(row, options.self_contact)}" for row in rows
@@ -181,6 +193,8 @@ def main():
     parser.add_argument("--spacing", type=float, help="of the lattice [mm], default that of the command")
     parser.add_argument("--self-contact", action="store_true", help="cloth does not go through cloth")
     parser.add_argument("--again", action="store_true", help="run each twice: the state must be the same")
+    parser.add_argument("--place", choices=["file", "found"], default="file",
+                        help="found: starts are found; each garment is dressed from the start of its file too")
     parser.add_argument("--every", type=int, default=1, help="take each n-th specification only")
     parser.add_argument("--only", help="those whose file name contains this, of the ones taken")
     options = parser.parse_args()
@@ -194,12 +208,13 @@ def main():
         panels = {row["file"]: int(row["panels"]) for row in csv.DictReader(file)}
     jobs = [job for job in list(corpus(options.data))[::options.every] if (options.only or "") in job[2]["file"]]
     rows = []
+    one, more = (dress_found, ["file_status", "file_good"]) if options.place == "found" else (dress, [])
     # the table grows a row at a time: what is there stays there when the run is stopped
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, \
             open(options.out / "table.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS)
+        writer = csv.DictWriter(file, COLUMNS + more)
         writer.writeheader()
-        for row in pool.map(lambda job: dress(job, options, panels), jobs):
+        for row in pool.map(lambda job: one(job, options, panels), jobs):
             rows.append(row)
             writer.writerow(row)
             file.flush()

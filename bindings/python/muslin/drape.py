@@ -180,13 +180,21 @@ class Drape(Object):
         self.do("report_get", ctypes.byref(report))
         return read_struct(report)
 
+    def _reason(self, which):
+        reason = make_def(_abi.mus_reason, lib.mus_reason_init)
+        self.do(which, ctypes.byref(reason))
+        values = read_struct(reason)
+        return {**values, "name": lib.mus_reason_name(reason.kind).decode(), "text": reason.text.decode("utf-8", "replace")}
+
+    @property
+    def start(self):
+        """What is wrong with how the cloth lies before it is sewn, as reason; kind 0: nothing."""
+        return self._reason("start")
+
     @property
     def reason(self):
         """Why the last sew or settle ended as it did, as a dict (mus_reason); kind in words too, as name."""
-        reason = make_def(_abi.mus_reason, lib.mus_reason_init)
-        self.do("reason", ctypes.byref(reason))
-        values = read_struct(reason)
-        return {**values, "name": lib.mus_reason_name(reason.kind).decode(), "text": reason.text.decode("utf-8", "replace")}
+        return self._reason("reason")
 
     @property
     def skipped(self):

@@ -1,0 +1,68 @@
+/*
+ * found_push.c: panels off the body along their outer normals, and the two sides of a fork off each other.
+ */
+#include <math.h>
+
+#include "drape/found.h"
+#include "geom/vec.h"
+
+#define PUSH_GRID 8      /* places across a panel and up it */
+#define PUSH_STEP 0.005  /* [m] */
+#define PUSH_STEPS 40
+#define PUSH_CLEAR 0.004 /* [m] off the skin */
+#define PUSH_PART 0.02   /* of a panel's places: less is left to contact */
+
+
+/* whether (h, v) is in the outline, by the dots of its edges */
+static bool push_within(const mus__found *found, const found_panel *panel, double h, double v)
+{
+    bool within = false;
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        const double *dot = found->edge[panel->edge[i]].dot;
+        for (int32_t k = 0; k + 1 < FOUND_DOTS; k++) {
+            const double *a = dot + 2 * k, *b = a + 2;
+            if ((a[1] > v) != (b[1] > v) && h < a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) within = !within;
+        }
+    }
+    return within;
+}
+
+
+/* places of a panel that are too deep, and of how many */
+static mus_status push_deep(const mus__found *found, const found_panel *panel, int32_t *deep, int32_t *all)
+{
+    double x[3 * PUSH_GRID * PUSH_GRID], depth[PUSH_GRID * PUSH_GRID];
+    int32_t n = 0;
+    *deep = 0;
+    for (int32_t i = 0; i < PUSH_GRID; i++)
+        for (int32_t k = 0; k < PUSH_GRID; k++) {
+            const double h = panel->low[0] + (i + 0.5) / PUSH_GRID * (panel->high[0] - panel->low[0]);
+            const double v = panel->low[1] + (k + 0.5) / PUSH_GRID * (panel->high[1] - panel->low[1]);
+            if (push_within(found, panel, h, v)) mus__found_place(panel, h, v, x + 3 * n++);
+        }
+    const mus_status status = mus_body_depth(found->body, n, x, depth, NULL);
+    for (int32_t i = 0; i < n && status == MUS_OK; i++) *deep += depth[i] > -PUSH_CLEAR;
+    *all = n;
+    return status;
+}
+
+
+static mus_status push_off(const mus__found *found, found_panel *panel)
+{
+    for (int32_t i = 0; i < PUSH_STEPS; i++) {
+        int32_t deep, all;
+        const mus_status status = push_deep(found, panel, &deep, &all);
+        if (status != MUS_OK) return status;
+        if (!(deep > PUSH_PART * all)) return MUS_OK;
+        for (int32_t d = 0; d < 3; d++) panel->at[d] += PUSH_STEP * panel->out[d];
+    }
+    return MUS_OK;
+}
+
+
+mus_status mus__found_push(mus__found *found)
+{
+    mus_status status = MUS_OK;
+    for (int32_t p = 0; p < found->npanel && status == MUS_OK; p++) status = push_off(found, &found->panel[p]);
+    return status;
+}

@@ -93,15 +93,28 @@ void bench_row_write(bench *b, const bench_row *row)
 }
 
 
+/* is a part of the table asked for */
+static bool asked(const char *only, const char *part)
+{
+    return only == NULL || strcmp(only, part) == 0;
+}
+
+
 int command_bench(int argc, char **argv)
 {
     bool as_json = false, all = false;
+    const char *only = NULL;
     const option options[] = {{"--all", OPTION_FLAG, &all, 0, 0, "large cloths too, and scenes brought to rest"},
+                              {"--only", OPTION_TEXT, &only, 0, 0, "PART  speed, contact, body or scenes alone"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("bench", "Speed table: node evaluations a CPU second, whole scenes in CPU seconds.", options, argc,
                    argv))
         return EXIT_INPUT;
+
+    if (only != NULL && !asked(only, "speed") && !asked(only, "contact") && !asked(only, "body") &&
+        !asked(only, "scenes"))
+        return complain(EXIT_INPUT, "bench", "--only %s: expected speed, contact, body or scenes", only);
 
     scene s;
     struct utsname machine;
@@ -111,10 +124,11 @@ int command_bench(int argc, char **argv)
     json_open(&b.j, NULL, '{');
     json_text(&b.j, "machine", uname(&machine) == 0 ? machine.machine : "unknown");
     json_open(&b.j, "rows", '[');
-    mus_status status = bench_speed(&b, all);
-    if (status == MUS_OK) status = bench_contact(&b);
-    if (status == MUS_OK) status = bench_body(&b);
-    if (status == MUS_OK) status = bench_scenes(&b, all);
+    mus_status status = asked(only, "speed") ? bench_speed(&b, all) : MUS_OK;
+    if (status == MUS_OK && asked(only, "contact")) status = bench_contact(&b);
+    if (status == MUS_OK && asked(only, "contact")) status = bench_worn(&b);
+    if (status == MUS_OK && asked(only, "body")) status = bench_body(&b);
+    if (status == MUS_OK && asked(only, "scenes")) status = bench_scenes(&b, all);
     if (status != MUS_OK) code = scene_fail(&s, status);
     json_close(&b.j, ']');
     json_close(&b.j, '}');

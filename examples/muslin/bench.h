@@ -40,9 +40,10 @@ plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell,
 /* CPU seconds of one evaluation of one node: of forces alone, or a quarter of a step of RK4 */
 double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps);
 
-/* the cases (bench_speed.c, bench_contact.c, bench_body.c, bench_scene.c) */
+/* the cases (bench_speed.c, bench_contact.c, bench_worn.c, bench_body.c, bench_scene.c) */
 mus_status bench_speed(bench *b, bool everything);
 mus_status bench_contact(bench *b);
+mus_status bench_worn(bench *b);
 mus_status bench_body(bench *b);
 mus_status bench_scenes(bench *b, bool everything);
 

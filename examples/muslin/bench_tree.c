@@ -145,21 +145,24 @@ void tree_free(tree *t)
 
 /* ---- asking ---- */
 
-double tree_distance(tree *t, const double *p)
+double tree_nearest(tree *t, const double *p, int32_t *nearest)
 {
     struct {
         int32_t node;
         double distance2;
     } stack[STACK];
     int32_t top = 0;
-    double best = INFINITY;
+    double best = *nearest >= 0 ? triangle_distance2(t->corner + 9 * (ptrdiff_t)*nearest, p) : INFINITY;
+    t->visits += *nearest >= 0;
     stack[top].node = 0, stack[top++].distance2 = box_distance2(&t->node[0], p);
     while (top > 0) {
         const tree_node *node = &t->node[stack[--top].node];
         if (stack[top].distance2 >= best) continue;
         if (node->count > 0) {
-            for (int32_t k = node->first; k < node->first + node->count; k++)
-                best = fmin(best, triangle_distance2(t->corner + 9 * (ptrdiff_t)k, p));
+            for (int32_t k = node->first; k < node->first + node->count; k++) {
+                const double distance2 = triangle_distance2(t->corner + 9 * (ptrdiff_t)k, p);
+                if (distance2 < best) best = distance2, *nearest = k;
+            }
             t->visits += node->count;
             continue;
         }
@@ -171,4 +174,11 @@ double tree_distance(tree *t, const double *p)
         if (fmin(a, b) < best) stack[top].node = near, stack[top++].distance2 = fmin(a, b);
     }
     return sqrt(best);
+}
+
+
+double tree_distance(tree *t, const double *p)
+{
+    int32_t nearest = -1;
+    return tree_nearest(t, p, &nearest);
 }

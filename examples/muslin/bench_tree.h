@@ -26,7 +26,10 @@ typedef struct tree {
 int tree_make(const double *vertices, int32_t triangles, const int32_t *triangle, tree *out);
 void tree_free(tree *t);
 
-/* distance of p (3) to the triangles */
+/* distance of p (3) to the triangles; *nearest in: a triangle, in the order of the leaves, from which the search
+ * starts, -1 for none; out: the nearest */
+double tree_nearest(tree *t, const double *p, int32_t *nearest);
+/* the same from nothing */
 double tree_distance(tree *t, const double *p);
 
 #endif

@@ -178,14 +178,11 @@ static void fill_home(const mus__field *from, const mus__limb *limb, const doubl
 }
 
 
-/* least radius over all parts */
-static double thinnest(const mus_body *body)
+/* least radius of a part */
+static double thinnest(const mus__field *field)
 {
     double least = BIG;
-    for (int32_t l = 0; l < body->nfield; l++) {
-        const mus__field *field = &body->field[l];
-        for (int64_t i = 0; i < (int64_t)field->nring * field->nangle; i++) least = fmin(least, field->radius[i]);
-    }
+    for (int64_t i = 0; i < (int64_t)field->nring * field->nangle; i++) least = fmin(least, field->radius[i]);
     return least;
 }
 
@@ -214,9 +211,10 @@ static mus_status fill_parts(mus__collider *collider, const mus_body *body)
         fill_double(&body->field[l], collider->origin, collider->skin, &collider->field64[l], collider->table64 + at);
         fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
         fill_home(&body->field[l], &body->limb[body->rig.part[l].limb], collider->origin, &collider->home[l]);
+        collider->home[l].safe = SAFE_PART * thinnest(&body->field[l]);
+        collider->safe = fmin(collider->safe, collider->home[l].safe);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     }
-    collider->safe = SAFE_PART * thinnest(body);
     return MUS_OK;
 }
 

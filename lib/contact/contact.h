@@ -60,6 +60,7 @@ typedef struct mus__contact_plane {
 typedef struct mus__contact_home {
     double origin[3], axis[3], side[3], front[3]; /* in the state's coordinates */
     double end[2], reach;                         /* of the axis, across it */
+    double safe;                                  /* as the collider's, through this part alone [m] */
 } mus__contact_home;
 
 typedef struct mus__collider {

@@ -15,6 +15,9 @@
  * part need not be asked again. An eighth, since the distance is of first order: beside the caps of parts it was found
  * up to five times too far. What a node goes is measured.
  *
+ * What a node is pushed out of may push it into what it did not touch before, so that counts as touched too: between an
+ * arm and a side a tight cloth would else be thrown from one to the other.
+ *
  * What is fast is swept (sweep_kernel.h). Whether paths are measured at all is decided by the speeds after the step
  * before (`swift`).
  */
@@ -28,8 +31,12 @@
 #define ASIDE_GAP 2e-3    /* [m]: a part this far beyond the clearance is not asked for a while */
 #define ASIDE_SAFE 8      /* part of the distance that a node may go until then: one in so many */
 
+/* [m]: a node that is pushed farther than this may come to a part that it is not asked of */
+#define PUSH_FAR (ASIDE_GAP * (ASIDE_SAFE - 1) / ASIDE_SAFE)
+
 #define SQUEEZE_MOST 5.0 /* [m/s] out of a wedge that closes */
 #define MEET_MOST 8      /* surfaces that a node touches at once; more are left out */
+#define MEET_NEAR 16     /* that it is near; of more, those that are farthest are left out */
 
 
 /* how a node came here */
@@ -160,13 +167,11 @@ static uint64_t MUS_FIELD(boxes_of)(int32_t nlimb, const MUS_REAL *box, const MU
 #include "contact/ask_kernel.h"
 
 
-/* the surfaces that a node touches: the first as it is, more in the list */
-typedef struct MUS_FIELD(hits) {
-    int32_t count;
+/* a surface that a node was asked of: `lift` above 0 where it is nearer than the clearance */
+typedef struct MUS_FIELD(side) {
     MUS_REAL lift, friction, normal[3];
     const MUS_FIELD(way) * way;
-    MUS_FIELD(meeting) list[MEET_MOST];
-} MUS_FIELD(hits);
+} MUS_FIELD(side);
 
 
 /* how far surfaces are beyond the clearance: the nearest of all, and of the parts that are farther than ASIDE_GAP
@@ -186,88 +191,135 @@ static inline void MUS_FIELD(gap)(MUS_FIELD(gaps) * gaps, int32_t part, MUS_REAL
 }
 
 
-/* surface number `at` of the list */
-static void MUS_FIELD(list_hit)(MUS_FIELD(hits) * hits, int32_t at, MUS_REAL lift, MUS_REAL friction,
-                                const MUS_REAL *normal, const MUS_FIELD(way) * way, const MUS_REAL *from,
-                                const MUS_REAL *p)
+/* room for one more side: on the list of MEET_NEAR, or where the farthest is, if that is beyond `lift`, or NULL */
+static inline MUS_FIELD(side) * MUS_FIELD(new_side)(MUS_FIELD(side) * sides, int32_t *count, MUS_REAL lift)
 {
-    MUS_FIELD(meeting) *m = &hits->list[at];
-    m->lift = lift;
-    m->friction = friction;
-    for (int32_t d = 0; d < 3; d++) m->normal[d] = normal[d];
-    MUS_FIELD(carry)(way, from, p, m->from, m->speed);
+    if (*count < MEET_NEAR) return &sides[(*count)++];
+    int32_t least = 0;
+    for (int32_t i = 1; i < MEET_NEAR; i++)
+        if (sides[i].lift < sides[least].lift) least = i;
+    return sides[least].lift < lift ? &sides[least] : NULL;
 }
 
 
-/* one more surface that the node touches */
-static inline void MUS_FIELD(hit)(MUS_FIELD(hits) * hits, MUS_REAL lift, MUS_REAL friction, const MUS_REAL *normal,
-                                  const MUS_FIELD(way) * way, const MUS_REAL *from, const MUS_REAL *p)
+/* part l asked of a node, or the answer that it has: on the list of sides when it is near */
+static inline void MUS_FIELD(ask_side)(const mus__collider *collider, const mus__contact_rule *rule,
+                                       const MUS_FIELD(scene) * scene, int32_t l, const MUS_FIELD(way) * way,
+                                       const MUS_FIELD(answer) * answer, const MUS_REAL *p, MUS_FIELD(gaps) * gaps,
+                                       MUS_FIELD(side) * sides, int32_t *count, int64_t *queries)
 {
-    if (hits->count == 0) {
-        hits->lift = lift, hits->friction = friction, hits->way = way;
-        for (int32_t d = 0; d < 3; d++) hits->normal[d] = normal[d];
-        hits->count = 1;
-        return;
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
+    int32_t near = 1;
+    MUS_REAL depth, normal[3];
+    if (answer != NULL) {
+        depth = answer->depth;
+    } else {
+        depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
+        (*queries)++;
     }
-    if (hits->count == MEET_MOST) return;
-    if (hits->count == 1) MUS_FIELD(list_hit)(hits, 0, hits->lift, hits->friction, hits->normal, hits->way, from, p);
-    MUS_FIELD(list_hit)(hits, hits->count++, lift, friction, normal, way, from, p);
+    MUS_FIELD(gap)(gaps, l, (near != 0 ? -depth : scene->margin) - clearance);
+    MUS_FIELD(side) *side = near != 0 ? MUS_FIELD(new_side)(sides, count, depth + clearance) : NULL;
+    if (side == NULL) return;
+    side->lift = depth + clearance;
+    side->friction = (MUS_REAL)rule->friction;
+    for (int32_t d = 0; d < 3; d++) side->normal[d] = answer != NULL ? answer->normal[d] : normal[d];
+    side->way = way;
 }
 
 
-/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. `asking` (may be
- * NULL) has answers for it from `head` on; gaps (which the caller starts) gets lower bounds of the node's distance to
- * them. Nonzero when it touched */
-static inline int32_t MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
-                                        const MUS_FIELD(scene) * scene, uint64_t in, uint32_t on, int32_t still,
-                                       const MUS_FIELD(asking) * asking, int32_t head, const MUS_FIELD(path) * path,
-                                       MUS_FIELD(gaps) * gaps, MUS_REAL *p, MUS_REAL *w, int64_t *queries)
+/* the planes `on` asked of a node, as parts are */
+static inline void MUS_FIELD(ask_flats)(MUS_REAL clearance, const MUS_FIELD(scene) * scene, uint32_t on, int32_t still,
+                                        const MUS_REAL *p, MUS_FIELD(gaps) * gaps, MUS_FIELD(side) * sides,
+                                        int32_t *count, int64_t *queries)
 {
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), band = clearance + (MUS_REAL)TOUCH_BAND;
-    MUS_REAL normal[3];
-    MUS_FIELD(hits) hits;
-    int32_t near;
-    hits.count = 0;
-    for (; in != 0; in &= in - 1) {
-        const int32_t l = mus__lowest_bit(in);
-        MUS_REAL depth;
-        const MUS_REAL *out = normal;
-        if (head > 0 && asking->answer[head].part == l) {
-            depth = asking->answer[head].depth;
-            out = asking->answer[head].normal;
-            head = asking->answer[head].next;
-        } else {
-            depth = MUS_FIELD(query)(&collider->MUS_FIELDS[l], p, scene->margin, normal, &near);
-            (*queries)++;
-            if (near == 0) depth = -scene->margin;
-        }
-        MUS_FIELD(gap)(gaps, l, -depth - clearance);
-        const MUS_FIELD(way) *way = still ? NULL : MUS_FIELD(way_of)(scene, l);
-        if (depth > -band) MUS_FIELD(hit)(&hits, depth + clearance, (MUS_REAL)rule->friction, out, way, path->from, p);
-    }
     for (int32_t k = 0; on != 0; k++, on >>= 1) {
         if ((on & 1) == 0) continue;
+        int32_t near;
         const MUS_FIELD(flat) *flat = &scene->flat[k];
         const MUS_REAL depth = MUS_FIELD(flat_depth)(flat, p, scene->margin, &near);
         (*queries)++;
         if (-depth - clearance < gaps->all) gaps->all = -depth - clearance;
-        const MUS_FIELD(way) *way = still || !flat->moving ? NULL : &flat->way;
-        if (near && depth > -band)
-            MUS_FIELD(hit)(&hits, depth + clearance, flat->friction, flat->normal, way, path->from, p);
+        MUS_FIELD(side) *side = near ? MUS_FIELD(new_side)(sides, count, depth + clearance) : NULL;
+        if (side == NULL) continue;
+        side->lift = depth + clearance;
+        side->friction = flat->friction;
+        for (int32_t d = 0; d < 3; d++) side->normal[d] = flat->normal[d];
+        side->way = still || !flat->moving ? NULL : &flat->way;
     }
-    if (hits.count > 1) {
-        MUS_FIELD(respond_all)(rule, path, hits.list, hits.count, p, w);
-    } else if (hits.count == 1 && hits.way == NULL) {
-        MUS_FIELD(respond)(hits.lift, hits.friction, rule, path, hits.normal, p, w);
-    } else if (hits.count == 1) {
-        MUS_REAL from[3], speed[3];
-        MUS_FIELD(carry)(hits.way, path->from, p, from, speed);
-        const MUS_FIELD(path) own = {from, path->time, path->slip};
-        for (int32_t d = 0; d < 3; d++) w[d] -= speed[d];
-        MUS_FIELD(respond)(hits.lift, hits.friction, rule, &own, hits.normal, p, w);
-        for (int32_t d = 0; d < 3; d++) w[d] += speed[d];
+}
+
+
+/* how far the surface that a node is deepest in will move it at most: respond() */
+static inline MUS_REAL MUS_FIELD(push_of)(const mus__contact_rule *rule, const MUS_FIELD(path) * path,
+                                          const MUS_FIELD(side) * side, const MUS_REAL *p, const MUS_REAL *w)
+{
+    MUS_REAL from[3], speed[3], fast2 = 0;
+    MUS_FIELD(carry)(side->way, path->from, p, from, speed);
+    for (int32_t d = 0; d < 3; d++) fast2 += (w[d] - speed[d]) * (w[d] - speed[d]);
+    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(fast2), push = (MUS_REAL)rule->push;
+    return side->lift <= push + path->time * fast ? side->lift : push + path->slip * fast;
+}
+
+
+/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. `rest`: parts whose
+ * boxes it is in and that are too far off to touch it, but not too far to stop it when it is pushed. `asking` (may be
+ * NULL) has answers for it from `head` on; gaps (which the caller starts) gets lower bounds of the node's distance to
+ * them. Nonzero when it touched */
+static inline int32_t MUS_FIELD(touch)(const mus__collider *collider, const mus__contact_rule *rule,
+                                       const MUS_FIELD(scene) * scene, uint64_t in, uint64_t rest, uint32_t on,
+                                       int32_t still, const MUS_FIELD(asking) * asking, int32_t head,
+                                       const MUS_FIELD(path) * path, MUS_FIELD(gaps) * gaps, MUS_REAL *p, MUS_REAL *w,
+                                       int64_t *queries)
+{
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
+    MUS_FIELD(side) sides[MEET_NEAR];
+    MUS_FIELD(gaps) none = {0, 0, 0};
+    int32_t count = 0, first = 0, hits = 0;
+    for (; in != 0; in &= in - 1) {
+        const int32_t l = mus__lowest_bit(in);
+        const MUS_FIELD(answer) *answer = head > 0 && asking->answer[head].part == l ? &asking->answer[head] : NULL;
+        if (answer != NULL) head = answer->next;
+        MUS_FIELD(ask_side)
+        (collider, rule, scene, l, still ? NULL : MUS_FIELD(way_of)(scene, l), answer, p, gaps, sides, &count, queries);
     }
-    return hits.count > 0;
+    MUS_FIELD(ask_flats)(clearance, scene, on, still, p, gaps, sides, &count, queries);
+    for (int32_t i = 1; i < count; i++)
+        if (sides[i].lift > sides[first].lift) first = i;
+    if (count == 0 || !(sides[first].lift > -(MUS_REAL)TOUCH_BAND)) return 0;
+
+    /* what it is pushed out of may push it into another surface: that one counts too */
+    const MUS_REAL push = MUS_FIELD(push_of)(rule, path, &sides[first], p, w);
+    if (push > (MUS_REAL)PUSH_FAR)
+        for (; rest != 0; rest &= rest - 1) {
+            const int32_t l = mus__lowest_bit(rest);
+            MUS_FIELD(ask_side)
+            (collider, rule, scene, l, still ? NULL : MUS_FIELD(way_of)(scene, l), NULL, p, &none, sides, &count,
+             queries);
+        }
+    MUS_FIELD(meeting) list[MEET_MOST];
+    const MUS_FIELD(side) *only = NULL;
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_FIELD(side) *side = &sides[i];
+        const MUS_REAL into = push > 0 ? -push * MUS_FIELD(dot)(side->normal, sides[first].normal) : 0;
+        const int32_t touches = side->lift > -(MUS_REAL)TOUCH_BAND || (i != first && side->lift + into > 0);
+        if (!touches || hits == MEET_MOST) continue;
+        MUS_FIELD(meeting) *m = &list[hits++];
+        m->lift = side->lift, m->friction = side->friction;
+        for (int32_t d = 0; d < 3; d++) m->normal[d] = side->normal[d];
+        only = side;
+        MUS_FIELD(carry)(side->way, path->from, p, m->from, m->speed);
+    }
+    if (hits > 1) {
+        MUS_FIELD(respond_all)(rule, path, list, hits, p, w);
+    } else if (only != NULL && only->way == NULL) {
+        MUS_FIELD(respond)(only->lift, only->friction, rule, path, only->normal, p, w);
+    } else if (only != NULL) {
+        const MUS_FIELD(path) own = {list->from, path->time, path->slip};
+        for (int32_t d = 0; d < 3; d++) w[d] -= list->speed[d];
+        MUS_FIELD(respond)(only->lift, only->friction, rule, &own, only->normal, p, w);
+        for (int32_t d = 0; d < 3; d++) w[d] += list->speed[d];
+    }
+    return 1;
 }
 
 
@@ -352,6 +404,9 @@ static void MUS_FIELD(wander)(MUS_REAL carried, int64_t n, int32_t count, const 
 }
 
 
+#include "contact/lone_kernel.h"
+
+
 /* node i, which is in the boxes `boxes`, of which `in` are to be asked, and near the planes `on`, or may have to be
  * swept; `asking` and `head` as of touch */
 static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__contact_rule *rule,
@@ -372,23 +427,59 @@ static void MUS_FIELD(meet_node)(const mus__collider *collider, const mus__conta
 
     /* parts that were asked already and are not near are as far as a distance is taken */
     MUS_FIELD(gaps) gaps = {gap, gap, boxes & ~in & (((uint64_t)1 << ASIDE_PARTS) - 1)};
+
+    /* what a sweep took out of one part may be in another */
+    if (swept && touched) in = MUS_FIELD(boxes_of)(collider->nlimb, scene->box, p);
     if (in != 0 || on != 0) {
-        const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)rule->slip};
+        const MUS_FIELD(path) path = {from, (MUS_REAL)rule->step, (MUS_REAL)(swept ? 0.0 : rule->slip)};
         touched |=
-            MUS_FIELD(touch)(collider, rule, scene, in, on, 0, asking, head, &path, &gaps, p, w, &tally->queries);
+            MUS_FIELD(touch)(collider, rule, scene, in, swept ? 0 : boxes & ~in, on, 0, asking, head, &path, &gaps,
+                             p, w, &tally->queries);
     }
     for (int32_t d = 0; touched && d < 3; d++) moved += (p[d] - x[at[d]]) * (p[d] - x[at[d]]);
-    if (aside->slack <= 0 && !swept) {
-        const int32_t all = gaps.all > 0;
-        aside->slack = (float)((all ? gaps.all : gaps.some) / ASIDE_SAFE - (MUS_REAL)MUS_FIELD(sqrt)(moved));
-        aside->parts = all ? ASIDE_ALL : (uint32_t)gaps.far & ~ASIDE_ALL;
-    }
+    if (aside->slack <= 0 && !swept) MUS_FIELD(set_aside)(&gaps, moved, aside);
     if (!touched) return;
     const double mass = 1.0 / (double)inverse[i];
     for (int32_t d = 0; d < 3; d++) {
         tally->impulse[d] += ((double)w[d] - (double)v[at[d]]) * mass;
         x[at[d]] = p[d];
         v[at[d]] = w[d];
+    }
+}
+
+
+/* a block of nodes that are not swept: boxes (count) and in (count) a bit for each part whose box a node is in, and
+ * that is to be asked; on (count) of the planes */
+static void MUS_FIELD(meet_block)(const mus__collider *collider, const mus__contact_rule *rule,
+                                  const MUS_FIELD(scene) * scene, int32_t n, int32_t start, int32_t count,
+                                  const uint64_t *boxes, uint64_t *in, const uint32_t *on, const uint8_t *skip,
+                                  const MUS_REAL *inverse, const MUS_REAL *before, mus__aside *aside, MUS_REAL *x,
+                                  MUS_REAL *v, mus__contact_tally *tally)
+{
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
+    MUS_FIELD(asking) asking;
+    MUS_FIELD(lone) lone;
+    MUS_FIELD(ask_block)(collider, scene->margin, n, count, x + start, in, &asking, &tally->queries);
+    lone.count = 0;
+    for (int32_t i = 0; i < count; i++) {
+        mus__aside *own = &aside[start + i];
+        lone.kind[i] = LONE_NOTHING;
+        if (skip[i] || (on[i] == 0 && (boxes[i] == 0 || (in[i] == 0 && own->slack > 0)))) continue;
+        lone.kind[i] = on[i] != 0 ? LONE_ODD
+                                  : (uint8_t)MUS_FIELD(sort_node)(scene, clearance, n, start, i, boxes[i], in[i],
+                                                                  &asking, before, x, v, own, &lone);
+    }
+    MUS_FIELD(respond_many)
+    ((MUS_REAL)rule->friction, (MUS_REAL)rule->push, (MUS_REAL)rule->step, (MUS_REAL)rule->slip, lone.count, lone.lift,
+     lone.normal, lone.from, lone.x, lone.v, lone.moved);
+    for (int32_t i = 0, m = 0; i < count; i++) {
+        mus__aside *own = &aside[start + i];
+        if (lone.kind[i] == LONE_ONE)
+            MUS_FIELD(put_lone)(&lone, m++, scene->moving, n, start + i, inverse[start + i], own, x, v, tally);
+        if (lone.kind[i] == LONE_ODD)
+            MUS_FIELD(meet_node)
+            (collider, rule, scene, n, start + i, boxes[i], in[i], on[i], 0, &asking, asking.head[i], inverse, before,
+             own, x, v, tally);
     }
 }
 
@@ -405,7 +496,6 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
     const MUS_REAL carried = (MUS_REAL)mus__contact_carried(collider, rule);
-    MUS_FIELD(asking) asking;
     uint32_t low[ASK_BLOCK], high[ASK_BLOCK] = {0}, on[ASK_BLOCK] = {0};
     uint64_t boxes[ASK_BLOCK], in[ASK_BLOCK];
     MUS_REAL gone[ASK_BLOCK];
@@ -430,13 +520,15 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
             any |= in[i] | (skip[i] ? 0 : on[i]);
         }
         if (any == 0) continue;
-        if (!sweeps) MUS_FIELD(ask_block)(collider, margin, n, count, x + start, in, &asking, &tally->queries);
-        for (int32_t i = 0; i < count; i++) {
-            mus__aside *own = &aside[start + i];
-            if (skip[i] || (!sweeps && on[i] == 0 && (boxes[i] == 0 || (in[i] == 0 && own->slack > 0)))) continue;
-            MUS_FIELD(meet_node)
-            (collider, rule, &scene, n, start + i, boxes[i], in[i], on[i], sweeps, sweeps ? NULL : &asking,
-             sweeps ? 0 : asking.head[i], inverse, before, own, x, v, tally);
+        if (!sweeps) {
+            MUS_FIELD(meet_block)
+            (collider, rule, &scene, n, start, count, boxes, in, on, skip, inverse, before, aside, x, v, tally);
+            continue;
         }
+        for (int32_t i = 0; i < count; i++)
+            if (!skip[i])
+                MUS_FIELD(meet_node)
+                (collider, rule, &scene, n, start + i, boxes[i], in[i], on[i], sweeps, NULL, 0, inverse, before,
+                 &aside[start + i], x, v, tally);
     }
 }

@@ -106,7 +106,7 @@ static int32_t MUS_FIELD(meet)(const MUS_FIELD(chase) * chase, const MUS_FIELD(p
     const uint64_t in = chase->parts & MUS_FIELD(boxes_of)(chase->collider->nlimb, chase->scene->box, p);
     MUS_FIELD(gaps) gaps = {0, 0, 0};
     MUS_FIELD(touch)
-    (chase->collider, chase->rule, chase->scene, in, 0, 1, NULL, 0, path, &gaps, p, w, chase->queries);
+    (chase->collider, chase->rule, chase->scene, in, 0, 0, 1, NULL, 0, path, &gaps, p, w, chase->queries);
     if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {
         for (int32_t i = 0; i < 3; i++) way[i] = w[i];
         return 1;
@@ -192,11 +192,12 @@ static int32_t MUS_FIELD(sweep_all)(const mus__collider *collider, const mus__co
                                     const MUS_FIELD(scene) * scene, uint64_t *in, uint32_t *on, const MUS_REAL *from,
                                     MUS_REAL *x, MUS_REAL *v, int64_t *queries)
 {
-    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin), safe = (MUS_REAL)collider->safe;
+    const MUS_REAL clearance = (MUS_REAL)(rule->clearance - collider->skin);
     const int32_t n = collider->nlimb, groups = n > 0 && scene->moving != MUS_TURNED ? 1 : n;
     const uint64_t every = n < 64 ? ((uint64_t)1 << n) - 1 : ~(uint64_t)0;
     int32_t touched = 0;
     for (int32_t g = 0; g < groups; g++) {
+        const MUS_REAL safe = (MUS_REAL)(groups == 1 ? collider->safe : collider->home[g].safe);
         MUS_REAL p[3], speed[3], w[3], way2 = 0;
         MUS_FIELD(carry)(MUS_FIELD(way_of)(scene, g), from, x, p, speed);
         for (int32_t d = 0; d < 3; d++) way2 += (x[d] - p[d]) * (x[d] - p[d]), w[d] = v[d] - speed[d];
@@ -209,6 +210,7 @@ static int32_t MUS_FIELD(sweep_all)(const mus__collider *collider, const mus__co
         for (int32_t d = 0; d < 3; d++) v[d] = w[d] + speed[d];
     }
     for (int32_t k = 0; k < scene->nplane; k++) {
+        const MUS_REAL safe = (MUS_REAL)collider->safe;
         MUS_REAL p[3], speed[3], way2 = 0;
         MUS_FIELD(carry)(scene->flat[k].moving ? &scene->flat[k].way : NULL, from, x, p, speed);
         for (int32_t d = 0; d < 3; d++) way2 += (x[d] - p[d]) * (x[d] - p[d]);

@@ -153,7 +153,11 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus_json_at *ed
 }
 
 
-/* labels of edges that are attached to the body: neither goes below its level */
+/*
+ * Labels of edges that are attached to the body: neither goes below its level. The label of a lower part is there too
+ * where a top is sewn to it; that one hangs from the shoulders, and may be longer or shorter than to the waist (a tunic
+ * with a band at its hem). So an edge that is sewn is not held.
+ */
 static const struct {
     const char *label;
     int32_t level;
@@ -303,6 +307,8 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus_json_at *a
     seam.ease =
         mus_pattern_edge_length(reader->pattern, seam.edge_b) - mus_pattern_edge_length(reader->pattern, seam.edge_a);
     status = mus_pattern_add_seam(reader->pattern, &seam, NULL);
+    if (status == MUS_OK) status = mus_pattern_set_edge_hold(reader->pattern, seam.edge_a, MUS_HOLD_NONE, 0.0);
+    if (status == MUS_OK) status = mus_pattern_set_edge_hold(reader->pattern, seam.edge_b, MUS_HOLD_NONE, 0.0);
     return status == MUS_OK ? MUS_OK : mus__json_wrap(at, status);
 }
 

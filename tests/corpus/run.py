@@ -1,35 +1,34 @@
 #!/usr/bin/env python3
 """run.py: dress every GarmentCode specification on the body that it was made for, and write a table.
 
-Each specification of the corpus runs in a process of its own with a time limit, so that a crash or a hang is a row and
-not the end. Written: OUT/table.csv (a row each), OUT/summary.txt, and a report a garment.
+All are dressed by `muslin dress --batch`: each in a process of its own with a limit of CPU seconds, so that a crash or
+a hang is a row and not the end, and a run that was stopped goes on where it was. Written: OUT/results.jsonl and what
+else the batch writes, OUT/table.csv (a row each), OUT/summary.txt.
 
 A garment is "good" when it is settled, every seam is closed to 1 mm, nothing is deeper than 1 mm in the body, and, with
 --self-contact, no cloth crosses cloth. One is "invalid" when the checks of the library refuse its pattern before
 anything is sewn; invalid ones are named with the reason, and "good" is told as a share of the valid ones. CPU seconds
-are those that the system counts for the process of a garment, all of it: reading, body, cutting, sewing, settling.
+are those that the system counts for the process of a garment, all of it: reading, body, cutting, sewing, settling;
+of two runs the fewer.
 
 Exit 1 when a run crashed, hung, wrote a number that is not finite, a panel count differs from facts.csv, or a second
 run (--again) gave another state; a garment that does not drape, and says why, is no fault of the run.
 """
 import argparse
 import collections
-import concurrent.futures
 import csv
 import json
 import math
-import os
 import pathlib
-import signal
+import shlex
+import shutil
 import statistics
 import subprocess
 import sys
-import tempfile
-import threading
 import time
 
 COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "valid", "panels", "nodes", "seams", "seams_closed",
-           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "wall_s", "state_hash",
+           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "state_hash",
            "fault"]
 GAP_MM, DEPTH_MM = 1.0, 1.0
 # what the checks of a pattern say before anything is sewn
@@ -48,56 +47,58 @@ def corpus(data):
         yield path, folder / "bodies" / "mean_all.yaml", {"file": path.name, "type": "original", "styles": []}
 
 
+def name_of(row):
+    return row["file"].removesuffix("_specification.json")
+
+
 def not_finite(value):
     if isinstance(value, dict):
         return any(map(not_finite, value.values()))
     return isinstance(value, float) and not math.isfinite(value)
 
 
-def run(command, limit):
-    """(exit code, None when stopped after `limit` seconds; lines on standard error; CPU seconds; wall seconds)."""
-    with tempfile.TemporaryFile("w+") as said:
-        start = time.monotonic()
-        child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said)
-        stopped = threading.Event()
-
-        # Popen.kill() would wait for the child itself, and the CPU seconds would be lost
-        def stop():
-            stopped.set()
-            os.kill(child.pid, signal.SIGKILL)
-        timer = threading.Timer(limit, stop)
-        timer.start()
-        _, status, used = os.wait4(child.pid, 0)
-        timer.cancel()
-        child.returncode = os.waitstatus_to_exitcode(status)
-        said.seek(0)
-        return (None if stopped.is_set() else child.returncode, said.read().strip().splitlines(),
-                used.ru_utime + used.ru_stime, time.monotonic() - start)
+def tell(folder, since, told):
+    """A line for each garment that has been finished since then and is not told yet."""
+    for part in sorted(folder.glob("parts/[!.]*")):
+        if part.suffix == ".new" or part.name in told or part.stat().st_mtime < since:
+            continue
+        told.add(part.name)
+        head, result = part.read_text().split("\n")[:2]
+        report = json.loads(result)
+        print(f"{len(told):4} {part.name:44} {float(head.split()[3]):6.1f} s  {report['status']} "
+              f"{report.get('reason', '')}", flush=True)
 
 
-def dress_once(job, options, report_path, place):
-    """(report, fault, CPU seconds, wall seconds) of one run."""
-    spec, tape, _ = job
-    report_path.unlink(missing_ok=True)
-    asked = ["--spacing", str(options.spacing)] if options.spacing else []
+def dress_all(jobs, options, out, place):
+    """{name: (report, CPU seconds)} of all garments, dressed by one batch in the folder `out`."""
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "list").write_text("".join(
+        shlex.join(["--name", name_of(row), "--pattern", str(spec), "--tape", str(tape)]) + "\n"
+        for spec, tape, row in jobs))
+    asked = ["--spacing", f"{options.spacing:g}"] if options.spacing else []
     asked += ["--self-contact"] if options.self_contact else []
-    asked += ["--place", place] if place else []
-    code, said, cpu, wall = run([options.command, "dress", "--pattern", spec, "--tape", tape, "--quiet", *asked,
-                                 "--report", report_path], options.limit)
-    report, fault = {}, ""
-    if code is None:
-        fault = f"no end after {options.limit:g} s"
-    elif code < 0 or code > 2:
-        fault = f"crashed ({code})"
-    elif report_path.exists():
-        report = json.loads(report_path.read_text())
-        if not_finite(report):
-            fault = "a number is not finite"
-    else:
-        report = {"status": "bad input", "reason": said[-1] if said else ""}
-        if not said:
-            fault = "failed without a sentence"
-    return report, fault, cpu, wall
+    told, since = set(), time.time()
+    batch = subprocess.Popen([options.command, "dress", "--batch", out / "list", "-o", out, "--quiet", "--place", place,
+                              "--limit", f"{options.limit:g}", "--jobs", str(options.jobs), *asked],
+                             stdout=subprocess.DEVNULL)
+    while batch.poll() is None:
+        tell(out, since, told)
+        time.sleep(0.5)
+    if batch.returncode not in (0, 1):
+        sys.exit(f"the batch ended with {batch.returncode}")
+    tell(out, since, told)
+    results, times = (list(map(json.loads, (out / name).read_text().splitlines()))
+                      for name in ("results.jsonl", "times.jsonl"))
+    return {one["name"]: (one, used["cpu_s"]) for one, used in zip(results, times)}
+
+
+def fault_of(report):
+    """What is a fault of the run, and not an end that a garment may have."""
+    if report["status"] in ("crashed", "out of time"):
+        return f"{report['status']}: {report['reason']}"
+    if report["status"] == "bad input" and not report.get("reason"):
+        return "failed without a sentence"
+    return "a number is not finite" if not_finite(report) else ""
 
 
 def is_good(report, self_contact):
@@ -106,30 +107,22 @@ def is_good(report, self_contact):
                and (not self_contact or report.get("crossings") == 0))
 
 
-def dress(job, options, panels, place=None):
-    _, _, row = job
+def row_of(job, first, second, options, panels):
+    """A row of the table: of the first run, and what the second one (or None) has to say against it."""
+    row = job[2]
+    (report, cpu), (again, cpu_again) = first, second or first
     result = dict.fromkeys(COLUMNS, "")
     result.update(file=row["file"], type=row["type"], sleeves="no" if "sleeveless" in row["styles"] else "")
-    report, fault, cpu, wall = dress_once(job, options, options.out / "reports" / row["file"], place)
-    if options.again and not fault:
-        again, fault, cpu_again, _ = dress_once(job, options, options.out / "again" / row["file"], place)
-        cpu = min(cpu, cpu_again)
-        other = [f"{key} {report.get(key)} and {again.get(key)}" for key in SAME if report.get(key) != again.get(key)]
-        if other and not fault:
-            fault = "a second run is not the same: " + ", ".join(other)
     result.update({key: report[key] for key in COLUMNS if key in report})
-    result.update(cpu_s=f"{cpu:.2f}", wall_s=f"{wall:.1f}", fault=fault)
+    result.update(cpu_s=f"{min(cpu, cpu_again):.2f}", fault=fault_of(report) or fault_of(again))
+    other = [f"{key} {report.get(key)} and {again.get(key)}" for key in SAME if report.get(key) != again.get(key)]
+    if other and not result["fault"]:
+        result["fault"] = "a second run is not the same: " + ", ".join(other)
     if report.get("panels", panels.get(row["file"])) != panels.get(row["file"]):
         result["fault"] = f"{report['panels']} panels, facts.csv has {panels.get(row['file'])}"
-    result["valid"] = int(report.get("status") not in REFUSED)
+    result["valid"] = int(report["status"] not in REFUSED)
     result["good"] = is_good(report, options.self_contact)
     return result
-
-
-def dress_found(job, options, panels):
-    """The row of a garment whose start is found, with what became of it from the start of its file."""
-    given = dress(job, options, panels, "file")
-    return {**dress(job, options, panels, "found"), "file_status": given["status"], "file_good": given["good"]}
 
 
 def share(rows):
@@ -189,7 +182,7 @@ def main():
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--limit", type=float, default=900, help="seconds that a run of a garment may take")
+    parser.add_argument("--limit", type=float, default=900, help="CPU seconds that a garment may take")
     parser.add_argument("--spacing", type=float, help="of the lattice [mm], default that of the command")
     parser.add_argument("--self-contact", action="store_true", help="cloth does not go through cloth")
     parser.add_argument("--again", action="store_true", help="run each twice: the state must be the same")
@@ -202,24 +195,24 @@ def main():
         print(f"skipped: no {options.data / 'garmentcode'} (set MUSLIN_DATA)")
         return 0
 
-    for folder in ("reports", "again") if options.again else ("reports",):
-        (options.out / folder).mkdir(parents=True, exist_ok=True)
     with open(options.data / "garmentcode" / "facts.csv", newline="") as file:
         panels = {row["file"]: int(row["panels"]) for row in csv.DictReader(file)}
     jobs = [job for job in list(corpus(options.data))[::options.every] if (options.only or "") in job[2]["file"]]
-    rows = []
-    one, more = (dress_found, ["file_status", "file_good"]) if options.place == "found" else (dress, [])
-    # the table grows a row at a time: what is there stays there when the run is stopped
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, \
-            open(options.out / "table.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS + more)
+    names = [name_of(job[2]) for job in jobs]
+    first, second = dress_all(jobs, options, options.out, options.place), {}
+    if options.again:
+        # nothing of an earlier run
+        shutil.rmtree(options.out / "again", ignore_errors=True)
+        second = dress_all(jobs, options, options.out / "again", options.place)
+    rows = [row_of(job, first[name], second.get(name), options, panels) for job, name in zip(jobs, names)]
+    if options.place == "found":
+        given = dress_all(jobs, options, options.out / "file", "file")
+        for row, name in zip(rows, names):
+            row.update(file_status=given[name][0]["status"], file_good=is_good(given[name][0], options.self_contact))
+    with open(options.out / "table.csv", "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()
-        for row in pool.map(lambda job: one(job, options, panels), jobs):
-            rows.append(row)
-            writer.writerow(row)
-            file.flush()
-            print(f"{len(rows):4}/{len(jobs)} {row['file'][:44]:44} {row['cpu_s']:>6} s  {row['status']} "
-                  f"{row['reason']}{' FAULT ' + row['fault'] if row['fault'] else ''}", flush=True)
+        writer.writerows(rows)
     text = "\n".join(summary(rows, options))
     (options.out / "summary.txt").write_text(text + "\n")
     print(text)

@@ -17,7 +17,7 @@ import textwrap
 GARMENTS = [
     ("shirt", "shirt_mean", "mean_all"),
     ("pencil dress", "dress_pencil", "mean_all"),
-    ("top, long sleeves", "d11_046_mean_female", "mean_female"),
+    ("top, sleeves to the elbow", "d11_046_mean_female", "mean_female"),
     ("one-sided top, flared cuff", "d11_043_mean_female", "mean_female"),
     ("one-sided dress, cuffs", "d11_005_mean_female", "mean_female"),
     ("one-sided dress, sleeves", "d11_011_m_smpl_average_A40", "m_smpl_average_A40"),

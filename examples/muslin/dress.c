@@ -60,7 +60,8 @@ static mus_status prepare(dress *d)
     mus_cloth_def_init(&cut, sizeof cut);
     cut.fabric = d->fabric;
     cut.spacing = 0.001 * d->spacing_mm;
-    status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
+    if (d->open) status = mus_pattern_open_closures(d->s.pattern, 1, NULL);
+    if (status == MUS_OK) status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
     d->mesh_seconds = seconds() - start;
     if (status != MUS_OK) return status;
 
@@ -219,6 +220,7 @@ int32_t dress_options(dress *d, option *table)
         {"--place", OPTION_TEXT, &d->place, 0, 0,
          "HOW  panels start as the pattern says (file) or where is found; default file, found where it says nothing"},
         {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
+        {"--open", OPTION_FLAG, &d->open, 0, 0, "zips and buttons are left open"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},

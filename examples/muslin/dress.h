@@ -16,7 +16,7 @@ typedef struct dress {
     const char *fabric_name, *place, *map, *png, *glb, *obj, *report;
     const char *batch; /* of the help alone: batch.c reads a batch */
     double spacing_mm, threads, precision, friction;
-    bool as_json, quiet, self_contact;
+    bool as_json, quiet, self_contact, open;
     motion moved;
     bool led; /* the animated file is written */
 

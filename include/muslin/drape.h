@@ -31,7 +31,7 @@ typedef struct mus_drape_def {
     double gravity[3];         /* [m/s2], default (0, -9.81, 0) */
     int32_t precision;         /* 32 (float, default) or 64 (double) */
     int32_t threads;           /* 1 (default) .. 64; the result does not depend on it */
-    double collision_distance; /* sewing ends when all pairs are this close [m], default 0.001 */
+    double collision_distance; /* sewing ends when all pairs are this close [m], default 0.001, at most the spacing */
     double clearance;          /* cloth is kept this far off the skin [m], default 0.002 */
     double friction;           /* on skin; NaN (default): the fabric's; infinite: what touches, sticks */
     double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */

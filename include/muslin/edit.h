@@ -123,6 +123,19 @@ MUS_API mus_status mus_pattern_unfold(mus_pattern *pattern, int32_t fold);
 MUS_API mus_status mus_pattern_add_facing(mus_pattern *pattern, int32_t edge, double width, const char *name,
                                           int32_t *panel);
 
+/**
+ * A patch, as a patch pocket is: a panel `name` sewn onto the right side of a panel along the line through n points
+ * (xy, n x 2, 3 or more) inside it, and open between the ends of the line (edge "mouth").
+ *
+ * The line becomes n - 1 edges "NAME_line", "NAME_line_2" .. that the outline passes once each way, over a bridge from
+ * a corner: nothing is cut, mus_pattern_rim() is as before, and three sheets meet there. A mark NAME shows on paper
+ * where the patch lies. The patch is drawn as it lies and starts 6 mm outside the panel.
+ * Errors:  MUS_ERR_ARG (a point not 2 mm inside the panel, a line that crosses itself or encloses less than 1 cm2, a
+ *          name that is taken)
+ */
+MUS_API mus_status mus_pattern_add_patch(mus_pattern *pattern, int32_t panel, const char *name, int32_t n,
+                                         const double *xy, int32_t *out);
+
 /** Take a panel away, with its seams, notches and marks; and open a seam. */
 MUS_API mus_status mus_pattern_remove_panel(mus_pattern *pattern, int32_t panel);
 MUS_API mus_status mus_pattern_remove_seam(mus_pattern *pattern, int32_t seam);
@@ -146,6 +159,19 @@ MUS_API mus_status mus_pattern_flare(mus_pattern *pattern, int32_t hem, int32_t 
  * is laid, "fold" between them, and notches where it meets the edges. */
 MUS_API mus_status mus_pattern_pleat(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b,
                                      double depth_a, double depth_b);
+
+/**
+ * Lay n pleats (1 to 256) on an edge: at arc length s[i] an outer fold, |depths[i]| deep, under what comes before it
+ * along the edge (depths[i] > 0) or after it: a knife pleat; two that face each other, a box pleat or an inverted one.
+ *
+ * The edge parts at the folds. The parts that lie under another are sewn to it (seams with `laid`); those that show are
+ * sewn, in its place, to what the edge was sewn to, whose seam is so much shorter: 2 |depths[i]| each. Notches stand at
+ * both folds. Pleats come in order and lie clear of each other: each takes from s - d to s + 2 d, or from s - 2 d to
+ * s + d. A seam keeps as ease what the pleats leave.
+ * Errors:  MUS_ERR_ARG (a pleat beyond the edge or on another, an edge that is sewn face to face)
+ */
+MUS_API mus_status mus_pattern_lay_pleats(mus_pattern *pattern, int32_t edge, int32_t n, const double *s,
+                                          const double *depths);
 
 /** Lengthen a panel across the line through point (2) along direction (2): what lies to the left of it moves by
  * `amount` [m] square to it (negative: shorten). Edges that cross are drawn again between their ends: a line stays a

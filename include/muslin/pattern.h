@@ -4,8 +4,9 @@
  * Points are 0-cells, edges 1-cells (each a chain of lines, arcs, quadratic and cubic Beziers: a new edge starts only
  * where a seam or an opening starts), panels 2-cells. A panel's attaching map is the cyclic word of its oriented
  * edges; the right side of the cloth is the side from which that word runs counter-clockwise. A seam makes two edges
- * equivalent; the quotient's topology tells what was sewn. Source: Metaaphanon and Kanongchaiyos 2005, section 5,
- * eq. 13 to 20.
+ * equivalent; the quotient's topology tells what was sewn. A line inside a panel is an edge that its word passes once
+ * each way: nothing is cut there, and what is sewn to it is a third sheet (a patch pocket; muslin/edit.h lays one).
+ * Source: Metaaphanon and Kanongchaiyos 2005, section 5, eq. 13 to 20.
  *
  * Units: metre, in the plane of each panel (x right, y up; y is the warp unless the grain says otherwise).
  * Indices are int32_t, count from 0, and are stable: nothing is ever removed from a pattern by the calls below. The
@@ -122,6 +123,11 @@ MUS_API mus_status mus_pattern_hold_label(mus_pattern *pattern, const char *labe
  */
 MUS_API mus_status mus_pattern_set_edge_elastic(mus_pattern *pattern, int32_t edge, double ratio, double stiffness);
 
+/* What closes a seam that can be opened: nothing (it is sewn), a zip, buttons. */
+#define MUS_CLOSURE_NONE 0
+#define MUS_CLOSURE_ZIP 1
+#define MUS_CLOSURE_BUTTONS 2
+
 /** Options of a seam. */
 typedef struct mus_seam_def {
     size_t size;
@@ -130,12 +136,21 @@ typedef struct mus_seam_def {
     int32_t direction; /* MUS_SEAM_REVERSED (default) or MUS_SEAM_DIRECT */
     double ease;       /* length of b less length of a that the design means [m], default 0 */
     double tolerance;  /* what the check allows beyond ease [m], default 0.0005 */
+    int32_t laid;      /* nonzero: layers of a pleat. An edge may be in two such seams beside one other; default 0 */
+    int32_t closure;   /* MUS_CLOSURE_*, default MUS_CLOSURE_NONE */
+    int32_t open;      /* nonzero: a closure that is left open: a cloth does not join it; default 0 */
+    int32_t buttons;   /* of MUS_CLOSURE_BUTTONS: done up at so many points alone, evenly from half a gap from both
+                        * ends; 0 (default): along its whole length, as where it laps over; at most 1000 */
 } mus_seam_def;
 
 MUS_API void mus_seam_def_init(mus_seam_def *def, size_t size);
 
-/** Sew two edges (of one panel or two). Errors: MUS_ERR_ARG (unknown edge, an edge with itself, not finite). */
+/** Sew two edges (of one panel or two). The topology is that of the garment done up. Errors: MUS_ERR_ARG (unknown edge,
+ * an edge with itself, not finite, open or buttons of what is no closure). */
 MUS_API mus_status mus_pattern_add_seam(mus_pattern *pattern, const mus_seam_def *def, int32_t *out);
+
+/** Leave all closures open (nonzero), or do them up (0); `count` (may be NULL) gets how many there are. */
+MUS_API mus_status mus_pattern_open_closures(mus_pattern *pattern, int32_t open, int32_t *count);
 
 /* ---- edit: marks and making up ---- */
 
@@ -207,6 +222,14 @@ MUS_API const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t p
 MUS_API const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
 MUS_API mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges,
                                        const int32_t **directions);
+
+/** What is cut on the table: the outline without lines inside the panel and the bridges to them (an edge and, next in
+ * the outline, the same edge back; taken out until there are none). At most `capacity` edges and directions are written
+ * (either may be NULL), *count is how many there are. Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline),
+ * MUS_ERR_MEMORY. */
+MUS_API mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions,
+                                   int32_t capacity, int32_t *count);
+
 MUS_API mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
 MUS_API mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
 
@@ -241,7 +264,8 @@ MUS_API mus_status mus_pattern_edge_at(const mus_pattern *pattern, int32_t edge,
 MUS_API mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, int32_t chords, double *xy,
                                              int32_t capacity, int32_t *count);
 
-/** Area enclosed by a panel [m2], always >= 0, closed form; and its perimeter [m]. NaN without an outline. */
+/** Area enclosed by a panel [m2], always >= 0, closed form; and its perimeter [m], of edges that are passed one way
+ * only. NaN without an outline. */
 MUS_API double mus_pattern_panel_area(const mus_pattern *pattern, int32_t panel);
 MUS_API double mus_pattern_panel_perimeter(const mus_pattern *pattern, int32_t panel);
 
@@ -353,7 +377,7 @@ MUS_API mus_status mus_pattern_form(const mus_pattern *pattern, const mus_form_d
 #define MUS_FAULT_CROSSING 2       /* outline crosses itself */
 #define MUS_FAULT_SEAM_LENGTH 3    /* sides differ by more than ease allows */
 #define MUS_FAULT_TWISTED_SEAM 4   /* the seam makes the garment one-sided */
-#define MUS_FAULT_SEWN_TWICE 5     /* an edge in more than one seam */
+#define MUS_FAULT_SEWN_TWICE 5     /* an edge in more than one seam, or in more than two that lay pleats */
 #define MUS_FAULT_SMALL_PANEL 6    /* area below 1 cm2 */
 #define MUS_FAULT_LOOSE_EDGE 7     /* an edge of no outline */
 /* of a pattern that declares its openings */

@@ -147,6 +147,9 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &own.fabric, cell);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
+    mus__free(context, mesh.first_rim);
+    mus__free(context, mesh.inner);
+    mus__free(context, mesh.inner_wing);
     mus__free(context, mesh.seam_bend);
     if (status == MUS_OK)
         *out = cloth;

@@ -31,8 +31,10 @@ static int32_t held_place(const mus__mesh *mesh, int32_t edge, int32_t k)
 }
 
 
+/* a line inside a panel keeps its length: the cloth on both sides holds it */
 static void held_factor(const mus__mesh *mesh, held_side *side, int32_t edge, double rest, double stiff)
 {
+    if (mesh->edge[edge].inner != MUS_NONE) return;
     for (int32_t k = 0; k < mesh->edge[edge].count; k++) {
         held_side *own = &side[held_place(mesh, edge, k)];
         own->rest *= rest, own->stiff *= stiff;
@@ -48,7 +50,7 @@ static bool held_sides(const mus__mesh *mesh, held_side *side)
         mus_seam_def seam;
         double stiffness[2];
         mus_seam_def_init(&seam, sizeof seam);
-        if (mus_pattern_seam(mesh->pattern, s, &seam) != MUS_OK) continue;
+        if (mus_pattern_seam(mesh->pattern, s, &seam) != MUS_OK || seam.open) continue;
         const int32_t longer = seam.ease > 0.0 ? seam.edge_b : seam.edge_a;
         const double length = mus_pattern_edge_length(mesh->pattern, longer), left = length - fabs(seam.ease);
         if (seam.ease != 0.0 && left > 0.0) held_factor(mesh, side, longer, left / length, length / left), any = true;
@@ -73,7 +75,7 @@ static int32_t held_border(const mus_cloth *cloth, const mus__spring *spring)
     const mus__panel_mesh *panel = &cloth->panel[cloth->node_panel[spring->a]];
     const int32_t low = spring->a < spring->b ? spring->a : spring->b, high = spring->a + spring->b - low;
     const int32_t first = panel->first_node + panel->lattice_count, last = first + panel->border_count - 1;
-    if (low < first) return MUS_NONE;
+    if (low < first || high > last) return MUS_NONE;
     if (high == low + 1) return panel->first_border + low - first;
     return low == first && high == last ? panel->first_border + high - first : MUS_NONE;
 }
@@ -89,7 +91,7 @@ static double held_strip(const mus_cloth *cloth, const held_side *side, const mu
     const mus__panel_mesh *panel = &cloth->panel[cloth->node_panel[spring->a]];
     const int32_t first = panel->first_node + panel->lattice_count, n = panel->border_count;
     const int32_t node = spring->a >= first ? spring->a : spring->b, other = spring->a + spring->b - node;
-    if (node < first || other >= first) return spring->rest;
+    if (node < first || node >= first + n || other >= first) return spring->rest;
     const int32_t at = node - first, before = (at + n - 1) % n, after = (at + 1) % n;
     const double f = 0.5 * (side[panel->first_border + before].rest + side[panel->first_border + at].rest);
     if (f == 1.0) return spring->rest;

@@ -2,8 +2,9 @@
  * lattice.c: which lattice places of a panel become nodes, and which of its cells are full.
  *
  * A place is a node when it is inside the border and at least LATTICE_CLEAR spacings away from it; a cell is full when
- * its four corners are nodes. A dart's tip cannot stand in a full cell, because no point of a cell is further than
- * sqrt(1/2) spacings from a corner. What is not full is the strip, which mesh.c triangulates.
+ * its four corners are nodes. Lines inside the panel are kept clear of as the border is. A dart's tip cannot stand in
+ * a full cell, because no point of a cell is further than sqrt(1/2) spacings from a corner. What is not full is the
+ * strip, which mesh.c triangulates.
  *
  *      border  ____________________
  *             / \/ \/ \/ \/ \/ \/ /     strip
@@ -124,8 +125,8 @@ static void lattice_sides(mus__lattice *lattice, int32_t n, const double *xy,
 }
 
 
-mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy, const double *grain, double spacing,
-                              mus__lattice *lattice)
+mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy, int32_t nside, const int32_t *side,
+                              const double *grain, double spacing, mus__lattice *lattice)
 {
     double length = hypot(grain[0], grain[1]);
     *lattice = (mus__lattice){.spacing = spacing, .origin = {xy[0], xy[1]}};
@@ -146,6 +147,12 @@ mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy,
         lattice->node[p] = inside ? 0 : MUS_NONE;
     }
     lattice_sides(lattice, n, xy, lattice_clear);
+    for (int32_t i = 0; i < nside; i++) {
+        double a[2], b[2];
+        lattice_units(lattice, xy + 2 * (ptrdiff_t)side[2 * (ptrdiff_t)i], a);
+        lattice_units(lattice, xy + 2 * (ptrdiff_t)side[2 * (ptrdiff_t)i + 1], b);
+        lattice_clear(lattice, a, b);
+    }
 
     /* number the nodes row by row */
     for (int64_t p = 0; p < places; p++)

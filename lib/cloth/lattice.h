@@ -18,9 +18,10 @@ typedef struct mus__lattice {
     unsigned char *full;          /* (rows x columns) 1 when all corners are nodes: the border is half a spacing off */
 } mus__lattice;
 
-/* lattice of the polygon of `n` border points (n x 2) with warp direction `grain`; free it even after a failure */
-mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy, const double *grain, double spacing,
-                              mus__lattice *lattice);
+/* lattice of the polygon of `n` border points (xy) with warp direction `grain`, which keeps off `nside` sides inside as
+ * well (side: pairs of points of xy); free it even after a failure */
+mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy, int32_t nside, const int32_t *side,
+                              const double *grain, double spacing, mus__lattice *lattice);
 void mus__lattice_free(mus_context *context, mus__lattice *lattice);
 
 /* where a place stands in the panel's plane */

@@ -5,7 +5,8 @@
  * both sides of a seam take the greater of their two numbers, so partners always stand at equal relative arc length
  * and a gathered side is simply finer. Inside, lattice.c says which places are nodes and which cells are full. The
  * strip between is triangulated: border nodes as the polygon, lattice nodes not surrounded by full cells as points,
- * edges between a full cell and the strip as sides that must be there. Triangles that come to lie in full cells are
+ * edges between a full cell and the strip as sides that must be there, and lines inside the panel (line.c) as points
+ * and sides. Triangles that come to lie in full cells are
  * dropped, and each full cell gets two of its own, diagonals in a checkerboard.
  *
  * Masses: a quarter of a full cell to each of its corners (so that every inner node weighs the same), a third of a
@@ -22,37 +23,39 @@
 #define MESH_MOST_NODES (1 << 24)
 
 
-/* outline of a panel; the same edge twice (a bridge to a hole) is refused by name */
-static mus_status mesh_outline(mus__mesh *mesh, int32_t panel, int32_t *n, const int32_t **edges,
-                               const int32_t **directions)
+/* intervals of an edge by the spacing, `least` of them at least */
+static mus_status mesh_interval(mus__mesh *mesh, int32_t panel, int32_t edge, int32_t least)
 {
-    mus_status status = mus_pattern_outline(mesh->pattern, panel, n, edges, directions);
-    for (int32_t i = 0; status == MUS_OK && i < *n; i++) {
-        mus__edge_nodes *edge = &mesh->edge[(*edges)[i]];
-        if (edge->panel != MUS_NONE)
-            return mus__fail(mesh->context, MUS_ERR_MESH, "panel '%s': its outline runs twice along edge %d; %s",
-                             mus_pattern_panel_name(mesh->pattern, panel), (int)(*edges)[i],
-                             "panels with a hole are not meshed");
-        edge->panel = panel, edge->direction = (*directions)[i];
-    }
-    return status;
+    double count = floor(mus_pattern_edge_length(mesh->pattern, edge) / mesh->cloth->spacing + 0.5);
+    if (!(count < MESH_MOST_NODES))
+        return mus__fail(mesh->context, MUS_ERR_LIMIT, "panel '%s': edge %d takes %.0f nodes, more than 2^24",
+                         mus_pattern_panel_name(mesh->pattern, panel), (int)edge, count);
+    mesh->edge[edge].count = count > least ? (int32_t)count : least;
+    mesh->edge[edge].panel = panel;
+    return MUS_OK;
 }
 
 
-/* intervals of edges by the spacing; three border nodes at least make a panel */
+/* edges of the rim and lines of a panel; three border nodes at least make a panel. The same edge twice on the rim (a
+ * bridge to a hole) is refused by name */
 static mus_status mesh_intervals(mus__mesh *mesh, int32_t panel)
 {
-    int32_t n;
-    const int32_t *edges, *directions;
-    mus_status status = mesh_outline(mesh, panel, &n, &edges, &directions);
-    for (int32_t i = 0; status == MUS_OK && i < n; i++) {
-        double count = floor(mus_pattern_edge_length(mesh->pattern, edges[i]) / mesh->cloth->spacing + 0.5);
-        if (!(count < MESH_MOST_NODES))
-            return mus__fail(mesh->context, MUS_ERR_LIMIT, "panel '%s': edge %d takes %.0f nodes, more than 2^24",
-                             mus_pattern_panel_name(mesh->pattern, panel), (int)edges[i], count);
-        int32_t least = n == 1 ? 3 : n == 2 ? 2 : 1;
-        mesh->edge[edges[i]].count = count > least ? (int32_t)count : least;
+    const int32_t first = mesh->first_rim[panel], n = mesh->first_rim[panel + 1] - first;
+    mus_status status = MUS_OK;
+    if (n == 0)
+        return mus__fail(mesh->context, MUS_ERR_MESH, "panel '%s': its outline encloses nothing",
+                         mus_pattern_panel_name(mesh->pattern, panel));
+    for (int32_t i = first; i < first + n && status == MUS_OK; i++) {
+        mus__edge_nodes *edge = &mesh->edge[mesh->rim[i]];
+        if (edge->panel != MUS_NONE)
+            return mus__fail(mesh->context, MUS_ERR_MESH, "panel '%s': its outline runs twice along edge %d; %s",
+                             mus_pattern_panel_name(mesh->pattern, panel), (int)mesh->rim[i],
+                             "panels with a hole are not meshed");
+        edge->direction = mesh->turn[i];
+        status = mesh_interval(mesh, panel, mesh->rim[i], n == 1 ? 3 : n == 2 ? 2 : 1);
     }
+    for (int32_t i = mesh->first_line[panel]; i < mesh->first_line[panel + 1] && status == MUS_OK; i++)
+        status = mesh_interval(mesh, panel, mesh->line[i], 1);
     return status;
 }
 
@@ -60,19 +63,23 @@ static mus_status mesh_intervals(mus__mesh *mesh, int32_t panel)
 mus_status mus__mesh_edges(mus__mesh *mesh)
 {
     for (int32_t e = 0; e < mus_pattern_edge_count(mesh->pattern); e++)
-        mesh->edge[e] = (mus__edge_nodes){.panel = MUS_NONE, .start = MUS_NONE};
-    mus_status status = MUS_OK;
+        mesh->edge[e] = (mus__edge_nodes){.panel = MUS_NONE, .start = MUS_NONE, .inner = MUS_NONE};
+    mus_status status = mus__mesh_rims(mesh);
     for (int32_t p = 0; status == MUS_OK && p < mus_pattern_panel_count(mesh->pattern); p++)
         status = mesh_intervals(mesh, p);
 
-    /* both sides of a seam take the greater number; a checked pattern has each edge in one seam at most */
-    for (int32_t s = 0; status == MUS_OK && s < mus_pattern_seam_count(mesh->pattern); s++) {
-        mus_seam_def seam;
-        mus_seam_def_init(&seam, sizeof seam);
-        status = mus_pattern_seam(mesh->pattern, s, &seam);
-        if (status != MUS_OK) break;
-        mus__edge_nodes *a = &mesh->edge[seam.edge_a], *b = &mesh->edge[seam.edge_b];
-        a->count = b->count = a->count > b->count ? a->count : b->count;
+    /* both sides of a seam take the greater number; where an edge is in more than one, all that hang together do */
+    for (bool more = true; more;) {
+        more = false;
+        for (int32_t s = 0; status == MUS_OK && s < mus_pattern_seam_count(mesh->pattern); s++) {
+            mus_seam_def seam;
+            mus_seam_def_init(&seam, sizeof seam);
+            status = mus_pattern_seam(mesh->pattern, s, &seam);
+            if (status != MUS_OK) break;
+            mus__edge_nodes *a = &mesh->edge[seam.edge_a], *b = &mesh->edge[seam.edge_b];
+            more = more || (a->count != b->count && seam.laid);
+            a->count = b->count = a->count > b->count ? a->count : b->count;
+        }
     }
     return status;
 }
@@ -82,6 +89,7 @@ int32_t mus__mesh_edge_node(const mus__mesh *mesh, int32_t edge, int32_t k)
 {
     const mus__edge_nodes *nodes = &mesh->edge[edge];
     const mus__panel_mesh *panel = &mesh->cloth->panel[nodes->panel];
+    if (nodes->inner != MUS_NONE) return mesh->inner[nodes->inner + k];
     int32_t at = nodes->start + (nodes->direction > 0 ? k : nodes->count - k);
     if (at == panel->first_border + panel->border_count) at = panel->first_border;
     return mesh->cloth->border[at];
@@ -110,14 +118,15 @@ static mus_status mesh_reserve_nodes(mus__mesh *mesh, int64_t more, int64_t bord
 }
 
 
-/* border points in the order of the outline, *xy (the caller frees) */
-static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, double **xy)
+/* border points in the order of the outline, `count` of them, then those of lines, *all together: *xy (the caller
+ * frees) */
+static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, int32_t *all, double **xy)
 {
-    int32_t n, at = 0;
-    int64_t total = 0, most = 0;
-    const int32_t *edges, *directions;
-    mus_status status = mus_pattern_outline(mesh->pattern, panel, &n, &edges, &directions);
-    if (status != MUS_OK) return status;
+    int32_t at = 0;
+    int64_t total = mus__mesh_line_room(mesh, panel), most = 0;
+    const int32_t first = mesh->first_rim[panel], n = mesh->first_rim[panel + 1] - first;
+    const int32_t *edges = mesh->rim + first, *directions = mesh->turn + first;
+    mus_status status = MUS_OK;
     for (int32_t i = 0; i < n; i++) {
         total += mesh->edge[edges[i]].count;
         if (mesh->edge[edges[i]].count > most) most = mesh->edge[edges[i]].count;
@@ -129,21 +138,26 @@ static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, do
     if (*xy == NULL || t == NULL) status = mus__fail_memory(mesh->context, "border points");
     for (int32_t i = 0; status == MUS_OK && i < n; i++) {
         mus__edge_nodes *edge = &mesh->edge[edges[i]];
+        int32_t start, end;
+        status = mus_pattern_edge_ends(mesh->pattern, edges[i], &start, &end);
+        if (status != MUS_OK) break;
         edge->start = mesh->cloth->nborder + at;
+        mesh->point[directions[i] > 0 ? start : end] = at;
         for (int32_t k = 0; k < edge->count; k++)
             t[k] = directions[i] > 0 ? (double)k / edge->count : 1.0 - (double)k / edge->count;
         status = mus_pattern_edge_at(mesh->pattern, edges[i], edge->count, t, *xy + 2 * (ptrdiff_t)at);
         at += edge->count;
     }
     mus__free(mesh->context, t);
-    *count = at;
-    return status;
+    *count = *all = at;
+    return status == MUS_OK ? mus__mesh_lines(mesh, panel, all, *xy) : status;
 }
 
 
-/* what the triangulation of the strip works on: border points, then the lattice nodes that full cells do not enclose */
+/* what the triangulation of the strip works on: border points, those of lines, then the lattice nodes that full cells
+ * do not enclose */
 typedef struct mesh_strip {
-    int32_t n, nborder, nside, count;
+    int32_t n, nborder, nline, nside, count; /* nline: with the border */
     double *xy;        /* (n x 2) */
     int32_t *node;     /* (n) node of the panel */
     int32_t *side;     /* (nside x 2) */
@@ -167,17 +181,20 @@ static void mesh_sides(const mus__lattice *lattice, const int32_t *of, mesh_stri
 }
 
 
-static mus_status mesh_collect(mus__mesh *mesh, const mus__lattice *lattice, const double *border, mesh_strip *strip)
+static mus_status mesh_collect(mus__mesh *mesh, const mus__lattice *lattice, int32_t panel, const double *border,
+                               mesh_strip *strip)
 {
-    int64_t most = strip->nborder + (int64_t)lattice->count, places = (int64_t)lattice->columns * lattice->rows;
+    int64_t most = strip->nline + (int64_t)lattice->count, places = (int64_t)lattice->columns * lattice->rows;
     int32_t *of = mus__new(mesh->context, lattice->count, sizeof *of);
     strip->xy = mus__new(mesh->context, 2 * most, sizeof *strip->xy);
     strip->node = mus__new(mesh->context, most, sizeof *strip->node);
-    strip->side = mus__new(mesh->context, 4 * (int64_t)lattice->count, sizeof *strip->side);
+    strip->side = mus__new(mesh->context, 4 * (int64_t)lattice->count + 2 * mus__mesh_line_room(mesh, panel),
+                           sizeof *strip->side);
     bool room = of != NULL && strip->xy != NULL && strip->node != NULL && strip->side != NULL;
     if (room) {
-        memcpy(strip->xy, border, 2 * (size_t)strip->nborder * sizeof *border);
-        for (strip->n = 0; strip->n < strip->nborder; strip->n++) strip->node[strip->n] = lattice->count + strip->n;
+        memcpy(strip->xy, border, 2 * (size_t)strip->nline * sizeof *border);
+        strip->nside = mus__mesh_line_sides(mesh, panel, strip->side);
+        for (strip->n = 0; strip->n < strip->nline; strip->n++) strip->node[strip->n] = lattice->count + strip->n;
         for (int64_t p = 0; p < places; p++) {
             if (lattice->node[p] == MUS_NONE || mus__lattice_around(lattice, p) == 4) continue;
             of[lattice->node[p]] = strip->n;
@@ -266,7 +283,7 @@ static mus_status mesh_nodes(mus__mesh *mesh, const mus__lattice *lattice, const
     if (status != MUS_OK) return status;
 
     memcpy(cloth->rest + 2 * ((ptrdiff_t)panel->first_node + lattice->count), border,
-           2 * (size_t)panel->border_count * sizeof *border);
+           2 * (size_t)(panel->node_count - lattice->count) * sizeof *border);
     for (int32_t i = 0; i < panel->border_count; i++) {
         mesh->wing[cloth->nborder] = MUS_NONE;
         cloth->border[cloth->nborder++] = panel->first_node + lattice->count + i;
@@ -302,18 +319,23 @@ static void mesh_masses(mus__mesh *mesh, const mus__lattice *lattice, int32_t in
 }
 
 
-/* lattice, strip and triangles of the panel whose border points are known */
-static mus_status mesh_fill(mus__mesh *mesh, int32_t index, const double *border, mus__lattice *lattice,
+/* lattice, strip and triangles of the panel whose border points are known, and those of its lines, `all` together */
+static mus_status mesh_fill(mus__mesh *mesh, int32_t index, int32_t all, const double *border, mus__lattice *lattice,
                             int32_t *nstrip)
 {
     mus_cloth *cloth = mesh->cloth;
     mus__panel_mesh *panel = &cloth->panel[index];
     double grain[2];
-    mesh_strip strip = {.nborder = panel->border_count};
-    mus_status status = mus_pattern_grain(mesh->pattern, index, grain);
-    if (status == MUS_OK)
-        status = mus__lattice_build(mesh->context, strip.nborder, border, grain, cloth->spacing, lattice);
-    if (status == MUS_OK) status = mesh_collect(mesh, lattice, border, &strip);
+    mesh_strip strip = {.nborder = panel->border_count, .nline = all};
+    int32_t *side = mus__new(mesh->context, 2 * mus__mesh_line_room(mesh, index), sizeof *side);
+    mus_status status = side != NULL ? mus_pattern_grain(mesh->pattern, index, grain)
+                                     : mus__fail_memory(mesh->context, "the lines of a panel");
+    if (status == MUS_OK) {
+        const int32_t nside = mus__mesh_line_sides(mesh, index, side);
+        status = mus__lattice_build(mesh->context, strip.nborder, border, nside, side, grain, cloth->spacing, lattice);
+    }
+    mus__free(mesh->context, side);
+    if (status == MUS_OK) status = mesh_collect(mesh, lattice, index, border, &strip);
     if (status == MUS_OK)
         status = mus__triangulate_sides(mesh->context, strip.n, strip.xy, strip.nborder, strip.nside, strip.side,
                                         &strip.triangle, &strip.count);
@@ -325,12 +347,13 @@ static mus_status mesh_fill(mus__mesh *mesh, int32_t index, const double *border
 
     mesh_drop(lattice, &strip);
     panel->lattice_count = lattice->count;
-    panel->node_count = lattice->count + strip.nborder;
+    panel->node_count = lattice->count + strip.nline;
     *nstrip = strip.count;
     status = mesh_nodes(mesh, lattice, border, index);
     if (status == MUS_OK)
         status = mesh_triangles(mesh, lattice, &strip, mus__polygon_area(strip.nborder, border) < 0.0, panel);
     if (status == MUS_OK) mesh_masses(mesh, lattice, index, strip.count);
+    if (status == MUS_OK) mus__mesh_lines_done(mesh, index, strip.count);
 done:
     mus__free(mesh->context, strip.xy);
     mus__free(mesh->context, strip.node);
@@ -345,11 +368,12 @@ mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice
     mus_cloth *cloth = mesh->cloth;
     mus__panel_mesh *out = &cloth->panel[panel];
     double *border = NULL;
+    int32_t all = 0;
     out->first_node = cloth->nnode, out->first_triangle = cloth->ntriangle, out->first_border = cloth->nborder;
     mus_placement_init(&out->placement, sizeof out->placement);
     mus_status status = mus_pattern_placement(mesh->pattern, panel, &out->placement);
-    if (status == MUS_OK) status = mesh_border(mesh, panel, &out->border_count, &border);
-    if (status == MUS_OK) status = mesh_fill(mesh, panel, border, lattice, nstrip);
+    if (status == MUS_OK) status = mesh_border(mesh, panel, &out->border_count, &all, &border);
+    if (status == MUS_OK) status = mesh_fill(mesh, panel, all, border, lattice, nstrip);
     mus__free(mesh->context, border);
     return status;
 }

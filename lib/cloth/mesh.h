@@ -13,6 +13,7 @@ typedef struct mus__edge_nodes {
     int32_t count;        /* intervals */
     int32_t panel, start; /* panel; place in the border of the first node met, MUS_NONE while in no outline */
     int32_t direction;    /* +1 when the outline runs along the edge, -1 against it */
+    int32_t inner;        /* of a line inside the panel: place of its first node in mesh->inner, else MUS_NONE */
 } mus__edge_nodes;
 
 typedef struct mus__mesh {
@@ -20,9 +21,19 @@ typedef struct mus__mesh {
     const mus_pattern *pattern;
     mus_cloth *cloth; /* its arrays grow; capacities here */
     int32_t cap_rest, cap_mass, cap_node_panel, cap_triangle, cap_border, cap_row, cap_run, cap_bend, cap_spring,
-        cap_hinge, cap_hold, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing;
+        cap_hinge, cap_hold, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing, cap_inner,
+        cap_inner_wing;
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
+    /* rims and lines of the panels, parts of one block */
+    int32_t *first_rim;    /* (panels + 1) where the rim of each begins in the next two */
+    int32_t *first_line;   /* (panels + 1) and where its lines do in `line` */
+    int32_t *rim, *turn;   /* edges as what is cut passes them, and directions */
+    int32_t *line;         /* edges inside that something is sewn to */
+    int32_t *point;        /* (points) node of the panel at hand, without its lattice, or MUS_NONE */
+    int32_t *inner;        /* (ninner) nodes of lines, count + 1 for each */
+    int32_t *inner_wing;   /* (ninner x 2) corners to the left and right of the side that starts there */
+    int32_t ninner;
     double *seam_bend;     /* (panels x 4) what hinges across seams give each panel, by mus__mesh_curvature */
     mus__fabric_lattice constant;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
@@ -32,6 +43,14 @@ typedef struct mus__mesh {
  * triangles first_triangle .. + *nstrip are the strip, two for each full cell follow */
 mus_status mus__mesh_edges(mus__mesh *mesh);
 mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice, int32_t *nstrip);
+/* line.c: the rims and lines of all panels; of one panel, the border known: nodes of its lines, *count of them with
+ * those of the border, xy (*count x 2) theirs; how many at most; the sides of its lines as pairs of them (NULL counts);
+ * then, with lattice and triangles, nodes of the cloth, and wings */
+mus_status mus__mesh_rims(mus__mesh *mesh);
+mus_status mus__mesh_lines(mus__mesh *mesh, int32_t panel, int32_t *count, double *xy);
+int64_t mus__mesh_line_room(const mus__mesh *mesh, int32_t panel);
+int32_t mus__mesh_line_sides(const mus__mesh *mesh, int32_t panel, int32_t *side);
+void mus__mesh_lines_done(mus__mesh *mesh, int32_t panel, int32_t nstrip);
 /* node at step k, 0 .. count, along an edge in its own direction */
 int32_t mus__mesh_edge_node(const mus__mesh *mesh, int32_t edge, int32_t k);
 

@@ -4,6 +4,10 @@
  * Step k along edge a meets step n - k along edge b when the seam runs reversed, step k when direct. The hinge of an
  * interval has the border triangle of each side as its wings, in the shape that both have when the two intervals are
  * brought to their mean length; it acts once the pairs are welded and b's nodes are a's.
+ *
+ * A patch is sewn to a line inside a panel, and lies on the cloth beside it: it goes on from the cloth on the far side
+ * of the line, so its hinge has its wing there, and is flat when the patch lies flat. Layers of a pleat fold where they
+ * are laid: no hinge holds them flat. A closure that is left open has no pairs; one done up with buttons has one each.
  */
 #include <math.h>
 
@@ -35,12 +39,23 @@ static mus_status pairs_reserve(mus__mesh *mesh, int64_t more)
 }
 
 
-/* the corner behind interval k .. k + 1 of an edge, and the shape of its triangle: length, foot from step k, height */
-static int32_t pairs_wing(const mus__mesh *mesh, int32_t edge, int32_t k, double *shape)
+/* the side of a line (0 left, 1 right) away from the patch that `edge` is an edge of: the triangles of the patch pass
+ * the edge as its outline does, and those of the line on the side where the patch lies pass it the same way */
+static int32_t pairs_beyond(const mus__mesh *mesh, const mus_seam_def *seam, int32_t edge)
+{
+    return mesh->edge[edge].direction * (seam->direction == MUS_SEAM_DIRECT ? 1 : -1) > 0 ? 1 : 0;
+}
+
+
+/* the corner behind interval k .. k + 1 of an edge, and the shape of its triangle: length, foot from step k, height;
+ * of a line, the one on `side` */
+static int32_t pairs_wing(const mus__mesh *mesh, int32_t edge, int32_t k, int32_t side, double *shape)
 {
     const mus__edge_nodes *nodes = &mesh->edge[edge];
     int32_t a = mus__mesh_edge_node(mesh, edge, k), b = mus__mesh_edge_node(mesh, edge, k + 1);
-    int32_t corner = mesh->wing[nodes->start + (nodes->direction > 0 ? k : nodes->count - 1 - k)];
+    const int32_t corner = nodes->inner != MUS_NONE
+                               ? mesh->inner_wing[2 * ((ptrdiff_t)nodes->inner + k) + side]
+                               : mesh->wing[nodes->start + (nodes->direction > 0 ? k : nodes->count - 1 - k)];
     const double *rest = mesh->cloth->rest;
     const double *p = rest + 2 * (ptrdiff_t)a, *q = rest + 2 * (ptrdiff_t)b, *r = rest + 2 * (ptrdiff_t)corner;
     double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
@@ -96,10 +111,12 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
 {
     mus_cloth *cloth = mesh->cloth;
     int32_t partner = pairs_partner(mesh, seam, k), low = seam->direction == MUS_SEAM_DIRECT ? partner : partner - 1;
+    const bool line_a = mesh->edge[seam->edge_a].inner != MUS_NONE, line_b = mesh->edge[seam->edge_b].inner != MUS_NONE;
+    if (line_a && line_b) return;
     double own[3], other[3];
     int32_t node[4] = {mus__mesh_edge_node(mesh, seam->edge_a, k), mus__mesh_edge_node(mesh, seam->edge_a, k + 1)};
-    node[2] = pairs_wing(mesh, seam->edge_a, k, own);
-    node[3] = pairs_wing(mesh, seam->edge_b, low, other);
+    node[2] = pairs_wing(mesh, seam->edge_a, k, pairs_beyond(mesh, seam, seam->edge_b), own);
+    node[3] = pairs_wing(mesh, seam->edge_b, low, pairs_beyond(mesh, seam, seam->edge_a), other);
 
     /* feet from the same end, at the mean length */
     double length = 0.5 * (own[0] + other[0]);
@@ -110,6 +127,9 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
     if (!mus__mesh_hinge(mesh, node, length, foot, height, rigidity, hinge)) return;
     cloth->nseam_hinge++;
 
+    /* a patch is beside what its panels are calibrated for */
+    if (line_a || line_b) return;
+
     /* the same two ends of the interval, as nodes of b */
     const int32_t partners[2] = {mus__mesh_edge_node(mesh, seam->edge_b, partner),
                                  mus__mesh_edge_node(mesh, seam->edge_b, pairs_partner(mesh, seam, k + 1))};
@@ -118,9 +138,21 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
 }
 
 
-static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
+/* the pair of step k, which stands for `length` of the seam. A dart's legs may share their end node */
+static void pairs_add(mus__mesh *mesh, const mus_seam_def *seam, int32_t index, int32_t k, double length)
 {
     mus_cloth *cloth = mesh->cloth;
+    const int32_t a = mus__mesh_edge_node(mesh, seam->edge_a, k);
+    const int32_t b = mus__mesh_edge_node(mesh, seam->edge_b, pairs_partner(mesh, seam, k));
+    if (a == b) return;
+    cloth->pair[2 * (ptrdiff_t)cloth->npair] = a, cloth->pair[2 * (ptrdiff_t)cloth->npair + 1] = b;
+    cloth->pair_seam[cloth->npair] = index;
+    cloth->pair_length[cloth->npair++] = length;
+}
+
+
+static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
+{
     mus_seam_def seam;
     mus_seam_def_init(&seam, sizeof seam);
     mus_status status = mus_pattern_seam(mesh->pattern, index, &seam);
@@ -131,19 +163,18 @@ static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
     status = pairs_reserve(mesh, (int64_t)n + 1);
     if (status != MUS_OK) return status;
 
-    /* the mean length of the two intervals; half of it at both ends. A dart's legs may share their end node */
-    double step =
-        0.5 *
-        (mus_pattern_edge_length(mesh->pattern, seam.edge_a) + mus_pattern_edge_length(mesh->pattern, seam.edge_b)) / n;
-    for (int32_t k = 0; k <= n; k++) {
-        int32_t a = mus__mesh_edge_node(mesh, seam.edge_a, k);
-        int32_t b = mus__mesh_edge_node(mesh, seam.edge_b, pairs_partner(mesh, &seam, k));
-        if (a == b) continue;
-        cloth->pair[2 * (ptrdiff_t)cloth->npair] = a, cloth->pair[2 * (ptrdiff_t)cloth->npair + 1] = b;
-        cloth->pair_seam[cloth->npair] = index;
-        cloth->pair_length[cloth->npair++] = k == 0 || k == n ? 0.5 * step : step;
+    /* the mean length of the two intervals; half of it at both ends */
+    const double length = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +
+                                 mus_pattern_edge_length(mesh->pattern, seam.edge_b));
+    if (seam.open) return MUS_OK;
+    for (int32_t i = 0, last = MUS_NONE; i < seam.buttons; i++) {
+        const int32_t k = (int32_t)floor((i + 0.5) / seam.buttons * n + 0.5);
+        if (k != last) pairs_add(mesh, &seam, index, k, length / seam.buttons);
+        last = k;
     }
-    for (int32_t k = 0; k < n; k++) pairs_hinge(mesh, &seam, k);
+    if (seam.buttons > 0) return MUS_OK;
+    for (int32_t k = 0; k <= n; k++) pairs_add(mesh, &seam, index, k, (k == 0 || k == n ? 0.5 : 1.0) * length / n);
+    for (int32_t k = 0; k < n && !seam.laid; k++) pairs_hinge(mesh, &seam, k);
     return MUS_OK;
 }
 

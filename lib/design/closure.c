@@ -1,7 +1,8 @@
 /*
  * closure.c: what becomes of the centre lines of a top: on the fold, or sewn up as a closure that is done up.
  *
- * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam. What lies
+ * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
+ * which a cloth can leave open. What lies
  * beyond it is allowance: a button stand of 1.75 cm, turned under by as much and 1 cm more. Buttons and the end of a
  * side zip are marked. Source: drafting reference 3.3, 5.4.
  */
@@ -78,8 +79,28 @@ static void closure_notch(mus__board *board, int32_t side, double y)
 }
 
 
+/* what the centre seams of a top are closed with: buttons before, a zip behind */
+static void closure_seams(mus__half *half)
+{
+    mus__board *board = &half->board;
+    for (int32_t i = 0; i < board->nseam; i++) {
+        mus__board_seam *seam = &board->seam[i];
+        if (seam->a == MUS_NONE || strcmp(board->side[seam->a].label, "centre") != 0 ||
+            strcmp(board->side[seam->b].label, "centre") != 0)
+            continue;
+        const char *panel = board->panel[board->side[seam->a].panel].name;
+        if (strncmp(panel, "front", 5) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT))
+            seam->closure = MUS_CLOSURE_BUTTONS;
+        if (strncmp(panel, "back", 4) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_BACK))
+            seam->closure = MUS_CLOSURE_ZIP;
+    }
+}
+
+
 void mus__closure_finish(mus__half *half)
 {
+    if (half->board.status == MUS_OK) closure_seams(half);
+
     /* the ends of a zip 18 cm long about the waist, in the left side seam */
     mus__board *board = &half->board;
     const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);

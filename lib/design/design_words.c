@@ -64,6 +64,7 @@ static void design_make(mus__half *half)
     for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, "hem");
     mus__board_double(&half->board);
     mus__closure_finish(half);
+    mus__pocket_finish(half);
 }
 
 

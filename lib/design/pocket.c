@@ -1,12 +1,14 @@
 /*
- * pocket.c: where a patch pocket goes.
+ * pocket.c: patch pockets: where they go on the half, and on the whole garment the pieces themselves.
  *
- * A patch is a third sheet on the garment: three of its sides would each be an edge where three sheets meet, and the
- * cloth round it would have to be cut along them. A pattern whose seams join two sheets each cannot say that, and a
- * pocket changes no opening and no handle (drafting.md section 8). So the pocket is the line on the piece along which
- * it is laid: 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front.
+ * A patch is a third sheet on the garment: at three of its sides three sheets meet (board_patch.c). On the half it is
+ * a line, 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front. Once the garment is whole, each such
+ * line gets its piece; the line stays as the mark on paper of where it is laid. It changes no opening and no handle
+ * (drafting.md section 8).
  */
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "design/lower.h"
 
@@ -34,5 +36,33 @@ void mus__pocket_attach(mus__half *half)
     case MUS__GARMENT_DRESS: pocket_mark(half, "skirt_front", 0.13 * hip, low); break;
     case MUS__GARMENT_TOP: pocket_mark(half, "front", 0.11 * m[MUS_MEASURE_BUST], 0.26 * scale); break;
     default: break;
+    }
+}
+
+
+/* the piece of mark i; the second on a panel, or on its mirror image, is that of the right */
+static void pocket_piece(mus__board *board, int32_t i, int32_t *left)
+{
+    const int32_t panel = board->mark[i].panel;
+    const char *name = *left == MUS_NONE ? "pocket_left" : "pocket_right";
+    const int32_t made = mus__board_patch(board, panel, 4, board->mark[i].xy, name);
+    if (made == MUS_NONE) return;
+    if (*left == MUS_NONE) {
+        *left = made;
+        return;
+    }
+    board->panel[made].mirror_of = *left;
+    board->panel[*left].cut_count += board->panel[made].cut_count;
+}
+
+
+void mus__pocket_finish(mus__half *half)
+{
+    mus__board *board = &half->board;
+    int32_t left = MUS_NONE;
+    const int32_t nmark = board->nmark;
+    for (int32_t i = 0; i < nmark && board->status == MUS_OK; i++) {
+        const mus__board_mark *mark = &board->mark[i];
+        if (mark->panel != MUS_NONE && mark->n == 5 && strcmp(mark->name, "pocket") == 0) pocket_piece(board, i, &left);
     }
 }

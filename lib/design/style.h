@@ -178,6 +178,8 @@ void mus__trousers_attach(mus__half *half);
 /* band_style.c: waistband or facing on the waist runs of a skirt or trousers; cuffs; patch pockets */
 void mus__band_attach(mus__half *half);
 void mus__pocket_attach(mus__half *half);
+/* the pockets themselves, on the whole garment, after mus__board_double() */
+void mus__pocket_finish(mus__half *half);
 
 /* ---- panel_place.c: round the body, panels of the half (those of the other half are mirrored by the doubling) ---- */
 

@@ -246,6 +246,10 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     mus_drape_def_init(&own, sizeof own);
     mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_drape_def");
     if (status == MUS_OK) status = check_def(context, &own);
+    if (status == MUS_OK && cloth->spacing > 0.0 && own.collision_distance > cloth->spacing)
+        status =
+            mus__fail(context, MUS_ERR_ARG, "drape: collision_distance is %g m, expected at most the spacing, %g m",
+                      own.collision_distance, cloth->spacing);
     return status == MUS_OK ? mus__drape_make(context, cloth, body, NULL, &own, out) : status;
 }
 

@@ -163,8 +163,10 @@ static mus_status fail_open(mus_drape *drape)
 {
     int32_t seam;
     const double gap = mus__drape_gap(drape, &seam);
-    return mus__fail(drape->context, MUS_ERR_SEW, "seam %d cannot close: gap %.1f mm after %.2f s, %.1f mm allowed",
-                     (int)seam, 1e3 * gap, drape->sew_time, 1e3 * drape->def.collision_distance);
+    const bool far = gap >= 0.1;
+    return mus__fail(drape->context, MUS_ERR_SEW, "seam %d cannot close: gap %.*f %s after %.2f s, %.1f mm allowed",
+                     (int)seam, far ? 3 : 1, far ? gap : 1e3 * gap, far ? "m" : "mm", drape->sew_time,
+                     1e3 * drape->def.collision_distance);
 }
 
 

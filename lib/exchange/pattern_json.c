@@ -291,6 +291,27 @@ static mus_status read_edge(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
+/* how a seam is joined: members that may be missing */
+static mus_status read_joining(const mus_json_at *at, mus_seam_def *seam)
+{
+    const mus_json_at laid = mus__json_member(at, "laid"), open = mus__json_member(at, "open"),
+                      buttons = mus__json_member(at, "buttons"), closure = mus__json_member(at, "closure");
+    mus_status status = MUS_OK;
+    if (laid.json != NULL) status = mus__json_integer(&laid, 0, 1, &seam->laid);
+    if (status == MUS_OK && open.json != NULL) status = mus__json_integer(&open, 0, 1, &seam->open);
+    if (status == MUS_OK && buttons.json != NULL) status = mus__json_integer(&buttons, 0, INT32_MAX, &seam->buttons);
+    if (status != MUS_OK || closure.json == NULL) return status;
+    const char *name;
+    status = mus__json_text(&closure, &name);
+    if (status != MUS_OK) return status;
+    const bool zip = strcmp(name, "zip") == 0;
+    if (!zip && strcmp(name, "buttons") != 0)
+        return mus__json_fail(&closure, MUS_ERR_FORMAT, "expected zip or buttons, got \"%.40s\"", name);
+    seam->closure = zip ? MUS_CLOSURE_ZIP : MUS_CLOSURE_BUTTONS;
+    return MUS_OK;
+}
+
+
 static mus_status read_seam(const mus_json_at *at, mus_pattern *pattern)
 {
     mus_seam_def seam;
@@ -304,6 +325,7 @@ static mus_status read_seam(const mus_json_at *at, mus_pattern *pattern)
     if (status == MUS_OK) status = mus__json_text(&run, &direction);
     if (status == MUS_OK) status = mus__json_number(&ease, &seam.ease);
     if (status == MUS_OK) status = mus__json_number(&tolerance, &seam.tolerance);
+    if (status == MUS_OK) status = read_joining(at, &seam);
     if (status != MUS_OK) return status;
     bool direct = strcmp(direction, "direct") == 0;
     if (!direct && strcmp(direction, "reversed") != 0)

@@ -198,6 +198,11 @@ static mus_status put_seams(mus_sink *sink, const mus_pattern *pattern)
         mus__sink_number(sink, seam.ease);
         mus__sink_print(sink, ", \"tolerance\": ");
         mus__sink_number(sink, seam.tolerance);
+        if (seam.laid) mus__sink_print(sink, ", \"laid\": 1");
+        if (seam.closure != MUS_CLOSURE_NONE)
+            mus__sink_print(sink, ", \"closure\": \"%s\"", seam.closure == MUS_CLOSURE_ZIP ? "zip" : "buttons");
+        if (seam.open) mus__sink_print(sink, ", \"open\": 1");
+        if (seam.buttons > 0) mus__sink_print(sink, ", \"buttons\": %d", (int)seam.buttons);
         mus__sink_print(sink, "}");
     }
     mus__sink_print(sink, "]");

@@ -64,6 +64,7 @@ typedef struct mus__board_seam {
     int32_t direction; /* MUS_SEAM_* of the sides as walked */
     double ease, tolerance;
     bool bridge; /* both sides are one edge of the pattern, which its panel's word passes twice */
+    int32_t laid, closure, open, buttons; /* as the pattern's */
 } mus__board_seam;
 
 typedef struct mus__board_notch {
@@ -175,6 +176,8 @@ bool mus__board_chain_same(const mus__board_chain *a, const mus__board_chain *b,
 
 /* join two sides; ease = length of b - length of a that is meant */
 int32_t mus__board_seam_add(mus__board *board, int32_t a, int32_t b, int32_t direction, double ease);
+/* a seam is laid, or closed, as another is */
+void mus__board_seam_like(mus__board *board, int32_t seam, int32_t other);
 /* open the seam of a side */
 void mus__board_seam_drop(mus__board *board, int32_t side);
 /**
@@ -228,6 +231,20 @@ void mus__board_remove_panel(mus__board *board, int32_t panel);
  * (a side of the fold panel sewn to a side of a mirrored one) hold on both sides. Openings are as declared.
  */
 void mus__board_double(mus__board *board);
+
+/* ---- board_pleat.c ---- */
+
+/* lay n pleats on a side: at arc length s[i] an outer fold, the pleat |depth[i]| deep, under what comes before it along
+ * the walk (depth > 0) or after it. The side becomes parts; of what it was sewn to the parts that show take the place.
+ * Pleats do not overlap: each takes from s - d to s + 2 d, or from s - 2 d to s + d. In order */
+void mus__board_lay(mus__board *board, int32_t side, int32_t n, const double *s, const double *depth);
+
+/* ---- board_patch.c ---- */
+
+/* a piece `name` laid on a panel and sewn to the line through n points (n x 2) inside it, which is drawn into the panel
+ * from its nearest corner; between its ends the piece is open. It starts a little outside the panel. Returns its panel
+ */
+int32_t mus__board_patch(mus__board *board, int32_t panel, int32_t n, const double *xy, const char *name);
 
 /* ---- board_part.c: parts of a panel that move as rigid pieces ---- */
 

@@ -152,6 +152,7 @@ static void double_seams(mus__board *board, const double_mirror *mirror, int32_t
         if (made == MUS_NONE) return;
         board->seam[made].tolerance = seam.tolerance;
         board->seam[made].bridge = seam.bridge;
+        mus__board_seam_like(board, made, i);
     }
 }
 

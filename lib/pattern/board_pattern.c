@@ -46,8 +46,11 @@ static void board_read_side(mus__board *board, const mus_pattern *pattern, int32
         return;
     }
     const bool alike = side->backward == board->side[first[edge]].backward;
-    board->seam[board->nseam++] =
-        (mus__board_seam){first[edge], index, alike ? MUS_SEAM_DIRECT : MUS_SEAM_REVERSED, 0.0, 0.0005, true};
+    board->seam[board->nseam++] = (mus__board_seam){.a = first[edge],
+                                                    .b = index,
+                                                    .direction = alike ? MUS_SEAM_DIRECT : MUS_SEAM_REVERSED,
+                                                    .tolerance = 0.0005,
+                                                    .bridge = true};
 }
 
 
@@ -84,7 +87,15 @@ static void board_read_rest(mus__board *board, const mus_pattern *pattern, const
         const int32_t a = first[from->edge_a], b = first[from->edge_b];
         const bool turned = board->side[a].backward != board->side[b].backward;
         const int32_t other = from->direction == MUS_SEAM_DIRECT ? MUS_SEAM_REVERSED : MUS_SEAM_DIRECT;
-        board->seam[i] = (mus__board_seam){a, b, turned ? other : from->direction, from->ease, from->tolerance, false};
+        board->seam[i] = (mus__board_seam){.a = a,
+                                           .b = b,
+                                           .direction = turned ? other : from->direction,
+                                           .ease = from->ease,
+                                           .tolerance = from->tolerance,
+                                           .laid = from->laid,
+                                           .closure = from->closure,
+                                           .open = from->open,
+                                           .buttons = from->buttons};
     }
     for (int32_t i = 0; i < pattern->nnotch; i++) {
         const mus__notch *from = &pattern->notch[i];
@@ -160,18 +171,21 @@ static mus_status board_write_point(board_writer *w, int32_t panel, int32_t k)
 }
 
 
-/* the bridge to an earlier side of the ring that is one edge with this, on the same points; or MUS_NONE */
-static int32_t board_write_bridge(const board_writer *w, int32_t k)
+/* the bridge to an earlier side of the ring that is one edge with this, on the same points: *twin; or MUS_NONE. In a
+ * mirror image the later side comes first */
+static int32_t board_write_bridge(const board_writer *w, int32_t k, int32_t *twin)
 {
     const mus__board *board = w->board;
     const mus__board_side *side = &board->side[w->ring[k]];
     for (int32_t i = 0; i < board->nseam; i++) {
         const mus__board_seam *seam = &board->seam[i];
-        if (!seam->bridge || seam->b != w->ring[k] || board->side[seam->a].panel != side->panel) continue;
+        if (!seam->bridge || (seam->a != w->ring[k] && seam->b != w->ring[k])) continue;
+        *twin = seam->a == w->ring[k] ? seam->b : seam->a;
         const bool reversed = seam->direction == MUS_SEAM_REVERSED;
-        const mus__board_side *twin = &board->side[seam->a];
-        const int32_t start = w->point[seam->a], end = w->point[twin->next];
-        if (w->edge[seam->a] != MUS_NONE && mus__board_chain_same(&twin->chain, &side->chain, reversed) &&
+        const mus__board_side *other = &board->side[*twin];
+        if (other->panel != side->panel || w->edge[*twin] == MUS_NONE) continue;
+        const int32_t start = w->point[*twin], end = w->point[other->next];
+        if (mus__board_chain_same(&other->chain, &side->chain, reversed) &&
             w->point[w->ring[k]] == (reversed ? end : start) && w->point[side->next] == (reversed ? start : end))
             return i;
     }
@@ -226,13 +240,13 @@ static mus_status board_write_panel(board_writer *w, int32_t index)
     w->panel[index] = panel;
     for (int32_t k = 0; k < n && status == MUS_OK; k++) status = board_write_point(w, panel, k);
     for (int32_t k = 0; k < n && status == MUS_OK; k++) {
-        const int32_t side = w->ring[k], bridge = board_write_bridge(w, k);
+        int32_t twin;
+        const int32_t side = w->ring[k], bridge = board_write_bridge(w, k, &twin);
         if (bridge == MUS_NONE) {
             status = board_write_edge(w, k);
         } else {
-            const mus__board_seam *seam = &board->seam[bridge];
-            w->edge[side] = w->edge[seam->a];
-            w->turn[side] = seam->direction == MUS_SEAM_DIRECT ? w->turn[seam->a] : -w->turn[seam->a];
+            w->edge[side] = w->edge[twin];
+            w->turn[side] = board->seam[bridge].direction == MUS_SEAM_DIRECT ? w->turn[twin] : -w->turn[twin];
         }
         w->word[k] = w->edge[side];
         w->word[n + k] = w->turn[side];
@@ -256,6 +270,7 @@ static mus_status board_write_seam(board_writer *w, const mus__board_seam *from)
     seam.edge_b = edge_b;
     seam.ease = from->ease;
     seam.tolerance = from->tolerance;
+    seam.laid = from->laid, seam.closure = from->closure, seam.open = from->open, seam.buttons = from->buttons;
     seam.direction = from->direction;
     if (w->turn[from->a] != w->turn[from->b])
         seam.direction = from->direction == MUS_SEAM_DIRECT ? MUS_SEAM_REVERSED : MUS_SEAM_DIRECT;

@@ -28,8 +28,17 @@ int32_t mus__board_seam_add(mus__board *board, int32_t a, int32_t b, int32_t dir
     board->status =
         mus__reserve(board->context, &board->seam, &board->seam_room, (int64_t)board->nseam + 1, sizeof *board->seam);
     if (board->status != MUS_OK) return MUS_NONE;
-    board->seam[board->nseam] = (mus__board_seam){a, b, direction, ease, SEW_TOLERANCE, false};
+    board->seam[board->nseam] =
+        (mus__board_seam){.a = a, .b = b, .direction = direction, .ease = ease, .tolerance = SEW_TOLERANCE};
     return board->nseam++;
+}
+
+
+void mus__board_seam_like(mus__board *board, int32_t seam, int32_t other)
+{
+    mus__board_seam *to = &board->seam[seam];
+    const mus__board_seam *from = &board->seam[other];
+    to->laid = from->laid, to->closure = from->closure, to->open = from->open, to->buttons = from->buttons;
 }
 
 
@@ -199,6 +208,9 @@ static void sew_split_seams(mus__board *board, const sew_place *list, int32_t n)
         if (more == MUS_NONE) return;
         board->seam[more].tolerance = seam.tolerance;
         board->seam[more].bridge = seam.bridge;
+        mus__board_seam_like(board, more, k);
+        board->seam[k].buttons = (int32_t)floor(t * seam.buttons + 0.5);
+        board->seam[more].buttons = seam.buttons - board->seam[k].buttons;
         board->seam[k].b = direct ? seam.b : list[j].made;
         board->seam[k].ease = t * seam.ease;
 
@@ -272,6 +284,7 @@ static bool sew_pair_seam(const mus__board *board, sew_merge *m, int32_t first, 
         const mus__board_seam *other = &board->seam[j];
         const bool joins = (other->a == second && other->b == q) || (other->b == second && other->a == q);
         if (j == k || !joins || other->direction != seam->direction || m->nseam == SEW_SHEETS) continue;
+        if (other->laid != seam->laid || other->closure != seam->closure || other->open != seam->open) continue;
         m->seam[m->nseam][0] = k;
         m->seam[m->nseam++][1] = j;
         return sew_pair_add(m, direct ? p : q, direct ? q : p);
@@ -364,6 +377,7 @@ void mus__board_merge(mus__board *board, int32_t side)
         seam->ease += sew_stays(&m, seam->a) == sew_stays(&m, other->a) ? other->ease : -other->ease;
         seam->tolerance = fmax(seam->tolerance, other->tolerance);
         seam->bridge = seam->bridge && other->bridge;
+        seam->buttons += other->buttons;
         seam->a = sew_stays(&m, seam->a);
         seam->b = sew_stays(&m, seam->b);
         other->a = other->b = MUS_NONE;

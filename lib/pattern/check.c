@@ -91,7 +91,10 @@ static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q,
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is part of no outline", title);
     }
-    if (own->nseam > 1) {
+    int32_t laid = 0;
+    for (int32_t i = 0; i < pattern->nseam && own->nseam > 1; i++)
+        laid += pattern->seam[i].laid && (pattern->seam[i].edge_a == edge || pattern->seam[i].edge_b == edge);
+    if (own->nseam - laid > 1 || laid > 2) {
         mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_SEWN_TWICE, own->panel, edge, own->seam);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is in %d seams, one is the most; the first is seam %d",

@@ -1,5 +1,5 @@
 /*
- * edit_panel.c: panels separated, joined, mirrored, unfolded, faced and removed (muslin/edit.h).
+ * edit_panel.c: panels separated, joined, mirrored, unfolded, faced, patched and removed (muslin/edit.h).
  *
  * A facing is the strip along an edge, seen from behind: the panel is mirrored, cut along the offset of the edge, and
  * the rest thrown away. The offset runs through points of distance w square to the edge, every OFFSET_STEP, joined by
@@ -205,6 +205,25 @@ static void edit_place_behind(mus__board *board, int32_t panel, int32_t made)
         to->origin[i] -= FACING_BEHIND * row[2];
         row[0] = 0.0 - row[0], row[2] = 0.0 - row[2];
     }
+}
+
+
+mus_status mus_pattern_add_patch(mus_pattern *pattern, int32_t panel, const char *name, int32_t n, const double *xy,
+                                 int32_t *out)
+{
+    if (out != NULL) *out = MUS_NONE;
+    if (pattern != NULL && xy == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "patch: its line is NULL");
+    mus__editing e;
+    mus_status status = mus__edit_begin(&e, pattern);
+    if (status != MUS_OK) return status;
+    int32_t made = MUS_NONE;
+    if (mus__edit_panel(&e, panel)) {
+        mus__board_part_twins(&e.board, panel);
+        made = mus__board_patch(&e.board, panel, n, xy, name != NULL ? name : "");
+        if (made != MUS_NONE) mus__board_mark_add(&e.board, panel, name, n, xy);
+        e.nwatch = 1, e.watch[0] = panel;
+    }
+    return mus__edit_end_panel(&e, made, out, MUS_NONE, NULL);
 }
 
 

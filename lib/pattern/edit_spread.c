@@ -11,6 +11,7 @@
 #include "pattern/editing.h"
 
 #define FLARE_MOST 64
+#define PLEATS_MOST 256 /* on one edge */
 #define FLARE_WITHIN                                                                                                   \
     0.008 /* [m]: a hem is drawn by eye; a slash a hand's breadth from the next leaves corners of 5 mm */
 
@@ -80,6 +81,32 @@ mus_status mus_pattern_pleat(mus_pattern *pattern, int32_t edge_a, double s_a, i
         mus__board_fail(&e.board, MUS_ERR_ARG, "pleat on side %s: it has to go to another edge", e.board.side[a].name);
     mus__board_spread(&e.board, a, at_a, b, at_b, 2.0 * depth_a, 2.0 * depth_b);
     edit_pleat_marks(&e.board, a, at_a, b, at_b, 2.0 * depth_a, 2.0 * depth_b);
+    return mus__edit_end(&e, 0, NULL, NULL);
+}
+
+
+mus_status mus_pattern_lay_pleats(mus_pattern *pattern, int32_t edge, int32_t n, const double *s, const double *depths)
+{
+    if (pattern != NULL && n > 0 && (s == NULL || depths == NULL))
+        return mus__fail(pattern->context, MUS_ERR_ARG, "pleats: their places are NULL");
+    double place[PLEATS_MOST], depth[PLEATS_MOST];
+    mus__editing e;
+    mus_status status = mus__edit_begin(&e, pattern);
+    if (status != MUS_OK) return status;
+    mus__board *board = &e.board;
+    const int32_t side = mus__edit_side(&e, edge);
+    if (board->status == MUS_OK && (n < 1 || n > PLEATS_MOST))
+        mus__board_fail(board, MUS_ERR_ARG, "%d pleats on side %s are outside 1 to %d", (int)n, board->side[side].name,
+                        PLEATS_MOST);
+
+    /* an edge that runs against its outline is walked from its end */
+    for (int32_t i = 0; i < n && board->status == MUS_OK; i++) {
+        const bool back = board->side[side].backward;
+        const int32_t k = back ? n - 1 - i : i;
+        place[i] = back ? board->side[side].length - s[k] : s[k];
+        depth[i] = back ? -depths[k] : depths[k];
+    }
+    if (board->status == MUS_OK) mus__board_lay(board, side, n, place, depth);
     return mus__edit_end(&e, 0, NULL, NULL);
 }
 

@@ -6,6 +6,9 @@
  * "cuff"); one that declares any is checked as a garment: it hangs together, has no handle, is no closed bag, and has
  * just those openings. An opening goes by the label that is longest round it.
  *
+ * What is sewn to a line inside a panel, a patch pocket, is a third sheet there, and changes no opening and no handle;
+ * nor does the layer of a pleat that lies on another that is sewn already. Those are of the garment without such seams.
+ *
  * A handle (genus) is what comes of pieces cut mirrored: right sides are out, and the ends of their seams change
  * places. The pieces named are a smallest set, of one panel or two, that makes the handle go when it is turned over,
  * that is when each seam between the set and the rest is turned end for end. Source: drafting.md section 8.
@@ -244,15 +247,41 @@ static mus_status garment_opening(const mus_pattern *pattern, int32_t loop, cons
 }
 
 
+/* is an edge in a seam that is not left out? */
+static bool garment_sewn(const mus_pattern *pattern, int32_t edge)
+{
+    for (int32_t i = 0; i < pattern->nseam; i++)
+        if (pattern->seam[i].edge_a == edge || pattern->seam[i].edge_b == edge) return true;
+    return false;
+}
+
+
+/* is a loop the rim of a patch, whose seams to a line inside a panel are left out here? */
+static bool garment_patch(const mus_pattern *pattern, int32_t n, const int32_t *edges)
+{
+    bool left = false;
+    for (int32_t i = 0; i < n; i++)
+        left = left || (pattern->edge[edges[i]].nseam > 0 && !garment_sewn(pattern, edges[i]));
+    const mus__panel *panel = &pattern->panel[pattern->edge[edges[0]].panel];
+    for (int32_t i = 0; i < panel->noutline && left; i++) left = !garment_sewn(pattern, panel->outline[i]);
+    return left;
+}
+
+
 /* openings against those declared; taken (nopening) is zero */
 static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, int32_t *taken, int32_t *strange,
                                    mus__fault_list *list)
 {
     int32_t left = 0, next = 0;
     for (int32_t loop = 0; loop < loops; loop++) {
-        const char *label;
-        mus_status status = mus_pattern_loop_label(pattern, loop, &label);
+        int32_t n;
+        mus_status status;
+        int32_t *edges = garment_loop(pattern, loop, &n, NULL, &status);
+        const bool patch = status == MUS_OK && garment_patch(pattern, n, edges);
+        const char *label = status == MUS_OK ? garment_label(pattern, n, edges) : "";
+        mus__free(pattern->context, edges);
         if (status != MUS_OK) return status;
+        if (patch) continue;
         int32_t k = 0;
         while (k < pattern->nopening && (taken[k] || strcmp(pattern->opening[k].label, label) != 0)) k++;
         if (k < pattern->nopening)
@@ -295,16 +324,12 @@ static mus_status garment_bags(const mus_pattern *pattern, mus__fault_list *list
 }
 
 
-mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus__fault_list *list)
+/* handles and openings of the garment whose seams to lines inside panels are left out */
+static mus_status garment_surface(const mus_pattern *pattern, mus__fault_list *list)
 {
-    if (pattern->nopening == 0) return MUS_OK;
-    for (int32_t i = 0; i < pattern->npanel; i++)
-        if (pattern->panel[i].noutline == 0) return MUS_OK;
     mus_topology t;
     mus_topology_init(&t, sizeof t);
     mus_status status = mus_pattern_topology(pattern, &t);
-    if (status == MUS_OK) status = garment_pieces(pattern, q, list);
-    if (status == MUS_OK) status = garment_bags(pattern, list);
     if (status != MUS_OK || !t.manifold) return status;
     if (t.orientable && garment_handles(&t) > 0) status = garment_handle(pattern, garment_handles(&t), list);
     if (status != MUS_OK) return status;
@@ -313,5 +338,32 @@ mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus
     if (taken == NULL) return MUS_ERR_MEMORY;
     status = garment_openings(pattern, t.loops, taken, taken + pattern->nopening, list);
     mus__free(pattern->context, taken);
+    return status;
+}
+
+
+mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus__fault_list *list)
+{
+    if (pattern->nopening == 0) return MUS_OK;
+    for (int32_t i = 0; i < pattern->npanel; i++)
+        if (pattern->panel[i].noutline == 0) return MUS_OK;
+    mus_seam_def *seams = mus__room(pattern->context, pattern->nseam, sizeof *seams);
+    if (seams == NULL) return MUS_ERR_MEMORY;
+    mus_status status = garment_pieces(pattern, q, list);
+    if (status == MUS_OK) status = garment_bags(pattern, list);
+    mus_pattern bare = *pattern;
+    bare.seam = seams;
+    bare.nseam = 0;
+    for (int32_t pass = 0; pass < 2; pass++)
+        for (int32_t i = 0; i < pattern->nseam; i++) {
+            const mus_seam_def *seam = &pattern->seam[i];
+            if ((seam->laid != 0) != (pass == 1) || mus__edge_inner(q, seam->edge_a) ||
+                mus__edge_inner(q, seam->edge_b) ||
+                (pass == 1 && (garment_sewn(&bare, seam->edge_a) || garment_sewn(&bare, seam->edge_b))))
+                continue;
+            seams[bare.nseam++] = *seam;
+        }
+    if (status == MUS_OK) status = garment_surface(&bare, list);
+    mus__free(pattern->context, seams);
     return status;
 }

@@ -137,6 +137,12 @@ double mus_pattern_panel_perimeter(const mus_pattern *pattern, int32_t panel)
     if (own->noutline == 0) return (double)NAN;
 
     double length = 0.0;
-    for (int32_t i = 0; i < own->noutline; i++) length += mus_pattern_edge_length(pattern, own->outline[i]);
+    const int32_t n = own->noutline;
+    for (int32_t i = 0; i < n; i++) {
+        bool both = false;
+        for (int32_t j = 0; j < n && !both; j++)
+            both = own->outline[i] == own->outline[j] && own->outline[n + i] != own->outline[n + j];
+        if (!both) length += mus_pattern_edge_length(pattern, own->outline[i]);
+    }
     return length;
 }

@@ -167,6 +167,11 @@ bool mus__quotient_same_side(const mus__quotient *q, int32_t j, int32_t k);
  * (nseam, zero, may be NULL) gets 1 for those; *bridge an edge that a panel joins to itself one-sidedly, or MUS_NONE */
 int32_t mus__quotient_sides(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, int32_t *bridge);
 
+/* ---- inner.c ---- */
+
+/* is an edge a line inside its panel: passed once each way? */
+bool mus__edge_inner(const mus__quotient *q, int32_t edge);
+
 /* ---- check.c ---- */
 
 /* the faults of a check that is under way; failed once there was no memory for one */

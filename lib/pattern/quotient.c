@@ -5,7 +5,8 @@
  * 20). An edge that a word passes twice (the bridge to a hole) is two sheets of one class by itself.
  *
  * Sides: two panels that meet at an edge have the same side out when their words run against each other there. That
- * 2-colours the panels, or fails: then the garment is one-sided.
+ * 2-colours the panels, or fails: then the garment is one-sided. What is sewn to a line inside a panel may lie on it
+ * either way; it is taken to have its right side out.
  */
 #include "pattern/pattern_internal.h"
 
@@ -128,6 +129,7 @@ static bool quotient_seam(const mus__quotient *q, const mus_seam_def *seam, int3
     *k = q->place[seam->edge_b];
     if (*j == MUS_NONE || *k == MUS_NONE) return false;
     *relation = -q->turn[*j] * q->turn[*k] * (seam->direction == MUS_SEAM_DIRECT ? 1 : -1);
+    if (mus__edge_inner(q, seam->edge_a) || mus__edge_inner(q, seam->edge_b)) *relation = 1;
     return true;
 }
 

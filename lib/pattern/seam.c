@@ -9,6 +9,8 @@
 
 #include "pattern/pattern_internal.h"
 
+#define SEAM_BUTTONS 1000 /* at most */
+
 
 void mus_seam_def_init(mus_seam_def *def, size_t size)
 {
@@ -38,6 +40,14 @@ static mus_status seam_check(const mus_pattern *pattern, const mus_seam_def *def
         return mus__fail(context, MUS_ERR_ARG, "seam: an ease of %g m is not finite", def->ease);
     if (!mus__finite(def->tolerance) || def->tolerance < 0.0)
         return mus__fail(context, MUS_ERR_ARG, "seam: a tolerance of %g m is not 0 or more", def->tolerance);
+    if (def->closure < MUS_CLOSURE_NONE || def->closure > MUS_CLOSURE_BUTTONS)
+        return mus__fail(context, MUS_ERR_ARG, "seam: closure %d is outside 0 to %d", (int)def->closure,
+                         MUS_CLOSURE_BUTTONS);
+    if (def->closure == MUS_CLOSURE_NONE && def->open != 0)
+        return mus__fail(context, MUS_ERR_ARG, "seam: it is no closure, and cannot be left open");
+    if (def->buttons < 0 || def->buttons > SEAM_BUTTONS || (def->buttons > 0 && def->closure != MUS_CLOSURE_BUTTONS))
+        return mus__fail(context, MUS_ERR_ARG, "seam: %d buttons, expected 0 to %d, and 0 of what has none",
+                         (int)def->buttons, SEAM_BUTTONS);
     return MUS_OK;
 }
 
@@ -67,6 +77,22 @@ mus_status mus_pattern_add_seam(mus_pattern *pattern, const mus_seam_def *def, i
     }
     if (out != NULL) *out = seam;
     mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_open_closures(mus_pattern *pattern, int32_t open, int32_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (pattern == NULL) return MUS_ERR_ARG;
+    int32_t n = 0;
+    for (int32_t i = 0; i < pattern->nseam; i++) {
+        if (pattern->seam[i].closure == MUS_CLOSURE_NONE) continue;
+        pattern->seam[i].open = open != 0;
+        n++;
+    }
+    if (n > 0) mus__pattern_edited(pattern);
+    if (count != NULL) *count = n;
     return MUS_OK;
 }
 

@@ -282,14 +282,17 @@ static void piece_copies(const mus_pattern *pattern, mus__piece *piece)
 mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece)
 {
-    const int32_t *edges, *directions;
+    int32_t n = 0, *edges = NULL, *directions;
     span_list spans = {.context = context};
     piece->panel = panel;
-    mus_status status = mus_pattern_outline(pattern, panel, &piece->nside, &edges, &directions);
+    mus_status status = mus_pattern_outline(pattern, panel, &n, NULL, NULL);
     if (status == MUS_OK) {
-        piece->sides = mus__print_new(context, piece->nside, sizeof *piece->sides);
-        if (piece->sides == NULL) status = mus__print_memory(context, "the sides of a piece");
+        piece->sides = mus__print_new(context, n, sizeof *piece->sides);
+        edges = mus__print_new(context, 2 * (int64_t)n, sizeof *edges);
+        if (piece->sides == NULL || edges == NULL) status = mus__print_memory(context, "the sides of a piece");
     }
+    directions = edges != NULL ? edges + n : NULL;
+    if (status == MUS_OK) status = mus_pattern_rim(pattern, panel, edges, directions, n, &piece->nside);
     for (int32_t i = 0; i < piece->nside && status == MUS_OK; i++) {
         double own = mus_pattern_edge_allowance(pattern, edges[i]);
         const char *label = mus_pattern_edge_label(pattern, edges[i]), *name = mus_pattern_edge_name(pattern, edges[i]);
@@ -297,6 +300,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
         piece->sides[i] = (mus__side){edges[i], directions[i], own >= 0.0 ? own : allowance, hem};
         status = span_edge(&spans, pattern, edges[i], directions[i], i);
     }
+    mus__print_free(context, edges);
     piece->spans = spans.list;
     piece->nspan = spans.n;
     if (status == MUS_OK) status = piece_flatten(context, piece);

@@ -22,7 +22,7 @@ START_TEST(nodes_are_the_places_inside_and_clear_of_the_border)
             xy[2 * i] = 0.5 + r * cos(angle), xy[2 * i + 1] = r * sin(angle);
         }
         mus__lattice lattice;
-        ck_assert_int_eq(mus__lattice_build(context, n, xy, grain, a, &lattice), MUS_OK);
+        ck_assert_int_eq(mus__lattice_build(context, n, xy, 0, NULL, grain, a, &lattice), MUS_OK);
         for (int32_t j = 0; j < lattice.rows; j++)
             for (int32_t i = 0; i < lattice.columns; i++) {
                 int64_t place = (int64_t)j * lattice.columns + i;
@@ -57,7 +57,7 @@ START_TEST(rows_run_along_the_weft_and_stack_along_the_warp)
     const double xy[] = {0, 0, 0.3, 0, 0.3, 0.2, 0, 0.2}, grain[2] = {0.6, 0.8};
     mus__lattice lattice;
     double p[2], q[2], r[2];
-    ck_assert_int_eq(mus__lattice_build(context, 4, xy, grain, 0.01, &lattice), MUS_OK);
+    ck_assert_int_eq(mus__lattice_build(context, 4, xy, 0, NULL, grain, 0.01, &lattice), MUS_OK);
     mus__lattice_point(&lattice, 3, 4, p);
     mus__lattice_point(&lattice, 4, 4, q);
     mus__lattice_point(&lattice, 3, 5, r);
@@ -77,7 +77,7 @@ START_TEST(a_rectangle_of_whole_spacings_leaves_a_rim_of_one)
     for (int32_t m = 3; m < 12; m++) {
         const double xy[] = {0, 0, 0.01 * m, 0, 0.01 * m, 0.05, 0, 0.05}, grain[2] = {0, 1};
         mus__lattice lattice;
-        ck_assert_int_eq(mus__lattice_build(context, 4, xy, grain, 0.01, &lattice), MUS_OK);
+        ck_assert_int_eq(mus__lattice_build(context, 4, xy, 0, NULL, grain, 0.01, &lattice), MUS_OK);
         ck_assert_int_eq(lattice.count, (m - 1) * 4);
         mus__lattice_free(context, &lattice);
     }
@@ -91,7 +91,7 @@ START_TEST(too_many_places_are_refused)
     mus_context *context = support_context();
     const double xy[] = {0, 0, 100, 0, 100, 100, 0, 100}, grain[2] = {0, 1};
     mus__lattice lattice;
-    ck_assert_int_eq(mus__lattice_build(context, 4, xy, grain, 0.001, &lattice), MUS_ERR_LIMIT);
+    ck_assert_int_eq(mus__lattice_build(context, 4, xy, 0, NULL, grain, 0.001, &lattice), MUS_ERR_LIMIT);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "2^27"));
     mus__lattice_free(context, &lattice);
     support_context_end(context);

@@ -96,6 +96,23 @@ static mus_status refuse_pleat(const edit_case *c, int32_t k, double bad)
 }
 
 
+static mus_status refuse_lay_pleats(const edit_case *c, int32_t k, double bad)
+{
+    const double s[2] = {k == 0 ? bad : 0.02, k == 1 ? bad : 0.06};
+    const double depth[2] = {k == 2 ? bad : 0.01, k == 3 ? bad : 0.01};
+    return k >= 4 ? MUS_NONE : mus_pattern_lay_pleats(c->pattern, c->waist, 2, s, depth);
+}
+
+
+static mus_status refuse_add_patch(const edit_case *c, int32_t k, double bad)
+{
+    double xy[6] = {0.05, 0.1, 0.05, 0.05, 0.1, 0.05};
+    if (k >= 6) return MUS_NONE;
+    xy[k] = bad;
+    return mus_pattern_add_patch(c->pattern, c->panel, "patch", 3, xy, NULL);
+}
+
+
 static mus_status refuse_lengthen(const edit_case *c, int32_t k, double bad)
 {
     const double point[2] = {k == 0 ? bad : 0.05, k == 1 ? bad : 0.1},
@@ -142,7 +159,8 @@ static mus_status refuse_fair_edge(const edit_case *c, int32_t k, double bad)
 static const edit_call edit_calls[] = {refuse_add_dart,     refuse_rotate_dart, refuse_split_dart, refuse_shorten_dart,
                                        refuse_dart_to_seam, refuse_separate,    refuse_add_facing, refuse_spread,
                                        refuse_flare,        refuse_pleat,       refuse_lengthen,   refuse_move_point,
-                                       refuse_move_control, refuse_redraw_edge, refuse_split_edge, refuse_fair_edge};
+                                       refuse_move_control, refuse_redraw_edge, refuse_split_edge, refuse_fair_edge,
+                                       refuse_lay_pleats,   refuse_add_patch};
 
 
 START_TEST(no_edit_takes_a_number_that_is_not_finite)
@@ -171,7 +189,7 @@ START_TEST(no_edit_takes_a_number_that_is_not_finite)
             }
         }
     }
-    ck_assert_int_eq(tried, 3 * 47);
+    ck_assert_int_eq(tried, 3 * 57);
     mus_pattern_destroy(copy);
     mus_pattern_destroy(c.pattern);
     support_context_end(context);

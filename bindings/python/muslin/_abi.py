@@ -147,6 +147,9 @@ MUS_HOLD_THIGH = 9
 MUS_HOLD_KNEE = 10
 MUS_HOLD_ANKLE = 11
 MUS_HOLD_COUNT = 12
+MUS_CLOSURE_NONE = 0
+MUS_CLOSURE_ZIP = 1
+MUS_CLOSURE_BUTTONS = 2
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
@@ -309,7 +312,8 @@ class mus_scan_report(Structure):
 
 class mus_seam_def(Structure):
     _fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
-                ("ease", c_double), ("tolerance", c_double)]
+                ("ease", c_double), ("tolerance", c_double), ("laid", c_int32), ("closure", c_int32),
+                ("open", c_int32), ("buttons", c_int32)]
 
 
 class mus_placement(Structure):
@@ -530,6 +534,7 @@ FUNCTIONS = {
     "mus_pattern_set_edge_elastic": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_seam_def_init": ("core", None, [POINTER(mus_seam_def), c_size_t]),
     "mus_pattern_add_seam": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_seam_def), POINTER(c_int32)]),
+    "mus_pattern_open_closures": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
     "mus_pattern_add_notch": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, POINTER(c_int32)]),
     "mus_pattern_add_mark": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p, c_int32, POINTER(c_double),
                                                POINTER(c_int32)]),
@@ -554,6 +559,8 @@ FUNCTIONS = {
     "mus_pattern_panel_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
+    "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
+                                          c_int32, POINTER(c_int32)]),
     "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
     "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
     "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
@@ -623,6 +630,8 @@ FUNCTIONS = {
     "mus_pattern_mirror_panel": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p, POINTER(c_int32)]),
     "mus_pattern_unfold": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_add_facing": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_char_p, POINTER(c_int32)]),
+    "mus_pattern_add_patch": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p, c_int32, POINTER(c_double),
+                                                POINTER(c_int32)]),
     "mus_pattern_remove_panel": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_remove_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_spread": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, c_double, c_double,
@@ -630,6 +639,8 @@ FUNCTIONS = {
     "mus_pattern_flare": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32, c_double]),
     "mus_pattern_pleat": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, c_double, c_double,
                                             c_double]),
+    "mus_pattern_lay_pleats": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_double),
+                                                 POINTER(c_double)]),
     "mus_pattern_lengthen": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double), POINTER(c_double),
                                                c_double]),
     "mus_pattern_move_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),

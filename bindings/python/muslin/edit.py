@@ -104,6 +104,11 @@ class Edits:
         """A facing sewn to a free edge."""
         return self._made("add_facing", edge, width, text(name))
 
+    def add_patch(self, panel, name, points):
+        """A patch sewn onto a panel along a line of points inside it, open between the ends of the line: its panel."""
+        places, n = doubles(points, 2)
+        return self._made("add_patch", panel, text(name), n, places)
+
     def remove_panel(self, panel):
         self.do("remove_panel", panel)
 
@@ -122,6 +127,12 @@ class Edits:
 
     def pleat(self, edge_a, s_a, edge_b, s_b, depth_a, depth_b):
         self.do("pleat", edge_a, s_a, edge_b, s_b, depth_a, depth_b)
+
+    def lay_pleats(self, edge, places, depths):
+        """Lay pleats on an edge: outer folds at arc lengths, each so deep, under what comes before it (depth > 0) or
+        after it."""
+        s, n = doubles(places)
+        self.do("lay_pleats", edge, n, s, doubles(depths)[0])
 
     def lengthen(self, panel, point, direction, amount):
         """What lies left of the line through `point` along `direction` moves by `amount`."""

@@ -67,10 +67,14 @@ class Pattern(Edits, Object):
         self.do("set_outline", panel, n, cells, signs)
 
     def add_seam(self, edge_a, edge_b, **options):
-        """Sew two edges. options: direction, ease, tolerance (mus_seam_def)."""
+        """Sew two edges. options: direction, ease, tolerance, laid, closure, open, buttons (mus_seam_def)."""
         definition = make_def(_abi.mus_seam_def, lib.mus_seam_def_init,
                               {"edge_a": edge_a, "edge_b": edge_b, **options})
         return self._add("add_seam", ctypes.byref(definition))
+
+    def open_closures(self, leave_open=True):
+        """Leave all zips and buttons open, or do them up: how many there are."""
+        return self._add("open_closures", 1 if leave_open else 0)
 
     def add_notch(self, edge, s, kind=1):
         return self._add("add_notch", edge, s, kind)
@@ -162,6 +166,13 @@ class Pattern(Edits, Object):
         n, edges, signs = ctypes.c_int32(), ctypes.POINTER(ctypes.c_int32)(), ctypes.POINTER(ctypes.c_int32)()
         self.do("outline", panel, ctypes.byref(n), ctypes.byref(edges), ctypes.byref(signs))
         return [(edges[i], signs[i]) for i in range(n.value)]
+
+    def rim(self, panel):
+        """[(edge, direction)] of what is cut: the outline without lines inside the panel."""
+        room = len(self.outline(panel))
+        edges, signs, n = (ctypes.c_int32 * room)(), (ctypes.c_int32 * room)(), ctypes.c_int32()
+        self.do("rim", panel, edges, signs, room, ctypes.byref(n))
+        return list(zip(edges[:n.value], signs[:n.value]))
 
     def panel(self, name):
         """Number of a panel by name; KeyError."""

@@ -199,6 +199,26 @@ MUS_API void mus_placement_init(mus_placement *placement, size_t size);
 MUS_API mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
 MUS_API mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t panel, mus_placement *out);
 
+/* ---- edit: garments over one another ---- */
+
+#define MUS_LAYERS_MOST 16
+
+/** Layer of a panel: 0 (the default) next to the skin, each next one worn over it. A drape with self_contact sews and
+ * drapes layer after layer, from inside to outside. Errors: MUS_ERR_ARG (layer outside 0 to 15). */
+MUS_API mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t layer);
+
+/** Layer of a panel, MUS_NONE for one that is unknown. */
+MUS_API int32_t mus_pattern_layer(const mus_pattern *pattern, int32_t panel);
+
+/**
+ * Another garment over a pattern: all cells of `other` are added to it, its panels in `layer`.
+ *
+ * Indices of the pattern stay; those of `other` go on behind them. A panel whose name is taken gets that of its pattern
+ * before it. Openings that the pattern declared are forgotten: garments over one another are no one garment.
+ * Errors: MUS_ERR_ARG (other NULL, layer outside 0 to 15), MUS_ERR_MEMORY; the pattern is then as it was.
+ */
+MUS_API mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int32_t layer);
+
 /* ---- query ---- */
 
 MUS_API int32_t mus_pattern_panel_count(const mus_pattern *pattern);

@@ -60,6 +60,7 @@ typedef struct mus__panel_mesh {
     int32_t lattice_count;
     int32_t first_triangle, triangle_count;
     int32_t first_border, border_count; /* in cloth->border */
+    int32_t layer;
     mus_placement placement;
 } mus__panel_mesh;
 
@@ -105,5 +106,11 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
 
 /* one more owner; mus_cloth_destroy() gives one up and frees at the last */
 mus_cloth *mus__cloth_retain(const mus_cloth *cloth);
+
+/* layer of a node's panel */
+static inline int32_t mus__cloth_layer(const mus_cloth *cloth, int32_t node)
+{
+    return cloth->npanel > 0 ? cloth->panel[cloth->node_panel[node]].layer : 0;
+}
 
 #endif

@@ -138,6 +138,11 @@ static mus_status read_making(const mus_json_at *root, mus_pattern *pattern)
             status = mus_pattern_set_cut(pattern, i, cut, mirror_of);
             if (status != MUS_OK) status = mus__json_wrap(&at, status);
         }
+        member = mus__json_member(&at, "layer");
+        int32_t layer = 0;
+        if (status == MUS_OK && member.json != NULL)
+            status = mus__json_integer(&member, 0, MUS_LAYERS_MOST - 1, &layer);
+        if (status == MUS_OK) status = mus_pattern_set_layer(pattern, i, layer);
         if (status == MUS_OK) status = read_placement(&at, pattern, i);
         if (status == MUS_OK) status = read_outline(&at, pattern, i);
     }

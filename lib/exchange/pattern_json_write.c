@@ -63,6 +63,8 @@ static mus_status put_panel(mus_sink *sink, const mus_pattern *pattern, int32_t 
     put_numbers(sink, 2, grain);
     mus__sink_print(sink, ", \"cut\": %d", (int)count);
     if (mirror_of >= 0) mus__sink_print(sink, ", \"mirror_of\": %d", (int)mirror_of);
+    if (mus_pattern_layer(pattern, panel) > 0)
+        mus__sink_print(sink, ", \"layer\": %d", (int)mus_pattern_layer(pattern, panel));
     mus__sink_print(sink, ",\n   \"placement\": {\"origin\": ");
     put_numbers(sink, 3, placement.origin);
     mus__sink_print(sink, ", \"rotation\": ");

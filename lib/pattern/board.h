@@ -53,7 +53,7 @@ typedef struct mus__board_side {
 typedef struct mus__board_panel {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
     int32_t first; /* a side of it, where its word begins; MUS_NONE: removed */
-    int32_t cut_count, mirror_of;
+    int32_t cut_count, mirror_of, layer;
     int32_t single; /* 1: on one half of a garment only, mus__board_double() leaves it alone */
     double grain[2];
     mus_placement placement;

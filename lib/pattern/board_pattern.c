@@ -72,6 +72,7 @@ static void board_read_panel(mus__board *board, const mus_pattern *pattern, int3
     *own = (mus__board_panel){.first = start,
                               .cut_count = from->cut_count,
                               .mirror_of = from->mirror_of,
+                              .layer = from->layer,
                               .grain = {from->grain[0], from->grain[1]},
                               .placement = from->placement};
     memcpy(own->name, from->name, sizeof own->name);
@@ -255,6 +256,7 @@ static mus_status board_write_panel(board_writer *w, int32_t index)
     if (status == MUS_OK) status = mus_pattern_set_panel_label(w->pattern, panel, from->label);
     if (status == MUS_OK) status = mus_pattern_set_grain(w->pattern, panel, from->grain[0], from->grain[1]);
     if (status == MUS_OK) status = mus_pattern_set_placement(w->pattern, panel, &from->placement);
+    if (status == MUS_OK) status = mus_pattern_set_layer(w->pattern, panel, from->layer);
     return status;
 }
 

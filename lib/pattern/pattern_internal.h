@@ -22,7 +22,7 @@
 
 typedef struct mus__panel {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
-    int32_t noutline, cut_count, mirror_of;
+    int32_t noutline, cut_count, mirror_of, layer;
     int32_t *outline; /* (noutline) edges, then (noutline) directions +1, -1; NULL without an outline */
     double grain[2];  /* unit vector along the warp */
     mus_placement placement;

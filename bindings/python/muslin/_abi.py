@@ -153,6 +153,7 @@ MUS_CLOSURE_BUTTONS = 2
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
+MUS_LAYERS_MOST = 16
 MUS_FAULT_OPEN_OUTLINE = 1
 MUS_FAULT_CROSSING = 2
 MUS_FAULT_SEAM_LENGTH = 3
@@ -545,6 +546,9 @@ FUNCTIONS = {
     "mus_placement_init": ("core", None, [POINTER(mus_placement), c_size_t]),
     "mus_pattern_set_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
     "mus_pattern_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
+    "mus_pattern_set_layer": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32]),
+    "mus_pattern_layer": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_join": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_pattern), c_int32]),
     "mus_pattern_panel_count": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_point_count": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_edge_count": ("core", c_int32, [POINTER(mus_pattern)]),

@@ -110,6 +110,17 @@ class Pattern(Edits, Object):
         """An elastic along an edge: length over that of the edge, and newton for double length (0: none)."""
         self.do("set_edge_elastic", edge, ratio, stiffness)
 
+    def set_layer(self, panel, layer):
+        """Layer of a panel, 0 next to the skin: a drape with self_contact sews them from inside to outside."""
+        self.do("set_layer", panel, layer)
+
+    def layer(self, panel):
+        return lib.mus_pattern_layer(self.handle, panel)
+
+    def join(self, other, layer):
+        """Another garment over this one: all cells of a pattern, its panels in `layer`."""
+        self.do("join", other.handle, layer)
+
     def set_grain(self, panel, x, y):
         """Direction of the warp in the plane of a panel."""
         self.do("set_grain", panel, x, y)

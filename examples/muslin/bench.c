@@ -38,7 +38,7 @@ bench_row bench_row_start(const char *name, int32_t precision, int32_t threads)
 {
     bench_row row = {.name = name, .precision = precision, .threads = threads};
     row.plain_s = row.cpu_per_second = row.fall = row.strain = row.reaction = NAN;
-    row.cpu_frame_ms = row.area = row.step = NAN;
+    row.cpu_frame_ms = row.area = row.step = row.over_off = NAN;
     return row;
 }
 
@@ -87,6 +87,7 @@ void bench_row_write(bench *b, const bench_row *row)
     write_figure(b, "fall_m", "fallen %.3f m at 0.5 s", row->fall);
     write_figure(b, "max_strain", "strain %.4f at rest", row->strain);
     write_figure(b, "reaction_over_weight", "reaction %.4f of the weight", row->reaction);
+    write_figure(b, "ratio_to_off", "%.2f x without", row->over_off);
     if (b->as_json) json_close(&b->j, '}');
     else printf("\n");
     fflush(stdout);
@@ -105,7 +106,7 @@ int command_bench(int argc, char **argv)
     bool as_json = false, all = false;
     const char *only = NULL;
     const option options[] = {{"--all", OPTION_FLAG, &all, 0, 0, "large cloths too, and scenes brought to rest"},
-                              {"--only", OPTION_TEXT, &only, 0, 0, "PART  speed, contact, body or scenes alone"},
+                              {"--only", OPTION_TEXT, &only, 0, 0, "PART  speed, contact, body, scenes, layers alone"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("bench", "Speed table: node evaluations a CPU second, whole scenes in CPU seconds.", options, argc,
@@ -113,8 +114,8 @@ int command_bench(int argc, char **argv)
         return EXIT_INPUT;
 
     if (only != NULL && !asked(only, "speed") && !asked(only, "contact") && !asked(only, "body") &&
-        !asked(only, "scenes"))
-        return complain(EXIT_INPUT, "bench", "--only %s: expected speed, contact, body or scenes", only);
+        !asked(only, "scenes") && !asked(only, "layers"))
+        return complain(EXIT_INPUT, "bench", "--only %s: expected speed, contact, body, scenes or layers", only);
 
     scene s;
     struct utsname machine;
@@ -129,6 +130,7 @@ int command_bench(int argc, char **argv)
     if (status == MUS_OK && asked(only, "contact")) status = bench_worn(&b);
     if (status == MUS_OK && asked(only, "body")) status = bench_body(&b);
     if (status == MUS_OK && asked(only, "scenes")) status = bench_scenes(&b, all);
+    if (status == MUS_OK && asked(only, "layers")) status = bench_layers(&b);
     if (status != MUS_OK) code = scene_fail(&s, status);
     json_close(&b.j, ']');
     json_close(&b.j, '}');

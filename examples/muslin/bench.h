@@ -20,6 +20,7 @@ typedef struct bench_row {
     double cpu_frame_ms;   /* CPU for a frame of 20 ms */
     double area;           /* of the garment [m2] */
     double step;           /* [s] */
+    double over_off;       /* of CPU time over that without what the row has */
 } bench_row;
 
 typedef struct bench {
@@ -40,11 +41,13 @@ plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell,
 /* CPU seconds of one evaluation of one node: of forces alone, or a quarter of a step of RK4 */
 double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps);
 
-/* the cases (bench_speed.c, bench_contact.c, bench_worn.c, bench_body.c, bench_scene.c) */
+/* the cases (bench_speed.c, bench_contact.c, bench_worn.c, bench_body.c, bench_scene.c,
+ * bench_layers.c) */
 mus_status bench_speed(bench *b, bool everything);
 mus_status bench_contact(bench *b);
 mus_status bench_worn(bench *b);
 mus_status bench_body(bench *b);
 mus_status bench_scenes(bench *b, bool everything);
+mus_status bench_layers(bench *b);
 
 #endif

@@ -70,7 +70,7 @@ static mus_status prepare(dress *d)
     def.threads = (int32_t)d->threads;
     def.precision = (int32_t)d->precision;
     def.friction = d->friction;
-    def.self_contact = d->self_contact;
+    def.self_contact = d->self_contact || d->over.count > 0;
     status = mus_drape_create(d->s.context, d->cloth, d->body, &def, &d->drape);
     return status == MUS_OK ? mus_drape_place(d->drape) : status;
 }
@@ -211,6 +211,8 @@ int32_t dress_options(dress *d, option *table)
 {
     const option options[] = {
         SOURCE_PATTERN(d->from),
+        {"--over", OPTION_LIST, &d->over, 0, 0,
+         "GARMENT  worn over it: a design, its words, a file; again: from inside to outside"},
         SOURCE_TAPE(d->from),
         SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
@@ -261,7 +263,8 @@ int dress_open(dress *d)
         d->body_seconds = seconds() - start;
     }
     if (code == EXIT_DONE && (d->mesh.file == NULL || d->from.pattern == NULL)) code = scene_tape(&d->s, &d->from);
-    return code == EXIT_DONE ? scene_pattern(&d->s, &d->from) : code;
+    if (code == EXIT_DONE) code = scene_pattern(&d->s, &d->from);
+    return code == EXIT_DONE ? scene_over(&d->s, &d->over) : code;
 }
 
 

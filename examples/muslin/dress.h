@@ -17,6 +17,7 @@ typedef struct dress {
     const char *batch; /* of the help alone: batch.c reads a batch */
     double spacing_mm, threads, precision, friction;
     bool as_json, quiet, self_contact, open;
+    texts over; /* garments over the first, with self_contact */
     motion moved;
     bool led; /* the animated file is written */
 

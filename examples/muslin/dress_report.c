@@ -122,7 +122,7 @@ void dress_describe(const dress *d, bool timed, json *j)
         json_number(j, "settle_time_s", r.settle_time);
         json_int(j, "spring_evaluations", r.spring_evaluations);
         json_int(j, "contact_queries", r.contact_queries);
-        if (d->self_contact) write_layers(d, &r, j);
+        if (d->self_contact || d->over.count > 0) write_layers(d, &r, j);
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }

@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "scene.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -104,4 +105,26 @@ int scene_pattern(scene *s, const source *from)
     }
     s->draft_seconds = seconds() - start;
     return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
+}
+
+
+int scene_over(scene *s, const texts *over)
+{
+    for (int32_t i = 0; i < over->count; i++) {
+        const char *what = over->at[i], *ending = strrchr(what, '.');
+        const int32_t design = mus_design_find(what);
+        const bool file = ending != NULL && (strcmp(ending, ".json") == 0 || strcmp(ending, ".yaml") == 0);
+        mus_pattern *more = NULL;
+        mus_status status;
+        if (!file && s->tape == NULL)
+            return complain(EXIT_INPUT, s->command, "--over %s: a design needs --tape FILE or --size SIZE", what);
+        if (file) status = mus_pattern_read(s->context, what, &more);
+        else if (design != MUS_NONE) status = mus_design_draft(s->context, design, s->tape, NULL, &more);
+        else status = mus_design_draft_words(s->context, what, s->tape, NULL, &more);
+        if (status == MUS_OK) status = mus_pattern_join(s->pattern, more, i + 1);
+        mus_pattern_destroy(more);
+        if (status != MUS_OK)
+            return complain(failure_code(status), s->command, "--over %s: %s", what, mus_context_error(s->context));
+    }
+    return EXIT_DONE;
 }

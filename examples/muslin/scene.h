@@ -39,6 +39,8 @@ void scene_close(scene *s);
 int scene_tape(scene *s, const source *from);
 /* Draft the design or read the pattern. */
 int scene_pattern(scene *s, const source *from);
+/* Garments over that one, from inside to outside: each a named design, a file, or words. */
+int scene_over(scene *s, const texts *over);
 
 /* The exit code that fits a status that is not MUS_OK. */
 int failure_code(mus_status status);

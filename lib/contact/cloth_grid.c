@@ -110,9 +110,49 @@ static int32_t grid_sort(mus__cloth_grid *grid, int32_t n, float reach)
 }
 
 
-void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, mus__cloth_pair_fn fn, void *user)
+/* box number i of the sorted ones with those of a cell from number j on; some: with none that comes to i by itself */
+static void grid_meet(const mus__cloth_grid *grid, int32_t i, int32_t j, int32_t end, float reach, const uint8_t *some,
+                      mus__cloth_pair_fn fn, void *user)
+{
+    const float *a = grid->sorted + 6 * (int64_t)i;
+    const float l0 = a[0] - reach, l1 = a[1] - reach, l2 = a[2] - reach;
+    const float h0 = a[3] + reach, h1 = a[4] + reach, h2 = a[5] + reach;
+    const int32_t s = grid->item[i];
+    for (; j < end; j++) {
+        const float *b = grid->sorted + 6 * (int64_t)j;
+        if (b[3] < l0 || b[0] > h0 || b[4] < l1 || b[1] > h1 || b[5] < l2 || b[2] > h2) continue;
+        const int32_t t = grid->item[j];
+        if (some != NULL && (t == s || (some[t] && t < s))) continue;
+        fn(user, s < t ? s : t, s < t ? t : s);
+    }
+}
+
+
+/* of some boxes with all in their cell and the 26 round it */
+static void grid_some(const mus__cloth_grid *grid, int32_t cells, float reach, const uint8_t *some,
+                      mus__cloth_pair_fn fn, void *user)
+{
+    for (int32_t c = 0; c < cells; c++)
+        for (int32_t i = grid->start[c]; i < grid->start[c + 1]; i++) {
+            if (!some[grid->item[i]]) continue;
+            for (int32_t k = 0; k < 27; k++) {
+                const int64_t key = grid->key[c] + grid_key(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1);
+                const int32_t other = grid_find(grid, key)->cell;
+                if (other != MUS_NONE)
+                    grid_meet(grid, i, grid->start[other], grid->start[other + 1], reach, some, fn, user);
+            }
+        }
+}
+
+
+void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, const uint8_t *some, mus__cloth_pair_fn fn,
+                           void *user)
 {
     const int32_t cells = n > 0 ? grid_sort(grid, n, reach) : 0;
+    if (some != NULL) {
+        grid_some(grid, cells, reach, some, fn, user);
+        return;
+    }
     for (int32_t c = 0; c < cells; c++) {
         const int32_t first = grid->start[c], end = grid->start[c + 1];
         for (int32_t k = 0; k < 14; k++) {
@@ -121,17 +161,8 @@ void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, mus__c
             const mus__cloth_slot *slot = k > 0 ? grid_find(grid, grid->key[c] + grid_key(dx, dy, dz)) : NULL;
             const int32_t other = slot != NULL ? slot->cell : c;
             if (other == MUS_NONE) continue;
-            for (int32_t i = first; i < end; i++) {
-                const float *a = grid->sorted + 6 * (int64_t)i;
-                const float l0 = a[0] - reach, l1 = a[1] - reach, l2 = a[2] - reach;
-                const float h0 = a[3] + reach, h1 = a[4] + reach, h2 = a[5] + reach;
-                for (int32_t j = k > 0 ? grid->start[other] : i + 1; j < grid->start[other + 1]; j++) {
-                    const float *b = grid->sorted + 6 * (int64_t)j;
-                    if (b[3] < l0 || b[0] > h0 || b[4] < l1 || b[1] > h1 || b[5] < l2 || b[2] > h2) continue;
-                    const int32_t s = grid->item[i], t = grid->item[j];
-                    fn(user, s < t ? s : t, s < t ? t : s);
-                }
-            }
+            for (int32_t i = first; i < end; i++)
+                grid_meet(grid, i, k > 0 ? grid->start[other] : i + 1, grid->start[other + 1], reach, NULL, fn, user);
         }
     }
 }

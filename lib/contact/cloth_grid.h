@@ -31,7 +31,9 @@ typedef void (*mus__cloth_pair_fn)(void *user, int32_t a, int32_t b);
 
 mus_status mus__cloth_grid_create(mus_context *context, int32_t capacity, mus__cloth_grid *grid);
 void mus__cloth_grid_destroy(mus_context *context, mus__cloth_grid *grid);
-/* fn(user, a, b), a < b, for every two of the first n boxes that are at most `reach` apart along each axis */
-void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, mus__cloth_pair_fn fn, void *user);
+/* fn(user, a, b), a < b, for every two of the first n boxes that are at most `reach` apart along each axis; some (n)
+ * not NULL: of which one has a nonzero there */
+void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, const uint8_t *some, mus__cloth_pair_fn fn,
+                           void *user);
 
 #endif

@@ -90,7 +90,8 @@ static void self_thickness(mus__cloth_self *self)
                 self->thick[corner[k]] = (float)(SELF_FLAT * height);
     }
     const double mean = flat->ntriangle > 0 ? edges / flat->ntriangle : 0.0;
-    self->skin = fmax(SELF_SKIN * mean, 0.5 * self->thickness);
+    self->edge = mean;
+    self->skin = self->widest = fmax(SELF_SKIN * mean, 0.5 * self->thickness);
 }
 
 
@@ -118,6 +119,8 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
         {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
         {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
         {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
+        {&self->drift, planes, real},                     {&self->worn, nodes, 1},
+        {&self->some, flat->ntriangle, 1},                {&self->at, 8 * (int64_t)n, real},
         {&self->force, planes, real},                     {&self->before, planes, real},
         {&self->ground, planes, real},                    {&self->level, nodes, 1},
         {&self->last, nodes, 1},                          {&self->tangle, nodes, 1},
@@ -137,7 +140,7 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
     mus__cloth_classes(flat->nodes, flat->npair, flat->pair, self->class_of);
     self_groups(self);
     self_thickness(self);
-    mus__cloth_self_weld(self, NULL);
+    mus__cloth_self_weld(self, NULL, NULL, 0);
     *out = self;
     return MUS_OK;
 }
@@ -149,8 +152,9 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     mus_context *context = self->context;
     mus__cloth_grid_destroy(context, &self->grid);
     void *blocks[] = {self->class_of, self->group,  self->triangle, self->own,  self->thick,
-                      self->ball,     self->home,   self->force,    self->before, self->ground,
-                      self->level,    self->last,   self->tangle,   self->pair, self->touch};
+                      self->ball,     self->home,   self->drift,  self->worn,
+                      self->some,     self->at,     self->force,  self->before, self->ground,
+                      self->level,    self->last,   self->tangle, self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
 }
@@ -165,12 +169,13 @@ static int self_by_edge(const void *left, const void *right)
 }
 
 
-void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep)
+void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32_t *flags, int32_t absent)
 {
     const int32_t *triangle = self->flat.triangle;
     self->ntriangle = 0;
     for (int64_t t = 0; t < self->flat.ntriangle; t++) {
         int32_t *to = self->triangle + 3 * (int64_t)self->ntriangle;
+        if (flags != NULL && (flags[triangle[3 * t]] & absent)) continue;
         for (int32_t k = 0; k < 3; k++) {
             const int32_t node = triangle[3 * t + k];
             to[k] = rep != NULL ? rep[node] : node;
@@ -204,6 +209,12 @@ void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep)
         if (e == 0 || edge[e].low != edge[e - 1].low || edge[e].high != edge[e - 1].high)
             self->own[edge[e].at / 8] |= (uint8_t)(8 << edge[e].at % 8);
     self->stale = 1;
+}
+
+
+int32_t mus__cloth_self_short(const mus__cloth_self *self, double h)
+{
+    return !(self->since + h <= self->holds);
 }
 
 

@@ -9,7 +9,12 @@
  *   never touch. Two triangles that do not cross can begin to only where such a pair touches. So where no triangles
  *   cross, none ever will: at any speed, in any step, whatever forces and other contact do to the nodes.
  *
- *   look:   near pairs are taken anew from a grid, when a node has gone farther than the list reaches (`skin`)
+ * All of this may go along: a node's ball drifts with the speed that the node had of late, and of each pair's room the
+ * part is left out by which the drifts of its nodes can differ until balls are taken anew. Seen by who drifts with the
+ * pair, nothing else has changed. Cloth that falls or walks at any speed is looked at as often as cloth that ripples.
+ *
+ *   look:   near pairs are taken anew from a grid, when the list is older than it was made for; those of nodes that
+ *           have gone farther from their way than the list reaches (`skin`) when there are such
  *   ball:   distances of the pairs in the list, and from them the balls, when a node comes to the end of its ball
  *   touch:  pairs that may be nearer than the thickness answer each call: impulses that end their approach, friction
  *           up to mu times these, and a push apart. Each starts from what it gave in the last call, so that what
@@ -50,7 +55,13 @@ typedef struct mus__cloth_self {
     int32_t n, nodes;      /* from plane to plane; nodes */
     int32_t ntriangle;     /* with corners of three classes */
     double thickness, friction;
+    double edge;           /* mean of the triangles' [m] */
+    double widest;         /* skin with room for all pairs [m] */
     double skin;           /* how far nodes may go until the list is made anew; as the memory allows [m] */
+    double age, span;      /* [s] of the list; how old it may become */
+    double since, holds;   /* [s] since the balls were taken; how long they hold */
+    double mean[3];        /* of the drifts */
+    int32_t drifts;        /* nonzero: any node has a drift */
     int32_t stale;         /* nonzero: places were changed from outside */
     int32_t full;          /* nonzero: there is no memory for the pairs, and nothing moves until there is */
     int32_t *class_of;     /* (nodes) nodes that seams join have one */
@@ -61,7 +72,10 @@ typedef struct mus__cloth_self {
     float *thick;          /* (nodes) where triangles of seams are: half the least height there; else the thickness */
     void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
     void *home;            /* (3 n) where each was when the list was made */
+    void *drift;           /* (3 n) velocities with which balls and homes go along [m/s] */
     void *force;           /* (3 n) impulses since the caller cleared them [N s] */
+    void *at;              /* (8 n) of a search: where homes are now and at the end, node by node */
+    uint8_t *worn, *some;  /* (nodes) listed anew now; (ntriangle) with such a node */
     int32_t tangled;       /* nodes that are part of a crossing: 0, or what is said above does not hold for them */
     uint8_t *tangle;       /* (nodes) nonzero for these */
     void *before;          /* (3 n) velocities before the body gave its answer in this step, written by the stepper */
@@ -98,13 +112,17 @@ void mus__cloth_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32
 mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, const mus__cloth_flat *flat,
                                   double thickness, double friction, mus__cloth_self **out);
 void mus__cloth_self_destroy(mus__cloth_self *self);
-/* triangles are now those of the nodes that stand for each: rep (nodes), NULL: each for itself */
-void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep);
+/* triangles are now those of the nodes that stand for each: rep (nodes), NULL: each for itself; without those of nodes
+ * that have any of the bits of `absent` in flags (nodes) */
+void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32_t *flags, int32_t absent);
 /* between steps: which nodes are part of a crossing at x (nodes x 3); returns how many pairs of triangles cross. fn as
  * of mus__cloth_crossings, may be NULL */
 int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__crossing_fn fn, void *user);
 /* between steps: room for twice the pairs that there were, where it became narrow */
 mus_status mus__cloth_self_grow(mus__cloth_self *self);
+
+/* before steps of h: nonzero when balls do not hold so long, and are to be looked at first */
+int32_t mus__cloth_self_short(const mus__cloth_self *self, double h);
 
 /* before a step, where places were changed from outside: x planes (3 x n) */
 void mus__cloth_self_look_f32(mus__cloth_self *self, const float *x);

@@ -389,7 +389,7 @@ mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
     if (drape == NULL) return MUS_ERR_ARG;
     if (node < 0 || node >= drape->n)
         return mus__fail(drape->context, MUS_ERR_ARG, "drape: node %d, expected 0 to %d", (int)node, (int)drape->n - 1);
-    drape->pinned[drape->rep[node]] = fixed != 0;
+    drape->pinned[drape->rep[node]] = fixed != 0 ? MUS__PINNED : 0;
     drape->sewn_so = 0;
     if (fixed) {
         memset(drape->v + 3 * (int64_t)drape->rep[node], 0, 3 * sizeof *drape->v);

@@ -13,6 +13,13 @@
 #include "drape/transfer.h"
 #include "muslin/drape.h"
 
+/* bits of mus_drape.pinned: held by the caller, or by layers.c until its layer is sewn */
+#define MUS__PINNED 1
+#define MUS__WAITS 2
+
+/* [m] a layer of panels starts so much farther out than the one below it */
+#define MUS__LAYER_OUT 0.02
+
 /* a plane: where it was at `time`, and how it moves since */
 typedef struct mus__drape_plane {
     mus_plane added; /* as the caller gave it, its normal a unit */
@@ -67,7 +74,7 @@ struct mus_drape {
     double *mass;       /* (n) after welding; 0 for nodes that another stands for */
     double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
     int32_t *rep;       /* (n) node that stands for each; itself when not welded */
-    int32_t *pinned;    /* (n) */
+    int32_t *pinned;    /* (n) nonzero: held; bits MUS__PINNED, MUS__WAITS */
 
     /* of mus_drape_step: as last looked at, bound 0 when something changed since */
     double bound, energy, active; /* [s]; [J] all, kinetic and elastic */
@@ -122,6 +129,8 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
+/* those of the panels of a layer, `out` farther along their normals; the others stay */
+void mus__cloth_place_out(const mus_cloth *cloth, int32_t layer, double out, double *x);
 
 /* ---- surfaces that move, nodes that are fast (glide.c, plane.c, stance.c) ---- */
 
@@ -202,7 +211,10 @@ mus_status mus__drape_start(const mus_drape *drape, mus_reason *out);
 void mus__drape_open(mus_drape *drape);
 /* of a seam pair near the end [N/m]: more than the cloth that it joins, so that a tight seam closes */
 double mus__drape_pair_stiffness(const mus_drape *drape);
+/* what does not wait */
 void mus__drape_weld(mus_drape *drape);
+/* seams that were open when this layer's sewing began are again, nodes at x (n x 3) */
+void mus__drape_reopen(mus_drape *drape, const double *x);
 
 /* ---- forces in double, plain form (forces.c) ---- */
 
@@ -240,5 +252,16 @@ mus_status mus__drape_near(mus_drape *drape);
  * destroyed; a first that fails for memory gives it back */
 mus_status mus__drape_scratch(mus_drape *drape);
 void mus__drape_scratch_free(mus_drape *drape);
+
+/* ---- garments over one another (layers.c) ---- */
+
+typedef mus_status (*mus__drape_sew_fn)(mus_drape *drape, mus__run *run);
+
+/* nonzero: panels are in several layers, and cloth meets cloth */
+int32_t mus__drape_layered(const mus_drape *drape);
+/* sew and let down layer after layer; `all` sews on every cut, `here` on this one */
+mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew_fn all, mus__drape_sew_fn here);
+/* what is sewn falls on this cut until it nearly rests (settle.c) */
+mus_status mus__drape_let_down(mus_drape *drape, mus__run *run);
 
 #endif

@@ -212,9 +212,11 @@ double mus__drape_residual(const mus_drape *drape, const double *x)
 double mus__drape_gap(const mus_drape *drape, int32_t *seam)
 {
     const mus_cloth *cloth = drape->cloth;
+    const int32_t waits = drape->plan.wait_from;
     double most = 0.0;
     if (seam != NULL) *seam = MUS_NONE;
     for (int32_t p = 0; p < cloth->npair; p++) {
+        if (waits > 0 && mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits) continue;
         const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
                      *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};

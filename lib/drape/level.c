@@ -38,9 +38,8 @@ void mus__drape_coarse_destroy(mus_drape *drape)
 static void restrict_pins(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse;
-    memset(coarse->pinned, 0, (size_t)coarse->n * sizeof *coarse->pinned);
     for (int32_t i = 0; i < drape->n; i++) {
-        if (!drape->pinned[i]) continue;
+        if (!(drape->pinned[i] & MUS__PINNED)) continue;
         const int32_t *node = drape->up.node + 3 * (int64_t)i;
         const float *weight = drape->up.weight + 3 * (int64_t)i;
         int32_t k = 0;
@@ -48,7 +47,7 @@ static void restrict_pins(mus_drape *drape)
         if (weight[2] > weight[k]) k = 2;
         const int32_t held = coarse->rep[node[k]];
         if (coarse->pinned[held]) continue;
-        coarse->pinned[held] = 1;
+        coarse->pinned[held] = MUS__PINNED;
         memcpy(coarse->x + 3 * (int64_t)held, drape->x + 3 * (int64_t)i, 3 * sizeof *coarse->x);
     }
 }
@@ -59,6 +58,11 @@ void mus__drape_restrict(mus_drape *drape)
     mus_drape *coarse = drape->coarse;
     memcpy(coarse->def.gravity, drape->def.gravity, sizeof coarse->def.gravity); /* it may have changed since */
     mus__drape_hold(coarse);
+    const int32_t waits = drape->plan.open_from > 0 ? drape->plan.open_from : drape->plan.wait_from;
+    coarse->plan.open_from = 0;
+    coarse->plan.wait_from = waits;
+    for (int32_t i = 0; i < coarse->n; i++)
+        coarse->pinned[i] = waits > 0 && mus__cloth_layer(coarse->cloth, i) >= waits ? MUS__WAITS : 0;
     mus__drape_open(coarse);
     mus__transfer_apply(&drape->down, drape->x, coarse->x);
     mus__transfer_apply(&drape->down, drape->v, coarse->v);

@@ -23,16 +23,33 @@ static void place_point(const mus_placement *place, double x, double y, double *
 }
 
 
+/* a node's place when its panel starts `out` farther along its normal */
+static void place_node(const mus_cloth *cloth, int32_t i, double out, double *x)
+{
+    mus_placement place = cloth->panel[cloth->node_panel[i]].placement;
+    if (out > 0.0) {
+        for (int32_t d = 0; d < 3; d++) place.origin[d] += out * place.rotation[3 * d + 2];
+        if (place.bend > 0.0) place.bend += out;
+    }
+    place_point(&place, cloth->rest[2 * (int64_t)i], cloth->rest[2 * (int64_t)i + 1], x + 3 * (int64_t)i);
+}
+
+
+void mus__cloth_place_out(const mus_cloth *cloth, int32_t layer, double out, double *x)
+{
+    for (int32_t i = 0; i < cloth->nnode; i++)
+        if (mus__cloth_layer(cloth, i) == layer) place_node(cloth, i, out, x);
+}
+
+
 void mus__cloth_place(const mus_cloth *cloth, double *x)
 {
     if (cloth->place != NULL) {
         memcpy(x, cloth->place, 3 * (size_t)cloth->nnode * sizeof *x);
         return;
     }
-    for (int32_t i = 0; i < cloth->nnode; i++) {
-        const mus_placement *place = &cloth->panel[cloth->node_panel[i]].placement;
-        place_point(place, cloth->rest[2 * (int64_t)i], cloth->rest[2 * (int64_t)i + 1], x + 3 * (int64_t)i);
-    }
+    for (int32_t i = 0; i < cloth->nnode; i++)
+        place_node(cloth, i, MUS__LAYER_OUT * mus__cloth_layer(cloth, i), x);
 }
 
 
@@ -41,6 +58,7 @@ mus_status mus_drape_place(mus_drape *drape)
     if (drape == NULL) return MUS_ERR_ARG;
     mus__cloth_place(drape->cloth, drape->x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
+    drape->plan.open_from = 0;
     mus__drape_open(drape);
     mus__drape_push(drape);
     mus__drape_publish(drape);
@@ -79,6 +97,7 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
     if (from == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: the drape to start from is NULL");
     const mus_status status = find_places(drape, from);
     if (status != MUS_OK) return status;
+    drape->plan.open_from = 0;
     mus__drape_open(drape);
     memcpy(drape->x, drape->force, 3 * (size_t)drape->n * sizeof *drape->x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);

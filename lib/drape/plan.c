@@ -140,10 +140,21 @@ static mus_status build_elements(mus_context *context, const mus_cloth *cloth, m
 
 
 /* append hinges with their nodes renamed; a hinge that welding folded onto itself (two nodes the same) is left out */
-static void add_hinges(mus__plan *plan, const mus__hinge *hinges, int32_t n, const int32_t *rep)
+/* nonzero when the seams of a node's panel are open */
+static int32_t is_open(const mus_cloth *cloth, const int32_t *rep, const mus__plan *plan, int32_t node)
 {
+    return rep == NULL || (plan->open_from > 0 && mus__cloth_layer(cloth, node) >= plan->open_from);
+}
+
+
+/* hinges within panels, or those across seams that are closed */
+static void add_hinges(mus__plan *plan, const mus_cloth *cloth, int32_t across, const int32_t *rep)
+{
+    const mus__hinge *hinges = across ? cloth->seam_hinge : cloth->hinge;
+    const int32_t n = across ? cloth->nseam_hinge : cloth->nhinge;
     for (int32_t h = 0; h < n; h++) {
         mus__hinge hinge = hinges[h];
+        if (across && is_open(cloth, rep, plan, hinge.node[0])) continue;
         if (rep != NULL) {
             int32_t *i = hinge.node;
             for (int32_t k = 0; k < 4; k++) i[k] = rep[i[k]];
@@ -188,21 +199,25 @@ static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan 
         const double mass = 0.5 * (cloth->mass[spring.a] + cloth->mass[spring.b]);
         if (rep != NULL) spring.a = rep[spring.a], spring.b = rep[spring.b];
         if (spring.a == spring.b) continue;
-        if (spring.kind == MUS__SPRING_ELASTIC && rep == NULL && cloth->npair > 0) spring.k *= OPEN_ELASTIC;
+        if (spring.kind == MUS__SPRING_ELASTIC && cloth->npair > 0 && is_open(cloth, rep, plan, spring.a))
+            spring.k *= OPEN_ELASTIC;
         plan->spring_dashpot[plan->nspring] = cloth->dashpot != NULL
                                                   ? cloth->dashpot[s]
                                                   : 2.0 * cloth->fabric.damping * sqrt(0.5 * spring.k * mass);
         plan->spring[plan->nspring++] = spring;
     }
     fill_held(cloth, rep, plan);
-    add_hinges(plan, cloth->hinge, cloth->nhinge, rep);
-    if (rep != NULL) {
-        add_hinges(plan, cloth->seam_hinge, cloth->nseam_hinge, rep);
-    } else {
-        for (int32_t p = 0; p < cloth->npair; p++)
-            plan->pair[p] = (mus__pair){cloth->pair[2 * p], cloth->pair[2 * p + 1], 0, 0.0, cloth->pair_length[p],
-                                        {0.0, 0.0, 0.0}};
-        plan->npair = cloth->npair;
+    add_hinges(plan, cloth, 0, rep);
+    add_hinges(plan, cloth, 1, rep);
+
+    /* pairs of seams that are open and do not wait */
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        const int32_t a = cloth->pair[2 * p], b = cloth->pair[2 * p + 1];
+        if (!is_open(cloth, rep, plan, a) && !is_open(cloth, rep, plan, b)) continue;
+        if (plan->wait_from > 0 &&
+            (mus__cloth_layer(cloth, a) >= plan->wait_from || mus__cloth_layer(cloth, b) >= plan->wait_from))
+            continue;
+        plan->pair[plan->npair++] = (mus__pair){a, b, 0, 0.0, cloth->pair_length[p], {0.0, 0.0, 0.0}};
     }
 
     /* springs counted once: half runs make two of each, half bends three */

@@ -152,6 +152,8 @@ typedef struct mus__plan {
     int32_t shape_capacity, table_capacity;
     int64_t spring_evaluations; /* a force evaluation makes, each spring counted once */
     int32_t dashpots;           /* nonzero: any dashpot constant is */
+    int32_t open_from;          /* panels from this layer on are open where others are welded; 0: all are welded */
+    int32_t wait_from;          /* panels from this layer on wait, their seams do not pull; 0: none wait */
     double seam_pull;           /* tension that the pairs pull with now [N per m] */
 } mus__plan;
 
@@ -159,7 +161,8 @@ typedef struct mus__plan {
  * mus__plan_clear) */
 mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__plan *plan);
 void mus__plan_clear(mus_context *context, mus__plan *plan);
-/* open seams again (rep NULL) or weld: rep (nnode) is the node that stands for each; within the memory of build */
+/* open seams again (rep NULL) or weld: rep (nnode) is the node that stands for each, but for what open_from leaves
+ * open; within the memory of build */
 void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
 
 /* ---- parts of the two above (blocks.c, gather.c, lists.c) ---- */

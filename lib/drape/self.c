@@ -33,7 +33,8 @@ mus_status mus__drape_self_create(mus_drape *drape)
 
 void mus__drape_self_weld(mus_drape *drape)
 {
-    if (drape->self != NULL) mus__cloth_self_weld(drape->self, drape->welded ? drape->rep : NULL);
+    if (drape->self == NULL) return;
+    mus__cloth_self_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
 }
 
 
@@ -41,6 +42,9 @@ void mus__drape_self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
     sim->self_rule = (mus__cloth_rule){h, sim->rule.slip, SELF_PUSH_SPEED * h, drape->collider != NULL};
+    if (sim->self == NULL || sim->self->stale || !mus__cloth_self_short(sim->self, h)) return;
+    sim->self->stale = 1;
+    sim->ops->look(sim);
 }
 
 

@@ -247,6 +247,15 @@ static mus_status settle_levels(mus_drape *drape, mus__run *run, const settling 
 }
 
 
+mus_status mus__drape_let_down(mus_drape *drape, mus__run *run)
+{
+    const settling rough = {FALL_SECONDS, ROUGH_SECONDS, ROUGH_RESIDUAL, ROUGH_DRIFT};
+    const mus_status status = relax(drape, run, &rough);
+    mus__drape_publish(drape);
+    return status == MUS_ERR_UNSETTLED && !run->slid ? MUS_OK : status;
+}
+
+
 mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;

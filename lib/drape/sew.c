@@ -226,9 +226,8 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     status = sew_here(drape, run, true);
     if (status == MUS_ERR_SEW && !run->stop) {
-        mus__drape_open(drape);
-        status = mus_drape_set_state(drape, drape->mean, NULL);
-        if (status == MUS_OK) status = sew_here(drape, run, false);
+        mus__drape_reopen(drape, drape->mean);
+        status = sew_here(drape, run, false);
     }
     if (status == MUS_ERR_MEMORY && first) mus__drape_scratch_free(drape);
     return status;
@@ -262,7 +261,7 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
 mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;
-    if (drape->welded || drape->cloth->npair == 0) return MUS_OK;
+    if ((drape->welded && drape->plan.open_from == 0) || drape->cloth->npair == 0) return MUS_OK;
     const mus_status status = mus__drape_still(drape, "sew");
     if (status != MUS_OK) return status;
     mus__run run;
@@ -270,7 +269,8 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     mus_reason_init(&drape->reason, sizeof drape->reason);
     const mus_status looked = mus__drape_start(drape, &drape->start);
     if (looked != MUS_OK) return looked;
-    const mus_status done = sew_levels(drape, &run);
+    const mus_status done = mus__drape_layered(drape) ? mus__drape_sew_layers(drape, &run, sew_levels, sew_tries)
+                                                      : sew_levels(drape, &run);
     mus__drape_reason_status(drape, done);
     return done;
 }

@@ -42,12 +42,16 @@ static int32_t find_root(int32_t *rep, int32_t i)
 }
 
 
-void mus__drape_weld(mus_drape *drape)
+/* the seams of panels below a layer, 0: all */
+static void weld_below(mus_drape *drape, int32_t waits)
 {
     const mus_cloth *cloth = drape->cloth;
     int32_t *rep = drape->rep;
     mus__drape_publish(drape);
     for (int32_t p = 0; p < cloth->npair; p++) {
+        if (waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
+                          mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
+            continue;
         const int32_t a = find_root(rep, cloth->pair[2 * p]), b = find_root(rep, cloth->pair[2 * p + 1]);
         if (a < b) rep[b] = a;
         else rep[a] = b;
@@ -66,15 +70,34 @@ void mus__drape_weld(mus_drape *drape)
         }
         mass[r] = total;
         mass[i] = 0.0;
-        if (drape->pinned[i]) drape->pinned[r] = 1;
+        drape->pinned[r] |= drape->pinned[i];
     }
     for (int32_t i = 0; i < drape->n; i++)
         if (drape->pinned[rep[i]]) memset(v + 3 * (int64_t)rep[i], 0, 3 * sizeof *v);
 
+    drape->plan.open_from = waits;
     mus__plan_weld(cloth, rep, &drape->plan);
     drape->welded = 1;
     mus__drape_self_weld(drape);
     memset(drape->sim.f, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);
     mus__drape_push(drape);
+    mus__drape_publish(drape);
+}
+
+
+void mus__drape_weld(mus_drape *drape)
+{
+    weld_below(drape, drape->plan.wait_from);
+}
+
+
+void mus__drape_reopen(mus_drape *drape, const double *x)
+{
+    const int32_t below = drape->welded ? drape->plan.open_from : 0;
+    mus__drape_open(drape);
+    memcpy(drape->x, x, 3 * (size_t)drape->n * sizeof *x);
+    memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *x);
+    mus__drape_push(drape);
+    if (below > 0) weld_below(drape, below);
     mus__drape_publish(drape);
 }

@@ -200,7 +200,7 @@ START_TEST(the_grid_finds_every_near_pair_once)
                 grid.box[6 * i + d] = (float)low;
                 grid.box[6 * i + 3 + d] = (float)(low + support_uniform(&state, 0.0, 0.3));
             }
-        mus__cloth_grid_pairs(&grid, TRIANGLES, reach, mark, m);
+        mus__cloth_grid_pairs(&grid, TRIANGLES, reach, NULL, mark, m);
         for (int a = 0; a < TRIANGLES; a++)
             for (int b = a + 1; b < TRIANGLES; b++) {
                 int near = 1;

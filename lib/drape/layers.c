@@ -1,0 +1,114 @@
+/*
+ * layers.c: garments over one another, sewn one after the other from inside to outside.
+ *
+ * What is to be sewn later waits: held where it starts, met by nothing. The innermost layer is sewn and let down as if
+ * it were alone. Each next one starts where it crosses nothing of what is worn: along its panels' normals, all of them
+ * equally far, until an exact count finds no crossing. Then its seams are drawn shut round what is worn, which is cloth
+ * by now and part of what it meets, and it is let down too. Only the finest cut knows several layers: coarse ones of
+ * cloth that lies on cloth would cross.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+
+#define LAYERS_TRIALS 24 /* of starts, each farther out */
+
+
+/* the first layer from `from` on that any panel is in, 0 when there is none */
+static int32_t layers_next(const mus_cloth *cloth, int32_t from)
+{
+    int32_t next = 0;
+    for (int32_t p = 0; p < cloth->npanel; p++) {
+        const int32_t layer = cloth->panel[p].layer;
+        if (layer >= from && (next == 0 || layer < next)) next = layer;
+    }
+    return next;
+}
+
+
+/* panels from layer `from` on wait, 0: none do */
+static void layers_wait(mus_drape *drape, int32_t from)
+{
+    drape->plan.wait_from = from;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const int32_t waits = from > 0 && mus__cloth_layer(drape->cloth, i) >= from;
+        drape->pinned[i] = (drape->pinned[i] & ~MUS__WAITS) | (waits ? MUS__WAITS : 0);
+    }
+    mus__plan_weld(drape->cloth, drape->welded ? drape->rep : NULL, &drape->plan);
+    mus__drape_self_weld(drape);
+    mus__drape_push(drape);
+}
+
+
+/* crossings of a layer with others */
+typedef struct layers_met {
+    const mus_cloth *cloth;
+    int32_t layer;
+    int64_t count;
+} layers_met;
+
+
+static void layers_note(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
+{
+    layers_met *found = user;
+    const int32_t *triangle = found->cloth->triangle;
+    (void)p;
+    (void)q;
+    const int32_t a = mus__cloth_layer(found->cloth, triangle[3 * (int64_t)of]);
+    const int32_t b = mus__cloth_layer(found->cloth, triangle[3 * (int64_t)met]);
+    found->count += a != b && (a == found->layer || b == found->layer) && a <= found->layer && b <= found->layer;
+}
+
+
+/* a layer to where it starts, clear of those below it */
+static void layers_start(mus_drape *drape, int32_t layer)
+{
+    const mus_cloth *cloth = drape->cloth;
+    mus__cloth_self *self = drape->self;
+    layers_met found = {cloth, layer, 0};
+    mus__drape_publish(drape);
+    for (int32_t k = 0; k < LAYERS_TRIALS; k++) {
+        mus__cloth_place_out(cloth, layer, MUS__LAYER_OUT * (layer + k), drape->x);
+        found.count = 0;
+        mus__cloth_crossings(&self->grid, cloth->ntriangle, cloth->triangle, self->class_of, drape->x, layers_note,
+                             &found);
+        if (found.count == 0) break;
+    }
+    for (int32_t i = 0; i < drape->n; i++)
+        if (mus__cloth_layer(cloth, i) == layer) memset(drape->v + 3 * (int64_t)i, 0, 3 * sizeof *drape->v);
+    mus__drape_push(drape);
+}
+
+
+int32_t mus__drape_layered(const mus_drape *drape)
+{
+    const int32_t first = drape->cloth->npanel > 0 ? drape->cloth->panel[0].layer : 0;
+    for (int32_t p = 1; p < drape->cloth->npanel; p++)
+        if (drape->cloth->panel[p].layer != first) return drape->self != NULL;
+    return 0;
+}
+
+
+mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew_fn all, mus__drape_sew_fn here)
+{
+    const mus_cloth *cloth = drape->cloth;
+    int32_t layer = cloth->panel[0].layer;
+    for (int32_t p = 1; p < cloth->npanel; p++)
+        if (cloth->panel[p].layer < layer) layer = cloth->panel[p].layer;
+    mus_status status = MUS_OK;
+    for (int32_t first = 1; status == MUS_OK && !run->stop; first = 0) {
+        const int32_t next = layers_next(cloth, layer + 1);
+        if (!first) layers_start(drape, layer);
+        layers_wait(drape, next);
+        status = first ? all(drape, run) : here(drape, run);
+        if (status != MUS_OK || run->stop) break;
+        status = mus__drape_let_down(drape, run);
+        if (next == 0) break;
+        layer = next;
+    }
+    layers_wait(drape, 0);
+    mus__drape_publish(drape);
+    drape->cold = status != MUS_OK;
+    return status;
+}

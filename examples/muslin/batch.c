@@ -37,14 +37,30 @@ static double cpu_seconds(const struct rusage *of)
 
 /* ---- one garment, in its process ---- */
 
-/* no core file, an end after the limit, and an end with the batch */
+/* does the garment take longer than it may? */
+typedef struct watch {
+    double limit;
+    bool late;
+} watch;
+
+
+/* of sewing and settling: nonzero stops them */
+static int32_t look_at_watch(void *user, const char *phase, double progress)
+{
+    watch *w = user;
+    (void)phase, (void)progress;
+    w->late = w->late || cpu_seconds(NULL) > w->limit;
+    return w->late;
+}
+
+
+/* no core file, an end with the batch, and an end of what the watch does not stop */
 static void bound_self(const batch *b, pid_t parent)
 {
     const struct rlimit none = {0, 0};
     setrlimit(RLIMIT_CORE, &none);
     if (b->limit > 0.0) {
-        const double whole = floor(b->limit);
-        struct itimerval end = {{0, 0}, {(time_t)whole, (suseconds_t)(1e6 * (b->limit - whole))}};
+        struct itimerval end = {{0, 0}, {(time_t)ceil(1.5 * b->limit) + 5, 0}};
         signal(SIGPROF, SIG_DFL);
         setitimer(ITIMER_PROF, &end, NULL);
     }
@@ -85,10 +101,29 @@ static void write_result(const dress *d, bool opened, const char *status, const 
 }
 
 
+/* the result of what has no other: "out of time", "crashed" */
+static void write_end(const char *status, const char *reason, json *j)
+{
+    json_open(j, NULL, '{');
+    json_text(j, "status", status);
+    json_text(j, "reason", reason);
+    json_close(j, '}');
+}
+
+
+static void write_late(const batch *b, json *j)
+{
+    char reason[80];
+    snprintf(reason, sizeof reason, "no end after %.9g CPU seconds", b->limit);
+    write_end("out of time", reason, j);
+}
+
+
 /* dress the garment and write its part. Returns an exit code */
 static int dress_line(const batch *b, const batch_line *g)
 {
     complaints said;
+    watch clock = {b->limit, false};
     char paths[3][4096];
     const char *name;
     dress *d = malloc(sizeof *d);
@@ -96,16 +131,23 @@ static int dress_line(const batch *b, const batch_line *g)
     complaints_keep(&said);
     int code = batch_options(b, g, d, &name);
     ask_files(b, g, d, paths);
+    if (b->limit > 0.0) d->progress = look_at_watch, d->progress_user = &clock;
     if (code == EXIT_DONE) code = dress_open(d);
     const bool opened = code == EXIT_DONE;
     if (opened) code = dress_run(d);
     complaints_keep(NULL);
 
+    const bool late = b->limit > 0.0 && look_at_watch(&clock, "", 1.0) != 0;
     const char *status = opened ? dress_status(d) : code == EXIT_INPUT ? "bad input" : "no memory";
     const bool whole = opened ? code == EXIT_DONE : code == EXIT_INPUT;
     batch_part part = {.hold = whole && strcmp(status, "no memory") != 0 ? BATCH_DONE : BATCH_AGAIN};
     json result = {0}, times = {0};
-    write_result(d, opened, status, &said, &result);
+    if (late && part.hold == BATCH_DONE) {
+        status = "out of time", part.hold = BATCH_LIMIT;
+        write_late(b, &result);
+    } else {
+        write_result(d, opened, status, &said, &result);
+    }
     part.cpu = cpu_seconds(NULL);
     json_open(&times, NULL, '{');
     json_number(&times, "cpu_s", part.cpu);
@@ -152,16 +194,13 @@ static int end_line(const batch *b, batch_line *g, int ended, const struct rusag
     const bool late = number == SIGPROF;
     if (late) part.hold = BATCH_LIMIT;
     else if (number == SIGKILL || number == 0) part.hold = BATCH_AGAIN;
-    if (late) snprintf(reason, sizeof reason, "no end after %.9g CPU seconds", b->limit);
-    else if (number != 0) snprintf(reason, sizeof reason, "signal %d (%s)", number, strsignal(number));
+    if (number != 0) snprintf(reason, sizeof reason, "signal %d (%s)", number, strsignal(number));
     else snprintf(reason, sizeof reason, "ended with %d", WEXITSTATUS(ended));
     snprintf(part.status, sizeof part.status, "%s", late ? "out of time" : "crashed");
 
     json result = {0}, times = {0};
-    json_open(&result, NULL, '{');
-    json_text(&result, "status", part.status);
-    json_text(&result, "reason", reason);
-    json_close(&result, '}');
+    if (late) write_late(b, &result);
+    else write_end(part.status, reason, &result);
     json_open(&times, NULL, '{');
     json_number(&times, "cpu_s", part.cpu);
     json_close(&times, '}');

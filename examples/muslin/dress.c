@@ -80,12 +80,12 @@ static mus_status prepare(dress *d)
 static void run(dress *d)
 {
     const bool show = !d->quiet && isatty(STDERR_FILENO);
-    const mus_progress_fn progress = show ? show_progress : NULL;
+    const mus_progress_fn progress = show ? show_progress : d->progress;
     double start = seconds();
-    d->outcome = mus_drape_sew(d->drape, progress, NULL);
+    d->outcome = mus_drape_sew(d->drape, progress, d->progress_user);
     d->sew_seconds = seconds() - start;
     start = seconds();
-    if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, NULL);
+    if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, d->progress_user);
     d->settle_seconds = seconds() - start;
     if (show) fputs("\r             \r", stderr);
 

@@ -20,6 +20,8 @@ typedef struct dress {
     texts over; /* garments over the first, with self_contact */
     motion moved;
     bool led; /* the animated file is written */
+    mus_progress_fn progress; /* of sewing and settling where none is shown, NULL: none; with progress_user */
+    void *progress_user;
 
     mus_body *body;
     mus_cloth *cloth;

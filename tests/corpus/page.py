@@ -76,7 +76,7 @@ def draw(results, out):
             place.axis("off")
         for place, (kind, *_), result in zip(places.flat, GARMENTS[page:page + each], results[page:page + each]):
             picture = out / f"{result['name']}.png"
-            if picture.exists() and "state_hash" in result:
+            if picture.exists() and ("state_hash" in result or result["status"] == "out of time"):
                 place.imshow(plt.imread(picture))
             colour = "black" if result["status"] == "settled" else "firebrick"
             place.text(0, -0.02, words(kind, result), transform=place.transAxes, va="top", fontsize=5.5, color=colour)

@@ -98,6 +98,16 @@ static void run(dress *d)
 }
 
 
+/* what is wrong before anything is sewn is said, and nothing is */
+static void look_at_start(dress *d)
+{
+    mus_reason_init(&d->start, sizeof d->start);
+    const mus_status status = mus_drape_start(d->drape, &d->start);
+    d->outcome = status == MUS_OK && d->start.kind != MUS_REASON_NONE ? MUS_ERR_SEW : status;
+    if (d->outcome == MUS_ERR_SEW) snprintf(d->reason, sizeof d->reason, "%s", d->start.text);
+}
+
+
 /* into the pose, and to rest there; or through the movement. Returns an exit code */
 static int move_on(dress *d)
 {
@@ -220,7 +230,7 @@ int32_t dress_options(dress *d, option *table)
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
         {"--place", OPTION_TEXT, &d->place, 0, 0,
-         "HOW  panels start as the pattern says (file) or where is found; default file, found where it says nothing"},
+         "HOW  panels start where the pattern says (file), or places are found (found)"},
         {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
         {"--open", OPTION_FLAG, &d->open, 0, 0, "zips and buttons are left open"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
@@ -272,9 +282,10 @@ int dress_run(dress *d)
 {
     int code = EXIT_DONE;
     d->outcome = prepare(d);
+    if (d->outcome == MUS_OK) look_at_start(d);
     if (d->outcome == MUS_OK)
         run(d);
-    else
+    else if (d->start.kind == MUS_REASON_NONE)
         snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
     if (d->outcome == MUS_OK) code = move_on(d);
     if (d->drape != NULL && code == EXIT_DONE) look_at_fit(d);

@@ -29,6 +29,7 @@ typedef struct dress {
     mus_fit *fit; /* of a garment that is sewn; may be NULL */
     fit_map coloured;
     mus_status outcome;
+    mus_reason start; /* what was wrong before it was sewn; nothing: it was */
     char reason[512];
     double body_seconds, place_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
 } dress;

@@ -12,7 +12,8 @@
 void dress_reason(const dress *d, mus_reason *out)
 {
     mus_reason_init(out, sizeof *out);
-    if (d->drape != NULL) mus_drape_reason(d->drape, out);
+    if (d->start.kind != MUS_REASON_NONE) *out = d->start;
+    else if (d->drape != NULL) mus_drape_reason(d->drape, out);
     else if (d->outcome == MUS_ERR_PATTERN) mus_pattern_reason(d->s.pattern, out);
     if (d->outcome == MUS_OK) {
         out->kind = MUS_REASON_SETTLED;

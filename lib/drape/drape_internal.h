@@ -204,8 +204,8 @@ void mus__drape_reason_status(mus_drape *drape, mus_status status);
 /* a kind with its sentence, without a place; and to a caller's struct of this size */
 void mus__reason_write(mus_reason *out, int32_t kind, const char *text);
 mus_status mus__reason_give(mus_context *context, const mus_reason *own, mus_reason *out);
-/* what is odd before sewing (start.c): kind MUS_REASON_NONE when nothing is */
-mus_status mus__drape_start(const mus_drape *drape, mus_reason *out);
+/* what is odd before sewing (start.c), but for layers: kind MUS_REASON_NONE when nothing is */
+void mus__drape_start(const mus_drape *drape, mus_reason *out);
 
 /* ---- welding (weld.c) ---- */
 void mus__drape_open(mus_drape *drape);

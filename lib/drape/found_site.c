@@ -21,6 +21,7 @@
 #define SITE_UP 0.5         /* edges whose way out is so far up belong to a shoulder */
 #define SITE_RADIUS 0.32    /* [m] no tube of the trunk starts wider */
 #define SITE_WAIST_PART 0.92 /* of the waist: no skirt has a smaller opening */
+#define SITE_APART_LEGS 0.01 /* [m] off the middle */
 #define SITE_OVER 0.4       /* of a leg's panel: what reaches over the middle is its fork */
 #define SITE_SIDE 0.5       /* cosine: panels that face more to the side than this make a ring */
 #define SITE_ROOM 0.012     /* [m] that a sleeve starts wider than it is */
@@ -190,7 +191,7 @@ static double site_cost(const mus__found *found, int32_t t, double *shift)
             else mus__found_place(pb, b->dot[2 * m], b->dot[2 * m + 1], y), other = atan2(y[0], y[2] - tube->axis[2]);
             if (level && tube->site == FOUND_TRUNK) shoulder += seam->length * (1.0 + cos(angle + other));
             if (level) seams += seam->length;
-            if ((in_a && in_b) || !found->tube[in_a ? pb->tube : pa->tube].set) continue;
+            if (apart || (in_a && in_b) || !found->tube[in_a ? pb->tube : pa->tube].set) continue;
             const double d[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
             const double along = (in_a ? 1.0 : -1.0) * mus__dot3(d, tube->up);
             weight += seam->length, square += seam->length * mus__dot3(d, d);
@@ -264,7 +265,10 @@ static void site_half(const mus__found *found, const found_tube *tube, found_pan
         panel->at[d] = tube->axis[d] + (panel->v + tube->shift) * tube->up[d] + off * panel->out[d];
     }
 
-    /* a leg keeps to its side of the middle */
+    /* what is round one leg stays on its side, and of the panels round both each leg's fork does */
+    const double reach = panel->bend > 0.0 ? panel->bend * sin(fmin(half / panel->bend, 0.5 * MUS_PI)) : half;
+    if (tube->axis[0] != 0.0 && reach + SITE_APART_LEGS > fabs(tube->axis[0]))
+        panel->at[0] += copysign(reach + SITE_APART_LEGS, tube->axis[0]) - tube->axis[0];
     const double width = panel->high[0] - panel->low[0];
     const double over = middle > line ? line - panel->low[0] : panel->high[0] - line;
     if (!tube->fork || !(over > 0.0 && over < SITE_OVER * width)) return;
@@ -444,12 +448,14 @@ mus_status mus__found_sites(mus__found *found)
     const bool apart = site_opening(found) < SITE_WAIST_PART * waist;
     for (int32_t t = 0; t < found->ntube; t++)
         found->tube[t].hangs = found->tube[t].site == FOUND_TRUNK && site_hangs(found, t, apart);
+    bool told = false;
+    for (int32_t p = 0; p < found->npanel; p++) told = told || mus_pattern_layer(found->pattern, p) > 0;
     for (int32_t piece = 0, layer = 0; piece < found->npanel; piece++) {
         int32_t t = site_first(found, piece);
         if (t == MUS_NONE) continue;
         for (int32_t i = 0; i < found->ntube; i++)
             if (found->tube[i].piece == piece) found->tube[i].layer = layer;
-        layer++;
+        layer += !told;
         site_hang(found, t);
         while ((t = site_next(found)) != MUS_NONE) {
             site_site(found, t);

@@ -267,8 +267,7 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     mus__run run;
     mus__run_start(&run, "sew", progress, user);
     mus_reason_init(&drape->reason, sizeof drape->reason);
-    const mus_status looked = mus__drape_start(drape, &drape->start);
-    if (looked != MUS_OK) return looked;
+    mus__drape_start(drape, &drape->start);
     const mus_status done = mus__drape_layered(drape) ? mus__drape_sew_layers(drape, &run, sew_levels, sew_tries)
                                                       : sew_levels(drape, &run);
     mus__drape_reason_status(drape, done);

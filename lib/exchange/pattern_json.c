@@ -78,6 +78,7 @@ static mus_status read_placement(const mus_json_at *at, mus_pattern *pattern, in
     mus_placement placement;
     mus_placement_init(&placement, sizeof placement);
     mus_json_at where = mus__json_member(at, "placement");
+    if (where.json == NULL) return MUS_OK;
     mus_status status = mus__json_expect(&where, JSON_OBJECT);
     mus_json_at member = mus__json_member(&where, "origin");
     if (status == MUS_OK) status = mus__json_numbers(&member, 3, placement.origin);

@@ -42,7 +42,7 @@ def check(report, code):
         assert isinstance(report[name], int) and report[name] >= 0, name
     for name in NUMBERS:
         assert isinstance(report[name], (int, float)) and math.isfinite(report[name]) and report[name] >= 0, name
-    assert all(report["seconds"][name] >= 0 for name in ("draft", "body", "mesh", "sew", "settle", "render"))
+    assert all(report["seconds"][name] >= 0 for name in ("draft", "body", "place", "mesh", "sew", "settle", "render"))
     assert len(report["state_hash"]) == 16 and int(report["state_hash"], 16) > 0
     assert report["seams_closed"] <= report["seams"] and report["step_s"] > 0 and report["step_bound_s"] > 0
     assert isinstance(report["skipped"], str)
@@ -257,6 +257,32 @@ def test_a_garment_that_cannot_be_worn_is_told_with_a_report(dress, patterns, tm
     check(report, 1)
     assert done.stderr.count(b"\n") == 1 and report["reason"] in done.stderr.decode()
     assert (tmp_path / "a.obj").exists()
+
+
+# ---- where it starts ----
+
+def test_a_start_is_found_where_the_pattern_has_none(dress, patterns, tape, tmp_path):
+    pattern = json.loads(patterns("tshirt").read_text())
+    for panel in pattern["panels"]:
+        panel.pop("placement", None)
+    path = tmp_path / "nowhere.json"
+    path.write_text(json.dumps(pattern))
+    bare, _ = dress("--pattern", path, "--tape", tape, "--spacing", 40)
+    found, _ = dress("--design", "tshirt", "--tape", tape, "--spacing", 40, "--place", "found")
+    check(bare, 0)
+    assert bare["state_hash"] == found["state_hash"]
+
+
+def test_a_bad_start_is_said_and_nothing_is_sewn(dress, patterns, tape, tmp_path):
+    pattern = json.loads(patterns("tshirt").read_text())
+    place = {panel["name"]: panel for panel in pattern["panels"]}
+    one, other = place["sleeve_left"], place["sleeve_right"]
+    one["placement"], other["placement"] = other["placement"], one["placement"]
+    path = tmp_path / "swapped.json"
+    path.write_text(json.dumps(pattern))
+    report, done = dress("--pattern", path, "--tape", tape, "--spacing", 40, code=1)
+    assert report["status"] == "start tangled" and report["steps"] == 0 and report["at"]["panel"].startswith("sleeve")
+    assert "sleeve_left and sleeve_right" in report["reason"] and report["reason"] in done.stderr.decode()
 
 
 # ---- progress ----

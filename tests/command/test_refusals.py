@@ -64,6 +64,7 @@ def test_no_command_at_all_is_one_line(command, one_line):
     *[([*DRESS[:-2], "--spacing", value], ["--spacing", value]) for value in
       ("12,5", "nan", "NaN", "inf", "-inf", "1e9", "-3", "0", "", "ten", "0x10", "1 0", "1e", "12mm", "+-1")],
     *[([*DRESS, "--threads", value], ["--threads", value]) for value in ("1e9", "2.5", "0", "nan", "-1", "2,0")],
+    ([*DRESS, "--place", "there"], ["--place there", "file or found"]),
     *[([*DRESS, "--precision", value], ["--precision", value]) for value in ("48", "32.5", "16", "128", "nan")],
     *[([*DRESS, "--friction", value], ["--friction", value]) for value in ("-0.1", "nan", "0,4", "11")],
     *[([*DRESS, "--repeat", value], ["--repeat", value]) for value in ("0", "nan", "1e9")],

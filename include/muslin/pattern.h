@@ -136,7 +136,7 @@ typedef struct mus_seam_def {
     int32_t direction; /* MUS_SEAM_REVERSED (default) or MUS_SEAM_DIRECT */
     double ease;       /* length of b less length of a that the design means [m], default 0 */
     double tolerance;  /* what the check allows beyond ease [m], default 0.0005 */
-    int32_t laid;      /* nonzero: layers of a pleat. An edge may be in two such seams beside one other; default 0 */
+    int32_t laid;      /* nonzero: layers of a pleat, a on b. An edge may be in two such seams beside one other */
     int32_t closure;   /* MUS_CLOSURE_*, default MUS_CLOSURE_NONE */
     int32_t open;      /* nonzero: a closure that is left open: a cloth does not join it; default 0 */
     int32_t buttons;   /* of MUS_CLOSURE_BUTTONS: done up at so many points alone, evenly from half a gap from both
@@ -193,6 +193,8 @@ typedef struct mus_placement {
     double rotation[9]; /* orthonormal, determinant +1; default identity */
     double bend;        /* radius [m], 0 flat (default) */
     double bend_x;      /* the line x = bend_x keeps its place, default 0 */
+    double fold;        /* of a panel with pleats: it starts folded at each, to this part of its depth, 0 (default:
+                         * flat) to 1; the panel's middle keeps its place */
 } mus_placement;
 
 MUS_API void mus_placement_init(mus_placement *placement, size_t size);

@@ -106,6 +106,7 @@ static mus_status cloth_build(mus__mesh *mesh)
     if (status == MUS_OK) status = mus__mesh_calibrate(mesh);
     if (status == MUS_OK) status = mus__mesh_limit(mesh);
     if (status == MUS_OK) status = mus__mesh_held(mesh);
+    if (status == MUS_OK) status = mus__mesh_pleats(mesh);
     for (int32_t i = 0; i < cloth->nnode; i++) cloth->mass_total += cloth->mass[i];
     return status;
 }
@@ -176,7 +177,7 @@ void mus_cloth_destroy(mus_cloth *cloth)
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
                       cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names,
-                      cloth->warp};
+                      cloth->warp,   cloth->pleat};
     mus_context *context = cloth->context;
     mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);

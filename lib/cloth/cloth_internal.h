@@ -51,6 +51,13 @@ typedef struct mus__hold {
     double below, length;
 } mus__hold;
 
+/* a pleat of a panel: its folds are lines square to `along` (a unit), so far along it from the panel's origin; pleats
+ * of a panel come in order */
+typedef struct mus__pleat {
+    int32_t panel;
+    double along[2], outer, inner;
+} mus__pleat;
+
 typedef struct mus__row { /* one maximal stretch of neighbouring lattice nodes in a lattice row */
     int32_t first, count;
 } mus__row;
@@ -71,7 +78,7 @@ struct mus_cloth {
     double spacing;
     double mass_total;
     int32_t npanel, nnode, ntriangle, nrow, nrun, nbend, nspring, nhinge, nseam_hinge, npair, nborder, nseam;
-    int32_t nhold;
+    int32_t nhold, npleat;
     mus__panel_mesh *panel;    /* (npanel) */
     double *rest;              /* (nnode x 2) in the panel's plane */
     double *mass;              /* (nnode) */
@@ -88,6 +95,7 @@ struct mus_cloth {
     int32_t *pair_seam;        /* (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
     mus__hold *hold;           /* (nhold) */
+    mus__pleat *pleat;         /* (npleat) ascending panels */
     double *warp;              /* (npanel x 2) unit, in the flat; NULL without a pattern: along y */
     char *names;               /* (npanel + 1 x MUS__CLOTH_NAME) of the pattern, then of its panels; NULL without one */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */

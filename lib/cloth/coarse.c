@@ -2,7 +2,8 @@
  * coarse.c: the same cloth cut coarser, for a drape that wants to find its shape quickly (coarse to fine).
  *
  * Each cut is twice as coarse as the one before. The last of a pattern is at 40 mm: coarser than that a sleeve has no
- * round shape. A pattern that cannot be meshed so coarsely just has no coarser cut.
+ * round shape. A pattern that cannot be meshed so coarsely just has no coarser cut, nor has one with pleats, which
+ * would have no layers there.
  */
 #include "cloth/mesh.h"
 
@@ -16,6 +17,7 @@
 mus_status mus__cloth_coarsen(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
                               mus_cloth *cloth)
 {
+    if (cloth->npleat > 0) return MUS_OK;
     if (def->coarser == 0 || cloth->spacing > NEXT_TO_COARSEST || cloth->nnode < FEWEST_NODES) return MUS_OK;
     mus_cloth_def coarse = *def;
     coarse.spacing = 2.0 * cloth->spacing > NEXT_TO_COARSEST ? COARSEST : 2.0 * cloth->spacing;

@@ -22,7 +22,7 @@ typedef struct mus__mesh {
     mus_cloth *cloth; /* its arrays grow; capacities here */
     int32_t cap_rest, cap_mass, cap_node_panel, cap_triangle, cap_border, cap_row, cap_run, cap_bend, cap_spring,
         cap_hinge, cap_hold, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing, cap_inner,
-        cap_inner_wing;
+        cap_inner_wing, cap_pleat;
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
     /* rims and lines of the panels, parts of one block */
@@ -74,6 +74,8 @@ mus_status mus__grid_coarsen(mus_context *context, int32_t rows, int32_t columns
                              const mus_cloth_def *def, mus_cloth *cloth);
 /* pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
+/* pleat.c: where the pleats that are laid fold */
+mus_status mus__mesh_pleats(mus__mesh *mesh);
 /* held.c: gathered sides, elastics and held nodes; the limit on stiffness does not reach elastics: it comes before */
 mus_status mus__mesh_held(mus__mesh *mesh);
 

@@ -3,14 +3,37 @@
  *
  * A patch is a third sheet on the garment: at three of its sides three sheets meet (board_patch.c). On the half it is
  * a line, 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front. Once the garment is whole, each such
- * line gets its piece; the line stays as the mark on paper of where it is laid. It changes no opening and no handle
- * (drafting.md section 8).
+ * line gets its piece; the line stays as the mark on paper of where it is laid. Where the panel is too small for it, as
+ * one that was cut apart may be, it is the mark alone. It changes no opening and no handle (drafting.md section 8).
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "design/lower.h"
+
+#define POCKET_STEP (1.0 * MUS__CM)
+#define POCKET_MOVES 8
+
+
+/* moved by at most POCKET_MOVES steps each way, least first, until it lies within its panel, all sides of it */
+static void pocket_within(mus__half *half, int32_t panel, double *xy)
+{
+    const double step = POCKET_STEP * mus__lower_scale(half), w = xy[4] - xy[0], h = xy[1] - xy[3];
+    for (int32_t far = 0; far <= 2 * POCKET_MOVES; far++)
+        for (int32_t i = -far; i <= far; i++)
+            for (int32_t sign = -1; sign <= 1; sign += 2) {
+                const int32_t j = sign * (far - abs(i));
+                const double x = xy[0] + i * step, y = xy[1] + j * step;
+                if (abs(i) > POCKET_MOVES || abs(j) > POCKET_MOVES) continue;
+                double all[16] = {x, y, x, y - 0.5 * h, x, y - h, x + 0.5 * w, y - h,
+                                  x + w, y - h, x + w, y - 0.5 * h, x + w, y, x + 0.5 * w, y};
+                if (!mus__board_patch_fits(&half->board, panel, 8, all)) continue;
+                for (int32_t k = 0; k < 5; k++) xy[2 * k] += i * step, xy[2 * k + 1] += j * step;
+                return;
+            }
+}
 
 
 /* centre (x, y) of the pocket's top, half its width, its height; a back is drawn at x < 0 */
@@ -19,7 +42,8 @@ static void pocket_mark(mus__half *half, const char *name, double x, double y)
     const int32_t panel = mus__board_find_panel(&half->board, name);
     if (half->board.status != MUS_OK || panel == MUS_NONE) return;
     const double scale = mus__lower_scale(half), w = 6.5 * MUS__CM * scale, h = 15.0 * MUS__CM * scale;
-    const double xy[10] = {x - w, y, x - w, y - h, x + w, y - h, x + w, y, x - w, y};
+    double xy[10] = {x - w, y, x - w, y - h, x + w, y - h, x + w, y, x - w, y};
+    pocket_within(half, panel, xy);
     mus__board_mark_add(&half->board, panel, "pocket", 5, xy);
 }
 
@@ -63,6 +87,8 @@ void mus__pocket_finish(mus__half *half)
     const int32_t nmark = board->nmark;
     for (int32_t i = 0; i < nmark && board->status == MUS_OK; i++) {
         const mus__board_mark *mark = &board->mark[i];
-        if (mark->panel != MUS_NONE && mark->n == 5 && strcmp(mark->name, "pocket") == 0) pocket_piece(board, i, &left);
+        if (mark->panel != MUS_NONE && mark->n == 5 && strcmp(mark->name, "pocket") == 0 &&
+            mus__board_patch_fits(board, mark->panel, 4, mark->xy))
+            pocket_piece(board, i, &left);
     }
 }

@@ -88,6 +88,8 @@ static mus_status read_placement(const mus_json_at *at, mus_pattern *pattern, in
     if (status == MUS_OK) status = mus__json_number(&member, &placement.bend);
     member = mus__json_member(&where, "bend_x");
     if (status == MUS_OK) status = mus__json_number(&member, &placement.bend_x);
+    member = mus__json_member(&where, "fold");
+    if (status == MUS_OK && member.json != NULL) status = mus__json_number(&member, &placement.fold);
     if (status != MUS_OK) return status;
     status = mus_pattern_set_placement(pattern, panel, &placement);
     return status == MUS_OK ? MUS_OK : mus__json_wrap(&where, status);

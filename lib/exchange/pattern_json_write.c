@@ -73,6 +73,10 @@ static mus_status put_panel(mus_sink *sink, const mus_pattern *pattern, int32_t 
     mus__sink_number(sink, placement.bend);
     mus__sink_print(sink, ", \"bend_x\": ");
     mus__sink_number(sink, placement.bend_x);
+    if (placement.fold != 0.0) {
+        mus__sink_print(sink, ", \"fold\": ");
+        mus__sink_number(sink, placement.fold);
+    }
     mus__sink_print(sink, "},\n   \"outline\": [");
     for (int32_t i = 0; i < n; i++)
         mus__sink_print(sink, "%s[%d, %d]", i == 0 ? "" : ", ", (int)edges[i], (int)directions[i]);

@@ -245,6 +245,8 @@ void mus__board_lay(mus__board *board, int32_t side, int32_t n, const double *s,
  * from its nearest corner; between its ends the piece is open. It starts a little outside the panel. Returns its panel
  */
 int32_t mus__board_patch(mus__board *board, int32_t panel, int32_t n, const double *xy, const char *name);
+/* does a line lie so far inside a panel that a patch can be sewn there? Asks only */
+bool mus__board_patch_fits(mus__board *board, int32_t panel, int32_t n, const double *xy);
 
 /* ---- board_part.c: parts of a panel that move as rigid pieces ---- */
 

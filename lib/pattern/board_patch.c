@@ -173,17 +173,47 @@ static int32_t patch_piece(mus__board *board, int32_t panel, int32_t n, const do
 }
 
 
+static bool patch_inside(const mus__board_part *rim, const double *p)
+{
+    return mus__finite(p[0]) && mus__finite(p[1]) && mus__polygon_winding(rim->n, rim->xy, p) != 0 &&
+           mus__polygon_distance(rim->n, rim->xy, p) > PATCH_CLEAR;
+}
+
+
+/* does the way from p to q cross the outline? */
+static bool patch_crosses(const mus__board_part *rim, const double *p, const double *q)
+{
+    for (int32_t i = 0; i < rim->n; i++)
+        if (patch_meets(p, q, rim->xy + 2 * (ptrdiff_t)i, rim->xy + 2 * (ptrdiff_t)(i + 1 < rim->n ? i + 1 : 0)))
+            return true;
+    return false;
+}
+
+
+bool mus__board_patch_fits(mus__board *board, int32_t panel, int32_t n, const double *xy)
+{
+    if (!mus__board_has_panel(board, panel)) return false;
+    mus__board_part rim = {0};
+    mus__board_part_run(board, &rim, board->panel[panel].first, board->side[board->panel[panel].first].prev);
+    bool fits = board->status == MUS_OK;
+    for (int32_t i = 0; i < n && fits; i++)
+        fits = patch_inside(&rim, xy + 2 * (ptrdiff_t)i) &&
+               (i == 0 || !patch_crosses(&rim, xy + 2 * (ptrdiff_t)i - 2, xy + 2 * (ptrdiff_t)i));
+    mus__board_part_end(board, &rim);
+    return fits;
+}
+
+
 /* is the line one to sew a patch to? */
 static bool patch_fits(mus__board *board, int32_t panel, const mus__board_part *rim, int32_t n, const double *xy)
 {
     const char *name = board->panel[panel].name;
     for (int32_t i = 0; i < n; i++) {
         const double *p = xy + 2 * (ptrdiff_t)i;
-        if (mus__finite(p[0]) && mus__finite(p[1]) && mus__polygon_winding(rim->n, rim->xy, p) != 0 &&
-            mus__polygon_distance(rim->n, rim->xy, p) > PATCH_CLEAR)
-            continue;
-        mus__board_fail(board, MUS_ERR_ARG, "patch on panel %s: point %d (%g, %g) is not %g m inside it", name, (int)i,
-                        p[0], p[1], PATCH_CLEAR);
+        const bool inside = patch_inside(rim, p);
+        if (inside && (i == 0 || !patch_crosses(rim, p - 2, p))) continue;
+        mus__board_fail(board, MUS_ERR_ARG, "patch on panel %s: point %d (%g, %g) is %s", name, (int)i, p[0], p[1],
+                        inside ? "beyond its outline from the one before" : "not 2 mm inside it");
         return false;
     }
     int32_t a, b, *work = mus__room(board->context, n, sizeof *work);

@@ -146,13 +146,17 @@ void mus_placement_init(mus_placement *placement, size_t size)
 /* is every number finite, and R^T R = 1 with det R = +1? */
 static mus_status mark_placement_check(mus_context *context, const char *name, const mus_placement *p)
 {
-    bool finite = mus__finite(p->bend) && mus__finite(p->bend_x);
+    bool finite = mus__finite(p->bend) && mus__finite(p->bend_x) && mus__finite(p->fold);
     for (int32_t i = 0; i < 3; i++) finite = finite && mus__finite(p->origin[i]);
     for (int32_t i = 0; i < 9; i++) finite = finite && mus__finite(p->rotation[i]);
     if (!finite) return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a number is not finite", name);
     if (p->bend != 0.0 && fabs(p->bend) < SMALLEST_BEND)
         return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a bend of %g m is tighter than %g m", name,
                          p->bend, SMALLEST_BEND);
+
+    if (!(p->fold >= 0.0 && p->fold <= 1.0))
+        return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: pleats folded to %g of their depth, not 0 to 1",
+                         name, p->fold);
 
     const double *r = p->rotation;
     double worst = 0.0;

@@ -1,6 +1,6 @@
 /*
- * test_seams.c: seams of every kind on small patterns: unequal, at a junction, over a dart, left open,
- * buttoned, and those that cannot be (numerics.md S4, X33, X34).
+ * test_seams.c: seams of every kind on small patterns: unequal, at a junction, over a dart, laid in pleats, left open,
+ * buttoned, and those that cannot be (numerics.md S4, X33, X34; issue 6 e).
  */
 #include <math.h>
 #include <stdio.h>
@@ -243,6 +243,67 @@ START_TEST(collision_distances_have_limits)
 END_TEST
 
 
+/* a skirt of 0.5 m pleated into a band of 0.3 m: two knife pleats of 0.05 m, or a box of two */
+static mus_pattern *pleated(mus_context *context, bool box)
+{
+    mus_pattern *pattern;
+    int32_t band[4], skirt[4], faults;
+    const double knife[2] = {0.10, 0.30}, boxed[2] = {0.20, 0.30}, deep[2] = {0.05, 0.05}, facing[2] = {-0.05, 0.05};
+    ck_assert_int_eq(mus_pattern_create(context, "pleats", &pattern), MUS_OK);
+    scene_move(pattern, scene_rectangle(pattern, "band", 0, 0, 0.3, 0.04, band), 0.1, 1.3, 0);
+    scene_move(pattern, scene_rectangle(pattern, "skirt", 0, 0, 0.5, 0.25, skirt), 0, 1, 0);
+    scene_sew(pattern, band[0], skirt[2], 0.2);
+    ck_assert_msg(mus_pattern_lay_pleats(pattern, skirt[2], 2, box ? boxed : knife, box ? facing : deep) == MUS_OK,
+                  "%s", mus_context_error(context));
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(faults, 0);
+    mus_placement place;
+    mus_placement_init(&place, sizeof place);
+    ck_assert_int_eq(mus_pattern_placement(pattern, 1, &place), MUS_OK);
+    place.fold = 0.8;
+    ck_assert_int_eq(mus_pattern_set_placement(pattern, 1, &place), MUS_OK);
+    return pattern;
+}
+
+
+/* issue 6 e: a pleat takes twice its depth, to 1 %; the layers lie on one another without a gap */
+START_TEST(laid_pleats_take_twice_their_depth)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = pleated(context, _i == 1);
+    mus_homology h;
+    mus_homology_init(&h, sizeof h);
+    ck_assert_int_eq(mus_pattern_homology(pattern, 1, &h, NULL, 0), MUS_OK);
+    ck_assert(h.betti[0] == 1 && h.betti[1] == 0 && h.betti[2] == 0);
+
+    mus_cloth *cloth = scene_cut(context, pattern, 0.0125, 0.0);
+    mus_drape *drape = sewn(context, cloth);
+    const double nothing[3] = {0.0, 0.0, 0.0};
+    ck_assert_int_eq(mus_drape_set_gravity(drape, nothing), MUS_OK);
+    const mus_status status = mus_drape_settle(drape, NULL, NULL);
+    ck_assert_msg(status == MUS_OK || status == MUS_ERR_UNSETTLED, "%s", mus_context_error(context));
+
+    /* along the band's lower edge */
+    int32_t n;
+    const int32_t *border;
+    const double *x = mus_drape_positions(drape), *rest = mus_cloth_rest(cloth);
+    double length = 0.0;
+    ck_assert_int_eq(mus_cloth_panel_border(cloth, 0, &n, &border), MUS_OK);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t a = border[i], b = border[(i + 1) % n];
+        if (rest[2 * a + 1] == 0.0 && rest[2 * b + 1] == 0.0)
+            length += hypot(hypot(x[3 * a] - x[3 * b], x[3 * a + 1] - x[3 * b + 1]), x[3 * a + 2] - x[3 * b + 2]);
+    }
+    printf("%s pleats: %.4f m of 0.3 m\n", _i == 1 ? "box" : "knife", length);
+    ck_assert_double_eq_tol(length, 0.3, 0.003);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a closure done up, left open, and on three buttons */
 START_TEST(closures_are_open_or_closed)
 {
@@ -306,6 +367,7 @@ Suite *mus_suite_seams(void)
     tcase_add_test(tests, odd_seams_close_or_are_refused);
     tcase_add_test(tests, held_edges_apart_cannot_close);
     tcase_add_test(tests, collision_distances_have_limits);
+    tcase_add_loop_test(tests, laid_pleats_take_twice_their_depth, 0, SUPPORT_SLOW ? 1 : 2);
     tcase_add_loop_test(tests, closures_are_open_or_closed, 0, 3);
     suite_add_tcase(suite, tests);
     return suite;

@@ -108,7 +108,7 @@ static mus_status call_set_grain(const sample *s, int32_t k, double bad)
 }
 
 
-/* mus_placement.origin mus_placement.rotation mus_placement.bend mus_placement.bend_x */
+/* mus_placement.origin mus_placement.rotation mus_placement.bend mus_placement.bend_x mus_placement.fold */
 static mus_status call_set_placement(const sample *s, int32_t k, double bad)
 {
     mus_placement place;
@@ -122,6 +122,8 @@ static mus_status call_set_placement(const sample *s, int32_t k, double bad)
         place.bend = bad;
     else if (k == 13)
         place.bend_x = bad;
+    else if (k == 14)
+        place.fold = bad;
     else
         return MUS_NONE;
     return mus_pattern_set_placement(s->pattern, s->front, &place);

@@ -87,3 +87,17 @@ def test_a_refused_edit_changes_nothing(pattern, tmp_path):
         with pytest.raises(muslin.MuslinError):
             call()
     assert written(pattern, tmp_path) == before
+
+
+def test_patches_pleats_and_closures(pattern):
+    front = pattern.panel("front_left")
+    rim = pattern.rim(front)
+    assert rim == pattern.outline(front)
+    patch = pattern.add_patch(front, "pocket", [(0.03, 0.2), (0.03, 0.16), (0.07, 0.16), (0.07, 0.2)])
+    assert pattern.panel("pocket") == patch
+    assert len(pattern.rim(front)) == len(rim)
+    assert len(pattern.outline(front)) == len(rim) + 8
+    seams = pattern.seam_count
+    pattern.lay_pleats(pattern.edge(patch, "mouth"), [0.02], [0.01])
+    assert pattern.seam_count == seams + 2
+    assert pattern.open_closures() == 0

@@ -319,7 +319,7 @@ class mus_seam_def(Structure):
 
 class mus_placement(Structure):
     _fields_ = [("size", c_size_t), ("origin", c_double * 3), ("rotation", c_double * 9), ("bend", c_double),
-                ("bend_x", c_double)]
+                ("bend_x", c_double), ("fold", c_double)]
 
 
 class mus_topology(Structure):

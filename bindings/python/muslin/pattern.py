@@ -130,7 +130,7 @@ class Pattern(Edits, Object):
         self.do("set_cut", panel, count, mirror_of)
 
     def set_placement(self, panel, **options):
-        """Where a panel starts: origin, rotation, bend, bend_x (mus_placement)."""
+        """Where a panel starts: origin, rotation, bend, bend_x, fold (mus_placement)."""
         placement = make_def(_abi.mus_placement, lib.mus_placement_init, options)
         self.do("set_placement", panel, ctypes.byref(placement))
 

@@ -71,7 +71,8 @@ typedef struct mus_scan_report {
     double widest_hole;  /* and the widest of them */
     int32_t filled;      /* contours with a hollow that no ray from the centre sees, closed; 1 mm and deeper */
     double deepest_fill; /* the deepest of them */
-    /* MUS_SCAN_BUST...: of the body's contours as a tape lies, and their heights (wrist: along the arm's axis) */
+    /* MUS_SCAN_BUST...: of the body's contours as a tape lies, and their heights (wrist: along the arm's axis); of the
+       right limb, or of the left where there is no right one */
     double girth[MUS_SCAN_GIRTH_COUNT];
     double girth_height[MUS_SCAN_GIRTH_COUNT];
     /* MUS_SCAN_TORSO...: median, 95 of 100, most; of the mesh's vertices from the body's surface, and of the body's

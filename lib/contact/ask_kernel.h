@@ -2,14 +2,14 @@
  * ask_kernel.h: many nodes asked of a part at once, a part of contact_kernel.h.
  *
  * The query of field_kernel.h for places in a row, without a branch, so that it is made for as many nodes at once as
- * the vector unit is wide; the same operations in the same order, so the same bits. Beyond the first and the last ring
- * a node is left to the query itself.
+ * the vector unit is wide; the same operations in the same order, so the same bits. What is in a cap, beyond the first
+ * or the last ring, is asked in a row of its own.
  */
 
 #define ASK_BLOCK 256 /* nodes */
-#define ASK_FEW 6     /* less are asked one by one */
+#define ASK_FEW 2     /* less are asked one by one */
 #define ASK_TINY ((MUS_REAL)1e-15)
-#define ASK_LATER 2 /* state of a node that is left: 0 is not near, 1 near */
+#define ASK_LATER 2 /* state of a node that is in a cap: 0 is not near, 1 near */
 
 /* an answer for a node; next: of the same node's, by part ascending; 0 ends */
 typedef struct MUS_FIELD(answer) {
@@ -39,13 +39,15 @@ static void MUS_FIELD(ask_many)(const MUS_FIELD(field) * f, int32_t count, MUS_R
     const MUS_REAL z0 = f->front[0], z1 = f->front[1], z2 = f->front[2];
     const MUS_REAL s0 = f->s0, ds_inverse = f->ds_inverse, ring_last = f->ring_last, angle_scale = f->angle_scale;
     const MUS_REAL *restrict centre = f->centre, *restrict table = f->radius, *restrict largest = f->largest;
+    const MUS_REAL pole0 = f->pole[0], pole1 = f->pole[1];
     const int32_t n = f->nangle;
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS_REAL rx = place[i] - o0, ry = place[ASK_BLOCK + i] - o1, rz = place[2 * ASK_BLOCK + i] - o2;
         const MUS_REAL s = rx * x0 + ry * x1 + rz * x2 - s0;
         const MUS_REAL a = rx * y0 + ry * y1 + rz * y2, b = rx * z0 + ry * z1 + rz * z2;
-        const MUS_REAL whole = s * ds_inverse;
+        const MUS_REAL whole = s * ds_inverse, before = pole0 - s, after = s - pole1;
+        const MUS_REAL beyond = s > 0 ? after : before;
         const int32_t inside = (whole >= 0) & (whole < ring_last);
         const MUS_REAL u = whole * (MUS_REAL)inside; /* in a box: finite */
         const int32_t k = (int32_t)u;
@@ -81,8 +83,82 @@ static void MUS_FIELD(ask_many)(const MUS_FIELD(field) * f, int32_t count, MUS_R
         found[2 * ASK_BLOCK + i] = g * (ga * y1 + gb * z1 + gs * x1);
         found[3 * ASK_BLOCK + i] = g * (ga * y2 + gb * z2 + gs * x2);
         const int32_t near = rho2 <= reach * reach;
-        state[i] = ASK_LATER + inside * (near - ASK_LATER);
+        const int32_t cap = (beyond <= margin) * ASK_LATER;
+        state[i] = cap + inside * (near - cap);
     }
+}
+
+
+/* the same for places in the caps of a field, which are not far beyond its first or its last ring: query_cap() */
+MUS_CLONES
+static void MUS_FIELD(ask_caps)(const MUS_FIELD(field) * f, int32_t count, MUS_REAL margin,
+                                const MUS_REAL *restrict place, MUS_REAL *restrict found, int32_t *restrict state)
+{
+    const MUS_REAL o0 = f->origin[0], o1 = f->origin[1], o2 = f->origin[2], s0 = f->s0, angle_scale = f->angle_scale;
+    const MUS_REAL x0 = f->axis[0], x1 = f->axis[1], x2 = f->axis[2];
+    const MUS_REAL y0 = f->side[0], y1 = f->side[1], y2 = f->side[2];
+    const MUS_REAL z0 = f->front[0], z1 = f->front[1], z2 = f->front[2];
+    const MUS_REAL *restrict centre = f->centre, *restrict table = f->radius, *restrict largest = f->largest;
+    const MUS_REAL middle0 = f->middle[0], middle1 = f->middle[1], share0 = f->share[0], share1 = f->share[1];
+    const MUS_REAL over0 = f->axis_inverse[0], over1 = f->axis_inverse[1];
+    const int32_t n = f->nangle, top = f->nring - 1;
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL rx = place[i] - o0, ry = place[ASK_BLOCK + i] - o1, rz = place[2 * ASK_BLOCK + i] - o2;
+        const MUS_REAL s = rx * x0 + ry * x1 + rz * x2 - s0;
+        const MUS_REAL a = rx * y0 + ry * y1 + rz * y2, b = rx * z0 + ry * z1 + rz * z2;
+        const int32_t end = s > 0, k = end * top;
+        const MUS_REAL middle = end ? middle1 : middle0, share = end ? share1 : share0, over = end ? over1 : over0;
+        const MUS_REAL ua = a - centre[2 * k], ub = b - centre[2 * k + 1];
+        const MUS_REAL rho2 = ua * ua + ub * ub, reach = largest[k] + margin;
+
+        const MUS_REAL absa = ua < 0 ? -ua : ua, absb = ub < 0 ? -ub : ub;
+        const MUS_REAL inverse = 1 / (absa + absb + ASK_TINY);
+        const int32_t left = ua < 0, back = ub < 0, quarter = 3 * back + left - 2 * (back & left);
+        const MUS_REAL part = left != back ? absa : absb, q = (MUS_REAL)quarter + part * inverse;
+        const MUS_REAL step = q * angle_scale;
+        const int32_t whole_j = (int32_t)step, j = whole_j >= n ? n - 1 : whole_j, j1 = j + 1 == n ? 0 : j + 1;
+        const MUS_REAL w = step - (MUS_REAL)j, r0 = table[k * n + j], r1 = table[k * n + j1];
+        const MUS_REAL radius = r0 + w * (r1 - r0), slope_q = (r1 - r0) * angle_scale;
+
+        const MUS_REAL u = (s - middle) * over, round = share / (radius * radius);
+        const MUS_REAL level = (MUS_REAL)MUS_FIELD(sqrt)(round * rho2 + u * u) + ASK_TINY, scale = round / level;
+        const MUS_REAL turn = rho2 * slope_q * inverse * inverse / radius;
+        const MUS_REAL ga = scale * (ua + turn * ub), gb = scale * (ub - turn * ua), gs = u * over / level;
+        const MUS_REAL g = 1 / (MUS_REAL)MUS_FIELD(sqrt)(ga * ga + gb * gb + gs * gs + (MUS_REAL)1e-30);
+        found[i] = (1 - level) * g;
+        found[ASK_BLOCK + i] = g * (ga * y0 + gb * z0 + gs * x0);
+        found[2 * ASK_BLOCK + i] = g * (ga * y1 + gb * z1 + gs * x1);
+        found[3 * ASK_BLOCK + i] = g * (ga * y2 + gb * z2 + gs * x2);
+        state[i] = rho2 <= reach * reach;
+    }
+}
+
+
+/* what part l answered to `m` nodes of a block, who (m): those that are near keep it, of others the part is taken out
+ * of `in`; nodes that are left stay at the front of who. Their number */
+static int32_t MUS_FIELD(keep_answers)(int32_t l, int32_t m, uint8_t *who, uint64_t *in, MUS_FIELD(asking) * asking,
+                                       int64_t *queries)
+{
+    int32_t left = 0;
+    for (int32_t k = 0; k < m; k++) {
+        const int32_t i = who[k];
+        if (asking->state[k] == ASK_LATER) {
+            who[left++] = (uint8_t)i;
+            continue;
+        }
+        (*queries)++;
+        if (asking->state[k] == 0) in[i] &= ~((uint64_t)1 << l);
+        if (asking->state[k] == 0 || asking->most[i] == MEET_MOST) continue;
+        MUS_FIELD(answer) *answer = &asking->answer[asking->answers];
+        answer->depth = asking->found[k];
+        for (int32_t d = 0; d < 3; d++) answer->normal[d] = asking->found[(d + 1) * ASK_BLOCK + k];
+        answer->part = l;
+        answer->next = asking->head[i];
+        asking->head[i] = asking->answers++;
+        asking->most[i]++;
+    }
+    return left;
 }
 
 
@@ -105,24 +181,16 @@ static void MUS_FIELD(ask_block)(const mus__collider *collider, MUS_REAL margin,
     /* the last part first: the lists then begin with the first. A few nodes are not worth a row */
     for (int32_t l = collider->nlimb - 1; l >= 0; l--) {
         const int32_t m = members[l];
-        const uint8_t *who = asking->who[l];
+        uint8_t *who = asking->who[l];
         if (m < ASK_FEW) continue;
         for (int64_t d = 0; d < 3; d++)
             for (int32_t k = 0; k < m; k++) asking->place[d * ASK_BLOCK + k] = x[d * n + who[k]];
         MUS_FIELD(ask_many)(&collider->MUS_FIELDS[l], m, margin, asking->place, asking->found, asking->state);
-        for (int32_t k = 0; k < m; k++) {
-            const int32_t i = who[k];
-            if (asking->state[k] == ASK_LATER) continue;
-            (*queries)++;
-            if (asking->state[k] == 0) in[i] &= ~((uint64_t)1 << l);
-            if (asking->state[k] == 0 || asking->most[i] == MEET_MOST) continue;
-            MUS_FIELD(answer) *answer = &asking->answer[asking->answers];
-            answer->depth = asking->found[k];
-            for (int32_t d = 0; d < 3; d++) answer->normal[d] = asking->found[(d + 1) * ASK_BLOCK + k];
-            answer->part = l;
-            answer->next = asking->head[i];
-            asking->head[i] = asking->answers++;
-            asking->most[i]++;
-        }
+        const int32_t left = MUS_FIELD(keep_answers)(l, m, who, in, asking, queries);
+        if (left == 0) continue;
+        for (int64_t d = 0; d < 3; d++)
+            for (int32_t k = 0; k < left; k++) asking->place[d * ASK_BLOCK + k] = x[d * n + who[k]];
+        MUS_FIELD(ask_caps)(&collider->MUS_FIELDS[l], left, margin, asking->place, asking->found, asking->state);
+        MUS_FIELD(keep_answers)(l, left, who, in, asking, queries);
     }
 }

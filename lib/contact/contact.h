@@ -61,6 +61,7 @@ typedef struct mus__contact_home {
     double origin[3], axis[3], side[3], front[3]; /* in the state's coordinates */
     double end[2], reach;                         /* of the axis, across it */
     double safe;                                  /* as the collider's, through this part alone [m] */
+    double haste;                                 /* of this part, likewise [m/s] */
 } mus__contact_home;
 
 typedef struct mus__collider {
@@ -80,6 +81,7 @@ typedef struct mus__collider {
     int32_t moving;          /* what the body did in the last step: MUS_STOOD, MUS_GLIDED, MUS_TURNED */
     mus__carry *carry;       /* (nlimb) of MUS_TURNED; of MUS_GLIDED the first stands for all */
     double haste;            /* no surface moves faster against the drift [m/s] */
+    double plane_haste;      /* no plane does [m/s] */
     int32_t nplane;
     mus__contact_plane *plane; /* (MUS_PLANES_MOST), NULL without planes */
     float *table32;            /* all rings of all parts */
@@ -174,11 +176,11 @@ static inline double mus__contact_swift(const mus__collider *collider, const mus
     return swift > 0.0 ? swift : 0.0;
 }
 
-/* how far surfaces may have gone since the last call [m]; a float of it is not below */
-static inline double mus__contact_carried(const mus__collider *collider, const mus__contact_rule *rule)
+/* how far a surface of that haste may have gone since the last call [m]; a float of it is not below */
+static inline double mus__contact_carried(const mus__collider *collider, const mus__contact_rule *rule, double haste)
 {
     const double *d = collider->drift, drift = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    return 1.001 * rule->step * (collider->haste + drift) + 1e-9;
+    return 1.001 * rule->step * (haste + drift) + 1e-9;
 }
 
 /* nonzero when a node of first .. last-1 is swift; v planes (3 x n) */

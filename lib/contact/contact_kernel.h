@@ -249,15 +249,11 @@ static inline void MUS_FIELD(ask_flats)(MUS_REAL clearance, const MUS_FIELD(scen
 }
 
 
-/* how far the surface that a node is deepest in will move it at most: respond() */
-static inline MUS_REAL MUS_FIELD(push_of)(const mus__contact_rule *rule, const MUS_FIELD(path) * path,
-                                          const MUS_FIELD(side) * side, const MUS_REAL *p, const MUS_REAL *w)
+/* how far respond() moves a node at most that goes with w (3) against the surface, which is to lift it by `lift` */
+static inline MUS_REAL MUS_FIELD(push_far)(const mus__contact_rule *rule, MUS_REAL lift, const MUS_REAL *w)
 {
-    MUS_REAL from[3], speed[3], fast2 = 0;
-    MUS_FIELD(carry)(side->way, path->from, p, from, speed);
-    for (int32_t d = 0; d < 3; d++) fast2 += (w[d] - speed[d]) * (w[d] - speed[d]);
-    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(fast2), push = (MUS_REAL)rule->push;
-    return side->lift <= push + path->time * fast ? side->lift : push + path->slip * fast;
+    const MUS_REAL fast = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(w, w)), push = (MUS_REAL)rule->push;
+    return lift <= push + (MUS_REAL)rule->step * fast ? lift : push + (MUS_REAL)rule->slip * fast;
 }
 
 
@@ -288,7 +284,10 @@ static inline int32_t MUS_FIELD(touch)(const mus__collider *collider, const mus_
     if (count == 0 || !(sides[first].lift > -(MUS_REAL)TOUCH_BAND)) return 0;
 
     /* what it is pushed out of may push it into another surface: that one counts too */
-    const MUS_REAL push = MUS_FIELD(push_of)(rule, path, &sides[first], p, w);
+    MUS_REAL from[3], speed[3];
+    MUS_FIELD(carry)(sides[first].way, path->from, p, from, speed);
+    for (int32_t d = 0; d < 3; d++) speed[d] = w[d] - speed[d];
+    const MUS_REAL push = MUS_FIELD(push_far)(rule, sides[first].lift, speed);
     if (push > (MUS_REAL)PUSH_FAR)
         for (; rest != 0; rest &= rest - 1) {
             const int32_t l = mus__lowest_bit(rest);
@@ -328,20 +327,25 @@ static inline int32_t MUS_FIELD(touch)(const mus__collider *collider, const mus_
 
 /* ---- the pass ---- */
 
-/* parts first .. last-1, at most 32: a bit in in (count) for each whose box a node is in */
+/* parts first .. last-1, at most 32: a bit in in (count) for each whose box a node is in; far (count) gets the largest
+ * of carried (last) of those, if it is larger */
 MUS_CLONES
-static void MUS_FIELD(look)(const MUS_FIELD(scene) * scene, int32_t first, int32_t last, int64_t n, int32_t count,
-                            const MUS_REAL *restrict x, uint32_t *restrict in)
+static void MUS_FIELD(look)(const MUS_FIELD(scene) * scene, int32_t first, int32_t last, const MUS_REAL *carried,
+                            int64_t n, int32_t count, const MUS_REAL *restrict x, uint32_t *restrict in,
+                            MUS_REAL *restrict far)
 {
     for (int32_t i = 0; i < count; i++) in[i] = 0;
     for (int32_t l = first; l < last; l++) {
         const MUS_REAL *b = scene->box + 6 * l, b0 = b[0], b1 = b[1], b2 = b[2], b3 = b[3], b4 = b[4], b5 = b[5];
         const uint32_t bit = (uint32_t)1 << (l - first);
+        const MUS_REAL own = carried[l];
         MUS_IVDEP
         for (int32_t i = 0; i < count; i++) {
             const MUS_REAL p0 = x[i], p1 = x[n + i], p2 = x[2 * n + i];
             const uint32_t inside = (p0 >= b0) & (p0 <= b3) & (p1 >= b1) & (p1 <= b4) & (p2 >= b2) & (p2 <= b5);
+            const MUS_REAL most = own > far[i] ? own : far[i];
             in[i] |= inside * bit;
+            far[i] = inside != 0 ? most : far[i];
         }
     }
 }
@@ -391,7 +395,25 @@ int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, i
 }
 
 
-/* how far nodes, or the surfaces, have gone since the last call */
+/* how far surfaces may have gone since the last call: all of them, and of a body that turns each part beyond that. Of
+ * parts a node counts those in whose boxes it is: others are farther off than what it may go until it is asked again */
+typedef struct MUS_FIELD(carries) {
+    MUS_REAL rest, part[MUS_LIMBS_MOST];
+} MUS_FIELD(carries);
+
+
+static void MUS_FIELD(fill_carries)(const mus__collider *collider, const mus__contact_rule *rule,
+                                    MUS_FIELD(carries) * carries)
+{
+    const double rest = mus__contact_carried(collider, rule, collider->plane_haste);
+    carries->rest = (MUS_REAL)rest;
+    for (int32_t l = 0; l < collider->nlimb; l++)
+        carries->part[l] = (MUS_REAL)fmax(mus__contact_carried(collider, rule, collider->home[l].haste) - rest, 0.0);
+}
+
+
+/* to gone (count), which has how far the part went that did farthest beyond the rest, how far the node and the rest
+ * have gone since the last call */
 MUS_CLONES
 static void MUS_FIELD(wander)(MUS_REAL carried, int64_t n, int32_t count, const MUS_REAL *restrict before,
                               const MUS_REAL *restrict x, MUS_REAL *restrict gone)
@@ -399,7 +421,7 @@ static void MUS_FIELD(wander)(MUS_REAL carried, int64_t n, int32_t count, const 
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS_REAL d0 = x[i] - before[i], d1 = x[n + i] - before[n + i], d2 = x[2 * n + i] - before[2 * n + i];
-        gone[i] = carried + (MUS_REAL)MUS_FIELD(sqrt)(d0 * d0 + d1 * d1 + d2 * d2);
+        gone[i] = gone[i] + carried + (MUS_REAL)MUS_FIELD(sqrt)(d0 * d0 + d1 * d1 + d2 * d2);
     }
 }
 
@@ -466,7 +488,7 @@ static void MUS_FIELD(meet_block)(const mus__collider *collider, const mus__cont
         lone.kind[i] = LONE_NOTHING;
         if (skip[i] || (on[i] == 0 && (boxes[i] == 0 || (in[i] == 0 && own->slack > 0)))) continue;
         lone.kind[i] = on[i] != 0 ? LONE_ODD
-                                  : (uint8_t)MUS_FIELD(sort_node)(scene, clearance, n, start, i, boxes[i], in[i],
+                                  : (uint8_t)MUS_FIELD(sort_node)(rule, scene, clearance, n, start, i, boxes[i], in[i],
                                                                   &asking, before, x, v, own, &lone);
     }
     MUS_FIELD(respond_many)
@@ -495,7 +517,8 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
     MUS_FIELD(fill_scene)(collider, rule, margin, &scene);
 
     if (MUS_RUSH(collider, rule, n, first, last, v)) tally->swift = 1;
-    const MUS_REAL carried = (MUS_REAL)mus__contact_carried(collider, rule);
+    MUS_FIELD(carries) carries;
+    MUS_FIELD(fill_carries)(collider, rule, &carries);
     uint32_t low[ASK_BLOCK], high[ASK_BLOCK] = {0}, on[ASK_BLOCK] = {0};
     uint64_t boxes[ASK_BLOCK], in[ASK_BLOCK];
     MUS_REAL gone[ASK_BLOCK];
@@ -503,14 +526,15 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
     for (int32_t start = first; start < last; start += ASK_BLOCK) {
         const int32_t count = last - start < ASK_BLOCK ? last - start : ASK_BLOCK;
         uint64_t any = (uint64_t)(sweeps != 0);
-        MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, n, count, x + start, low);
-        if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, n, count, x + start, high);
+        for (int32_t i = 0; i < count; i++) gone[i] = 0;
+        MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, carries.part, n, count, x + start, low, gone);
+        if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, carries.part, n, count, x + start, high, gone);
         if (scene.nplane > 0) MUS_FIELD(look_down)(&scene, n, count, x + start, on);
-        MUS_FIELD(wander)(carried, n, count, before + start, x + start, gone);
+        MUS_FIELD(wander)(carries.rest, n, count, before + start, x + start, gone);
         for (int32_t i = 0; i < count; i++) {
             mus__aside *own = &aside[start + i];
-            own->slack -= (float)gone[i];
             boxes[i] = in[i] = low[i] | (uint64_t)high[i] << 32;
+            own->slack -= (float)gone[i];
             skip[i] = inverse[start + i] == 0;
 
             /* what it is too far from to have come to is not asked */

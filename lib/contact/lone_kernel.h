@@ -75,10 +75,10 @@ static inline void MUS_FIELD(set_aside)(const MUS_FIELD(gaps) * gaps, MUS_REAL m
 
 /* node i of a block that starts at node `start`, in the boxes `boxes` and near the parts `in`: what is to be done with
  * it. One that touches one part goes on the list */
-static int32_t MUS_FIELD(sort_node)(const MUS_FIELD(scene) * scene, MUS_REAL clearance, int64_t n, int32_t start,
-                                    int32_t i, uint64_t boxes, uint64_t in, const MUS_FIELD(asking) * asking,
-                                    const MUS_REAL *before, const MUS_REAL *x, const MUS_REAL *v, mus__aside *aside,
-                                    MUS_FIELD(lone) * lone)
+static int32_t MUS_FIELD(sort_node)(const mus__contact_rule *rule, const MUS_FIELD(scene) * scene, MUS_REAL clearance,
+                                    int64_t n, int32_t start, int32_t i, uint64_t boxes, uint64_t in,
+                                    const MUS_FIELD(asking) * asking, const MUS_REAL *before, const MUS_REAL *x,
+                                    const MUS_REAL *v, mus__aside *aside, MUS_FIELD(lone) * lone)
 {
     const MUS_REAL band = clearance + (MUS_REAL)TOUCH_BAND, gap = scene->margin - clearance;
     const int32_t m = lone->count;
@@ -100,28 +100,29 @@ static int32_t MUS_FIELD(sort_node)(const MUS_FIELD(scene) * scene, MUS_REAL cle
         return LONE_NOTHING;
     }
 
-    /* one that may be pushed into another surface */
-    const MUS_REAL lift = hit->depth + clearance;
-    if (lift > (MUS_REAL)PUSH_FAR && boxes != (uint64_t)1 << hit->part) return LONE_ODD;
-    for (int32_t k = asking->head[i]; k > 0; k = asking->answer[k].next) {
-        const MUS_FIELD(answer) *answer = &asking->answer[k];
-        if (answer->depth + clearance - lift * MUS_FIELD(dot)(answer->normal, hit->normal) > 0 && answer != hit)
-            return LONE_ODD;
-    }
-
     const MUS_FIELD(way) *way = MUS_FIELD(way_of)(scene, hit->part);
     const int64_t at = start + i;
-    MUS_REAL p[3], old[3], from[3], speed[3];
-    for (int32_t d = 0; d < 3; d++) p[d] = x[d * n + at], old[d] = before[d * n + at];
+    MUS_REAL p[3], w[3], old[3], from[3], speed[3], push = hit->depth + clearance;
+    for (int32_t d = 0; d < 3; d++) p[d] = x[d * n + at], w[d] = v[d * n + at], old[d] = before[d * n + at];
     if (way != NULL) MUS_FIELD(carry)(way, old, p, from, speed);
-    lone->lift[m] = lift;
+    lone->lift[m] = push;
     for (int32_t d = 0; d < 3; d++) {
         const int32_t k = d * ASK_BLOCK + m;
+        if (way != NULL) w[d] -= speed[d];
         lone->normal[k] = hit->normal[d];
         lone->x[k] = p[d];
         lone->from[k] = way != NULL ? from[d] : old[d];
-        lone->v[k] = way != NULL ? v[d * n + at] - speed[d] : v[d * n + at];
+        lone->v[k] = w[d];
         lone->speed[k] = way != NULL ? speed[d] : 0;
+    }
+
+    /* what it is pushed out of may push it into another surface */
+    if (push > (MUS_REAL)PUSH_FAR) push = MUS_FIELD(push_far)(rule, push, w);
+    if (push > (MUS_REAL)PUSH_FAR && boxes != (uint64_t)1 << hit->part) return LONE_ODD;
+    for (int32_t k = asking->head[i]; k > 0; k = asking->answer[k].next) {
+        const MUS_FIELD(answer) *answer = &asking->answer[k];
+        if (answer->depth + clearance - push * MUS_FIELD(dot)(answer->normal, hit->normal) > 0 && answer != hit)
+            return LONE_ODD;
     }
     lone->count++;
     return LONE_ONE;

@@ -247,8 +247,14 @@ void mus__collider_haste(mus__collider *collider)
 {
     static const double still[12] = {0.0};
     double most = 0.0;
-    for (int32_t l = 0; l < collider->nlimb && collider->moving == MUS_TURNED; l++)
-        most = fmax(most, box_haste(collider->carry[l].speed, collider->drift, collider->box + 6 * (int64_t)l));
+    collider->haste = 0.0;
+    for (int32_t l = 0; l < collider->nlimb; l++) {
+        double *own = &collider->home[l].haste;
+        *own = 0.0;
+        if (collider->moving == MUS_TURNED)
+            *own = box_haste(collider->carry[l].speed, collider->drift, collider->box + 6 * (int64_t)l);
+        collider->haste = fmax(collider->haste, *own);
+    }
     for (int32_t k = 0; k < collider->nplane; k++) {
         const mus__contact_plane *plane = &collider->plane[k];
         double box[6];
@@ -256,5 +262,6 @@ void mus__collider_haste(mus__collider *collider)
             box[i] = plane->point[i % 3] - collider->origin[i % 3] + (i < 3 ? -plane->reach : plane->reach);
         most = fmax(most, box_haste(plane->moving ? plane->carry.speed : still, collider->drift, box));
     }
-    collider->haste = most;
+    collider->plane_haste = most;
+    collider->haste = fmax(collider->haste, most);
 }

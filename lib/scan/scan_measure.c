@@ -3,8 +3,10 @@
  *
  * Bust: at the level between waist and armpits where the chest reaches furthest forward, at the bust points. Waist: the
  * narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest level between crotch and waist. Thigh: the
- * fullest below the crotch. Wrist: the narrowest of the forearm. A form without legs has bust, waist and hip as its
- * fullest level above, its narrowest, and its fullest below the middle third.
+ * fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it sections flare into the other leg, where
+ * no tape lies. Wrist: the narrowest of the forearm. Limbs are the right ones, as people are measured, or the left
+ * where there is no right one. A form without legs has bust, waist and hip as its fullest level above, its narrowest,
+ * and its fullest below the middle third.
  */
 #include <math.h>
 #include <string.h>
@@ -14,6 +16,7 @@
 #include "scan/scan_internal.h"
 
 #define MEASURE_SAMPLES 192
+#define MEASURE_THIGH (0.015 / 1.7) /* below the crotch, in parts of the stature */
 
 typedef struct measure_rows {
     int32_t count;
@@ -26,6 +29,14 @@ static int32_t measure_limb(const mus_body *body, const char *name)
     for (int32_t l = 0; l < mus_body_limb_count(body); l++)
         if (strcmp(mus_body_limb_name(body, l), name) == 0) return l;
     return -1;
+}
+
+
+/* the right one, or the left */
+static int32_t measure_side(const mus_body *body, const char *right, const char *left)
+{
+    const int32_t l = measure_limb(body, right);
+    return l >= 0 ? l : measure_limb(body, left);
 }
 
 
@@ -70,6 +81,22 @@ static void measure_note(mus_scan_report *report, int32_t girth, const measure_r
 }
 
 
+/* the fullest at `high` or below it; at `high` itself between the contours beside it */
+static void measure_below(mus_scan_report *report, int32_t girth, const measure_rows *rows, double high)
+{
+    const int32_t best = measure_most(rows, rows->tape, 1.0, 0.0, high);
+    measure_note(report, girth, rows, best);
+    for (int32_t i = 0; i + 1 < rows->count; i++) {
+        const double *s = rows->s + i, *tape = rows->tape + i;
+        if (!(s[0] <= high && high < s[1])) continue;
+        const double there = tape[0] + (high - s[0]) / (s[1] - s[0]) * (tape[1] - tape[0]);
+        if (best >= 0 && there <= rows->tape[best]) continue;
+        report->girth[girth] = there;
+        report->girth_height[girth] = high;
+    }
+}
+
+
 static void measure_torso(const measure_rows *rows, const mus__scan_found *found, mus_scan_report *report)
 {
     const double h = found->stature;
@@ -95,17 +122,17 @@ mus_status mus__scan_measure(const mus_body *body, const mus__scan_found *found,
                              mus_scan_report *report)
 {
     measure_rows rows;
+    const mus__scan_arm *arm = &found->arm[found->arm[1].there ? 1 : 0];
     for (int32_t l = 0; l < limbs->count; l++) {
         mus_status status = measure_contours(body, &limbs->limb[l], l, &rows);
         if (status != MUS_OK) return status;
         if (l == measure_limb(body, "torso")) measure_torso(&rows, found, report);
-        if (l == measure_limb(body, "leg_left"))
-            measure_note(report, MUS_SCAN_THIGH, &rows,
-                         measure_most(&rows, rows.tape, 1.0, 0.0, found->crotch - 0.002 * found->stature));
-        if (l == measure_limb(body, "arm_left"))
+        if (l == measure_side(body, "leg_right", "leg_left"))
+            measure_below(report, MUS_SCAN_THIGH, &rows, found->crotch - MEASURE_THIGH * found->stature);
+        if (l == measure_side(body, "arm_right", "arm_left"))
             measure_note(report, MUS_SCAN_WRIST, &rows,
-                         measure_most(&rows, rows.tape, -1.0, found->arm[0].wrist - 0.03 * found->stature,
-                                      found->arm[0].wrist + 0.03 * found->stature));
+                         measure_most(&rows, rows.tape, -1.0, arm->wrist - 0.03 * found->stature,
+                                      arm->wrist + 0.03 * found->stature));
     }
     return MUS_OK;
 }

@@ -84,7 +84,7 @@ static uint64_t hash_options(const batch *b, dress *d)
             hash = hash_text(hash, *(const bool *)o->value ? "yes" : "no");
         } else if (o->kind == OPTION_LIST) {
             const texts *list = o->value;
-            for (int32_t i = 0; i < list->count; i++) hash = hash_text(hash, list->at[i]);
+            for (int32_t i = 0; i < list->count; i++) hash = hash_file(hash_text(hash, list->at[i]), list->at[i]);
         } else if (o->kind == OPTION_TEXT) {
             const char *text = *(const char *const *)o->value;
             hash = hash_text(hash, text);
@@ -121,6 +121,7 @@ int batch_options(const batch *b, const batch_line *g, dress *d, const char **na
         what = what || AMONG(g->word[i], garments);
         whom = whom || AMONG(g->word[i], bodies);
         if (strcmp(g->word[i], "--view") == 0) d->look.views.count = 0;
+        if (strcmp(g->word[i], "--over") == 0) d->over.count = 0;
     }
     if (what) d->from.design = d->from.words = d->from.pattern = NULL;
     if (whom) {
@@ -199,6 +200,7 @@ static void name_make(const batch *b, batch_line *g, const dress *d)
     const char *what = from->pattern != NULL ? from->pattern : from->design != NULL ? from->design : from->words;
     const char *whom = d->mesh.file != NULL ? d->mesh.file : from->tape != NULL ? from->tape : from->size;
     name_append_path(g->name, what != NULL ? what : "none");
+    for (int32_t i = 0; i < d->over.count; i++) name_append_path(g->name, d->over.at[i]);
     if (whom != NULL) name_append_path(g->name, whom);
     if (from->row != NULL) name_append_path(g->name, from->row);
     const size_t length = strlen(g->name);

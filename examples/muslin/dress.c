@@ -38,7 +38,7 @@ static bool has_place(const mus_pattern *pattern)
 }
 
 
-/* body, cloth, drape: everything before the first step */
+/* the body, and where the panels start */
 static mus_status prepare(dress *d)
 {
     double start = seconds();
@@ -47,22 +47,27 @@ static mus_status prepare(dress *d)
         status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
         d->body_seconds = seconds() - start;
     }
+    if (status == MUS_OK && d->open) status = mus_pattern_open_closures(d->s.pattern, 1, NULL);
     if (status != MUS_OK) return status;
 
     start = seconds();
-    if (d->body != NULL && (d->place != NULL ? strcmp(d->place, "found") == 0 : !has_place(d->s.pattern)))
-        status = mus_pattern_place(d->s.pattern, d->body);
+    d->found = d->body != NULL && (d->place != NULL ? strcmp(d->place, "found") == 0 : !has_place(d->s.pattern));
+    if (d->found) status = mus_pattern_place(d->s.pattern, d->body);
     d->place_seconds = seconds() - start;
-    if (status != MUS_OK) return status;
+    return status;
+}
 
-    start = seconds();
+
+/* cloth and drape: everything before the first step */
+static mus_status cut_out(dress *d)
+{
+    const double start = seconds();
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.fabric = d->fabric;
     cut.spacing = 0.001 * d->spacing_mm;
-    if (d->open) status = mus_pattern_open_closures(d->s.pattern, 1, NULL);
-    if (status == MUS_OK) status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
-    d->mesh_seconds = seconds() - start;
+    mus_status status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
+    d->mesh_seconds += seconds() - start;
     if (status != MUS_OK) return status;
 
     mus_drape_def def;
@@ -83,10 +88,10 @@ static void run(dress *d)
     const mus_progress_fn progress = show ? show_progress : d->progress;
     double start = seconds();
     d->outcome = mus_drape_sew(d->drape, progress, d->progress_user);
-    d->sew_seconds = seconds() - start;
+    d->sew_seconds += seconds() - start;
     start = seconds();
     if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, d->progress_user);
-    d->settle_seconds = seconds() - start;
+    d->settle_seconds += seconds() - start;
     if (show) fputs("\r             \r", stderr);
 
     /* at rest, but through itself: no garment */
@@ -105,6 +110,55 @@ static void look_at_start(dress *d)
     const mus_status status = mus_drape_start(d->drape, &d->start);
     d->outcome = status == MUS_OK && d->start.kind != MUS_REASON_NONE ? MUS_ERR_SEW : status;
     if (d->outcome == MUS_ERR_SEW) snprintf(d->reason, sizeof d->reason, "%s", d->start.text);
+}
+
+
+/* from where the panels start to rest, or to why not */
+static void attempt(dress *d)
+{
+    mus_reason_init(&d->start, sizeof d->start);
+    d->outcome = cut_out(d);
+    if (d->outcome == MUS_OK) look_at_start(d);
+    if (d->outcome == MUS_OK)
+        run(d);
+    else if (d->start.kind == MUS_REASON_NONE)
+        snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+}
+
+
+/* whether another start may help: a bad one, or from it a seam that does not close or cloth through cloth */
+static bool start_failed(const dress *d)
+{
+    mus_reason why;
+    mus_reason_init(&why, sizeof why);
+    if (d->outcome == MUS_OK || d->drape == NULL || d->place != NULL || d->found || d->mesh.file != NULL ||
+        d->over.count > 0)
+        return false;
+    if (d->start.kind != MUS_REASON_NONE) return d->start.kind == MUS_REASON_START_TANGLED;
+    return mus_drape_reason(d->drape, &why) == MUS_OK &&
+           (why.kind == MUS_REASON_SEAM_OPEN || why.kind == MUS_REASON_TANGLED);
+}
+
+
+/* once more, from places that are found; what ended worse is thrown away */
+static void attempt_again(dress *d)
+{
+    dress first = *d;
+    const double start = seconds();
+    mus_status status = mus_pattern_place(d->s.pattern, d->body);
+    d->place_seconds += seconds() - start;
+    d->cloth = NULL;
+    d->drape = NULL;
+    if (status == MUS_OK) attempt(d);
+    d->found = status == MUS_OK && d->outcome == MUS_OK;
+    mus_drape_destroy(d->found ? first.drape : d->drape);
+    mus_cloth_destroy(d->found ? first.cloth : d->cloth);
+    if (d->found) return;
+    d->cloth = first.cloth;
+    d->drape = first.drape;
+    d->outcome = first.outcome;
+    d->start = first.start;
+    memcpy(d->reason, first.reason, sizeof d->reason);
 }
 
 
@@ -230,7 +284,7 @@ int32_t dress_options(dress *d, option *table)
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
         {"--place", OPTION_TEXT, &d->place, 0, 0,
-         "HOW  panels start where the pattern says (file), or places are found (found)"},
+         "HOW  panels start: file (as the pattern says) or found; default file, then found"},
         {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
         {"--open", OPTION_FLAG, &d->open, 0, 0, "zips and buttons are left open"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
@@ -282,11 +336,12 @@ int dress_run(dress *d)
 {
     int code = EXIT_DONE;
     d->outcome = prepare(d);
-    if (d->outcome == MUS_OK) look_at_start(d);
-    if (d->outcome == MUS_OK)
-        run(d);
-    else if (d->start.kind == MUS_REASON_NONE)
+    if (d->outcome == MUS_OK) {
+        attempt(d);
+        if (start_failed(d)) attempt_again(d);
+    } else {
         snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+    }
     if (d->outcome == MUS_OK) code = move_on(d);
     if (d->drape != NULL && code == EXIT_DONE) look_at_fit(d);
     return d->drape != NULL && code == EXIT_DONE ? write_shapes(d) : code;

@@ -19,6 +19,7 @@ typedef struct dress {
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;
+    bool found; /* it started from places that were found */
     bool led; /* the animated file is written */
     mus_progress_fn progress; /* of sewing and settling where none is shown, NULL: none; with progress_user */
     void *progress_user;

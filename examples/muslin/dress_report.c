@@ -55,6 +55,7 @@ static void write_layers(const dress *d, const mus_drape_report *r, json *j)
 {
     int64_t crossings = 0;
     if (mus_drape_crossings(d->drape, 0, NULL, &crossings) == MUS_OK) json_int(j, "crossings", crossings);
+    if (!d->self_contact && d->over.count == 0) return;
     json_int(j, "self_contacts", r->self_contacts);
     json_int(j, "self_queries", r->self_queries);
 }
@@ -105,6 +106,7 @@ void dress_describe(const dress *d, bool timed, json *j)
         mus_drape_report_init(&r, sizeof r);
         mus_drape_report_get(d->drape, &r);
         snprintf(hash, sizeof hash, "%016llx", (unsigned long long)mus_drape_hash(d->drape));
+        json_text(j, "start", d->found ? "found" : "pattern");
         json_int(j, "panels", mus_cloth_panel_count(d->cloth));
         json_int(j, "nodes", r.nodes);
         json_int(j, "springs", r.springs);
@@ -123,7 +125,7 @@ void dress_describe(const dress *d, bool timed, json *j)
         json_number(j, "settle_time_s", r.settle_time);
         json_int(j, "spring_evaluations", r.spring_evaluations);
         json_int(j, "contact_queries", r.contact_queries);
-        if (d->self_contact || d->over.count > 0) write_layers(d, &r, j);
+        write_layers(d, &r, j);
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }

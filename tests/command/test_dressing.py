@@ -227,6 +227,19 @@ def test_a_garmentcode_garment_ends_with_a_word_from_the_list(dress, data, speci
         assert report["reason"] in lines[0]
 
 
+def test_where_the_places_of_a_file_are_wrong_others_are_found(dress, patterns, tape, tmp_path):
+    # front and back each where the other belongs
+    pattern = json.loads(patterns("tshirt").read_text())
+    front, back = (next(panel for panel in pattern["panels"] if panel["name"] == name) for name in ("front", "back"))
+    front["placement"], back["placement"] = back["placement"], front["placement"]
+    path = tmp_path / "exchanged.json"
+    path.write_text(json.dumps(pattern))
+    asked, _ = dress("--pattern", path, "--tape", tape, "--spacing", "40", "--place", "file", code=1)
+    report, _ = dress("--pattern", path, "--tape", tape, "--spacing", "40")
+    assert asked["start"] == "pattern" and asked["status"] == "start tangled"
+    assert report["start"] == "found" and report["status"] == "settled"
+
+
 def test_a_specification_cut_short_is_refused(command, one_line, data, tape, tmp_path):
     whole = data("garmentcode/specs/d11_007_mean_all_specification.json").read_bytes()
     for n in (0, 1, len(whole) // 2, len(whole) - 10):

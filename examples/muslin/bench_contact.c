@@ -4,7 +4,8 @@
  *
  * Points lie within 4 mm of the skin of a body W40, where cloth is: one triangle of the surface after the other, as
  * nodes of a cloth lie, and scattered, where neither finds in the caches what the point before left there. Contact is
- * timed as a drape does it: steps of nodes without springs round the body, less the same without it, in float.
+ * timed as a drape does it: steps of nodes without springs round the body, less the same without it, in float, with a
+ * clearance that makes each node touch, so that each is asked and answered in every step (of a garment: bench_worn.c).
  * mus_body_depth is timed too, in double; it asks every part of the body of every point. The tree stands over the
  * surface of about 20,000 triangles; its distances are held against depths outside.
  */

@@ -34,6 +34,8 @@
 /* [m]: a node that is pushed farther than this may come to a part that it is not asked of */
 #define PUSH_FAR (ASIDE_GAP * (ASIDE_SAFE - 1) / ASIDE_SAFE)
 
+#define SAFE_WAY 0.999 /* part of the safe length: for the rounding of ways */
+
 #define SQUEEZE_MOST 5.0 /* [m/s] out of a wedge that closes */
 #define MEET_MOST 8      /* surfaces that a node touches at once; more are left out */
 #define MEET_NEAR 16     /* that it is near; of more, those that are farthest are left out */
@@ -398,7 +400,7 @@ int32_t MUS_RUSH(const mus__collider *collider, const mus__contact_rule *rule, i
 /* how far surfaces may have gone since the last call: all of them, and of a body that turns each part beyond that. Of
  * parts a node counts those in whose boxes it is: others are farther off than what it may go until it is asked again */
 typedef struct MUS_FIELD(carries) {
-    MUS_REAL rest, part[MUS_LIMBS_MOST];
+    MUS_REAL rest, part[MUS_LIMBS_MOST], most;
 } MUS_FIELD(carries);
 
 
@@ -407,8 +409,11 @@ static void MUS_FIELD(fill_carries)(const mus__collider *collider, const mus__co
 {
     const double rest = mus__contact_carried(collider, rule, collider->plane_haste);
     carries->rest = (MUS_REAL)rest;
-    for (int32_t l = 0; l < collider->nlimb; l++)
+    carries->most = 0;
+    for (int32_t l = 0; l < collider->nlimb; l++) {
         carries->part[l] = (MUS_REAL)fmax(mus__contact_carried(collider, rule, collider->home[l].haste) - rest, 0.0);
+        if (carries->part[l] > carries->most) carries->most = carries->part[l];
+    }
 }
 
 
@@ -525,7 +530,8 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
     uint8_t skip[ASK_BLOCK];
     for (int32_t start = first; start < last; start += ASK_BLOCK) {
         const int32_t count = last - start < ASK_BLOCK ? last - start : ASK_BLOCK;
-        uint64_t any = (uint64_t)(sweeps != 0);
+        uint64_t any = 0;
+        MUS_REAL way = 0;
         for (int32_t i = 0; i < count; i++) gone[i] = 0;
         MUS_FIELD(look)(&scene, 0, nlimb < 32 ? nlimb : 32, carries.part, n, count, x + start, low, gone);
         if (nlimb > 32) MUS_FIELD(look)(&scene, 32, nlimb, carries.part, n, count, x + start, high, gone);
@@ -535,6 +541,7 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
             mus__aside *own = &aside[start + i];
             boxes[i] = in[i] = low[i] | (uint64_t)high[i] << 32;
             own->slack -= (float)gone[i];
+            if (!(gone[i] <= way)) way = gone[i];
             skip[i] = inverse[start + i] == 0;
 
             /* what it is too far from to have come to is not asked */
@@ -543,8 +550,11 @@ void MUS_CONTACT(const mus__collider *collider, const mus__contact_rule *rule, i
             if (skip[i]) in[i] = 0;
             any |= in[i] | (skip[i] ? 0 : on[i]);
         }
-        if (any == 0) continue;
-        if (!sweeps) {
+
+        /* a block of which no node went so far against any surface is not swept */
+        const int32_t swept = sweeps != 0 && !(way + carries.most <= (MUS_REAL)(SAFE_WAY * collider->safe));
+        if (any == 0 && !swept) continue;
+        if (!swept) {
             MUS_FIELD(meet_block)
             (collider, rule, &scene, n, start, count, boxes, in, on, skip, inverse, before, aside, x, v, tally);
             continue;

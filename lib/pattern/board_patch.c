@@ -28,6 +28,9 @@
 /* does the segment p q meet a b, which shares no end with it? */
 static bool patch_meets(const double *p, const double *q, const double *a, const double *b)
 {
+    /* on one line they may be apart */
+    for (int32_t d = 0; d < 2; d++)
+        if (fmax(p[d], q[d]) < fmin(a[d], b[d]) || fmax(a[d], b[d]) < fmin(p[d], q[d])) return false;
     const double a1 = mus__orient2d(p, q, a), b1 = mus__orient2d(p, q, b);
     const double p1 = mus__orient2d(a, b, p), q1 = mus__orient2d(a, b, q);
     if ((a1 > 0.0 && b1 > 0.0) || (a1 < 0.0 && b1 < 0.0)) return false;

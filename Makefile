@@ -25,6 +25,7 @@
 #   make report     error against run time: page, table and pictures of tests/report anew, 20 minutes (QUICK=1: small
 #                   scenes, into build/report, under a minute; REPORT='--only sheet speed' measures some jobs anew)
 #   make check-large  a sheet of a million nodes and eight million springs (0.7 GB)
+#   make check-self-off  a build whose steps know nothing of cloth on cloth: the same bits, the same time within 1 %
 #   make sizes      the table of module sizes (tests/guard/sizes.table) anew
 #   make check-glb  the Khronos validator on the .glb of `make dress` (needs node)
 #
@@ -138,7 +139,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(OMIT),,$(PROGRAMS))
 
 .PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now girths girths-now motion motion-now sheet sheet-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
-        check-omit-now check-ports check-large report report-now sizes clean FORCE \
+        check-omit-now check-ports check-large check-self-off report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
 
@@ -333,6 +334,9 @@ check-omit-now: $(BIN)/tests
 	@MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
 	  PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' \
 	  sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
+
+check-self-off: lib
+	@CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 
 check-large: $(BIN)/tests
 	MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests

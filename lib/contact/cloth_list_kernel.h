@@ -11,6 +11,7 @@
 #define SELF_FLAT_PART 0.5 /* of the distance in the flat: flat cloth does not touch itself */
 #define SELF_SWEEP 1.0     /* mean edges: nodes drift so far, beside what all do, in a list's time */
 #define SELF_SPAN 0.02     /* [s] at most */
+#define SELF_STILL 0.5     /* skins in that time: slower cloth does not drift */
 #define SELF_LONGER 2.0    /* times as old as the last list became this one may become */
 #define SELF_WIDEN 2.0     /* a skin that was halved for want of room grows so much when there is four times the room */
 #define SELF_ROUND 4e-7    /* of a coordinate: what differences of floats may be off by */
@@ -251,7 +252,7 @@ static void MUS_FIELD(self_meet)(void *user, int32_t a, int32_t b)
 static MUS_REAL MUS_FIELD(self_drift)(mus__cloth_self *self, const MUS_REAL *x)
 {
     const int64_t n = self->n;
-    MUS_REAL *drift = self->drift, *home = self->home, most2 = 0, mean[3];
+    MUS_REAL *drift = self->drift, *home = self->home, most2 = 0, speed2 = 0, mean[3];
     const MUS_REAL rate = (MUS_REAL)(self->age > 0.0 ? 1.0 / self->age : 0.0);
     memset(self->mean, 0, sizeof self->mean);
     if (self->stale || self->full || !(rate > 0)) {
@@ -268,12 +269,22 @@ static MUS_REAL MUS_FIELD(self_drift)(mus__cloth_self *self, const MUS_REAL *x)
         mean[d] = (MUS_REAL)self->mean[d];
     }
     for (int64_t i = 0; i < self->nodes; i++) {
-        MUS_REAL apart2 = 0;
+        MUS_REAL apart2 = 0, all2 = 0;
         for (int64_t d = 0; d < 3; d++) {
-            const MUS_REAL apart = drift[d * n + i] - mean[d];
+            const MUS_REAL all = drift[d * n + i], apart = all - mean[d];
             apart2 += apart * apart;
+            all2 += all * all;
         }
         most2 = apart2 > most2 ? apart2 : most2;
+        speed2 = all2 > speed2 ? all2 : speed2;
+    }
+
+    /* what hardly moves stands still, and its list holds until it is worn */
+    const MUS_REAL slow = (MUS_REAL)(SELF_STILL * self->skin / SELF_SPAN);
+    if (!(speed2 > slow * slow)) {
+        memset(self->mean, 0, sizeof self->mean);
+        memset(drift, 0, 3 * (size_t)n * sizeof *drift);
+        return 0;
     }
     const MUS_REAL way = (MUS_REAL)(SELF_SWEEP * self->edge), most = (MUS_REAL)MUS_SQRT(most2);
     const MUS_REAL span = (MUS_REAL)fmin(SELF_SPAN, SELF_LONGER * self->age);

@@ -207,7 +207,7 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     if (sim->phase_touch == NULL || sim->collider == NULL || first == last) return;
     MUS_REAL *x = sim->phase_touch, *v = x + 3 * (int64_t)sim->n;
     const int32_t start = plan->chunk[first].first, end = plan->chunk[last - 1].first + plan->chunk[last - 1].count;
-    if (sim->self != NULL)
+    if (MUS_SELF_OF(sim) != NULL)
         for (int64_t d = 0; d < 3; d++)
             memcpy((MUS_REAL *)sim->self->before + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
@@ -277,7 +277,7 @@ static void MUS_FN(stitch)(mus__sim *sim)
 /* cloth against cloth, at the end of a step of h */
 static inline void MUS_FN(meet_self)(mus__sim *sim, double h)
 {
-    if (sim->self == NULL) return;
+    if (MUS_SELF_OF(sim) == NULL) return;
     MUS_REAL *y = sim->y;
     MUS_CLOTH(sim->self, &sim->self_rule, sim->inverse, y, y + 3 * (int64_t)sim->n);
     sim->self_time += h;
@@ -286,7 +286,7 @@ static inline void MUS_FN(meet_self)(mus__sim *sim, double h)
 
 static void MUS_FN(look)(mus__sim *sim)
 {
-    if (sim->self != NULL) MUS_CLOTH_LOOK(sim->self, sim->y);
+    if (MUS_SELF_OF(sim) != NULL) MUS_CLOTH_LOOK(sim->self, sim->y);
 }
 
 
@@ -296,7 +296,9 @@ static void MUS_FN(euler)(mus__sim *sim, double h)
     sim->swift = sim->collider != NULL && sim->rule.travel > sim->collider->safe;
     MUS_FN(run_move)(sim, PHASE_EULER);
     if (sim->plan->npair > 0) MUS_FN(stitch)(sim);
-    MUS_FN(meet_self)(sim, h);
+
+    /* what rests gets its impulse after drag has taken its share of the step's forces: they are greater by that */
+    MUS_FN(meet_self)(sim, h / (1.0 + h * sim->drag));
 }
 
 
@@ -349,7 +351,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
     MUS_FN(flush)(sim);
     memset(sim->aside, 0, (size_t)n * sizeof *sim->aside);
     sim->fresh = 0;
-    if (sim->self != NULL) sim->self->stale = 1;
+    if (MUS_SELF_OF(sim) != NULL) sim->self->stale = 1;
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -409,7 +411,7 @@ static void MUS_FN(restore)(mus__sim *sim)
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
     memset(sim->aside, 0, (size_t)sim->n * sizeof *sim->aside);
     sim->fresh = 0;
-    if (sim->self != NULL) sim->self->stale = 1;
+    if (MUS_SELF_OF(sim) != NULL) sim->self->stale = 1;
 }
 
 

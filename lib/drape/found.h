@@ -28,6 +28,7 @@ typedef struct found_panel {
     double sign;                     /* +1: drawn as seen from outside, -1: mirrored */
     double turn[2];                  /* cosine and sine from (sign x, y) to (h, v) */
     int32_t turned;                  /* nonzero: the way up is known */
+    int32_t fan;                     /* nonzero: more than half a circle, whose sides face each other */
     double low[2], high[2];          /* box in (h, v) */
     double area;
     double u, v;                     /* its (0, 0) in the tube: along the girth, up the axis */
@@ -58,7 +59,7 @@ typedef struct found_tube {
     int32_t set;       /* nonzero: it has its place */
     int32_t hangs;     /* nonzero: it lies on the shoulders */
     int32_t fork;      /* nonzero: it goes round two legs */
-    int32_t apart;     /* nonzero: a panel that lay in no tube with what is beside it */
+    int32_t fan;       /* nonzero: of one panel, a fan */
     int32_t layer;     /* pieces that came before lie inside */
     double girth;      /* once round */
     double wide;       /* widest: of all boxes side by side */
@@ -95,8 +96,6 @@ void mus__found_place(const found_panel *panel, double h, double v, double *out)
 /* ---- found_tube.c: panels side by side ---- */
 
 mus_status mus__found_tubes(mus__found *found);
-/* each panel of tube t, but the first, to a tube of its own */
-void mus__found_take_apart(mus__found *found, int32_t t);
 
 /* ---- found_site.c: tubes round limbs ---- */
 

@@ -11,6 +11,8 @@
 #include "drape/found.h"
 #include "geom/vec.h"
 
+#define READ_SIDE 0.5 /* an edge whose way out is so far to a side is one */
+
 
 
 static bool read_letter(char c)
@@ -169,6 +171,25 @@ int32_t mus__found_partner(const mus__found *found, const found_seam *seam, int3
 }
 
 
+/* the sides that face right lie to the left of those that face left: a fan of more than half a circle */
+static void read_fan(mus__found *found, int32_t p)
+{
+    found_panel *panel = &found->panel[p];
+    double place[2] = {0.0, 0.0}, length[2] = {0.0, 0.0};
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        const found_edge *edge = &found->edge[panel->edge[i]];
+        if (edge->seam == MUS_NONE || !(fabs(edge->outward[0]) > READ_SIDE)) continue;
+        const found_seam *seam = &found->seam[edge->seam];
+        const int32_t other = found->edge[seam->a == panel->edge[i] ? seam->b : seam->a].panel;
+        if (other == p || found->panel[other].site != panel->site) continue;
+        const int32_t right = edge->outward[0] > 0.0;
+        place[right] += edge->length * edge->dot[2 * (FOUND_DOTS / 2)];
+        length[right] += edge->length;
+    }
+    if (length[0] > 0.0 && length[1] > 0.0) panel->fan = place[1] / length[1] < place[0] / length[0];
+}
+
+
 /* sides of a tube meet: one faces right, the other left */
 static void read_seam(mus__found *found, found_seam *seam)
 {
@@ -182,9 +203,9 @@ static void read_seam(mus__found *found, found_seam *seam)
         low += 0.5 * (a->dot[2 * i + 1] - p->high[1] + b->dot[2 * k + 1] - q->high[1]) / FOUND_DOTS;
     }
     seam->high = low;
-    if (p->site != q->site) return;
-    if (a->outward[0] > 0.5 && b->outward[0] < -0.5) seam->beside = 1;
-    if (a->outward[0] < -0.5 && b->outward[0] > 0.5) seam->beside = -1;
+    if (p->site != q->site || p->fan || q->fan) return;
+    if (a->outward[0] > READ_SIDE && b->outward[0] < -READ_SIDE) seam->beside = 1;
+    if (a->outward[0] < -READ_SIDE && b->outward[0] > READ_SIDE) seam->beside = -1;
 }
 
 
@@ -210,6 +231,7 @@ mus_status mus__found_read(mus__found *found)
     if (status != MUS_OK) return status;
     read_arms(found);
     for (int32_t p = 0; p < found->npanel; p++) read_turn(found, &found->panel[p]);
+    for (int32_t p = 0; p < found->npanel; p++) read_fan(found, p);
     for (int32_t i = 0; i < found->nseam; i++) read_seam(found, &found->seam[i]);
     return MUS_OK;
 }

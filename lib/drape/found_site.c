@@ -15,13 +15,15 @@
 #include "geom/vec.h"
 
 #define SITE_WAYS 72
-#define SITE_APART 0.08     /* [m2] panels that do not close and lie so badly together are no tube */
 #define SITE_WORD 0.02      /* [m2]: what a word against a way is worth */
 #define SITE_SHOULDER 0.02  /* [m2] */
 #define SITE_UP 0.5         /* edges whose way out is so far up belong to a shoulder */
 #define SITE_RADIUS 0.32    /* [m] no tube of the trunk starts wider */
 #define SITE_WAIST_PART 0.92 /* of the waist: no skirt has a smaller opening */
+#define SITE_SLOPE 0.15     /* [m]: the middle of a shoulder is not lower below the top, of a cape's not twice that */
+#define SITE_WIDE 2.0       /* of its distance: half a sheet so wide starts flat, clear of the arms */
 #define SITE_APART_LEGS 0.01 /* [m] off the middle */
+#define SITE_FORK 0.05      /* [m] that a leg starts farther out at most */
 #define SITE_OVER 0.4       /* of a leg's panel: what reaches over the middle is its fork */
 #define SITE_SIDE 0.5       /* cosine: panels that face more to the side than this make a ring */
 #define SITE_ROOM 0.012     /* [m] that a sleeve starts wider than it is */
@@ -180,8 +182,8 @@ static double site_cost(const mus__found *found, int32_t t, double *shift)
         const found_panel *pa = &found->panel[a->panel], *pb = &found->panel[b->panel];
         const bool in_a = pa->tube == t, in_b = pb->tube == t;
         if (!in_a && !in_b) continue;
-        const bool apart = pa->tube != pb->tube && found->tube[pa->tube].apart && found->tube[pb->tube].apart;
-        const bool level = apart || (a->panel != b->panel && a->outward[1] > SITE_UP && b->outward[1] > SITE_UP);
+        const bool fans = pa->tube != pb->tube && pa->fan && pb->fan;
+        const bool level = fans || (a->panel != b->panel && a->outward[1] > SITE_UP && b->outward[1] > SITE_UP);
         for (int32_t k = 0; k < FOUND_DOTS; k++) {
             const int32_t m = mus__found_partner(found, seam, k);
             double x[3], y[3], angle = 0.0, other = 0.0;
@@ -191,7 +193,7 @@ static double site_cost(const mus__found *found, int32_t t, double *shift)
             else mus__found_place(pb, b->dot[2 * m], b->dot[2 * m + 1], y), other = atan2(y[0], y[2] - tube->axis[2]);
             if (level && tube->site == FOUND_TRUNK) shoulder += seam->length * (1.0 + cos(angle + other));
             if (level) seams += seam->length;
-            if (apart || (in_a && in_b) || !found->tube[in_a ? pb->tube : pa->tube].set) continue;
+            if (fans || (in_a && in_b) || !found->tube[in_a ? pb->tube : pa->tube].set) continue;
             const double d[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
             const double along = (in_a ? 1.0 : -1.0) * mus__dot3(d, tube->up);
             weight += seam->length, square += seam->length * mus__dot3(d, d);
@@ -204,8 +206,8 @@ static double site_cost(const mus__found *found, int32_t t, double *shift)
 }
 
 
-/* the best way round: of SITE_WAYS, then finer by halves; what it costs */
-static double site_turn(mus__found *found, int32_t t)
+/* the best way round: of SITE_WAYS, then finer by halves */
+static void site_turn(mus__found *found, int32_t t)
 {
     found_tube *tube = &found->tube[t];
     double best = 1e30, phase = 0.0, shift;
@@ -222,7 +224,6 @@ static double site_turn(mus__found *found, int32_t t)
         }
     tube->phase = phase;
     site_cost(found, t, &tube->shift);
-    return best;
 }
 
 
@@ -253,11 +254,12 @@ static void site_half(const mus__found *found, const found_tube *tube, found_pan
     double off = tube->radius;
     if (tube->site == FOUND_TRUNK && tube->axis[0] == 0.0)
         off = tube->hangs ? found->off
-              : tube->fork ? found->belly
+              : tube->fork || tube->fan ? found->belly
                            : fmin(fmax(found->belly, tube->wide / (2.0 * MUS_PI) + 0.01), SITE_RADIUS);
     off += SITE_LAYER * tube->layer;
     panel->line = line;
     panel->bend = tube->hangs && tube->ring ? SITE_BEND * tube->girth : site_bend(off, half);
+    if (!tube->ring && !tube->hangs && half > SITE_WIDE * off) panel->bend = 0.0;
     for (int32_t d = 0; d < 3; d++) {
         panel->out[d] = (front ? 1.0 : -1.0) * tube->front[d];
         panel->along[d] = (front ? 1.0 : -1.0) * tube->right[d];
@@ -272,7 +274,7 @@ static void site_half(const mus__found *found, const found_tube *tube, found_pan
     const double width = panel->high[0] - panel->low[0];
     const double over = middle > line ? line - panel->low[0] : panel->high[0] - line;
     if (!tube->fork || !(over > 0.0 && over < SITE_OVER * width)) return;
-    for (int32_t d = 0; d < 3; d++) panel->at[d] += (middle > line ? over : -over) * panel->along[d];
+    for (int32_t d = 0; d < 3; d++) panel->at[d] += copysign(fmin(over, SITE_FORK), middle - line) * panel->along[d];
 }
 
 
@@ -399,9 +401,9 @@ static bool site_hangs(const mus__found *found, int32_t t, bool apart)
         if (p->site != q->site && p->site + q->site == FOUND_TRUNK + FOUND_ARM) return true;
         if (p->site != q->site && p->site + q->site == FOUND_TRUNK + FOUND_NECK) neck = true;
         const bool up = a->outward[1] > SITE_UP, other = b->outward[1] > SITE_UP;
-        if (p != q && up && other && seam->high > -0.15) {
-            if (p->tube == q->tube) return true;
-            level = level || p->site == q->site;
+        if (p != q && up && other) {
+            if (p->tube == q->tube && seam->high > -SITE_SLOPE) return true;
+            level = level || (p->tube != q->tube && p->site == q->site && seam->high > -2.0 * SITE_SLOPE);
         }
         if (p->site == q->site && (p->tube == t ? up && !other : other && !up)) below = true;
     }
@@ -459,10 +461,8 @@ mus_status mus__found_sites(mus__found *found)
         site_hang(found, t);
         while ((t = site_next(found)) != MUS_NONE) {
             site_site(found, t);
-            const double cost = site_turn(found, t);
-            const bool bad = cost > SITE_APART && !found->tube[t].ring && found->tube[t].panels > 1;
-            if (bad) mus__found_take_apart(found, t);
-            else site_set(found, t);
+            site_turn(found, t);
+            site_set(found, t);
         }
     }
     return MUS_OK;

@@ -107,27 +107,10 @@ mus_status mus__found_tubes(mus__found *found)
         panel->tube = t;
         found->tube[t].site = panel->site;
         found->tube[t].panels = 1;
+        found->tube[t].fan = panel->fan;
         tube_grow(found, t);
         tube_girth(found, t);
     }
     tube_pieces(found);
     return MUS_OK;
-}
-
-
-void mus__found_take_apart(mus__found *found, int32_t t)
-{
-    bool first = true;
-    for (int32_t p = 0; p < found->npanel; p++) {
-        found_panel *panel = &found->panel[p];
-        if (panel->tube != t) continue;
-        panel->u = panel->v = 0.0;
-        if (!first) {
-            panel->tube = found->ntube++;
-            found->tube[panel->tube] = found->tube[t];
-        }
-        first = false;
-        found->tube[panel->tube].panels = found->tube[panel->tube].apart = 1;
-        found->tube[panel->tube].girth = found->tube[panel->tube].wide = panel->high[0] - panel->low[0];
-    }
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "muslin/exchange.h"
 #include "scenes.h"
 
 typedef struct begin {
@@ -84,6 +85,41 @@ START_TEST(where_designs_start_nothing_is_wrong)
     begin s = begin_draft(good[_i]);
     const mus_reason reason = begin_reason(&s, 0.04);
     ck_assert_msg(reason.kind == MUS_REASON_NONE, "%s: %s", good[_i], reason.text);
+    begin_end(&s);
+}
+END_TEST
+
+
+/* patterns that others drafted, where they start and where a start is found; all of them: make corpus */
+static const struct {
+    const char *spec, *body;
+} specs[] = {{"d11_041_mean_all", "mean_all"}, {"d11_036_mean_female", "mean_female"},
+             {"d11_046_mean_female", "mean_female"}, {"d11_010_mean_all", "mean_all"},
+             {"d11_044_m_smpl_average_A40", "m_smpl_average_A40"}, {"d11_026_mean_female", "mean_female"}};
+enum { SPECS = sizeof specs / sizeof *specs };
+
+START_TEST(where_garmentcode_starts_nothing_is_wrong)
+{
+    char relative[128], spec[1024], body[1024];
+    snprintf(relative, sizeof relative, "garmentcode/specs/%s_specification.json", specs[_i].spec);
+    if (support_data(relative, spec, sizeof spec) == NULL) return;
+    snprintf(relative, sizeof relative, "garmentcode/bodies/%s.yaml", specs[_i].body);
+    if (support_data(relative, body, sizeof body) == NULL) return;
+    begin s = {.context = support_context()};
+    mus_tape *tape;
+    mus_body_def def;
+    mus_body_def_init(&def, sizeof def);
+    def.plain = 1;
+    ck_assert_int_eq(mus_tape_read(s.context, body, NULL, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+    ck_assert_int_eq(mus_body_create(s.context, tape, &def, &s.body), MUS_OK);
+    ck_assert_int_eq(mus_pattern_read(s.context, spec, &s.pattern), MUS_OK);
+    mus_reason reason = begin_reason(&s, 0.05);
+    ck_assert_msg(reason.kind == MUS_REASON_NONE, "%s: %s", specs[_i].spec, reason.text);
+    ck_assert_int_eq(mus_pattern_place(s.pattern, s.body), MUS_OK);
+    reason = begin_reason(&s, 0.05);
+    ck_assert_msg(reason.kind == MUS_REASON_NONE, "%s, found: %s", specs[_i].spec, reason.text);
+    mus_tape_destroy(tape);
     begin_end(&s);
 }
 END_TEST
@@ -243,6 +279,7 @@ Suite *mus_suite_start(void)
     TCase *tests = tcase_create("start");
     tcase_set_timeout(tests, 60.0);
     tcase_add_loop_test(tests, where_designs_start_nothing_is_wrong, 0, SUPPORT_SLOW ? 2 : GOOD);
+    tcase_add_loop_test(tests, where_garmentcode_starts_nothing_is_wrong, 0, SUPPORT_SLOW ? 1 : SPECS);
     tcase_add_loop_test(tests, a_seam_sewn_the_wrong_way_is_named, 0, SUPPORT_SLOW ? 1 : SEWN);
     tcase_add_loop_test(tests, panels_in_each_others_place_are_named, 0, SUPPORT_SLOW ? 2 : SWAPS);
     tcase_add_loop_test(tests, a_panel_in_a_bad_place_is_named, 0, 3);

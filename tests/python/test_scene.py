@@ -50,6 +50,19 @@ def test_the_draft_is_the_commands(scene, tmp_path):
     assert (tmp_path / "skirt.json").read_bytes() == pattern.read_bytes()
 
 
+def test_a_start_is_found_and_looked_at(scene):
+    pattern, tape, _ = scene
+    body, pattern = muslin.Body(muslin.Tape.read(tape)), muslin.Pattern.read(pattern)
+    pattern.place(body)
+    good = muslin.Drape(muslin.Cloth(pattern, spacing=0.05), body)
+    good.place()
+    assert good.start["kind"] == 0 and good.start["text"] == ""
+    pattern.set_placement(0, origin=(0, 0.9, 0))
+    bad = muslin.Drape(muslin.Cloth(pattern, spacing=0.05), body)
+    bad.place()
+    assert bad.start["name"] == "start tangled" and bad.start["panel"] == 0 and "inside the body" in bad.start["text"]
+
+
 def test_paper_and_meshes_are_written(scene, tmp_path):
     pattern, tape, _ = scene
     sheet = muslin.Sheet(muslin.Pattern.read(pattern), paper="a4", person="W40")

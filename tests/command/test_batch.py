@@ -48,7 +48,7 @@ def test_each_line_has_its_garment_in_the_order_of_the_list(command, clean):
     made = lines(folder)
     assert [one["name"] for one in made] == NAMES and [one["line"] for one in made] == [3, 4, 6, 7, 8]
     assert made[3]["status"] == "bad input" and "no_such_design" in made[3]["reason"]
-    assert "crossings" in made[2] and "crossings" not in made[0]
+    assert "self_contacts" in made[2] and "self_contacts" not in made[0]
     assert made[0]["state_hash"] != made[4]["state_hash"]
     settled = sum(one["status"] == "settled" for one in made)
     assert said.startswith("5 garments: ") and f"{settled} settled" in said and "1 bad input" in said

@@ -4,7 +4,9 @@
  * A patch is a third sheet on the garment: at three of its sides three sheets meet (board_patch.c). On the half it is
  * a line, 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front. Once the garment is whole, each such
  * line gets its piece; the line stays as the mark on paper of where it is laid. Where the panel is too small for it, as
- * one that was cut apart may be, it is the mark alone. It changes no opening and no handle (drafting.md section 8).
+ * one that was cut apart may be, it is the mark alone; so it is on the seat of trousers, where the cloth is tight and a
+ * piece of the same length over it does not come to rest with cloth on cloth (jeans at 20 mm: residual 0.26). It
+ * changes no opening and no handle (drafting.md section 8).
  */
 #include <math.h>
 #include <stdio.h>
@@ -84,6 +86,8 @@ void mus__pocket_finish(mus__half *half)
 {
     mus__board *board = &half->board;
     int32_t left = MUS_NONE;
+    const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
+    if (garment == MUS__GARMENT_TROUSERS || garment == MUS__GARMENT_JUMPSUIT) return;
     const int32_t nmark = board->nmark;
     for (int32_t i = 0; i < nmark && board->status == MUS_OK; i++) {
         const mus__board_mark *mark = &board->mark[i];

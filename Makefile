@@ -13,6 +13,7 @@
 #   make girths     girths of the three scanned bodies of $(MUSLIN_DATA): their yaml, the meshes' own sections, muslin
 #   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
 #                   options to tests/motion/run.py)
+#   make wear       every named design dressed on the sizes of its groups, 100 of them on ten people (WEAR='--every 7')
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
 #                   (PEOPLE='--csv FILE --each 10': a row a person, each tenth of them)
 #   make designs    every named design drafted for every table size of its groups and for 200 people: refusals by reason,
@@ -138,7 +139,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now girths girths-now motion motion-now sheet sheet-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now girths girths-now motion motion-now sheet sheet-now wear wear-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
         check-omit-now check-ports check-large check-self-off report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -302,6 +303,12 @@ sheet-now: all
 	@mkdir -p $(OUT)/out
 	$(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs 2 $(SHEET)
 	$(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs 2 $(SHEET)
+
+wear:
+	@sh tests/guard/packages.sh build
+	@$(call again,wear-now)
+wear-now: all
+	$(PYTHON) tests/designs/wear.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 
 people:
 	@sh tests/guard/packages.sh build test

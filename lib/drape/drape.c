@@ -246,7 +246,7 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
     mus_drape_def_init(&own, sizeof own);
     mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_drape_def");
     if (status == MUS_OK) status = check_def(context, &own);
-    if (status == MUS_OK && cloth->spacing > 0.0 && own.collision_distance > cloth->spacing)
+    if (status == MUS_OK && cloth->npair > 0 && cloth->spacing > 0.0 && own.collision_distance > cloth->spacing)
         status =
             mus__fail(context, MUS_ERR_ARG, "drape: collision_distance is %g m, expected at most the spacing, %g m",
                       own.collision_distance, cloth->spacing);

@@ -60,10 +60,12 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
         slide_tops(drape, x, hip.up, top, panel);
         for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].top = top[p], drape->slide[p].panel = panel[p];
 
-        /* sewing may have thrown it up: as high as the pattern puts it, no higher; held pieces do not slide */
+        /* sewing may have thrown it up, or let it fall: it began where the pattern puts it. What was worn before began
+         * where it hangs, no higher than that. Held pieces do not slide */
         mus__cloth_place(cloth, drape->work);
         slide_tops(drape, drape->work, hip.up, top, NULL);
-        for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].top = fmin(drape->slide[p].top, top[p]);
+        for (int32_t p = 0; p < cloth->npanel; p++)
+            drape->slide[p].top = drape->cold ? top[p] : fmin(drape->slide[p].top, top[p]);
         for (int32_t h = 0; h < drape->plan.nheld; h++)
             drape->slide[drape->slide[cloth->node_panel[drape->plan.held[h].node]].piece].top = -INFINITY;
     }

@@ -164,7 +164,7 @@ START_TEST(a_ring_of_panels_without_words_closes)
     ck_assert_int_eq(mus_body_landmark(s.body, MUS_LANDMARK_WAIST, waist), MUS_OK);
     ck_assert_int_eq(mus_pattern_create(s.context, "ring", &s.pattern), MUS_OK);
     for (int i = 0; i < 6; i++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "p%d", i);
         scene_rectangle(s.pattern, name, 0.3 * i, -0.1 * i, 0.2, 0.4, edge[i]);
         ck_assert_int_eq(mus_pattern_set_edge_hold(s.pattern, edge[i][2], MUS_HOLD_WAIST, 0.0), MUS_OK);

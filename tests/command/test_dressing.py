@@ -293,7 +293,7 @@ def test_a_bad_start_is_said_and_nothing_is_sewn(dress, patterns, tape, tmp_path
     one["placement"], other["placement"] = other["placement"], one["placement"]
     path = tmp_path / "swapped.json"
     path.write_text(json.dumps(pattern))
-    report, done = dress("--pattern", path, "--tape", tape, "--spacing", 40, code=1)
+    report, done = dress("--pattern", path, "--tape", tape, "--spacing", 40, "--place", "file", code=1)
     assert report["status"] == "start tangled" and report["steps"] == 0 and report["at"]["panel"].startswith("sleeve")
     assert "sleeve_left and sleeve_right" in report["reason"] and report["reason"] in done.stderr.decode()
 

@@ -226,7 +226,7 @@ START_TEST(layers_in_no_order_are_named)
     static const double z[3][4] = {{0.25, -0.25, 0.29, -0.29}, {0.25, -0.29, 0.29, -0.25}, {0.25, -0.25, 0.25, -0.29}};
     int32_t edge[4][4];
     for (int i = 0; i < 4; i++) {
-        char name[16];
+        char name[32];
         snprintf(name, sizeof name, "%s_%d", i % 2 == 0 ? "front" : "back", i / 2);
         const int32_t panel = scene_rectangle(s.pattern, name, -0.3, -0.4, 0.6, 0.4, edge[i]);
         mus_placement place;

@@ -201,9 +201,9 @@ Suite *mus_suite_wedge(void)
     Suite *suite = suite_create("wedge");
     TCase *tests = tcase_create("wedge");
     tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, what_starts_between_two_rollers_comes_out_slowly, 0, 10);
-    tcase_add_loop_test(tests, what_is_pulled_into_a_wedge_lies_still_in_it, 0, 8);
-    tcase_add_loop_test(tests, what_is_torn_into_a_wedge_that_turns_stays_out_of_both, 0, 4);
+    tcase_add_loop_test(tests, what_starts_between_two_rollers_comes_out_slowly, 0, SUPPORT_SLOW ? 3 : 10);
+    tcase_add_loop_test(tests, what_is_pulled_into_a_wedge_lies_still_in_it, 0, SUPPORT_SLOW ? 3 : 8);
+    tcase_add_loop_test(tests, what_is_torn_into_a_wedge_that_turns_stays_out_of_both, 0, SUPPORT_SLOW ? 2 : 4);
     tcase_add_test(tests, a_tshirt_is_not_trapped_in_the_armpits);
     suite_add_tcase(suite, tests);
     return suite;

@@ -7,7 +7,7 @@ set -u
 program=$1
 logs=$2
 jobs=$(nproc 2>/dev/null || echo 2)
-shards=$((4 * jobs))
+shards=$((16 * jobs))
 mkdir -p "$logs"
 rm -f "$logs"/shard-*
 

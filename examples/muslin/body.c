@@ -37,9 +37,11 @@ static void write_table(const mus_body *body, double spent)
         const char *note = mus_body_source(body, m) == MUS_SOURCE_DERIVED ? "  derived" : "";
         printf("%-16s %8.2f %-3s", mus_measure_name(m), asked * (angle ? 57.295779513082 : 100.0),
                angle ? "deg" : "cm");
-        const double off = fabs(made - asked) < 5e-6 ? 0.0 : 1000.0 * (made - asked); /* no "-0.00" */
-        if (isfinite(made))
-            printf(" %8.2f cm %6.2f mm%s\n", 100.0 * made, off, note);
+        const double off = fabs(made - asked) < 5e-6 ? 0.0 : made - asked; /* no "-0.00" */
+        if (isfinite(made) && angle)
+            printf(" %8.2f deg %5.2f deg%s\n", made * 57.295779513082, off * 57.295779513082, note);
+        else if (isfinite(made))
+            printf(" %8.2f cm %6.2f mm%s\n", 100.0 * made, 1000.0 * off, note);
         else
             printf("%s%s\n", note[0] != '\0' ? "                      " : "", note);
     }

@@ -100,8 +100,9 @@ MUS_API const char *mus_body_limb_name(const mus_body *body, int32_t limb);
 /**
  * Measures: what the tape asked, and what the made surface has, by the tape's own index.
  *
- * asked: the completed tape's value. made: the girth as a tape lies (the hull of the section of the surface) or the
- * height, re-measured on the surface; NaN for measures that are not on the surface (ease, crotch length...).
+ * asked: the completed tape's value. made: re-measured on the surface: the girth as a tape lies (the hull of the
+ * section), the height, the length of a tape along the skin (mus_body(3) says from where to where). NaN for what is not
+ * measured (front waist, bust depth, scye depth, the arms' angle), and for what a body was made without.
  */
 MUS_API double mus_body_asked(const mus_body *body, int32_t measure);
 MUS_API double mus_body_made(const mus_body *body, int32_t measure);

@@ -181,6 +181,11 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
 /* fill body->made from the vertices */
 mus_status mus__body_remeasure(mus_body *body);
 
+/* ---- body_length.c ---- */
+
+/* the lengths in body->made: along the skin; needs the fields */
+mus_status mus__body_lengths(mus_body *body);
+
 /* ---- skin.c ---- */
 
 /* the skin from the surface of the limbs; needs the fields */

@@ -49,6 +49,14 @@ static mus__contour *limb_add_measure(mus__limb *limb, const mus_tape *tape, con
 }
 
 
+/* place of a contour that lies at part u of the mean body's arm, whose elbow is at 0.53 */
+static double limb_arm_at(const mus__skeleton *skeleton, double u)
+{
+    const double beyond = skeleton->arm_length - skeleton->elbow;
+    return u < 0.53 ? u / 0.53 * skeleton->elbow : skeleton->elbow + (u - 0.53) / 0.47 * beyond;
+}
+
+
 void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb)
 {
     double h = skeleton->crown, upper = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM);
@@ -71,17 +79,17 @@ void mus__body_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     limb_add(limb, "ball_inner", -0.70 * ball, 0.714 * 1.10 * upper, 1.0, 2.0);
     limb_add(limb, "ball", -0.35 * ball, 0.937 * 1.10 * upper, 1.0, 2.0);
     limb_add(limb, "shoulder", 0.0, 1.10 * upper, 1.0, 2.0);
-    limb_add(limb, "deltoid", 0.13 * length, 1.10 * upper, 1.0, 2.0);
+    limb_add(limb, "deltoid", limb_arm_at(skeleton, 0.13), 1.10 * upper, 1.0, 2.0);
 
     /* upper arm to wrist; the tape's ends taper into each other when a given wrist is nearly the upper arm */
     double elbow = fmax(0.84 * upper, 1.02 * wrist);
     double fore = fmax(fmin(0.42 * upper + 0.85 * wrist, 0.90 * upper), 1.02 * wrist);
-    limb_add_measure(limb, tape, "upper_arm", 0.30 * length, MUS_MEASURE_UPPER_ARM, 0.97, 2.0);
-    limb_add(limb, "arm", 0.43 * length, fmax(0.90 * upper, 1.02 * wrist), 0.97, 2.0);
-    limb_add(limb, "elbow", 0.53 * length, elbow, 1.08, 2.0);
-    limb_add(limb, "forearm", 0.62 * length, fore, 1.05, 2.0);
-    limb_add(limb, "forearm_low", 0.78 * length, fmax(0.66 * upper, 1.01 * wrist), 1.05, 2.0);
-    limb_add(limb, "above_wrist", 0.92 * length, fmax(0.54 * upper, wrist), 1.12, 2.0);
+    limb_add_measure(limb, tape, "upper_arm", limb_arm_at(skeleton, 0.30), MUS_MEASURE_UPPER_ARM, 0.97, 2.0);
+    limb_add(limb, "arm", limb_arm_at(skeleton, 0.43), fmax(0.90 * upper, 1.02 * wrist), 0.97, 2.0);
+    limb_add(limb, "elbow", skeleton->elbow, elbow, 1.08, 2.0);
+    limb_add(limb, "forearm", limb_arm_at(skeleton, 0.62), fore, 1.05, 2.0);
+    limb_add(limb, "forearm_low", limb_arm_at(skeleton, 0.78), fmax(0.66 * upper, 1.01 * wrist), 1.05, 2.0);
+    limb_add(limb, "above_wrist", limb_arm_at(skeleton, 0.92), fmax(0.54 * upper, wrist), 1.12, 2.0);
     limb_add_measure(limb, tape, "wrist", length, MUS_MEASURE_WRIST, 1.25, 2.1);
 
     /* a mitten, its breadth forwards */

@@ -50,7 +50,7 @@ mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
         mus__contour *p = &limb->contour[i], *q = p + 1;
         if (q->s - p->s >= gap) {
             i++;
-        } else if (!q->hard) {
+        } else if (!q->hard && (p->hard || p->girth != MUS_NONE || q->girth == MUS_NONE)) {
             stack_leave_out(limb, i + 1);
         } else if (!p->hard) {
             stack_leave_out(limb, i);

@@ -53,7 +53,7 @@ void mus__body_without(mus_body *body)
         arm->gone = (gone & MUS_WITHOUT_ARM_LEFT) != 0;
         leg->gone = (gone & MUS_WITHOUT_LEG_LEFT) != 0;
         if ((gone & MUS_WITHOUT_FOREARM_LEFT) != 0)
-            without_above(arm, 0.53 * bone->arm_length, 0);
+            without_above(arm, bone->elbow, 0);
         else if ((gone & MUS_WITHOUT_HAND_LEFT) != 0)
             without_above(arm, bone->arm_length, 1);
         if ((gone & MUS_WITHOUT_SHANK_LEFT) != 0)

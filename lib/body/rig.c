@@ -202,7 +202,7 @@ static void rig_side(const mus_body *body, int32_t right, mus__rig *out)
 {
     const mus__skeleton *bone = &body->skeleton;
     const mus__limb *arm = &body->limb[MUS_LIMB_ARM_LEFT + right], *leg = &body->limb[MUS_LIMB_LEG_LEFT + right];
-    double elbow = 0.53 * bone->arm_length, wrist = bone->arm_length, knee = bone->knee;
+    double elbow = bone->elbow, wrist = bone->arm_length, knee = bone->knee;
     double hip = fmin(bone->crotch + RIG_HIP_UP * bone->crown, bone->hip);
     double ankle = fmin(RIG_ANKLE_UP * body->asked[MUS_MEASURE_FOOT], bone->ankle);
     memcpy(out->pivot[MUS_JOINT_SHOULDER_LEFT + right], bone->joint[right], 3 * sizeof(double));
@@ -227,7 +227,7 @@ static void rig_parts(const mus_body *body, mus__rig *out)
             (int32_t[]){MUS_JOINT_ROOT, MUS_JOINT_LUMBAR, MUS_JOINT_NECK}, out);
     for (int32_t r = 0; r < 2; r++)
         rig_cut(body, MUS_LIMB_ARM_LEFT + r, body->limb[MUS_LIMB_ARM_LEFT + r].cuts,
-                (double[]){0.53 * bone->arm_length, bone->arm_length},
+                (double[]){bone->elbow, bone->arm_length},
                 (int32_t[]){MUS_JOINT_SHOULDER_LEFT + r, MUS_JOINT_ELBOW_LEFT + r, MUS_JOINT_WRIST_LEFT + r}, out);
     for (int32_t r = 0; r < 2; r++) {
         /* a leg that ends at the knee is the thigh alone */

@@ -24,7 +24,7 @@ static double skeleton_mix(int32_t sex, double female, double male)
 /* from the end of the shoulder line to the acromion, in parts of the stature: shoulder breadths as in ANSUR II */
 static double skeleton_wide(int32_t sex)
 {
-    return sex == MUS_SEX_CHILD ? -0.008 : skeleton_mix(sex, 0.007, 0.0);
+    return sex == MUS_SEX_CHILD ? 0.0 : skeleton_mix(sex, 0.007, 0.0);
 }
 
 
@@ -57,11 +57,14 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
     out->high_hip = 0.5 * (out->waist + out->hip);
     out->underbust = out->bust - 0.39 * (out->bust - out->waist);
 
-    /* the shoulder line leaves the neck 0.0165 H below the nape and falls by the tape's slope */
+    /* the shoulder line leaves the neck 0.0165 H below the nape and falls by the tape's slope, to the shoulder point;
+     * the acromion is further out and lower still: the shoulder is round there */
+    const double wide = skeleton_wide(mus_tape_sex(tape)) * h;
     out->neck_side = out->nape - 0.0165 * h;
-    out->shoulder = out->neck_side - sh * sin(slope);
+    out->shoulder = out->neck_side - sh * sin(slope) - 0.75 * wide;
     out->neck_side_x = mus_tape_value(tape, MUS_MEASURE_NECK) / (2.0 * MUS_PI);
-    out->shoulder_x = out->neck_side_x + sh * cos(slope) + skeleton_wide(mus_tape_sex(tape)) * h;
+    out->shoulder_end = out->neck_side_x + sh * cos(slope);
+    out->shoulder_x = out->shoulder_end + wide;
     out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.0125, -0.014) * h;
     out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.005, 0.0) * h;
 
@@ -81,15 +84,21 @@ static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
     double ball = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM) / (2.0 * MUS_PI) * 1.10;
     double x = out->shoulder_x - 0.33 * ball, y = out->shoulder - 0.78 * ball;
 
-    /* the bent arm's tape is 5 % longer than the straight arm from acromion to wrist */
-    out->arm_length = mus_tape_value(tape, MUS_MEASURE_ARM) / 1.05 - 0.25 * ball;
     for (int i = 0; i < 2; i++) {
         double side = i == 0 ? 1.0 : -1.0;
         double joint[3] = {side * x, y, out->shoulder_z}, axis[3] = {side * cos(down), -sin(down), 0.06};
         mus__unit3(axis);
+        out->arm_before = (x - out->shoulder_x) * side * axis[0] + (y - out->shoulder) * axis[1];
         memcpy(out->joint[i], joint, sizeof joint);
         memcpy(out->arm_axis[i], axis, sizeof axis);
     }
+
+    /* the bent arm's tape is 5 % longer than the straight arm from acromion to wrist, and all of that lies before the
+     * tip of the elbow; it runs over the ball, and along the outside, which draws in towards the wrist */
+    const double arm = mus_tape_value(tape, MUS_MEASURE_ARM), over = ball * asin(out->arm_before / ball);
+    const double straight = arm / 1.05 - over, slant = ball - mus_tape_value(tape, MUS_MEASURE_WRIST) / (2.0 * MUS_PI);
+    out->arm_length = sqrt(fmax(straight * straight - slant * slant, 0.0));
+    out->elbow = mus_tape_value(tape, MUS_MEASURE_ELBOW) - arm * (0.05 / 1.05) - over;
     out->leg_x = 0.050 * h;
     out->knee = out->crotch * 0.60;
     out->ankle = out->crotch * 0.17;

@@ -12,11 +12,14 @@ typedef struct mus__skeleton {
     double crown, brow, jaw, nape, neck_side, shoulder, armpit, bust, underbust, waist, high_hip, hip, crotch, knee,
         ankle;
     double neck_side_x;    /* half breadth of the neck where it meets the shoulder line */
-    double shoulder_x;     /* half breadth over the shoulder points */
+    double shoulder_end;   /* half breadth over the shoulder points, where the tape of the shoulder ends */
+    double shoulder_x;     /* half breadth over the edges of the shoulder bones */
     double shoulder_z;     /* Z of the contour centre at the shoulder points */
     double torso_z;        /* Z of the contour centre at the bust */
     double joint[2][3];    /* shoulder joints */
     double arm_axis[2][3]; /* unit, from the joint to the wrist */
+    double arm_before;     /* from the level of the shoulder bone's edge to the joint along the axis */
+    double elbow;          /* joint to elbow along the axis */
     double arm_length;     /* joint to wrist along the axis */
     double leg_x;          /* X of the leg axis at the crotch */
 } mus__skeleton;

@@ -31,6 +31,7 @@ static const tape_pair tape_errors[] = {
     {M(WAIST_TO_HIP), M(RISE), 1.0, 4.0},
     {M(WRIST), M(UPPER_ARM), 1.0, 0.0},
     {M(ANKLE), M(CALF), 1.0, 2.0},
+    {M(ELBOW), M(ARM), 0.70, 0.0},
     {M(INLEG), M(STATURE), 0.56, 0.0},
     {M(BUST), M(STATURE), 1.3, 0.0},
     {M(WAIST), M(STATURE), 1.3, 0.0},
@@ -41,8 +42,10 @@ static const tape_pair tape_errors[] = {
     {M(BUST_HEIGHT), M(NAPE_HEIGHT), 1.0, 0.0},
 };
 
-static const tape_pair tape_low_errors[] = {
-    {M(BUST), M(STATURE), 0.2, 0.0}, {M(WAIST), M(STATURE), 0.2, 0.0}, {M(HIP), M(STATURE), 0.2, 0.0}};
+static const tape_pair tape_low_errors[] = {{M(BUST), M(STATURE), 0.2, 0.0},
+                                            {M(WAIST), M(STATURE), 0.2, 0.0},
+                                            {M(HIP), M(STATURE), 0.2, 0.0},
+                                            {M(ELBOW), M(ARM), 0.45, 0.0}};
 
 static const tape_pair tape_warnings[] = {
     {M(HIGH_BUST), M(BUST), 1.0, 3.0},

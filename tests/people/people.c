@@ -33,10 +33,17 @@ static const struct {
 };
 #define CALIPERS ((int)(sizeof calipers / sizeof *calipers))
 
+/* lengths along the skin: those that the body follows to 2 mm, then those that come as girths and heights have them */
+static const int lengths[] = {MUS_MEASURE_SHOULDER,      MUS_MEASURE_ARM,         MUS_MEASURE_ELBOW,
+                              MUS_MEASURE_BACK_WAIST,    MUS_MEASURE_CROTCH_LENGTH, MUS_MEASURE_ACROSS_BACK,
+                              MUS_MEASURE_ACROSS_FRONT, MUS_MEASURE_BUST_SPAN};
+#define LENGTHS ((int)(sizeof lengths / sizeof *lengths))
+#define LENGTHS_FOLLOWED 3
+
 typedef struct person {
     bool male;
     double seconds, drawn, volume, litres_off; /* part of the true volume */
-    double off[ANSUR_MEASURES], cut[ANSUR_MEASURES];
+    double off[ANSUR_MEASURES], cut[ANSUR_MEASURES], length[LENGTHS];
     double caliper[CALIPERS];
 } person;
 
@@ -129,6 +136,8 @@ static mus_status measure_person(mus_context *context, const ansur *table, int r
         out->off[i] = mus_body_made(body, m) - asked;
         out->cut[i] = ansur_measures[i].height ? NAN : cut_girth(body, m) - asked;
     }
+    for (int i = 0; i < LENGTHS; i++)
+        out->length[i] = mus_body_made(body, lengths[i]) - mus_body_asked(body, lengths[i]);
     for (int i = 0; i < CALIPERS; i++) {
         slice section;
         const double y = 0.01 * ansur_value(table, row, calipers[i].height);
@@ -177,6 +186,21 @@ static bool print_measures(const person *people, int n)
         if (cuts > 0) printf("%10.4f of %d", 1000.0 * cut, cuts);
         printf("\n");
         good = good && worst <= (ansur_measures[m].height ? 0.002 : 0.001) && cut <= 0.001;
+    }
+    return good;
+}
+
+
+static bool print_lengths(const person *people, int n)
+{
+    bool good = true;
+    printf("\nlengths made less asked [mm]  median   5 %%      95 %%\n");
+    for (int m = 0; m < LENGTHS; m++) {
+        GATHER(people, n, -1, 1000.0 * p->length[m])
+        const double least = quantile(values, count, 0.0), most = quantile(values, count, 1.0);
+        printf("  %-20s %13.2f %7.2f %7.2f\n", mus_measure_name(lengths[m]), quantile(values, count, 0.5),
+               quantile(values, count, 0.05), quantile(values, count, 0.95));
+        if (m < LENGTHS_FOLLOWED) good = good && least > -2.0 && most < 2.0;
     }
     return good;
 }
@@ -247,7 +271,16 @@ static void write_csv(const char *path, const ansur *table, const int *row, cons
 }
 
 
-/* every table size: builds, and keeps what it asks to 1 mm */
+/* what a made body may miss a measure by: lengths 2 mm or, of those it does not follow, anything */
+static double allowed(int32_t measure)
+{
+    for (int i = 0; i < LENGTHS; i++)
+        if (lengths[i] == measure) return i < LENGTHS_FOLLOWED ? 0.002 : INFINITY;
+    return measure == MUS_MEASURE_SHOULDER_SLOPE ? INFINITY : 0.001;
+}
+
+
+/* every table size: builds, and keeps girths and heights to 1 mm, the lengths that it follows to 2 mm */
 static bool print_sizes(mus_context *context)
 {
     int good = 0;
@@ -259,13 +292,14 @@ static bool print_sizes(mus_context *context)
         if (status == MUS_OK) status = mus_body_create(context, tape, NULL, &body);
         bool kept = status == MUS_OK;
         for (int32_t m = 0; m < mus_measure_count() && kept; m++)
-            kept = !(fabs(mus_body_made(body, m) - mus_body_asked(body, m)) > 0.001);
+            kept = !(fabs(mus_body_made(body, m) - mus_body_asked(body, m)) > allowed(m));
         if (status != MUS_OK) printf("%s refused: %s\n", mus_tape_size_name(i), mus_context_error(context));
         good += kept;
         mus_body_destroy(body);
         mus_tape_destroy(tape);
     }
-    printf("table sizes: %d of %d built with every measure within 1 mm\n", good, (int)mus_tape_size_count());
+    printf("table sizes: %d of %d built, girths and heights within 1 mm, shoulder, arm and elbow within 2 mm\n",
+           good, (int)mus_tape_size_count());
     return good == mus_tape_size_count();
 }
 
@@ -289,6 +323,7 @@ static bool run_people(mus_context *context, const ansur *table, const char *csv
         good = all - n < 0.005 * all;
         good = print_sizes(context) && good;
         good = print_measures(people, n) && good;
+        good = print_lengths(people, n) && good;
         good = print_volumes(people, n) && good;
         print_calipers(people, n);
         good = print_times(people, n) && good;

@@ -210,7 +210,15 @@ START_TEST(any_limb_can_be_left_out)
         /* the measures are those of the other side */
         for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) {
             const double made = mus_body_made(body, m), before = mus_body_made(whole, m);
-            ck_assert(isnan(made) == isnan(before) && !(fabs(made - before) > 1e-12));
+            /* rings stand elsewhere on an arm that is shorter, and lengths run along them */
+            static const int32_t lengths[] = {MUS_MEASURE_ARM, MUS_MEASURE_ELBOW, MUS_MEASURE_ACROSS_BACK,
+                                              MUS_MEASURE_ACROSS_FRONT};
+            double most = 1e-12;
+            for (int k = 0; k < 4; k++)
+                if (m == lengths[k]) most = 5e-4;
+            ck_assert_msg(!(fabs(made - before) > most), "%d: %s %.15g, %.15g", (int)bit, mus_measure_name(m), made,
+                          before);
+            ck_assert(isnan(made) == isnan(before));
         }
         for (int32_t v = 0; v < 3 * body->vertex_count; v++) ck_assert(mus__finite(body->vertices[v]));
 

@@ -1,0 +1,284 @@
+/*
+ * body_length.c: the made body under the tape again: lengths along its skin.
+ *
+ * A length is that of a tape from one place to another along a row of vertices, in the plane of that row: it lies on
+ * what bulges and spans what is hollow, as the convex hull does. Lines, in the rest pose, on the limbs' own rings:
+ *
+ *     shoulder        ridge of the torso from the side of the neck to the shoulder point, which lies inside the edge of
+ *                     the shoulder bone by what surveys and tailors differ in (skeleton.c)
+ *     arm             outer line of the arm from the edge of the shoulder bone to the wrist, and 5 % for the bend
+ *     elbow           the same to the elbow; the bend's part of the whole arm lies before the tip of the elbow
+ *     back_waist      middle line of the back from nape to waist
+ *     crotch_length   middle line from the waist in front, under the crotch, to the waist behind
+ *     across_back     half way down the armhole from arm to arm, where the arms' skin meets the torso's
+ *     across_front    the same in front
+ *     bust_span       between the foremost places of both sides at the height of the bust
+ *
+ * Called once when a body is made, after the contact fields, which know where an arm begins.
+ */
+#include <math.h>
+
+#include "body/body_internal.h"
+#include "geom/polygon.h"
+#include "geom/vec.h"
+
+/* a bent arm's tape is so much longer than the straight arm's, in parts of it */
+#define LENGTH_BEND 0.05
+
+/* points of a row in a plane, and room for their hull */
+typedef struct length_row {
+    int32_t count;
+    double *xy;    /* (count x 2) */
+    int32_t *work; /* (count x 2) */
+    double u[3], v[3];
+} length_row;
+
+
+static void length_put(length_row *row, const double *x)
+{
+    row->xy[2 * row->count] = mus__dot3(x, row->u);
+    row->xy[2 * row->count + 1] = mus__dot3(x, row->v);
+    row->count++;
+}
+
+
+/* length of a tape from the first to the last point; the skin looks to the left of that way (side 1) or to its right
+ * (-1). What lies on the other side of the straight way is spanned, the rest held by its hull */
+static double length_tape(length_row *row, double side)
+{
+    double *xy = row->xy, end[2] = {xy[2 * row->count - 2], xy[2 * row->count - 1]};
+    const double way[2] = {end[0] - xy[0], end[1] - xy[1]}, chord = sqrt(way[0] * way[0] + way[1] * way[1]);
+    int32_t kept = 1;
+    for (int32_t i = 1; i + 1 < row->count; i++) {
+        const double off = way[0] * (xy[2 * i + 1] - xy[1]) - way[1] * (xy[2 * i] - xy[0]);
+        if (side * off <= 0.0) continue;
+        xy[2 * kept] = xy[2 * i], xy[2 * kept + 1] = xy[2 * i + 1];
+        kept++;
+    }
+    if (kept == 1) return chord;
+    xy[2 * kept] = end[0], xy[2 * kept + 1] = end[1];
+    return mus__polygon_tape(kept + 1, xy, row->work, row->work + kept + 1) - chord;
+}
+
+
+static const double *length_vertex(const mus_body *body, const mus__limb *limb, int32_t ring, int32_t k)
+{
+    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples + k);
+}
+
+
+/* first ring of a limb at s or above, the last one beyond all */
+static int32_t length_ring(const mus_body *body, const mus__limb *limb, double s)
+{
+    int32_t ring = 0;
+    while (ring + 1 < limb->rings && body->ring[limb->first_ring + ring] < s - 1e-12) ring++;
+    return ring;
+}
+
+
+/* the place at s on line k of a limb, between two rings */
+static void length_at(const mus_body *body, const mus__limb *limb, double s, int32_t k, double *out)
+{
+    const double *at = body->ring + limb->first_ring;
+    int32_t ring = length_ring(body, limb, s);
+    if (ring == 0) ring = 1;
+    const double t = fmin(fmax((s - at[ring - 1]) / (at[ring] - at[ring - 1]), 0.0), 1.0);
+    const double *p = length_vertex(body, limb, ring - 1, k), *q = length_vertex(body, limb, ring, k);
+    for (int i = 0; i < 3; i++) out[i] = p[i] + t * (q[i] - p[i]);
+}
+
+
+/* line k of a limb from s = low up to s = high, or down */
+static void length_line(const mus_body *body, const mus__limb *limb, int32_t k, double low, double high, bool down,
+                        length_row *row)
+{
+    const double *at = body->ring + limb->first_ring;
+    const int32_t first = length_ring(body, limb, low + 1e-9), last = length_ring(body, limb, high - 1e-9);
+    double x[3];
+    length_at(body, limb, down ? high : low, k, x);
+    length_put(row, x);
+    for (int32_t i = 0; i < last - first; i++) {
+        const int32_t ring = down ? last - 1 - i : first + i;
+        if (at[ring] > low + 1e-9 && at[ring] < high - 1e-9) length_put(row, length_vertex(body, limb, ring, k));
+    }
+    length_at(body, limb, down ? low : high, k, x);
+    length_put(row, x);
+}
+
+
+/* a row in the plane of two directions */
+static void length_begin(length_row *row, const double *u, const double *v)
+{
+    row->count = 0;
+    for (int i = 0; i < 3; i++) row->u[i] = u[i], row->v[i] = v[i];
+}
+
+
+/* the middle line of the torso, in its plane (backwards, up) */
+static void length_middle(mus_body *body, length_row *row)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__skeleton *bone = &body->skeleton;
+    const int32_t back = body->def.samples / 4, front = 3 * back;
+    const double behind[3] = {0.0, 0.0, -1.0}, up[3] = {0.0, 1.0, 0.0};
+
+    length_begin(row, behind, up);
+    length_line(body, torso, back, bone->waist, bone->nape, true, row);
+    body->made[MUS_MEASURE_BACK_WAIST] = length_tape(row, 1.0);
+
+    length_begin(row, behind, up);
+    length_line(body, torso, front, body->ring[torso->first_ring], bone->waist, true, row);
+    length_put(row, body->vertices + 3 * (ptrdiff_t)torso->first_vertex);
+    length_line(body, torso, back, body->ring[torso->first_ring], bone->waist, false, row);
+    body->made[MUS_MEASURE_CROTCH_LENGTH] = length_tape(row, -1.0);
+}
+
+
+/* height at which the left ridge of the shoulder, coming down from the neck, is as far out as the shoulder point; that
+ * of the shoulder bone's edge where it nowhere is */
+static double length_shoulder_end(const mus_body *body)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__skeleton *bone = &body->skeleton;
+    const int32_t first = length_ring(body, torso, bone->shoulder), last = length_ring(body, torso, bone->neck_side);
+    for (int32_t ring = last; ring > first; ring--) {
+        const double *p = length_vertex(body, torso, ring, 0), *q = length_vertex(body, torso, ring - 1, 0);
+        if (q[0] < bone->shoulder_end) continue;
+        const double part = (bone->shoulder_end - p[0]) / (q[0] - p[0]);
+        return p[1] + fmin(fmax(part, 0.0), 1.0) * (q[1] - p[1]);
+    }
+    return bone->shoulder;
+}
+
+
+/* the shoulder, in the upright plane from the side of the neck to the shoulder point */
+static void length_shoulder(mus_body *body, length_row *row)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const double high = body->skeleton.neck_side, low = length_shoulder_end(body), up[3] = {0.0, 1.0, 0.0};
+    double neck[3], end[3];
+    length_at(body, torso, high, 0, neck);
+    length_at(body, torso, low, 0, end);
+    double out[3] = {end[0] - neck[0], 0.0, end[2] - neck[2]};
+    mus__unit3(out);
+    length_begin(row, out, up);
+    length_line(body, torso, 0, low, high, true, row);
+    body->made[MUS_MEASURE_SHOULDER] = length_tape(row, 1.0);
+    body->made[MUS_MEASURE_SHOULDER_SLOPE] = atan2(neck[1] - end[1], end[0] - neck[0]);
+}
+
+
+/* an arm with its wrist: its outer line from the level of the shoulder bone's edge */
+static void length_arm(mus_body *body, const mus__limb *arm, length_row *row)
+{
+    const mus__skeleton *bone = &body->skeleton;
+    const int32_t outer = body->def.samples / 2;
+    const double out[3] = {-arm->side[0], -arm->side[1], -arm->side[2]};
+    double straight[2];
+    for (int to = 0; to < 2; to++) {
+        length_begin(row, arm->axis, out);
+        length_line(body, arm, outer, -bone->arm_before, to == 0 ? bone->elbow : bone->arm_length, false, row);
+        straight[to] = length_tape(row, 1.0);
+    }
+    body->made[MUS_MEASURE_ARM] = (1.0 + LENGTH_BEND) * straight[1];
+    body->made[MUS_MEASURE_ELBOW] = straight[0] + LENGTH_BEND * straight[1];
+}
+
+
+/* how deep a point, or its mirror image, lies in an arm: there may be one arm alone */
+static double length_in_arms(const mus_body *body, const double *x)
+{
+    const double mirror[3] = {-x[0], x[1], x[2]};
+    double deepest = -1e30, normal[3];
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const int32_t l = body->rig.part[p].limb;
+        if (l != MUS_LIMB_ARM_LEFT && l != MUS_LIMB_ARM_RIGHT) continue;
+        deepest = fmax(deepest, mus__field_depth(&body->field[p], x, normal));
+        deepest = fmax(deepest, mus__field_depth(&body->field[p], mirror, normal));
+    }
+    return deepest;
+}
+
+
+/* from arm to arm over line `middle` of the ring half way down the armhole: on both sides to where the arm begins */
+static double length_across(const mus_body *body, int32_t middle, length_row *row)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__skeleton *bone = &body->skeleton;
+    const int32_t n = body->def.samples, quarter = n / 4;
+    const double left[3] = {1.0, 0.0, 0.0}, front[3] = {0.0, 0.0, 1.0}, s = 0.5 * (bone->armpit + bone->shoulder);
+    double x[3], last[3], depth = 0.0, before = -1.0;
+    length_begin(row, left, front);
+
+    /* how far to the side that goes on in k; the other side is the same, mirrored */
+    int32_t reach = 0;
+    double part = 1.0;
+    for (; reach < quarter; reach++) {
+        length_at(body, torso, s, (middle + reach + 1) % n, x);
+        depth = length_in_arms(body, x);
+        if (depth >= 0.0) {
+            part = before < -1e29 ? 1.0 : before / (before - depth);
+            break;
+        }
+        before = depth;
+    }
+    for (int32_t k = -reach - 1; k <= reach + 1; k++) {
+        const bool end = k == -reach - 1 || k == reach + 1;
+        if (end && reach == quarter) continue;
+        length_at(body, torso, s, (middle + k + n) % n, x);
+        if (end) {
+            length_at(body, torso, s, (middle + (k < 0 ? k + 1 : k - 1) + n) % n, last);
+            for (int i = 0; i < 3; i++) x[i] = last[i] + part * (x[i] - last[i]);
+        }
+        length_put(row, x);
+    }
+    return length_tape(row, 1.0);
+}
+
+
+/* breasts: the foremost places of the bust's ring, left and right */
+static double length_span(const mus_body *body)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const int32_t n = body->def.samples;
+    for (int32_t i = 0; i < torso->count; i++) {
+        const mus__contour *c = &torso->contour[i];
+        if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
+        const double *front = length_vertex(body, torso, c->ring, 3 * n / 4), *best = front;
+        for (int32_t k = 3 * n / 4 + 1; k < n; k++) {
+            const double *x = length_vertex(body, torso, c->ring, k);
+            if (x[2] > best[2]) best = x;
+        }
+        return best != front ? 2.0 * best[0] : NAN;
+    }
+    return NAN;
+}
+
+
+mus_status mus__body_lengths(mus_body *body)
+{
+    int32_t most = body->def.samples;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+        if (body->limb[l].rings > most) most = body->limb[l].rings;
+    length_row row = {0};
+    row.xy = mus__new(body->context, 2 * (2 * (int64_t)most + 8), sizeof(double));
+    row.work = mus__new(body->context, 2 * (2 * (int64_t)most + 8), sizeof(int32_t));
+    mus_status status = MUS_OK;
+    if (row.xy == NULL || row.work == NULL) {
+        status = mus__fail_memory(body->context, "measuring a body");
+    } else {
+        length_middle(body, &row);
+        length_shoulder(body, &row);
+        for (int32_t l = MUS_LIMB_ARM_RIGHT; l >= MUS_LIMB_ARM_LEFT; l--)
+            if (!body->limb[l].gone && body->limb[l].cuts > 0) length_arm(body, &body->limb[l], &row);
+        if (!body->limb[MUS_LIMB_ARM_LEFT].gone || !body->limb[MUS_LIMB_ARM_RIGHT].gone) {
+            const int32_t back = body->def.samples / 4;
+            body->made[MUS_MEASURE_ACROSS_BACK] = length_across(body, back, &row);
+            body->made[MUS_MEASURE_ACROSS_FRONT] = length_across(body, 3 * back, &row);
+        }
+        body->made[MUS_MEASURE_BUST_SPAN] = length_span(body);
+    }
+    mus__free(body->context, row.xy);
+    mus__free(body->context, row.work);
+    return status;
+}

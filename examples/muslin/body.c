@@ -127,6 +127,7 @@ int command_body(int argc, char **argv)
     stance how = {0};
     bool as_json = false, poses = false;
     const option options[] = {SOURCE_TAPE(from),
+                              SOURCE_POSTURE(from),
                               SOURCE_MESH(mesh),
                               {"--pose", OPTION_TEXT, &how.pose, 0, 0, "NAME  how it stands"},
                               {"--move", OPTION_TEXT, &how.move, 0, 0, "NAME  a movement in place of a pose"},
@@ -139,6 +140,7 @@ int command_body(int argc, char **argv)
         return EXIT_INPUT;
     if (poses) return list_poses();
     if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");
+    if (mesh.file != NULL && scene_upright(&from, "body") != EXIT_DONE) return EXIT_INPUT;
     if (mesh.file != NULL) return mesh_command(&mesh, how.pose != NULL || how.move != NULL, obj, as_json);
 
     scene s;
@@ -148,7 +150,7 @@ int command_body(int argc, char **argv)
     if (code == EXIT_DONE) code = scene_tape(&s, &from);
     if (code == EXIT_DONE) {
         const double start = seconds();
-        mus_status status = mus_body_create(s.context, s.tape, NULL, &body);
+        mus_status status = scene_body(&s, &from, NULL, &body);
         const double spent = seconds() - start;
         if (status == MUS_OK && (how.pose != NULL || how.move != NULL)) status = pose_body(&s, &how, &body);
         if (status == MUS_OK && obj != NULL) {

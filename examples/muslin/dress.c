@@ -44,7 +44,7 @@ static mus_status prepare(dress *d)
     double start = seconds();
     mus_status status = MUS_OK;
     if (d->mesh.file == NULL) {
-        status = mus_body_create(d->s.context, d->s.tape, NULL, &d->body);
+        status = scene_body(&d->s, &d->from, NULL, &d->body);
         d->body_seconds = seconds() - start;
     }
     if (status == MUS_OK && d->open) status = mus_pattern_open_closures(d->s.pattern, 1, NULL);
@@ -179,7 +179,7 @@ static int move_on(dress *d)
         def.samples = 32;
         def.ring_spacing = 0.025;
         if (d->glb != NULL && d->mesh.file == NULL)
-            d->outcome = mus_body_create(d->s.context, d->s.tape, &def, &thin);
+            d->outcome = scene_body(&d->s, &d->from, &def, &thin);
         on.thin = thin;
         if (d->outcome == MUS_OK) code = motion_lead(&on, &d->moved, d->glb, &d->outcome);
         d->led = d->glb != NULL && d->moved.made > 0;
@@ -278,6 +278,7 @@ int32_t dress_options(dress *d, option *table)
         {"--over", OPTION_LIST, &d->over, 0, 0,
          "GARMENT  worn over it: a design, its words, a file; again: from inside to outside"},
         SOURCE_TAPE(d->from),
+        SOURCE_POSTURE(d->from),
         SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
@@ -310,7 +311,7 @@ int dress_check(const char *command, const dress *d)
         return complain(EXIT_INPUT, command, "--precision %g: expected 32 or 64", d->precision);
     if (d->place != NULL && strcmp(d->place, "file") != 0 && strcmp(d->place, "found") != 0)
         return complain(EXIT_INPUT, command, "--place %s: expected file or found", d->place);
-    return EXIT_DONE;
+    return d->mesh.file != NULL ? scene_upright(&d->from, command) : EXIT_DONE;
 }
 
 

@@ -83,6 +83,25 @@ int scene_tape(scene *s, const source *from)
 }
 
 
+mus_status scene_body(const scene *s, const source *from, const mus_body_def *def, mus_body **out)
+{
+    mus_body_def own;
+    mus_body_def_init(&own, sizeof own);
+    if (def != NULL) own = *def;
+    own.stoop = 0.001 * from->stoop;
+    own.head_forward = 0.001 * from->head_forward;
+    own.sway = 0.001 * from->sway;
+    return mus_body_create(s->context, s->tape, &own, out);
+}
+
+
+int scene_upright(const source *from, const char *command)
+{
+    if (from->stoop == 0.0 && from->head_forward == 0.0 && from->sway == 0.0) return EXIT_DONE;
+    return complain(EXIT_INPUT, command, "--stoop, --head-forward and --sway are for a tape: a mesh stands as it does");
+}
+
+
 int scene_pattern(scene *s, const source *from)
 {
     const double start = seconds();

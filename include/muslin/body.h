@@ -62,6 +62,12 @@ typedef struct mus_body_def {
                              not in the measures */
     int32_t plain;        /* nonzero: the surface is that of the contours alone, without fillets where limbs meet, face,
                              fingers and toes: half the time, for what draws nothing; measures and contact stay */
+
+    /* Posture of a body of a tape, in metres, default 0: upright. Girths and heights stay the tape's. */
+    double stoop;        /* the nape comes so far forwards, the upper back rounds; negative: erect. -0.02 to 0.04 of the
+                            stature */
+    double head_forward; /* the head before the neck's base; -0.01 to 0.03 of the stature */
+    double sway;         /* a hollow back: the waist before chest and hip; negative: flat. -0.015 to 0.03 of it */
 } mus_body_def;
 
 MUS_API void mus_body_def_init(mus_body_def *def, size_t size);

@@ -97,6 +97,8 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     mus_status status = body_fit(body, MUS_LIMB_TORSO, turn, xy, work);
     if (status != MUS_OK) return status;
 
+    if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS_LIMB_TORSO]);
+
     const mus__contour *hip = &limb[MUS_LIMB_TORSO].contour[0];
     while (hip->girth != MUS_MEASURE_HIP) hip++;
     for (int32_t right = 0; right < 2; right++) {
@@ -120,8 +122,10 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     }
     body->measured = true;
     mus__skeleton_make(tape, &body->skeleton);
+    mus_status status = mus__posture_check(body->context, &body->def, body->skeleton.crown);
+    if (status != MUS_OK) return status;
+    if (!mus__posture_none(&body->def)) mus__posture_bones(&body->def, &body->skeleton);
 
-    mus_status status;
     double *turn = mus__new(body->context, 4 * (int64_t)n, sizeof(double));
     int32_t *work = mus__new(body->context, 2 * (int64_t)n, sizeof(int32_t));
     if (turn == NULL || work == NULL) {

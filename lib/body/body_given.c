@@ -159,8 +159,8 @@ mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_
     mus_body_def own;
     mus_status status = mus__body_read_def(context, def, &own);
     if (status != MUS_OK) return status;
-    if (own.without != 0 || own.limbs != 0)
-        return mus__fail(context, MUS_ERR_ARG, "without and limbs of a def are for a body of a tape");
+    if (own.without != 0 || own.limbs != 0 || !mus__posture_none(&own))
+        return mus__fail(context, MUS_ERR_ARG, "without, limbs and posture of a def are for a body of a tape");
 
     mus_body *body = mus__new(context, 1, sizeof *body);
     if (body == NULL) return mus__fail_memory(context, "a body");

@@ -123,6 +123,15 @@ double mus__contour_tape(const mus__contour *contour, int32_t n, const double *t
 /* scale a contour until that girth is `girth` */
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
 
+/* ---- body_posture.c: how a person holds back and head ---- */
+
+bool mus__posture_none(const mus_body_def *def);
+mus_status mus__posture_check(mus_context *context, const mus_body_def *def, double stature);
+/* shoulder joints, and where shoulders and bust stand */
+void mus__posture_bones(const mus_body_def *def, mus__skeleton *bone);
+/* the fitted contours of the torso */
+void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus__limb *torso);
+
 /* ---- body_without.c, body_given.c: what is left out of a body of a tape, and what is added ---- */
 
 /* cut the fitted limbs to what body->def.without leaves */

@@ -67,6 +67,19 @@ def test_poses_and_movements_are_listed_and_stood_in(command, tape, tmp_path):
     command("body", "--tape", tape, "--pose", "sit", "--move", "walk", code=2)
 
 
+def test_a_posture_keeps_the_girths_and_is_refused_beyond_its_range(command, tape, tmp_path, one_line):
+    stoop = ["--stoop", "50", "--head-forward", "-5", "--sway", "20"]
+    upright, bent = [{m["name"]: m["made_m"] for m in json.loads(command("body", "--tape", tape, *more, "--json").stdout)
+                      ["measures"]} for more in ([], stoop)]
+    for name in ["bust", "waist", "hip", "neck", "head", "nape_height", "bust_height", "stature"]:
+        assert abs(upright[name] - bent[name]) < 1e-9, name
+    assert bent["back_waist"] > upright["back_waist"] + 0.01
+    assert "stoop 0.15 m" in one_line(command("body", "--tape", tape, "--stoop", "150", code=2))
+    for which in ("body", "dress"):
+        more = ["--design", "tshirt"] if which == "dress" else []
+        assert "--sway" in one_line(command(which, *more, "--tape", tape, "--mesh", "a.obj", "--sway", "1", code=2))
+
+
 def test_a_body_takes_less_than_50_ms(command, tape):
     assert min(json.loads(command("body", "--tape", tape, "--json").stdout)["seconds"] for _ in range(5)) < 0.05
 

@@ -64,12 +64,17 @@ static mus_status try_body(mus_context *context, const void *def, void *user)
 /* X23 */
 START_TEST(a_body_def_that_is_not_finite_is_refused_by_name)
 {
-    static const refused_field fields[] = {REFUSED(mus_body_def, ring_spacing, 1, false, "ring_spacing")};
+    static const refused_field fields[] = {
+        REFUSED(mus_body_def, ring_spacing, 1, false, "ring_spacing"),
+        REFUSED(mus_body_def, stoop, 1, false, "stoop"),
+        REFUSED(mus_body_def, head_forward, 1, false, "head_forward"),
+        REFUSED(mus_body_def, sway, 1, false, "sway"),
+    };
     mus_body_def def;
     mus_body_def_init(&def, sizeof def);
     def.samples = 16;
     def.ring_spacing = 0.05;
-    refused_fields(fields, 1, &def, sizeof def, try_body, NULL);
+    refused_fields(fields, sizeof fields / sizeof *fields, &def, sizeof def, try_body, NULL);
 }
 END_TEST
 

@@ -76,7 +76,7 @@ def test_close_waits_for_views_and_ends_the_object(scene):
 def test_bytes_return_to_zero(context):
     with muslin.Tape.size("M50", context=context) as tape:
         assert context.bytes > 0
-        with muslin.Body(tape) as body:
+        with muslin.Body(tape, stoop=0.03) as body:
             assert len(body.limbs) >= 5
     del tape, body
     gc.collect()

@@ -290,7 +290,8 @@ class mus_limb(Structure):
 
 class mus_body_def(Structure):
     _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32),
-                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb)), ("plain", c_int32)]
+                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb)), ("plain", c_int32),
+                ("stoop", c_double), ("head_forward", c_double), ("sway", c_double)]
 
 
 class mus_pose(Structure):

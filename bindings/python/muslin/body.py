@@ -14,7 +14,8 @@ _LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars
 
 
 class Body(Object):
-    """A body for a tape. options: samples, ring_spacing, ellipse (mus_body_def)."""
+    """A body for a tape. options: samples, ring_spacing, ellipse, posture as stoop, head_forward, sway [m]
+    (mus_body_def)."""
 
     _kind = "body"
 

@@ -1,9 +1,9 @@
 /*
  * scan_measure.c: the girths of a scanned body, from its contours, as a tape lies.
  *
- * Bust: at the level between waist and armpits where the chest reaches furthest forward, at the bust points. Waist: the
- * narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest level between crotch and waist. Thigh: the
- * fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it sections flare into the other leg, where
+ * Bust: of the levels between waist and armpits where the chest reaches as far forward as anywhere, to 4 mm, the
+ * fullest: that of the bust points. Waist: the narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest
+ * level between crotch and waist. Thigh: the fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it sections flare into the other leg, where
  * no tape lies. Wrist: the narrowest of the forearm. Limbs are the right ones, as people are measured, or the left
  * where there is no right one. A form without legs has bust, waist and hip as its fullest level above, its narrowest,
  * and its fullest below the middle third.
@@ -17,6 +17,9 @@
 
 #define MEASURE_SAMPLES 192
 #define MEASURE_THIGH (0.015 / 1.7) /* below the crotch, in parts of the stature */
+#define MEASURE_CHEST 0.735         /* a chest reaches up to here where arms are level, in parts of the stature */
+#define MEASURE_LEVEL 0.35          /* sine of arms that are level: 20 degrees down */
+#define MEASURE_FLAT (0.004 / 1.7)  /* fronts that differ by less are equally far forward */
 
 typedef struct measure_rows {
     int32_t count;
@@ -73,6 +76,20 @@ static int32_t measure_most(const measure_rows *rows, const double *value, doubl
 }
 
 
+/* of the contours between low and high that reach forwards as far as the foremost, to `flat`, the fullest: the front of
+ * a flat chest says little about its level */
+static int32_t measure_bust(const measure_rows *rows, double low, double high, double flat)
+{
+    const int32_t front = measure_most(rows, rows->ahead, 1.0, low, high);
+    int32_t best = front;
+    for (int32_t i = 0; i < rows->count && front >= 0; i++)
+        if (rows->s[i] >= low && rows->s[i] <= high && rows->ahead[i] >= rows->ahead[front] - flat &&
+            rows->tape[i] > rows->tape[best])
+            best = i;
+    return best;
+}
+
+
 static void measure_note(mus_scan_report *report, int32_t girth, const measure_rows *rows, int32_t i)
 {
     if (i < 0) return;
@@ -97,6 +114,15 @@ static void measure_below(mus_scan_report *report, int32_t girth, const measure_
 }
 
 
+/* how high the chest's own sections reach beside an arm. One that is level leaves the torso along its whole flank, with
+ * an upright wall: below the armpit there is nothing of it */
+static double measure_armpit(const mus__scan_arm *arm, double h)
+{
+    const double armpit = arm->armpit[1];
+    return arm->axis[1] > -MEASURE_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
+}
+
+
 static void measure_torso(const measure_rows *rows, const mus__scan_found *found, mus_scan_report *report)
 {
     const double h = found->stature;
@@ -110,9 +136,9 @@ static void measure_torso(const measure_rows *rows, const mus__scan_found *found
     const double level = waist >= 0 ? rows->s[waist] : 0.62 * h;
     double armpit = 0.76 * h;
     for (int i = 0; i < 2; i++)
-        if (found->arm[i].there) armpit = fmin(armpit, found->arm[i].armpit[1]);
+        if (found->arm[i].there) armpit = fmin(armpit, measure_armpit(&found->arm[i], h));
     measure_note(report, MUS_SCAN_WAIST, rows, waist);
-    measure_note(report, MUS_SCAN_BUST, rows, measure_most(rows, rows->ahead, 1.0, fmax(level, 0.66 * h), armpit));
+    measure_note(report, MUS_SCAN_BUST, rows, measure_bust(rows, fmax(level, 0.66 * h), armpit, MEASURE_FLAT * h));
     measure_note(report, MUS_SCAN_HIP, rows,
                  measure_most(rows, rows->tape, 1.0, found->crotch + 0.01 * h, found->crotch + 0.13 * h));
 }

@@ -61,15 +61,22 @@ void solid_cylinder(int32_t n, double a, double c, double height, solid *out)
 }
 
 
-void solid_person(const char *size, solid *out)
+void solid_person(const char *size, const char *stance, solid *out)
 {
     mus_context *context;
     mus_tape *tape;
     mus_body *body;
+    mus_pose pose;
     ck_assert_int_eq(mus_context_create(NULL, &context), MUS_OK);
     ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
     ck_assert_int_eq(mus_tape_set_size(tape, size), MUS_OK);
     ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    if (stance != NULL) {
+        mus_body *rest = body;
+        ck_assert_int_eq(mus_pose_named(context, stance, &pose), MUS_OK);
+        ck_assert_int_eq(mus_body_pose(rest, &pose, &body), MUS_OK);
+        mus_body_destroy(rest);
+    }
     out->vertices = mus_body_vertex_count(body), out->triangles = mus_body_triangle_count(body);
     out->x = calloc(3 * (size_t)out->vertices, sizeof *out->x);
     out->triangle = calloc(3 * (size_t)out->triangles, sizeof *out->triangle);

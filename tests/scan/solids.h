@@ -14,8 +14,8 @@ typedef struct solid {
 void solid_ellipsoid(int32_t n, double a, double b, double c, solid *out);
 /* a cylinder of half breadths a (X) and c (Z), from y = 0 to `height`, with lids */
 void solid_cylinder(int32_t n, double a, double c, double height, solid *out);
-/* the surface of the body of a table size */
-void solid_person(const char *size, solid *out);
+/* the surface of the body of a table size, in a named pose (NULL: as it is made) */
+void solid_person(const char *size, const char *stance, solid *out);
 void solid_free(solid *s);
 
 /* x -> unit * turn * x + place, turn row by row; place may be NULL */

@@ -150,7 +150,7 @@ START_TEST(our_own_body_comes_back)
         mus_body *body, *own;
         mus_tape *tape;
         solid s;
-        solid_person(sizes[k], &s);
+        solid_person(sizes[k], NULL, &s);
         mus_scan_def def;
         mus_scan_def_init(&def, sizeof def);
         def.spacing = 0.008;
@@ -217,7 +217,7 @@ START_TEST(turned_bodies_come_back_the_same)
         mus_scan_report report;
         mus_body *body;
         solid s;
-        solid_person("W40", &s);
+        solid_person("W40", NULL, &s);
         const double angle = round == 0 ? 0.0 : support_uniform(&seed, 0.0, 2.0 * MUS_PI), c = cos(angle),
                      n = sin(angle);
         const double about[9] = {c, 0, n, 0, 1, 0, -n, 0, c}, place[3] = {0.3, -1.0, 2.0};
@@ -257,7 +257,7 @@ END_TEST
 START_TEST(a_unit_that_may_be_two_is_refused_by_both)
 {
     solid s;
-    solid_person("W40", &s);
+    solid_person("W40", NULL, &s);
     solid_move(&s, 1.0 / 0.0254, as_it_is, NULL);
     scan_refused(&s, NULL, MUS_ERR_BODY, "1.68 m (inch)");
     mus_context *context = support_context();
@@ -334,7 +334,7 @@ START_TEST(holes_and_doubles_are_handled)
     solid s;
     mus_scan_def_init(&def, sizeof def);
     def.distances = 0;
-    solid_person("W40", &s);
+    solid_person("W40", NULL, &s);
     ck_assert_int_eq(scan_solid(context, &s, &def, &whole, &body), MUS_OK);
     mus_body_destroy(body);
     ck_assert_int_eq(whole.holes, 0);

@@ -157,6 +157,7 @@ START_TEST(the_girths_of_the_tape_are_on_the_body)
         /* thigh and wrist as they are found: on the right, as the yaml has them (the left wrists are 6 mm less) */
         ck_assert_double_eq_tol(p.report.girth[MUS_SCAN_THIGH], people[k].thigh, 0.005);
         ck_assert_double_eq_tol(p.report.girth[MUS_SCAN_WRIST], people[k].wrist, 0.002);
+        ck_assert_double_eq_tol(p.report.girth[MUS_SCAN_BUST], people[k].bust, 0.005);
         person_end(&p);
     }
 }

@@ -3,10 +3,10 @@
  *
  * Bust: of the levels between waist and armpits where the chest reaches as far forward as anywhere, to 4 mm, the
  * fullest: that of the bust points. Waist: the narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest
- * level between crotch and waist. Thigh: the fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it sections flare into the other leg, where
- * no tape lies. Wrist: the narrowest of the forearm. Limbs are the right ones, as people are measured, or the left
- * where there is no right one. A form without legs has bust, waist and hip as its fullest level above, its narrowest,
- * and its fullest below the middle third.
+ * level between crotch and waist. Thigh: the fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it
+ * sections flare into the other leg, where no tape lies. Wrist: the narrowest of the forearm. Limbs are the right ones,
+ * as people are measured, or the left where there is no right one. A form without legs has bust, waist and hip as its
+ * fullest level above, its narrowest, and its fullest below the middle third.
  */
 #include <math.h>
 #include <string.h>

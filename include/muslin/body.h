@@ -123,7 +123,7 @@ MUS_API double mus_body_volume(const mus_body *body);
 /** The surface: vertices (vertex_count x 3) [m], unit normals (vertex_count x 3), triangles (triangle_count x 3).
  * Borrowed until the body is destroyed. Triangles of a limb are contiguous and wind outwards. A body made from a tape
  * has one skin: where limbs meet, the vertices of both lie on a smooth union, up to 12 mm off the limbs in the crease
- * (at 1.68 m). */
+ * (at 1.68 m); the cleft of the seat goes 18 mm in. */
 MUS_API int32_t mus_body_vertex_count(const mus_body *body);
 MUS_API int32_t mus_body_triangle_count(const mus_body *body);
 MUS_API const double *mus_body_vertices(const mus_body *body);

@@ -202,6 +202,13 @@ mus_status mus__body_skin(mus_body *body);
 /* fingers and toes: how much they are, and their vertices, normals and triangles after those of the limbs */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 void mus__digit_make(mus_body *body);
+/* ---- seat.c ---- */
+
+/* the cleft of the seat, in the finished skin */
+void mus__skin_seat(mus_body *body);
+
+/* ---- shape.c ---- */
+
 /* face, palms and feet: vertices of the skin and their normals */
 void mus__skin_shape(mus_body *body);
 

@@ -15,6 +15,9 @@
 
 #define SHAPE_PALM 0.38  /* of its length from the knuckles on that the mitten keeps */
 #define SHAPE_BALL 0.45  /* of its length from the ball on that the foot keeps */
+#define SHAPE_SKULL 0.018 /* of a newborn's stature that its brow is lower than its contour, */
+#define SHAPE_CHIN 0.032 /* and its chin */
+#define SHAPE_GROWN 1.28 /* stature of a child whose head is drawn as its contours have it */
 #define SHAPE_FRONT 0.45 /* how much closer samples stand at the nose, 0 to 1 */
 
 /* relief of a face: height and how far from the middle, widths of the bell in both, how far out; in parts of chin to
@@ -91,6 +94,18 @@ static void shape_gather(int32_t n, double front, const double *ring, double *ou
 }
 
 
+/* how far a place of a small child's head goes down, `front` from -1 at the back of the head to 1 at the nose: the brow
+ * all round, so that the skull is as high above it as it is broad, and the chin in front, before the neck */
+static double shape_child(const mus__skeleton *bone, double chin, double brow, double s, double front)
+{
+    const double h = bone->crown, young = h * shape_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
+    const double low = SHAPE_CHIN * young * shape_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
+    const double u = (s - chin) / (brow - chin);
+    if (s < chin) return low * shape_step((s - bone->nape) / (chin - bone->nape));
+    return s < brow ? low + u * (high - low) : high * fmax((h - s) / (h - brow), 0.0);
+}
+
+
 /* a ring of the head at rest */
 static void shape_head(const mus_body *body, double s, int32_t n, double *x)
 {
@@ -111,6 +126,8 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
             p[0] += 0.5 * out * p[0] / length;
             p[2] += out * (p[2] - z0) / length;
         }
+
+        p[1] -= shape_child(&body->skeleton, chin->s, brow->s, s, front);
 
         /* ears, a little behind the middle */
         const double flank = shape_bell((front + 0.08) / 0.13) * shape_step(4.0 * fabs(side) - 2.4);

@@ -36,8 +36,10 @@
 /* normals of two surfaces that lie within so much of a reach of each other are evened out, 4 mm of 25 */
 #define SKIN_EVEN 0.16
 
-/* fillet between torso and leg, in parts of the others */
+/* fillet between torso and leg, in parts of the others; whole where the hip is bent so much that an entry of the
+ * rotation is SKIN_FOLD */
 #define SKIN_LEG 0.4
+#define SKIN_FOLD 0.4
 
 /* no vertex moves further than so much of a reach, 12 mm of 25: deep in a narrow wedge the union is far */
 #define SKIN_MOST 0.5
@@ -96,11 +98,13 @@ static double skin_field(const mus__field *field, const double *p, double *norma
 }
 
 
-/* legs grow out of the torso along its surface: what crease there is needs little */
-static bool skin_groin(const mus__skin_union *at, int32_t other)
+/* reach of a fillet with another limb: legs grow out of the torso along its surface, and what crease there is needs
+ * little */
+static double skin_reach(const mus__skin_union *at, int32_t other)
 {
-    return at->body->measured && (at->limb == MUS_LIMB_TORSO || other == MUS_LIMB_TORSO) &&
-           at->limb + other >= MUS_LIMB_LEG_LEFT && at->limb + other <= MUS_LIMB_LEG_RIGHT;
+    const bool groin = at->body->measured && (at->limb == MUS_LIMB_TORSO || other == MUS_LIMB_TORSO) &&
+                       at->limb + other >= MUS_LIMB_LEG_LEFT && at->limb + other <= MUS_LIMB_LEG_RIGHT;
+    return groin ? at->groin[at->limb + other - MUS_LIMB_LEG_LEFT] * at->reach : at->reach;
 }
 
 
@@ -128,8 +132,7 @@ static double skin_depth(const mus__skin_union *at, const double *p, const doubl
         }
         if (d > *other) *other = d;
         memcpy(last, normal, sizeof last);
-        const double reach = skin_groin(at, at->body->rig.part[q].limb) ? SKIN_LEG * at->reach : at->reach;
-        skin_merge(reach, d, normal, &depth, gradient);
+        skin_merge(skin_reach(at, at->body->rig.part[q].limb), d, normal, &depth, gradient);
     }
     return depth;
 }
@@ -195,12 +198,34 @@ static void skin_field_box(const mus__field *field, double more, double *low, do
 }
 
 
-/* true when a joint of a posed body is bent */
-static bool skin_bent(const mus_body *body, int32_t p, int32_t q)
+/* how far a part of a posed body is turned against another: the largest difference of their rotations' entries */
+static double skin_turned(const mus_body *body, int32_t p, int32_t q)
 {
     double most = 0.0;
     for (int i = 0; i < 9; i++) most = fmax(most, fabs(body->frame[p].turn[i] - body->frame[q].turn[i]));
-    return most > SKIN_BENT;
+    return most;
+}
+
+
+/* true when a joint of a posed body is bent */
+static bool skin_bent(const mus_body *body, int32_t p, int32_t q)
+{
+    return skin_turned(body, p, q) > SKIN_BENT;
+}
+
+
+/* fillets of the groins: the torso's first part is the pelvis, a leg's last one the thigh */
+static void skin_groins(mus__skin_union *at)
+{
+    const mus_body *body = at->body;
+    for (int32_t r = 0; r < 2; r++) {
+        int32_t thigh = MUS_NONE;
+        for (int32_t p = 0; p < body->nfield; p++)
+            if (body->rig.part[p].limb == MUS_LIMB_LEG_LEFT + r) thigh = p;
+        const bool posed = body->measured && body->frame != NULL && thigh != MUS_NONE;
+        const double fold = posed ? fmin(skin_turned(body, 0, thigh) / SKIN_FOLD, 1.0) : 0.0;
+        at->groin[r] = SKIN_LEG + (1.0 - SKIN_LEG) * fold;
+    }
 }
 
 
@@ -330,10 +355,13 @@ mus_status mus__body_skin(mus_body *body)
 
     mus__skin_union at = {.body = body, .reach = body->fillet};
     for (int32_t q = 0; q < body->nfield; q++) skin_field_box(&body->field[q], at.reach, at.low[q], at.high[q]);
+    skin_groins(&at);
     const bool even = skin_is_even(body);
     for (int32_t l = 0; l < body->limb_count; l += even && l > 0 ? 2 : 1) skin_limb(&at, body, l, even && l == 0);
-    if (!even) return MUS_OK;
-    skin_mirror(body, body->skin);
-    skin_mirror(body, body->skin_normals);
+    if (even) {
+        skin_mirror(body, body->skin);
+        skin_mirror(body, body->skin_normals);
+    }
+    if (body->measured) mus__skin_seat(body);
     return MUS_OK;
 }

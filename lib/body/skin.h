@@ -12,6 +12,7 @@ typedef struct mus__skin_union {
     const mus_body *body;
     int32_t limb;                 /* the limb whose surface it is */
     double reach;                 /* width of a fillet along both surfaces of a right-angled crease [m] */
+    double groin[2];              /* of the fillets between torso and legs, left and right, in parts of the reach */
     double most;                  /* no vertex of the ring moves further [m] */
     double low[MUS_PARTS_MOST][3]; /* boxes of the parts, grown by the reach */
     double high[MUS_PARTS_MOST][3];

@@ -204,8 +204,18 @@ START_TEST(rings_are_as_close_as_asked)
 END_TEST
 
 
+/* is a place where the cleft of the seat, or the groin before it, may be? */
+static bool is_seat(const mus_body *body, const double *x)
+{
+    const double tall = body->skeleton.crown;
+    if (x[2] > 0.0) return fabs(x[0]) < 0.12 * tall && x[1] > 0.9 * body->skeleton.crotch && x[1] < body->skeleton.hip;
+    return fabs(x[0]) < 0.04 * tall && x[1] > body->skeleton.crotch - 0.011 * tall &&
+           x[1] < body->skeleton.hip + 0.051 * tall;
+}
+
+
 /* the skin of two limbs at one place has one normal; it is nowhere within the limbs, and off them in creases only. Off
- * the face, hands and feet, whose relief is the picture's alone */
+ * the face, hands, feet and the cleft of the seat, whose relief is the picture's alone */
 START_TEST(the_skin_is_the_union_of_the_limbs)
 {
     static const char *const sizes[] = {"W40", "M50", "C116"};
@@ -220,7 +230,7 @@ START_TEST(the_skin_is_the_union_of_the_limbs)
                 const double *x = body->vertices + 3 * (ptrdiff_t)v, *y = body->skin + 3 * (ptrdiff_t)v;
                 const double way[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]}, far = mus__norm3(way);
                 if (x[1] > body->skeleton.nape - 0.001 || x[1] < body->skeleton.ankle) continue;
-                if (fabs(x[0]) > 0.2 * tall) continue;
+                if (fabs(x[0]) > 0.2 * tall || is_seat(body, x)) continue;
                 bare++;
                 if (far == 0.0) continue;
                 off++;
@@ -235,6 +245,75 @@ START_TEST(the_skin_is_the_union_of_the_limbs)
         ck_assert_int_lt(off, bare / 4);
         mus_body_destroy(body);
     }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* the cleft goes in alone, at the middle of the back; its normals are those of the surface, and a tape over it is the
+ * hip's. Where the body sits it is the same, carried along */
+START_TEST(the_seat_has_a_cleft)
+{
+    mus_context *context = support_context();
+    mus_body *body = people_body(context, "W40", NULL), *posed = NULL;
+    mus_pose pose;
+    ck_assert_int_eq(mus_pose_named(context, "sit", &pose), MUS_OK);
+    ck_assert_int_eq(mus_body_pose(body, &pose, &posed), MUS_OK);
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const int32_t n = body->def.samples, back = n / 4;
+    int32_t ring = 0;
+    while (body->ring[torso->first_ring + ring] < body->skeleton.hip - 1e-9) ring++;
+    const ptrdiff_t at = torso->first_vertex + 1 + (ptrdiff_t)ring * n + back;
+    const double *before = body->vertices + 3 * at, *after = body->skin + 3 * at, tall = body->skeleton.crown;
+    ck_assert_double_eq_tol(after[2] - before[2], 0.011 * tall, 0.002 * tall);
+    ck_assert(after[0] == before[0] && after[1] == before[1]);
+
+    /* the same depth in the pelvis of who sits */
+    double moved = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double d = posed->skin[3 * at + i] - posed->vertices[3 * at + i];
+        moved += d * d;
+    }
+    ck_assert_double_eq_tol(sqrt(moved), after[2] - before[2], 1e-6);
+
+    /* across it the surface turns in and out again: normals against differences of places */
+    for (int32_t k = -3; k <= 3; k++) {
+        const double *p = body->skin + 3 * (at + k - 1), *q = body->skin + 3 * (at + k + 1);
+        const double *low = body->skin + 3 * (at + k - n), *high = body->skin + 3 * (at + k + n);
+        const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+        const double v[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+        double normal[3];
+        mus__cross3(u, v, normal);
+        mus__unit3(normal);
+        ck_assert_double_gt(mus__dot3(normal, body->skin_normals + 3 * (at + k)), 0.97);
+    }
+    mus_body_destroy(posed);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a small child's brow and chin are drawn lower than their contours; crown, neck and the measures stay */
+START_TEST(an_infants_head_is_round)
+{
+    mus_context *context = support_context();
+    mus_body *body = people_body(context, "C68", NULL);
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const int32_t n = body->def.samples;
+    for (int32_t i = 0; i < torso->count; i++) {
+        const ptrdiff_t first = torso->first_vertex + 1 + (ptrdiff_t)torso->contour[i].ring * n;
+        const char *name = torso->contour[i].name;
+        const double front = body->vertices[3 * (first + 3 * n / 4) + 1] - body->skin[3 * (first + 3 * n / 4) + 1];
+        const double behind = body->vertices[3 * (first + n / 4) + 1] - body->skin[3 * (first + n / 4) + 1];
+        if (strcmp(name, "brow") == 0) ck_assert(front > 0.008 && fabs(behind - front) < 1e-9);
+        if (strcmp(name, "chin") == 0) ck_assert(front > 0.015 && behind < 1e-6);
+        if (strcmp(name, "nape") == 0) ck_assert_double_lt(fabs(front) + fabs(behind), 1e-3);
+    }
+    const ptrdiff_t crown = 3 * ((ptrdiff_t)torso->first_vertex + torso->vertices - 1) + 1;
+    ck_assert_double_eq_tol(body->skin[crown], 0.68, 1e-12);
+    ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_HEAD), mus_body_asked(body, MUS_MEASURE_HEAD), 1e-9);
+    mus_body_destroy(body);
     support_context_end(context);
 }
 END_TEST
@@ -319,6 +398,8 @@ Suite *mus_suite_body_surface(void)
     tcase_add_test(tests, normals_are_unit_outward_and_smooth);
     tcase_add_test(tests, rings_are_as_close_as_asked);
     tcase_add_test(tests, the_skin_is_the_union_of_the_limbs);
+    tcase_add_test(tests, the_seat_has_a_cleft);
+    tcase_add_test(tests, an_infants_head_is_round);
     tcase_add_test(tests, normals_run_on_from_limb_to_limb);
     tcase_add_test(tests, a_plain_body_differs_in_its_picture_only);
     suite_add_tcase(suite, tests);

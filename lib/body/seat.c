@@ -1,0 +1,153 @@
+/*
+ * seat.c: cleft of the seat and a child's groin in the picture: what contours that are one closed curve cannot have.
+ *
+ * Works on the finished skin of torso and legs, as one map of space in the rest pose, so that their sheets stay on each
+ * other: a place behind the middle of the hip goes forwards, from the crotch up to the small of the back, by
+ *
+ *     F(x, y, z) = depth exp(-(x / wide)^2) step(y) step(z)
+ *
+ * and one before it backwards by a like bell, wider and from the hip down, where the torso reaches as far as the
+ * thighs. Normals go by the inverse transpose of its Jacobian. Tapes span both; measures, volume and contact do not see
+ * them, and the skin only goes inwards.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+
+/* in parts of the stature */
+#define SEAT_DEPTH 0.011
+#define SEAT_WIDE 0.0085
+#define SEAT_BELOW 0.010  /* of the crotch: it begins, and is whole so far above */
+#define SEAT_UP 0.050     /* above the hip: it ends, */
+#define SEAT_FADE 0.060   /* after so much */
+#define SEAT_BEHIND 0.035 /* behind the middle of the hip, or before it, it is whole */
+#define SEAT_GROIN 0.008  /* in front the torso is to be so far behind the thighs */
+#define SEAT_GROIN_WIDE 0.028
+#define SEAT_DIFFERENCE 1e-5 /* [m] */
+
+typedef struct seat_place {
+    double h, crotch, hip, middle; /* middle: Z of the hip's centre */
+    double groin;                  /* how far the groin goes back */
+} seat_place;
+
+
+/* 0 below 0, 1 above 1, smooth between */
+static double seat_step(double t)
+{
+    t = fmin(fmax(t, 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+
+/* how far (x, y, z) goes forwards */
+static double seat_in(const seat_place *seat, double x, double y, double z)
+{
+    const double h = seat->h, u = x / (SEAT_WIDE * h);
+    if (u * u > 30.0) return 0.0;
+    const double low = seat_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
+    const double high = seat_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
+    return SEAT_DEPTH * h * exp(-u * u) * low * high * seat_step((seat->middle - z) / (SEAT_BEHIND * h));
+}
+
+
+/* how far it goes backwards: the groin of one whose torso reaches as far forwards as the thighs, a child's */
+static double seat_groin(const seat_place *seat, double x, double y, double z)
+{
+    const double h = seat->h, u = x / (SEAT_GROIN_WIDE * h);
+    if (u * u > 30.0 || seat->groin <= 0.0) return 0.0;
+    const double high = seat_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
+    return seat->groin * exp(-u * u) * high * seat_step((z - seat->middle) / (SEAT_BEHIND * h));
+}
+
+
+/* both */
+static double seat_way(const seat_place *seat, const double *x)
+{
+    return seat_in(seat, x[0], x[1], x[2]) - seat_groin(seat, x[0], x[1], x[2]);
+}
+
+
+/* a place and its normal in the rest pose */
+static void seat_move(const seat_place *seat, double *x, double *normal)
+{
+    const double in = seat_way(seat, x), e = SEAT_DIFFERENCE;
+    if (fabs(in) < 1e-9) return;
+    double slope[3];
+    for (int i = 0; i < 3; i++) {
+        double low[3] = {x[0], x[1], x[2]}, high[3] = {x[0], x[1], x[2]};
+        low[i] -= e, high[i] += e;
+        slope[i] = (seat_way(seat, high) - seat_way(seat, low)) / (2.0 * e);
+    }
+    x[2] += in;
+    const double along = normal[2];
+    normal[0] = normal[0] * (1.0 + slope[2]) - slope[0] * along;
+    normal[1] = normal[1] * (1.0 + slope[2]) - slope[1] * along;
+    mus__unit3(normal);
+}
+
+
+/* from where the body stands to the rest pose: the transpose of the turn */
+static void seat_back(const mus__frame *frame, const double *from, double *to)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = frame->turn[i] * from[0] + frame->turn[3 + i] * from[1] + frame->turn[6 + i] * from[2];
+}
+
+
+/* the same where the body stands */
+static void seat_posed(const seat_place *seat, const mus__frame *frame, double *x, double *normal)
+{
+    const double d[3] = {x[0] - frame->place[0], x[1] - frame->place[1], x[2] - frame->place[2]};
+    double rest[3], n[3], before[3];
+    seat_back(frame, d, rest);
+    seat_back(frame, normal, n);
+    memcpy(before, rest, sizeof before);
+    seat_move(seat, rest, n);
+    if (memcmp(before, rest, sizeof before) == 0) return;
+    mus__frame_point(frame, rest, x);
+    mus__frame_turn(frame, n, normal);
+}
+
+
+/* how far the contour of a measure reaches forwards; MUS_NONE: the lowest of the limb */
+static double seat_front(const mus__limb *limb, int32_t girth)
+{
+    const mus__contour *c = &limb->contour[0];
+    for (int32_t i = 0; i < limb->count && girth != MUS_NONE; i++)
+        if (limb->contour[i].girth == girth) c = &limb->contour[i];
+    return c->b - c->cb;
+}
+
+
+void mus__skin_seat(mus_body *body)
+{
+    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const int32_t limbs[] = {MUS_LIMB_TORSO, MUS_LIMB_LEG_LEFT, MUS_LIMB_LEG_RIGHT};
+    seat_place seat = {body->skeleton.crown, body->skeleton.crotch, body->skeleton.hip, 0.0, 0.0};
+    for (int32_t i = 0; i < torso->count; i++)
+        if (torso->contour[i].girth == MUS_MEASURE_HIP) seat.middle = -torso->contour[i].cb;
+    seat.groin = seat_front(torso, MUS_NONE) + SEAT_GROIN * seat.h -
+                 seat_front(&body->limb[MUS_LIMB_LEG_LEFT], MUS_MEASURE_THIGH);
+
+    const double low = seat.crotch - SEAT_BELOW * seat.h, high = seat.hip + SEAT_UP * seat.h;
+    for (int k = 0; k < 3; k++) {
+        const mus__limb *limb = &body->limb[limbs[k]];
+        if (limb->gone) continue;
+        for (int32_t ring = 0; ring < limb->rings; ring++) {
+            const double s = body->ring[limb->first_ring + ring];
+            if (s < low || s > high) continue;
+            const ptrdiff_t first = 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
+            double *x = body->skin + first, *normal = body->skin_normals + first;
+            mus__frame frame;
+            if (body->frame != NULL) mus__rig_ring(&body->rig, body->frame, limbs[k], s, &frame);
+            for (int32_t v = 0; v < body->def.samples; v++, x += 3, normal += 3) {
+                if (body->frame != NULL)
+                    seat_posed(&seat, &frame, x, normal);
+                else
+                    seat_move(&seat, x, normal);
+            }
+        }
+    }
+}

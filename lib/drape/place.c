@@ -9,7 +9,8 @@
  *      ___---  /    ___---  /          i inner fold, PLACE_DEEP below it, and PLACE_DEEP / 2 at both ends
  *     -       i----        i----
  *
- * so no layer begins in another, and the layers lie in their order.
+ * so no layer begins in another, and the layers lie in their order. What is farther out, or higher, is so on the
+ * panel's right side: along its plane's normal, or against it where the outline runs clockwise.
  */
 #include <math.h>
 #include <string.h>
@@ -34,13 +35,28 @@ static void place_point(const mus_placement *place, double x, double y, double h
 }
 
 
-/* how a panel starts, `out` farther along its normal */
+/* 1 where the panel's right side is that of its plane's normal, -1 where it is the other: triangles run as outlines do
+ */
+static double place_side(const mus_cloth *cloth, int32_t panel)
+{
+    const mus__panel_mesh *mesh = &cloth->panel[panel];
+    if (mesh->triangle_count == 0) return 1.0;
+    const int32_t *corner = cloth->triangle + 3 * (int64_t)mesh->first_triangle;
+    const double *a = cloth->rest + 2 * (int64_t)corner[0], *b = cloth->rest + 2 * (int64_t)corner[1];
+    const double *c = cloth->rest + 2 * (int64_t)corner[2];
+    return (b[0] - a[0]) * (c[1] - a[1]) < (c[0] - a[0]) * (b[1] - a[1]) ? -1.0 : 1.0;
+}
+
+
+/* how a panel starts, `out` farther off on its right side; a panel that is rolled round what lies on its wrong side is
+ * rolled that much wider */
 static mus_placement place_panel(const mus_cloth *cloth, int32_t panel, double out)
 {
     mus_placement place = cloth->panel[panel].placement;
     if (out > 0.0) {
-        for (int32_t d = 0; d < 3; d++) place.origin[d] += out * place.rotation[3 * d + 2];
-        if (place.bend > 0.0) place.bend += out;
+        const double side = place_side(cloth, panel);
+        for (int32_t d = 0; d < 3; d++) place.origin[d] += side * out * place.rotation[3 * d + 2];
+        if (side * place.bend > 0.0) place.bend += side * out;
     }
     return place;
 }
@@ -81,12 +97,12 @@ static double place_folded(const mus__pleat *pleat, int32_t n, double fold, cons
 }
 
 
-/* the nodes of a panel that starts folded, its `n` pleats given, `out` farther along its normal */
+/* the nodes of a panel that starts folded, its `n` pleats given, `out` farther off on its right side */
 static void place_pleats(const mus_cloth *cloth, const mus__pleat *pleat, int32_t n, double out, double *x)
 {
     const mus__panel_mesh *panel = &cloth->panel[pleat->panel];
     const mus_placement place = place_panel(cloth, pleat->panel, out);
-    const double fold = place.fold, *along = pleat->along;
+    const double fold = place.fold, side = place_side(cloth, pleat->panel), *along = pleat->along;
     double range[2], height;
     place_range(cloth, pleat, range);
     const double width = place_folded(pleat, n, fold, range, range[1], &height);
@@ -94,12 +110,12 @@ static void place_pleats(const mus_cloth *cloth, const mus__pleat *pleat, int32_
     for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++) {
         const double *rest = cloth->rest + 2 * (int64_t)i, t = rest[0] * along[0] + rest[1] * along[1];
         const double by = start + place_folded(pleat, n, fold, range, t, &height) - t;
-        place_point(&place, rest[0] + by * along[0], rest[1] + by * along[1], height, x + 3 * (int64_t)i);
+        place_point(&place, rest[0] + by * along[0], rest[1] + by * along[1], side * height, x + 3 * (int64_t)i);
     }
 }
 
 
-/* the nodes of a panel, `out` farther along its normal */
+/* the nodes of a panel, `out` farther off on its right side */
 static void place_nodes(const mus_cloth *cloth, int32_t index, double out, double *x)
 {
     const mus__panel_mesh *panel = &cloth->panel[index];

@@ -18,6 +18,7 @@
 #define SELF_WIDER 2.0     /* times as long as the last balls lasted they are to last */
 #define SELF_LEAST_STEPS 2.0 /* that balls are to hold for, or nothing drifts */
 #define SELF_PART 0.5      /* of its room a pair leaves to drifts that differ */
+#define SELF_IDLE 0.99     /* of the squared way that leaves a pair apart: less than that is not asked */
 #define SELF_BEARS 0.05    /* a node with less of a share in a pair does not bear on it */
 #define SELF_AGAINST 0.5   /* cosine of what holds a node and what pushes it */
 
@@ -80,13 +81,16 @@ static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, 
         const MUS_REAL t = (MUS_REAL)self->pair[k].thickness;
         const MUS_REAL apart = (MUS_REAL)MUS_SQRT(MUS_FIELD(self_measure)(self, k, p, share));
         MUS_REAL room = (MUS_REAL)SELF_BALL * apart;
+        MUS_REAL idle = (MUS_REAL)0.5 * (apart - (MUS_REAL)(1.0 + SELF_BAND) * t);
         if (apart < (MUS_REAL)SELF_ACTIVE * t) self->touch[self->ntouch++] = k;
         else room = (MUS_REAL)SELF_APPROACH * (apart - t);
         if (self->drifts) {
             const MUS_REAL spread = MUS_FIELD(self_spread)(self, node), part = (MUS_REAL)SELF_PART * room;
             if (most * spread > part) most = part / spread;
             room -= most * spread;
+            idle -= most * spread;
         }
+        self->pair[k].room2 = idle > 0 ? (float)((MUS_REAL)SELF_IDLE * idle * idle) : 0;
         for (int32_t i = 0; i < 4; i++) ball[node[i]] = room < ball[node[i]] ? room : ball[node[i]];
     }
     return most;
@@ -138,6 +142,37 @@ static int32_t MUS_FIELD(self_beyond)(int64_t n, int32_t count, MUS_REAL part, M
         beyond += d0 * d0 + d1 * d1 + d2 * d2 <= part * ball[3 * n + i] ? 0 : 1;
     }
     return beyond;
+}
+
+
+/* squared distance of node i from the middle of its ball, which has drifted for `since` */
+static inline MUS_REAL MUS_FIELD(self_off2)(int64_t n, int64_t i, MUS_REAL since, const MUS_REAL *ball,
+                                            const MUS_REAL *w, const MUS_REAL *x)
+{
+    const MUS_REAL d0 = x[i] - (ball[i] + since * w[i]), d1 = x[n + i] - (ball[n + i] + since * w[n + i]);
+    const MUS_REAL d2 = x[2 * n + i] - (ball[2 * n + i] + since * w[2 * n + i]);
+    return d0 * d0 + d1 * d1 + d2 * d2;
+}
+
+
+/* the largest of these over the nodes */
+MUS_CLONES
+static MUS_REAL MUS_FIELD(self_farthest)(int64_t n, int32_t count, MUS_REAL since, const MUS_REAL *restrict ball,
+                                         const MUS_REAL *restrict w, const MUS_REAL *restrict x)
+{
+    MUS_REAL most[16] = {0}, all = 0;
+    int32_t i = 0;
+    for (; i + 16 <= count; i += 16)
+        for (int32_t k = 0; k < 16; k++) {
+            const MUS_REAL off2 = MUS_FIELD(self_off2)(n, i + k, since, ball, w, x);
+            most[k] = off2 > most[k] ? off2 : most[k];
+        }
+    for (; i < count; i++) {
+        const MUS_REAL off2 = MUS_FIELD(self_off2)(n, i, since, ball, w, x);
+        all = off2 > all ? off2 : all;
+    }
+    for (int32_t k = 0; k < 16; k++) all = most[k] > all ? most[k] : all;
+    return all;
 }
 
 
@@ -278,6 +313,9 @@ static inline void MUS_FIELD(self_give)(mus__cloth_self *self, const MUS_FIELD(s
             x[at] += moved * move[d];
             force[at] += share * impulse[d];
         }
+        const MUS_REAL off2 =
+            MUS_FIELD(self_off2)(n, pair->node[i], (MUS_REAL)self->since, self->ball, self->drift, x);
+        if (off2 > (MUS_REAL)self->far2) self->far2 = (double)off2;
     }
 }
 
@@ -337,7 +375,7 @@ static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule 
 
     /* what moved with the old velocity moves back; but in the band it sinks on, so that it rests below its edge */
     const MUS_REAL slip = (MUS_REAL)rule->slip, sink = pair.lift > 0 ? slip : 0, most = (MUS_REAL)rule->push;
-    MUS_REAL push = (MUS_REAL)SELF_PUSH * pair.lift;
+    MUS_REAL push = (MUS_REAL)SELF_PUSH * (pair.lift - sink * more * give);
     push = (push > most ? most : push > 0 ? push : 0) / give;
     for (int32_t d = 0; d < 3; d++) {
         impulse[d] = more * pair.normal[d] - rub * slide[d];
@@ -351,10 +389,18 @@ static void MUS_FIELD(self_touch)(mus__cloth_self *self, const mus__cloth_rule *
                                   MUS_REAL *x, MUS_REAL *v)
 {
     self->close = 0;
+    self->far2 = (double)MUS_FIELD(self_farthest)(self->n, self->nodes, (MUS_REAL)self->since, self->ball, self->drift,
+                                                  x);
     for (int32_t k = 0; k < self->ntouch; k++)
         if (self->pair[self->touch[k]].impulse > 0) MUS_FIELD(self_again)(self, rule, inverse, self->touch[k], x, v);
-    for (int32_t k = 0; k < self->ntouch; k++) MUS_FIELD(self_answer)(self, rule, inverse, self->touch[k], x, v);
-    self->answers += self->ntouch;
+
+    /* what gave nothing in the last call and cannot touch in this one is not asked */
+    for (int32_t k = 0; k < self->ntouch; k++) {
+        const mus__cloth_near *pair = &self->pair[self->touch[k]];
+        if (!(pair->impulse > 0) && self->far2 < (double)pair->room2) continue;
+        MUS_FIELD(self_answer)(self, rule, inverse, self->touch[k], x, v);
+        self->answers++;
+    }
 }
 
 

@@ -203,7 +203,7 @@ static inline void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t 
         self->full = 1;
         return;
     }
-    const mus__cloth_near pair = {{a, b, c, e}, MUS_FIELD(self_thickness)(self, edges, node), 0};
+    const mus__cloth_near pair = {{a, b, c, e}, MUS_FIELD(self_thickness)(self, edges, node), 0, 0};
     self->pair[edges ? --search->last : search->first++] = pair;
 }
 

@@ -38,6 +38,7 @@ typedef struct mus__cloth_near { /* a node and a triangle, or two edges */
     int32_t node[4];
     float thickness;
     float impulse; /* along the normal in the last call [N s] */
+    float room2;   /* squared: while no node is as far from its ball's middle, its things do not touch [m2] */
 } mus__cloth_near;
 
 /* the mesh at rest */
@@ -60,6 +61,7 @@ typedef struct mus__cloth_self {
     double skin;           /* how far nodes may go until the list is made anew; as the memory allows [m] */
     double age, span;      /* [s] of the list; how old it may become */
     double since, holds;   /* [s] since the balls were taken; how long they hold */
+    double far2;           /* squared distance of the node that is farthest from the middle of its ball [m2] */
     double mean[3];        /* of the drifts */
     int32_t drifts;        /* nonzero: any node has a drift */
     int32_t stale;         /* nonzero: places were changed from outside */

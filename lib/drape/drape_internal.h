@@ -129,7 +129,7 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
-/* those of the panels of a layer, `out` farther along their normals; the others stay */
+/* those of the panels of a layer, `out` farther off on their right sides; the others stay */
 void mus__cloth_place_out(const mus_cloth *cloth, int32_t layer, double out, double *x);
 
 /* ---- surfaces that move, nodes that are fast (glide.c, plane.c, stance.c) ---- */
@@ -173,8 +173,8 @@ mus_status mus__drape_untangle(mus_drape *drape);
 void mus__drape_self_rule(mus_drape *drape, double h);
 /* MUS_ERR_LIMIT when a step found more pairs than there is room for */
 mus_status mus__drape_self_fits(const mus_drape *drape);
-/* mean force that it gave node i since it was forgotten (3) [N], added to `force` */
-void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
+/* mean force that it gave node i since it was forgotten (3) [N], added to `force`; nonzero when there was any */
+int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
 void mus__drape_self_forget(mus_drape *drape);
 void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 
@@ -199,8 +199,8 @@ int32_t mus__drape_slid(mus_drape *drape, const double *x, int32_t loose);
 /* note how a run ended; panel, seam and node may be MUS_NONE. The sentence is that of the context's error, or `text` */
 void mus__drape_reason_set(mus_drape *drape, int32_t kind, int32_t panel, int32_t seam, int32_t node, double value,
                            const char *text);
-/* after sew or settle: what its status says */
-void mus__drape_reason_status(mus_drape *drape, mus_status status);
+/* after sew or settle: what its status says. Returns that, or MUS_ERR_MEMORY where crossings could not be counted */
+mus_status mus__drape_reason_status(mus_drape *drape, mus_status status);
 /* a kind with its sentence, without a place; and to a caller's struct of this size */
 void mus__reason_write(mus_reason *out, int32_t kind, const char *text);
 mus_status mus__reason_give(mus_context *context, const mus_reason *own, mus_reason *out);
@@ -223,8 +223,9 @@ void mus__drape_reopen(mus_drape *drape, const double *x);
 double mus__plan_force(const mus__plan *plan, int32_t n, const double *x, double *f);
 /* largest engineering strain of the stretch springs at x */
 double mus__plan_strain(const mus__plan *plan, const double *x);
-/* rms over free nodes of the force that contact and friction leave, over the node's weight */
-double mus__drape_residual(const mus_drape *drape, const double *x);
+/* rms over free nodes of the force that contact and friction leave, over the node's weight; *unheld (may be NULL) gets
+ * that over those that touch nothing */
+double mus__drape_residual(const mus_drape *drape, const double *x, double *unheld);
 /* largest gap of the seam pairs and, if wanted, the seam that has it; 0 without seams */
 double mus__drape_gap(const mus_drape *drape, int32_t *seam);
 

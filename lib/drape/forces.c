@@ -163,20 +163,20 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
 
 
 /*
- * What the skin carries of the force r at a node. A node on an edge or in a crease of the skin (between two rings of a
- * shoulder) is held by both sides, of which it touches one: where much of the force is left, the skin a little way
- * along it and against it is asked too.
+ * What the skin carries of the force r at a node; nonzero when it touches skin. A node on an edge or in a crease of the
+ * skin (between two rings of a shoulder) is held by both sides, of which it touches one: where much of the force is
+ * left, the skin a little way along it and against it is asked too.
  */
-static void carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
+static int32_t carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
 {
     double normal[3 * SIDES_MOST], friction[SIDES_MOST], all[3];
     const double reach = drape->def.clearance + TOUCH_SLACK;
     const int32_t count = mus__collider_touching(drape->collider, x, reach, normal, friction);
-    if (count == 0) return;
+    if (count == 0) return 0;
     memcpy(all, r, sizeof all);
     carry(r, normal, friction, count, drape->friction);
     const double left = length3(r);
-    if (left <= MUCH_LEFT * weight) return;
+    if (left <= MUCH_LEFT * weight) return 1;
     int32_t sides = count;
     for (int32_t side = -1; side <= 1; side += 2) {
         double beside[3];
@@ -185,26 +185,31 @@ static void carry_by_skin(const mus_drape *drape, const double *x, double weight
     }
     memcpy(r, all, sizeof all);
     carry(r, normal, friction, sides, drape->friction);
+    return 1;
 }
 
 
-double mus__drape_residual(const mus_drape *drape, const double *x)
+double mus__drape_residual(const mus_drape *drape, const double *x, double *unheld)
 {
     const double *gravity = drape->def.gravity;
     const double g = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
-    double *f = drape->force, sum = 0.0;
-    int64_t count = 0;
+    double *f = drape->force, sum = 0.0, free2 = 0.0;
+    int64_t count = 0, nfree = 0;
     mus__plan_force(&drape->plan, drape->n, x, f);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         double *r = f + 3 * (int64_t)i;
         const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
-        mus__drape_self_force(drape, i, r);
-        if (drape->collider != NULL) carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
-        sum += (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
+        int32_t touches = mus__drape_self_force(drape, i, r);
+        if (drape->collider != NULL) touches |= carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
+        const double left2 = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
+        sum += left2;
         count++;
+        free2 += touches ? 0.0 : left2;
+        nfree += !touches;
     }
+    if (unheld != NULL) *unheld = nfree > 0 ? sqrt(free2 / (double)nfree) : 0.0;
     return count > 0 ? sqrt(sum / (double)count) : 0.0;
 }
 

@@ -80,31 +80,32 @@ static int32_t reason_gap(const mus_drape *drape, int32_t seam)
 }
 
 
-/* where cloth is to meet cloth: nonzero, and the reason written, when it crosses */
-static int32_t reason_tangled(mus_drape *drape)
+/* where cloth is to meet cloth: nonzero, and the reason written, when it crosses. Errors: MUS_ERR_MEMORY */
+static mus_status reason_tangled(mus_drape *drape, int32_t *tangled)
 {
     const mus_cloth *cloth = drape->cloth;
     int64_t count = 0;
     int32_t pair[2];
     char text[256];
-    if (!drape->def.self_contact || mus_drape_crossings(drape, 1, pair, &count) != MUS_OK || count == 0) return 0;
+    *tangled = 0;
+    if (!drape->def.self_contact) return MUS_OK;
+    const mus_status status = mus_drape_crossings(drape, 1, pair, &count);
+    if (status != MUS_OK || count == 0) return status;
     const int32_t node = cloth->triangle[3 * (ptrdiff_t)pair[0]];
     const int32_t other = cloth->node_panel[cloth->triangle[3 * (ptrdiff_t)pair[1]]];
     snprintf(text, sizeof text, "tangled: %lld crossings of cloth, the first of %.80s and %.80s", (long long)count,
              mus_cloth_panel_name(cloth, cloth->node_panel[node]), mus_cloth_panel_name(cloth, other));
     mus__drape_reason_set(drape, MUS_REASON_TANGLED, cloth->node_panel[node], MUS_NONE, node, 0.0, text);
     drape->reason.count = count < INT32_MAX ? (int32_t)count : INT32_MAX;
-    return 1;
+    *tangled = 1;
+    return MUS_OK;
 }
 
 
-void mus__drape_reason_status(mus_drape *drape, mus_status status)
+/* what the status of a sew or settle says, the context's error being `text` */
+static void reason_of(mus_drape *drape, mus_status status, const char *text)
 {
-    char text[256];
-    snprintf(text, sizeof text, "%s", mus_context_error(drape->context));
     const int32_t *panel = drape->cloth->node_panel;
-    if (drape->settled || (status == MUS_ERR_UNSETTLED && drape->reason.kind != MUS_REASON_SLID_OFF))
-        if (reason_tangled(drape)) return;
     if (status == MUS_OK) {
         if (drape->settled) mus__drape_reason_set(drape, MUS_REASON_SETTLED, MUS_NONE, MUS_NONE, MUS_NONE, 0.0, "");
         else mus_reason_init(&drape->reason, sizeof drape->reason);
@@ -128,6 +129,27 @@ void mus__drape_reason_status(mus_drape *drape, mus_status status)
         return;
     }
     if (drape->start.kind != MUS_REASON_NONE) drape->reason = drape->start;
+}
+
+
+mus_status mus__drape_reason_status(mus_drape *drape, mus_status status)
+{
+    char text[256];
+    snprintf(text, sizeof text, "%s", mus_context_error(drape->context));
+    if (drape->settled || (status == MUS_ERR_UNSETTLED && drape->reason.kind != MUS_REASON_SLID_OFF)) {
+        int32_t tangled;
+        const mus_status counted = reason_tangled(drape, &tangled);
+        if (tangled) return status;
+
+        /* what could not be counted is not called settled */
+        if (counted != MUS_OK) {
+            status = counted;
+            drape->settled = 0;
+            snprintf(text, sizeof text, "%s", mus_context_error(drape->context));
+        }
+    }
+    reason_of(drape, status, text);
+    return status;
 }
 
 

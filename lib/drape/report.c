@@ -83,7 +83,7 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.max_seam_gap = mus__drape_gap(drape, &report.worst_seam);
     report.max_penetration = deepest(drape);
     report.max_strain = mus__plan_strain(&drape->plan, drape->x);
-    report.residual = isnan(drape->residual) ? mus__drape_residual(drape, drape->x) : drape->residual;
+    report.residual = isnan(drape->residual) ? mus__drape_residual(drape, drape->x, NULL) : drape->residual;
 
     report.energy = mus__plan_force(&drape->plan, drape->n, drape->x, NULL);
     for (int32_t i = 0; i < drape->n; i++) {

@@ -88,12 +88,17 @@ void mus__drape_self_forget(mus_drape *drape)
 }
 
 
-void mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
+int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
 {
     const mus__sim *sim = &drape->sim;
-    if (drape->self == NULL || !(sim->self_time > 0.0)) return;
-    for (int64_t d = 0; d < 3; d++)
-        force[d] += mus__plan_number(&drape->plan, drape->self->force, d * sim->n + i) / sim->self_time;
+    int32_t touches = 0;
+    if (drape->self == NULL || !(sim->self_time > 0.0)) return 0;
+    for (int64_t d = 0; d < 3; d++) {
+        const double own = mus__plan_number(&drape->plan, drape->self->force, d * sim->n + i) / sim->self_time;
+        force[d] += own;
+        touches |= own != 0.0;
+    }
+    return touches;
 }
 
 

@@ -10,8 +10,14 @@
  * Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the node's
  * weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
  * averages out), and the drift of that mean place from one check to the next. In float, where stiff cloth feels its own
- * rounding, a residual within that and a slower drift will do. It is never judged by energy. A garment that no longer
+ * rounding, a residual within that and a slower drift will do. So does lying still for long where all force that is
+ * left is at nodes that touch skin or cloth: contact puts places right, and where surfaces wedge a node, no normals and
+ * no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no longer
  * touches the body and falls is told so at once.
+ *
+ * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so
+ * much, and forces with them. There the mean is over a time, not over a number of steps, and the step is halved when
+ * the residual no longer falls.
  */
 #include <math.h>
 #include <string.h>
@@ -20,9 +26,11 @@
 
 #define CHECK_SECONDS 0.1    /* of cloth time between residuals */
 #define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
+#define MEAN_SECONDS 0.05    /* the same where cloth lies on cloth */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
-#define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left */
+#define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
+#define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
@@ -32,6 +40,8 @@
 #define DRAG_GROWTH 1.5      /* from one check to the next at most */
 #define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
 #define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
+#define REST_WAY 1e-4        /* [m]: what lies still: no node goes farther, */
+#define REST_SECONDS 0.5     /* in so long, nor strays as far from its mean place */
 
 #define ROUNDING_LEFT 0.03   /* of what rounding makes a node feel, in the mean place of the last steps */
 #define ROUNDING_DRIFT 0.25  /* of the drift allowed, where rounding hides the residual */
@@ -48,21 +58,33 @@ typedef struct settling {
     double residual, drift; /* goal */
 } settling;
 
+/* how the cloth lies, from check to check */
+typedef struct lying {
+    double drag;       /* [1/s] from now on */
+    double move;       /* farthest that a mean place went since the check before [m] */
+    double drift;      /* that over its time [m/s] */
+    double stray;      /* farthest that a node is from its mean place [m] */
+    double way, quiet; /* what moves add up to since it began to lie still [m], and for how long it does [s] */
+    double best;       /* least residual since the step was halved */
+    double safety;     /* of the bound, for the steps */
+    int32_t still;     /* checks with force left and nothing gained */
+} lying;
 
-/* `steps` steps, with the mean place of the last MEAN_STEPS into drape->mean */
-static void advance_mean(mus_drape *drape, int32_t steps, double h)
+
+/* `steps` steps, with the mean place of the last `last` into drape->mean */
+static void advance_mean(mus_drape *drape, int32_t steps, int32_t last, double h)
 {
     mus__sim *sim = &drape->sim;
     const int64_t n3 = 3 * (int64_t)drape->n;
-    for (int32_t i = 0; i < steps - MEAN_STEPS; i++) sim->ops->euler(sim, h);
+    for (int32_t i = 0; i < steps - last; i++) sim->ops->euler(sim, h);
     memset(drape->mean, 0, (size_t)n3 * sizeof *drape->mean);
     mus__drape_self_forget(drape);
-    for (int32_t i = 0; i < MEAN_STEPS; i++) {
+    for (int32_t i = 0; i < last; i++) {
         sim->ops->euler(sim, h);
-        sim->ops->get(sim, drape->x, drape->v);
-        for (int64_t k = 0; k < n3; k++) drape->mean[k] += drape->x[k];
+        sim->ops->add(sim, drape->mean);
     }
-    for (int64_t k = 0; k < n3; k++) drape->mean[k] /= MEAN_STEPS;
+    for (int64_t k = 0; k < n3; k++) drape->mean[k] = drape->mean[k] / last + sim->origin[k % 3];
+    sim->ops->get(sim, drape->x, drape->v);
 }
 
 
@@ -102,6 +124,20 @@ static double take_move(mus_drape *drape)
     }
     memcpy(drape->before, drape->mean, 3 * (size_t)drape->n * sizeof *drape->before);
     memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
+    return sqrt(most2);
+}
+
+
+/* farthest that a node is from its mean place */
+static double stray(const mus_drape *drape)
+{
+    double most2 = 0.0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double *now = drape->x + 3 * (int64_t)i, *mean = drape->mean + 3 * (int64_t)i;
+        const double d[3] = {now[0] - mean[0], now[1] - mean[1], now[2] - mean[2]};
+        const double far2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (drape->mass[i] > 0.0 && far2 > most2) most2 = far2;
+    }
     return sqrt(most2);
 }
 
@@ -154,6 +190,61 @@ static double rounding_residual(const mus_drape *drape)
 }
 
 
+/* cloth lies on cloth */
+static bool on_cloth(const mus_drape *drape)
+{
+    return drape->self != NULL && drape->self->close > 0;
+}
+
+
+/* after steps that took `seconds`, `t` in all: how it lies, whether it rests, and steps and drag from now on */
+static void look_at_rest(mus_drape *drape, const settling *goal, double t, double seconds, lying *now)
+{
+    double unheld;
+    drape->residual = mus__drape_residual(drape, drape->mean, &unheld);
+    now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
+    now->stray = stray(drape);
+    const double last = now->move;
+    now->move = take_move(drape);
+    now->drift = now->move / seconds;
+    drape->distance = expected_distance(now->move, last);
+
+    /* for how long it has lain still */
+    const bool lies = now->way + now->move <= REST_WAY && now->stray <= REST_WAY;
+    now->way = lies ? now->way + now->move : 0.0;
+    now->quiet = lies ? now->quiet + seconds : 0.0;
+    const double residual = drape->residual, rounding = rounding_residual(drape);
+    drape->settled = (residual <= goal->residual && now->drift <= goal->drift) ||
+                     (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
+                     (unheld <= goal->residual && now->quiet >= REST_SECONDS);
+
+    /* force that a smaller step may take away */
+    const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
+    const bool gains = residual < STALE_PART * now->best;
+    now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
+    if (gains || t <= goal->fall) now->best = residual;
+    if (now->still < STILL_CHECKS || !(now->safety > LEAST_SAFETY)) return;
+    now->safety *= 0.5;
+    now->still = 0;
+    now->best = residual;
+}
+
+
+/* what settling starts from: `fall` it falls first */
+static lying lie_down(mus_drape *drape, double fall)
+{
+    mus__sim *sim = &drape->sim;
+    memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
+    sim->speed_limit = SETTLE_SPEED;
+    sim->dashpots = 0;
+    drape->settled = 0;
+    memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
+    drape->residual = mus__drape_residual(drape, drape->x, NULL);
+    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
+    return (lying){.drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = drape->residual};
+}
+
+
 /* on this cut, from where it is. MUS_OK: at rest or stopped */
 static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
@@ -164,43 +255,25 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
     if (status != MUS_OK && scratch) mus__drape_scratch_free(drape);
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
-    double safety = SAFETY_STEP;
-    int32_t still = 0;
-    double drag = goal->fall > 0.0 ? FALL_DRAG : START_DRAG, move = 0.0, drift = 0.0;
-    memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
-    sim->speed_limit = SETTLE_SPEED;
-    sim->dashpots = 0;
-    drape->settled = 0;
-    memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
-    drape->residual = mus__drape_residual(drape, drape->x);
-    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
+    lying now = lie_down(drape, goal->fall);
     for (double t = 0.0; t < goal->seconds && !drape->settled && !run->stop && !run->slid;) {
-        const double h = safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
+        const double h = now.safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
-        sim->drag = drag;
+        sim->drag = now.drag;
         const double push = drape->self != NULL ? LAYER_PUSH_SPEED * h : 2.0 * travel;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, push, travel, h, h,
                                         MUS_NEAR_BALL, 0.0};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
-        advance_mean(drape, batch, h);
+        const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;
+        advance_mean(drape, batch, (int32_t)mean, h);
         status = mus__drape_guard(drape);
         if (status == MUS_OK) status = mus__drape_self_fits(drape);
         if (status != MUS_OK) break;
         mus__drape_tick(drape, batch, h, 1);
         t += batch * h;
         drape->settle_time += batch * h;
-        drape->residual = mus__drape_residual(drape, drape->mean);
-        drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, drag);
-        const double last = move;
-        move = take_move(drape);
-        drift = move / (batch * h);
-        drape->distance = expected_distance(move, last);
-        const double rounding = rounding_residual(drape);
-        drape->settled = (drape->residual <= goal->residual && drift <= goal->drift) ||
-                         (drape->residual <= rounding && drift <= ROUNDING_DRIFT * goal->drift);
-        still = drift <= goal->drift ? still + 1 : 0;
-        if (still >= STILL_CHECKS && safety > LEAST_SAFETY) safety *= 0.5, still = 0;
+        look_at_rest(drape, goal, t, batch * h, &now);
         run->slid = mus__drape_slid(drape, drape->mean, t > LOOSE_SECONDS);
         mus__run_report(run, t / goal->seconds);
     }
@@ -211,7 +284,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
     return mus__fail(
         drape->context, MUS_ERR_UNSETTLED,
         "not at rest after %.2f s: residual %.3g of a node's weight (%.3g allowed), drift %.2g mm/s (%.2g)",
-        drape->settle_time, drape->residual, goal->residual, 1e3 * drift, 1e3 * goal->drift);
+        drape->settle_time, drape->residual, goal->residual, 1e3 * now.drift, 1e3 * goal->drift);
 }
 
 
@@ -272,7 +345,6 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
         status = relax(drape, &run, &goal);
         mus__drape_publish(drape);
     }
-    mus__drape_reason_status(drape, status);
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->cold = 0;
-    return status;
+    return mus__drape_reason_status(drape, status);
 }

@@ -215,7 +215,8 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
 }
 
 
-/* round what is between; where that does not close a seam, from the start again and straight */
+/* round what is between; where that does not close a seam, from the start again and straight. Over what is worn, which
+ * is round enough, straight comes first */
 static mus_status sew_tries(mus_drape *drape, mus__run *run)
 {
     if (drape->collider == NULL) return sew_here(drape, run, false);
@@ -224,10 +225,11 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
     if (status != MUS_OK) return status;
     mus__drape_publish(drape);
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
-    status = sew_here(drape, run, true);
+    const bool round = !drape->welded;
+    status = sew_here(drape, run, round);
     if (status == MUS_ERR_SEW && !run->stop) {
         mus__drape_reopen(drape, drape->mean);
-        status = sew_here(drape, run, false);
+        status = sew_here(drape, run, !round);
     }
     if (status == MUS_ERR_MEMORY && first) mus__drape_scratch_free(drape);
     return status;

@@ -33,6 +33,8 @@ typedef struct mus__sim_ops {
     /* copies between the planes and the (n x 3) arrays of doubles */
     void (*put)(mus__sim *sim, const double *x, const double *v);
     void (*get)(const mus__sim *sim, double *x, double *v);
+    /* adds the places, from the sim's origin, to sum (n x 3) */
+    void (*add)(const mus__sim *sim, double *sum);
     /* forces of the last `force`, (n x 3) */
     void (*get_force)(const mus__sim *sim, double *f);
     void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);

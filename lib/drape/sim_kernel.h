@@ -369,6 +369,20 @@ static void MUS_FN(get)(const mus__sim *sim, double *x, double *v)
 }
 
 
+MUS_CLONES
+static void MUS_FN(add)(const mus__sim *sim, double *restrict sum)
+{
+    const int64_t n = sim->n;
+    const MUS_REAL *restrict y = sim->y;
+    MUS_IVDEP
+    for (int64_t i = 0; i < sim->nodes; i++) {
+        sum[3 * i] += (double)y[i];
+        sum[3 * i + 1] += (double)y[n + i];
+        sum[3 * i + 2] += (double)y[2 * n + i];
+    }
+}
+
+
 static void MUS_FN(get_force)(const mus__sim *sim, double *out)
 {
     const int64_t n = sim->n;
@@ -423,6 +437,7 @@ const mus__sim_ops MUS_SIM = {
     .verlet = MUS_FN(verlet),
     .put = MUS_FN(put),
     .get = MUS_FN(get),
+    .add = MUS_FN(add),
     .get_force = MUS_FN(get_force),
     .set_node = MUS_FN(set_node),
     .flush = MUS_FN(flush),

@@ -2,6 +2,7 @@
  * test_reason.c: each reason of the list, made on purpose, with its panel, seam or place.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "scenes.h"
@@ -121,6 +122,106 @@ START_TEST(a_tube_that_fails_says_how)
 END_TEST
 
 
+/* two sheets, one of them upright halfway through the other, both held: they lie still, and are tangled all the same */
+static mus_drape *through(mus_context *context, const mus_drape_def *def, mus_cloth **cloth)
+{
+    mus_pattern *pattern;
+    int32_t edge[4];
+    mus_drape *drape;
+    ck_assert_int_eq(mus_pattern_create(context, "through", &pattern), MUS_OK);
+    scene_rectangle(pattern, "sheet", 0.0, 0.0, 0.2, 0.2, edge);
+    const int32_t across = scene_rectangle(pattern, "across", -0.05, 0.0, 0.1, 0.1, edge);
+    mus_placement place;
+    mus_placement_init(&place, sizeof place);
+    memset(place.rotation, 0, sizeof place.rotation);
+    place.rotation[6] = -1.0, place.rotation[4] = 1.0, place.rotation[2] = 1.0; /* x goes to -z */
+    place.origin[0] = 0.107, place.origin[1] = 0.053;
+    ck_assert_int_eq(mus_pattern_set_placement(pattern, across, &place), MUS_OK);
+    *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    ck_assert_msg(mus_drape_create(context, *cloth, NULL, def, &drape) == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    const int32_t *panel = mus_cloth_node_panels(*cloth);
+    const double *rest = mus_cloth_rest(*cloth);
+    for (int32_t i = 0; i < mus_drape_node_count(drape); i++)
+        if (rest[2 * i + 1] == (panel[i] == across ? 0.1 : 0.2)) ck_assert_int_eq(mus_drape_pin(drape, i, 1), MUS_OK);
+    mus_pattern_destroy(pattern);
+    return drape;
+}
+
+
+START_TEST(cloth_at_rest_through_cloth_is_tangled)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_drape_def def;
+    int64_t count = 0;
+    char said[40];
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1;
+    mus_drape *drape = through(context, &def, &cloth);
+    const mus_status status = mus_drape_settle(drape, NULL, NULL);
+    ck_assert_msg(status == MUS_OK || status == MUS_ERR_UNSETTLED, "%s", mus_context_error(context));
+    const mus_reason reason = why(drape);
+    ck_assert_int_eq(mus_drape_crossings(drape, 0, NULL, &count), MUS_OK);
+    ck_assert_int_gt(count, 0);
+    snprintf(said, sizeof said, "tangled: %d crossings", (int)count);
+    ck_assert_int_eq(reason.kind, MUS_REASON_TANGLED);
+    ck_assert_int_eq(reason.count, count);
+    ck_assert_msg(strncmp(reason.text, said, strlen(said)) == 0 && strstr(reason.text, "across") != NULL, "%s",
+                  reason.text);
+    ck_assert_int_ne(reason.node, MUS_NONE);
+    ck_assert_int_eq(reason.panel, mus_cloth_node_panels(cloth)[reason.node]);
+    for (int32_t d = 0; d < 3; d++)
+        ck_assert_double_eq(reason.place[d], mus_drape_positions(drape)[3 * reason.node + d]);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* without memory no garment is called settled, and no pattern well cut */
+START_TEST(a_reason_that_finds_no_memory_says_so)
+{
+    mus_context *context = support_context();
+    mus_cloth *cloth;
+    mus_pattern *pattern = scene_strips(context, 1.0);
+    mus_drape_def def;
+    mus_reason reason;
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1;
+    def.settle_seconds = 0.001;
+    mus_status status = MUS_ERR_MEMORY;
+    for (int64_t k = 0; status == MUS_ERR_MEMORY; k++) {
+        mus_drape *drape = through(context, &def, &cloth);
+        support_fail_after(k, false);
+        status = mus_drape_settle(drape, NULL, NULL);
+        support_fail_never();
+        reason = why(drape);
+        ck_assert_msg(reason.kind == (status == MUS_ERR_MEMORY ? MUS_REASON_BAD_INPUT : MUS_REASON_TANGLED), "%d %s",
+                      (int)k, reason.text);
+        mus_drape_destroy(drape);
+        mus_cloth_destroy(cloth);
+    }
+    ck_assert_int_ne(status, MUS_ERR_MEMORY);
+    status = MUS_ERR_MEMORY;
+    for (int64_t k = 0; status != MUS_OK; k++) {
+        mus_reason_init(&reason, sizeof reason);
+        reason.count = 77;
+        const size_t before = support_live_bytes();
+        support_fail_after(k, false);
+        status = mus_pattern_reason(pattern, &reason);
+        support_fail_never();
+        ck_assert(status == MUS_OK || status == MUS_ERR_MEMORY);
+        ck_assert_int_eq(reason.count, status == MUS_OK ? 0 : 77);
+        ck_assert(support_live_bytes() == before);
+    }
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* of the pattern alone: a band sewn with a twist, an outline that crosses itself, a seam of unequal sides */
 START_TEST(a_pattern_says_why_it_cannot_be_cut)
 {
@@ -173,6 +274,8 @@ Suite *mus_suite_reason(void)
     tcase_add_test(tests, the_list_is_closed_and_named);
     tcase_add_loop_test(tests, seams_that_stay_open_and_cloth_at_rest, 0, 2);
     tcase_add_loop_test(tests, a_tube_that_fails_says_how, 0, 3);
+    tcase_add_test(tests, cloth_at_rest_through_cloth_is_tangled);
+    tcase_add_test(tests, a_reason_that_finds_no_memory_says_so);
     tcase_add_loop_test(tests, a_pattern_says_why_it_cannot_be_cut, 0, 3);
     suite_add_tcase(suite, tests);
     return suite;

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "layered.h"
 #include "scenes.h"
 
 Suite *mus_suite_untangle(void);
@@ -103,6 +102,22 @@ START_TEST(what_stays_tangled_is_counted)
 END_TEST
 
 
+/* another garment `out` farther from the body, in the same layer: all of it is sewn at the same time */
+static void put_round(mus_pattern *all, const mus_pattern *garment, double out)
+{
+    const int32_t first = mus_pattern_panel_count(all);
+    ck_assert_int_eq(mus_pattern_join(all, garment, 0), MUS_OK);
+    for (int32_t p = first; p < mus_pattern_panel_count(all); p++) {
+        mus_placement place;
+        mus_placement_init(&place, sizeof place);
+        ck_assert_int_eq(mus_pattern_placement(all, p, &place), MUS_OK);
+        for (int32_t d = 0; d < 3; d++) place.origin[d] += out * place.rotation[3 * d + 2];
+        if (place.bend > 0.0) place.bend += out;
+        ck_assert_int_eq(mus_pattern_set_placement(all, p, &place), MUS_OK);
+    }
+}
+
+
 /* a skirt under a skirt under a skirt, sewn at the same time, then on their way to rest */
 START_TEST(three_garments_over_each_other_never_cross)
 {
@@ -118,12 +133,11 @@ START_TEST(three_garments_over_each_other_never_cross)
     ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
     ck_assert_int_eq(mus_pattern_create(context, "layers", &all), MUS_OK);
     for (int32_t k = 0; k < 3; k++) {
-        const char layer[2] = {(char)('a' + k), 0};
         mus_draft_def draft;
         mus_draft_def_init(&draft, sizeof draft);
         draft.ease = 0.06 + 0.06 * k;
         ck_assert_int_eq(mus_design_draft(context, mus_design_find("skirt_plain"), tape, &draft, &one), MUS_OK);
-        layered_add(all, one, 0.02 * k, layer);
+        put_round(all, one, 0.02 * k);
         mus_pattern_destroy(one);
     }
     cloth = scene_cut(context, all, 0.025, 0.02);

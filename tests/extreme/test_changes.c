@@ -2,7 +2,10 @@
  * test_changes.c: gravity and stiffness changed between steps: the energy jumps by exactly what the change is worth,
  * the state does not, and the run goes on below the new bound (numerics.md X35; X6 for the bound).
  */
+#include <stdio.h>
+
 #include "bare.h"
+#include "drape/scenes.h"
 
 Suite *mus_suite_changes(void);
 
@@ -92,12 +95,70 @@ START_TEST(stiffness_changed_between_steps_costs_half_dk_x2)
 END_TEST
 
 
+/*
+ * X6: what is met from now on. Contact acts by impulses: a plane that is put under a swinging sheet, a little of which
+ * is below it, leaves the bound as it is; a step above it is refused with both numbers. No call adds a seam spring, but
+ * mus_drape_place opens seams that were welded: the bound is that of a drape that never was sewn.
+ */
+START_TEST(what_is_added_between_steps_has_its_own_bound)
+{
+    mus_context *context = support_context();
+    mus_drape *drape = swinging_sheet(context, _i ? 32 : 64);
+    const double *x = mus_drape_positions(drape), bound = mus_drape_step_bound(drape);
+    mus_plane plane;
+    mus_plane_init(&plane, sizeof plane);
+    plane.point[1] = x[1];
+    for (int32_t i = 1; i < 64; i++) plane.point[1] = fmin(plane.point[1], x[3 * i + 1]);
+    plane.point[1] += 0.003;
+    char said[80];
+    ck_assert_int_eq(mus_drape_add_plane(drape, &plane, NULL), MUS_OK);
+    ck_assert_double_eq(mus_drape_step_bound(drape), bound);
+    ck_assert_int_eq(mus_drape_step(drape, 1, 1.01 * bound), MUS_ERR_STEP);
+    snprintf(said, sizeof said, "%.9g s is above the stability bound", 1.01 * bound);
+    ck_assert_msg(strstr(mus_context_error(context), said) != NULL, "%s", mus_context_error(context));
+    for (int k = 0; k < 20; k++) {
+        const mus_status status = mus_drape_step(drape, 50, 0.9 * mus_drape_step_bound(drape));
+        ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+        extreme_finite(drape);
+        const mus_drape_report report = extreme_report(drape);
+        ck_assert_double_ge(report.step_bound, 0.3 * bound);
+        ck_assert_double_lt(report.max_speed, 20.0);
+    }
+    for (int32_t i = 0; i < 64; i++) /* but for what is held */
+        if (i != 56 && i != 63) ck_assert_double_ge(x[3 * i + 1], plane.point[1] - 1e-6);
+    mus_drape_destroy(drape);
+
+    /* two strips with a seam of 0.1 m between them */
+    mus_pattern *pattern = scene_strips(context, 1.0);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *sewn = scene_drape(context, cloth, _i ? 32 : 64, 1);
+    mus_drape *open = scene_drape(context, cloth, _i ? 32 : 64, 1);
+    const double before = mus_drape_step_bound(open);
+    ck_assert_int_eq(mus_drape_sew(sewn, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_step(sewn, 10, 0.9 * mus_drape_step_bound(sewn)), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(sewn), MUS_OK);
+    ck_assert_double_eq(mus_drape_step_bound(sewn), before);
+    ck_assert_int_eq(mus_drape_step(sewn, 1, 1.01 * before), MUS_ERR_STEP);
+    ck_assert_int_eq(mus_drape_step(sewn, 10, 0.99 * before), MUS_OK);
+    ck_assert_int_eq(mus_drape_step(open, 10, 0.99 * before), MUS_OK);
+    ck_assert_mem_eq(mus_drape_positions(sewn), mus_drape_positions(open),
+                     3 * (size_t)mus_drape_node_count(open) * sizeof(double));
+    mus_drape_destroy(sewn);
+    mus_drape_destroy(open);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_changes(void)
 {
     Suite *suite = suite_create("changes");
     TCase *tests = tcase_create("changes");
     tcase_add_test(tests, gravity_changed_between_steps_moves_nothing_by_itself);
     tcase_add_test(tests, stiffness_changed_between_steps_costs_half_dk_x2);
+    tcase_add_loop_test(tests, what_is_added_between_steps_has_its_own_bound, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -3,7 +3,8 @@
  *
  * The crotch is the highest level at which a section has two legs. An arm's axis runs from near the shoulder through
  * the middles of the upper arm and of the forearm, taken from sections square to it, in three rounds from a guess.
- * Going up the arm along that axis, its section stays small until the plane meets the torso: the armpit is the lowest
+ * Going up the arm along that axis, its section stays small until the plane meets the torso, which beside a level arm
+ * it does little by little: there no section may be 2.6 times as high as the arm's lowest. The armpit is the lowest
  * point of the last section that is the arm's alone. Through the armpit goes the wall that parts arm and torso, half
  * way between upright and square to the arm:
  *
@@ -21,6 +22,7 @@
 #include "scan/scan_internal.h"
 
 #define FIND_STEP 0.004   /* along an arm [m], for 1.7 m */
+#define FIND_TALL 2.6     /* times its least height: where a level arm ends */
 #define FIND_SPREAD 0.075 /* parts of the stature: what belongs to an arm is no further from its axis */
 
 
@@ -184,17 +186,43 @@ static mus_status find_axis(const mus__scan_mesh *mesh, double h, mus__scan_arm 
 }
 
 
+/* height of a group across the arm's axis */
+static double find_tall(const mus__slicer *along, int32_t group, const double *up)
+{
+    const double side = mus__dot3(up, along->side), front = mus__dot3(up, along->front);
+    double low = INFINITY, high = -INFINITY;
+    for (int32_t j = 0; j < along->section.loops; j++) {
+        const mus__loop *loop = &along->section.loop[j];
+        for (int32_t k = 0; k < loop->count && loop->group == group; k++) {
+            const double *ab = along->section.xy + 2 * (ptrdiff_t)(loop->first + k), at = side * ab[0] + front * ab[1];
+            low = fmin(low, at), high = fmax(high, at);
+        }
+    }
+    return high - low;
+}
+
+
+/* what is known of an arm's sections on the way up to the shoulder */
+typedef struct find_way {
+    double spread, last; /* most, and that of the last section */
+    double tall;         /* least height across the axis so far */
+    bool level;          /* a level arm's plane meets the flank little by little: the height tells */
+} find_way;
+
+
 /* is the section at s the arm's alone? */
-static mus_status find_alone(mus__slicer *along, double s, double spread, double *last, bool *alone)
+static mus_status find_alone(mus__slicer *along, const mus__scan_arm *arm, double s, find_way *way, bool *alone)
 {
     double centre[2];
     mus_status status = mus__slice(along, s, "an arm");
-    const int32_t group = mus__section_near(&along->section, spread);
+    const int32_t group = mus__section_near(&along->section, way->spread);
     *alone = false;
     if (status != MUS_OK || group < 0) return status;
-    const double now = find_spread(&along->section, group, centre);
-    *alone = now <= fmin(spread, 1.4 * *last);
-    if (*alone) *last = fmax(now, 0.6 * *last);
+    const double now = find_spread(&along->section, group, centre), tall = find_tall(along, group, arm->up);
+    *alone = now <= fmin(way->spread, 1.4 * way->last) && !(way->level && tall > FIND_TALL * way->tall);
+    if (!*alone) return status;
+    way->last = fmax(now, 0.6 * way->last);
+    way->tall = fmin(way->tall, tall);
     return status;
 }
 
@@ -203,17 +231,20 @@ static mus_status find_alone(mus__slicer *along, double s, double spread, double
 static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
 {
     const double step = FIND_STEP * h / 1.7, spread = 1.6 * FIND_SPREAD * h;
-    double last = spread, low = 0.0, high = 0.6 * arm->tip;
+    double low = 0.0, high = 0.6 * arm->tip;
     bool alone = true;
     mus_status status = MUS_OK;
+    arm->up[0] = -arm->axis[1] * arm->side, arm->up[1] = arm->axis[0] * arm->side, arm->up[2] = 0.0;
+    mus__unit3(arm->up);
+    find_way way = {spread, spread, INFINITY, arm->axis[1] > -MUS_SCAN_LEVEL};
     for (low = high; status == MUS_OK && alone && low > -0.1 * h; low = alone ? low - step : low) {
-        status = find_alone(along, low, spread, &last, &alone);
+        status = find_alone(along, arm, low, &way, &alone);
         if (alone) high = low;
     }
     while (high - low > 1e-4 * h && status == MUS_OK) {
         const double middle = 0.5 * (low + high);
-        double copy = last;
-        status = find_alone(along, middle, spread, &copy, &alone);
+        find_way copy = way;
+        status = find_alone(along, arm, middle, &copy, &alone);
         *(alone ? &high : &low) = middle;
     }
     if (status == MUS_OK) status = mus__slice(along, high, "an arm");
@@ -223,8 +254,6 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
     /* lowest point of that section, in the frontal plane across the axis */
     const int32_t group = mus__section_near(&along->section, spread);
     const double *up = arm->up;
-    arm->up[0] = -arm->axis[1] * arm->side, arm->up[1] = arm->axis[0] * arm->side, arm->up[2] = 0.0;
-    mus__unit3(arm->up);
     double least = INFINITY;
     for (int32_t j = 0; j < along->section.loops; j++) {
         const mus__loop *loop = &along->section.loop[j];

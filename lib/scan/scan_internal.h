@@ -11,6 +11,7 @@
 #include "base/base_internal.h"
 #include "muslin/scan.h"
 
+#define MUS_SCAN_LEVEL 0.35   /* sine of arms that are level: 20 degrees down */
 #define MUS_SCAN_LIMBS 7      /* torso, arms, legs, feet */
 #define MUS_SCAN_CONTOURS 128 /* most of a limb: what mus_body_create_limbs takes */
 

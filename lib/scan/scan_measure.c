@@ -18,7 +18,6 @@
 #define MEASURE_SAMPLES 192
 #define MEASURE_THIGH (0.015 / 1.7) /* below the crotch, in parts of the stature */
 #define MEASURE_CHEST 0.735         /* a chest reaches up to here where arms are level, in parts of the stature */
-#define MEASURE_LEVEL 0.35          /* sine of arms that are level: 20 degrees down */
 #define MEASURE_FLAT (0.004 / 1.7)  /* fronts that differ by less are equally far forward */
 
 typedef struct measure_rows {
@@ -119,7 +118,7 @@ static void measure_below(mus_scan_report *report, int32_t girth, const measure_
 static double measure_armpit(const mus__scan_arm *arm, double h)
 {
     const double armpit = arm->armpit[1];
-    return arm->axis[1] > -MEASURE_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
+    return arm->axis[1] > -MUS_SCAN_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
 }
 
 

@@ -1,13 +1,16 @@
 /*
  * test_scan_pose.c: our own bodies in a T-pose, as meshes of other programs have it: Z up, in centimetres or
  * millimetres, axis and unit found or stated. The same limbs, girths within 5 mm of the body's own, the mesh within
- * 5 mm of the contours.
+ * 5 mm of the contours. And a mesh of the test data whose arms are turned up: its girths are those of its A-pose.
  */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "geom/polygon.h"
 #include "geom/vec.h"
+#include "muslin/exchange.h"
 #include "muslin/muslin.h"
 #include "scan/solids.h"
 #include "support.h"
@@ -109,7 +112,12 @@ START_TEST(a_t_pose_is_cut_into_the_same_body)
         ck_assert_int_eq(mus_body_limb_count(body), mus_body_limb_count(own));
         for (int32_t l = 0; l < mus_body_limb_count(own); l++)
             ck_assert_str_eq(mus_body_limb_name(body, l), mus_body_limb_name(own, l));
-        for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(report.arm_angle[i], 0.0, 0.02);
+        const double armpit = mus_body_made(rest, MUS_MEASURE_NAPE_HEIGHT) -
+                              0.9 * mus_body_asked(rest, MUS_MEASURE_SCYE_DEPTH);
+        for (int i = 0; i < 2; i++) {
+            ck_assert_double_eq_tol(report.arm_angle[i], 0.0, 0.02);
+            ck_assert_double_eq_tol(report.armpit[i], armpit, 0.04);
+        }
         for (int p = 0; p < MUS_SCAN_PART_COUNT && !row[k].stated; p++)
             ck_assert_double_lt(report.mesh_to_body[p][0], 1e-3);
 
@@ -164,12 +172,74 @@ START_TEST(a_t_pose_is_cut_into_the_same_body)
 END_TEST
 
 
+/* turn an arm of an A-pose, hanging 45 degrees off a shoulder at (0.105, 0.79) of the height, up to level: more and
+ * more of the turn from 0.03 to 0.13 of the height along it; nothing of the trunk below it */
+static void arms_up(double *x, double height)
+{
+    const double c45 = sqrt(0.5), side = x[0] > 0.0 ? 1.0 : -1.0;
+    const double at[2] = {x[0] - 0.105 * height * side, x[1] - 0.79 * height};
+    const double along = c45 * (side * at[0] - at[1]), across = c45 * (side * at[0] + at[1]);
+    double t = fmin(fmax((along / height - 0.03) / 0.10, 0.0), 1.0);
+    t = t * t * (3.0 - 2.0 * t) * fmin(fmax((across / height + 0.075) / 0.03, 0.0), 1.0);
+    if (side * x[0] < 0.03 * height || t <= 0.0) return;
+    const double angle = 0.25 * MUS_PI * t * side, c = cos(angle), s = sin(angle);
+    x[0] += c * at[0] - s * at[1] - at[0];
+    x[1] += s * at[0] + c * at[1] - at[1];
+}
+
+
+START_TEST(a_scanned_body_with_its_arms_turned_up_keeps_its_girths)
+{
+    static const char *const names[] = {"mean_all", "mean_female"};
+    for (int k = 0; k < (SUPPORT_SLOW ? 1 : 2); k++) {
+        char relative[64], path[512];
+        snprintf(relative, sizeof relative, "garmentcode/bodies/%s.obj", names[k]);
+        if (support_data(relative, path, sizeof path) == NULL) return;
+        mus_context *context = support_context();
+        mus_mesh *mesh;
+        mus_scan_report report[2];
+        mus_scan_def def;
+        mus_scan_def_init(&def, sizeof def);
+        def.distances = 0;
+        ck_assert_int_eq(mus_mesh_read_obj(context, path, &mesh), MUS_OK);
+        const int32_t n = mus_mesh_vertex_count(mesh);
+        double *x = malloc(3 * (size_t)n * sizeof *x), high = -INFINITY;
+        ck_assert_ptr_nonnull(x);
+        memcpy(x, mus_mesh_vertices(mesh), 3 * (size_t)n * sizeof *x);
+        for (int32_t v = 0; v < n; v++) high = fmax(high, x[3 * v + 1]);
+        for (int pose = 0; pose < 2; pose++) {
+            mus_body *body = NULL;
+            for (int32_t v = 0; v < n && pose == 1; v++) arms_up(x + 3 * (ptrdiff_t)v, high);
+            mus_scan_report_init(&report[pose], sizeof report[pose]);
+            const mus_status status =
+                mus_body_create_scan(context, n, x, mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), &def,
+                                     &report[pose], &body);
+            ck_assert_msg(status == MUS_OK, "%s: %s", names[k], mus_context_error(context));
+            mus_body_destroy(body);
+        }
+        for (int i = 0; i < 2; i++) {
+            ck_assert_double_gt(report[0].arm_angle[i], 0.6);
+            ck_assert_double_lt(fabs(report[1].arm_angle[i]), 0.15);
+            ck_assert_double_eq_tol(report[1].armpit[i], report[0].armpit[i], 0.05);
+        }
+        for (int g = 0; g < MUS_SCAN_GIRTH_COUNT; g++)
+            ck_assert_msg(fabs(report[1].girth[g] - report[0].girth[g]) < 0.005, "%s girth %d: %g, %g", names[k], g,
+                          report[0].girth[g], report[1].girth[g]);
+        free(x);
+        mus_mesh_destroy(mesh);
+        support_context_end(context);
+    }
+}
+END_TEST
+
+
 Suite *mus_suite_scan_pose(void)
 {
     Suite *suite = suite_create("scan_pose");
     TCase *tests = tcase_create("scan_pose");
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_t_pose_is_cut_into_the_same_body);
+    tcase_add_test(tests, a_scanned_body_with_its_arms_turned_up_keeps_its_girths);
     suite_add_tcase(suite, tests);
     return suite;
 }

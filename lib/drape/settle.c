@@ -12,8 +12,8 @@
  * averages out), and the drift of that mean place from one check to the next. In float, where stiff cloth feels its own
  * rounding, a residual within that and a slower drift will do. So does lying still for long where all force that is
  * left is at nodes that touch skin or cloth: contact puts places right, and where surfaces wedge a node, no normals and
- * no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no longer
- * touches the body and falls is told so at once.
+ * no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no
+ * longer touches the body and falls is told so at once.
  *
  * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so
  * much, and forces with them. There the mean is over a time, not over a number of steps, and the step is halved when

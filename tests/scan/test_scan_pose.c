@@ -94,8 +94,8 @@ START_TEST(a_t_pose_is_cut_into_the_same_body)
         const char *size;
         double unit;
         bool stated;
-    } row[] = {{"W40", 100.0, false}, {"M50", 1000.0, true}, {"C116", 100.0, true}};
-    for (int k = 0; k < (SUPPORT_SLOW ? 1 : 3); k++) {
+    } row[] = {{"M50", 1000.0, false}, {"W40", 100.0, true}};
+    for (int k = 0; k < (SUPPORT_SLOW ? 1 : 2); k++) {
         mus_context *context = support_context();
         mus_scan_report report;
         mus_body *body = scan_t_pose(context, row[k].size, row[k].unit, row[k].stated, &report), *own, *rest;
@@ -190,45 +190,40 @@ static void arms_up(double *x, double height)
 
 START_TEST(a_scanned_body_with_its_arms_turned_up_keeps_its_girths)
 {
-    static const char *const names[] = {"mean_all", "mean_female"};
-    for (int k = 0; k < (SUPPORT_SLOW ? 1 : 2); k++) {
-        char relative[64], path[512];
-        snprintf(relative, sizeof relative, "garmentcode/bodies/%s.obj", names[k]);
-        if (support_data(relative, path, sizeof path) == NULL) return;
-        mus_context *context = support_context();
-        mus_mesh *mesh;
-        mus_scan_report report[2];
-        mus_scan_def def;
-        mus_scan_def_init(&def, sizeof def);
-        def.distances = 0;
-        ck_assert_int_eq(mus_mesh_read_obj(context, path, &mesh), MUS_OK);
-        const int32_t n = mus_mesh_vertex_count(mesh);
-        double *x = malloc(3 * (size_t)n * sizeof *x), high = -INFINITY;
-        ck_assert_ptr_nonnull(x);
-        memcpy(x, mus_mesh_vertices(mesh), 3 * (size_t)n * sizeof *x);
-        for (int32_t v = 0; v < n; v++) high = fmax(high, x[3 * v + 1]);
-        for (int pose = 0; pose < 2; pose++) {
-            mus_body *body = NULL;
-            for (int32_t v = 0; v < n && pose == 1; v++) arms_up(x + 3 * (ptrdiff_t)v, high);
-            mus_scan_report_init(&report[pose], sizeof report[pose]);
-            const mus_status status =
-                mus_body_create_scan(context, n, x, mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), &def,
-                                     &report[pose], &body);
-            ck_assert_msg(status == MUS_OK, "%s: %s", names[k], mus_context_error(context));
-            mus_body_destroy(body);
-        }
-        for (int i = 0; i < 2; i++) {
-            ck_assert_double_gt(report[0].arm_angle[i], 0.6);
-            ck_assert_double_lt(fabs(report[1].arm_angle[i]), 0.15);
-            ck_assert_double_eq_tol(report[1].armpit[i], report[0].armpit[i], 0.05);
-        }
-        for (int g = 0; g < MUS_SCAN_GIRTH_COUNT; g++)
-            ck_assert_msg(fabs(report[1].girth[g] - report[0].girth[g]) < 0.005, "%s girth %d: %g, %g", names[k], g,
-                          report[0].girth[g], report[1].girth[g]);
-        free(x);
-        mus_mesh_destroy(mesh);
-        support_context_end(context);
+    char path[512];
+    if (support_data("garmentcode/bodies/mean_all.obj", path, sizeof path) == NULL) return;
+    mus_context *context = support_context();
+    mus_mesh *mesh;
+    mus_scan_report report[2];
+    mus_scan_def def;
+    mus_scan_def_init(&def, sizeof def);
+    def.distances = 0;
+    ck_assert_int_eq(mus_mesh_read_obj(context, path, &mesh), MUS_OK);
+    const int32_t n = mus_mesh_vertex_count(mesh);
+    double *x = malloc(3 * (size_t)n * sizeof *x), high = -INFINITY;
+    ck_assert_ptr_nonnull(x);
+    memcpy(x, mus_mesh_vertices(mesh), 3 * (size_t)n * sizeof *x);
+    for (int32_t v = 0; v < n; v++) high = fmax(high, x[3 * v + 1]);
+    for (int pose = 0; pose < 2; pose++) {
+        mus_body *body = NULL;
+        for (int32_t v = 0; v < n && pose == 1; v++) arms_up(x + 3 * (ptrdiff_t)v, high);
+        mus_scan_report_init(&report[pose], sizeof report[pose]);
+        const mus_status status = mus_body_create_scan(context, n, x, mus_mesh_triangle_count(mesh),
+                                                       mus_mesh_triangles(mesh), &def, &report[pose], &body);
+        ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+        mus_body_destroy(body);
     }
+    for (int i = 0; i < 2; i++) {
+        ck_assert_double_gt(report[0].arm_angle[i], 0.6);
+        ck_assert_double_lt(fabs(report[1].arm_angle[i]), 0.15);
+        ck_assert_double_eq_tol(report[1].armpit[i], report[0].armpit[i], 0.05);
+    }
+    for (int g = 0; g < MUS_SCAN_GIRTH_COUNT; g++)
+        ck_assert_msg(fabs(report[1].girth[g] - report[0].girth[g]) < 0.005, "girth %d: %g, %g", g, report[0].girth[g],
+                      report[1].girth[g]);
+    free(x);
+    mus_mesh_destroy(mesh);
+    support_context_end(context);
 }
 END_TEST
 

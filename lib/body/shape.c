@@ -100,9 +100,9 @@ static double shape_child(const mus__skeleton *bone, double chin, double brow, d
 {
     const double h = bone->crown, young = h * shape_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
     const double low = SHAPE_CHIN * young * shape_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
-    const double u = (s - chin) / (brow - chin);
     if (s < chin) return low * shape_step((s - bone->nape) / (chin - bone->nape));
-    return s < brow ? low + u * (high - low) : high * fmax((h - s) / (h - brow), 0.0);
+    return s < brow ? low + shape_step((s - chin) / (brow - chin)) * (high - low)
+                    : high * shape_step((h - s) / (h - brow));
 }
 
 

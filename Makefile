@@ -10,6 +10,7 @@
 #                   hands options to tests/corpus/run.py)
 #   make page       24 GarmentCode garments at 15 mm with cloth on cloth as two pages of pictures, in build/page/
 #                   (PAGE='--spacing 25' hands options to tests/corpus/page.py)
+#   make layers     garments worn over one another, a row each with CPU seconds (LAYERS='--spacing 25 --only 1')
 #   make girths     girths of the three scanned bodies of $(MUSLIN_DATA): their yaml, the meshes' own sections, muslin
 #   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
 #                   options to tests/motion/run.py)
@@ -139,7 +140,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now girths girths-now motion motion-now sheet sheet-now wear wear-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now layers layers-now girths girths-now motion motion-now sheet sheet-now wear wear-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
         check-omit-now check-ports check-large check-self-off report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -281,6 +282,12 @@ page:
 	@$(call again,page-now)
 page-now: all
 	$(PYTHON) tests/corpus/page.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/page --jobs $(JOBS) $(PAGE)
+
+layers:
+	@sh tests/guard/packages.sh build
+	@$(call again,layers-now)
+layers-now: all
+	$(PYTHON) tests/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
 
 girths:
 	@sh tests/guard/packages.sh build report

@@ -41,6 +41,13 @@ const mus__design_row mus__designs_top[] = {
     {"scrub_top", "blouse", "Scrub top", "top neck=v sleeve=short shape=boxy pocket=patch", W | M},
     {"middy", "blouse", "Middy blouse",
      "top neck=v sleeve=long shape=boxy collar=sailor closure=front cuff=cuff", W | C},
+    {"shirt", "shirt", "Shirt", "top sleeve=long shape=boxy collar=shirt cuff=cuff", W | M | C},
+    {"coat", "coat", "Coat",
+     "top neck=v sleeve=long shape=boxy collar=shawl closure=front top_length=tunic ease=coat", W | M | C},
+    {"coat_stand", "coat", "Coat with a stand",
+     "top sleeve=long shape=boxy collar=mandarin closure=front top_length=tunic ease=coat", W | M | C},
+    {"coat_short", "coat", "Short coat",
+     "top neck=v sleeve=long shape=boxy collar=shawl closure=front ease=coat pocket=patch", W | M | C},
     {"pyjama_jacket", "nightwear", "Pyjama jacket",
      "top neck=v sleeve=long shape=boxy collar=shawl ease=loose pocket=patch", W | M},
 

@@ -8,13 +8,14 @@
 #include "design/style.h"
 
 
-/* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children */
+/* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18
+ * to 22 cm over the body: it goes over a shirt and a jacket */
 static void design_eases(mus__half *half)
 {
     static const struct {
         double bust, bust_plain, waist, hip;
-    } ease[2][3] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}},
-                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}}};
+    } ease[2][4] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}, {22.0, 26.0, 20.0, 20.0}},
+                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}, {22.0, 22.0, 18.0, 18.0}}};
     const int32_t *option = half->style.option, garment = option[MUS__AXIS_GARMENT];
     const int32_t cloth = option[MUS__AXIS_CLOTH], level = option[MUS__AXIS_EASE];
     const double *m = half->measures.v, k = mus__measures_scale(&half->measures) * MUS__CM;

@@ -58,13 +58,14 @@ static bool plan_flat(const mus__half *half)
 /* breadth on the biceps line: the arm with 1.15 of its girth, or for a flat cap between 4 and 12 cm of room */
 static double plan_width(const mus__half *half, double cap, bool flat)
 {
-    static const double room[] = {1.15, 1.10, 1.24}; /* regular, slim, loose */
+    static const double room[] = {1.15, 1.10, 1.24, 1.45}; /* regular, slim, loose, coat */
     const double arm = half->measures.v[MUS_MEASURE_UPPER_ARM], k = mus__measures_scale(&half->measures);
     const int32_t ease = half->style.option[MUS__AXIS_EASE];
     double width = room[ease] * arm;
     if (flat) {
-        const double more = ease == MUS__EASE_SLIM ? 2.0 : 4.0;
-        width = fmax(arm + more * k * MUS__CM, fmin(arm + 12.0 * k * MUS__CM, mus__sleeve_width(cap, 0.25)));
+        const double more = ease == MUS__EASE_SLIM ? 2.0 : ease == MUS__EASE_COAT ? 12.0 : 4.0;
+        const double most = fmax(more, 12.0);
+        width = fmax(arm + more * k * MUS__CM, fmin(arm + most * k * MUS__CM, mus__sleeve_width(cap, 0.25)));
     }
     return fmin(width, cap / 1.03);
 }
@@ -125,7 +126,9 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
     const double height = plan->block.height, least = height + fmax(3.0 * k, 2.2) * MUS__CM;
     def.length = fmax(part * arm, least);
     plan->reach = fmin(1.0, fmax(0.05, (def.length - height) / fmax(arm - height, 1.0 * MUS__CM)));
-    const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM);
+    const bool coat = half->style.option[MUS__AXIS_EASE] == MUS__EASE_COAT;
+    const double over = coat ? 6.0 * k * MUS__CM : 0.0; /* the cuff under it */
+    const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM) + over;
     const double taper = plan->reach < 0.6 ? 2.0 * k * MUS__CM : 0.0;
     def.hem = fmax(def.width + plan->reach * (fmin(hand, def.width) - def.width) - taper, hand);
     plan_cuff(half, part, hand, plan, &def.hem);

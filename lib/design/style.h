@@ -48,7 +48,7 @@
     X(LEG_LENGTH, "leg_length", "full", "short", "bermuda", "capri", "ankle")                                         \
     X(BAND, "band", "straight", "contour", "facing", "elastic")                                                       \
     X(RISE, "rise", "natural", "low", "high")                                                                         \
-    X(EASE, "ease", "regular", "slim", "loose")                                                                       \
+    X(EASE, "ease", "regular", "slim", "loose", "coat")                                                               \
     X(CLOTH, "cloth", "woven", "knit")                                                                                \
     X(CUFF, "cuff", "none", "cuff", "rib")                                                                            \
     X(YOKE, "yoke", "none", "yoke")                                                                                   \
@@ -86,7 +86,7 @@ enum { MUS__LEG_LENGTH_FULL, MUS__LEG_LENGTH_SHORT, MUS__LEG_LENGTH_BERMUDA, MUS
        MUS__LEG_LENGTH_ANKLE };
 enum { MUS__BAND_STRAIGHT, MUS__BAND_CONTOUR, MUS__BAND_FACING, MUS__BAND_ELASTIC };
 enum { MUS__RISE_NATURAL, MUS__RISE_LOW, MUS__RISE_HIGH };
-enum { MUS__EASE_REGULAR, MUS__EASE_SLIM, MUS__EASE_LOOSE };
+enum { MUS__EASE_REGULAR, MUS__EASE_SLIM, MUS__EASE_LOOSE, MUS__EASE_COAT };
 enum { MUS__CLOTH_WOVEN, MUS__CLOTH_KNIT };
 enum { MUS__CUFF_NONE, MUS__CUFF_CUFF, MUS__CUFF_RIB };
 enum { MUS__YOKE_NONE, MUS__YOKE_YOKE };

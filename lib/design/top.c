@@ -114,6 +114,10 @@ static void torso_blocks(mus__half *half, mus__top *top)
     } else if (bare) {
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
+    if (mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_COAT)) {
+        def.scye_ease += 2.0 * k * MUS__CM;
+        def.neck_ease += 3.0 * k * MUS__CM;
+    }
     if (mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) def.bust_ease = fmin(def.bust_ease, 1.0 * MUS__CM);
     const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
     const bool moves = shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_SHOULDER_WAIST || shape == MUS__SHAPE_FRENCH ||

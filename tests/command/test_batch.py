@@ -189,6 +189,16 @@ def test_what_has_changed_is_dressed_again_and_nothing_else(batch, tmp_path, tap
     assert lines(tmp_path / "out")[0]["state_hash"] != before[0]["state_hash"]
 
 
+def test_a_garment_over_another_is_one_line(batch, tmp_path):
+    # beside --batch for all lines, and that of a line in its place
+    batch("--design skirt_plain --size W40\n--design skirt_plain --size W40 --over no_such\n", "--over", "skirt_plain")
+    both, bad = lines(tmp_path / "out")
+    assert both["name"] == "skirt_plain-skirt_plain-W40" and both["status"] == "settled"
+    assert both["panels"] == 4 and both["seams_closed"] == both["seams"] == 4 and both["crossings"] == 0
+    assert both["self_contacts"] > 0
+    assert bad["name"] == "skirt_plain-no_such-W40" and bad["status"] == "bad input" and "no_such" in bad["reason"]
+
+
 def test_pictures_and_meshes_lie_under_the_name(batch, tmp_path):
     text = "--name one --design skirt --size W40\n--name none --design no_such --size W40\n"
     out = tmp_path / "out"

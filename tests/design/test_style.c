@@ -30,7 +30,7 @@ START_TEST(words_stand_in_the_order_of_their_numbers)
         {MUS__AXIS_LEG_LENGTH, MUS__LEG_LENGTH_ANKLE, "ankle"},
         {MUS__AXIS_BAND, MUS__BAND_ELASTIC, "elastic"},
         {MUS__AXIS_RISE, MUS__RISE_HIGH, "high"},
-        {MUS__AXIS_EASE, MUS__EASE_LOOSE, "loose"},
+        {MUS__AXIS_EASE, MUS__EASE_COAT, "coat"},
         {MUS__AXIS_CLOTH, MUS__CLOTH_KNIT, "knit"},
         {MUS__AXIS_CUFF, MUS__CUFF_RIB, "rib"},
         {MUS__AXIS_YOKE, MUS__YOKE_YOKE, "yoke"},

@@ -11,8 +11,8 @@
  * weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
  * averages out), and the drift of that mean place from one check to the next. In float, where stiff cloth feels its own
  * rounding, a residual within that and a slower drift will do. So does lying still for long where all force that is
- * left is at nodes that touch skin or cloth: contact puts places right, and where surfaces wedge a node, no normals and
- * no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no
+ * left is at nodes that touch skin or cloth: contact puts places right, and where surfaces wedge a node, no normals
+ * and no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no
  * longer touches the body and falls is told so at once.
  *
  * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so

@@ -12,15 +12,22 @@ import resource
 import subprocess
 import sys
 
+SLEEVELESS_COAT = "top neck=v shape=boxy closure=front top_length=tunic ease=coat"
 # (body, spacing [mm], from inside to outside)
 STACKS = [
     ("W40", 20, ["tshirt", "waistcoat"]),
     ("W40", 25, ["shirt_mandarin_long", "waistcoat"]),
-    ("W40", 25, ["tshirt", "coat"]),
+    ("W40", 30, ["tshirt", "waistcoat", SLEEVELESS_COAT]),
     ("W40", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
     ("M50", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
 ]
 GAP_MM, DEPTH_MM = 1.0, 1.0
+
+
+def short(garment):
+    """A design's name; of words the first and the last."""
+    words = garment.split()
+    return garment if len(words) == 1 else f"{words[0]}_{words[-1].replace('=', '_')}"
 
 
 def cpu():
@@ -30,7 +37,7 @@ def cpu():
 
 def dress(command, body, spacing, garments, out):
     """(report, CPU seconds) of a stack; pictures beside it."""
-    name = "-".join([body, *garments])
+    name = "-".join([body, *map(short, garments)])
     asked = [command, "dress", "--size", body, "--design", garments[0], "--spacing", str(spacing), "--quiet",
              "--report", out / f"{name}.json", "--png", out / f"{name}.png", "--view", "20,5,1", "--view", "200,5,1"]
     for garment in garments[1:]:
@@ -62,7 +69,7 @@ def main():
                 report["max_seam_gap_mm"] <= GAP_MM and report["max_penetration_mm"] <= DEPTH_MM and
                 report["crossings"] == 0)
         bad += not good
-        print(f"{body + ' ' + ' < '.join(garments):44} {spacing:4g} {report['nodes']:6} {report['status']:12} "
+        print(f"{body + ' ' + ' < '.join(map(short, garments)):44} {spacing:4g} {report['nodes']:6} {report['status']:12} "
               f"{report['seams_closed']:3}/{report['seams']:3} {report['max_seam_gap_mm']:7.2f} "
               f"{report['max_penetration_mm']:6.2f} {report['crossings']:9} {report['residual']:9.4f} {used:7.1f}"
               f"{'' if good else '  SHORT: ' + report.get('reason', '')}", flush=True)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """run.py: garments worn over one another, dressed by `muslin dress --over`, a row each.
 
-A row is good when all seams are closed to 1 mm, no triangle of cloth crosses another (an exact count), nothing is deeper
-than 1 mm in the body, and the whole is at rest. CPU seconds are those of the whole process: reading, bodies, cutting,
-sewing, settling. Written into OUT: a picture and a report of each row. Exit 1 when a row is not good.
+A row is good when all seams are closed to 1 mm, no triangle of cloth crosses another (an exact count), nothing is
+deeper than 1 mm in the body, and the whole is at rest. CPU seconds are those of the whole process: reading, bodies,
+cutting, sewing, settling. Written into OUT: a picture and a report of each row. Exit 1 when a row is not good.
 """
 import argparse
 import json
@@ -69,7 +69,8 @@ def main():
                 report["max_seam_gap_mm"] <= GAP_MM and report["max_penetration_mm"] <= DEPTH_MM and
                 report["crossings"] == 0)
         bad += not good
-        print(f"{body + ' ' + ' < '.join(map(short, garments)):44} {spacing:4g} {report['nodes']:6} {report['status']:12} "
+        stack = body + " " + " < ".join(map(short, garments))
+        print(f"{stack:44} {spacing:4g} {report['nodes']:6} {report['status']:12} "
               f"{report['seams_closed']:3}/{report['seams']:3} {report['max_seam_gap_mm']:7.2f} "
               f"{report['max_penetration_mm']:6.2f} {report['crossings']:9} {report['residual']:9.4f} {used:7.1f}"
               f"{'' if good else '  SHORT: ' + report.get('reason', '')}", flush=True)

@@ -124,6 +124,7 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
         {&self->force, planes, real},                     {&self->before, planes, real},
         {&self->ground, planes, real},                    {&self->level, nodes, 1},
         {&self->last, nodes, 1},                          {&self->tangle, nodes, 1},
+        {&self->pass, nodes, 1},
         {&self->pair, self->pair_capacity, sizeof *self->pair},
         {&self->touch, self->pair_capacity, sizeof *self->touch},
     };
@@ -154,7 +155,7 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     void *blocks[] = {self->class_of, self->group,  self->triangle, self->own,  self->thick,
                       self->ball,     self->home,   self->drift,  self->worn,
                       self->some,     self->at,     self->force,  self->before, self->ground,
-                      self->level,    self->last,   self->tangle, self->pair, self->touch};
+                      self->level,    self->last,   self->tangle, self->pass,   self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
 }
@@ -281,7 +282,10 @@ int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__cros
             if (self->tangle[corner[k]] == 0) self->tangle[corner[k]] = 2;
     }
     self->tangled = 0;
-    for (int32_t i = 0; i < self->nodes; i++) self->tangled += self->tangle[i] != 0;
+    for (int32_t i = 0; i < self->nodes; i++) {
+        if (self->pass[i]) self->tangle[i] = 1;
+        self->tangled += self->tangle[i] != 0;
+    }
     self->stale = 1;
     return count;
 }

@@ -80,6 +80,7 @@ typedef struct mus__cloth_self {
     uint8_t *worn, *some;  /* (nodes) listed anew now; (ntriangle) with such a node */
     int32_t tangled;       /* nodes that are part of a crossing: 0, or what is said above does not hold for them */
     uint8_t *tangle;       /* (nodes) nonzero for these */
+    uint8_t *pass;         /* (nodes) nonzero: counts as part of one, until the caller clears it */
     void *before;          /* (3 n) velocities before the body gave its answer in this step, written by the stepper */
     uint8_t *level, *last; /* (nodes) layers between it and the body that held it in this call, and in the last;
                             * MUS_SELF_LOOSE: nothing does */
@@ -120,6 +121,9 @@ void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32
 /* between steps: which nodes are part of a crossing at x (nodes x 3); returns how many pairs of triangles cross. fn as
  * of mus__cloth_crossings, may be NULL */
 int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__crossing_fn fn, void *user);
+/* between steps, the list just made of x: pairs nearer than `least` to that distance, one after the other, but nodes
+ * that are held (nodes) stay. How many there were; they may cross others then */
+int32_t mus__cloth_self_part(const mus__cloth_self *self, double least, const int32_t *held, double *x);
 /* between steps: room for twice the pairs that there were, where it became narrow */
 mus_status mus__cloth_self_grow(mus__cloth_self *self);
 

@@ -167,6 +167,8 @@ mus_status mus__drape_self_create(mus_drape *drape);
 void mus__drape_self_weld(mus_drape *drape);
 /* before steps of `h`, places, masses and contact's rule set: from now on it acts in each. */
 mus_status mus__drape_self_ready(mus_drape *drape, double h);
+/* panels that begin over each other in one plane are moved apart (apart.c) */
+mus_status mus__drape_apart(mus_drape *drape);
 /* crossings of a cloth with self_contact drawn apart as far as they go (untangle.c) */
 mus_status mus__drape_untangle(mus_drape *drape);
 /* the rule of steps of `h`, the rule of contact set */

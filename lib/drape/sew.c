@@ -3,7 +3,8 @@
  *
  * Gravity is off. The pull starts gentle, so that panels travel to the body without folding over, and grows until the
  * last pair is home; a pair within the collision distance is stitched: it moves as one from then on, and its
- * neighbours follow as in a zip. When all are stitched they are welded.
+ * neighbours follow as in a zip. When all are stitched they are welded. Where cloth meets cloth, some sheets of it may
+ * hold the last pairs apart; they are welded so, and what then crosses is drawn apart (untangle.c).
  *
  * Pull on a pair that stands for length L of seam:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
  */
@@ -29,6 +30,13 @@
 #define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
 #define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
 #define LIFT_CHECKS 4   /* between searches */
+#define PASS_LATE 0.4   /* of the budget past the rise: pairs still open may be drawn through cloth */
+#define PASS_PART 0.05  /* of all pairs, when there are no more than these */
+#define PASS_LEAST 4.0  /* or these */
+#define NEAR_SHEETS 5.0 /* thicknesses */
+#define NEAR_LATE 0.3   /* of the budget past the rise: a gap of so little is closed by welding */
+#define CARRY_GAP 0.5   /* spacings: narrower gaps are left to the finer cut */
+#define PASS_REACH 2.5  /* spacings round an open pair */
 
 
 /* how late it is at time t of a budget of `all` seconds: 0 while the pull rises, 1 at the end */
@@ -170,8 +178,37 @@ static mus_status fail_open(mus_drape *drape)
 }
 
 
-/* pull, stitch and weld on this cut; `lifted`: round what is between, else straight */
-static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
+/* on the finest cut, cloth near the last pairs may go through cloth: it is what holds them apart */
+static void let_pass(mus_drape *drape)
+{
+    mus__cloth_self *self = drape->self;
+    const double reach = PASS_REACH * drape->cloth->spacing;
+    if (self == NULL || drape->parent != NULL) return;
+    memset(self->pass, 0, (size_t)drape->n);
+    for (int32_t p = 0; p < drape->plan.npair; p++) {
+        const mus__pair *pair = &drape->plan.pair[p];
+        if (pair->locked) continue;
+        const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
+        const double gap[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, far = 0.5 * mus__norm3(gap) + reach;
+        for (int32_t i = 0; i < drape->n; i++) {
+            const double *x = drape->x + 3 * (int64_t)i;
+            const double d[3] = {x[0] - 0.5 * (a[0] + b[0]), x[1] - 0.5 * (a[1] + b[1]), x[2] - 0.5 * (a[2] + b[2])};
+            self->pass[i] |= mus__dot3(d, d) < far * far;
+        }
+    }
+    self->stale = 1;
+}
+
+
+/* whether cloth alone, a few sheets of it, still holds the last pairs apart: welding draws it aside */
+static bool near_home(const mus_drape *drape)
+{
+    return drape->self != NULL && mus__drape_gap(drape, NULL) <= NEAR_SHEETS * drape->def.thickness;
+}
+
+
+/* pull, stitch and weld on this cut, as from time `t` of the pull; `lifted`: round what is between, else straight */
+static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double t)
 {
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
@@ -186,7 +223,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
     const int32_t pairs = drape->plan.npair;
     int32_t open = pairs;
     int32_t check = 0;
-    for (double t = 0.0; open > 0 && t < all && !run->stop && status == MUS_OK;) {
+    while (open > 0 && t < all && !run->stop && status == MUS_OK) {
         mus__drape_publish(drape);
         if (lifted && check++ % LIFT_CHECKS == 0) lift_pairs(drape);
         stiffen(drape, t, all);
@@ -194,6 +231,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
                                         MUS_NEAR_BALL,       1.0 - SEW_GRIP};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
+        if (lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs)) let_pass(drape);
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
         for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
@@ -203,13 +241,17 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
         t += CHECK_STEPS * h;
         drape->sew_time += CHECK_STEPS * h;
         open = count_open(&drape->plan);
+        if (lateness(t, all) > NEAR_LATE && near_home(drape)) break;
         mus__run_report(run, 1.0 - (double)open / pairs);
     }
     sim->near = NULL;
     drape->plan.held_share = 1.0;
+    if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
+    if (drape->self != NULL) drape->self->stale = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
-    if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance)) return fail_open(drape);
+    if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance) && !near_home(drape))
+        return fail_open(drape);
     mus__drape_weld(drape);
     return mus__drape_untangle(drape);
 }
@@ -219,17 +261,18 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted)
  * is round enough, straight comes first */
 static mus_status sew_tries(mus_drape *drape, mus__run *run)
 {
-    if (drape->collider == NULL) return sew_here(drape, run, false);
+    if (drape->collider == NULL) return sew_here(drape, run, false, 0.0);
     const bool first = drape->mean == NULL;
     mus_status status = mus__drape_scratch(drape);
     if (status != MUS_OK) return status;
     mus__drape_publish(drape);
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     const bool round = !drape->welded;
-    status = sew_here(drape, run, round);
-    if (status == MUS_ERR_SEW && !run->stop) {
+    status = sew_here(drape, run, round, 0.0);
+    const double near = drape->parent != NULL && drape->self != NULL ? CARRY_GAP * drape->cloth->spacing : 0.0;
+    if (status == MUS_ERR_SEW && !run->stop && !(mus__drape_gap(drape, NULL) < near)) {
         mus__drape_reopen(drape, drape->mean);
-        status = sew_here(drape, run, !round);
+        status = sew_here(drape, run, !round, 0.0);
     }
     if (status == MUS_ERR_MEMORY && first) mus__drape_scratch_free(drape);
     return status;
@@ -238,8 +281,9 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
 
 /*
  * On the coarser cut first, down to the coarsest; where its seams were welded, the finer cut's pairs lie together as
- * near as the coarse borders follow the fine ones, and are welded as they are. Where they could not be, the finer cut
- * tries from its own start.
+ * near as the coarse borders follow the fine ones, and are welded as they are. Where some could not be, the finer cut
+ * goes on from there if cloth meets cloth: what a coarse cut has no room for, a finer one may have. Where cloth may go
+ * through cloth, the finer cut tries from its own start.
  */
 static mus_status sew_levels(mus_drape *drape, mus__run *run)
 {
@@ -249,11 +293,16 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
     if (coarse != NULL) {
         mus__drape_restrict(drape);
         status = sew_levels(coarse, run);
-        if (status == MUS_ERR_MEMORY) return status;
+        if (status == MUS_ERR_MEMORY || run->stop) return status;
         if (status == MUS_OK) {
             mus__drape_prolong(drape);
             drape->sewn_so = drape->self != NULL;
             return mus__drape_untangle(drape);
+        }
+        if (status == MUS_ERR_SEW && drape->self != NULL) {
+            mus__drape_prolong(drape);
+            status = mus__drape_untangle(drape);
+            return status == MUS_OK ? sew_here(drape, run, false, RAMP_SECONDS) : status;
         }
     }
     return sew_tries(drape, run);
@@ -270,8 +319,13 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     mus__run_start(&run, "sew", progress, user);
     mus_reason_init(&drape->reason, sizeof drape->reason);
     mus__drape_start(drape, &drape->start);
-    const mus_status done = mus__drape_layered(drape) ? mus__drape_sew_layers(drape, &run, sew_levels, sew_tries)
-                                                      : sew_levels(drape, &run);
+    mus_status done = MUS_OK;
+    if (mus__drape_layered(drape)) {
+        done = mus__drape_sew_layers(drape, &run, sew_levels, sew_tries);
+    } else {
+        if (drape->self != NULL && drape->count == 0) done = mus__drape_apart(drape);
+        if (done == MUS_OK) done = sew_levels(drape, &run);
+    }
     mus__drape_reason_status(drape, done);
     return done;
 }

@@ -9,9 +9,10 @@
  *     G = sum over F of  R - (E.R)/(E.N) N,
  *
  * so the edge goes along G and the triangle against it (Volino, Magnenat-Thalmann, Resolving Surface Collisions through
- * Intersection Contour Minimization, 2006). Between these moves the cloth takes some steps, without gravity, in which
- * what does not cross is kept apart and the body keeps its clearance. Nothing is known of which sheet was outside: a
- * shallow crossing goes, one sheet halfway through another stays, and is counted.
+ * Intersection Contour Minimization, 2006). At first there are these moves alone: cloth that was put where a coarser
+ * cut lay is full of force, and would run through itself where it may. What then still crosses takes some steps between
+ * them, without gravity, in which what does not cross is kept apart and the body keeps its clearance. Nothing is known
+ * of which sheet was outside: a shallow crossing goes, one sheet halfway through another stays, and is counted.
  */
 #include <math.h>
 #include <string.h>
@@ -19,11 +20,14 @@
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
 
-#define UNTANGLE_ROUNDS 60
+#define UNTANGLE_ROUNDS 80
+#define UNTANGLE_PLAIN 50       /* of them without steps */
 #define UNTANGLE_STEPS 12
 #define UNTANGLE_DRAG 40.0    /* [1/s] */
 #define UNTANGLE_SPEED 1.0    /* [m/s] */
 #define UNTANGLE_MOVE 0.5     /* of the thickness, in a round */
+#define UNTANGLE_LEAST 0.05   /* of the thickness */
+#define UNTANGLE_PARTS 12
 #define UNTANGLE_STEEP 0.1    /* E.N of an edge that runs along the triangle counts as this */
 #define UNTANGLE_SAFETY 0.7   /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
 
@@ -140,9 +144,33 @@ static mus_status untangle_ease(mus_drape *drape)
 }
 
 
+/*
+ * What no longer crosses may still lie closer than numbers of a float state tell apart, and could not move: pairs so
+ * near are put apart, as long as the count finds no crossing.
+ */
+static mus_status untangle_part(mus_drape *drape)
+{
+    const double least = UNTANGLE_LEAST * drape->def.thickness;
+    double *was = drape->force;
+    for (int32_t k = 0; k < UNTANGLE_PARTS; k++) {
+        mus__drape_push(drape);
+        drape->self->stale = 1;
+        const mus_status status = mus__drape_self_ready(drape, drape->sim.rule.slip);
+        if (status != MUS_OK) return status;
+        memcpy(was, drape->x, 3 * (size_t)drape->n * sizeof *was);
+        if (mus__cloth_self_part(drape->self, least, drape->pinned, drape->x) == 0) break;
+        if (mus__cloth_self_tangle(drape->self, drape->x, NULL, NULL) == 0) continue;
+        memcpy(drape->x, was, 3 * (size_t)drape->n * sizeof *was);
+        break;
+    }
+    return MUS_OK;
+}
+
+
 static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
 {
     untangle u = {drape, drape->work, drape->work + 3 * (int64_t)drape->n};
+    bool moved = false;
     mus_status status = mus__drape_near(drape);
     mus__drape_publish(drape);
     for (int32_t k = 0; status == MUS_OK; k++) {
@@ -150,11 +178,15 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
         *left = mus__cloth_self_tangle(drape->self, drape->x, untangle_note, &u);
         if (*left == 0 || k == UNTANGLE_ROUNDS) break;
         untangle_move(drape, &u);
+        moved = true;
+        if (k < UNTANGLE_PLAIN) continue;
         status = untangle_ease(drape);
     }
+    if (status == MUS_OK && *left == 0 && moved) status = untangle_part(drape);
     drape->sim.near = NULL;
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
+    mus__drape_publish(drape);
     return status;
 }
 

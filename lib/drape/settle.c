@@ -23,11 +23,17 @@
 #include <string.h>
 
 #include "drape/level.h"
+#include "geom/vec.h"
 
 #define CHECK_SECONDS 0.1    /* of cloth time between residuals */
 #define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
 #define MEAN_SECONDS 0.05    /* the same where cloth lies on cloth */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define JAM_FORCE 10.0       /* weights left of a node that is wedged */
+#define JAM_GROWTH 4.0
+#define JAM_MOST 256.0
+#define JAM_SECONDS 0.5      /* of falling or coming to rest first */
+#define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
@@ -154,10 +160,11 @@ mus_status mus__drape_scratch(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->mean != NULL) return MUS_OK;
-    drape->mean = mus__new(drape->context, 3 * n3, sizeof *drape->mean);
+    drape->mean = mus__new(drape->context, 3 * n3 + drape->n, sizeof *drape->mean);
     if (drape->mean == NULL) return mus__fail_memory(drape->context, "a sewing or a settle");
     drape->before = drape->mean + n3;
     drape->left = drape->before + n3;
+    drape->jam = drape->left + n3;
     return MUS_OK;
 }
 
@@ -165,7 +172,7 @@ mus_status mus__drape_scratch(mus_drape *drape)
 void mus__drape_scratch_free(mus_drape *drape)
 {
     mus__free(drape->context, drape->mean);
-    drape->mean = drape->before = drape->left = NULL;
+    drape->mean = drape->before = drape->left = drape->jam = NULL;
 }
 
 
@@ -197,6 +204,21 @@ static bool on_cloth(const mus_drape *drape)
 }
 
 
+/*
+ * Nodes that feel many times their weight, whatever contact does, are wedged: between surfaces without room for the
+ * cloth. Their inertia is raised, check by check, so that they come to lie still; rest does not depend on inertia.
+ */
+static void weigh_down(mus_drape *drape)
+{
+    const double *gravity = drape->def.gravity, g = mus__norm3(gravity);
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double felt = drape->mass[i] * (g > 0.0 ? g : 9.81);
+        if (drape->mass[i] <= 0.0 || !(mus__norm3(drape->force + 3 * (int64_t)i) > JAM_FORCE * felt)) continue;
+        drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
+    }
+}
+
+
 /* after steps that took `seconds`, `t` in all: how it lies, whether it rests, and steps and drag from now on */
 static void look_at_rest(mus_drape *drape, const settling *goal, double t, double seconds, lying *now)
 {
@@ -204,6 +226,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     drape->residual = mus__drape_residual(drape, drape->mean, &unheld);
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
     now->stray = stray(drape);
+    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape);
     const double last = now->move;
     now->move = take_move(drape);
     now->drift = now->move / seconds;
@@ -223,7 +246,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     const bool gains = residual < STALE_PART * now->best;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
-    if (now->still < STILL_CHECKS || !(now->safety > LEAST_SAFETY)) return;
+    if (now->still < STILL_CHECKS || !(now->safety > (ripples ? RIPPLE_SAFETY : LEAST_SAFETY))) return;
     now->safety *= 0.5;
     now->still = 0;
     now->best = residual;
@@ -238,6 +261,8 @@ static lying lie_down(mus_drape *drape, double fall)
     sim->speed_limit = SETTLE_SPEED;
     sim->dashpots = 0;
     drape->settled = 0;
+    drape->jammed = 1;
+    for (int32_t i = 0; i < drape->n; i++) drape->jam[i] = 1.0;
     memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
     drape->residual = mus__drape_residual(drape, drape->x, NULL);
     memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
@@ -278,6 +303,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         mus__run_report(run, t / goal->seconds);
     }
     sim->near = NULL;
+    drape->jammed = 0;
     if (status != MUS_OK) return status;
     if (drape->settled || run->stop) return MUS_OK;
     if (run->slid) return mus__fail(drape->context, MUS_ERR_UNSETTLED, "%s", drape->reason.text);

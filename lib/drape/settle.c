@@ -33,7 +33,8 @@
 #define JAM_GROWTH 4.0
 #define JAM_MOST 256.0
 #define JAM_SECONDS 0.5      /* of falling or coming to rest first */
-#define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves */
+#define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves, when it is */
+#define RIPPLE_FAR 10.0      /* times what is allowed */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
@@ -246,7 +247,8 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     const bool gains = residual < STALE_PART * now->best;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
-    if (now->still < STILL_CHECKS || !(now->safety > (ripples ? RIPPLE_SAFETY : LEAST_SAFETY))) return;
+    const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
+    if (now->still < STILL_CHECKS || !(now->safety > least)) return;
     now->safety *= 0.5;
     now->still = 0;
     now->best = residual;

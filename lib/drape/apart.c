@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "drape/drape_internal.h"
+#include "drape/start.h"
 #include "geom/vec.h"
 
 #define APART_WITHIN 0.6  /* spacings: lattice nodes of two panels so near in their plane lie over each other */
@@ -23,29 +24,20 @@ typedef struct apart_panel {
 } apart_panel;
 
 
-/* mean normal by area, middle and box of each panel's lattice nodes */
+/* facing, middle and box of each panel */
 static void apart_look(const mus_drape *drape, apart_panel *panel)
 {
-    const mus_cloth *cloth = drape->cloth;
-    for (int32_t p = 0; p < cloth->npanel; p++) {
-        const mus__panel_mesh *mesh = &cloth->panel[p];
+    for (int32_t p = 0; p < drape->cloth->npanel; p++) {
+        const mus__panel_mesh *mesh = &drape->cloth->panel[p];
         apart_panel *own = &panel[p];
         memset(own, 0, sizeof *own);
-        for (int32_t t = mesh->first_triangle; t < mesh->first_triangle + mesh->triangle_count; t++) {
-            const int32_t *v = cloth->triangle + 3 * (int64_t)t;
-            const double *a = drape->x + 3 * (int64_t)v[0], *b = drape->x + 3 * (int64_t)v[1];
-            const double *c = drape->x + 3 * (int64_t)v[2];
-            const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, e[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-            double normal[3];
-            mus__cross3(d, e, normal);
-            for (int32_t i = 0; i < 3; i++) own->normal[i] += normal[i];
-        }
+        mus__start_facing(drape, p, own->normal);
         mus__unit3(own->normal);
+        mus__start_middle(drape, p, own->middle);
         for (int32_t d = 0; d < 3; d++) own->low[d] = INFINITY, own->high[d] = -INFINITY;
         for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->lattice_count; i++)
             for (int32_t d = 0; d < 3; d++) {
                 const double x = drape->x[3 * (int64_t)i + d];
-                own->middle[d] += x / mesh->lattice_count;
                 own->low[d] = fmin(own->low[d], x), own->high[d] = fmax(own->high[d], x);
             }
     }

@@ -36,6 +36,7 @@
 #define NEAR_SHEETS 5.0 /* thicknesses */
 #define NEAR_LATE 0.3   /* of the budget past the rise: a gap of so little is closed by welding */
 #define CARRY_GAP 0.5   /* spacings: narrower gaps are left to the finer cut */
+#define CARRY_PART 0.5  /* of a short budget: the finer cut has the rest */
 #define PASS_REACH 2.5  /* spacings round an open pair */
 
 
@@ -200,10 +201,17 @@ static void let_pass(mus_drape *drape)
 }
 
 
-/* whether cloth alone, a few sheets of it, still holds the last pairs apart: welding draws it aside */
+/* whether cloth alone, a few sheets of it, still holds the last pairs apart: welding draws it aside. Not where both
+ * nodes of a pair are held: they stay where they are, and the seam is open */
 static bool near_home(const mus_drape *drape)
 {
-    return drape->self != NULL && mus__drape_gap(drape, NULL) <= NEAR_SHEETS * drape->def.thickness;
+    const mus__plan *plan = &drape->plan;
+    if (drape->self == NULL || !(mus__drape_gap(drape, NULL) <= NEAR_SHEETS * drape->def.thickness)) return false;
+    for (int32_t p = 0; p < plan->npair; p++) {
+        const mus__pair *pair = &plan->pair[p];
+        if (!pair->locked && (drape->pinned[pair->a] & drape->pinned[pair->b] & MUS__PINNED)) return false;
+    }
+    return true;
 }
 
 
@@ -293,7 +301,7 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
     if (coarse != NULL) {
         mus__drape_restrict(drape);
         status = sew_levels(coarse, run);
-        if (status == MUS_ERR_MEMORY || run->stop) return status;
+        if (status == MUS_ERR_MEMORY) return status;
         if (status == MUS_OK) {
             mus__drape_prolong(drape);
             drape->sewn_so = drape->self != NULL;
@@ -302,7 +310,8 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
         if (status == MUS_ERR_SEW && drape->self != NULL) {
             mus__drape_prolong(drape);
             status = mus__drape_untangle(drape);
-            return status == MUS_OK ? sew_here(drape, run, false, RAMP_SECONDS) : status;
+            const double from = fmin(RAMP_SECONDS, CARRY_PART * drape->def.sew_seconds);
+            return status == MUS_OK ? sew_here(drape, run, false, from) : status;
         }
     }
     return sew_tries(drape, run);

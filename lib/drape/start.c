@@ -104,8 +104,7 @@ static void start_move(const double *sum, const double *q, const double *x, doub
 }
 
 
-/* mean of a panel's normals, by area: 1 long when it is flat */
-static void start_facing(const mus_drape *drape, int32_t panel, double *out)
+void mus__start_facing(const mus_drape *drape, int32_t panel, double *out)
 {
     const mus__panel_mesh *mesh = &drape->cloth->panel[panel];
     double area = 0.0;
@@ -124,7 +123,7 @@ static void start_facing(const mus_drape *drape, int32_t panel, double *out)
 }
 
 
-static void start_middle(const mus_drape *drape, int32_t panel, double *out)
+void mus__start_middle(const mus_drape *drape, int32_t panel, double *out)
 {
     const mus__panel_mesh *mesh = &drape->cloth->panel[panel];
     memset(out, 0, 3 * sizeof *out);
@@ -165,10 +164,10 @@ void mus__start_fit(const mus_drape *drape, int32_t panel, int32_t except, mus__
     }
     out->now /= out->length, out->best /= out->length;
     out->turned = 2.0 * q[0] * q[0] - 1.0;
-    start_middle(drape, panel, out->from);
+    mus__start_middle(drape, panel, out->from);
     start_move(sum, q, out->from, out->to);
     double facing[3];
-    start_facing(drape, panel, facing);
+    mus__start_facing(drape, panel, facing);
     start_turn(q, facing, out->facing);
 }
 
@@ -261,8 +260,8 @@ static bool start_exchanged(const mus_drape *drape, int32_t p, int32_t q)
     mus__start_fit(drape, p, q, &a);
     if (!start_misplaced(&a)) return false;
     mus__start_fit(drape, q, p, &b);
-    start_facing(drape, p, facing[0]);
-    start_facing(drape, q, facing[1]);
+    mus__start_facing(drape, p, facing[0]);
+    mus__start_facing(drape, q, facing[1]);
     if (mus__dot3(a.facing, facing[1]) < START_AGAINST || mus__dot3(b.facing, facing[0]) < START_AGAINST) return false;
     return start_misplaced(&b) &&
            start_aside(a.to, b.from, facing[1]) < START_PLACE * start_aside(a.to, a.from, facing[1]) &&
@@ -279,7 +278,7 @@ static bool start_belied(const mus_drape *drape, int32_t panel)
         double sign;
     } words[] = {{"left", 0, 1.0}, {"right", 0, -1.0}, {"front", 2, 1.0}, {"back", 2, -1.0}};
     double middle[3];
-    start_middle(drape, panel, middle);
+    mus__start_middle(drape, panel, middle);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strstr(mus_cloth_panel_name(drape->cloth, panel), words[i].word) != NULL &&
             words[i].sign * middle[words[i].axis] < 0.0)
@@ -293,7 +292,7 @@ static int32_t start_other(const mus_drape *drape, int32_t p, const mus__start *
 {
     for (int32_t q = 0; q < drape->cloth->npanel; q++) {
         double middle[3];
-        start_middle(drape, q, middle);
+        mus__start_middle(drape, q, middle);
         if (q == p || !(start_apart(fit->to, middle) < start_apart(fit->to, fit->from))) continue;
         if (start_exchanged(drape, p, q)) return q;
     }

@@ -18,6 +18,10 @@ typedef struct mus__start {
 /* of one panel, seams to panel `except` (MUS_NONE: none) left out */
 void mus__start_fit(const mus_drape *drape, int32_t panel, int32_t except, mus__start *out);
 
+/* mean of a panel's normals, by area: 1 long when it is flat; and the middle of its nodes */
+void mus__start_facing(const mus_drape *drape, int32_t panel, double *out);
+void mus__start_middle(const mus_drape *drape, int32_t panel, double *out);
+
 /* note a tangled start; panel and seam may be MUS_NONE */
 void mus__start_tangled(mus_reason *out, int32_t panel, int32_t seam, const char *text);
 

@@ -154,6 +154,7 @@ def test_what_has_no_end_is_stopped_and_done_with_a_longer_limit(batch, tmp_path
     assert b"from before" not in done.stdout and lines(tmp_path / "out")[0]["nodes"] > 0
 
 
+# the test finds the worker it kills in /proc, which some systems do not have
 @pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="no /proc that names the children of a process")
 def test_a_crash_is_a_line_and_the_others_go_on(program, command, one_line, tmp_path):
     out = tmp_path / "out"

@@ -1,5 +1,6 @@
 /*
- * test_apart.c: panels that begin over each other in one plane are told apart before they are sewn with self_contact.
+ * test_apart.c: panels that begin over each other in one plane are told apart before they are sewn with self_contact;
+ * the last pairs of a seam are welded where cloth holds them apart, not where they are held.
  */
 #include <math.h>
 
@@ -82,12 +83,53 @@ START_TEST(panels_in_one_place_are_parted)
 END_TEST
 
 
+/* a seam whose sides are held 6 mm apart is open, and they stay where they are: five sheets of cloth would be 10 mm */
+START_TEST(what_is_held_apart_is_not_welded)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    int32_t low[4], high[4];
+    mus_drape_def def;
+    mus_drape *drape;
+    ck_assert_int_eq(mus_pattern_create(context, "held", &pattern), MUS_OK);
+    scene_move(pattern, scene_rectangle(pattern, "low", 0, 0, 0.2, 0.1, low), 0, 1, 0);
+    scene_move(pattern, scene_rectangle(pattern, "high", 0, 0, 0.2, 0.1, high), 0, 1.106, 0);
+    scene_sew(pattern, low[2], high[0], 0.0);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1;
+    def.sew_seconds = 3.0;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, &def, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    const int32_t n = mus_drape_node_count(drape);
+    const double *x = mus_drape_positions(drape);
+    int32_t held[2] = {MUS_NONE, MUS_NONE};
+    for (int32_t i = 0; i < n; i++) {
+        if (fabs(x[3 * i]) > 1e-6) continue;
+        if (fabs(x[3 * i + 1] - 1.1) < 1e-6) held[0] = i;
+        if (fabs(x[3 * i + 1] - 1.106) < 1e-6) held[1] = i;
+    }
+    ck_assert(held[0] != MUS_NONE && held[1] != MUS_NONE);
+    for (int32_t k = 0; k < 2; k++) ck_assert_int_eq(mus_drape_pin(drape, held[k], 1), MUS_OK);
+    ck_assert_int_eq(mus_drape_sew(drape, NULL, NULL), MUS_ERR_SEW);
+    x = mus_drape_positions(drape);
+    ck_assert_double_eq_tol(x[3 * held[0] + 1], 1.1, 1e-6);
+    ck_assert_double_eq_tol(x[3 * held[1] + 1], 1.106, 1e-6);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_apart(void)
 {
     Suite *suite = suite_create("apart");
     TCase *tests = tcase_create("apart");
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, panels_in_one_place_are_parted, 0, 4);
+    tcase_add_test(tests, what_is_held_apart_is_not_welded);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -1,6 +1,6 @@
 /*
- * verify_collide.c: collisions and bodies that glide: bullets, the sphere of contours, two legs, a body out of reach, a
- * scene in motion, a body pushed up under a cloth (numerics.md C1, C3-C5, V2, V3).
+ * verify_collide.c: collisions and bodies that glide: bullets, the sphere of contours, a body out of reach, a scene in
+ * motion, a body pushed up under a cloth (numerics.md C1, C3, C5, V2, V3; C4 is in verify_contour.c).
  */
 #include <math.h>
 #include <stdio.h>
@@ -68,13 +68,6 @@ static void bullets(verify *v)
 
 /* ---- C3: a sphere of contours ---- */
 
-static double next_random(uint64_t *state)
-{
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> 11) / 9007199254740992.0;
-}
-
-
 /* errors at points of a true sphere of radius r: depth, angle of the normal up to 0.9 r from the middle, the same
  * beyond, where a natural spline ends, and both at the poles themselves */
 static mus_status sphere_errors(const mus_body *body, double r, double *out)
@@ -84,8 +77,8 @@ static mus_status sphere_errors(const mus_body *body, double r, double *out)
     memset(out, 0, 4 * sizeof *out);
     for (int i = 0; i < 4000 && status == MUS_OK; i++) {
         const double y =
-            i < 400 ? (i % 2 ? -1.0 : 1.0) * (1.0 - 1e-9 * pow(i / 2, 3.0)) : 2.0 * next_random(&random) - 1.0;
-        const double turn = 2.0 * PI * next_random(&random), flat = sqrt(1.0 - y * y);
+            i < 400 ? (i % 2 ? -1.0 : 1.0) * (1.0 - 1e-9 * pow(i / 2, 3.0)) : 2.0 * limb_random(&random) - 1.0;
+        const double turn = 2.0 * PI * limb_random(&random), flat = sqrt(1.0 - y * y);
         const double p[3] = {r * flat * cos(turn), r * y, r * flat * sin(turn)};
         double depth, n[3];
         status = mus_body_depth(body, 1, p, &depth, n);
@@ -117,83 +110,6 @@ static void spheres(verify *v)
         limb_row(v, status, "C3", text, 0.0, got[3], 1e-12);
         mus_body_destroy(body);
     }
-}
-
-
-/* ---- C4: two contours at one height ---- */
-
-#define OUTLINE 64
-
-/* an outline of two lobes with a waist, as of a leg and a buttock, about (0, 0): star-shaped, not convex */
-static void lobes(double turned, double *outline)
-{
-    for (int i = 0; i < OUTLINE; i++) {
-        const double turn = 2.0 * PI * i / OUTLINE, r = 0.07 + 0.025 * cos(2.0 * (turn - turned));
-        outline[2 * i] = r * cos(turn), outline[2 * i + 1] = r * sin(turn);
-    }
-}
-
-
-/* how often an outline about (x, 0) goes round the point (a, b); *away gets the distance of its sides */
-static int winds(const double *outline, double x, double a, double b, double *away)
-{
-    int turns = 0;
-    for (int i = 0; i < OUTLINE; i++) {
-        const double *p = outline + 2 * i, *q = outline + 2 * ((i + 1) % OUTLINE);
-        const double px = p[0] + x - a, py = p[1] - b, dx = q[0] - p[0], dy = q[1] - p[1];
-        const double left = px * dy - py * dx, t = fmin(fmax(-(px * dx + py * dy) / (dx * dx + dy * dy), 0.0), 1.0);
-        *away = fmin(*away, hypot(px + t * dx, py + t * dy));
-        if (py <= 0.0 && py + dy > 0.0 && left > 0.0) turns++;
-        if (py > 0.0 && py + dy <= 0.0 && left < 0.0) turns--;
-    }
-    return turns;
-}
-
-
-static mus_limb outlined(double x, const double *two, double *rows)
-{
-    mus_limb limb = limb_roller(x, 0.0, 0.1, 0.1, 2.0, rows);
-    limb.corners = OUTLINE;
-    limb.outline = two;
-    return limb;
-}
-
-
-/* points at one height of two legs: inside by depth against inside by winding number; a contact field has 128
- * directions, between which a corner is cut */
-static void two_contours(verify *v)
-{
-    static const double apart = 0.11;
-    double outline[2][4 * OUTLINE], rows[2][12], wrong = 0.0, farthest = 0.0;
-    mus_limb limb[2];
-    mus_body *body = NULL;
-    uint64_t random = 3;
-    for (int l = 0; l < 2; l++) {
-        lobes(l ? 1.1 : 2.3, outline[l]);
-        memcpy(outline[l] + 2 * OUTLINE, outline[l], 2 * OUTLINE * sizeof(double));
-        limb[l] = outlined(l ? apart : -apart, outline[l], rows[l]);
-    }
-    mus_status status = mus_body_create_limbs(v->context, 2, limb, NULL, &body);
-    for (int k = 0; k < 1000000 && status == MUS_OK; k++) {
-        const double p[3] = {0.22 * (2.0 * next_random(&random) - 1.0), 0.11 * (2.0 * next_random(&random) - 1.0), 0.1};
-        double depth, away = 1.0;
-        status = mus_body_depth(body, 1, p, &depth, NULL);
-        const int turns = winds(outline[0], -apart, p[0], p[1], &away) + winds(outline[1], apart, p[0], p[1], &away);
-        if ((depth > 0.0) == (turns != 0)) continue;
-        farthest = fmax(farthest, away);
-        wrong += away > 3e-4;
-    }
-    limb_row(v, status, "C4", "two legs: wrong side of 1e6 points, but those 0.3 mm at the sides", 0.0, wrong, 0.0);
-    limb_row(v, status, "C4", "two legs: farthest point on the wrong side from the outlines [m]", 0.0, farthest, 3e-4);
-    mus_body_destroy(body);
-
-    /* a side that turns back is refused when set */
-    body = NULL;
-    memmove(outline[0] + 2, outline[0] + 20, 2 * sizeof(double));
-    status = mus_body_create_limbs(v->context, 1, limb, NULL, &body);
-    verify_add(v, "C4", "an outline that is not star-shaped: 0 when refused", 0.0, status == MUS_ERR_BODY ? 0.0 : 1.0,
-               0.0);
-    mus_body_destroy(body);
 }
 
 
@@ -314,7 +230,7 @@ int verify_collide(verify *v)
     if (verify_wants(v, "V3")) pushed_up(v, 1.0), pushed_up(v, 10.0);
     if (verify_wants(v, "C1")) bullets(v);
     if (verify_wants(v, "C3")) spheres(v);
-    if (verify_wants(v, "C4")) two_contours(v);
+    if (verify_wants(v, "C4")) verify_contours(v);
     if (verify_wants(v, "C5")) out_of_reach(v);
     return EXIT_DONE;
 }

@@ -107,3 +107,10 @@ void limb_row(verify *v, mus_status status, const char *id, const char *text, do
     else
         verify_broken(v, id, text, status);
 }
+
+
+double limb_random(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 11) / 9007199254740992.0;
+}

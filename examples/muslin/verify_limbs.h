@@ -34,6 +34,12 @@ mus_status limb_meet_point(verify *v, const mus_body *body, double friction, dou
 mus_status limb_meet_sheet(verify *v, const mus_body *body, int32_t n, double cell, double height, double speed,
                            mus_drape **out);
 
+/* contours side by side (C4, verify_contour.c) */
+void verify_contours(verify *v);
+
+/* next of a row of numbers in 0 .. 1 */
+double limb_random(uint64_t *state);
+
 /* a row, or the sentence of what went wrong */
 void limb_row(verify *v, mus_status status, const char *id, const char *text, double exact, double got,
               double tolerance);

@@ -1,5 +1,5 @@
 /*
- * test_verify_contact.c: the cases of `muslin verify` on limbs and planes as claims (numerics.md F1-F8, C1-C3, C5,
+ * test_verify_contact.c: the cases of `muslin verify` on limbs and planes as claims (numerics.md F1-F8, C1-C5,
  * V1-V3): their sources are taken in, and each row asserts.
  */
 #include <math.h>
@@ -7,6 +7,8 @@
 
 #include "muslin/verify_collide.c"
 #include "muslin/verify_contact.c"
+#include "muslin/verify_contour.c"
+#include "muslin/verify_curve.c"
 #include "muslin/verify_limbs.c"
 #include "muslin/verify_plane.c"
 #include "support.h"
@@ -45,7 +47,7 @@ static const struct {
     int rows;
 } verify_contact_cases[] = {{"F3", 4},  {"F4", 4}, {"F7", 2}, {"F8", 2}, {"C1", 6},
                             {"C3", 12}, {"C5", 1}, {"V2", 2}, {"V3", 4}, {"F1", 3},
-                            {"F2", 6},  {"F5", 1}, {"F6", 3}, {"V1", 2}, {"C2", 2}, {"C4", 3}};
+                            {"F2", 6},  {"F5", 1}, {"F6", 3}, {"V1", 2}, {"C2", 2}, {"C4", 7}};
 
 
 START_TEST(each_case_on_limbs_has_its_exact_answer)

@@ -8,10 +8,7 @@
 #include "json.h"
 #include "mesh.h"
 #include "scene.h"
-
-
-/* arms are this far off the sides [m]: two layers of cloth go between */
-#define POSE_GAP 0.012
+#include "stance.h"
 
 
 /* the body's surface as a mesh to write */
@@ -68,54 +65,12 @@ static void write_json(const mus_body *body, double spent, json *j)
 }
 
 
-/* how the body stands, texts of options */
-typedef struct stance {
-    const char *pose, *move;
-    double at;
-} stance;
-
-
 /* the names of poses and movements, a line each */
 static int list_poses(void)
 {
     for (int32_t i = 0; i < mus_pose_count(); i++) printf("pose %s\n", mus_pose_name(i));
     for (int32_t i = 0; i < mus_move_count(); i++) printf("move %s\n", mus_move_name(i));
     return output_end("body");
-}
-
-
-/* the pose of a movement at a time */
-static mus_status pose_moving(const mus_body *body, const stance *how, mus_pose *pose)
-{
-    mus_move *move = NULL;
-    mus_status status = mus_body_move(body, how->move, POSE_GAP, &move);
-    if (status == MUS_OK) status = mus_move_at(move, how->at, pose);
-    mus_move_destroy(move);
-    return status;
-}
-
-
-/* a named pose, feet on the floor and arms off the sides */
-static mus_status pose_standing(const scene *s, const mus_body *body, const stance *how, mus_pose *pose)
-{
-    mus_status status = mus_pose_named(s->context, how->pose, pose);
-    if (status == MUS_OK) status = mus_body_clear_arms(body, pose, POSE_GAP);
-    return status == MUS_OK ? mus_body_ground(body, pose) : status;
-}
-
-
-/* put a posed copy in place of *body */
-static mus_status pose_body(const scene *s, const stance *how, mus_body **body)
-{
-    mus_pose pose;
-    mus_body *posed = NULL;
-    mus_status status =
-        how->move != NULL ? pose_moving(*body, how, &pose) : pose_standing(s, *body, how, &pose);
-    if (status == MUS_OK) status = mus_body_pose(*body, &pose, &posed);
-    if (status != MUS_OK) return status;
-    mus_body_destroy(*body);
-    *body = posed;
-    return MUS_OK;
 }
 
 
@@ -141,7 +96,7 @@ int command_body(int argc, char **argv)
     if (poses) return list_poses();
     if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");
     if (mesh.file != NULL && scene_upright(&from, "body") != EXIT_DONE) return EXIT_INPUT;
-    if (mesh.file != NULL) return mesh_command(&mesh, how.pose != NULL || how.move != NULL, obj, as_json);
+    if (mesh.file != NULL) return mesh_command(&mesh, &how, obj, as_json);
 
     scene s;
     mus_body *body = NULL;
@@ -152,7 +107,7 @@ int command_body(int argc, char **argv)
         const double start = seconds();
         mus_status status = scene_body(&s, &from, NULL, &body);
         const double spent = seconds() - start;
-        if (status == MUS_OK && (how.pose != NULL || how.move != NULL)) status = pose_body(&s, &how, &body);
+        if (status == MUS_OK) status = stance_take(&s, &how, &body);
         if (status == MUS_OK && obj != NULL) {
             mus_mesh_view view;
             body_view(body, &view);

@@ -133,17 +133,20 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
 }
 
 
-int mesh_command(const mesh_source *from, bool posed, const char *obj, bool as_json)
+int mesh_command(const mesh_source *from, const stance *how, const char *obj, bool as_json)
 {
     scene s;
     mus_body *body = NULL;
     mus_scan_report report;
     mus_scan_report_init(&report, sizeof report);
-    if (posed) return complain(EXIT_INPUT, "body", "--mesh: a body from a mesh has no joints to pose");
     int code = scene_open(&s, "body");
     const double start = seconds();
     if (code == EXIT_DONE) code = mesh_body(&s, from, &report, &body);
     const double spent = seconds() - start;
+    if (code == EXIT_DONE) {
+        const mus_status status = stance_take(&s, how, &body);
+        if (status != MUS_OK) code = scene_fail(&s, status);
+    }
     if (code == EXIT_DONE && obj != NULL) {
         mus_mesh_view view;
         mus_mesh_view_init(&view, sizeof view);

@@ -4,6 +4,7 @@
 
 #include "json.h"
 #include "scene.h"
+#include "stance.h"
 
 /* Texts of the options, NULL when not given. */
 typedef struct mesh_source {
@@ -22,7 +23,7 @@ typedef struct mesh_source {
 /* Read the mesh and make a body of it. `report` may be NULL. Returns an exit code. */
 int mesh_body(scene *s, const mesh_source *from, mus_scan_report *report, mus_body **out);
 
-/* muslin body --mesh: what was found, for people or as JSON, and the surface to `obj` unless NULL. */
-int mesh_command(const mesh_source *from, bool posed, const char *obj, bool as_json);
+/* muslin body --mesh: what was found, for people or as JSON, and the surface, as it stands, to `obj` unless NULL. */
+int mesh_command(const mesh_source *from, const stance *how, const char *obj, bool as_json);
 
 #endif

@@ -154,8 +154,8 @@ MUS_API mus_status mus_body_contour_points(const mus_body *body, int32_t limb, i
 #define MUS_LANDMARK_ANKLE_RIGHT 11
 #define MUS_LANDMARK_COUNT 12
 
-/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG (also: a body of given limbs has none, and wrists and
- * ankles that a body was made without). */
+/** Position of a landmark: `out` (3) [m]. Errors: MUS_ERR_ARG (also: a body of given limbs has none, a scan has no nape
+ * and none of what it lacks, a body of a tape no wrists and ankles that it was made without). */
 MUS_API mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out);
 
 /**

@@ -83,12 +83,13 @@ MUS_API mus_status mus_pose_named(mus_context *context, const char *name, mus_po
  *
  * Its surface, landmarks, contour points and depth are those of the pose; asked and made measures and the volume stay
  * those of the rest pose. A pose is always that of the body as made: posing a posed body does not add up.
- * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (an angle beyond the limits of its joint)
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (an angle beyond the limits of its joint, or an
+ *          angle of a limb that a scan has not)
  * Cost:    as mus_body_create
  */
 MUS_API mus_status mus_body_pose(const mus_body *body, const mus_pose *pose, mus_body **out);
 
-/** The pose that a body was made in: that of its tape's arm angle. Errors: MUS_ERR_ARG. */
+/** The pose that a body was made in: that of its tape's arm angle, or of a scan's arms. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_body_rest_pose(const mus_body *body, mus_pose *pose);
 
 /** The pose that a body stands in. Errors: MUS_ERR_ARG. */

@@ -5,6 +5,8 @@
  * axis, along the feet from heel to toe. Each section becomes a star-shaped contour about its centroid, and the stacks
  * of contours are a body like any other, with the same contact; no triangle is asked afterwards. A person stands
  * upright, arms spread (A- or T-pose), legs apart; what has no legs is a form, and what has no arms is one without.
+ * Joints are found from the limbs' contours: a person is posed and moved by the calls of pose.h; limbs that the mesh
+ * lacks cannot be turned, and a form not at all.
  */
 #ifndef MUSLIN_SCAN_H
 #define MUSLIN_SCAN_H

@@ -120,7 +120,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
         body->asked[m] = mus_tape_value(tape, m);
         body->source[m] = mus_tape_source(tape, m);
     }
-    body->measured = true;
+    body->measured = body->jointed = true;
     mus__skeleton_make(tape, &body->skeleton);
     mus_status status = mus__posture_check(body->context, &body->def, body->skeleton.crown);
     if (status != MUS_OK) return status;
@@ -139,6 +139,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);
+    mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
     if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
     if (status == MUS_OK) status = mus__body_lengths(body);
     body->fillet = BODY_FILLET * body->skeleton.crown;
@@ -325,95 +326,6 @@ mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t c
         if (body->frame != NULL) mus__frame_point(&frame, out + 3 * (ptrdiff_t)k, out + 3 * (ptrdiff_t)k);
     }
     return MUS_OK;
-}
-
-
-/* carry a point that lies in the ring at s of a limb to where the body stands */
-static void body_carry(const mus_body *body, int32_t limb, double s, double *x)
-{
-    mus__frame frame;
-    if (body->frame == NULL) return;
-    if (body->limb[limb].gone) limb = MUS_LIMB_TORSO, s = x[1];
-    mus__rig_ring(&body->rig, body->frame, limb, s, &frame);
-    mus__frame_point(&frame, x, x);
-}
-
-
-/* point (a, b) off the centre of a named contour of a limb; without it the point `height` up on the middle */
-static void body_contour_point(const mus_body *body, int32_t l, const char *name, double height, bool skin, double *out)
-{
-    const mus__limb *limb = &body->limb[l];
-    double s = height;
-    out[0] = out[2] = 0.0, out[1] = height;
-    for (int32_t i = 0; i < limb->count; i++) {
-        const mus__contour *c = &limb->contour[i];
-        if (strcmp(c->name, name) != 0) continue;
-        double b = c->cb + (skin ? mus__contour_radius(c, 0.0, 1.0) : 0.0);
-        for (int k = 0; k < 3; k++)
-            out[k] = limb->origin[k] + c->ca * limb->side[k] + b * limb->front[k] + c->s * limb->axis[k];
-        s = c->s;
-    }
-    body_carry(body, l, s, out);
-}
-
-
-/* has the body that contour, or was it made without it (or without that limb)? */
-static bool body_has(const mus_body *body, int32_t l, const char *name)
-{
-    for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++)
-        if (strcmp(body->limb[l].contour[i].name, name) == 0) return true;
-    return false;
-}
-
-
-mus_status mus_body_landmark(const mus_body *body, int32_t landmark, double *out)
-{
-    if (body == NULL || out == NULL) return MUS_ERR_ARG;
-    if (!body->measured)
-        return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no landmark %d", (int)landmark);
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
-    const mus__skeleton *bone = &body->skeleton;
-    const int32_t right = landmark % 2;
-    switch (landmark) {
-    case MUS_LANDMARK_CROWN:
-        memcpy(out, body->vertices + 3 * ((ptrdiff_t)torso->first_vertex + torso->vertices - 1), 3 * sizeof *out);
-        return MUS_OK;
-    case MUS_LANDMARK_NAPE:
-        /* on the skin behind the centre of the neck */
-        body_contour_point(body, MUS_LIMB_TORSO, "nape", bone->nape, true, out);
-        return MUS_OK;
-    case MUS_LANDMARK_BUST:
-        body_contour_point(body, MUS_LIMB_TORSO, "bust", bone->bust, false, out);
-        return MUS_OK;
-    case MUS_LANDMARK_WAIST:
-        body_contour_point(body, MUS_LIMB_TORSO, "waist", bone->waist, false, out);
-        return MUS_OK;
-    case MUS_LANDMARK_HIP:
-        body_contour_point(body, MUS_LIMB_TORSO, "hip", bone->hip, false, out);
-        return MUS_OK;
-    case MUS_LANDMARK_CROTCH:
-        memcpy(out, body->vertices + 3 * (ptrdiff_t)torso->first_vertex, 3 * sizeof *out);
-        return MUS_OK;
-    case MUS_LANDMARK_SHOULDER_LEFT:
-    case MUS_LANDMARK_SHOULDER_RIGHT:
-        memcpy(out, bone->joint[right], 3 * sizeof *out);
-        body_carry(body, MUS_LIMB_ARM_LEFT + right, 0.0, out);
-        return MUS_OK;
-    case MUS_LANDMARK_WRIST_LEFT:
-    case MUS_LANDMARK_WRIST_RIGHT:
-        if (!body_has(body, MUS_LIMB_ARM_LEFT + right, "wrist")) break;
-        body_contour_point(body, MUS_LIMB_ARM_LEFT + right, "wrist", 0.0, false, out);
-        return MUS_OK;
-    case MUS_LANDMARK_ANKLE_LEFT:
-    case MUS_LANDMARK_ANKLE_RIGHT:
-        if (!body_has(body, MUS_LIMB_LEG_LEFT + right, "ankle")) break;
-        body_contour_point(body, MUS_LIMB_LEG_LEFT + right, "ankle", bone->ankle, false, out);
-        return MUS_OK;
-    default:
-        return mus__fail(body->context, MUS_ERR_ARG, "landmark %d is not one of 0 to %d", (int)landmark,
-                         MUS_LANDMARK_COUNT - 1);
-    }
-    return mus__fail(body->context, MUS_ERR_ARG, "the body was made without landmark %d", (int)landmark);
 }
 
 

@@ -124,8 +124,24 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
 }
 
 
+/* joints: the limbs that have them are cut there; a scanned form has none */
+static void given_bones(mus_body *body, const mus__bones *bones)
+{
+    static const int32_t cuts[MUS_LIMB_COUNT] = {
+        [MUS_LIMB_TORSO] = 2, [MUS_LIMB_ARM_LEFT] = 3, [MUS_LIMB_ARM_RIGHT] = 3,
+        [MUS_LIMB_LEG_LEFT] = 2, [MUS_LIMB_LEG_RIGHT] = 2};
+    body->scanned = true;
+    if (bones->limb[MUS_LIMB_TORSO] == MUS_NONE) return;
+    body->jointed = true;
+    body->bones = *bones;
+    body->skeleton = bones->skeleton;
+    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+        if (bones->limb[l] != MUS_NONE) body->limb[bones->limb[l]].cuts = cuts[l];
+}
+
+
 /* limbs, surface, fields; the fields as fine as the shortest limb needs */
-static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb)
+static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb, const mus__bones *bones)
 {
     mus_status status = mus__body_limbs(body, limbs);
     double spacing = 0.25 * body->def.ring_spacing;
@@ -137,6 +153,7 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->asked[m] = body->made[m] = NAN;
     if (status == MUS_OK) status = mus__body_outlines(body, 0, limbs, limb);
     if (status != MUS_OK) return status;
+    if (bones != NULL) given_bones(body, bones);
 
     double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);
     if (turn == NULL) return mus__fail_memory(body->context, "the directions of contours");
@@ -148,8 +165,8 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
 }
 
 
-mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_limb *limb, const mus_body_def *def,
-                                 mus_body **out)
+mus_status mus__body_create_jointed(mus_context *context, int32_t limbs, const mus_limb *limb, const mus__bones *bones,
+                                    const mus_body_def *def, mus_body **out)
 {
     if (out == NULL) return MUS_ERR_ARG;
     *out = NULL;
@@ -166,10 +183,17 @@ mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_
     if (body == NULL) return mus__fail_memory(context, "a body");
     body->context = context;
     body->def = own;
-    status = given_make(body, limbs, limb);
+    status = given_make(body, limbs, limb, bones);
     if (status == MUS_OK)
         *out = body;
     else
         mus_body_destroy(body);
     return status;
+}
+
+
+mus_status mus_body_create_limbs(mus_context *context, int32_t limbs, const mus_limb *limb, const mus_body_def *def,
+                                 mus_body **out)
+{
+    return mus__body_create_jointed(context, limbs, limb, NULL, def, out);
 }

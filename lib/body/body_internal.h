@@ -9,27 +9,16 @@
 #define MUS_BODY_BODY_INTERNAL_H
 
 #include "base/base_internal.h"
+#include "body/bones.h"
 #include "body/field.h"
 #include "body/rig.h"
 #include "body/skeleton.h"
 #include "muslin/body.h"
 
-#define MUS_LIMB_COUNT 7        /* of a body made from a tape */
 #define MUS_LIMB_CONTOURS 128
 #define MUS_LIMB_NAME_BYTES 32
 #define MUS_BODY_ANGLES 128     /* steps of the diamond angle in contact fields */
 #define MUS_BODY_SAMPLES 512 /* most samples round a contour */
-
-/* which limb is which in mus_body.limb */
-enum {
-    MUS_LIMB_TORSO,
-    MUS_LIMB_ARM_LEFT,
-    MUS_LIMB_ARM_RIGHT,
-    MUS_LIMB_LEG_LEFT,
-    MUS_LIMB_LEG_RIGHT,
-    MUS_LIMB_FOOT_LEFT,
-    MUS_LIMB_FOOT_RIGHT
-};
 
 typedef struct mus__contour {
     const char *name;
@@ -76,6 +65,9 @@ struct mus_body {
     double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
     int32_t source[MUS_MEASURE_COUNT];
     bool measured;   /* made from a tape: it has landmarks and measures */
+    bool scanned;    /* made from a mesh: what it has not cannot be posed */
+    bool jointed;    /* of a tape or a scan: it has bones, and can be posed */
+    mus__bones bones;
     mus__limb *limb; /* (limb_count) */
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
@@ -178,6 +170,11 @@ void mus__body_turns(int32_t n, double *turn);
 mus_status mus__body_surface_of(mus_body *body, const double *turn);
 /* the rig, and the contact fields of all its parts, rings about `spacing` apart */
 mus_status mus__body_fields(mus_body *body, double spacing);
+
+/* ---- rig.c ---- */
+
+/* the middle of a limb at s, linear between its contours, as it was made */
+void mus__rig_middle(const mus__limb *limb, double s, double *out);
 
 /* ---- body_surface.c, body_measure.c ---- */
 

@@ -83,8 +83,11 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
 
 
 /* depth of the deepest point of an arm below the armpit in any part that is not of that arm */
-static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t arm, const double *turn)
+static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t right, const double *turn)
 {
+    const mus__bones *bones = &body->bones;
+    const int32_t arm = bones->limb[MUS_LIMB_ARM_LEFT + right];
+    const double armpit = bones->shoulder[right] + FIT_ARMPIT * (bones->wrist[right] - bones->shoulder[right]);
     double deepest = -1e30, x[3], normal[3];
     for (int32_t p = 0; p < body->nfield; p++) {
         const mus__field *own = &field[p];
@@ -92,7 +95,7 @@ static double fit_arm_depth(const mus_body *body, const mus__field *field, int32
         const int32_t step = (int32_t)fmax(1.0, FIT_RING / own->ds);
         for (int32_t j = 0; j < own->nring; j += step) {
             const double s = own->s0 + j * own->ds, *c = own->centre + 2 * (ptrdiff_t)j;
-            if (s < FIT_ARMPIT * body->skeleton.arm_length) continue;
+            if (s < armpit) continue;
             for (int32_t k = 0; k < own->nangle; k += FIT_ANGLE) {
                 const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
                 fit_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
@@ -112,15 +115,16 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
         return mus__fail(body->context, MUS_ERR_ARG, "gap %g m is outside 0 to 0.04 m", gap);
     mus__field field[MUS_PARTS_MOST];
     mus_status status = fit_carry(body, pose, field);
-    if (status != MUS_OK || !body->measured) return status;
+    if (status != MUS_OK || !body->jointed) return status;
 
     double turn[2 * MUS_BODY_ANGLES];
     mus__field_turns(MUS_BODY_ANGLES, turn);
     for (int32_t right = 0; right < 2; right++) {
+        if (body->bones.limb[MUS_LIMB_ARM_LEFT + right] == MUS_NONE) continue;
         double *lift = &pose->angle[MUS_JOINT_SHOULDER_LEFT + right][MUS_POSE_ABDUCTION], low, high;
         mus_joint_limits(MUS_JOINT_SHOULDER_LEFT + right, MUS_POSE_ABDUCTION, &low, &high);
         for (int32_t step = 0; step < FIT_STEPS && *lift + FIT_STEP <= high; step++) {
-            if (fit_arm_depth(body, field, MUS_LIMB_ARM_LEFT + right, turn) <= -gap) break;
+            if (fit_arm_depth(body, field, right, turn) <= -gap) break;
             *lift += FIT_STEP;
             fit_carry(body, pose, field);
         }
@@ -134,7 +138,7 @@ mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus
     if (out == NULL) return MUS_ERR_ARG;
     *out = NULL;
     if (body == NULL) return MUS_ERR_ARG;
-    if (!body->measured)
+    if (!body->jointed)
         return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no movements by name");
     int32_t move = mus__move_find(name);
     if (move == MUS_NONE)

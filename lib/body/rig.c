@@ -1,16 +1,15 @@
 /*
- * rig.c: joints of a body from its skeleton and contours, and where a pose puts the parts.
+ * rig.c: joints of a body from its bones and contours, and where a pose puts the parts.
  *
- * Pivots stand in the middle of the contour at the joint: lumbar at the waist, neck at the neck base, elbow, wrist and
- * knee at the contours of that name, hips four hundredths of the stature above the crotch (no higher than the seat),
- * ankles 0.3 foot lengths above the floor; shoulders are the skeleton's.
+ * Pivots stand in the middle of the contour at the joint (bones.c; of a scan scan/scan_joint.c); shoulders are the
+ * skeleton's. Legs as they were made are the zero of hips, knees and ankles.
  *
  * A joint turns by Q = R(flexion) R(abduction) R(rotation) from the anatomical pose. With the parent's rotation P from
  * the anatomical to the rest pose, and Q0 the joint's own in the rest pose, the turn against the rest pose in its
  * directions is  P Q Q0* P*,  which is the identity where Q = Q0.
  *
  * The shoulder joint goes up and inwards with the scapula while the arm rises from 30 to 170 degrees.
- * Source of joint places and ranges: ANSUR II and the mean bodies of GarmentCode; AAOS normal ranges of motion.
+ * Source of ranges: AAOS normal ranges of motion.
  */
 #include <math.h>
 #include <string.h>
@@ -18,8 +17,7 @@
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
-#define RIG_HIP_UP 0.04        /* hip joints above the crotch, in parts of the stature */
-#define RIG_ANKLE_UP 0.30      /* ankle joints above the floor, in parts of the foot's length */
+#define RIG_LEVEL 0.3          /* part of its length that an arm hangs: below this it is level */
 #define RIG_SCAPULA 0.02       /* way of the shoulder joint, in parts of the stature */
 #define RIG_SCAPULA_IN 0.5     /* of it inwards, for each part upwards */
 #define RIG_CAP_ROOM 0.8       /* a cap is no longer than this part of the next part */
@@ -163,8 +161,7 @@ static void rig_section(const mus__limb *limb, double s, double *out)
 }
 
 
-/* the middle of a limb at s */
-static void rig_middle(const mus__limb *limb, double s, double *out)
+void mus__rig_middle(const mus__limb *limb, double s, double *out)
 {
     double at[4];
     rig_section(limb, s, at);
@@ -189,7 +186,7 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
     for (int32_t k = 0; k < cuts; k++) {
         double at[4];
         rig_section(limb, s[k], at);
-        double radius = l == MUS_LIMB_TORSO ? at[3] : 0.5 * (at[2] + at[3]);
+        double radius = l == body->bones.limb[MUS_LIMB_TORSO] ? at[3] : 0.5 * (at[2] + at[3]);
         part[k].round[1] = fmin(radius, RIG_CAP_ROOM * (part[k + 1].end[1] - s[k]));
         part[k + 1].round[0] = fmin(radius, RIG_CAP_ROOM * (s[k] - part[k].end[0]));
     }
@@ -197,46 +194,88 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
 }
 
 
-/* pivots and parts of an arm and a leg, right or left */
-static void rig_side(const mus_body *body, int32_t right, mus__rig *out)
+/* the limb that a name stands for, NULL: the body has none, also not for the joints' sake */
+static const mus__limb *rig_limb(const mus_body *body, int32_t which)
+{
+    const int32_t l = body->bones.limb[which];
+    return l != MUS_NONE ? &body->limb[l] : NULL;
+}
+
+
+/* pivots of an arm, right or left, and how it hangs at rest */
+static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, mus__rig *out)
 {
     const mus__skeleton *bone = &body->skeleton;
-    const mus__limb *arm = &body->limb[MUS_LIMB_ARM_LEFT + right], *leg = &body->limb[MUS_LIMB_LEG_LEFT + right];
-    double elbow = bone->elbow, wrist = bone->arm_length, knee = bone->knee;
-    double hip = fmin(bone->crotch + RIG_HIP_UP * bone->crown, bone->hip);
-    double ankle = fmin(RIG_ANKLE_UP * body->asked[MUS_MEASURE_FOOT], bone->ankle);
     memcpy(out->pivot[MUS_JOINT_SHOULDER_LEFT + right], bone->joint[right], 3 * sizeof(double));
-    rig_middle(arm, elbow, out->pivot[MUS_JOINT_ELBOW_LEFT + right]);
-    rig_middle(arm, wrist, out->pivot[MUS_JOINT_WRIST_LEFT + right]);
-    rig_middle(leg, hip, out->pivot[MUS_JOINT_HIP_LEFT + right]);
-    rig_middle(leg, knee, out->pivot[MUS_JOINT_KNEE_LEFT + right]);
-    rig_middle(leg, ankle, out->pivot[MUS_JOINT_ANKLE_LEFT + right]);
+    mus__rig_middle(arm, body->bones.elbow[right], out->pivot[MUS_JOINT_ELBOW_LEFT + right]);
+    mus__rig_middle(arm, body->bones.wrist[right], out->pivot[MUS_JOINT_WRIST_LEFT + right]);
 
     /* the axis (0, -1, 0) of a hanging arm, abducted a and flexed f: (sin a, -cos a cos f, cos a sin f) */
     const double *axis = bone->arm_axis[right];
     double *rest = out->rest[MUS_JOINT_SHOULDER_LEFT + right];
-    rest[MUS_POSE_FLEXION] = atan2(axis[2], -axis[1]);
-    rest[MUS_POSE_ABDUCTION] = atan2(right ? -axis[0] : axis[0], sqrt(axis[1] * axis[1] + axis[2] * axis[2]));
+    const double down = sqrt(axis[1] * axis[1] + axis[2] * axis[2]), out_by = right ? -axis[0] : axis[0];
+
+    /* of an arm that is all but level the flexion says nothing */
+    const bool level = down < RIG_LEVEL;
+    rest[MUS_POSE_FLEXION] = level ? 0.0 : atan2(axis[2], -axis[1]);
+    rest[MUS_POSE_ABDUCTION] = atan2(out_by, level ? -axis[1] : down);
+}
+
+
+static void rig_leg(const mus_body *body, const mus__limb *leg, int32_t right, mus__rig *out)
+{
+    mus__rig_middle(leg, body->bones.hip[right], out->pivot[MUS_JOINT_HIP_LEFT + right]);
+    mus__rig_middle(leg, body->bones.knee[right], out->pivot[MUS_JOINT_KNEE_LEFT + right]);
+    mus__rig_middle(leg, body->bones.ankle[right], out->pivot[MUS_JOINT_ANKLE_LEFT + right]);
+}
+
+
+/* joints of a scanned body that move nothing, since it has no such limb: of the limb, and of what hangs on it */
+static void rig_missing(const mus_body *body, mus__rig *out)
+{
+    static const int32_t joint[MUS_LIMB_COUNT][3] = {
+        [MUS_LIMB_ARM_LEFT] = {MUS_JOINT_SHOULDER_LEFT, MUS_JOINT_ELBOW_LEFT, MUS_JOINT_WRIST_LEFT},
+        [MUS_LIMB_ARM_RIGHT] = {MUS_JOINT_SHOULDER_RIGHT, MUS_JOINT_ELBOW_RIGHT, MUS_JOINT_WRIST_RIGHT},
+        [MUS_LIMB_LEG_LEFT] = {MUS_JOINT_HIP_LEFT, MUS_JOINT_KNEE_LEFT, MUS_JOINT_ANKLE_LEFT},
+        [MUS_LIMB_LEG_RIGHT] = {MUS_JOINT_HIP_RIGHT, MUS_JOINT_KNEE_RIGHT, MUS_JOINT_ANKLE_RIGHT},
+        [MUS_LIMB_FOOT_LEFT] = {MUS_JOINT_ANKLE_LEFT, MUS_JOINT_ANKLE_LEFT, MUS_JOINT_ANKLE_LEFT},
+        [MUS_LIMB_FOOT_RIGHT] = {MUS_JOINT_ANKLE_RIGHT, MUS_JOINT_ANKLE_RIGHT, MUS_JOINT_ANKLE_RIGHT}};
+    for (int32_t l = MUS_LIMB_ARM_LEFT; l < MUS_LIMB_COUNT; l++)
+        for (int k = 0; k < 3 && rig_limb(body, l) == NULL; k++) out->missing[joint[l][k]] = true;
 }
 
 
 static void rig_parts(const mus_body *body, mus__rig *out)
 {
-    const mus__skeleton *bone = &body->skeleton;
-    rig_cut(body, MUS_LIMB_TORSO, 2, (double[]){bone->waist, bone->neck_side},
+    const mus__bones *bones = &body->bones;
+    const int32_t *limb = bones->limb;
+    rig_cut(body, limb[MUS_LIMB_TORSO], 2, (double[]){bones->lumbar, bones->neck},
             (int32_t[]){MUS_JOINT_ROOT, MUS_JOINT_LUMBAR, MUS_JOINT_NECK}, out);
-    for (int32_t r = 0; r < 2; r++)
-        rig_cut(body, MUS_LIMB_ARM_LEFT + r, body->limb[MUS_LIMB_ARM_LEFT + r].cuts,
-                (double[]){bone->elbow, bone->arm_length},
-                (int32_t[]){MUS_JOINT_SHOULDER_LEFT + r, MUS_JOINT_ELBOW_LEFT + r, MUS_JOINT_WRIST_LEFT + r}, out);
     for (int32_t r = 0; r < 2; r++) {
-        /* a leg that ends at the knee is the thigh alone */
-        const int32_t cuts = body->limb[MUS_LIMB_LEG_LEFT + r].cuts;
-        const int32_t joint[2] = {MUS_JOINT_KNEE_LEFT + r, MUS_JOINT_HIP_LEFT + r};
-        rig_cut(body, MUS_LIMB_LEG_LEFT + r, cuts, (double[]){bone->knee}, joint + 1 - cuts, out);
+        const mus__limb *arm = rig_limb(body, MUS_LIMB_ARM_LEFT + r);
+        if (arm == NULL) continue;
+
+        /* what a scanned arm has behind the shoulder joint is the chest's: its round end covers the ball of the arm */
+        const int32_t behind = body->scanned ? 0 : 1;
+        const double at[3] = {bones->shoulder[r], bones->elbow[r], bones->wrist[r]};
+        const int32_t joint[4] = {MUS_JOINT_LUMBAR, MUS_JOINT_SHOULDER_LEFT + r, MUS_JOINT_ELBOW_LEFT + r,
+                                  MUS_JOINT_WRIST_LEFT + r};
+        rig_cut(body, limb[MUS_LIMB_ARM_LEFT + r], arm->cuts, at + behind, joint + behind, out);
+    }
+    for (int32_t r = 0; r < 2; r++) {
+        const mus__limb *leg = rig_limb(body, MUS_LIMB_LEG_LEFT + r);
+        if (leg == NULL) continue;
+
+        /* what a scanned leg has above the hip is the pelvis's; one of a tape that ends at the knee is a thigh alone */
+        const int32_t first = !body->scanned && leg->cuts == 0;
+        const int32_t joint[3] = {MUS_JOINT_KNEE_LEFT + r, MUS_JOINT_HIP_LEFT + r, MUS_JOINT_ROOT};
+        rig_cut(body, limb[MUS_LIMB_LEG_LEFT + r], leg->cuts, (double[]){bones->knee[r], bones->hip[r]}, joint + first,
+                out);
     }
     for (int32_t r = 0; r < 2; r++)
-        rig_cut(body, MUS_LIMB_FOOT_LEFT + r, 0, NULL, (int32_t[]){MUS_JOINT_ANKLE_LEFT + r}, out);
+        if (rig_limb(body, MUS_LIMB_FOOT_LEFT + r) != NULL)
+            rig_cut(body, limb[MUS_LIMB_FOOT_LEFT + r], 0, NULL, (int32_t[]){MUS_JOINT_ANKLE_LEFT + r}, out);
+    if (!body->measured) return;
     for (int32_t l = MUS_LIMB_COUNT; l < body->limb_count; l++) rig_cut(body, l, 0, NULL, &body->limb[l].joint, out);
 }
 
@@ -248,15 +287,22 @@ void mus__rig_make(const mus_body *body, mus__rig *out)
         out->parent[j] = rig_joints[j].parent;
         out->parent_stand[j][0] = 1.0;
     }
-    if (!body->measured) {
+    if (!body->jointed) {
         for (int32_t l = 0; l < body->limb_count; l++) rig_cut(body, l, 0, NULL, (int32_t[]){MUS_JOINT_ROOT}, out);
+        for (int32_t j = 1; j < MUS_JOINT_COUNT; j++) out->missing[j] = body->scanned;
         return;
     }
 
-    rig_middle(&body->limb[MUS_LIMB_TORSO], body->skeleton.waist, out->pivot[MUS_JOINT_LUMBAR]);
-    rig_middle(&body->limb[MUS_LIMB_TORSO], body->skeleton.neck_side, out->pivot[MUS_JOINT_NECK]);
-    rig_side(body, 0, out);
-    rig_side(body, 1, out);
+    const mus__limb *torso = rig_limb(body, MUS_LIMB_TORSO);
+    mus__rig_middle(torso, body->bones.lumbar, out->pivot[MUS_JOINT_LUMBAR]);
+    mus__rig_middle(torso, body->bones.neck, out->pivot[MUS_JOINT_NECK]);
+    for (int32_t right = 0; right < 2; right++) {
+        const mus__limb *arm = rig_limb(body, MUS_LIMB_ARM_LEFT + right);
+        const mus__limb *leg = rig_limb(body, MUS_LIMB_LEG_LEFT + right);
+        if (arm != NULL) rig_arm(body, arm, right, out);
+        if (leg != NULL) rig_leg(body, leg, right, out);
+    }
+    rig_missing(body, out);
     for (int i = 0; i < 3; i++)
         out->pivot[MUS_JOINT_ROOT][i] =
             0.5 * (out->pivot[MUS_JOINT_HIP_LEFT][i] + out->pivot[MUS_JOINT_HIP_RIGHT][i]);
@@ -312,6 +358,11 @@ mus_status mus__rig_locals(mus_context *context, const mus__rig *rig, const mus_
         for (int k = 0; k < 3; k++)
             if (!mus__finite(pose->angle[j][k]))
                 return mus__fail(context, MUS_ERR_ARG, "mus_pose.angle of %s is not finite", mus_joint_name(j));
+        for (int k = 0; k < 3 && rig->missing[j]; k++)
+            if (pose->angle[j][k] != 0.0)
+                return mus__fail(context, MUS_ERR_BODY,
+                                 "%s is asked to turn by %.1f degrees, and the scan has no such limb: set it to 0",
+                                 mus_joint_name(j), pose->angle[j][k] * 180.0 / MUS_PI);
         rig_joint_turn(j, pose->angle[j], turn);
         rig_joint_turn(j, rig->rest[j], rest);
         memset(&out[j], 0, sizeof out[j]);

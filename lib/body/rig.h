@@ -43,6 +43,7 @@ typedef struct mus__rig {
     double pivot[MUS_JOINT_COUNT][3];  /* in the rest pose [m] */
     double rest[MUS_JOINT_COUNT][3];   /* angles of the rest pose */
     double parent_stand[MUS_JOINT_COUNT][4]; /* the parent's rotation from the anatomical pose to the rest pose */
+    bool missing[MUS_JOINT_COUNT];     /* of a scan without that limb: its angles are 0 */
     double scapula;                    /* how far a shoulder joint goes while the arm rises to 170 degrees [m] */
 } mus__rig;
 

@@ -92,6 +92,7 @@ static mus_status scan_make(mus__scan_mesh *mesh, const mus_scan_def *def, mus__
     const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0}, side[3] = {1.0, 0.0, 0.0};
     mus__slicer upright, found_by;
     mus__scan_limbs limbs = {0};
+    mus__bones bones = {.limb = {MUS_NONE}}; /* a form has no joints */
     mus_status status = mus__slicer_make(mesh, origin, up, side, 1e30, &found_by);
     if (status != MUS_OK) return status;
     status = mus__scan_find(mesh, &found_by, found);
@@ -107,9 +108,13 @@ static mus_status scan_make(mus__scan_mesh *mesh, const mus_scan_def *def, mus__
         mus_body_def surface;
         mus_body_def_init(&surface, sizeof surface);
         surface.samples = def->samples, surface.ring_spacing = def->ring_spacing;
-        status = mus_body_create_limbs(mesh->context, limbs.count, limbs.limb, &surface, out);
+        if (found->legs) mus__scan_joints(found, &limbs, &bones);
+        status = mus__body_create_jointed(mesh->context, limbs.count, limbs.limb, &bones, &surface, out);
     }
     if (status == MUS_OK) status = mus__scan_measure(*out, found, &limbs, report);
+    if (status == MUS_OK)
+        mus__body_levels(*out, report->girth_height[MUS_SCAN_BUST], report->girth_height[MUS_SCAN_WAIST],
+                         report->girth_height[MUS_SCAN_HIP]);
     if (status == MUS_OK && distances) status = mus__scan_distances(mesh, *out, found, report);
     mus__scan_limbs_free(mesh->context, &limbs);
     return status;

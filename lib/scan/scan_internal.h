@@ -9,6 +9,7 @@
 #define MUS_SCAN_SCAN_INTERNAL_H
 
 #include "base/base_internal.h"
+#include "body/bones.h"
 #include "muslin/scan.h"
 
 #define MUS_SCAN_LEVEL 0.35   /* sine of arms that are level: 20 degrees down */
@@ -136,7 +137,9 @@ mus_status mus__scan_find(const mus__scan_mesh *mesh, mus__slicer *upright, mus_
 typedef struct mus__scan_limbs {
     int32_t count;
     mus_limb limb[MUS_SCAN_LIMBS];
+    int32_t which[MUS_SCAN_LIMBS]; /* MUS_LIMB_* of body/bones.h */
     double *row[MUS_SCAN_LIMBS], *outline[MUS_SCAN_LIMBS];
+    double shoulder[2]; /* s of the shoulder joints along the arms */
     int32_t filled;
     double deepest;
 } mus__scan_limbs;
@@ -144,6 +147,11 @@ typedef struct mus__scan_limbs {
 mus_status mus__scan_cut(const mus__scan_mesh *mesh, const mus_scan_def *def, mus__slicer *upright,
                          const mus__scan_found *found, mus_scan_report *report, mus__scan_limbs *out);
 void mus__scan_limbs_free(mus_context *context, mus__scan_limbs *limbs);
+
+/* ---- scan_joint.c ---- */
+
+/* the joints of the limbs of a person with legs */
+void mus__scan_joints(const mus__scan_found *found, const mus__scan_limbs *limbs, mus__bones *out);
 
 /* ---- scan_measure.c, scan_distance.c ---- */
 

@@ -19,12 +19,11 @@
 #define LIMB_FLAT 0.03      /* parts of the spacing that the last contour is from a flat end */
 #define LIMB_CAP 0.004      /* where a limb ends within another one [m] */
 #define LIMB_LAP 0.06       /* an arm reaches so far behind its wall [m], for 1.7 m */
-#define LIMB_LEG_UP 0.03    /* a leg above the crotch, in parts of the stature */
+#define LIMB_LEG_UP 0.06    /* a leg above the crotch, in parts of the stature */
 #define LIMB_LEG_DOWN 0.030 /* and down to here, where a foot has its shape */
+#define LIMB_SHOULDER 1.1   /* the shoulder joint above the armpit, in parts of the radius of the arm there */
 #define LIMB_BARE 0.03      /* and up while it has something further out than this behind the wall */
 #define LIMB_UNDER 0.0015   /* a leg's upper end goes so far under the torso's skin [m] */
-
-enum { LIMB_TORSO, LIMB_ARM_LEFT, LIMB_ARM_RIGHT, LIMB_LEG_LEFT, LIMB_LEG_RIGHT, LIMB_FOOT_LEFT, LIMB_FOOT_RIGHT };
 
 static const char *const limb_names[MUS_SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
                                                        "leg_right", "foot_left", "foot_right"};
@@ -160,7 +159,7 @@ static mus_status limb_arm(limb_cut *cut, double s)
 static void limb_under(const limb_cut *cut, double s, int32_t corners, const double *centre, double *outline)
 {
     const mus__scan_found *found = cut->found;
-    const bool leg = cut->which == LIMB_LEG_LEFT || cut->which == LIMB_LEG_RIGHT;
+    const bool leg = cut->which == MUS_LIMB_LEG_LEFT || cut->which == MUS_LIMB_LEG_RIGHT;
     if (!leg || s <= found->crotch) return;
     const double under = LIMB_UNDER * (s - found->crotch) / (LIMB_LEG_UP * found->stature);
     for (int32_t k = 0; k < corners; k++, outline += 2) {
@@ -243,7 +242,7 @@ static mus_status limb_stack(limb_cut *cut, limb_part *part, double low, double 
     const bool bare[2] = {bare_low, bare_high};
     bool flat[2] = {false, false};
     double spacing = cut->def->spacing, place[MUS_SCAN_CONTOURS];
-    if (cut->which >= LIMB_FOOT_LEFT) spacing *= 0.6;
+    if (cut->which >= MUS_LIMB_FOOT_LEFT) spacing *= 0.6;
     spacing = fmax(spacing, (high - low) / (MUS_SCAN_CONTOURS - 10));
     limb->name = limb_names[cut->which];
     memcpy(limb->origin, cut->slicer->origin, sizeof limb->origin);
@@ -273,6 +272,7 @@ static mus_status limb_room(limb_cut *cut, int32_t which)
     mus__scan_limbs *limbs = cut->limbs;
     cut->which = which;
     cut->index = limbs->count;
+    limbs->which[cut->index] = which;
     mus_limb_init(&limbs->limb[cut->index], sizeof limbs->limb[cut->index]);
     limbs->row[cut->index] = mus__new(cut->context, 6 * MUS_SCAN_CONTOURS, sizeof(double));
     limbs->outline[cut->index] =
@@ -300,17 +300,34 @@ static mus_status limb_arm_start(limb_cut *cut, double *start)
 }
 
 
+/* the shoulder joint: above the armpit, on the arm's axis; of a level arm at the armpit's own section, of one that
+ * hangs by as much before it as the joint lies higher. Within 1 cm of where the mean bodies of GarmentCode have it by
+ * their tapes, and our own in a T-pose */
+static mus_status limb_shoulder(limb_cut *cut, double *shoulder)
+{
+    const double s = cut->arm->root + 0.1 * cut->def->spacing;
+    mus_status status = mus__slice(cut->slicer, s, limb_names[cut->which]);
+    if (status == MUS_OK) status = limb_arm(cut, s);
+    if (status != MUS_OK) return status;
+    double area = 0.0;
+    for (int32_t j = 0; j < cut->piece.loops; j++) area += cut->piece.loop[j].area;
+    *shoulder = cut->arm->root - LIMB_SHOULDER * fmax(-cut->arm->axis[1], 0.0) * sqrt(area / MUS_PI);
+    return MUS_OK;
+}
+
+
 static mus_status limb_cut_arm(limb_cut *cut, const mus__scan_mesh *mesh, int i, mus_scan_report *report)
 {
     mus__slicer along;
     double start = 0.0;
     cut->arm = &cut->found->arm[i];
-    mus_status status = limb_room(cut, LIMB_ARM_LEFT + i);
+    mus_status status = limb_room(cut, MUS_LIMB_ARM_LEFT + i);
     if (status != MUS_OK) return status;
     status = mus__slicer_make(mesh, cut->arm->origin, cut->arm->axis, cut->arm->across, cut->def->gap, &along);
     if (status != MUS_OK) return status;
     cut->slicer = &along;
     status = limb_arm_start(cut, &start);
+    if (status == MUS_OK) status = limb_shoulder(cut, &cut->limbs->shoulder[i]);
     if (status == MUS_OK) status = limb_stack(cut, limb_arm, start, cut->arm->tip, false, true);
     report->holes += along.holes;
     report->widest_hole = fmax(report->widest_hole, along.widest);
@@ -335,7 +352,7 @@ static mus_status limb_cut_feet(limb_cut *cut, const mus__scan_mesh *mesh, mus_s
             low = fmin(low, x[2]), high = fmax(high, x[2]);
         }
         cut->slicer = &ahead;
-        status = limb_room(cut, LIMB_FOOT_LEFT + i);
+        status = limb_room(cut, MUS_LIMB_FOOT_LEFT + i);
         if (status == MUS_OK) status = limb_stack(cut, limb_foot, low, high, true, true);
     }
     report->holes += ahead.holes;
@@ -349,7 +366,7 @@ static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__s
 {
     const mus__scan_found *found = cut->found;
     cut->slicer = upright;
-    mus_status status = limb_room(cut, LIMB_TORSO);
+    mus_status status = limb_room(cut, MUS_LIMB_TORSO);
     if (status == MUS_OK)
         status = limb_stack(cut, limb_torso, found->legs ? found->crotch : upright->low, upright->high, true, true);
     for (int i = 0; i < 2 && status == MUS_OK; i++)
@@ -358,7 +375,7 @@ static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__s
         const bool foot = found->foot > 0.0;
         cut->side = i == 0 ? 1.0 : -1.0;
         cut->slicer = upright;
-        status = limb_room(cut, LIMB_LEG_LEFT + i);
+        status = limb_room(cut, MUS_LIMB_LEG_LEFT + i);
         if (status != MUS_OK) break;
         status = limb_stack(cut, limb_leg, foot ? LIMB_LEG_DOWN * found->stature : upright->low,
                             found->crotch + LIMB_LEG_UP * found->stature, !foot, false);

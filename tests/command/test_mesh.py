@@ -28,12 +28,21 @@ def test_a_mesh_is_told_as_a_table_and_as_json(command, person, tmp_path):
     assert 0.060 < told["volume_m3"] < 0.070
 
 
+def test_a_mesh_sits_down(command, person, tmp_path):
+    heights = []
+    for pose in ([], ["--pose", "sit"]):
+        command("body", "--mesh", person, *pose, "--obj", tmp_path / "posed.obj")
+        rows = [line.split() for line in (tmp_path / "posed.obj").read_text().splitlines() if line.startswith("v ")]
+        heights.append(max(float(row[2]) for row in rows) - min(float(row[2]) for row in rows))
+    assert 0.7 * heights[0] < heights[1] < 0.85 * heights[0]
+
+
 def test_what_cannot_be_read_is_one_line(command, one_line, person, tmp_path):
     (tmp_path / "empty.obj").write_text("v 0 0 0\n")
     cases = [(("--mesh", tmp_path / "none.obj"), "none.obj"), (("--mesh", tmp_path / "empty.obj"), "no face"),
              (("--mesh", person, "--up", "w"), "--up w"), (("--mesh", person, "--front", "up"), "--front up"),
              (("--mesh", person, "--up", "x", "--front", "-x"), "one axis"), (("--mesh", person, "--unit", "0"), "--unit"),
-             (("--mesh", person, "--unit", "1000"), "is unit 1000 right?"), (("--mesh", person, "--pose", "sit"), "pose")]
+             (("--mesh", person, "--unit", "1000"), "is unit 1000 right?"), (("--mesh", person, "--pose", "sleep"), "sleep")]
     for arguments, word in cases:
         said = one_line(command("body", *arguments, code=2))
         assert word in said, said

@@ -6,6 +6,7 @@ below the skin, how far a node went between two frames at most, how far the garm
 a step was refused. A row holds when nothing is deeper than 2 mm, no node jumps 50 mm (at 60 frames a second, a swinging
 knee itself goes 25), the middle of the cloth has slid less than 60 mm in a walk, and every step was made. Whether the
 cloth came to rest in a pose is told, and is not part of that. --film leaves pictures and an animated .glb of a walk.
+With --mesh and --tape a scanned body takes the poses and walks.
 """
 import argparse
 import json
@@ -48,6 +49,8 @@ def main():
     parse.add_argument("--out", required=True, type=pathlib.Path)
     parse.add_argument("--garments", default="tshirt,skirt")
     parse.add_argument("--size", default="W40")
+    parse.add_argument("--mesh", help="the body is this scan, in place of that of the size; wants --tape")
+    parse.add_argument("--tape", help="the sheet that garments are drafted by, in place of the size")
     parse.add_argument("--spacing", default="10")
     parse.add_argument("--poses", help="names in place of all")
     parse.add_argument("--moves", default="walk")
@@ -60,7 +63,8 @@ def main():
     poses = own.poses.split(",") if own.poses is not None else [name for kind, name in names if kind == "pose"]
     passed = failed = 0
     for garment in own.garments.split(","):
-        what = ["--design", garment, "--size", own.size, "--spacing", own.spacing]
+        sheet = ["--tape", own.tape] if own.tape else ["--size", own.size]
+        what = ["--design", garment, *sheet, *(["--mesh", own.mesh] if own.mesh else []), "--spacing", own.spacing]
         for pose in filter(None, poses):
             holds = row(f"{garment} {pose}", False, *dress(own.command, own.out, *what, "--pose", pose), 0)
             passed, failed = passed + holds, failed + (not holds)

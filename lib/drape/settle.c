@@ -16,8 +16,8 @@
  * longer touches the body and falls is told so at once.
  *
  * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so
- * much, and forces with them. There the mean is over a time, not over a number of steps, and the step is halved when
- * the residual no longer falls.
+ * much, and forces with them. There the mean is over a time, not over a number of steps; when the residual no longer
+ * falls these nodes are made heavier, and after that the step is halved.
  */
 #include <math.h>
 #include <string.h>
@@ -33,6 +33,7 @@
 #define JAM_GROWTH 4.0
 #define JAM_MOST 256.0
 #define JAM_SECONDS 0.5      /* of falling or coming to rest first */
+#define RIPPLE_WEIGHTS 4     /* times that nodes on cloth are made heavier before the step is halved */
 #define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves, when it is */
 #define RIPPLE_FAR 10.0      /* times what is allowed */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
@@ -45,6 +46,7 @@
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
 #define DRAG_LEAST 1.0
 #define DRAG_GROWTH 1.5      /* from one check to the next at most */
+#define DRAG_FALL 0.75       /* the same where nothing is to be damped */
 #define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
 #define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
 #define REST_WAY 1e-4        /* [m]: what lies still: no node goes farther, */
@@ -74,6 +76,7 @@ typedef struct lying {
     double way, quiet; /* what moves add up to since it began to lie still [m], and for how long it does [s] */
     double best;       /* least residual since the step was halved */
     double safety;     /* of the bound, for the steps */
+    int32_t weighed;   /* times that nodes on cloth were made heavier */
     int32_t still;     /* checks with force left and nothing gained */
 } lying;
 
@@ -95,18 +98,27 @@ static void advance_mean(mus_drape *drape, int32_t steps, int32_t last, double h
 }
 
 
+/* whether other cloth gave the node force in the steps of the last mean */
+static bool touches_cloth(const mus_drape *drape, int32_t i)
+{
+    double force[3] = {0.0};
+    return mus__drape_self_force(drape, i, force) != 0;
+}
+
+
 /*
  * Drag that is critical for the slowest motion left. Between two checks the mean place moved by d and the force left
  * over changed by g: the Rayleigh quotient  w^2 = - d.g / d.M d  is a mean of the squared rates of what moved, weighted
  * by how far it moved, so slow motion rules it; critical drag is 2 w. It grows slowly: quick ripples after a change of
- * cut must not freeze the folds.
+ * cut must not freeze the folds. Nodes that touch cloth are left out: contact is stiffer than all that is to be damped.
+ * Where what moved went with its force (a fold that snaps over), nothing is to be damped yet.
  */
 static double critical_drag(const mus_drape *drape, double now)
 {
     double work = 0.0, moved = 0.0;
     for (int32_t i = 0; i < drape->n; i++) {
-        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         double dd = 0.0;
+        if (drape->mass[i] <= 0.0 || drape->pinned[i] || touches_cloth(drape, i)) continue;
         for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++) {
             const double d = drape->mean[k] - drape->before[k];
             work -= d * (drape->force[k] - drape->left[k]);
@@ -114,7 +126,8 @@ static double critical_drag(const mus_drape *drape, double now)
         }
         moved += drape->mass[i] * dd;
     }
-    if (!(moved > 0.0) || !(work > 0.0)) return now;
+    if (!(moved > 0.0)) return now;
+    if (!(work > 0.0)) return fmax(DRAG_FALL * now, DRAG_LEAST);
     return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), DRAG_GROWTH * now);
 }
 
@@ -206,16 +219,17 @@ static bool on_cloth(const mus_drape *drape)
 
 
 /*
- * Nodes that feel many times their weight, whatever contact does, are wedged: between surfaces without room for the
- * cloth. Their inertia is raised, check by check, so that they come to lie still; rest does not depend on inertia.
+ * Nodes that feel more than `least` times their weight, whatever contact does, get more inertia, those that touch cloth
+ * or all: rest does not depend on inertia. It is for nodes that surfaces without room wedge, so that they come to lie
+ * still, and for ripples of cloth on cloth, which go with h^2 F/m: the step stays what it is for all others.
  */
-static void weigh_down(mus_drape *drape)
+static void weigh_down(mus_drape *drape, double least, bool touching)
 {
     const double *gravity = drape->def.gravity, g = mus__norm3(gravity);
     for (int32_t i = 0; i < drape->n; i++) {
         const double felt = drape->mass[i] * (g > 0.0 ? g : 9.81);
-        if (drape->mass[i] <= 0.0 || !(mus__norm3(drape->force + 3 * (int64_t)i) > JAM_FORCE * felt)) continue;
-        drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
+        if (drape->mass[i] <= 0.0 || !(mus__norm3(drape->force + 3 * (int64_t)i) > least * felt)) continue;
+        if (!touching || touches_cloth(drape, i)) drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
     }
 }
 
@@ -227,7 +241,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     drape->residual = mus__drape_residual(drape, drape->mean, &unheld);
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
     now->stray = stray(drape);
-    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape);
+    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape, JAM_FORCE, false);
     const double last = now->move;
     now->move = take_move(drape);
     now->drift = now->move / seconds;
@@ -242,14 +256,17 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
 
-    /* force that a smaller step may take away */
+    /* force that more inertia where cloth lies on cloth, then a smaller step may take away */
     const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
     const bool gains = residual < STALE_PART * now->best;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
+    const bool weigh = ripples && now->weighed < RIPPLE_WEIGHTS;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
-    if (now->still < STILL_CHECKS || !(now->safety > least)) return;
-    now->safety *= 0.5;
+    if (now->still < STILL_CHECKS || !(weigh || now->safety > least)) return;
+    if (weigh) weigh_down(drape, goal->residual, true);
+    else now->safety *= 0.5;
+    now->weighed += weigh;
     now->still = 0;
     now->best = residual;
 }

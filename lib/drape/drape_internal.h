@@ -69,6 +69,7 @@ struct mus_drape {
     double *before;     /* (n x 3) mean place at the check before */
     void *skin;         /* (n x 8) what nodes know of the skin near them */
     double *left;       /* (n x 3) force left over at the check before */
+    double *anchor;     /* (n x 3) mean place where it began to lie still */
     double *jam;        /* (n) times the inertia, where surfaces wedge a node; in use while `jammed` */
     int32_t jammed;
 

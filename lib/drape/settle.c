@@ -30,6 +30,7 @@
 #define MEAN_SECONDS 0.05    /* the same where cloth lies on cloth */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
 #define JAM_FORCE 10.0       /* weights left of a node that is wedged */
+#define SKIN_NEAR 2.0        /* clearances */
 #define JAM_GROWTH 4.0
 #define JAM_MOST 256.0
 #define JAM_SECONDS 0.5      /* of falling or coming to rest first */
@@ -46,7 +47,7 @@
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
 #define DRAG_LEAST 1.0
 #define DRAG_GROWTH 1.5      /* from one check to the next at most */
-#define DRAG_FALL 0.75       /* the same where nothing is to be damped */
+#define DRAG_FALL 0.75       /* the same where nothing is to be damped, down to that of a fall */
 #define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
 #define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
 #define REST_WAY 1e-4        /* [m]: what lies still: no node goes farther, */
@@ -73,7 +74,7 @@ typedef struct lying {
     double move;       /* farthest that a mean place went since the check before [m] */
     double drift;      /* that over its time [m/s] */
     double stray;      /* farthest that a node is from its mean place [m] */
-    double way, quiet; /* what moves add up to since it began to lie still [m], and for how long it does [s] */
+    double way, quiet; /* farthest that a mean place is from where it began to lie still [m], and how long ago [s] */
     double best;       /* least residual since the step was halved */
     double safety;     /* of the bound, for the steps */
     int32_t weighed;   /* times that nodes on cloth were made heavier */
@@ -98,6 +99,13 @@ static void advance_mean(mus_drape *drape, int32_t steps, int32_t last, double h
 }
 
 
+/* cloth lies on cloth */
+static bool on_cloth(const mus_drape *drape)
+{
+    return drape->self != NULL && drape->self->close > 0;
+}
+
+
 /* whether other cloth gave the node force in the steps of the last mean */
 static bool touches_cloth(const mus_drape *drape, int32_t i)
 {
@@ -111,7 +119,8 @@ static bool touches_cloth(const mus_drape *drape, int32_t i)
  * over changed by g: the Rayleigh quotient  w^2 = - d.g / d.M d  is a mean of the squared rates of what moved, weighted
  * by how far it moved, so slow motion rules it; critical drag is 2 w. It grows slowly: quick ripples after a change of
  * cut must not freeze the folds. Nodes that touch cloth are left out: contact is stiffer than all that is to be damped.
- * Where what moved went with its force (a fold that snaps over), nothing is to be damped yet.
+ * Where cloth lies on cloth, the drag is no more than at the start: its ripples look like quick motion. Where what
+ * moved went with its force (a fold that snaps over), there is nothing to measure: drag falls towards that of a fall.
  */
 static double critical_drag(const mus_drape *drape, double now)
 {
@@ -127,38 +136,32 @@ static double critical_drag(const mus_drape *drape, double now)
         moved += drape->mass[i] * dd;
     }
     if (!(moved > 0.0)) return now;
-    if (!(work > 0.0)) return fmax(DRAG_FALL * now, DRAG_LEAST);
-    return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), DRAG_GROWTH * now);
+    if (!(work > 0.0)) return fmax(DRAG_FALL * now, fmin(now, FALL_DRAG));
+    const double most = on_cloth(drape) ? fmin(DRAG_GROWTH * now, START_DRAG) : DRAG_GROWTH * now;
+    return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), most);
 }
 
 
-/* largest distance between the mean places of this check and the last, which becomes this one's */
-static double take_move(mus_drape *drape)
+/* largest distance between two places of a node [m] */
+static double farthest(const mus_drape *drape, const double *a, const double *b)
 {
     double most2 = 0.0;
     for (int32_t i = 0; i < drape->n; i++) {
-        const double *now = drape->mean + 3 * (int64_t)i, *then = drape->before + 3 * (int64_t)i;
-        const double d[3] = {now[0] - then[0], now[1] - then[1], now[2] - then[2]};
-        const double move2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        if (drape->mass[i] > 0.0 && move2 > most2) most2 = move2;
-    }
-    memcpy(drape->before, drape->mean, 3 * (size_t)drape->n * sizeof *drape->before);
-    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
-    return sqrt(most2);
-}
-
-
-/* farthest that a node is from its mean place */
-static double stray(const mus_drape *drape)
-{
-    double most2 = 0.0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        const double *now = drape->x + 3 * (int64_t)i, *mean = drape->mean + 3 * (int64_t)i;
-        const double d[3] = {now[0] - mean[0], now[1] - mean[1], now[2] - mean[2]};
-        const double far2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        double far2 = 0.0;
+        for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++) far2 += (a[k] - b[k]) * (a[k] - b[k]);
         if (drape->mass[i] > 0.0 && far2 > most2) most2 = far2;
     }
     return sqrt(most2);
+}
+
+
+/* how far the mean places went since the last check; this one's become the last */
+static double take_move(mus_drape *drape)
+{
+    const double move = farthest(drape, drape->mean, drape->before);
+    memcpy(drape->before, drape->mean, 3 * (size_t)drape->n * sizeof *drape->before);
+    memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
+    return move;
 }
 
 
@@ -174,11 +177,12 @@ mus_status mus__drape_scratch(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->mean != NULL) return MUS_OK;
-    drape->mean = mus__new(drape->context, 3 * n3 + drape->n, sizeof *drape->mean);
+    drape->mean = mus__new(drape->context, 4 * n3 + drape->n, sizeof *drape->mean);
     if (drape->mean == NULL) return mus__fail_memory(drape->context, "a sewing or a settle");
     drape->before = drape->mean + n3;
     drape->left = drape->before + n3;
-    drape->jam = drape->left + n3;
+    drape->anchor = drape->left + n3;
+    drape->jam = drape->anchor + n3;
     return MUS_OK;
 }
 
@@ -186,7 +190,7 @@ mus_status mus__drape_scratch(mus_drape *drape)
 void mus__drape_scratch_free(mus_drape *drape)
 {
     mus__free(drape->context, drape->mean);
-    drape->mean = drape->before = drape->left = drape->jam = NULL;
+    drape->mean = drape->before = drape->left = drape->anchor = drape->jam = NULL;
 }
 
 
@@ -211,25 +215,30 @@ static double rounding_residual(const mus_drape *drape)
 }
 
 
-/* cloth lies on cloth */
-static bool on_cloth(const mus_drape *drape)
+/* whether the node touches other cloth or is at the skin */
+static bool touches(const mus_drape *drape, int32_t i)
 {
-    return drape->self != NULL && drape->self->close > 0;
+    if (touches_cloth(drape, i)) return true;
+    if (drape->collider == NULL) return false;
+    const double near = SKIN_NEAR * drape->def.clearance;
+    return mus__collider_depth(drape->collider, drape->mean + 3 * (int64_t)i, near, NULL) > -near;
 }
 
 
 /*
- * Nodes that feel more than `least` times their weight, whatever contact does, get more inertia, those that touch cloth
- * or all: rest does not depend on inertia. It is for nodes that surfaces without room wedge, so that they come to lie
- * still, and for ripples of cloth on cloth, which go with h^2 F/m: the step stays what it is for all others.
+ * Nodes that feel more than `least` times their weight get more inertia: rest does not depend on inertia. It is for
+ * nodes that surfaces without room wedge, so that they come to lie still, and for ripples of cloth on cloth, which go
+ * with h^2 F/m: the step stays what it is for all others. What touches nothing any more gets back what it had.
  */
-static void weigh_down(mus_drape *drape, double least, bool touching)
+static void weigh_down(mus_drape *drape, double least)
 {
     const double *gravity = drape->def.gravity, g = mus__norm3(gravity);
     for (int32_t i = 0; i < drape->n; i++) {
         const double felt = drape->mass[i] * (g > 0.0 ? g : 9.81);
-        if (drape->mass[i] <= 0.0 || !(mus__norm3(drape->force + 3 * (int64_t)i) > least * felt)) continue;
-        if (!touching || touches_cloth(drape, i)) drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
+        const bool feels = mus__norm3(drape->force + 3 * (int64_t)i) > least * felt;
+        if (drape->mass[i] <= 0.0 || !(feels || drape->jam[i] > 1.0)) continue;
+        if (!touches(drape, i)) drape->jam[i] = fmax(drape->jam[i] / JAM_GROWTH, 1.0);
+        else if (feels) drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
     }
 }
 
@@ -240,17 +249,20 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     double unheld;
     drape->residual = mus__drape_residual(drape, drape->mean, &unheld);
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
-    now->stray = stray(drape);
-    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape, JAM_FORCE, false);
+    now->stray = farthest(drape, drape->x, drape->mean);
+    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape, JAM_FORCE);
     const double last = now->move;
     now->move = take_move(drape);
     now->drift = now->move / seconds;
     drape->distance = expected_distance(now->move, last);
 
     /* for how long it has lain still */
-    const bool lies = now->way + now->move <= REST_WAY && now->stray <= REST_WAY;
-    now->way = lies ? now->way + now->move : 0.0;
-    now->quiet = lies ? now->quiet + seconds : 0.0;
+    now->way = farthest(drape, drape->mean, drape->anchor);
+    now->quiet += seconds;
+    if (!(now->way <= REST_WAY && now->stray <= REST_WAY)) {
+        memcpy(drape->anchor, drape->mean, 3 * (size_t)drape->n * sizeof *drape->anchor);
+        now->quiet = 0.0;
+    }
     const double residual = drape->residual, rounding = rounding_residual(drape);
     drape->settled = (residual <= goal->residual && now->drift <= goal->drift) ||
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
@@ -264,7 +276,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     const bool weigh = ripples && now->weighed < RIPPLE_WEIGHTS;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
     if (now->still < STILL_CHECKS || !(weigh || now->safety > least)) return;
-    if (weigh) weigh_down(drape, goal->residual, true);
+    if (weigh) weigh_down(drape, goal->residual);
     else now->safety *= 0.5;
     now->weighed += weigh;
     now->still = 0;
@@ -283,6 +295,7 @@ static lying lie_down(mus_drape *drape, double fall)
     drape->jammed = 1;
     for (int32_t i = 0; i < drape->n; i++) drape->jam[i] = 1.0;
     memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
+    memcpy(drape->anchor, drape->x, 3 * (size_t)drape->n * sizeof *drape->anchor);
     drape->residual = mus__drape_residual(drape, drape->x, NULL);
     memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
     return (lying){.drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = drape->residual};

@@ -179,12 +179,12 @@ static mus_status fail_open(mus_drape *drape)
 }
 
 
-/* on the finest cut, cloth near the last pairs may go through cloth: it is what holds them apart */
+/* cloth near the last pairs may go through cloth: it is what holds them apart; untangling has the rest */
 static void let_pass(mus_drape *drape)
 {
     mus__cloth_self *self = drape->self;
     const double reach = PASS_REACH * drape->cloth->spacing;
-    if (self == NULL || drape->parent != NULL) return;
+    if (self == NULL) return;
     memset(self->pass, 0, (size_t)drape->n);
     for (int32_t p = 0; p < drape->plan.npair; p++) {
         const mus__pair *pair = &drape->plan.pair[p];

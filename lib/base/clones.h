@@ -41,4 +41,11 @@
 #define MUS_UNROLL
 #endif
 
+/* the loop below stays one: it becomes a vector where writing it out would make numbers of it */
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 8)
+#define MUS_ROLLED _Pragma("GCC unroll 1")
+#else
+#define MUS_ROLLED
+#endif
+
 #endif

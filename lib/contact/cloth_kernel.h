@@ -18,6 +18,7 @@
 #define SELF_WIDER 2.0     /* times as long as the last balls lasted they are to last */
 #define SELF_LEAST_STEPS 2.0 /* that balls are to hold for, or nothing drifts */
 #define SELF_PART 0.5      /* of its room a pair leaves to drifts that differ */
+#define SELF_TURNED 1e-5   /* [m]: rounding may be off by so much in the way from one thing to another */
 #define SELF_IDLE 0.99     /* of the squared way that leaves a pair apart: less than that is not asked */
 #define SELF_BEARS 0.05    /* a node with less of a share in a pair does not bear on it */
 #define SELF_AGAINST 0.5   /* cosine of what holds a node and what pushes it */
@@ -62,6 +63,27 @@ static inline int32_t MUS_FIELD(self_loose)(const mus__cloth_self *self, const i
 }
 
 
+/*
+ * Half of how fast [m/s] drifts may close the gap of pair k, whose nodes are at p and apart: of two convex things that
+ * move straight, no faster than along the direction that parts them now. Rounding may have turned that a little, by
+ * which drifts that differ count too.
+ */
+static inline MUS_REAL MUS_FIELD(self_closing)(const mus__cloth_self *self, int32_t k, MUS_REAL p[4][3],
+                                               const MUS_REAL *share, MUS_REAL apart)
+{
+    const int32_t *node = self->pair[k].node;
+    const MUS_REAL spread = MUS_FIELD(self_spread)(self, node), turn = (MUS_REAL)SELF_TURNED / apart;
+    MUS_REAL w[4][3], way[3];
+    if (!(turn < 1) || !(spread > 0)) return spread;
+    MUS_FIELD(self_take)(self->drift, self->n, node, w);
+    for (int32_t d = 0; d < 3; d++)
+        way[d] = share[0] * p[0][d] + share[1] * p[1][d] + share[2] * p[2][d] + share[3] * p[3][d];
+    const MUS_REAL rate = -MUS_FIELD(self_along)(k >= self->nnode_pair, w, way) / apart;
+    const MUS_REAL half = (MUS_REAL)0.5 * (rate > 0 ? rate : 0) + turn * spread;
+    return half < spread ? half : spread;
+}
+
+
 /* balls of the nodes by the distances of the pairs, and which pairs answer from now on. Returns how long the balls hold
  * [s], `most` or less: as long as drifts that differ take no more than a part of a pair's room */
 static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, MUS_REAL most)
@@ -85,7 +107,8 @@ static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, 
         if (apart < (MUS_REAL)SELF_ACTIVE * t) self->touch[self->ntouch++] = k;
         else room = (MUS_REAL)SELF_APPROACH * (apart - t);
         if (self->drifts) {
-            const MUS_REAL spread = MUS_FIELD(self_spread)(self, node), part = (MUS_REAL)SELF_PART * room;
+            const MUS_REAL spread = MUS_FIELD(self_closing)(self, k, p, share, apart);
+            const MUS_REAL part = (MUS_REAL)SELF_PART * room;
             if (most * spread > part) most = part / spread;
             room -= most * spread;
             idle -= most * spread;

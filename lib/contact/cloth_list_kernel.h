@@ -2,10 +2,10 @@
  * cloth_list_kernel.h: distances of the things of a cloth, and the list of the pairs that are near: the first part of
  * cloth_kernel.h, with its macros.
  *
- * A node's drift is its mean velocity since the last list. Two things that drift apart or together by at most `spread`
- * from one between them, whose nodes go no farther than the skin from their drifting homes, stay farther apart than
- * the thickness for `span` seconds when they are thickness + 2 (skin + span spread) apart at its beginning: those that
- * are nearer are in the list. Boxes in the grid hold their triangles for all that time.
+ * A node's drift is its mean velocity since the last list, or since balls were last taken when it was listed anew. Two
+ * things whose nodes go no farther than the skin from their drifting homes stay farther apart than the thickness as
+ * long as those of their homes stay thickness + 2 skins apart, which move straight until the list's end: those that do
+ * not are in the list. What falls, turns or swings by makes no pairs of neighbours that go along.
  */
 
 #define SELF_FLAT_PART 0.5 /* of the distance in the flat: flat cloth does not touch itself */
@@ -15,8 +15,8 @@
 #define SELF_LONGER 2.0    /* times as old as the last list became this one may become */
 #define SELF_WIDEN 2.0     /* a skin that was halved for want of room grows so much when there is four times the room */
 #define SELF_ROUND 4e-7    /* of a coordinate: what differences of floats may be off by */
-#define SELF_FRESH 0.5     /* of the skin: what has less left is listed anew with what is worn */
-#define SELF_SOME 0.15     /* of the nodes: when more are, all are */
+#define SELF_FRESH 0.7  /* of the skin: what has less left is listed anew with what is worn */
+#define SELF_SOME 0.15
 #define SELF_REACH_MOST 16 /* halvings of the skin until the pairs fit */
 
 
@@ -127,9 +127,10 @@ static inline MUS_REAL MUS_FIELD(self_spread)(const mus__cloth_self *self, const
 
 typedef struct MUS_FIELD(self_search) {
     mus__cloth_self *self;
-    MUS_REAL reach, span; /* of pairs that go along; how much longer they drift apart */
-    int32_t some;         /* nonzero: only pairs with a node that is worn */
-    int32_t first, last;  /* of the list: filled from both ends */
+    MUS_REAL reach;
+    int32_t first, last; /* of the list: filled from both ends */
+    int32_t waiting;     /* pairs of edges that are looked at together */
+    int32_t node[4 * MUS_TREE_LANES];
 } MUS_FIELD(self_search);
 
 
@@ -184,66 +185,156 @@ static float MUS_FIELD(self_thickness)(const mus__cloth_self *self, int32_t edge
 }
 
 
-/* the pair, if it has no node twice and is near enough */
-static inline void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t edges, int32_t a, int32_t b, int32_t c,
-                                       int32_t e)
+/* the way from the second thing of a pair to its first, at their nearest, of nodes at p with these shares */
+static inline void MUS_FIELD(self_way)(int32_t edges, MUS_REAL p[4][3], const MUS_REAL *share, MUS_REAL *way)
+{
+    for (int32_t d = 0; d < 3; d++)
+        way[d] = edges ? p[0][d] - p[2][d] + share[0] * (p[1][d] - p[0][d]) - share[1] * (p[3][d] - p[2][d])
+                       : p[0][d] - share[0] * p[1][d] - share[1] * p[2][d] - share[2] * p[3][d];
+}
+
+
+/* how far the things of a pair are apart along a way, times its length */
+static inline MUS_REAL MUS_FIELD(self_along)(int32_t edges, MUS_REAL p[4][3], const MUS_REAL *way)
+{
+    const MUS_REAL a = MUS_FIELD(dot)(p[0], way), b = MUS_FIELD(dot)(p[1], way), c = MUS_FIELD(dot)(p[2], way);
+    const MUS_REAL e = MUS_FIELD(dot)(p[3], way), two = c > e ? c : e;
+    return edges ? (a < b ? a : b) - two : a - (b > two ? b : two);
+}
+
+
+/*
+ * Nonzero when the things of a pair stay farther apart than the reach all the way from p to q. Along a fixed direction
+ * the least of straight movements less the greatest of others is concave in time: not less between two times than at
+ * both. Asked of the directions that part them now and at the end.
+ */
+static int32_t MUS_FIELD(self_passes)(MUS_REAL reach2, int32_t edges, MUS_REAL p[4][3], MUS_REAL q[4][3])
+{
+    MUS_REAL way[3], share[3];
+    for (int32_t k = 0; k < 2; k++) {
+        MUS_REAL(*at)[3] = k ? q : p;
+        const MUS_REAL d2 = edges ? MUS_FIELD(self_edges)(at[0], at[1], at[2], at[3], share)
+                                  : MUS_FIELD(self_triangle)(at[0], at[1], at[2], at[3], share);
+        if (!(d2 > reach2)) return 0;
+        MUS_FIELD(self_way)(edges, at, share, way);
+        const MUS_REAL now = MUS_FIELD(self_along)(edges, p, way), then = MUS_FIELD(self_along)(edges, q, way);
+        const MUS_REAL least = now < then ? now : then;
+        if (least > 0 && least * least > reach2 * MUS_FIELD(dot)(way, way)) return 1;
+    }
+    return 0;
+}
+
+
+/* the pair, if it comes near enough */
+static inline void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t edges, const int32_t *node)
 {
     mus__cloth_self *self = search->self;
-    const int32_t *of = self->class_of, node[4] = {a, b, c, e};
-    const uint8_t *worn = self->worn;
-    if (of[a] == of[c] || of[a] == of[e] || (edges ? of[b] == of[c] || of[b] == of[e] : of[a] == of[b])) return;
-    if (search->some && !worn[a] && !worn[b] && !worn[c] && !worn[e]) return;
-    MUS_REAL p[4][3], share[3], reach = search->reach;
-    for (int32_t i = 0; i < 4; i++) memcpy(p[i], (const MUS_REAL *)self->at + 8 * (int64_t)node[i], sizeof p[i]);
-    if (search->span > 0) reach += 2 * search->span * MUS_FIELD(self_spread)(self, node);
-    const MUS_REAL d2 = edges ? MUS_FIELD(self_edges)(p[0], p[1], p[2], p[3], share)
-                              : MUS_FIELD(self_triangle)(p[0], p[1], p[2], p[3], share);
-    if (d2 > reach * reach) return;
+    MUS_REAL p[4][3], q[4][3];
+    for (int32_t i = 0; i < 4; i++) {
+        const MUS_REAL *at = (const MUS_REAL *)self->at + 8 * (int64_t)node[i];
+        memcpy(p[i], at, sizeof p[i]);
+        memcpy(q[i], at + 4, sizeof q[i]);
+    }
+    if (MUS_FIELD(self_passes)(search->reach * search->reach, edges, p, q)) return;
     if (search->first >= search->last) {
         self->full = 1;
         return;
     }
-    const mus__cloth_near pair = {{a, b, c, e}, MUS_FIELD(self_thickness)(self, edges, node), 0, 0};
+    const mus__cloth_near pair = {{node[0], node[1], node[2], node[3]}, MUS_FIELD(self_thickness)(self, edges, node), 0,
+                                  0};
     self->pair[edges ? --search->last : search->first++] = pair;
 }
 
 
-/* bits of those corners (0..2) and edges (3..5) of `own` that come within reach of a box */
-static inline int32_t MUS_FIELD(self_reaches)(const MUS_FIELD(self_search) * search, int32_t own, const int32_t *corner,
-                                              const float *box)
+/* corner number a and the triangles of a block; edge number a and the edges of a block */
+static void MUS_FIELD(self_faces)(void *user, int32_t a, int32_t b, uint32_t mask)
 {
-    const MUS_REAL reach = search->reach;
-    int32_t out[3], in = 0;
-    for (int32_t k = 0; k < 3; k++) {
-        const MUS_REAL *now = (const MUS_REAL *)search->self->at + 8 * (int64_t)corner[k], *then = now + 4;
-        out[k] = 0;
-        for (int32_t d = 0; d < 3; d++) {
-            const MUS_REAL low = box[d] - reach, high = box[3 + d] + reach;
-            out[k] |= ((now[d] < low) & (then[d] < low)) << d | ((now[d] > high) & (then[d] > high)) << (3 + d);
-        }
+    MUS_FIELD(self_search) *search = user;
+    const int32_t *face = search->self->faces.node + 3 * MUS_TREE_LANES * (int64_t)b;
+    int32_t node[4] = {search->self->corners.node[a]};
+    for (; mask != 0; mask &= mask - 1) {
+        const int32_t k = mus__cloth_tree_lowest(mask);
+        for (int32_t i = 0; i < 3; i++) node[1 + i] = face[i * MUS_TREE_LANES + k];
+        MUS_FIELD(self_add)(search, 0, node);
     }
-    for (int32_t k = 0; k < 3; k++) in |= (out[k] == 0) << k | ((out[k] & out[(k + 1) % 3]) == 0) << (3 + k);
-    return own & in;
 }
 
 
-/* what two triangles answer for */
-static void MUS_FIELD(self_meet)(void *user, int32_t a, int32_t b)
+/*
+ * As self_passes() of the edges' nearest places at p, of MUS_TREE_LANES pairs at once: x, y, z of the four nodes plane
+ * by plane, now and at the end. near[i]: 0 when they pass
+ */
+MUS_CLONES
+static void MUS_FIELD(self_part)(const MUS_REAL *restrict p, const MUS_REAL *restrict q, MUS_REAL reach2,
+                                 int32_t *restrict near)
+{
+    enum { N = MUS_TREE_LANES };
+    MUS_ROLLED
+    for (int32_t i = 0; i < N; i++) {
+        const MUS_REAL u0 = p[3 * N + i] - p[i], u1 = p[4 * N + i] - p[N + i], u2 = p[5 * N + i] - p[2 * N + i];
+        const MUS_REAL v0 = p[9 * N + i] - p[6 * N + i], v1 = p[10 * N + i] - p[7 * N + i];
+        const MUS_REAL v2 = p[11 * N + i] - p[8 * N + i], r0 = p[i] - p[6 * N + i], r1 = p[N + i] - p[7 * N + i];
+        const MUS_REAL r2 = p[2 * N + i] - p[8 * N + i];
+        const MUS_REAL uu = u0 * u0 + u1 * u1 + u2 * u2, vv = v0 * v0 + v1 * v1 + v2 * v2;
+        const MUS_REAL uv = u0 * v0 + u1 * v1 + u2 * v2, ur = u0 * r0 + u1 * r1 + u2 * r2;
+        const MUS_REAL vr = v0 * r0 + v1 * r1 + v2 * r2, turn = uu * vv - uv * uv;
+
+        /* shares as in self_edges() */
+        MUS_REAL s = (uv * vr - ur * vv) / (turn > 0 ? turn : 1);
+        s = s > 0 ? s : 0, s = s < 1 ? s : 1;
+        MUS_REAL t = (uv * s + vr) / (vv > 0 ? vv : 1);
+        t = t > 0 ? t : 0, t = t < 1 ? t : 1;
+        s = (uv * t - ur) / (uu > 0 ? uu : 1);
+        s = s > 0 ? s : 0, s = s < 1 ? s : 1;
+        const MUS_REAL w0 = r0 + s * u0 - t * v0, w1 = r1 + s * u1 - t * v1, w2 = r2 + s * u2 - t * v2;
+        const MUS_REAL far2 = w0 * w0 + w1 * w1 + w2 * w2;
+
+        /* the least of the first less the greatest of the second along that way, now and at the end */
+        const MUS_REAL ru = r0 * w0 + r1 * w1 + r2 * w2, uw = u0 * w0 + u1 * w1 + u2 * w2;
+        const MUS_REAL vw = v0 * w0 + v1 * w1 + v2 * w2;
+        const MUS_REAL now = ru + (uw < 0 ? uw : 0) - (vw > 0 ? vw : 0);
+        const MUS_REAL a = q[i] * w0 + q[N + i] * w1 + q[2 * N + i] * w2;
+        const MUS_REAL b = q[3 * N + i] * w0 + q[4 * N + i] * w1 + q[5 * N + i] * w2;
+        const MUS_REAL c = q[6 * N + i] * w0 + q[7 * N + i] * w1 + q[8 * N + i] * w2;
+        const MUS_REAL e = q[9 * N + i] * w0 + q[10 * N + i] * w1 + q[11 * N + i] * w2;
+        const MUS_REAL then = (a < b ? a : b) - (c > e ? c : e), least = now < then ? now : then;
+        near[i] = (least > 0) & (least * least > reach2 * far2) ? 0 : 1;
+    }
+}
+
+
+/* the pairs that wait: most pass, which is seen together */
+static void MUS_FIELD(self_sift)(MUS_FIELD(self_search) * search)
+{
+    enum { N = MUS_TREE_LANES };
+    const MUS_REAL *at = search->self->at;
+    MUS_REAL p[12 * N] = {0}, q[12 * N] = {0};
+    int32_t near[N];
+    for (int32_t i = 0; i < search->waiting; i++)
+        for (int32_t k = 0; k < 4; k++)
+            for (int32_t d = 0; d < 3; d++) {
+                p[(3 * k + d) * N + i] = at[8 * (int64_t)search->node[4 * i + k] + d];
+                q[(3 * k + d) * N + i] = at[8 * (int64_t)search->node[4 * i + k] + 4 + d];
+            }
+    MUS_FIELD(self_part)(p, q, search->reach * search->reach, near);
+    for (int32_t i = 0; i < search->waiting; i++)
+        if (near[i]) MUS_FIELD(self_add)(search, 1, search->node + 4 * i);
+    search->waiting = 0;
+}
+
+
+static void MUS_FIELD(self_crosses)(void *user, int32_t a, int32_t b, uint32_t mask)
 {
     MUS_FIELD(self_search) *search = user;
-    const mus__cloth_self *self = search->self;
-    const int32_t *s = self->triangle + 3 * (int64_t)a, *t = self->triangle + 3 * (int64_t)b;
-    const int32_t of = MUS_FIELD(self_reaches)(search, self->own[a], s, self->grid.box + 6 * (int64_t)b);
-    const int32_t other = MUS_FIELD(self_reaches)(search, self->own[b], t, self->grid.box + 6 * (int64_t)a);
-    for (int32_t k = 0; k < 3; k++) {
-        if (of >> k & 1) MUS_FIELD(self_add)(search, 0, s[k], t[0], t[1], t[2]);
-        if (other >> k & 1) MUS_FIELD(self_add)(search, 0, t[k], s[0], s[1], s[2]);
+    const int32_t *edge = search->self->edges.node, *own = edge + a / MUS_TREE_LANES * 2 * (int64_t)MUS_TREE_LANES;
+    const int32_t *other = edge + 2 * MUS_TREE_LANES * (int64_t)b, lane = a % MUS_TREE_LANES;
+    for (; mask != 0; mask &= mask - 1) {
+        const int32_t k = mus__cloth_tree_lowest(mask);
+        int32_t *node = search->node + 4 * search->waiting++;
+        node[0] = own[lane], node[1] = own[MUS_TREE_LANES + lane];
+        node[2] = other[k], node[3] = other[MUS_TREE_LANES + k];
+        if (search->waiting == MUS_TREE_LANES) MUS_FIELD(self_sift)(search);
     }
-    if (of < 8 || other < 8) return;
-    for (int32_t k = 0; k < 3; k++)
-        for (int32_t l = 0; l < 3; l++)
-            if ((of >> (3 + k) & 1) && (other >> (3 + l) & 1))
-                MUS_FIELD(self_add)(search, 1, s[k], s[(k + 1) % 3], t[l], t[(l + 1) % 3]);
 }
 
 
@@ -292,29 +383,47 @@ static MUS_REAL MUS_FIELD(self_drift)(mus__cloth_self *self, const MUS_REAL *x)
 }
 
 
-/* boxes of the triangles for all that time; the largest coordinate */
-static MUS_REAL MUS_FIELD(self_boxes)(mus__cloth_self *self)
+/* boxes of the things of a tree, now and at the end */
+static void MUS_FIELD(self_box)(const mus__cloth_self *self, mus__cloth_tree *tree)
 {
-    float *box = self->grid.box;
-    const MUS_REAL *at = self->at;
-    MUS_REAL far = 0;
-    for (int64_t t = 0; t < self->ntriangle; t++) {
-        const int32_t *corner = self->triangle + 3 * t;
-        for (int64_t d = 0; d < 3; d++) {
-            MUS_REAL low = at[8 * (int64_t)corner[0] + d], high = low;
-            for (int32_t k = 0; k < 3; k++) {
-                const MUS_REAL now = at[8 * (int64_t)corner[k] + d], then = at[8 * (int64_t)corner[k] + 4 + d];
-                const MUS_REAL less = now < then ? now : then, more = now < then ? then : now;
-                low = less < low ? less : low;
-                high = more > high ? more : high;
+    const int32_t each = tree->each;
+    for (int64_t t = 0; t < tree->count; t++) {
+        const int64_t block = t / MUS_TREE_LANES, lane = t % MUS_TREE_LANES;
+        const int32_t *node = tree->node + block * each * MUS_TREE_LANES + lane;
+        float *box = tree->box + block * MUS_TREE_PLANES * MUS_TREE_LANES + lane;
+        for (int32_t time = 0; time < 2; time++)
+            for (int32_t d = 0; d < 3; d++) {
+                const MUS_REAL *at = (const MUS_REAL *)self->at + 4 * time + d;
+                MUS_REAL low = at[8 * (int64_t)node[0]], high = low;
+                for (int32_t k = 1; k < each; k++) {
+                    const MUS_REAL x = at[8 * (int64_t)node[k * MUS_TREE_LANES]];
+                    low = x < low ? x : low;
+                    high = x > high ? x : high;
+                }
+                box[(6 * time + d) * MUS_TREE_LANES] = (float)low;
+                box[(6 * time + 3 + d) * MUS_TREE_LANES] = (float)high;
             }
-            if (-low > far) far = -low;
-            if (high > far) far = high;
-            box[6 * t + d] = (float)low;
-            box[6 * t + 3 + d] = (float)high;
-        }
     }
-    return far;
+}
+
+
+/* all pairs of the search; worn (nodes): those with such a node, NULL: all */
+static void MUS_FIELD(self_pairs)(mus__cloth_self *self, MUS_FIELD(self_search) * search, const uint8_t *worn)
+{
+    mus__cloth_tree *tree[3] = {&self->corners, &self->edges, &self->faces};
+    MUS_REAL far = 0;
+    for (int64_t i = 0; i < 8 * (int64_t)self->nodes; i++) {
+        const MUS_REAL x = ((const MUS_REAL *)self->at)[i];
+        far = x > far ? x : -x > far ? -x : far;
+    }
+    for (int32_t k = 0; k < 3; k++) {
+        MUS_FIELD(self_box)(self, tree[k]);
+        mus__cloth_tree_fit(tree[k], worn);
+    }
+    const float reach = (float)(search->reach + (MUS_REAL)SELF_ROUND * far);
+    mus__cloth_tree_pairs(tree[0], tree[2], reach, MUS_FIELD(self_faces), search);
+    mus__cloth_tree_pairs(tree[1], tree[1], reach, MUS_FIELD(self_crosses), search);
+    if (search->waiting > 0) MUS_FIELD(self_sift)(search);
 }
 
 
@@ -337,12 +446,10 @@ static void MUS_FIELD(self_list)(mus__cloth_self *self, const MUS_REAL *x)
     memcpy(home, x, 3 * (size_t)self->n * sizeof *home);
     for (int32_t k = 0; k < SELF_REACH_MOST; k++) {
         MUS_FIELD(self_places)(self, 0, span);
-        const MUS_REAL far = MUS_FIELD(self_boxes)(self);
         const MUS_REAL reach = (MUS_REAL)(self->thickness + 2.0 * self->skin);
-        MUS_FIELD(self_search) search = {self, reach, span, 0, 0, self->pair_capacity};
+        MUS_FIELD(self_search) search = {self, reach, 0, self->pair_capacity, 0, {0}};
         self->full = 0;
-        mus__cloth_grid_pairs(&self->grid, self->ntriangle, (float)(reach + (MUS_REAL)SELF_ROUND * far), NULL,
-                              MUS_FIELD(self_meet), &search);
+        MUS_FIELD(self_pairs)(self, &search, NULL);
         MUS_FIELD(self_found)(self, &search);
         self->looks++;
         if (!self->full) break;
@@ -379,7 +486,8 @@ static void MUS_FIELD(self_drop)(mus__cloth_self *self, MUS_FIELD(self_search) *
 static int32_t MUS_FIELD(self_renew)(mus__cloth_self *self, const MUS_REAL *x)
 {
     const int64_t n = self->n;
-    const MUS_REAL *left = (const MUS_REAL *)self->ball + 3 * n, age = (MUS_REAL)self->age, *w = self->drift;
+    const MUS_REAL *left = (const MUS_REAL *)self->ball + 3 * n, age = (MUS_REAL)self->age;
+    MUS_REAL *w = self->drift;
     const MUS_REAL least = (MUS_REAL)(SELF_FRESH * self->skin);
     const MUS_REAL span = (MUS_REAL)(self->drifts ? self->span : self->age);
     MUS_REAL *home = self->home;
@@ -387,19 +495,17 @@ static int32_t MUS_FIELD(self_renew)(mus__cloth_self *self, const MUS_REAL *x)
     if (self->full || (self->drifts && !(self->age <= (1.0 - SELF_WORN) * self->span))) return 0;
     for (int64_t i = 0; i < self->nodes; i++) count += self->worn[i] = !(left[i] >= least);
     if (count > SELF_SOME * self->nodes) return 0;
+    const MUS_REAL *centre = self->ball, rate = (MUS_REAL)(self->drifts && self->since > 0.0 ? 1.0 / self->since : 0.0);
     for (int64_t i = 0; i < self->nodes; i++)
-        for (int64_t d = 0; d < 3 && self->worn[i]; d++) home[d * n + i] = x[d * n + i] - age * w[d * n + i];
-    for (int64_t t = 0; t < self->ntriangle; t++) {
-        const int32_t *corner = self->triangle + 3 * t;
-        self->some[t] = self->worn[corner[0]] | self->worn[corner[1]] | self->worn[corner[2]];
-    }
+        for (int64_t d = 0; d < 3 && self->worn[i]; d++) {
+            if (rate > 0) w[d * n + i] = rate * (x[d * n + i] - centre[d * n + i]);
+            home[d * n + i] = x[d * n + i] - age * w[d * n + i];
+        }
     MUS_FIELD(self_places)(self, age, span);
-    const MUS_REAL far = MUS_FIELD(self_boxes)(self);
     const MUS_REAL reach = (MUS_REAL)(self->thickness + 2.0 * self->skin);
-    MUS_FIELD(self_search) search = {self, reach, span - age, 1, 0, self->pair_capacity};
+    MUS_FIELD(self_search) search = {self, reach, 0, self->pair_capacity, 0, {0}};
     MUS_FIELD(self_drop)(self, &search);
-    mus__cloth_grid_pairs(&self->grid, self->ntriangle, (float)(reach + (MUS_REAL)SELF_ROUND * far), self->some,
-                          MUS_FIELD(self_meet), &search);
+    MUS_FIELD(self_pairs)(self, &search, self->worn);
     MUS_FIELD(self_found)(self, &search);
     return !self->full;
 }

@@ -1,9 +1,9 @@
 /*
  * cloth_self.c: the memory of a cloth's contact with itself, and what it knows of the mesh.
  *
- * Each node and each edge belongs to one triangle that answers for it, so that a pair of features is met once: by the
- * two triangles of its owners (Curtis, Tamstorf, Manocha, Fast Collision Detection for Deformable Models using
- * Representative-Triangles, 2008).
+ * Corners, edges and triangles are in trees of their own, each once, so that a pair of them is met once. They stand in
+ * the order of the triangles that have them first, and these along a curve that keeps near what is near in the flat
+ * (Morton, A computer oriented geodetic data base, 1966).
  */
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #define SELF_FIRST_PAIRS 8  /* a node; more when there are more */
 #define SELF_MOST_PAIRS 1024
 #define SELF_FLAT 0.5       /* of the least height of a triangle: flat cloth does not touch itself */
-#define SELF_SKIN 0.2       /* of the mean edge */
+#define SELF_SKIN 0.2
 
 typedef struct self_edge {
     int32_t low, high, at; /* nodes; 8 times its triangle and its place there */
@@ -95,6 +95,58 @@ static void self_thickness(mus__cloth_self *self)
 }
 
 
+typedef struct self_place {
+    uint64_t key;
+    int32_t triangle;
+} self_place;
+
+
+static int self_by_place(const void *left, const void *right)
+{
+    const self_place *a = left, *b = right;
+    if (a->key != b->key) return a->key < b->key ? -1 : 1;
+    return a->triangle < b->triangle ? -1 : a->triangle > b->triangle;
+}
+
+
+/* sixteen bits, a zero before each */
+static uint64_t self_spaced(double part)
+{
+    const uint32_t whole = part > 0.0 ? part < 1.0 ? (uint32_t)(65535.0 * part) : 65535 : 0;
+    uint64_t out = 0;
+    for (int32_t bit = 0; bit < 16; bit++) out |= (uint64_t)(whole >> bit & 1) << (2 * bit);
+    return out;
+}
+
+
+/* triangles by panel, and in it along the curve */
+static mus_status self_order(mus__cloth_self *self)
+{
+    const mus__cloth_flat *flat = &self->flat;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    self_place *place = mus__new(self->context, flat->ntriangle, sizeof *place);
+    if (place == NULL) return mus__fail_memory(self->context, "a cloth's contact with itself");
+    for (int64_t i = 0; i < 2 * (int64_t)flat->nodes; i++) {
+        low[i % 2] = fmin(low[i % 2], flat->rest[i]);
+        high[i % 2] = fmax(high[i % 2], flat->rest[i]);
+    }
+    const double size = fmax(fmax(high[0] - low[0], high[1] - low[1]), 1e-9);
+    for (int32_t t = 0; t < flat->ntriangle; t++) {
+        const int32_t *corner = flat->triangle + 3 * (int64_t)t;
+        double mean[2] = {0.0, 0.0};
+        for (int32_t k = 0; k < 6; k++)
+            mean[k % 2] += (flat->rest[2 * (int64_t)corner[k / 2] + k % 2] - low[k % 2]) / 3.0;
+        place[t].key = (uint64_t)flat->panel[corner[0]] << 32 | self_spaced(mean[0] / size) |
+                       self_spaced(mean[1] / size) << 1;
+        place[t].triangle = t;
+    }
+    qsort(place, (size_t)flat->ntriangle, sizeof *place, self_by_place);
+    for (int32_t t = 0; t < flat->ntriangle; t++) self->order[t] = place[t].triangle;
+    mus__free(self->context, place);
+    return MUS_OK;
+}
+
+
 mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, const mus__cloth_flat *flat,
                                   double thickness, double friction, mus__cloth_self **out)
 {
@@ -117,10 +169,11 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
     } arrays[] = {
         {&self->class_of, nodes, sizeof *self->class_of}, {&self->group, nodes, sizeof *self->group},
         {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
+        {&self->order, flat->ntriangle, sizeof *self->order},
         {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
         {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
         {&self->drift, planes, real},                     {&self->worn, nodes, 1},
-        {&self->some, flat->ntriangle, 1},                {&self->at, 8 * (int64_t)n, real},
+        {&self->at, 8 * (int64_t)n, real},
         {&self->force, planes, real},                     {&self->before, planes, real},
         {&self->ground, planes, real},                    {&self->level, nodes, 1},
         {&self->last, nodes, 1},                          {&self->tangle, nodes, 1},
@@ -129,11 +182,15 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
         {&self->touch, self->pair_capacity, sizeof *self->touch},
     };
     mus_status status = mus__cloth_grid_create(context, flat->ntriangle, &self->grid);
+    if (status == MUS_OK) status = mus__cloth_tree_create(context, 1, flat->nodes, &self->corners);
+    if (status == MUS_OK) status = mus__cloth_tree_create(context, 2, 3 * flat->ntriangle, &self->edges);
+    if (status == MUS_OK) status = mus__cloth_tree_create(context, 3, flat->ntriangle, &self->faces);
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0] && status == MUS_OK; i++) {
         void *block = mus__new(context, arrays[i].count, arrays[i].size);
         memcpy(arrays[i].array, &block, sizeof block);
         if (block == NULL) status = mus__fail_memory(context, "a cloth's contact with itself");
     }
+    if (status == MUS_OK) status = self_order(self);
     if (status != MUS_OK) {
         mus__cloth_self_destroy(self);
         return status;
@@ -152,9 +209,12 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     if (self == NULL) return;
     mus_context *context = self->context;
     mus__cloth_grid_destroy(context, &self->grid);
-    void *blocks[] = {self->class_of, self->group,  self->triangle, self->own,  self->thick,
-                      self->ball,     self->home,   self->drift,  self->worn,
-                      self->some,     self->at,     self->force,  self->before, self->ground,
+    mus__cloth_tree_destroy(context, &self->corners);
+    mus__cloth_tree_destroy(context, &self->edges);
+    mus__cloth_tree_destroy(context, &self->faces);
+    void *blocks[] = {self->class_of, self->group,  self->triangle, self->order,  self->own,    self->thick,
+                      self->ball,     self->home,   self->drift,    self->worn,
+                      self->at,       self->force,  self->before,   self->ground,
                       self->level,    self->last,   self->tangle, self->pass,   self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
@@ -170,45 +230,68 @@ static int self_by_edge(const void *left, const void *right)
 }
 
 
+/* what each triangle has first, in their order; slot (flat.ntriangle): where in self->triangle it is */
+static void self_own(mus__cloth_self *self, const int32_t *slot)
+{
+    const int32_t all = self->flat.ntriangle;
+    memset(self->level, 0, (size_t)self->nodes); /* free as a mark, for it is worked out anew */
+    self_edge *edge = (self_edge *)(void *)self->grid.box; /* 48 bytes a triangle */
+    int64_t count = 0;
+    for (int32_t i = 0; i < all; i++) {
+        const int32_t *corner = self->triangle + 3 * (int64_t)slot[self->order[i]];
+        self->own[i] = 0;
+        for (int32_t k = 0; k < 3 && slot[self->order[i]] >= 0; k++) {
+            const int32_t a = corner[k], b = corner[(k + 1) % 3];
+            if (!self->level[a]) self->own[i] |= (uint8_t)(1 << k);
+            self->level[a] = 1;
+            edge[count++] = (self_edge){a < b ? a : b, a < b ? b : a, 8 * i + k};
+        }
+    }
+    qsort(edge, (size_t)count, sizeof *edge, self_by_edge);
+    for (int64_t e = 0; e < count; e++)
+        if (e == 0 || edge[e].low != edge[e - 1].low || edge[e].high != edge[e - 1].high)
+            self->own[edge[e].at / 8] |= (uint8_t)(8 << edge[e].at % 8);
+    memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
+    memset(self->last, MUS_SELF_LOOSE, (size_t)self->nodes);
+}
+
+
 void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32_t *flags, int32_t absent)
 {
     const int32_t *triangle = self->flat.triangle;
+    int32_t *slot = self->grid.of; /* free between counts */
     self->ntriangle = 0;
     for (int64_t t = 0; t < self->flat.ntriangle; t++) {
         int32_t *to = self->triangle + 3 * (int64_t)self->ntriangle;
+        slot[t] = MUS_NONE;
         if (flags != NULL && (flags[triangle[3 * t]] & absent)) continue;
         for (int32_t k = 0; k < 3; k++) {
             const int32_t node = triangle[3 * t + k];
             to[k] = rep != NULL ? rep[node] : node;
         }
         const int32_t a = self->class_of[to[0]], b = self->class_of[to[1]], c = self->class_of[to[2]];
-        self->ntriangle += a != b && b != c && c != a;
+        if (a != b && b != c && c != a) slot[t] = self->ntriangle++;
     }
+    self_own(self, slot);
 
-    /* the first triangle that has it owns a corner; level is free as a mark, for it is worked out anew */
-    memset(self->own, 0, (size_t)self->ntriangle);
-    memset(self->level, 0, (size_t)self->nodes);
-    for (int64_t t = 0; t < self->ntriangle; t++)
+    /* the trees of these */
+    mus__cloth_tree_clear(&self->corners);
+    mus__cloth_tree_clear(&self->edges);
+    mus__cloth_tree_clear(&self->faces);
+    for (int32_t i = 0; i < self->flat.ntriangle; i++) {
+        if (slot[self->order[i]] < 0) continue;
+        const int32_t *corner = self->triangle + 3 * (int64_t)slot[self->order[i]];
+        mus__cloth_tree_add(&self->faces, corner, self->class_of);
         for (int32_t k = 0; k < 3; k++) {
-            uint8_t *known = &self->level[self->triangle[3 * t + k]];
-            if (!*known) self->own[t] |= (uint8_t)(1 << k);
-            *known = 1;
+            const int32_t edge[2] = {corner[k], corner[(k + 1) % 3]};
+            if (self->own[i] >> k & 1) mus__cloth_tree_add(&self->corners, edge, self->class_of);
+            if (self->own[i] >> (3 + k) & 1) mus__cloth_tree_add(&self->edges, edge, self->class_of);
         }
-    memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
-    memset(self->last, MUS_SELF_LOOSE, (size_t)self->nodes);
-
-    /* and the first of each edge; the grid's boxes, of 48 bytes a triangle, hold them meanwhile */
-    self_edge *edge = (self_edge *)(void *)self->grid.box;
-    int64_t count = 0;
-    for (int32_t t = 0; t < self->ntriangle; t++)
-        for (int32_t k = 0; k < 3; k++) {
-            const int32_t a = self->triangle[3 * (int64_t)t + k], b = self->triangle[3 * (int64_t)t + (k + 1) % 3];
-            edge[count++] = (self_edge){a < b ? a : b, a < b ? b : a, 8 * t + k};
-        }
-    qsort(edge, (size_t)count, sizeof *edge, self_by_edge);
-    for (int64_t e = 0; e < count; e++)
-        if (e == 0 || edge[e].low != edge[e - 1].low || edge[e].high != edge[e - 1].high)
-            self->own[edge[e].at / 8] |= (uint8_t)(8 << edge[e].at % 8);
+    }
+    mus__cloth_tree_raise(&self->edges, 0);
+    mus__cloth_tree_raise(&self->faces, 0);
+    mus__cloth_tree_raise(&self->corners, self->faces.levels);
+    if (self->corners.levels > self->faces.levels) mus__cloth_tree_raise(&self->faces, self->corners.levels);
     self->stale = 1;
 }
 

@@ -10,11 +10,12 @@
  *   cross, none ever will: at any speed, in any step, whatever forces and other contact do to the nodes.
  *
  * All of this may go along: a node's ball drifts with the speed that the node had of late, and of each pair's room the
- * part is left out by which the drifts of its nodes can differ until balls are taken anew. Seen by who drifts with the
- * pair, nothing else has changed. Cloth that falls or walks at any speed is looked at as often as cloth that ripples.
+ * part is left out by which drifts can bring its things together until balls are taken anew. Seen by who drifts with
+ * the pair, nothing else has changed. Cloth that falls or walks at any speed is looked at as often as cloth that
+ * ripples.
  *
- *   look:   near pairs are taken anew from a grid, when the list is older than it was made for; those of nodes that
- *           have gone farther from their way than the list reaches (`skin`) when there are such
+ *   look:   near pairs are taken anew from trees of boxes, when the list is older than it was made for; those of nodes
+ *           that have gone farther from their way than the list reaches (`skin`) when there are such
  *   ball:   distances of the pairs in the list, and from them the balls, when a node comes to the end of its ball
  *   touch:  pairs that may be nearer than the thickness answer each call: impulses that end their approach, friction
  *           up to mu times these, and a push apart. Each starts from what it gave in the last call, so that what
@@ -33,6 +34,7 @@
 #define MUS_CONTACT_CLOTH_SELF_H
 
 #include "contact/cloth_crossing.h"
+#include "contact/cloth_tree.h"
 
 typedef struct mus__cloth_near { /* a node and a triangle, or two edges */
     int32_t node[4];
@@ -68,8 +70,10 @@ typedef struct mus__cloth_self {
     int32_t full;          /* nonzero: there is no memory for the pairs, and nothing moves until there is */
     int32_t *class_of;     /* (nodes) nodes that seams join have one */
     int32_t *triangle;     /* (ntriangle x 3) nodes that stand for the corners */
-    uint8_t *own;          /* (ntriangle) corners (bits 0..2) and edges (3..5) that this triangle answers for */
     mus__cloth_flat flat;
+    int32_t *order;        /* (flat.ntriangle) its triangles, near ones together */
+    uint8_t *own;          /* (flat.ntriangle) in that order: corners (bits 0..2) and edges (3..5) that it has first */
+    mus__cloth_tree corners, edges, faces;
     int32_t *group;        /* (nodes) one for what hangs together, by triangles and seams */
     float *thick;          /* (nodes) where triangles of seams are: half the least height there; else the thickness */
     void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
@@ -77,7 +81,7 @@ typedef struct mus__cloth_self {
     void *drift;           /* (3 n) velocities with which balls and homes go along [m/s] */
     void *force;           /* (3 n) impulses since the caller cleared them [N s] */
     void *at;              /* (8 n) of a search: where homes are now and at the end, node by node */
-    uint8_t *worn, *some;  /* (nodes) listed anew now; (ntriangle) with such a node */
+    uint8_t *worn;         /* (nodes) listed anew now */
     int32_t tangled;       /* nodes that are part of a crossing: 0, or what is said above does not hold for them */
     uint8_t *tangle;       /* (nodes) nonzero for these */
     uint8_t *pass;         /* (nodes) nonzero: counts as part of one, until the caller clears it */

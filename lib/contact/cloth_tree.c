@@ -1,0 +1,214 @@
+/*
+ * cloth_tree.c: two trees of boxes met from the top down, a box against sixteen at a time.
+ */
+#include <string.h>
+
+#include "base/clones.h"
+#include "contact/cloth_tree.h"
+
+#define TREE_FAR 3e38f /* where there is no thing */
+
+
+/* blocks of all levels over so many things */
+static int32_t tree_blocks(int32_t things)
+{
+    int32_t all = 0, blocks = things;
+    for (int32_t l = 0; l < MUS_TREE_LEVELS; l++) {
+        blocks = blocks > MUS_TREE_LANES ? (blocks + MUS_TREE_LANES - 1) / MUS_TREE_LANES : 1;
+        all += blocks;
+    }
+    return all;
+}
+
+
+mus_status mus__cloth_tree_create(mus_context *context, int32_t each, int32_t capacity, mus__cloth_tree *tree)
+{
+    const int64_t blocks = tree_blocks(capacity), below = (int64_t)capacity / MUS_TREE_LANES + 1;
+    memset(tree, 0, sizeof *tree);
+    tree->each = each;
+    tree->capacity = capacity;
+    tree->node = mus__new(context, below * each * MUS_TREE_LANES, sizeof *tree->node);
+    tree->class_of = mus__new(context, below * each * MUS_TREE_LANES, sizeof *tree->class_of);
+    tree->box = mus__new(context, blocks * MUS_TREE_PLANES * MUS_TREE_LANES, sizeof *tree->box);
+    tree->worn = mus__new(context, blocks, sizeof *tree->worn);
+    if (tree->node != NULL && tree->class_of != NULL && tree->box != NULL && tree->worn != NULL) return MUS_OK;
+    return mus__fail_memory(context, "the boxes of a cloth");
+}
+
+
+void mus__cloth_tree_destroy(mus_context *context, mus__cloth_tree *tree)
+{
+    mus__free(context, tree->node);
+    mus__free(context, tree->class_of);
+    mus__free(context, tree->box);
+    mus__free(context, tree->worn);
+    memset(tree, 0, sizeof *tree);
+}
+
+
+void mus__cloth_tree_clear(mus__cloth_tree *tree)
+{
+    tree->count = 0;
+}
+
+
+void mus__cloth_tree_add(mus__cloth_tree *tree, const int32_t *node, const int32_t *class_of)
+{
+    const int64_t at = (int64_t)(tree->count / MUS_TREE_LANES) * tree->each * MUS_TREE_LANES +
+                       tree->count % MUS_TREE_LANES;
+    for (int32_t k = 0; k < tree->each; k++) {
+        tree->node[at + k * MUS_TREE_LANES] = node[k];
+        tree->class_of[at + k * MUS_TREE_LANES] = class_of[node[k]];
+    }
+    tree->count++;
+}
+
+
+void mus__cloth_tree_raise(mus__cloth_tree *tree, int32_t levels)
+{
+    int32_t blocks = (tree->count + MUS_TREE_LANES - 1) / MUS_TREE_LANES, all = 0;
+    tree->levels = 0;
+    do {
+        tree->first[tree->levels++] = all;
+        all += blocks > 0 ? blocks : 1;
+        if (blocks <= 1 && tree->levels >= levels) break;
+        blocks = (blocks + MUS_TREE_LANES - 1) / MUS_TREE_LANES;
+    } while (tree->levels < MUS_TREE_LEVELS);
+    tree->first[tree->levels] = all;
+
+    /* places without a thing or a block */
+    for (int64_t b = 0; b < all; b++)
+        for (int64_t p = 0; p < MUS_TREE_PLANES; p++)
+            for (int64_t k = 0; k < MUS_TREE_LANES; k++)
+                tree->box[(b * MUS_TREE_PLANES + p) * MUS_TREE_LANES + k] = p % 6 < 3 ? TREE_FAR : -TREE_FAR;
+    for (int32_t i = tree->count; i < tree->first[1] * MUS_TREE_LANES; i++)
+        for (int64_t k = 0; k < tree->each; k++)
+            tree->class_of[((int64_t)(i / MUS_TREE_LANES) * tree->each + k) * MUS_TREE_LANES + i % MUS_TREE_LANES] = -1;
+}
+
+
+/* the box of a block as one of those of the block above */
+MUS_CLONES
+static void tree_around(const float *block, float *above)
+{
+    for (int32_t p = 0; p < MUS_TREE_PLANES; p++) {
+        const float *plane = block + p * MUS_TREE_LANES;
+        float low = plane[0], high = plane[0];
+        for (int32_t k = 1; k < MUS_TREE_LANES; k++) {
+            low = plane[k] < low ? plane[k] : low;
+            high = plane[k] > high ? plane[k] : high;
+        }
+        above[p * MUS_TREE_LANES] = p % 6 < 3 ? low : high;
+    }
+}
+
+
+void mus__cloth_tree_fit(mus__cloth_tree *tree, const uint8_t *worn)
+{
+    memset(tree->worn, worn == NULL ? 0xff : 0, (size_t)tree->first[tree->levels] * sizeof *tree->worn);
+    for (int64_t i = 0; worn != NULL && i < tree->count; i++) {
+        const int32_t *node = tree->node + i / MUS_TREE_LANES * tree->each * MUS_TREE_LANES + i % MUS_TREE_LANES;
+        int32_t any = 0;
+        for (int32_t k = 0; k < tree->each; k++) any |= worn[node[k * MUS_TREE_LANES]];
+        if (any) tree->worn[i / MUS_TREE_LANES] |= (uint16_t)(1 << i % MUS_TREE_LANES);
+    }
+    for (int32_t l = 0; l + 1 < tree->levels; l++)
+        for (int64_t b = tree->first[l]; b < tree->first[l + 1]; b++) {
+            const int64_t i = b - tree->first[l], above = tree->first[l + 1] + i / MUS_TREE_LANES;
+            const int64_t lane = i % MUS_TREE_LANES;
+            tree_around(tree->box + b * MUS_TREE_PLANES * MUS_TREE_LANES,
+                        tree->box + above * MUS_TREE_PLANES * MUS_TREE_LANES + lane);
+            if (tree->worn[b]) tree->worn[above] |= (uint16_t)(1 << lane);
+        }
+}
+
+
+/*
+ * mask[r]: the boxes of block b that may come within reach of box r of block a. The gap along an axis is the less of
+ * that now and then, for each side; the gap of all is the greatest.
+ */
+MUS_CLONES
+static void tree_masks(const float *restrict a, const float *restrict b, float reach, uint32_t *restrict mask)
+{
+    enum { N = MUS_TREE_LANES };
+    for (int32_t r = 0; r < N; r++) mask[r] = 0;
+    for (int32_t k = 0; k < N; k++) {
+        const uint32_t bit = (uint32_t)1 << k;
+        float gap[N];
+        MUS_ROLLED
+        for (int32_t r = 0; r < N; r++) gap[r] = -TREE_FAR;
+        for (int32_t d = 0; d < 3; d++) {
+            const float low = b[d * N + k], high = b[(3 + d) * N + k];
+            const float low2 = b[(6 + d) * N + k], high2 = b[(9 + d) * N + k];
+            const float *al = a + d * N, *ah = a + (3 + d) * N, *al2 = a + (6 + d) * N, *ah2 = a + (9 + d) * N;
+            MUS_ROLLED
+            for (int32_t r = 0; r < N; r++) {
+                const float up = al[r] - high, up2 = al2[r] - high2, down = low - ah[r], down2 = low2 - ah2[r];
+                const float over = up < up2 ? up : up2, under = down < down2 ? down : down2;
+                const float most = over > under ? over : under;
+                gap[r] = most > gap[r] ? most : gap[r];
+            }
+        }
+        MUS_ROLLED
+        for (int32_t r = 0; r < N; r++) mask[r] |= gap[r] <= reach ? bit : 0;
+    }
+}
+
+
+/* of the bits those of things without a class in common with thing r of a block; both blocks plane by plane */
+static uint32_t tree_apart(const int32_t *a, int32_t aeach, int32_t r, const int32_t *b, int32_t beach, uint32_t bits)
+{
+    enum { N = MUS_TREE_LANES };
+    uint32_t out = 0;
+    for (uint32_t left = bits; left != 0; left &= left - 1) {
+        const int32_t k = mus__cloth_tree_lowest(left);
+        int32_t joined = 0;
+        for (int32_t i = 0; i < aeach; i++)
+            for (int32_t j = 0; j < beach; j++) joined |= a[i * N + r] == b[j * N + k];
+        out |= (uint32_t)(joined == 0) << k;
+    }
+    return out;
+}
+
+
+typedef struct tree_search {
+    const mus__cloth_tree *a, *b;
+    float reach;
+    mus__cloth_tree_fn fn;
+    void *user;
+} tree_search;
+
+
+/* what block number i of a level of one tree and number j of the other hold */
+static void tree_meet(const tree_search *s, int32_t level, int32_t i, int32_t j)
+{
+    const mus__cloth_tree *a = s->a, *b = s->b;
+    const int64_t of = a->first[level] + (int64_t)i, met = b->first[level] + (int64_t)j;
+    const uint32_t awake = a->worn[of], other = b->worn[met];
+    uint32_t mask[MUS_TREE_LANES];
+    if (!(awake | other)) return;
+    tree_masks(a->box + of * MUS_TREE_PLANES * MUS_TREE_LANES, b->box + met * MUS_TREE_PLANES * MUS_TREE_LANES,
+               s->reach, mask);
+    for (int32_t r = 0; r < MUS_TREE_LANES; r++) {
+        uint32_t bits = mask[r];
+        if (!(awake >> r & 1)) bits &= other;
+        if (a == b && i == j) bits &= level > 0 ? ~0u << r : ~0u << r << 1;
+        if (bits == 0) continue;
+        if (level == 0) {
+            bits = tree_apart(a->class_of + (int64_t)i * a->each * MUS_TREE_LANES, a->each, r,
+                              b->class_of + (int64_t)j * b->each * MUS_TREE_LANES, b->each, bits);
+            if (bits != 0) s->fn(s->user, i * MUS_TREE_LANES + r, j, bits);
+            continue;
+        }
+        for (; bits != 0; bits &= bits - 1)
+            tree_meet(s, level - 1, i * MUS_TREE_LANES + r, j * MUS_TREE_LANES + mus__cloth_tree_lowest(bits));
+    }
+}
+
+
+void mus__cloth_tree_pairs(const mus__cloth_tree *a, const mus__cloth_tree *b, float reach, mus__cloth_tree_fn fn,
+                           void *user)
+{
+    const tree_search search = {a, b, reach, fn, user};
+    if (a->count > 0 && b->count > 0) tree_meet(&search, a->levels - 1, 0, 0);
+}

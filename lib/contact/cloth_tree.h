@@ -1,0 +1,63 @@
+/*
+ * cloth_tree.h: which things of a moving cloth may come near each other: boxes by sixteen, and boxes of these.
+ *
+ * A thing (a node, an edge, a triangle) moves straight from where it is now to where it will be; of each there is the
+ * box now and the box then. Two boxes that are farther apart than a reach along one axis, on the same side now and
+ * then, are so all the time between: the least of straight movements is concave in time, the greatest convex.
+ *
+ * Things are in the order of the pattern, near ones together. A block holds the boxes of sixteen plane by plane, so
+ * that a box meets a block in a few vectors; the block above holds the boxes of sixteen blocks. Two trees of as many
+ * levels are met from the top down, and pairs come in the order of the things, whatever the width of a vector.
+ */
+#ifndef MUS_CONTACT_CLOTH_TREE_H
+#define MUS_CONTACT_CLOTH_TREE_H
+
+#include "base/base_internal.h"
+
+#define MUS_TREE_LANES 16
+#define MUS_TREE_PLANES 12 /* of a block: low (3) and high (3) now, low and high then */
+#define MUS_TREE_LEVELS 8
+#define MUS_TREE_NODES 3
+
+typedef struct mus__cloth_tree {
+    int32_t each;     /* nodes of a thing */
+    int32_t capacity; /* things */
+    int32_t count, levels;
+    int32_t first[MUS_TREE_LEVELS + 1]; /* block of each level; the last: how many blocks there are */
+    int32_t *node;    /* (blocks below x each x 16) */
+    int32_t *class_of; /* the same: what these are joined to; negative where there is no thing */
+    float *box;       /* (blocks x 12 x 16) */
+    uint16_t *worn;   /* (blocks) bits of those that are asked for */
+} mus__cloth_tree;
+
+/* place of the lowest bit (Leiserson, Prokop, Randall, Using de Bruijn sequences to index a 1 in a computer word, 1998)
+ */
+static inline int32_t mus__cloth_tree_lowest(uint32_t bits)
+{
+    static const uint8_t place[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                      31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+    return place[(bits & (~bits + 1)) * 0x077CB531u >> 27];
+}
+
+
+/* thing number a of one tree, and those of block b of the other that have their bit in `mask` */
+typedef void (*mus__cloth_tree_fn)(void *user, int32_t a, int32_t b, uint32_t mask);
+
+/* room for as many things of `each` nodes; what is made is destroyed also when it failed */
+mus_status mus__cloth_tree_create(mus_context *context, int32_t each, int32_t capacity, mus__cloth_tree *tree);
+void mus__cloth_tree_destroy(mus_context *context, mus__cloth_tree *tree);
+
+/* the tree without things; a thing more; the levels above them, at least as many as `levels` */
+void mus__cloth_tree_clear(mus__cloth_tree *tree);
+void mus__cloth_tree_add(mus__cloth_tree *tree, const int32_t *node, const int32_t *class_of);
+void mus__cloth_tree_raise(mus__cloth_tree *tree, int32_t levels);
+
+/* boxes of blocks from those of the things; worn (nodes): things that have such a node are asked for; NULL: all are */
+void mus__cloth_tree_fit(mus__cloth_tree *tree, const uint8_t *worn);
+
+/* things of both that may come nearer than `reach`, that have no node of one class, and one of which is asked for. The
+ * same tree twice: each pair once */
+void mus__cloth_tree_pairs(const mus__cloth_tree *a, const mus__cloth_tree *b, float reach, mus__cloth_tree_fn fn,
+                           void *user);
+
+#endif

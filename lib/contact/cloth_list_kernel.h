@@ -298,7 +298,7 @@ static void MUS_FIELD(self_part)(const MUS_REAL *restrict p, const MUS_REAL *res
         const MUS_REAL c = q[6 * N + i] * w0 + q[7 * N + i] * w1 + q[8 * N + i] * w2;
         const MUS_REAL e = q[9 * N + i] * w0 + q[10 * N + i] * w1 + q[11 * N + i] * w2;
         const MUS_REAL then = (a < b ? a : b) - (c > e ? c : e), least = now < then ? now : then;
-        near[i] = (least > 0) & (least * least > reach2 * far2) ? 0 : 1;
+        near[i] = !((least > 0) & (least * least > reach2 * far2));
     }
 }
 

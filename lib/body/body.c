@@ -95,6 +95,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     const mus__skeleton *bone = &body->skeleton;
     mus__body_torso(tape, bone, &limb[MUS_LIMB_TORSO]);
     mus_status status = body_fit(body, MUS_LIMB_TORSO, turn, xy, work);
+    if (status == MUS_OK) status = mus__body_follow(body, tape, turn, xy, work);
     if (status != MUS_OK) return status;
 
     if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS_LIMB_TORSO]);

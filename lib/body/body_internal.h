@@ -187,6 +187,13 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
 /* fill body->made from the vertices */
 mus_status mus__body_remeasure(mus_body *body);
 
+/* ---- body_follow.c ---- */
+
+/* the fitted contours of the torso follow the bust span and the crotch length that a sheet gives */
+mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work);
+/* X of the foremost place by the parabola through three: (x, how far ahead) each */
+double mus__span_side(const double *before, const double *at, const double *after);
+
 /* ---- body_length.c ---- */
 
 /* the lengths in body->made: along the skin; needs the fields */

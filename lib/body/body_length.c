@@ -244,12 +244,16 @@ static double length_span(const mus_body *body)
     for (int32_t i = 0; i < torso->count; i++) {
         const mus__contour *c = &torso->contour[i];
         if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
-        const double *front = length_vertex(body, torso, c->ring, 3 * n / 4), *best = front;
-        for (int32_t k = 3 * n / 4 + 1; k < n; k++) {
-            const double *x = length_vertex(body, torso, c->ring, k);
-            if (x[2] > best[2]) best = x;
+        int32_t best = 3 * n / 4;
+        for (int32_t k = best + 1; k < n; k++)
+            if (length_vertex(body, torso, c->ring, k)[2] > length_vertex(body, torso, c->ring, best)[2]) best = k;
+        if (best == 3 * n / 4) return NAN;
+        double place[3][2];
+        for (int32_t k = 0; k < 3; k++) {
+            const double *x = length_vertex(body, torso, c->ring, (best - 1 + k) % n);
+            place[k][0] = x[0], place[k][1] = x[2];
         }
-        return best != front ? 2.0 * best[0] : NAN;
+        return 2.0 * mus__span_side(place[0], place[1], place[2]);
     }
     return NAN;
 }

@@ -265,6 +265,7 @@ START_TEST(without_memory_nothing_is_left_behind)
         mus_context *context = support_context();
         mus_tape *tape = people_size(context, "W40");
         mus_body *body = NULL;
+        ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_CROTCH_LENGTH, 0.68, MUS_SOURCE_GIVEN), MUS_OK);
         support_fail_after(n, false);
         mus_status status = mus_body_create(context, tape, &def, &body);
         support_fail_never();

@@ -1,0 +1,195 @@
+/*
+ * body_follow.c: shapes that a sheet's lengths ask for: bust span and crotch length, where it names them.
+ *
+ * Girths and heights are a contour's own; these two lengths lie across contours, and what no girth holds is turned
+ * until they are the sheet's. The breasts of the bust's contour go out and in, and rise where that is not enough; the
+ * contour above the crotch, which has no girth of the tape's, grows deeper or flatter, and then the hip, each fitted to
+ * its girth again. Within what bodies look like: a sheet that asks for more gets the nearest, and body->made tells it.
+ *
+ *     bust_span(angle, height)   = twice the X of the foremost place of the contour, on its samples' parabola
+ *     crotch_length(depth)       = tape over the torso's middle line from waist to waist, on a stack of 16 directions
+ *
+ * Each is monotone; the root is taken by false position (Illinois) to 0.05 mm. A sheet without them pays nothing.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/polygon.h"
+
+#define FOLLOW_ROUNDS 24
+#define FOLLOW_CLOSE 5e-5    /* [m] */
+#define FOLLOW_ANGLE_LOW 0.15 /* of the breasts off the front [rad] */
+#define FOLLOW_ANGLE_HIGH 0.80
+#define FOLLOW_RISE 1.5      /* most that breasts rise by */
+#define FOLLOW_SEAT_LOW 0.50 /* depth of the contour above the crotch, in parts of the hip's */
+#define FOLLOW_SEAT_HIGH 0.90
+#define FOLLOW_HIP_LOW 0.84  /* depth to breadth of the hip, in parts of what it was: two deviations of ANSUR II */
+#define FOLLOW_HIP_HIGH 1.18
+#define FOLLOW_ANGLES 16
+#define FOLLOW_STEPS 40      /* of the middle line, front and back each */
+
+/* what a length is asked of */
+typedef struct follow {
+    mus_body *body;
+    const double *turn; /* of the samples */
+    double *xy;
+    int32_t *work;
+    mus__contour base, *contour; /* as it was fitted, and where the trial goes */
+    mus__contour seat, *hip;
+    double waist, rise, depth;
+    mus_status status;
+} follow;
+
+typedef double follow_length(follow *at, double x);
+
+
+double mus__span_side(const double *before, const double *at, const double *after)
+{
+    const double bend = before[1] - 2.0 * at[1] + after[1];
+    const double t = bend < 0.0 ? fmin(fmax(0.5 * (before[1] - after[1]) / bend, -0.5), 0.5) : 0.0;
+    return at[0] + 0.5 * t * (after[0] - before[0]) + 0.5 * t * t * (before[0] - 2.0 * at[0] + after[0]);
+}
+
+
+/* where a length that grows with x is `target`, between low and high; the nearer end where it is nowhere */
+static double follow_root(follow *at, follow_length *length, double target, double low, double high)
+{
+    double f = length(at, low) - target, g = length(at, high) - target, x = low;
+    if (f >= 0.0) return low;
+    if (g <= 0.0) return high;
+    for (int round = 0, side = 0; round < FOLLOW_ROUNDS && at->status == MUS_OK; round++) {
+        x = (f * high - g * low) / (f - g);
+        const double h = length(at, x) - target;
+        if (fabs(h) < FOLLOW_CLOSE) break;
+        if (h < 0.0) {
+            low = x, f = h;
+            if (side == -1) g *= 0.5;
+            side = -1;
+        } else {
+            high = x, g = h;
+            if (side == 1) f *= 0.5;
+            side = 1;
+        }
+    }
+    return x;
+}
+
+
+/* ---- bust span ---- */
+
+/* half the span with breasts that far off the front */
+static double follow_span(follow *at, double angle)
+{
+    const int32_t n = at->body->def.samples, first = 3 * n / 4;
+    mus__contour *c = at->contour;
+    double radius[MUS_BODY_SAMPLES], place[MUS_BODY_SAMPLES / 4 + 2][2];
+    *c = at->base;
+    c->bump_angle[0] = angle;
+    c->bump[0] *= at->rise;
+    mus__contour_fit(c, c->target, n, at->turn, at->xy, at->work);
+
+    /* from one before the front to the side: X, and how far ahead */
+    mus__contour_radii(c, n, at->turn, radius);
+    int32_t best = 1;
+    for (int32_t k = 0; k <= n / 4; k++) {
+        const int32_t i = (first - 1 + k) % n;
+        place[k][0] = radius[i] * at->turn[2 * i], place[k][1] = -radius[i] * at->turn[2 * i + 1];
+        if (k > 1 && k < n / 4 && place[k][1] > place[best][1]) best = k;
+    }
+    return mus__span_side(place[best - 1], place[best], place[best + 1]);
+}
+
+
+static void follow_bust(follow *at, double span)
+{
+    mus__limb *torso = &at->body->limb[MUS_LIMB_TORSO];
+    for (int32_t i = 0; i < torso->count; i++) {
+        mus__contour *c = &torso->contour[i];
+        if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
+        at->base = *c, at->contour = c, at->rise = 1.0;
+        while (at->rise < FOLLOW_RISE && follow_span(at, FOLLOW_ANGLE_HIGH) < 0.5 * span) at->rise += 0.1;
+        follow_span(at, follow_root(at, follow_span, 0.5 * span, FOLLOW_ANGLE_LOW, FOLLOW_ANGLE_HIGH));
+    }
+}
+
+
+/* ---- crotch length ---- */
+
+/* the tape over the torso's middle line, from its contours as they are */
+static double follow_middle(follow *at)
+{
+    mus_body *body = at->body;
+    mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    mus__stack stack;
+    double turn[2 * FOLLOW_ANGLES], radius[FOLLOW_ANGLES], centre[2], line[2 * FOLLOW_STEPS + 1][2];
+    int32_t work[2 * (2 * FOLLOW_STEPS + 1)];
+    bool limited[MUS_LIMB_CONTOURS];
+    if (at->status != MUS_OK) return 0.0;
+    memcpy(limited, torso->limited, sizeof limited);
+    mus__body_turns(FOLLOW_ANGLES, turn);
+    at->status = mus__stack_make(body->context, torso, FOLLOW_ANGLES, turn, &stack);
+    if (at->status != MUS_OK) return 0.0;
+    mus__stack_limit(&stack, torso);
+    memcpy(torso->limited, limited, sizeof limited);
+
+    /* steps close together near the pole, where the line turns */
+    for (int32_t j = 0; j <= FOLLOW_STEPS; j++) {
+        const double u = (double)j / FOLLOW_STEPS, s = torso->pole[0] + u * u * (at->waist - torso->pole[0]);
+        mus__stack_ring(&stack, s, centre, radius);
+        const int32_t front = FOLLOW_STEPS - j, back = FOLLOW_STEPS + j;
+        line[front][0] = centre[1] - radius[3 * FOLLOW_ANGLES / 4], line[front][1] = s;
+        line[back][0] = centre[1] + (j > 0 ? radius[FOLLOW_ANGLES / 4] : 0.0), line[back][1] = s;
+    }
+    mus__stack_free(body->context, &stack);
+    const double *a = line[0], *b = line[2 * FOLLOW_STEPS];
+    const double chord = sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+    return mus__polygon_tape(2 * FOLLOW_STEPS + 1, line[0], work, work + 2 * FOLLOW_STEPS + 1) - chord;
+}
+
+
+/* with the contour above the crotch as deep as that part of the hip */
+static double follow_crotch(follow *at, double part)
+{
+    at->contour->b = part * at->hip->b;
+    return follow_middle(at);
+}
+
+
+/* with the hip deeper by that part, and that of the contour above the crotch with it */
+static double follow_hip(follow *at, double part)
+{
+    mus__contour *hip = at->hip;
+    *hip = at->seat;
+    hip->b *= part;
+    mus__contour_fit(hip, hip->target, at->body->def.samples, at->turn, at->xy, at->work);
+    return follow_crotch(at, at->depth);
+}
+
+
+static void follow_rise(follow *at, double length)
+{
+    mus__limb *torso = &at->body->limb[MUS_LIMB_TORSO];
+    if (torso->count < 2 || torso->contour[1].girth != MUS_MEASURE_HIP) return;
+    at->contour = &torso->contour[0], at->hip = &torso->contour[1];
+    at->seat = *at->hip;
+    at->waist = at->body->skeleton.waist;
+    at->depth = follow_root(at, follow_crotch, length, FOLLOW_SEAT_LOW, FOLLOW_SEAT_HIGH);
+    const double got = follow_crotch(at, at->depth);
+    if (at->status != MUS_OK || fabs(got - length) < 2.0 * FOLLOW_CLOSE) return;
+    const double part = got > length ? follow_root(at, follow_hip, length, FOLLOW_HIP_LOW, 1.0)
+                                     : follow_root(at, follow_hip, length, 1.0, FOLLOW_HIP_HIGH);
+    follow_hip(at, part);
+}
+
+
+mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
+{
+    follow at = {.body = body, .turn = turn, .xy = xy, .work = work, .status = MUS_OK};
+    if (body->def.ellipse) return MUS_OK;
+    if (mus_tape_source(tape, MUS_MEASURE_BUST_SPAN) == MUS_SOURCE_GIVEN)
+        follow_bust(&at, mus_tape_value(tape, MUS_MEASURE_BUST_SPAN));
+    if (mus_tape_source(tape, MUS_MEASURE_CROTCH_LENGTH) == MUS_SOURCE_GIVEN)
+        follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH));
+    return at.status;
+}

@@ -44,6 +44,9 @@
 /* no vertex moves further than so much of a reach, 12 mm of 25: deep in a narrow wedge the union is far */
 #define SKIN_MOST 0.5
 
+#define SKIN_SETTLE 3    /* rounds in which a place comes to the skin */
+#define SKIN_LOOSE 0.001  /* and how far off it may stay [m] */
+
 /* the thigh is measured so far below the crotch, in parts of its height */
 #define SKIN_THIGH 0.02
 
@@ -339,6 +342,51 @@ static void skin_mirror(mus_body *body, double *x)
 }
 
 
+/* how far a part's blend of rings with its neighbours reaches to s */
+static bool skin_blended(const mus_body *body, int32_t l, double s)
+{
+    for (int32_t p = 0; p + 1 < body->rig.parts; p++) {
+        const mus__part *below = &body->rig.part[p], *above = below + 1;
+        if (below->limb != l || above->limb != l) continue;
+        if (s > below->end[1] - above->round[0] && s < below->end[1] + below->round[1]) return true;
+    }
+    return false;
+}
+
+
+/* a place outside all parts, brought to the nearest */
+static void skin_settle(const mus_body *body, double *x)
+{
+    for (int round = 0; round < SKIN_SETTLE; round++) {
+        double best = -1e30, at[3] = {0.0, 0.0, 0.0}, normal[3];
+        for (int32_t q = 0; q < body->nfield; q++) {
+            const double d = mus__field_depth(&body->field[q], x, normal);
+            if (d > best) best = d, memcpy(at, normal, sizeof at);
+        }
+        if (best > -SKIN_LOOSE || best < -1e29) return;
+        for (int i = 0; i < 3; i++) x[i] += best * at[i];
+    }
+}
+
+
+/* a posed scan: rings of arms and legs that stand between two parts bulge where a joint is bent, by centimetres, and
+ * cloth is held by the parts */
+static void skin_scanned(mus_body *body)
+{
+    for (int32_t l = 0; l < body->limb_count; l++) {
+        const mus__limb *limb = &body->limb[l];
+        if (l == body->bones.limb[MUS_LIMB_TORSO]) continue;
+        for (int32_t ring = 0; ring < limb->rings; ring++) {
+            if (!skin_blended(body, l, body->ring[limb->first_ring + ring])) continue;
+            double *row = body->skin + 3 * (limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
+            for (int32_t k = 0; k < body->def.samples; k++) skin_settle(body, row + 3 * (ptrdiff_t)k);
+        }
+        mus__surface_normals(body->skin + 3 * (ptrdiff_t)limb->first_vertex, body->def.samples, limb->rings, 0,
+                             body->skin_normals + 3 * (ptrdiff_t)limb->first_vertex);
+    }
+}
+
+
 mus_status mus__body_skin(mus_body *body)
 {
     if (body->def.plain) return MUS_OK;
@@ -351,6 +399,7 @@ mus_status mus__body_skin(mus_body *body)
     memcpy(body->skin_normals, body->normals, bytes);
     if (body->measured) mus__skin_shape(body);
     if (body->digit_vertices > 0) mus__digit_make(body);
+    if (body->scanned && body->frame != NULL) skin_scanned(body);
     if (body->fillet == 0.0) return MUS_OK;
 
     mus__skin_union at = {.body = body, .reach = body->fillet};

@@ -9,7 +9,7 @@
  *     bust_span(angle, height)   = twice the X of the foremost place of the contour, on its samples' parabola
  *     crotch_length(depth)       = tape over the torso's middle line from waist to waist, on a stack of 16 directions
  *
- * Each is monotone; the root is taken by false position (Illinois) to 0.05 mm. A sheet without them pays nothing.
+ * Each is monotone; the root is taken by false position (Illinois) to 0.2 mm. A sheet without them pays nothing.
  */
 #include <math.h>
 #include <string.h>
@@ -18,10 +18,10 @@
 #include "geom/polygon.h"
 
 #define FOLLOW_ROUNDS 24
-#define FOLLOW_CLOSE 5e-5    /* [m] */
+#define FOLLOW_CLOSE 2e-4    /* [m] */
 #define FOLLOW_ANGLE_LOW 0.15 /* of the breasts off the front [rad] */
-#define FOLLOW_ANGLE_HIGH 0.80
-#define FOLLOW_RISE 1.5      /* most that breasts rise by */
+#define FOLLOW_ANGLE_HIGH 0.85
+#define FOLLOW_RISE 1.8      /* most that breasts rise by */
 #define FOLLOW_SEAT_LOW 0.50 /* depth of the contour above the crotch, in parts of the hip's */
 #define FOLLOW_SEAT_HIGH 0.90
 #define FOLLOW_HIP_LOW 0.84  /* depth to breadth of the hip, in parts of what it was: two deviations of ANSUR II */
@@ -101,6 +101,15 @@ static double follow_span(follow *at, double angle)
 }
 
 
+/* the farthest off the front that breasts may be set: where they are low the middle of the chest is soon foremost */
+static double follow_outmost(follow *at)
+{
+    double high = FOLLOW_ANGLE_HIGH;
+    while (high > FOLLOW_ANGLE_LOW + 0.1 && follow_span(at, high) < follow_span(at, high - 0.05)) high -= 0.05;
+    return high;
+}
+
+
 static void follow_bust(follow *at, double span)
 {
     mus__limb *torso = &at->body->limb[MUS_LIMB_TORSO];
@@ -108,8 +117,12 @@ static void follow_bust(follow *at, double span)
         mus__contour *c = &torso->contour[i];
         if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
         at->base = *c, at->contour = c, at->rise = 1.0;
-        while (at->rise < FOLLOW_RISE && follow_span(at, FOLLOW_ANGLE_HIGH) < 0.5 * span) at->rise += 0.1;
-        follow_span(at, follow_root(at, follow_span, 0.5 * span, FOLLOW_ANGLE_LOW, FOLLOW_ANGLE_HIGH));
+        double high = follow_outmost(at);
+        while (at->rise < FOLLOW_RISE && follow_span(at, high) < 0.5 * span) {
+            at->rise += 0.1;
+            high = follow_outmost(at);
+        }
+        follow_span(at, follow_root(at, follow_span, 0.5 * span, FOLLOW_ANGLE_LOW, high));
     }
 }
 

@@ -21,6 +21,8 @@
 #define LIMB_LAP 0.06       /* an arm reaches so far behind its wall [m], for 1.7 m */
 #define LIMB_LEG_UP 0.06    /* a leg above the crotch, in parts of the stature */
 #define LIMB_LEG_DOWN 0.030 /* and down to here, where a foot has its shape */
+#define LIMB_ROUND_UP 0.011 /* the torso is rounded off so far above the crotch, in parts of the stature, */
+#define LIMB_ROUND 0.02     /* by so much [m] */
 #define LIMB_SHOULDER 1.1   /* the shoulder joint above the armpit, in parts of the radius of the arm there */
 #define LIMB_BARE 0.03      /* and up while it has something further out than this behind the wall */
 #define LIMB_UNDER 0.0015   /* a leg's upper end goes so far under the torso's skin [m] */
@@ -160,8 +162,16 @@ static void limb_under(const limb_cut *cut, double s, int32_t corners, const dou
 {
     const mus__scan_found *found = cut->found;
     const bool leg = cut->which == MUS_LIMB_LEG_LEFT || cut->which == MUS_LIMB_LEG_RIGHT;
-    if (!leg || s <= found->crotch) return;
-    const double under = LIMB_UNDER * (s - found->crotch) / (LIMB_LEG_UP * found->stature);
+    const double up = found->legs ? (s - found->crotch) / found->stature : INFINITY;
+    double under = 0.0;
+    if (leg && up > 0.0) under = LIMB_UNDER * up / LIMB_LEG_UP;
+
+    /* the torso's end between the legs is round, so that it has no edge where a leg is lifted */
+    if (cut->which == MUS_LIMB_TORSO && up < LIMB_ROUND_UP) {
+        const double v = 1.0 - fmax(up, 0.0) / LIMB_ROUND_UP;
+        under = LIMB_ROUND * (1.0 - sqrt(1.0 - v * v));
+    }
+    if (!(under > 0.0)) return;
     for (int32_t k = 0; k < corners; k++, outline += 2) {
         const double r = mus__dist2(centre, outline), part = fmax(1.0 - under / r, 0.5);
         for (int i = 0; i < 2; i++) outline[i] = centre[i] + part * (outline[i] - centre[i]);

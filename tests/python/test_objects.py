@@ -313,6 +313,9 @@ def test_a_body_poses_in_steps(scene):
         drape.settle()
     drape.step(2, 1e-4)
     assert drape.body_pose().place[0] == 0.1
+    raised = muslin.Pose(shoulder_left=(0.1, 1.0, 0.0))
+    drape.pose_body(raised)
+    assert tuple(drape.body_pose().angle[3]) == raised["shoulder_left"]
 
 
 def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):

@@ -38,8 +38,8 @@ class Drape(Object):
         self.do("move_body", (ctypes.c_double * 3)(*velocity))
 
     def pose_body(self, pose, duration=0.0):
-        """Let the body move to a pose (mus_pose, as muslin.pose makes it) in the next `duration` seconds of step()."""
-        self.do("pose_body", ctypes.byref(pose), duration)
+        """Let the body move to a pose (a Pose, or a mus_pose) in the next `duration` seconds of step()."""
+        self.do("pose_body", ctypes.byref(getattr(pose, "struct", pose)), duration)
 
     def body_pose(self):
         """How the body stands now, a mus_pose."""

@@ -146,6 +146,7 @@ typedef struct mus__contact_rule {
     double step;   /* [s] since the last call */
     double ball;   /* of near.h: how far a node near the skin may go until it is asked again [m] */
     double slick;  /* part of the friction that planes of their own have less */
+    double pull;   /* [m/s2] what is pinched is drawn out so; 0: it is put out, by `push` */
 } mus__contact_rule;
 
 /* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */

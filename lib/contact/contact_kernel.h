@@ -106,6 +106,9 @@ static int32_t MUS_FIELD(rub_one)(const MUS_FIELD(meeting) * m, MUS_REAL inward,
 }
 
 
+#include "contact/pinch_kernel.h"
+
+
 /* one node against the several surfaces that it touches, in place */
 static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIELD(path) * path,
                                    const MUS_FIELD(meeting) * list, int32_t count, MUS_REAL *x, MUS_REAL *v)
@@ -113,6 +116,7 @@ static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIEL
     const MUS_REAL start[3] = {x[0], x[1], x[2]};
     MUS_REAL wish[MEET_MOST], share[MEET_MOST], move[3], way[3], fast2 = 0, off2 = 0;
     int32_t rubbed = 0, all = 0;
+    const int32_t pinched = rule->pull > 0.0 && MUS_FIELD(pinched)(list, count, x);
 
     /* velocities, with no more than the node has; then friction, which takes of the way too */
     for (int32_t i = 0; i < count; i++) {
@@ -128,7 +132,7 @@ static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIEL
     MUS_FIELD(out_of_all)(list, count, wish, fast, move, share);
     for (int32_t d = 0; d < 3; d++) v[d] += move[d];
     for (int32_t i = 0; i < count; i++) {
-        if (!(share[i] > 0)) continue;
+        if (!(share[i] > 0) || pinched) continue;
         rubbed++;
         all += MUS_FIELD(rub_one)(&list[i], share[i], path->slip, x, v);
     }
@@ -141,7 +145,8 @@ static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIEL
     MUS_FIELD(out_of_all)(list, count, wish, most, move, share);
     const MUS_REAL far = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
     const MUS_REAL scale = far <= (MUS_REAL)rule->push + path->time * fast ? 1 : most / far;
-    for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
+    if (pinched) MUS_FIELD(let_out)(rule, path->time, move, far, v);
+    for (int32_t d = 0; d < 3 && !pinched; d++) x[d] += scale * move[d];
 
     /* one that sticks and is where it was is put back to the last bit */
     for (int32_t d = 0; d < 3; d++) off2 += (x[d] - list->from[d]) * (x[d] - list->from[d]);

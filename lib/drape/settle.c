@@ -319,7 +319,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         sim->drag = now.drag;
         const double push = drape->self != NULL ? LAYER_PUSH_SPEED * h : 2.0 * travel;
         sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, push, travel, h, h,
-                                        MUS_NEAR_BALL, 0.0};
+                                        MUS_NEAR_BALL, 0.0, 0.0};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
         const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;

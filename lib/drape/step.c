@@ -12,6 +12,7 @@
 
 #define LEAST_STEP 1e-30  /* [s]: far below what moves a float */
 #define PUSH_SPEED 1.0    /* [m/s]: what starts inside the body leaves it no faster */
+#define PINCH_PULL 100.0  /* [m/s2]: what is pinched by a body that never moved leaves it so */
 #define GUARD_STEPS 64    /* between looks at the state */
 #define LOOK_WAY 1.0      /* of the spacing: no node goes farther between looks at the bound */
 #define LOOK_STEPS 512    /* between looks at bound and energy: about 1 % of the time */
@@ -144,7 +145,8 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     sim->dashpots = drape->plan.dashpots;
     memset(sim->aside, 0, (size_t)drape->n * sizeof *sim->aside);
     sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt,
-                                    drape->def.contact_ball, 0.0};
+                                    drape->def.contact_ball, 0.0, 0.0};
+    if (drape->stance == NULL || !drape->stance->posed) sim->rule.pull = PINCH_PULL;
     mus__drape_meet_first(drape);
     if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
     drape->moved = 0;

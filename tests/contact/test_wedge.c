@@ -74,8 +74,8 @@ static void wedge_distances(const wedge *w, double gap, double *out)
 }
 
 
-/* wherever it starts between two rollers that touch, nearly touch or overlap, with and without friction: it comes out
- * at 1 m/s at most, never gets deeper, and rests clear of both */
+/* wherever it starts between two rollers that touch, nearly touch or overlap, with and without friction: it comes out,
+ * drawn between both and put out of one at 1 m/s, at 1.6 m/s at most, never gets deeper, and rests clear of both */
 START_TEST(what_starts_between_two_rollers_comes_out_slowly)
 {
     static const double gaps[] = {0.003, 0.001, 0.0, -0.01, -0.04};
@@ -92,7 +92,7 @@ START_TEST(what_starts_between_two_rollers_comes_out_slowly)
             ck_assert_int_eq(mus_drape_step(w.drape, 1, h), MUS_OK);
             const double *x = mus_drape_positions(w.drape);
             wedge_distances(&w, gap, distance);
-            ck_assert_double_le(hypot(x[0] - last[0], x[1] - last[1]), 1.01 * h);
+            ck_assert_double_le(hypot(x[0] - last[0], x[1] - last[1]), 1.6 * h);
             ck_assert_double_ge(distance[0], deepest - 1e-5);
             deepest = fmax(deepest, fmin(distance[0], 0.002));
             memcpy(last, x, sizeof last);

@@ -317,18 +317,21 @@ double mus__drape_inertia(mus_drape *drape, int32_t scaled)
     if (scaled) mus__plan_stiffness_at(&drape->plan, drape->n, drape->x, drape->stiffness, drape->work);
     else mus__plan_stiffness(&drape->plan, drape->n, drape->stiffness);
 
-    /* the lattice's own rate: the largest over nodes that only runs act on; without any, over all */
-    double lattice = 0.0, all = 0.0;
+    /* the lattice's own rate: the largest over nodes that only runs act on; without any, that of the mean node */
+    double lattice = 0.0, all = 0.0, stiff = 0.0, heavy = 0.0;
     int32_t g = 0;
     for (int32_t i = 0; i < drape->n; i++) {
         while (g < drape->plan.ngather && drape->plan.gather_node[g] < i) g++;
         const int32_t irregular = g < drape->plan.ngather && drape->plan.gather_node[g] == i;
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         const double rate2 = drape->stiffness[i] / drape->mass[i];
+        stiff += drape->stiffness[i];
+        heavy += drape->mass[i];
         if (rate2 > all) all = rate2;
         if (!irregular && rate2 > lattice) lattice = rate2;
     }
-    const double reference = scaled && lattice > 0.0 ? lattice : all;
+    if (!(lattice > 0.0) && heavy > 0.0) lattice = stiff / heavy;
+    const double reference = scaled ? lattice : all;
 
     for (int32_t i = 0; i < drape->n; i++) {
         const double mass = drape->mass[i];

@@ -340,7 +340,7 @@ double mus__drape_inertia(mus_drape *drape, int32_t scaled)
             continue;
         }
         const double needed = reference > 0.0 ? drape->stiffness[i] / reference : 0.0;
-        const double most = needed > mass ? needed : mass, inertia = drape->jammed ? drape->jam[i] * most : most;
+        const double inertia = needed > mass ? needed : mass;
         drape->sim.ops->set_node(&drape->sim, i, 1.0 / inertia, mass / inertia);
     }
     /* h = 2.62 / sqrt(max T/m): proof in the header of mus_drape_step_bound */

@@ -70,8 +70,6 @@ struct mus_drape {
     void *skin;         /* (n x 8) what nodes know of the skin near them */
     double *left;       /* (n x 3) force left over at the check before */
     double *anchor;     /* (n x 3) mean place where it began to lie still */
-    double *jam;        /* (n) times the inertia, where surfaces wedge a node; in use while `jammed` */
-    int32_t jammed;
 
     double *work;       /* (n x 6) scratch of the stiffness at a pose */
     double *mass;       /* (n) after welding; 0 for nodes that another stands for */

@@ -16,8 +16,8 @@
  * longer touches the body and falls is told so at once.
  *
  * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so
- * much, and forces with them. There the mean is over a time, not over a number of steps; when the residual no longer
- * falls these nodes are made heavier, and after that the step is halved.
+ * much, and forces with them. There the mean is over a time, not over a number of steps; and the step is halved when
+ * the residual no longer falls.
  */
 #include <math.h>
 #include <string.h>
@@ -29,12 +29,6 @@
 #define MEAN_STEPS 96        /* places averaged before a residual: of every step, or ripples would alias */
 #define MEAN_SECONDS 0.05    /* the same where cloth lies on cloth */
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
-#define JAM_FORCE 10.0       /* weights left of a node that is wedged */
-#define SKIN_NEAR 2.0        /* clearances */
-#define JAM_GROWTH 4.0
-#define JAM_MOST 256.0
-#define JAM_SECONDS 0.5      /* of falling or coming to rest first */
-#define RIPPLE_WEIGHTS 4     /* times that nodes on cloth are made heavier before the step is halved */
 #define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves, when it is */
 #define RIPPLE_FAR 10.0      /* times what is allowed */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
@@ -77,7 +71,6 @@ typedef struct lying {
     double way, quiet; /* farthest that a mean place is from where it began to lie still [m], and how long ago [s] */
     double best;       /* least residual since the step was halved */
     double safety;     /* of the bound, for the steps */
-    int32_t weighed;   /* times that nodes on cloth were made heavier */
     int32_t still;     /* checks with force left and nothing gained */
 } lying;
 
@@ -177,12 +170,11 @@ mus_status mus__drape_scratch(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->mean != NULL) return MUS_OK;
-    drape->mean = mus__new(drape->context, 4 * n3 + drape->n, sizeof *drape->mean);
+    drape->mean = mus__new(drape->context, 4 * n3, sizeof *drape->mean);
     if (drape->mean == NULL) return mus__fail_memory(drape->context, "a sewing or a settle");
     drape->before = drape->mean + n3;
     drape->left = drape->before + n3;
     drape->anchor = drape->left + n3;
-    drape->jam = drape->anchor + n3;
     return MUS_OK;
 }
 
@@ -190,7 +182,7 @@ mus_status mus__drape_scratch(mus_drape *drape)
 void mus__drape_scratch_free(mus_drape *drape)
 {
     mus__free(drape->context, drape->mean);
-    drape->mean = drape->before = drape->left = drape->anchor = drape->jam = NULL;
+    drape->mean = drape->before = drape->left = drape->anchor = NULL;
 }
 
 
@@ -215,34 +207,6 @@ static double rounding_residual(const mus_drape *drape)
 }
 
 
-/* whether the node touches other cloth or is at the skin */
-static bool touches(const mus_drape *drape, int32_t i)
-{
-    if (touches_cloth(drape, i)) return true;
-    if (drape->collider == NULL) return false;
-    const double near = SKIN_NEAR * drape->def.clearance;
-    return mus__collider_depth(drape->collider, drape->mean + 3 * (int64_t)i, near, NULL) > -near;
-}
-
-
-/*
- * Nodes that feel more than `least` times their weight get more inertia: rest does not depend on inertia. It is for
- * nodes that surfaces without room wedge, so that they come to lie still, and for ripples of cloth on cloth, which go
- * with h^2 F/m: the step stays what it is for all others. What touches nothing any more gets back what it had.
- */
-static void weigh_down(mus_drape *drape, double least)
-{
-    const double *gravity = drape->def.gravity, g = mus__norm3(gravity);
-    for (int32_t i = 0; i < drape->n; i++) {
-        const double felt = drape->mass[i] * (g > 0.0 ? g : 9.81);
-        const bool feels = mus__norm3(drape->force + 3 * (int64_t)i) > least * felt;
-        if (drape->mass[i] <= 0.0 || !(feels || drape->jam[i] > 1.0)) continue;
-        if (!touches(drape, i)) drape->jam[i] = fmax(drape->jam[i] / JAM_GROWTH, 1.0);
-        else if (feels) drape->jam[i] = fmin(JAM_GROWTH * drape->jam[i], JAM_MOST);
-    }
-}
-
-
 /* after steps that took `seconds`, `t` in all: how it lies, whether it rests, and steps and drag from now on */
 static void look_at_rest(mus_drape *drape, const settling *goal, double t, double seconds, lying *now)
 {
@@ -250,7 +214,6 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     drape->residual = mus__drape_residual(drape, drape->mean, &unheld);
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
     now->stray = farthest(drape, drape->x, drape->mean);
-    if (on_cloth(drape) && t > goal->fall + JAM_SECONDS) weigh_down(drape, JAM_FORCE);
     const double last = now->move;
     now->move = take_move(drape);
     now->drift = now->move / seconds;
@@ -268,17 +231,14 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
 
-    /* force that more inertia where cloth lies on cloth, then a smaller step may take away */
+    /* force that a smaller step may take away */
     const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
     const bool gains = residual < STALE_PART * now->best;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
-    const bool weigh = ripples && now->weighed < RIPPLE_WEIGHTS;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
-    if (now->still < STILL_CHECKS || !(weigh || now->safety > least)) return;
-    if (weigh) weigh_down(drape, goal->residual);
-    else now->safety *= 0.5;
-    now->weighed += weigh;
+    if (now->still < STILL_CHECKS || !(now->safety > least)) return;
+    now->safety *= 0.5;
     now->still = 0;
     now->best = residual;
 }
@@ -292,8 +252,6 @@ static lying lie_down(mus_drape *drape, double fall)
     sim->speed_limit = SETTLE_SPEED;
     sim->dashpots = 0;
     drape->settled = 0;
-    drape->jammed = 1;
-    for (int32_t i = 0; i < drape->n; i++) drape->jam[i] = 1.0;
     memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->before);
     memcpy(drape->anchor, drape->x, 3 * (size_t)drape->n * sizeof *drape->anchor);
     drape->residual = mus__drape_residual(drape, drape->x, NULL);
@@ -335,7 +293,6 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         mus__run_report(run, t / goal->seconds);
     }
     sim->near = NULL;
-    drape->jammed = 0;
     if (status != MUS_OK) return status;
     if (drape->settled || run->stop) return MUS_OK;
     if (run->slid) return mus__fail(drape->context, MUS_ERR_UNSETTLED, "%s", drape->reason.text);

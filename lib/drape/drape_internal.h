@@ -89,6 +89,7 @@ struct mus_drape {
     int64_t spring_evaluations, contact_queries; /* contact_queries: those of the coarser doubles */
     double sew_time, settle_time, residual;
     double distance;    /* expected from rest at the last check [m] */
+    int32_t sleeved;    /* nonzero while what closes round limbs is sewn over cloth: round it, and through none */
 
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;

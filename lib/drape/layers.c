@@ -6,11 +6,15 @@
  * equally far, until an exact count finds no crossing. Then its seams are drawn shut round what is worn, which is cloth
  * by now and part of what it meets, and it is let down too. Only the finest cut knows several layers: coarse ones of
  * cloth that lies on cloth would cross.
+ *
+ * Where sleeves come over it, a layer is not let down before they are closed: what hangs off an arm hangs out of a
+ * sleeve that is still open below.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/drape_internal.h"
+#include "geom/vec.h"
 
 #define LAYERS_TRIALS 24 /* of starts, each farther out */
 
@@ -38,6 +42,23 @@ static void layers_wait(mus_drape *drape, int32_t from)
     mus__plan_weld(drape->cloth, drape->welded ? drape->rep : NULL, &drape->plan);
     mus__drape_self_weld(drape);
     mus__drape_push(drape);
+}
+
+
+/* whether any panel of layers first .. last starts rolled round more than half of a limb */
+static int32_t layers_sleeved(const mus_cloth *cloth, int32_t first, int32_t last)
+{
+    for (int32_t p = 0; p < cloth->npanel; p++) {
+        const mus__panel_mesh *panel = &cloth->panel[p];
+        double low = INFINITY, high = -INFINITY;
+        if (panel->layer < first || panel->layer > last || panel->placement.bend == 0.0) continue;
+        for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++) {
+            low = fmin(low, cloth->rest[2 * (int64_t)i]);
+            high = fmax(high, cloth->rest[2 * (int64_t)i]);
+        }
+        if (high - low > MUS_PI * fabs(panel->placement.bend)) return 1;
+    }
+    return 0;
 }
 
 
@@ -101,9 +122,11 @@ mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew
         const int32_t next = layers_next(cloth, layer + 1);
         if (!first) layers_start(drape, layer);
         layers_wait(drape, next);
+        drape->sleeved = !first && layers_sleeved(cloth, layer, layer);
         status = first ? all(drape, run) : here(drape, run);
+        drape->sleeved = 0;
         if (status != MUS_OK || run->stop) break;
-        status = mus__drape_let_down(drape, run);
+        if (next == 0 || !layers_sleeved(cloth, next, INT32_MAX)) status = mus__drape_let_down(drape, run);
         if (next == 0) break;
         layer = next;
     }

@@ -13,11 +13,13 @@ import subprocess
 import sys
 
 SLEEVELESS_COAT = "top neck=v shape=boxy closure=front top_length=tunic ease=coat"
+LONG_COAT = SLEEVELESS_COAT.replace("neck=v", "neck=v sleeve=long")
 # (body, spacing [mm], from inside to outside)
 STACKS = [
     ("W40", 20, ["tshirt", "waistcoat"]),
     ("W40", 25, ["shirt_mandarin_long", "waistcoat"]),
     ("W40", 30, ["tshirt", "waistcoat", SLEEVELESS_COAT]),
+    ("W40", 30, ["shirt_mandarin_long", LONG_COAT]),
     ("W40", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
     ("M50", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
 ]

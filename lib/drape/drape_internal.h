@@ -42,6 +42,7 @@ typedef struct mus__slide {
     int32_t piece; /* its lowest panel */
     int32_t panel; /* of a piece: where its uppermost node was */
     double top;    /* and how high that was, along the torso [m] */
+    double foot;   /* how high its lowest node was where the pattern puts it */
 } mus__slide;
 
 struct mus_drape {

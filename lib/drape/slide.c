@@ -3,8 +3,9 @@
  *
  * Cloth that ends high up is carried by the shoulders or the bust, cloth that ends lower by the waist or the hip. A
  * piece has slid off when its uppermost node has gone a hand below what carried it: below the bust if it began above
- * it, below the hip if it began between; or, once it has had time to drop onto the body, when no node is near it. Held
- * edges carry their piece.
+ * it, below the hip if it began between; below the armpits if it began on the shoulders; or, once it has had time to
+ * drop onto the body, when no node is near it. One that reached a hand below the bust and is above the
+ * armpits as a whole has gone the other way, rolled up round the neck. Held edges carry their piece, but not its rest.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,6 +16,7 @@
 
 #define SLIDE_DEEP 0.08      /* [m] below what carried it, and below where it began */
 #define SLIDE_RIM 0.02       /* [m]: a top that begins so little below the bust is a top */
+#define SLIDE_STRAP 0.08     /* [m] above the armpits: what begins so high hangs on the shoulders */
 #define OFF_THE_BODY 0.005   /* [m]: no node this near: nothing carries the garment */
 
 
@@ -62,7 +64,10 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
 
         /* sewing may have thrown it up, or let it fall: it began where the pattern puts it. What was worn before began
          * where it hangs, no higher than that. Held pieces do not slide */
+        const double down[3] = {-hip.up[0], -hip.up[1], -hip.up[2]};
         mus__cloth_place(cloth, drape->work);
+        slide_tops(drape, drape->work, down, top, NULL);
+        for (int32_t p = 0; p < cloth->npanel; p++) drape->slide[p].foot = -top[p];
         slide_tops(drape, drape->work, hip.up, top, NULL);
         for (int32_t p = 0; p < cloth->npanel; p++)
             drape->slide[p].top = drape->cold ? top[p] : fmin(drape->slide[p].top, top[p]);
@@ -80,13 +85,13 @@ mus_status mus__drape_slide_start(mus_drape *drape, const double *x)
 }
 
 
-static void slide_say(mus_drape *drape, int32_t panel, const char *below)
+static void slide_say(mus_drape *drape, int32_t panel, const char *where)
 {
     const mus_cloth *cloth = drape->cloth;
     const char *garment = mus_cloth_name(cloth), *name = panel != MUS_NONE ? mus_cloth_panel_name(cloth, panel) : "";
     char text[256];
-    snprintf(text, sizeof text, "slid off%s: %.100s%s%.60s at %.1f s", below[0] != '\0' ? "" : " the body",
-             garment[0] != '\0' ? garment : name, below[0] != '\0' ? " below " : "", below, drape->settle_time);
+    snprintf(text, sizeof text, "slid off%s: %.100s%s%.60s at %.1f s", where[0] != '\0' ? "" : " the body",
+             garment[0] != '\0' ? garment : name, where[0] != '\0' ? " " : "", where, drape->settle_time);
     mus__drape_reason_set(drape, MUS_REASON_SLID_OFF, panel, MUS_NONE, MUS_NONE, drape->settle_time, text);
 }
 
@@ -105,24 +110,38 @@ static int32_t slide_loose(const mus_drape *drape, const double *x)
 }
 
 
-/* the first piece that has gone below what carried it, MUS_NONE without; *below names that */
-static int32_t slide_piece(const mus_drape *drape, const double *x, const char **below)
+/* where a piece of which `top` is uppermost now has slid to, NULL while it is worn; levels along the torso */
+static const char *slide_where(const mus__slide *slide, double top, double breast, double armpit, double hip)
+{
+    const bool high = slide->top > breast - SLIDE_RIM;
+    const double carried = high ? breast : hip;
+    if (!(slide->top > hip)) return NULL;
+    if (top < carried - SLIDE_DEEP && top < slide->top - SLIDE_DEEP) return high ? "below bust" : "below hip";
+    return slide->top > armpit + SLIDE_STRAP && top < armpit ? "below armpit" : NULL;
+}
+
+
+/* the first piece that is no longer where it is worn, MUS_NONE without; *where names where it is */
+static int32_t slide_piece(const mus_drape *drape, const double *x, const char **where)
 {
     const mus_cloth *cloth = drape->cloth;
-    mus__held_level bust, hip;
+    mus__held_level bust, hip, armpit;
     double *top = drape->work; /* scratch, 6 numbers a node */
     mus__drape_level(drape, MUS_HOLD_BUST, 0, &bust);
     mus__drape_level(drape, MUS_HOLD_HIP, 0, &hip);
-    if (!bust.there || !hip.there || drape->slide == NULL || cloth->npanel > 6 * (int64_t)drape->n) return MUS_NONE;
+    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+    if (!bust.there || !hip.there || drape->slide == NULL || cloth->npanel > 3 * (int64_t)drape->n) return MUS_NONE;
+    const double breast = mus__dot3(hip.up, bust.point), down[3] = {-hip.up[0], -hip.up[1], -hip.up[2]};
+    const double under = armpit.there ? mus__dot3(hip.up, armpit.point) : INFINITY;
+    double *foot = top + cloth->npanel;
     slide_tops(drape, x, hip.up, top, NULL);
+    slide_tops(drape, x, down, foot, NULL);
     for (int32_t p = 0; p < cloth->npanel; p++) {
         const mus__slide *slide = &drape->slide[p];
-        const double breast = mus__dot3(hip.up, bust.point);
-        const int32_t high = slide->top > breast - SLIDE_RIM;
-        const double carried = high ? breast : hip.at;
-        if (slide->piece != p || !(slide->top > hip.at)) continue;
-        *below = mus_hold_name(high ? MUS_HOLD_BUST : MUS_HOLD_HIP);
-        if (top[p] < carried - SLIDE_DEEP && top[p] < slide->top - SLIDE_DEEP) return p;
+        if (slide->piece != p) continue;
+        *where = slide_where(slide, top[p], breast, under, hip.at);
+        if (*where == NULL && slide->foot < breast - SLIDE_DEEP && -foot[p] > under) *where = "above armpit";
+        if (*where != NULL) return p;
     }
     return MUS_NONE;
 }
@@ -130,13 +149,13 @@ static int32_t slide_piece(const mus_drape *drape, const double *x, const char *
 
 int32_t mus__drape_slid(mus_drape *drape, const double *x, int32_t loose)
 {
-    const char *below = "";
+    const char *where = "";
     if (drape->collider == NULL) return 0;
     for (int32_t i = 0; i < drape->n; i++)
         if (drape->pinned[i]) return 0;
-    const int32_t piece = slide_piece(drape, x, &below);
+    const int32_t piece = slide_piece(drape, x, &where);
     if (piece != MUS_NONE) {
-        slide_say(drape, drape->slide[piece].panel, below);
+        slide_say(drape, drape->slide[piece].panel, where);
         return 1;
     }
     if (!loose || !slide_loose(drape, x)) return 0;

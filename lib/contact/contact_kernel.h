@@ -145,8 +145,9 @@ static void MUS_FIELD(respond_all)(const mus__contact_rule *rule, const MUS_FIEL
     MUS_FIELD(out_of_all)(list, count, wish, most, move, share);
     const MUS_REAL far = (MUS_REAL)MUS_FIELD(sqrt)(MUS_FIELD(dot)(move, move));
     const MUS_REAL scale = far <= (MUS_REAL)rule->push + path->time * fast ? 1 : most / far;
-    if (pinched) MUS_FIELD(let_out)(rule, path->time, move, far, v);
-    for (int32_t d = 0; d < 3 && !pinched; d++) x[d] += scale * move[d];
+    const int32_t out = pinched && far > (MUS_REAL)PINCH_NEAR;
+    if (out) MUS_FIELD(let_out)(rule, path->time, move, far, v);
+    for (int32_t d = 0; d < 3 && !out; d++) x[d] += scale * move[d];
 
     /* one that sticks and is where it was is put back to the last bit */
     for (int32_t d = 0; d < 3; d++) off2 += (x[d] - list->from[d]) * (x[d] - list->from[d]);

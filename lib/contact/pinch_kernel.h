@@ -5,6 +5,7 @@
 
 #define PINCH_FACING -0.5 /* cosine of normals of surfaces that stand against each other */
 #define PINCH_DEEP 1e-5   /* [m]: so much deeper than its path took it a node was inside before */
+#define PINCH_NEAR 3e-5   /* [m]: no farther than this from where all surfaces allow it, it is put there and held */
 #define PINCH_SPEED 0.2   /* of that of `push` */
 
 

@@ -4,8 +4,8 @@
  * Cloth that ends high up is carried by the shoulders or the bust, cloth that ends lower by the waist or the hip. A
  * piece has slid off when its uppermost node has gone a hand below what carried it: below the bust if it began above
  * it, below the hip if it began between; below the armpits if it began on the shoulders; or, once it has had time to
- * drop onto the body, when no node is near it. One that reached a hand below the bust and is above the
- * armpits as a whole has gone the other way, rolled up round the neck. Held edges carry their piece, but not its rest.
+ * drop onto the body, when no node is near it. Held edges carry their piece. One that is sewn, reached a hand below the
+ * bust and is above the armpits as a whole has gone the other way, rolled up round the neck, held there or not.
  */
 #include <math.h>
 #include <stdio.h>
@@ -140,7 +140,8 @@ static int32_t slide_piece(const mus_drape *drape, const double *x, const char *
         const mus__slide *slide = &drape->slide[p];
         if (slide->piece != p) continue;
         *where = slide_where(slide, top[p], breast, under, hip.at);
-        if (*where == NULL && slide->foot < breast - SLIDE_DEEP && -foot[p] > under) *where = "above armpit";
+        const bool round = cloth->npair > 0 && slide->foot < breast - SLIDE_DEEP;
+        if (*where == NULL && round && -foot[p] > under) *where = "above armpit";
         if (*where != NULL) return p;
     }
     return MUS_NONE;

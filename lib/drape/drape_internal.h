@@ -90,7 +90,6 @@ struct mus_drape {
     int64_t spring_evaluations, contact_queries; /* contact_queries: those of the coarser doubles */
     double sew_time, settle_time, residual;
     double distance;    /* expected from rest at the last check [m] */
-    int32_t sleeved;    /* nonzero while what closes round limbs is sewn over cloth: round it, and through none */
 
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;
@@ -243,6 +242,7 @@ typedef struct mus__run {
     double next_call; /* wall time of the next progress call */
     int32_t stop;     /* nonzero: the caller's function wants to stop */
     int32_t slid;     /* nonzero: the garment slid off the body */
+    int32_t sleeved;  /* nonzero: what closes round limbs is sewn over cloth: round it, and through none */
 } mus__run;
 
 void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, void *user);

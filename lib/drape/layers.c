@@ -122,9 +122,9 @@ mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew
         const int32_t next = layers_next(cloth, layer + 1);
         if (!first) layers_start(drape, layer);
         layers_wait(drape, next);
-        drape->sleeved = !first && layers_sleeved(cloth, layer, layer);
+        run->sleeved = !first && layers_sleeved(cloth, layer, layer);
         status = first ? all(drape, run) : here(drape, run);
-        drape->sleeved = 0;
+        run->sleeved = 0;
         if (status != MUS_OK || run->stop) break;
         if (next == 0 || !layers_sleeved(cloth, next, INT32_MAX)) status = mus__drape_let_down(drape, run);
         if (next == 0) break;

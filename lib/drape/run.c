@@ -25,7 +25,7 @@ void mus__run_start(mus__run *run, const char *phase, mus_progress_fn progress, 
     run->progress = progress;
     run->user = user;
     run->phase = phase;
-    run->stop = run->slid = 0;
+    run->stop = run->slid = run->sleeved = 0;
     run->next_call = progress != NULL ? wall_time() : 0.0;
 }
 

@@ -239,7 +239,7 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double 
         sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
                                         MUS_NEAR_BALL,       1.0 - SEW_GRIP,              0.0};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
-        if (!drape->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
+        if (!run->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
             let_pass(drape);
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
@@ -276,7 +276,7 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
     if (status != MUS_OK) return status;
     mus__drape_publish(drape);
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
-    const bool round = !drape->welded || drape->sleeved;
+    const bool round = !drape->welded || run->sleeved;
     status = sew_here(drape, run, round, 0.0);
     const double near = drape->parent != NULL && drape->self != NULL ? CARRY_GAP * drape->cloth->spacing : 0.0;
     if (status == MUS_ERR_SEW && !run->stop && !(mus__drape_gap(drape, NULL) < near)) {

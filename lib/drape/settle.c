@@ -276,8 +276,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = now.drag;
         const double push = drape->self != NULL ? LAYER_PUSH_SPEED * h : 2.0 * travel;
-        sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, push, travel, h, h,
-                                        MUS_NEAR_BALL, 0.0, 0.0};
+        sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction, .push = push,
+                                        .travel = travel, .slip = h, .step = h, .ball = MUS_NEAR_BALL};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
         const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;

@@ -236,8 +236,9 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double 
         if (lifted && check++ % LIFT_CHECKS == 0) lift_pairs(drape);
         stiffen(drape, t, all);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
-        sim->rule = (mus__contact_rule){drape->def.clearance, SEW_GRIP * drape->friction, 2.0 * travel, travel, h, h,
-                                        MUS_NEAR_BALL,       1.0 - SEW_GRIP,              0.0};
+        sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = SEW_GRIP * drape->friction,
+                                        .push = 2.0 * travel, .travel = travel, .slip = h, .step = h,
+                                        .ball = MUS_NEAR_BALL, .slick = 1.0 - SEW_GRIP};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         if (!run->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
             let_pass(drape);

@@ -144,8 +144,8 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     sim->drag = drape->def.drag;
     sim->dashpots = drape->plan.dashpots;
     memset(sim->aside, 0, (size_t)drape->n * sizeof *sim->aside);
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, PUSH_SPEED * dt, 0.0, 0.0, dt,
-                                    drape->def.contact_ball, 0.0, 0.0};
+    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
+                                    .push = PUSH_SPEED * dt, .step = dt, .ball = drape->def.contact_ball};
     if (drape->stance == NULL || !drape->stance->posed) sim->rule.pull = PINCH_PULL;
     mus__drape_meet_first(drape);
     if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */

@@ -131,8 +131,9 @@ static mus_status untangle_ease(mus_drape *drape)
     sim->drag = UNTANGLE_DRAG;
     sim->speed_limit = UNTANGLE_SPEED;
     sim->dashpots = 0;
-    sim->rule = (mus__contact_rule){drape->def.clearance, drape->friction, 2.0 * travel, travel, h, h, MUS_NEAR_BALL,
-                                    0.0,                  0.0};
+    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
+                                    .push = 2.0 * travel, .travel = travel, .slip = h, .step = h,
+                                    .ball = MUS_NEAR_BALL};
     mus_status status = mus__drape_self_ready(drape, h);
     if (status != MUS_OK) return status;
     for (int32_t i = 0; i < UNTANGLE_STEPS; i++) sim->ops->euler(sim, h);

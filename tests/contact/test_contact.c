@@ -90,7 +90,7 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 0);
     const double mobile[1] = {1.0};
-    const mus__contact_rule rule = {clearance, friction, push, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = clearance, .friction = friction, .push = push};
     mus__contact_tally tally = {0};
     mus__aside rest[1] = {{0, 0}};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
@@ -152,7 +152,7 @@ START_TEST(float_and_double_respond_alike)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 1);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 0.01};
     uint64_t random = 3;
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
@@ -187,7 +187,7 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, _i);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 1e-3, 1e-3, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 0.01, .slip = 1e-3, .step = 1e-3};
     enum { N = 700 };
     static double x[3 * N], v[3 * N], before[3 * N], one_x[3 * N], one_v[3 * N], mobile[N];
     static float xf[3 * N], vf[3 * N], beforef[3 * N], onef_x[3 * N], onef_v[3 * N], mobilef[N];
@@ -228,7 +228,7 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
 {
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 1);
-    const mus__contact_rule rule = {0.002, 0.4, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 0.01};
     const double mobile[1] = {1.0};
     mus__aside rest[1] = {{0, 0}};
     mus__contact_tally tally = {0};
@@ -250,7 +250,7 @@ START_TEST(sitting_out_lets_nothing_through)
     mus_context *context = support_context();
     mus__collider *collider = make_collider(context, 0);
     const double step = 5e-4, mobile[1] = {1.0};
-    const mus__contact_rule rule = {0.002, 0.0, 1.0, step, 0.0, step, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .push = 1.0, .travel = step, .step = step};
     uint64_t random = 4;
     mus__contact_tally tally = {0};
     int64_t calls = 0;
@@ -290,7 +290,7 @@ START_TEST(what_is_put_aside_would_not_have_touched)
     const double origin[3] = {0.0, 1.0, 0.0};
     mus__collider *collider;
     ck_assert_int_eq(mus__collider_create(context, body, origin, 0.002, &collider), MUS_OK);
-    const mus__contact_rule rule = {0.002, 0.4, 1e-3, 0.0, h, h, 0.0, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 1e-3, .slip = h, .step = h};
     enum { N = 1000 };
     static double x[3 * N], v[3 * N], before[3 * N], all_x[3 * N], all_v[3 * N], mobile[N];
     static mus__aside aside[N], none[N];

@@ -43,7 +43,8 @@ START_TEST(planes_do_what_asking_every_time_does)
     mus__collider *collider = two_legs(context);
     const double h = 2e-4;
     const double friction = _i == 1 ? 0.0 : _i == 2 ? INFINITY : 0.6;
-    const mus__contact_rule rule = {0.002, friction, 1e-3, 0.0, h, h, MUS_NEAR_BALL, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = friction, .push = 1e-3, .slip = h, .step = h,
+                                    .ball = MUS_NEAR_BALL};
     static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES];
     static double near[8 * NODES], inverse[NODES];
     mus__aside rest[NODES] = {{0, 0}};
@@ -91,7 +92,8 @@ START_TEST(nothing_falls_through_a_ball)
     mus_context *context = support_context();
     mus__collider *collider = two_legs(context);
     const double h = 1e-4;
-    const mus__contact_rule rule = {0.002, 0.6, 1e-3, 0.0, h, h, MUS_NEAR_BALL, 0.0, 0.0};
+    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.6, .push = 1e-3, .slip = h, .step = h,
+                                    .ball = MUS_NEAR_BALL};
     float x[3], v[3], near[8], inverse[1] = {1000.0f};
     mus__contact_tally tally = {0};
     uint64_t random = 5;

@@ -15,8 +15,8 @@
 #define SELF_LONGER 2.0    /* times as old as the last list became this one may become */
 #define SELF_WIDEN 2.0     /* a skin that was halved for want of room grows so much when there is four times the room */
 #define SELF_ROUND 4e-7    /* of a coordinate: what differences of floats may be off by */
-#define SELF_FRESH 0.7  /* of the skin: what has less left is listed anew with what is worn */
-#define SELF_SOME 0.15
+#define SELF_FRESH 0.7     /* of the skin: what has less left is listed anew with what is worn */
+#define SELF_SOME 0.15     /* of the nodes: when more of them are, all are */
 #define SELF_REACH_MOST 16 /* halvings of the skin until the pairs fit */
 
 

@@ -3,21 +3,21 @@
  *
  * A cloth that is far from rest falls on its coarsest cut first; each finer cut starts where the coarser one came to.
  * On each: symplectic Euler with inertia that is raised where the mesh is stiffer than its lattice (rest does not
- * depend on inertia) and air drag that is critical for the slowest motion left, measured from check to check. Measured
- * on the T-shirt and against kinetic damping: halting all nodes at peaks of the kinetic energy lets cloth that friction
- * holds slip (9 mm on the T-shirt), so drag it is.
+ * depend on inertia), and air drag that is critical for the slowest motion left, measured from check to check. Why not
+ * kinetic damping: halting all nodes at peaks of the kinetic energy lets cloth that friction holds slip (9 mm on the
+ * T-shirt).
  *
- * Rest is a residual: the force that springs, gravity, contact and friction leave at each node, over the node's
- * weight, rms over the nodes, taken at the mean place of the last steps (so that the rounding of a float state
- * averages out), and the drift of that mean place from one check to the next. In float, where stiff cloth feels its own
- * rounding, a residual within that and a slower drift will do. So does lying still for long where all force that is
- * left is at nodes that touch skin or cloth: contact puts places right, and where surfaces wedge a node, no normals
- * and no friction that are known from its place tell what they carry. It is never judged by energy. A garment that no
- * longer touches the body and falls is told so at once.
+ * A cloth rests when two things are small, both taken at the mean place of the last steps (so that the rounding of a
+ * float state averages out): the residual, which is the force that springs, gravity, contact and friction leave at each
+ * node, over the node's weight, rms over the nodes; and the drift of that mean place from one check to the next. In
+ * float, where stiff cloth feels its own rounding, a residual within that and a slower drift will do. So does lying
+ * still for long where all force that is left is at nodes that touch skin or cloth: contact puts places right, and
+ * where surfaces wedge a node, no normals and no friction that are known from its place tell what they carry. Energy
+ * never decides. What slides or falls off the body ends the run, with that reason (slide.c).
  *
- * Where cloth lies on cloth each step brings the two nearer by h^2 F/m and contact takes that back: places ripple by so
- * much, and forces with them. There the mean is over a time, not over a number of steps; and the step is halved when
- * the residual no longer falls.
+ * Where cloth lies on cloth each step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple
+ * by so much, and forces with them. So the mean is over a time there, not over a number of steps, and a residual that
+ * no longer falls halves the step. Any cloth that lies still with force left halves it too.
  */
 #include <math.h>
 #include <string.h>

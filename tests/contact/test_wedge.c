@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/people.h"
+#include "drape/worn.h"
 #include "muslin/muslin.h"
 
 Suite *mus_suite_wedge(void);
@@ -154,14 +154,9 @@ END_TEST
 /* a T-shirt whose arms come down to the sides: the cloth of the armpits comes out of them, and rests */
 START_TEST(a_tshirt_is_not_trapped_in_the_armpits)
 {
-    mus_context *context = support_context();
-    mus_tape *tape = people_size(context, "W40");
-    mus_body *body = people_body(context, "W40", NULL);
-    mus_pattern *pattern;
-    mus_cloth *cloth;
+    worn w = worn_body("W40");
     mus_cloth_def cut;
     mus_drape_def def;
-    mus_drape *drape;
     mus_drape_report report;
     mus_pose pose;
     mus_cloth_def_init(&cut, sizeof cut);
@@ -169,29 +164,23 @@ START_TEST(a_tshirt_is_not_trapped_in_the_armpits)
     mus_drape_def_init(&def, sizeof def);
     def.integrator = MUS_METHOD_VERLET;
     mus_drape_report_init(&report, sizeof report);
-    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, &pattern), MUS_OK);
-    ck_assert_int_eq(mus_cloth_create(context, pattern, &cut, &cloth), MUS_OK);
-    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_sew(drape, NULL, NULL), MUS_OK);
-    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_OK);
-    ck_assert_int_eq(mus_pose_named(context, "arms_down", &pose), MUS_OK);
-    ck_assert_int_eq(mus_drape_pose_body(drape, &pose, 0.8), MUS_OK);
-    const double until = mus_drape_time(drape) + 1.0;
-    while (mus_drape_time(drape) < until) {
-        ck_assert_int_eq(mus_drape_step(drape, 16, 0.6 * mus_drape_step_bound(drape)), MUS_OK);
-        ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+    worn_put_on_design(&w, "tshirt", NULL);
+    ck_assert_int_eq(mus_cloth_create(w.context, w.pattern, &cut, &w.cloth), MUS_OK);
+    worn_place(&w, &def);
+    ck_assert_int_eq(mus_drape_sew(w.drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_pose_named(w.context, "arms_down", &pose), MUS_OK);
+    ck_assert_int_eq(mus_drape_pose_body(w.drape, &pose, 0.8), MUS_OK);
+    const double until = mus_drape_time(w.drape) + 1.0;
+    while (mus_drape_time(w.drape) < until) {
+        ck_assert_int_eq(mus_drape_step(w.drape, 16, 0.6 * mus_drape_step_bound(w.drape)), MUS_OK);
+        ck_assert_int_eq(mus_drape_report_get(w.drape, &report), MUS_OK);
         ck_assert_double_le(report.max_penetration, 2e-3);
     }
-    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_OK);
-    ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_report_get(w.drape, &report), MUS_OK);
     ck_assert_double_le(report.max_penetration, 1e-3);
-    mus_drape_destroy(drape);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    mus_tape_destroy(tape);
-    support_context_end(context);
+    worn_end(&w);
 }
 END_TEST
 

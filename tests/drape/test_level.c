@@ -4,6 +4,7 @@
 
 #include "drape/level.h"
 #include "scenes.h"
+#include "worn.h"
 
 
 /* a square metre of 33 x 33 nodes, held at two corners, settled; `coarser` as in the def */
@@ -116,20 +117,13 @@ END_TEST
  * same. Rest it is: from there the same cloth in double, to that residual, moves by less than half a millimetre */
 START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
 {
-    mus_context *context = support_context();
-    mus_tape *tape;
-    mus_body *body;
-    mus_pattern *pattern;
-    mus_cloth *cloth;
+    worn w = worn_body("W40");
     mus_cloth_def cut;
-    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
-    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
-    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
-    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, &pattern), MUS_OK);
+    worn_put_on_design(&w, "tshirt", NULL);
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = 0.02;
     ck_assert_int_eq(mus_fabric_find("cotton", &cut.fabric), MUS_OK);
-    ck_assert_int_eq(mus_cloth_create(context, pattern, &cut, &cloth), MUS_OK);
+    ck_assert_int_eq(mus_cloth_create(w.context, w.pattern, &cut, &w.cloth), MUS_OK);
     mus_drape *drape[2];
     mus_drape_report report;
     mus_drape_report_init(&report, sizeof report);
@@ -138,22 +132,18 @@ START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
         mus_drape_def_init(&def, sizeof def);
         def.precision = k ? 64 : 32;
         def.settle_residual = 0.02;
-        ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape[k]), MUS_OK);
+        ck_assert_int_eq(mus_drape_create(w.context, w.cloth, w.body, &def, &drape[k]), MUS_OK);
         if (k == 0) ck_assert_int_eq(mus_drape_place(drape[0]), MUS_OK);
         if (k == 0) ck_assert_int_eq(mus_drape_sew(drape[0], NULL, NULL), MUS_OK);
         if (k == 1) ck_assert_int_eq(mus_drape_warm(drape[1], drape[0]), MUS_OK);
-        ck_assert_msg(mus_drape_settle(drape[k], NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+        ck_assert_msg(mus_drape_settle(drape[k], NULL, NULL) == MUS_OK, "%s", mus_context_error(w.context));
         ck_assert_int_eq(mus_drape_report_get(drape[k], &report), MUS_OK);
         ck_assert(k ? report.residual <= 0.02 : report.residual > 0.02);
     }
     const double *a = mus_drape_positions(drape[0]), *b = mus_drape_positions(drape[1]);
     for (int32_t i = 0; i < 3 * mus_drape_node_count(drape[0]); i++) ck_assert_double_eq_tol(a[i], b[i], 5e-4);
     for (int k = 0; k < 2; k++) mus_drape_destroy(drape[k]);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    mus_tape_destroy(tape);
-    support_context_end(context);
+    worn_end(&w);
 }
 END_TEST
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scenes.h"
+#include "worn.h"
 
 
 static mus_reason why(const mus_drape *drape)
@@ -83,42 +84,27 @@ START_TEST(a_shirt_off_the_shoulders_is_told)
 {
     const double by = _i == 0 ? -0.25 : 0.7;
     const char *text = _i == 0 ? "below armpit at " : "above armpit at ";
-    mus_context *context = support_context();
-    mus_tape *tape;
-    mus_body *body;
-    mus_pattern *pattern;
-    mus_draft_def draft;
     mus_drape_def def;
-    mus_drape *drape;
-    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
-    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
-    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
-    mus_draft_def_init(&draft, sizeof draft);
-    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, &draft, &pattern), MUS_OK);
-    mus_cloth *cloth = scene_cut(context, pattern, 0.06, 0.0);
+    worn w = worn_body("W40");
+    worn_put_on_design(&w, "tshirt", NULL);
+    w.cloth = scene_cut(w.context, w.pattern, 0.06, 0.0);
     mus_drape_def_init(&def, sizeof def);
-    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_sew(drape, NULL, NULL), MUS_OK);
+    worn_place(&w, &def);
+    ck_assert_int_eq(mus_drape_sew(w.drape, NULL, NULL), MUS_OK);
 
-    const int32_t n = mus_drape_node_count(drape);
+    const int32_t n = mus_drape_node_count(w.drape);
     double *x = malloc(3 * (size_t)n * sizeof *x);
     ck_assert_ptr_nonnull(x);
-    memcpy(x, mus_drape_positions(drape), 3 * (size_t)n * sizeof *x);
+    memcpy(x, mus_drape_positions(w.drape), 3 * (size_t)n * sizeof *x);
     for (int32_t i = 0; i < n; i++) x[3 * i + 1] += by;
-    ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_OK);
-    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_ERR_UNSETTLED);
-    const mus_reason reason = why(drape);
+    ck_assert_int_eq(mus_drape_set_state(w.drape, x, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_ERR_UNSETTLED);
+    const mus_reason reason = why(w.drape);
     ck_assert_int_eq(reason.kind, MUS_REASON_SLID_OFF);
     ck_assert_msg(strstr(reason.text, text) != NULL, "%s", reason.text);
 
     free(x);
-    mus_drape_destroy(drape);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    mus_tape_destroy(tape);
-    support_context_end(context);
+    worn_end(&w);
 }
 END_TEST
 

@@ -199,22 +199,31 @@ static MUS_REAL MUS_FIELD(self_farthest)(int64_t n, int32_t count, MUS_REAL sinc
 }
 
 
-/* nodes that left their balls back to them, to where they came out. Nonzero when any is near the end of its ball */
-static int32_t MUS_FIELD(self_hold)(mus__cloth_self *self, MUS_REAL *x)
+/*
+ * Nodes that left their balls back to them, to where they came out, and as much slower as they went less far in this
+ * step of h: with their old speed they would gain what the force does over the way back. Nonzero when any is near the
+ * end of its ball.
+ */
+static int32_t MUS_FIELD(self_hold)(mus__cloth_self *self, MUS_REAL h, MUS_REAL *x, MUS_REAL *v)
 {
     const int64_t n = self->n;
     const MUS_REAL *ball = self->ball, *w = self->drift, since = (MUS_REAL)self->since;
     if (MUS_FIELD(self_beyond)(n, self->nodes, (MUS_REAL)SELF_TURN, since, ball, w, x) == 0) return 0;
     for (int64_t i = 0; i < self->nodes; i++) {
-        MUS_REAL way[3], middle[3], d2 = 0;
+        MUS_REAL way[3], middle[3], d2 = 0, out = 0;
         for (int64_t d = 0; d < 3; d++) {
             middle[d] = ball[d * n + i] + since * w[d * n + i];
             way[d] = x[d * n + i] - middle[d];
             d2 += way[d] * way[d];
+            out += way[d] * (v[d * n + i] - w[d * n + i]);
         }
         if (d2 <= ball[3 * n + i]) continue;
         const MUS_REAL part = (MUS_REAL)0.999 * (MUS_REAL)MUS_SQRT(ball[3 * n + i] / d2);
-        for (int64_t d = 0; d < 3; d++) x[d * n + i] = part > 0 ? middle[d] + part * way[d] : middle[d];
+        const MUS_REAL lost = (1 - part) / h, most = out > 0 ? out / d2 : 0, slower = lost < most ? lost : most;
+        for (int64_t d = 0; d < 3; d++) {
+            x[d * n + i] = part > 0 ? middle[d] + part * way[d] : middle[d];
+            v[d * n + i] -= slower * way[d];
+        }
         self->held++;
     }
     return 1;
@@ -439,12 +448,12 @@ void MUS_SELF(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL
 {
     self->since += rule->step;
     self->age += rule->step;
-    int32_t turn = MUS_FIELD(self_hold)(self, x);
+    int32_t turn = MUS_FIELD(self_hold)(self, (MUS_REAL)rule->step, x, v);
     turn |= self->since + rule->step > self->holds;
     if (self->ntouch > 0) {
         MUS_FIELD(self_grounds)(self, rule, v);
         MUS_FIELD(self_touch)(self, rule, inverse, x, v);
-        turn |= MUS_FIELD(self_hold)(self, x);
+        turn |= MUS_FIELD(self_hold)(self, (MUS_REAL)rule->step, x, v);
     }
     if (turn) MUS_FIELD(self_balls)(self, x, rule->step);
 }

@@ -59,7 +59,7 @@ static mus_status prepare(dress *d)
 
 
 /* cloth and drape: everything before the first step */
-static mus_status cut_out(dress *d)
+static mus_status cut_out(dress *d, bool once)
 {
     const double start = seconds();
     mus_cloth_def cut;
@@ -76,6 +76,7 @@ static mus_status cut_out(dress *d)
     def.precision = (int32_t)d->precision;
     def.friction = d->friction;
     def.self_contact = d->self_contact || d->over.count > 0;
+    def.sew_once = once;
     status = mus_drape_create(d->s.context, d->cloth, d->body, &def, &d->drape);
     return status == MUS_OK ? mus_drape_place(d->drape) : status;
 }
@@ -113,11 +114,11 @@ static void look_at_start(dress *d)
 }
 
 
-/* from where the panels start to rest, or to why not */
-static void attempt(dress *d)
+/* from where the panels start to rest, or to why not; `once`: a seam that does not close at once has the last word */
+static void attempt(dress *d, bool once)
 {
     mus_reason_init(&d->start, sizeof d->start);
-    d->outcome = cut_out(d);
+    d->outcome = cut_out(d, once);
     if (d->outcome == MUS_OK) look_at_start(d);
     if (d->outcome == MUS_OK)
         run(d);
@@ -126,39 +127,80 @@ static void attempt(dress *d)
 }
 
 
-/* whether another start may help: a bad one, or from it a seam that does not close or cloth through cloth */
-static bool start_failed(const dress *d)
+/* whether there is another start than the pattern's own */
+static bool has_other_start(const dress *d)
 {
-    mus_reason why;
-    mus_reason_init(&why, sizeof why);
-    if (d->outcome == MUS_OK || d->drape == NULL || d->place != NULL || d->found || d->mesh.file != NULL ||
-        d->over.count > 0)
-        return false;
-    if (d->start.kind != MUS_REASON_NONE) return d->start.kind == MUS_REASON_START_TANGLED;
-    return mus_drape_reason(d->drape, &why) == MUS_OK &&
-           (why.kind == MUS_REASON_SEAM_OPEN || why.kind == MUS_REASON_TANGLED);
+    return d->place == NULL && !d->found && d->mesh.file == NULL && d->over.count == 0;
 }
 
 
-/* once more, from places that are found; what ended worse is thrown away */
-static void attempt_again(dress *d)
+/* what a drape that came to no good ended with */
+static int32_t ended(const dress *d)
+{
+    mus_reason why;
+    mus_reason_init(&why, sizeof why);
+    const bool known = d->outcome != MUS_OK && d->drape != NULL && mus_drape_reason(d->drape, &why) == MUS_OK;
+    return known ? why.kind : MUS_REASON_NONE;
+}
+
+
+/* whether another start may help: a bad one, or from it a seam that does not close or cloth through cloth */
+static bool start_failed(const dress *d)
+{
+    if (d->outcome == MUS_OK || d->drape == NULL) return false;
+    if (d->start.kind != MUS_REASON_NONE) return d->start.kind == MUS_REASON_START_TANGLED;
+    return ended(d) == MUS_REASON_SEAM_OPEN || ended(d) == MUS_REASON_TANGLED;
+}
+
+
+/* once more, from where `pattern` says. What ended worse is thrown away, but that with more tries takes the place of
+ * that with one. Returns what it ended with */
+static int32_t attempt_again(dress *d, mus_pattern *pattern, bool once)
 {
     dress first = *d;
-    const double start = seconds();
-    mus_status status = mus_pattern_place(d->s.pattern, d->body);
-    d->place_seconds += seconds() - start;
     d->cloth = NULL;
     d->drape = NULL;
-    if (status == MUS_OK) attempt(d);
-    d->found = status == MUS_OK && d->outcome == MUS_OK;
-    mus_drape_destroy(d->found ? first.drape : d->drape);
-    mus_cloth_destroy(d->found ? first.cloth : d->cloth);
-    if (d->found) return;
+    d->s.pattern = pattern;
+    attempt(d, once);
+    d->s.pattern = first.s.pattern;
+    const int32_t end = ended(d);
+    const bool keep = d->outcome == MUS_OK || (d->drape != NULL && !once && pattern == first.s.pattern);
+    mus_drape_destroy(keep ? first.drape : d->drape);
+    mus_cloth_destroy(keep ? first.cloth : d->cloth);
+    if (keep) return end;
     d->cloth = first.cloth;
     d->drape = first.drape;
     d->outcome = first.outcome;
     d->start = first.start;
     memcpy(d->reason, first.reason, sizeof d->reason);
+    return end;
+}
+
+
+/*
+ * From the pattern's own start; where that fails, from places that are found. A start from which the coarsest cut does
+ * not close at once is seldom a good one: the other has its turn before all is tried from either, which takes long.
+ */
+static void attempts(dress *d)
+{
+    const bool other = has_other_start(d);
+    attempt(d, other);
+    if (!other || !start_failed(d)) return;
+    const bool open = ended(d) == MUS_REASON_SEAM_OPEN;
+    int32_t end = MUS_REASON_NONE;
+    mus_pattern *found = NULL;
+    const double start = seconds();
+    mus_status status = mus_pattern_copy(d->s.pattern, &found);
+    if (status == MUS_OK) status = mus_pattern_place(found, d->body);
+    d->place_seconds += seconds() - start;
+    if (status == MUS_OK) end = attempt_again(d, found, true);
+    d->found = d->outcome == MUS_OK;
+    if (d->outcome != MUS_OK && open) attempt_again(d, d->s.pattern, false);
+    if (d->outcome != MUS_OK && end == MUS_REASON_SEAM_OPEN) {
+        attempt_again(d, found, false);
+        d->found = d->outcome == MUS_OK;
+    }
+    mus_pattern_destroy(found);
 }
 
 
@@ -338,8 +380,7 @@ int dress_run(dress *d)
     int code = EXIT_DONE;
     d->outcome = prepare(d);
     if (d->outcome == MUS_OK) {
-        attempt(d);
-        if (start_failed(d)) attempt_again(d);
+        attempts(d);
     } else {
         snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
     }

@@ -47,6 +47,8 @@ typedef struct mus_drape_def {
     int32_t self_contact;      /* nonzero: cloth meets cloth in stepping, sewing and settling; 0 (default) */
     double thickness;          /* cloth is kept this far from cloth [m], default 0.002, at most half the spacing */
     double self_friction;      /* of cloth on cloth; NaN (default): the fabric's; infinite: what touches, sticks */
+    int32_t sew_once;          /* nonzero: sewing gives up where its first try does not close the coarsest cut, for a
+                                * caller that has another start; 0 (default): straight pulls and finer cuts come then */
 } mus_drape_def;
 
 MUS_API void mus_drape_def_init(mus_drape_def *def, size_t size);

@@ -169,6 +169,8 @@ mus_status mus__drape_self_create(mus_drape *drape);
 void mus__drape_self_weld(mus_drape *drape);
 /* before steps of `h`, places, masses and contact's rule set: from now on it acts in each. */
 mus_status mus__drape_self_ready(mus_drape *drape, double h);
+/* panels that fan out wide start folded (flare.c). Whether there was one */
+bool mus__drape_flare(mus_drape *drape);
 /* panels that begin over each other in one plane are moved apart (apart.c) */
 mus_status mus__drape_apart(mus_drape *drape);
 /* crossings of a cloth with self_contact drawn apart as far as they go (untangle.c) */

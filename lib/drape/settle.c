@@ -233,7 +233,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
 
     /* force that a smaller step may take away */
     const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
-    const bool gains = residual < STALE_PART * now->best;
+    const bool gains = residual < STALE_PART * now->best || residual <= goal->residual;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;

@@ -280,7 +280,7 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
     const bool round = !drape->welded || run->sleeved;
     status = sew_here(drape, run, round, 0.0);
     const double near = drape->parent != NULL && drape->self != NULL ? CARRY_GAP * drape->cloth->spacing : 0.0;
-    if (status == MUS_ERR_SEW && !run->stop && !(mus__drape_gap(drape, NULL) < near)) {
+    if (status == MUS_ERR_SEW && !run->stop && !drape->def.sew_once && !(mus__drape_gap(drape, NULL) < near)) {
         mus__drape_reopen(drape, drape->mean);
         status = sew_here(drape, run, !round, 0.0);
     }
@@ -293,7 +293,7 @@ static mus_status sew_tries(mus_drape *drape, mus__run *run)
  * On the coarser cut first, down to the coarsest; where its seams were welded, the finer cut's pairs lie together as
  * near as the coarse borders follow the fine ones, and are welded as they are. Where some could not be, the finer cut
  * goes on from there if cloth meets cloth: what a coarse cut has no room for, a finer one may have. Where cloth may go
- * through cloth, the finer cut tries from its own start.
+ * through cloth, the finer cut tries from its own start. With def.sew_once neither is tried.
  */
 static mus_status sew_levels(mus_drape *drape, mus__run *run)
 {
@@ -309,8 +309,9 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
             drape->sewn_so = drape->self != NULL;
             return mus__drape_untangle(drape);
         }
+        if (status == MUS_ERR_SEW && (drape->self != NULL || drape->def.sew_once)) mus__drape_prolong(drape);
+        if (drape->def.sew_once) return status;
         if (status == MUS_ERR_SEW && drape->self != NULL) {
-            mus__drape_prolong(drape);
             status = mus__drape_untangle(drape);
             const double from = fmin(RAMP_SECONDS, CARRY_PART * drape->def.sew_seconds);
             return status == MUS_OK ? sew_here(drape, run, false, from) : status;
@@ -334,7 +335,10 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     if (mus__drape_layered(drape)) {
         done = mus__drape_sew_layers(drape, &run, sew_levels, sew_tries);
     } else {
-        if (drape->self != NULL && drape->count == 0) done = mus__drape_apart(drape);
+        if (drape->self != NULL && drape->count == 0) {
+            mus__drape_flare(drape);
+            done = mus__drape_apart(drape);
+        }
         if (done == MUS_OK) done = sew_levels(drape, &run);
     }
     mus__drape_reason_status(drape, done);

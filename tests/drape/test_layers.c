@@ -156,9 +156,9 @@ END_TEST
 
 
 /*
- * A sheet that trembles in its plane beside another one, without gravity and without touching it: what keeps nodes from
- * going too far at once between two looks gives them no energy. (It held places back and left velocities: by Verlet, 1.7
- * times the energy after the first 0.02 s.)
+ * A sheet that trembles in its plane beside another one, without gravity and without touching it: what keeps nodes
+ * from going too far at once between two looks gives them no energy. (It held places back and left velocities: by
+ * Verlet, 1.7 times the energy after the first 0.02 s.)
  */
 START_TEST(what_trembles_beside_cloth_gains_no_energy)
 {

@@ -377,7 +377,7 @@ class mus_drape_def(Structure):
                 ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
                 ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
                 ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double),
-                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double)]
+                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double), ("sew_once", c_int32)]
 
 
 class mus_plane(Structure):

@@ -1,0 +1,216 @@
+/*
+ * flare.c: panels that fan out wide start folded, where cloth is to meet cloth.
+ *
+ * Half of a circle skirt stands up to the waist on both sides when it starts flat: its seams are drawn shut across the
+ * arms, and what lies on a hand stays there. Hung as it will hang, its sides go down below the arms. Every curve on the
+ * unit sphere that is as long as the fan's angle makes a cone of the fan without strain, rays staying straight; here
+ *
+ *     a(s) = A (s - 1/2),   b(s) = B (1 - cos(2 pi n s)) / 2,   0 <= s <= 1,
+ *
+ * a the angle in the panel's plane and b that out of it, on the right side; B is such that the length is right. The
+ * apex is where the sides meet, which are the two straight seams that hold the panel between them.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_internal.h"
+#include "drape/start.h"
+#include "geom/vec.h"
+
+#define FLARE_WIDE 1.9      /* radians: wider fans are folded, */
+#define FLARE_TO 1.75       /* to so much from side to side */
+#define FLARE_FOLD 0.8      /* radians of the fan to a fold */
+#define FLARE_FLAT 0.98     /* mean normal of a panel that starts flat */
+#define FLARE_SIDE 0.1      /* [m]: a side is as long at least */
+#define FLARE_STRAIGHT 0.99 /* its chord over its way */
+#define FLARE_MEET 0.1      /* of the longest side: how far the sides may miss the apex, */
+#define FLARE_BESIDE 0.15   /* radians: how far nodes may be beyond them */
+#define FLARE_LONG 0.5       /* of the way from the apex to the hem: its sides are as long; a band is no fan */
+#define FLARE_SEAMS 32      /* of a panel that are looked at */
+#define FLARE_STEPS 512     /* of the curve */
+
+/* a seam of a panel to another one: its ends on the panel, and the way between them */
+typedef struct flare_side {
+    int32_t seam;
+    double from[3], to[3], way;
+} flare_side;
+
+typedef struct flare_fan {
+    double apex[3], middle[3], aside[3], out[3]; /* frame: middle and aside in the plane */
+    double half;                                 /* angle from the middle to a side */
+    double length;                               /* of both sides [m] */
+} flare_fan;
+
+
+static double flare_apart(const double *a, const double *b)
+{
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return mus__norm3(d);
+}
+
+
+/* straight seams of panel p to others; returns how many, at most FLARE_SEAMS */
+static int32_t flare_sides(const mus_drape *drape, int32_t p, flare_side *side)
+{
+    const mus_cloth *cloth = drape->cloth;
+    int32_t count = 0, kept = 0;
+    for (int32_t i = 0; i < cloth->npair; i++) {
+        const int32_t a = cloth->pair[2 * (int64_t)i], b = cloth->pair[2 * (int64_t)i + 1];
+        const bool first = cloth->node_panel[a] == p;
+        if (cloth->node_panel[a] == cloth->node_panel[b] || !(first || cloth->node_panel[b] == p)) continue;
+        const double *x = drape->x + 3 * (int64_t)(first ? a : b);
+        if (count == 0 || side[count - 1].seam != cloth->pair_seam[i]) {
+            if (count == FLARE_SEAMS) break;
+            side[count].seam = cloth->pair_seam[i], side[count].way = 0.0;
+            memcpy(side[count].from, x, sizeof side->from);
+            memcpy(side[count].to, x, sizeof side->to);
+            count++;
+            continue;
+        }
+        side[count - 1].way += flare_apart(side[count - 1].to, x);
+        memcpy(side[count - 1].to, x, sizeof side->to);
+    }
+    for (int32_t i = 0; i < count; i++)
+        if (side[i].way >= FLARE_SIDE && flare_apart(side[i].from, side[i].to) >= FLARE_STRAIGHT * side[i].way)
+            side[kept++] = side[i];
+    return kept;
+}
+
+
+/* angle of a place from the middle of the fan, and how far it is from the apex */
+static double flare_angle(const flare_fan *fan, const double *x, double *far)
+{
+    const double d[3] = {x[0] - fan->apex[0], x[1] - fan->apex[1], x[2] - fan->apex[2]};
+    const double along = mus__dot3(d, fan->middle), aside = mus__dot3(d, fan->aside);
+    *far = sqrt(along * along + aside * aside);
+    return atan2(aside, along);
+}
+
+
+/* the fan between two sides of panel p; false where they do not hold all of it between them, or it is not wide */
+static bool flare_between(const mus_drape *drape, int32_t p, const flare_side *one, const flare_side *two,
+                          flare_fan *fan)
+{
+    const mus__panel_mesh *mesh = &drape->cloth->panel[p];
+    const double *in[2] = {one->from, two->from}, *out[2] = {one->to, two->to};
+    double way[2][3], apart[3], turn[3], least = INFINITY, middle[3], far;
+
+    /* the ends that are nearest to each other are the inner ones */
+    for (int32_t k = 0; k < 4; k++) {
+        const double *a = k % 2 ? one->to : one->from, *b = k / 2 ? two->to : two->from;
+        if (!(flare_apart(a, b) < least)) continue;
+        least = flare_apart(a, b);
+        in[0] = a, in[1] = b, out[0] = k % 2 ? one->from : one->to, out[1] = k / 2 ? two->from : two->to;
+    }
+    for (int32_t k = 0; k < 2; k++) {
+        for (int32_t d = 0; d < 3; d++) way[k][d] = out[k][d] - in[k][d];
+        mus__unit3(way[k]);
+    }
+
+    /* both go on by the same length to the apex */
+    for (int32_t d = 0; d < 3; d++) apart[d] = in[0][d] - in[1][d], turn[d] = way[0][d] - way[1][d];
+    if (!(mus__dot3(turn, turn) > 0.1)) return false;
+    const double back = mus__dot3(apart, turn) / mus__dot3(turn, turn);
+    double miss2 = 0.0;
+    for (int32_t d = 0; d < 3; d++) {
+        const double a = in[0][d] - back * way[0][d], b = in[1][d] - back * way[1][d];
+        fan->apex[d] = 0.5 * (a + b);
+        miss2 += (a - b) * (a - b);
+    }
+    const double most = FLARE_MEET * fmax(one->way, two->way);
+    if (back < 0.0 || miss2 > most * most) return false;
+    if (!(fmin(one->way, two->way) > FLARE_LONG * (back + fmin(one->way, two->way)))) return false;
+
+    mus__start_middle(drape, p, middle);
+    for (int32_t d = 0; d < 3; d++) fan->middle[d] = middle[d] - fan->apex[d];
+    const double off = mus__dot3(fan->middle, fan->out);
+    for (int32_t d = 0; d < 3; d++) fan->middle[d] -= off * fan->out[d];
+    mus__unit3(fan->middle);
+    mus__cross3(fan->out, fan->middle, fan->aside);
+    const double left = flare_angle(fan, out[0], &far), right = flare_angle(fan, out[1], &far);
+    if (!(left * right < 0.0)) return false;
+    fan->half = fmax(fabs(left), fabs(right));
+    fan->length = one->way + two->way;
+    if (!(2.0 * fan->half > FLARE_WIDE)) return false;
+    for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
+        const double beyond = fabs(flare_angle(fan, drape->x + 3 * (int64_t)i, &far)) - fan->half;
+        if (far < 0.5 * back || beyond > FLARE_BESIDE) return false;
+    }
+    return true;
+}
+
+
+/* the widest-sided fan that panel p is; false when it is none */
+static bool flare_find(const mus_drape *drape, int32_t p, flare_fan *fan)
+{
+    flare_side side[FLARE_SEAMS];
+    flare_fan own;
+    bool there = false;
+    if (drape->cloth->panel[p].triangle_count == 0) return false;
+    mus__start_facing(drape, p, own.out);
+    if (!(mus__norm3(own.out) > FLARE_FLAT)) return false;
+    mus__unit3(own.out);
+    const int32_t count = flare_sides(drape, p, side);
+    for (int32_t i = 0; i < count; i++)
+        for (int32_t k = i + 1; k < count; k++) {
+            if (!flare_between(drape, p, &side[i], &side[k], &own) || (there && own.length <= fan->length)) continue;
+            *fan = own;
+            there = true;
+        }
+    return there;
+}
+
+
+/* the curve of n folds of height `fold`, in equal steps of s: way (FLARE_STEPS + 1) from its start; all of it */
+static double flare_curve(int32_t n, double fold, double *way)
+{
+    const double step = 1.0 / FLARE_STEPS;
+    way[0] = 0.0;
+    for (int32_t i = 0; i < FLARE_STEPS; i++) {
+        const double s = 2.0 * MUS_PI * n * (i + 0.5) * step;
+        const double out = 0.5 * fold * (1.0 - cos(s)), rise = MUS_PI * n * fold * sin(s), turn = FLARE_TO * cos(out);
+        way[i + 1] = way[i] + step * sqrt(turn * turn + rise * rise);
+    }
+    return way[FLARE_STEPS];
+}
+
+
+/* the nodes of a fan onto its cone */
+static void flare_fold(mus_drape *drape, int32_t p, const flare_fan *fan)
+{
+    const mus__panel_mesh *mesh = &drape->cloth->panel[p];
+    const int32_t n = (int32_t)ceil(2.0 * fan->half / FLARE_FOLD);
+    double way[FLARE_STEPS + 1], low = 0.0, high = 1.5;
+    for (int32_t i = 0; i < 50; i++) {
+        const double fold = 0.5 * (low + high);
+        if (flare_curve(n, fold, way) < 2.0 * fan->half) low = fold;
+        else high = fold;
+    }
+    const double all = flare_curve(n, low, way);
+    for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
+        double *x = drape->x + 3 * (int64_t)i, far;
+        const double angle = flare_angle(fan, x, &far);
+        const double want = all * fmin(fmax(0.5 + 0.5 * angle / fan->half, 0.0), 1.0);
+        int32_t k = 0;
+        while (k < FLARE_STEPS - 1 && way[k + 1] < want) k++;
+        const double s = (k + (want - way[k]) / (way[k + 1] - way[k])) / FLARE_STEPS;
+        const double a = FLARE_TO * (s - 0.5), b = 0.5 * low * (1.0 - cos(2.0 * MUS_PI * n * s));
+        for (int32_t d = 0; d < 3; d++)
+            x[d] = fan->apex[d] +
+                   far * (cos(b) * (cos(a) * fan->middle[d] + sin(a) * fan->aside[d]) + sin(b) * fan->out[d]);
+    }
+}
+
+
+bool mus__drape_flare(mus_drape *drape)
+{
+    bool moved = false;
+    for (int32_t p = 0; p < drape->cloth->npanel; p++) {
+        flare_fan fan;
+        if (!flare_find(drape, p, &fan)) continue;
+        flare_fold(drape, p, &fan);
+        moved = true;
+    }
+    if (moved) mus__drape_push(drape);
+    return moved;
+}

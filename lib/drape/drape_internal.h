@@ -131,8 +131,8 @@ void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluati
 
 /* places of a cloth's nodes before sewing: x (nnode x 3) (place.c) */
 void mus__cloth_place(const mus_cloth *cloth, double *x);
-/* those of the panels of a layer, `out` farther off on their right sides; the others stay */
-void mus__cloth_place_out(const mus_cloth *cloth, int32_t layer, double out, double *x);
+/* those of a panel, `out` farther off on its right side, below 0: on its wrong side; the others stay */
+void mus__cloth_place_out(const mus_cloth *cloth, int32_t panel, double out, double *x);
 
 /* ---- surfaces that move, nodes that are fast (glide.c, plane.c, stance.c) ---- */
 

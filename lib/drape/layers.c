@@ -2,10 +2,11 @@
  * layers.c: garments over one another, sewn one after the other from inside to outside.
  *
  * What is to be sewn later waits: held where it starts, met by nothing. The innermost layer is sewn and let down as if
- * it were alone. Each next one starts where it crosses nothing of what is worn: along its panels' normals, all of them
- * equally far, until an exact count finds no crossing. Then its seams are drawn shut round what is worn, which is cloth
- * by now and part of what it meets, and it is let down too. Only the finest cut knows several layers: coarse ones of
- * cloth that lies on cloth would cross.
+ * it were alone. Each next one starts where it crosses nothing of what is worn: along its panels' normals off the body,
+ * all of them equally far, until an exact count finds no crossing; then each panel comes in again, to where the pattern
+ * has it or as near as what is worn lets it. Then its seams are drawn shut round what is worn, which is cloth by now
+ * and part of what it meets, and it is let down too. Only the finest cut knows several layers: coarse ones of cloth
+ * that lies on cloth would cross.
  *
  * Where sleeves come over it, a layer is not let down before they are closed: what hangs off an arm hangs out of a
  * sleeve that is still open below.
@@ -16,7 +17,9 @@
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
 
-#define LAYERS_TRIALS 24 /* of starts, each farther out */
+#define LAYERS_TRIALS 24   /* of starts, each farther out */
+#define LAYERS_REACH 0.3   /* [m]: the body is looked for so far from a panel */
+#define LAYERS_STEP 0.004  /* [m] in again */
 
 
 /* the first layer from `from` on that any panel is in, 0 when there is none */
@@ -62,10 +65,10 @@ static int32_t layers_sleeved(const mus_cloth *cloth, int32_t first, int32_t las
 }
 
 
-/* crossings of a layer with others */
+/* crossings of a layer with those below it; or of a panel with all that there is up to its layer */
 typedef struct layers_met {
     const mus_cloth *cloth;
-    int32_t layer;
+    int32_t layer, panel; /* MUS_NONE: of the layer */
     int64_t count;
 } layers_met;
 
@@ -76,9 +79,68 @@ static void layers_note(void *user, int32_t p, int32_t q, int32_t of, int32_t me
     const int32_t *triangle = found->cloth->triangle;
     (void)p;
     (void)q;
-    const int32_t a = mus__cloth_layer(found->cloth, triangle[3 * (int64_t)of]);
-    const int32_t b = mus__cloth_layer(found->cloth, triangle[3 * (int64_t)met]);
-    found->count += a != b && (a == found->layer || b == found->layer) && a <= found->layer && b <= found->layer;
+    const int32_t i = triangle[3 * (int64_t)of], k = triangle[3 * (int64_t)met];
+    const int32_t a = mus__cloth_layer(found->cloth, i), b = mus__cloth_layer(found->cloth, k);
+    if (a > found->layer || b > found->layer) return;
+    if (found->panel == MUS_NONE) found->count += a != b && (a == found->layer || b == found->layer);
+    else found->count += found->cloth->node_panel[i] == found->panel || found->cloth->node_panel[k] == found->panel;
+}
+
+
+/* how many there are at x */
+static int64_t layers_count(const mus_drape *drape, int32_t layer, int32_t panel)
+{
+    const mus_cloth *cloth = drape->cloth;
+    layers_met found = {cloth, layer, panel, 0};
+    mus__cloth_crossings(&drape->self->grid, cloth->ntriangle, cloth->triangle, drape->self->class_of, drape->x,
+                         layers_note, &found);
+    return found.count;
+}
+
+
+/*
+ * -1 for a panel whose right side is to the body as the pattern places it, else 1: a collar that lies on the shoulders
+ * starts with its under side out, above the necklines, and is to stay above them.
+ */
+static double layers_side(mus_drape *drape, int32_t panel)
+{
+    const mus__panel_mesh *mesh = &drape->cloth->panel[panel];
+    double away = 0.0;
+    if (drape->collider == NULL) return 1.0;
+    mus__cloth_place_out(drape->cloth, panel, 0.0, drape->x);
+    for (int32_t t = mesh->first_triangle; t < mesh->first_triangle + mesh->triangle_count; t++) {
+        const int32_t *corner = drape->cloth->triangle + 3 * (int64_t)t;
+        const double *a = drape->x + 3 * (int64_t)corner[0], *b = drape->x + 3 * (int64_t)corner[1];
+        const double *c = drape->x + 3 * (int64_t)corner[2];
+        double ab[3], ac[3], middle[3], normal[3], out[3] = {0.0};
+        for (int32_t d = 0; d < 3; d++)
+            ab[d] = b[d] - a[d], ac[d] = c[d] - a[d], middle[d] = (a[d] + b[d] + c[d]) / 3.0;
+        mus__cross3(ab, ac, normal);
+        mus__collider_depth(drape->collider, middle, LAYERS_REACH, out);
+        away += mus__dot3(normal, out);
+    }
+    return away < 0.0 ? -1.0 : 1.0;
+}
+
+
+/*
+ * A panel that is `out` far off comes in as long as it meets nothing more, in steps too short to come through a sheet.
+ * A sleeve that is rolled too wide has its edges over the limb, not under it, and would be sewn there; a collar that is
+ * far above the neckline would crumple on the way.
+ */
+static void layers_come_in(mus_drape *drape, int32_t panel, double out)
+{
+    const int32_t layer = drape->cloth->panel[panel].layer;
+    const int64_t met = layers_count(drape, layer, panel);
+    const double side = layers_side(drape, panel);
+    double in = out;
+    for (double next = out; next > 0.0;) {
+        next = fmax(next - LAYERS_STEP, 0.0);
+        mus__cloth_place_out(drape->cloth, panel, side * next, drape->x);
+        if (layers_count(drape, layer, panel) > met) break;
+        in = next;
+    }
+    mus__cloth_place_out(drape->cloth, panel, side * fmin(in + LAYERS_STEP, out), drape->x);
 }
 
 
@@ -86,16 +148,17 @@ static void layers_note(void *user, int32_t p, int32_t q, int32_t of, int32_t me
 static void layers_start(mus_drape *drape, int32_t layer)
 {
     const mus_cloth *cloth = drape->cloth;
-    mus__cloth_self *self = drape->self;
-    layers_met found = {cloth, layer, 0};
+    double out = 0.0;
     mus__drape_publish(drape);
     for (int32_t k = 0; k < LAYERS_TRIALS; k++) {
-        mus__cloth_place_out(cloth, layer, MUS__LAYER_OUT * (layer + k), drape->x);
-        found.count = 0;
-        mus__cloth_crossings(&self->grid, cloth->ntriangle, cloth->triangle, self->class_of, drape->x, layers_note,
-                             &found);
-        if (found.count == 0) break;
+        out = MUS__LAYER_OUT * (layer + k);
+        for (int32_t p = 0; p < cloth->npanel; p++)
+            if (cloth->panel[p].layer == layer)
+                mus__cloth_place_out(cloth, p, layers_side(drape, p) * out, drape->x);
+        if (layers_count(drape, layer, MUS_NONE) == 0) break;
     }
+    for (int32_t p = 0; p < cloth->npanel; p++)
+        if (cloth->panel[p].layer == layer) layers_come_in(drape, p, out);
     for (int32_t i = 0; i < drape->n; i++)
         if (mus__cloth_layer(cloth, i) == layer) memset(drape->v + 3 * (int64_t)i, 0, 3 * sizeof *drape->v);
     mus__drape_push(drape);

@@ -48,15 +48,15 @@ static double place_side(const mus_cloth *cloth, int32_t panel)
 }
 
 
-/* how a panel starts, `out` farther off on its right side; a panel that is rolled round what lies on its wrong side is
+/* how a panel starts, `out` farther off on its right side; a panel that is rolled round what it goes away from is
  * rolled that much wider */
 static mus_placement place_panel(const mus_cloth *cloth, int32_t panel, double out)
 {
     mus_placement place = cloth->panel[panel].placement;
-    if (out > 0.0) {
-        const double side = place_side(cloth, panel);
-        for (int32_t d = 0; d < 3; d++) place.origin[d] += side * out * place.rotation[3 * d + 2];
-        if (side * place.bend > 0.0) place.bend += side * out;
+    if (out != 0.0) {
+        const double along = place_side(cloth, panel) * out;
+        for (int32_t d = 0; d < 3; d++) place.origin[d] += along * place.rotation[3 * d + 2];
+        if (along * place.bend > 0.0) place.bend += along;
     }
     return place;
 }
@@ -115,8 +115,7 @@ static void place_pleats(const mus_cloth *cloth, const mus__pleat *pleat, int32_
 }
 
 
-/* the nodes of a panel, `out` farther off on its right side */
-static void place_nodes(const mus_cloth *cloth, int32_t index, double out, double *x)
+void mus__cloth_place_out(const mus_cloth *cloth, int32_t index, double out, double *x)
 {
     const mus__panel_mesh *panel = &cloth->panel[index];
     const mus_placement place = place_panel(cloth, index, out);
@@ -132,14 +131,6 @@ static void place_nodes(const mus_cloth *cloth, int32_t index, double out, doubl
 }
 
 
-void mus__cloth_place_out(const mus_cloth *cloth, int32_t layer, double out, double *x)
-{
-    for (int32_t p = 0; p < cloth->npanel; p++)
-        if (cloth->panel[p].node_count > 0 && mus__cloth_layer(cloth, cloth->panel[p].first_node) == layer)
-            place_nodes(cloth, p, out, x);
-}
-
-
 void mus__cloth_place(const mus_cloth *cloth, double *x)
 {
     if (cloth->place != NULL) {
@@ -148,7 +139,7 @@ void mus__cloth_place(const mus_cloth *cloth, double *x)
     }
     for (int32_t p = 0; p < cloth->npanel; p++)
         if (cloth->panel[p].node_count > 0)
-            place_nodes(cloth, p, MUS__LAYER_OUT * mus__cloth_layer(cloth, cloth->panel[p].first_node), x);
+            mus__cloth_place_out(cloth, p, MUS__LAYER_OUT * mus__cloth_layer(cloth, cloth->panel[p].first_node), x);
 }
 
 

@@ -144,12 +144,14 @@ static int32_t ended(const dress *d)
 }
 
 
-/* whether another start may help: a bad one, or from it a seam that does not close or cloth through cloth */
+/* whether another start may help: a bad one, or one from which it was not sewn, slid off or found no rest */
 static bool start_failed(const dress *d)
 {
     if (d->outcome == MUS_OK || d->drape == NULL) return false;
     if (d->start.kind != MUS_REASON_NONE) return d->start.kind == MUS_REASON_START_TANGLED;
-    return ended(d) == MUS_REASON_SEAM_OPEN || ended(d) == MUS_REASON_TANGLED;
+    const int32_t kind = ended(d);
+    return kind == MUS_REASON_SEAM_OPEN || kind == MUS_REASON_TANGLED || kind == MUS_REASON_SLID_OFF ||
+           kind == MUS_REASON_NOT_SETTLED;
 }
 
 

@@ -71,6 +71,14 @@ void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mu
     /* arms run from the shoulder down, torso and legs upwards */
     for (int i = 0; i < 3; i++) {
         out->point[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
+        out->side[i] = limb->side[i];
         out->up[i] = arm ? -limb->axis[i] : limb->axis[i];
     }
+}
+
+
+double mus__body_shoulder(const mus_body *body, double *neck)
+{
+    *neck = body->measured ? body->skeleton.neck_side_x : 0.0;
+    return body->measured ? body->skeleton.shoulder_end : 0.0;
 }

@@ -21,15 +21,18 @@ enum {
     MUS__LEVEL_COUNT
 };
 
-/* where a level lies as the body was made: a point on it, the unit direction towards the root of the limb, the part of
- * the rig that it moves with */
+/* where a level lies as the body was made: a point on it, the unit directions towards the root of the limb and to the
+ * limb's left, the part of the rig that it moves with */
 typedef struct mus__body_level {
     int32_t there; /* 0: the body has it not */
     int32_t limb, part;
-    double point[3], up[3];
+    double point[3], up[3], side[3];
 } mus__body_level;
 
 /* right: 0 the left limb, 1 the right one, of levels on limbs */
 void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out);
+
+/* half the breadth over the ends of the shoulder lines, and at the neck where they begin; 0: a body without measures */
+double mus__body_shoulder(const mus_body *body, double *neck);
 
 #endif

@@ -35,6 +35,7 @@ typedef struct mus__drape_stance {
     double time, duration;            /* the movement began, and takes so long [s] */
     int32_t posed, carried;           /* nonzero: not as limbs are made; the body came posed */
     mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */
+    double neck, shoulder; /* half breadths where the shoulder line begins at the neck and where it ends; 0: unknown */
 } mus__drape_stance;
 
 /* a panel's piece of the garment: what hangs together by seams */
@@ -190,6 +191,15 @@ void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 void mus__drape_levels(mus_drape *drape, const mus_body *body);
 /* where they lie now: to the plan; nothing without held nodes */
 void mus__drape_hold(mus_drape *drape);
+/* half the breadth over the ends of the shoulder lines, and at the neck where they begin; 0 when the body has none */
+double mus__drape_shoulder(const mus_drape *drape, double *neck);
+/* lift.c: which pairs close over the shoulders, and are straps'; then the ways of open pairs round the body, `hang`:
+ * straps pull in full, all else with less. Before welding: whether what lift_start found to be straps is up, and the
+ * seam of one that is not (may be NULL) */
+void mus__drape_lift_start(mus_drape *drape);
+void mus__drape_lift(mus_drape *drape, bool hang);
+typedef enum mus__straps { MUS__STRAPS_NONE, MUS__STRAPS_ON, MUS__STRAPS_OFF } mus__straps;
+mus__straps mus__drape_strapped(const mus_drape *drape, int32_t *off);
 /* where one lies now; there 0 without a body that has it */
 void mus__drape_level(const mus_drape *drape, int32_t level, int32_t right, mus__held_level *out);
 

@@ -191,7 +191,8 @@ static void MUS_FN(pair_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_
         const MUS_REAL *a = y + end->node, *b = y + end->other;
         const MUS_REAL d0 = b[0] - a[0] + (MUS_REAL)pair->lift[0], d1 = b[n] - a[n] + (MUS_REAL)pair->lift[1];
         const MUS_REAL d2 = b[2 * n] - a[2 * n] + (MUS_REAL)pair->lift[2];
-        const MUS_REAL cap = (MUS_REAL)(plan->seam_pull * pair->length), k = pair->locked ? 0 : (MUS_REAL)pair->k;
+        const MUS_REAL cap = (MUS_REAL)(plan->seam_pull * pair->share * pair->length);
+        const MUS_REAL k = (MUS_REAL)(pair->locked ? pair->keep : pair->k);
         const MUS_REAL most = cap / MUS_SQRT(d0 * d0 + d1 * d1 + d2 * d2 + TINY);
         const MUS_REAL pull = k < most ? k : most;
         MUS_REAL *out = f + (end->node - chunk->first);
@@ -214,7 +215,7 @@ static void MUS_FN(held_pull)(const mus__sim *sim, const mus__chunk *chunk, MUS_
         const MUS_REAL at = (MUS_REAL)(level->at - held->below -
                                        (up[0] * origin[0] + up[1] * origin[1] + up[2] * origin[2]));
         const MUS_REAL sunk = at - (u0 * x[0] + u1 * x[n] + u2 * x[2 * n]);
-        const MUS_REAL most = (MUS_REAL)(plan->held_share * held->most);
+        const MUS_REAL most = (MUS_REAL)(held->share * held->most);
         MUS_REAL pull = (MUS_REAL)held->k * (sunk > 0 ? sunk : 0), *out = f + (held->node - chunk->first);
         pull = pull < most ? pull : most;
         out[0] += pull * u0, out[SPAN] += pull * u1, out[2 * SPAN] += pull * u2;

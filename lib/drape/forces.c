@@ -72,7 +72,7 @@ static double add_held(const mus__plan *plan, const mus__held *held, const doubl
     const double *p = x + 3 * (int64_t)held->node, *up = level->up;
     const double sunk = level->at - held->below - (up[0] * p[0] + up[1] * p[1] + up[2] * p[2]);
     if (!(sunk > 0.0)) return 0.0;
-    const double most = plan->held_share * held->most, far = most / held->k, pull = sunk < far ? held->k * sunk : most;
+    const double most = held->share * held->most, far = most / held->k, pull = sunk < far ? held->k * sunk : most;
     if (f != NULL)
         for (int32_t i = 0; i < 3; i++) f[3 * (int64_t)held->node + i] += pull * up[i];
     return sunk < far ? 0.5 * held->k * sunk * sunk : most * (sunk - 0.5 * far);

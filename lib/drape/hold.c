@@ -16,6 +16,7 @@ void mus__drape_levels(mus_drape *drape, const mus_body *body)
     for (int32_t level = MUS_HOLD_NONE + 1; level < MUS_HOLD_COUNT; level++)
         for (int32_t right = 0; right < 2; right++)
             mus__body_level_find(body, level, right, &drape->stance->level[level][right]);
+    drape->stance->shoulder = mus__body_shoulder(body, &drape->stance->neck);
     mus__drape_frames(drape, 0, drape->dt);
 }
 
@@ -30,13 +31,23 @@ void mus__drape_level(const mus_drape *drape, int32_t level, int32_t right, mus_
     double point[3];
     memcpy(point, made->point, sizeof point);
     memcpy(out->up, made->up, sizeof out->up);
+    memcpy(out->side, made->side, sizeof out->side);
     out->there = made->there;
     if (made->there && stance->posed) {
         mus__frame_point(&stance->frame[made->part], point, point);
         mus__frame_turn(&stance->frame[made->part], out->up, out->up);
+        mus__frame_turn(&stance->frame[made->part], out->side, out->side);
     }
     for (int32_t d = 0; d < 3; d++) out->point[d] = point[d] + drape->collider->shift[d];
     out->at = mus__dot3(out->up, out->point);
+}
+
+
+double mus__drape_shoulder(const mus_drape *drape, double *neck)
+{
+    while (drape->parent != NULL) drape = drape->parent;
+    *neck = drape->stance != NULL ? drape->stance->neck : 0.0;
+    return drape->stance != NULL ? drape->stance->shoulder : 0.0;
 }
 
 

@@ -178,13 +178,12 @@ static int held_by_node(const void *a, const void *b)
 static void fill_held(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
 {
     plan->nheld = 0;
-    plan->held_share = 1.0;
     for (int32_t i = 0; i < cloth->nhold; i++) {
         const mus__hold *hold = &cloth->hold[i];
         if (!plan->level[hold->level][hold->right].there) continue;
         plan->held[plan->nheld++] =
             (mus__held){rep != NULL ? rep[hold->node] : hold->node, hold->level, hold->right, hold->below,
-                        HELD_STIFF * hold->length, HELD_MOST * hold->length};
+                        HELD_STIFF * hold->length, HELD_MOST * hold->length, 1.0};
     }
     qsort(plan->held, (size_t)plan->nheld, sizeof *plan->held, held_by_node);
 }
@@ -217,7 +216,8 @@ static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan 
         if (plan->wait_from > 0 &&
             (mus__cloth_layer(cloth, a) >= plan->wait_from || mus__cloth_layer(cloth, b) >= plan->wait_from))
             continue;
-        plan->pair[plan->npair++] = (mus__pair){a, b, 0, 0.0, cloth->pair_length[p], {0.0, 0.0, 0.0}};
+        plan->pair[plan->npair++] =
+            (mus__pair){.a = a, .b = b, .seam = cloth->pair_seam[p], .length = cloth->pair_length[p], .share = 1.0};
     }
 
     /* springs counted once: half runs make two of each, half bends three */

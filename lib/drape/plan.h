@@ -49,22 +49,28 @@ typedef struct mus__plan_row {
 
 typedef struct mus__pair {
     int32_t a, b;    /* nodes */
+    int32_t seam;
     int32_t locked;  /* stitched: the two move as one */
     double k;        /* [N/m] near the end */
     double length;   /* of seam that the pair stands for [m] */
     double lift[3];  /* added to the way from end to end, of both: round what is between them [m] */
+    double share;    /* of the pull far from the end: less than 1 while others come first */
+    double keep;     /* [N/m] of what draws a stitched pair by `lift` */
+    int32_t over;    /* how its seam points at the start: -1 closes under the arms, 1 over the shoulders, 2 a strap */
+    double aside;    /* [m] to the left of the middle: no farther, when it closes over the shoulders */
 } mus__pair;
 
 /* a held node: pulled up to the plane of its level, k of the way, at most by `most` */
 typedef struct mus__held {
     int32_t node, level, right;
     double below, k, most; /* [m], [N/m], [N] */
+    double share;          /* of `most` that pulls now: 1, less while sewing */
 } mus__held;
 
-/* where a level lies now: places x with up . x = at; there 0: the body has it not */
+/* where a level lies now: places x with up . x = at, side to the left; there 0: the body has it not */
 typedef struct mus__held_level {
     int32_t there;
-    double up[3], at, point[3];
+    double up[3], side[3], at, point[3];
 } mus__held_level;
 
 typedef struct mus__shape { /* index differences, ascending; 0 past the last */
@@ -122,7 +128,6 @@ typedef struct mus__plan {
 
     int32_t nheld;
     mus__held *held;         /* (nheld) ascending by node */
-    double held_share;       /* of `most` that they pull with now: 1, less while sewing */
     mus__held_level level[MUS_HOLD_COUNT][2]; /* left, right; the torso's are the same twice */
 
     /* for the kernels; constants (void *) are float or double by `real` */

@@ -23,13 +23,8 @@
 #define RAMP_SECONDS 1.5
 #define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
 #define STIFF_MOST 16.0 /* times a pair's stiffness at the end: in the last millimetres that is what pulls */
-#define SEW_HOLD 0.1    /* of what held edges pull with: gravity is off, and a tight seam under them must close */
-#define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
-#define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
-#define LIFT_STEPS 10
-#define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
-#define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
-#define LIFT_CHECKS 4   /* between searches */
+#define SEW_HOLD 0.1    /* of what held edges pull with: gravity is off, and a tight seam under them must close. Nothing
+                           at the armpits: it would go up over the arms */
 #define PASS_LATE 0.4   /* of the budget past the rise: pairs still open may be drawn through cloth */
 #define PASS_PART 0.05  /* of all pairs, when there are no more than these */
 #define PASS_LEAST 4.0  /* or these */
@@ -38,6 +33,10 @@
 #define CARRY_GAP 0.5   /* spacings: narrower gaps are left to the finer cut */
 #define CARRY_PART 0.5  /* of a short budget: the finer cut has the rest */
 #define PASS_REACH 2.5  /* spacings round an open pair */
+
+
+/* the way of pairs: straight; round what is between; so, and what straps hang by first */
+enum { SEW_STRAIGHT, SEW_ROUND, SEW_HUNG };
 
 
 /* how late it is at time t of a budget of `all` seconds: 0 while the pull rises, 1 at the end */
@@ -70,100 +69,6 @@ static int32_t count_open(const mus__plan *plan)
     int32_t open = 0;
     for (int32_t p = 0; p < plan->npair; p++) open += !plan->pair[p].locked;
     return open;
-}
-
-
-/* how far from a point the body ends along a direction [m], twice as far as is looked when it does not */
-static double way_out(const mus_drape *drape, const double *from, const double *along)
-{
-    for (int32_t i = 1; i <= LIFT_STEPS; i++) {
-        double x[3];
-        for (int32_t d = 0; d < 3; d++) x[d] = from[d] + LIFT_STEP * i * along[d];
-        if (mus__collider_depth(drape->collider, x, 0.0, NULL) < 0.0) return LIFT_STEP * i;
-    }
-    return 2.0 * LIFT_STEP * LIFT_STEPS;
-}
-
-
-/* at each node the way out of its panel, away from the middle of its triangles: out (n x 3), units, about 0 inside */
-static void ways_outward(const mus_drape *drape, double *out)
-{
-    const mus_cloth *cloth = drape->cloth;
-    memset(out, 0, 3 * (size_t)drape->n * sizeof *out);
-    for (int32_t t = 0; t < cloth->ntriangle; t++)
-        for (int32_t c = 0; c < 3; c++) {
-            const int32_t *v = cloth->triangle + 3 * (ptrdiff_t)t, i = v[c], j = v[(c + 1) % 3], k = v[(c + 2) % 3];
-            for (int32_t d = 0; d < 3; d++)
-                out[3 * (ptrdiff_t)i + d] += drape->x[3 * (ptrdiff_t)i + d] - 0.5 * (drape->x[3 * (ptrdiff_t)j + d] +
-                                                                                     drape->x[3 * (ptrdiff_t)k + d]);
-        }
-    for (int32_t i = 0; i < drape->n; i++) mus__unit3(out + 3 * (ptrdiff_t)i);
-}
-
-
-/* over the shoulder: the shortest way out square to `along`, straight or aslant over it, or under it; at most *best */
-static void lift_over(const mus_drape *drape, const double *middle, const double *along, const double *above,
-                      double *best, double *out)
-{
-    static const double turns[4][2] = {{1.0, 0.0}, {0.7071, 0.7071}, {0.7071, -0.7071}, {-1.0, 0.0}};
-    double up[3], side[3], way[3];
-    mus__cross3(along, above, side);
-    if (mus__norm3(side) < LIFT_LEVEL) return;
-    mus__unit3(side);
-    mus__cross3(side, along, up);
-    for (int32_t i = 0; i < 4; i++) {
-        for (int32_t d = 0; d < 3; d++) way[d] = turns[i][0] * up[d] + turns[i][1] * side[d];
-        const double far = way_out(drape, middle, way);
-        if (!(far < *best)) continue;
-        *best = far;
-        memcpy(out, way, sizeof way);
-    }
-}
-
-
-/* round a limb: where the edges of both panels point, square to `along`; they know which way is theirs */
-static void lift_round(const mus_drape *drape, const double *middle, const double *along, const double *a,
-                       const double *b, double *best, double *out)
-{
-    double way[3];
-    for (int32_t d = 0; d < 3; d++) way[d] = a[d] + b[d];
-    const double straight = mus__dot3(way, along);
-    for (int32_t d = 0; d < 3; d++) way[d] -= straight * along[d];
-    if (mus__norm3(way) < LIFT_SURE) return;
-    mus__unit3(way);
-    const double far = way_out(drape, middle, way);
-    if (!(far < *best)) return;
-    *best = far;
-    memcpy(out, way, sizeof way);
-}
-
-
-/* from the middle of a pair that a part of the body keeps apart, the way out: lift (3) is twice that, 0 without */
-static void lift_pair(const mus_drape *drape, const mus__held_level *armpit, const double *outward, mus__pair *pair)
-{
-    const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
-    double middle[3], along[3], way[3] = {0.0}, best = LIFT_STEP * LIFT_STEPS;
-    memset(pair->lift, 0, sizeof pair->lift);
-    if (pair->locked) return;
-    for (int32_t d = 0; d < 3; d++) middle[d] = 0.5 * (a[d] + b[d]), along[d] = b[d] - a[d];
-    if (!(mus__norm3(along) > LIFT_FROM) || mus__collider_depth(drape->collider, middle, 0.0, NULL) < 0.0) return;
-    mus__unit3(along);
-    if (armpit->there && mus__dot3(armpit->up, middle) > armpit->at)
-        lift_over(drape, middle, along, armpit->up, &best, way);
-    else
-        lift_round(drape, middle, along, outward + 3 * (int64_t)pair->a, outward + 3 * (int64_t)pair->b, &best, way);
-    for (int32_t d = 0; d < 3; d++) pair->lift[d] = 2.0 * best * way[d];
-}
-
-
-/* pairs that are pulled against the body from both sides are drawn round it instead */
-static void lift_pairs(mus_drape *drape)
-{
-    mus__held_level armpit;
-    if (drape->collider == NULL) return;
-    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
-    ways_outward(drape, drape->work);
-    for (int32_t p = 0; p < drape->plan.npair; p++) lift_pair(drape, &armpit, drape->work, &drape->plan.pair[p]);
 }
 
 
@@ -215,8 +120,8 @@ static bool near_home(const mus_drape *drape)
 }
 
 
-/* pull, stitch and weld on this cut, as from time `t` of the pull; `lifted`: round what is between, else straight */
-static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double t)
+/* pull, stitch and weld on this cut, as from time `t` of the pull */
+static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double t)
 {
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
@@ -226,14 +131,15 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double 
     sim->drag = SEW_DRAG;
     sim->speed_limit = SEW_SPEED;
     sim->dashpots = 0;
-    drape->plan.held_share = SEW_HOLD;
+    for (int32_t i = 0; i < drape->plan.nheld; i++)
+        drape->plan.held[i].share = drape->plan.held[i].level == MUS_HOLD_ARMPIT ? 0.0 : SEW_HOLD;
+    if (way != SEW_STRAIGHT) mus__drape_lift_start(drape);
 
     const int32_t pairs = drape->plan.npair;
     int32_t open = pairs;
-    int32_t check = 0;
     while (open > 0 && t < all && !run->stop && status == MUS_OK) {
         mus__drape_publish(drape);
-        if (lifted && check++ % LIFT_CHECKS == 0) lift_pairs(drape);
+        if (way != SEW_STRAIGHT) mus__drape_lift(drape, way == SEW_HUNG && t < RAMP_SECONDS);
         stiffen(drape, t, all);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = SEW_GRIP * drape->friction,
@@ -255,34 +161,42 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, bool lifted, double 
         mus__run_report(run, 1.0 - (double)open / pairs);
     }
     sim->near = NULL;
-    drape->plan.held_share = 1.0;
+    for (int32_t i = 0; i < drape->plan.nheld; i++) drape->plan.held[i].share = 1.0;
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
     if (drape->self != NULL) drape->self->stale = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance) && !near_home(drape))
         return fail_open(drape);
+    int32_t strap;
+    if (mus__drape_strapped(drape, &strap) == MUS__STRAPS_OFF)
+        return mus__fail(drape->context, MUS_ERR_SEW, "seam %d is under the arm, not over the shoulder, after %.2f s",
+                         (int)strap, drape->sew_time);
     mus__drape_weld(drape);
     return mus__drape_untangle(drape);
 }
 
 
-/* round what is between; where that does not close a seam, from the start again and straight. Over what is worn, which
- * is round enough, straight comes first */
+/* on the cut at hand from where it is, then again from there in another way where that does not close a seam: round
+ * what is between, straps first if there are any, straight. Over what is worn, which is round enough, straight first */
 static mus_status sew_tries(mus_drape *drape, mus__run *run)
 {
-    if (drape->collider == NULL) return sew_here(drape, run, false, 0.0);
+    if (drape->collider == NULL) return sew_here(drape, run, SEW_STRAIGHT, 0.0);
     const bool first = drape->mean == NULL;
     mus_status status = mus__drape_scratch(drape);
     if (status != MUS_OK) return status;
     mus__drape_publish(drape);
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
-    const bool round = !drape->welded || run->sleeved;
-    status = sew_here(drape, run, round, 0.0);
+    const int32_t begin = !drape->welded || run->sleeved ? SEW_ROUND : SEW_STRAIGHT;
     const double near = drape->parent != NULL && drape->self != NULL ? CARRY_GAP * drape->cloth->spacing : 0.0;
-    if (status == MUS_ERR_SEW && !run->stop && !drape->def.sew_once && !(mus__drape_gap(drape, NULL) < near)) {
+    status = sew_here(drape, run, begin, 0.0);
+    const int32_t last = drape->def.sew_once ? SEW_HUNG + 1 : SEW_STRAIGHT;
+    for (int32_t way = SEW_HUNG; way >= last && status == MUS_ERR_SEW && !run->stop; way--) {
+        const mus__straps straps = mus__drape_strapped(drape, NULL);
+        if (way == begin || (way == SEW_HUNG && straps == MUS__STRAPS_NONE)) continue;
+        if (straps != MUS__STRAPS_OFF && mus__drape_gap(drape, NULL) < near) break;
         mus__drape_reopen(drape, drape->mean);
-        status = sew_here(drape, run, !round, 0.0);
+        status = sew_here(drape, run, way, 0.0);
     }
     if (status == MUS_ERR_MEMORY && first) mus__drape_scratch_free(drape);
     return status;
@@ -314,7 +228,7 @@ static mus_status sew_levels(mus_drape *drape, mus__run *run)
         if (status == MUS_ERR_SEW && drape->self != NULL) {
             status = mus__drape_untangle(drape);
             const double from = fmin(RAMP_SECONDS, CARRY_PART * drape->def.sew_seconds);
-            return status == MUS_OK ? sew_here(drape, run, false, from) : status;
+            return status == MUS_OK ? sew_here(drape, run, SEW_STRAIGHT, from) : status;
         }
     }
     return sew_tries(drape, run);

@@ -1,0 +1,174 @@
+/*
+ * test_lift.c: what closes over the shoulders is sewn there: straps at the rim of the shoulders are drawn over them and
+ * not under the arms, and to the middle of the shoulders; side seams go under the arms. What is held at the armpits is
+ * not drawn over the arms while it is sewn.
+ */
+#include <math.h>
+
+#include "body/body_level.h"
+#include "drape/drape_internal.h"
+#include "geom/vec.h"
+#include "scenes.h"
+
+#define SPACING 0.03
+
+
+/* a panel of `count` corners, its lines all forward; edge (count) */
+static int32_t lift_panel(mus_pattern *pattern, const char *name, const double (*corner)[2], int32_t count,
+                          int32_t *edge)
+{
+    const int32_t line = MUS_PIECE_LINE;
+    int32_t panel, point[16], forward[16];
+    ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
+    for (int32_t i = 0; i < count; i++) {
+        forward[i] = 1;
+        ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]), MUS_OK);
+    }
+    for (int32_t i = 0; i < count; i++)
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % count], 1, &line, 0, NULL,
+                                              &edge[i]),
+                         MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, count, edge, forward), MUS_OK);
+    return panel;
+}
+
+
+/* the same panel before and behind, face outward, the origin at a height */
+static void lift_both(mus_pattern *pattern, const double (*corner)[2], int32_t count, double height,
+                      int32_t edge[2][16])
+{
+    for (int32_t i = 0; i < 2; i++) {
+        mus_placement place;
+        mus_placement_init(&place, sizeof place);
+        place.origin[1] = height, place.origin[2] = i == 0 ? 0.3 : -0.25;
+        if (i == 1) place.rotation[0] = place.rotation[8] = -1.0;
+        const int32_t panel = lift_panel(pattern, i == 0 ? "front" : "back", corner, count, edge[i]);
+        ck_assert_int_eq(mus_pattern_set_placement(pattern, panel, &place), MUS_OK);
+    }
+}
+
+
+/* a square neck down to the waist, straps 25 mm broad of which the outer edge is at `rim`; origin at the shoulder */
+static mus_pattern *strap_top(mus_context *context, double rim, double height)
+{
+    const double corner[12][2] = {{-0.19, -0.46}, {0.19, -0.46}, {0.23, -0.18}, {rim, -0.12},          {rim, -0.01},
+                                  {rim - 0.025, 0.0}, {rim - 0.025, -0.35}, {0.025 - rim, -0.35}, {0.025 - rim, 0.0},
+                                  {-rim, -0.01}, {-rim, -0.12}, {-0.23, -0.18}};
+    int32_t edge[2][16];
+    mus_pattern *pattern;
+    ck_assert_int_eq(mus_pattern_create(context, "straps", &pattern), MUS_OK);
+    lift_both(pattern, corner, 12, height, edge);
+    scene_sew(pattern, edge[0][1], edge[1][11], 0.0);
+    scene_sew(pattern, edge[0][11], edge[1][1], 0.0);
+    scene_sew(pattern, edge[0][4], edge[1][8], 0.0);
+    scene_sew(pattern, edge[0][8], edge[1][4], 0.0);
+    return pattern;
+}
+
+
+START_TEST(straps_close_over_the_shoulders)
+{
+    mus_context *context = support_context();
+    mus_body *body = scene_body(context);
+    mus_drape_def def;
+    mus_drape *drape;
+    mus__held_level armpit;
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = _i;
+
+    /* at the rim of the shoulders, as high as they are there */
+    double neck, top[3];
+    const double rim = mus__body_shoulder(body, &neck);
+    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
+    mus_pattern *pattern = strap_top(context, rim, top[1] + 0.06);
+    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+
+    /* seams 2 and 3 are the straps': sewn on the shoulders, inside their rim and not on the neck; at rest still there,
+     * as far out as they are cut */
+    for (int32_t settled = 0; settled < 2; settled++) {
+        for (int32_t p = 0; p < cloth->npair; p++) {
+            if (cloth->pair_seam[p] < 2) continue;
+            const double *x = drape->x + 3 * (int64_t)drape->rep[cloth->pair[2 * p]];
+            ck_assert_double_gt(mus__dot3(armpit.up, x), armpit.at + 0.06);
+            ck_assert_double_lt(fabs(x[0]), settled ? rim + 0.04 : rim);
+            ck_assert_double_gt(fabs(x[0]), neck);
+        }
+        if (!settled) ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(what_is_held_at_the_armpits_stays_under_the_arms)
+{
+    static const double corner[5][2] = {{-0.25, -0.2}, {0.25, -0.2}, {0.26, -0.02}, {0.0, 0.12}, {-0.26, -0.02}};
+    mus_context *context = support_context();
+    mus_body *body = scene_body(context);
+    mus_drape_def def;
+    mus_drape *drape;
+    mus_pattern *pattern;
+    mus__held_level armpit;
+    int32_t edge[2][16];
+    double bust[3];
+    mus_drape_def_init(&def, sizeof def);
+    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_BUST, bust), MUS_OK);
+
+    /* a strapless top that begins a hand below where it is held, wider than the shoulders */
+    ck_assert_int_eq(mus_pattern_create(context, "strapless", &pattern), MUS_OK);
+    lift_both(pattern, corner, 5, bust[1] - 0.06, edge);
+    scene_sew(pattern, edge[0][1], edge[1][4], 0.0);
+    scene_sew(pattern, edge[0][4], edge[1][1], 0.0);
+    for (int32_t i = 0; i < 2; i++)
+        for (int32_t e = 2; e < 4; e++)
+            ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edge[i][e], MUS_HOLD_ARMPIT, 0.0), MUS_OK);
+    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+    for (int32_t settled = 0; settled < 2; settled++) {
+        double low = INFINITY;
+        for (int32_t p = 0; p < cloth->npair; p++) {
+            const double *x = drape->x + 3 * (int64_t)drape->rep[cloth->pair[2 * p]];
+            ck_assert_double_lt(mus__dot3(armpit.up, x), armpit.at + 0.03);
+            low = fmin(low, mus__dot3(armpit.up, x));
+        }
+        ck_assert_double_gt(low, armpit.at - 0.35);
+        if (!settled) ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+    }
+
+    /* settled it is held there */
+    for (int32_t h = 0; h < drape->plan.nheld; h++) {
+        ck_assert_double_eq(drape->plan.held[h].share, 1.0);
+        ck_assert_double_gt(mus__dot3(armpit.up, drape->x + 3 * (int64_t)drape->plan.held[h].node), armpit.at - 0.015);
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_lift(void);
+
+Suite *mus_suite_lift(void)
+{
+    Suite *suite = suite_create("lift");
+    TCase *tests = tcase_create("lift");
+    tcase_set_timeout(tests, 600);
+    suite_add_tcase(suite, tests);
+    tcase_add_loop_test(tests, straps_close_over_the_shoulders, 0, 2);
+    tcase_add_test(tests, what_is_held_at_the_armpits_stays_under_the_arms);
+    return suite;
+}

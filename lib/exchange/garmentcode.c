@@ -157,11 +157,13 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus_json_at *ed
 }
 
 
-/* labels of edges that are attached to the body: neither goes below its level */
+/* labels of edges that are attached to the body: neither goes farther below its level. A strapless top ends a little
+ * under the arms: up there it would be jammed between arm and torso */
 static const struct {
     const char *label;
     int32_t level;
-} gc_holds[] = {{"lower_interface", MUS_HOLD_WAIST}, {"strapless_top", MUS_HOLD_ARMPIT}};
+    double below; /* [m] */
+} gc_holds[] = {{"lower_interface", MUS_HOLD_WAIST, 0.0}, {"strapless_top", MUS_HOLD_ARMPIT, 0.03}};
 
 
 static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at, int32_t first_point, int32_t points,
@@ -201,7 +203,7 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at,
     status = mus_pattern_set_edge_label(reader->pattern, edge, text);
     for (size_t i = 0; i < sizeof gc_holds / sizeof *gc_holds && status == MUS_OK; i++)
         if (strcmp(text, gc_holds[i].label) == 0)
-            status = mus_pattern_set_edge_hold(reader->pattern, edge, gc_holds[i].level, 0.0);
+            status = mus_pattern_set_edge_hold(reader->pattern, edge, gc_holds[i].level, gc_holds[i].below);
     return status == MUS_OK ? MUS_OK : mus__json_wrap(&label, status);
 }
 

@@ -196,6 +196,23 @@ START_TEST(a_lower_part_is_held_as_far_below_the_waist_as_its_top_reaches)
 END_TEST
 
 
+/* up to the armpits it would be jammed between arm and torso */
+START_TEST(a_strapless_top_is_held_a_little_under_the_arms)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    int32_t level;
+    double below;
+    ck_assert_int_eq(read_spec(context, SPEC(",\"label\":\"strapless_top\"", STITCH), &pattern), MUS_OK);
+    ck_assert_int_eq(mus_pattern_edge_hold(pattern, 0, &level, &below), MUS_OK);
+    ck_assert_int_eq(level, MUS_HOLD_ARMPIT);
+    ck_assert_double_eq_tol(below, 0.03, 1e-12);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* where a point of a panel goes */
 static void place(const mus_pattern *pattern, int32_t panel, double x, double y, double *out)
 {
@@ -373,6 +390,7 @@ Suite *mus_suite_garmentcode(void)
     tcase_add_test(tests, units_labels_and_seams_are_those_of_the_file);
     tcase_add_loop_test(tests, a_lower_part_is_held_as_far_below_the_waist_as_its_top_reaches, 0,
                         (int)(sizeof uppers / sizeof *uppers));
+    tcase_add_test(tests, a_strapless_top_is_held_a_little_under_the_arms);
     tcase_add_test(tests, panels_are_placed_by_intrinsic_xyz_angles);
     tcase_add_loop_test(tests, curves_are_relative_to_their_edge, 0, sizeof curves / sizeof curves[0]);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_place, 0, sizeof damages / sizeof damages[0]);

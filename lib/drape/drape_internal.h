@@ -194,10 +194,10 @@ void mus__drape_hold(mus_drape *drape);
 /* half the breadth over the ends of the shoulder lines, and at the neck where they begin; 0 when the body has none */
 double mus__drape_shoulder(const mus_drape *drape, double *neck);
 /* lift.c: which pairs close over the shoulders, and are straps'; then the ways of open pairs round the body, `hang`:
- * straps pull in full, all else with less. Before welding: whether what lift_start found to be straps is up, and the
- * seam of one that is not (may be NULL) */
+ * straps pull in full, all else with less; `check` counts the calls. Before welding: whether what lift_start found to
+ * be straps is up, and the seam of one that is not (may be NULL) */
 void mus__drape_lift_start(mus_drape *drape);
-void mus__drape_lift(mus_drape *drape, bool hang);
+void mus__drape_lift(mus_drape *drape, bool hang, int32_t check);
 typedef enum mus__straps { MUS__STRAPS_NONE, MUS__STRAPS_ON, MUS__STRAPS_OFF } mus__straps;
 mus__straps mus__drape_strapped(const mus_drape *drape, int32_t *off);
 /* where one lies now; there 0 without a body that has it */

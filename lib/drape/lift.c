@@ -5,10 +5,10 @@
  * the body, both ends are drawn towards a place beside it, twice as far out as the body reaches there. Over a shoulder
  * or round a limb: the edges of panels know, by where they point.
  *
- * A seam whose edges both point up closes over the shoulders, not under the arms. If it is short it is a strap's, which
- * is put on so that its middle lies on that of the shoulder: with gravity off and grip low a tight side seam would draw
- * it down the arm. Where that does not bring the straps over, the garment is hung by them first: until they are near,
- * all else is pulled with less.
+ * A short seam whose edges both point up is a strap's. Of garments that have one, what points up closes over the
+ * shoulders and what points down or aside under the arms; the strap is put on so that its middle lies on that of the
+ * shoulder: with gravity off and grip low a tight side seam would draw it down the arm. Where that does not bring the
+ * straps over, the garment is hung by them first: until they are near, all else is pulled with less.
  */
 #include <math.h>
 #include <string.h>
@@ -19,6 +19,7 @@
 #define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
 #define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
 #define LIFT_STEPS 10
+#define LIFT_CHECKS 4   /* between searches, without straps: a sleeve goes round its arm with what it was given */
 #define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
 #define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
 #define LIFT_POINTS 1.0 /* of 2: edges that point up close over the shoulders, down and out under the arms */
@@ -175,6 +176,7 @@ void mus__drape_lift_start(mus_drape *drape)
     mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
     if (!armpit.there) return;
     ways_outward(drape, drape->work);
+    bool straps = false;
     for (int32_t p = 0, next; p < drape->plan.npair; p = next) {
         next = lift_seam_end(&drape->plan, p);
         mus__pair *pair = drape->plan.pair;
@@ -183,7 +185,11 @@ void mus__drape_lift_start(mus_drape *drape)
         for (int32_t i = p; i < next; i++) pair[i].over = over, pair[i].aside = lift_aside(drape, &armpit, &pair[i]);
         if (over < 1 || !lift_strap(drape, p, next, &inward)) continue;
         for (int32_t i = p; i < next; i++) pair[i].over = 2, pair[i].aside -= copysign(inward, pair[i].aside);
+        straps = true;
     }
+
+    /* broad shoulders find their way, and long sleeves go round their arms by the shortest ones */
+    for (int32_t p = 0; p < drape->plan.npair && !straps; p++) drape->plan.pair[p].over = 0;
 }
 
 
@@ -235,12 +241,14 @@ mus__straps mus__drape_strapped(const mus_drape *drape, int32_t *off)
 }
 
 
-void mus__drape_lift(mus_drape *drape, bool hang)
+void mus__drape_lift(mus_drape *drape, bool hang, int32_t check)
 {
+    const bool straps = mus__drape_strapped(drape, NULL) != MUS__STRAPS_NONE;
     mus__held_level armpit;
-    if (drape->collider == NULL) return;
+    if (drape->collider == NULL || (!straps && check % LIFT_CHECKS != 0)) return;
     mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
     ways_outward(drape, drape->work);
-    for (int32_t p = 0; p < drape->plan.npair; p++) lift_pair(drape, &armpit, drape->work, &drape->plan.pair[p]);
-    if (armpit.there) lift_hang(drape, &armpit, hang);
+    for (int32_t p = 0; p < drape->plan.npair; p++)
+        lift_pair(drape, &armpit, drape->work, &drape->plan.pair[p]);
+    if (straps) lift_hang(drape, &armpit, hang);
 }

@@ -136,10 +136,10 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double 
     if (way != SEW_STRAIGHT) mus__drape_lift_start(drape);
 
     const int32_t pairs = drape->plan.npair;
-    int32_t open = pairs;
+    int32_t open = pairs, check = 0;
     while (open > 0 && t < all && !run->stop && status == MUS_OK) {
         mus__drape_publish(drape);
-        if (way != SEW_STRAIGHT) mus__drape_lift(drape, way == SEW_HUNG && t < RAMP_SECONDS);
+        if (way != SEW_STRAIGHT) mus__drape_lift(drape, way == SEW_HUNG && t < RAMP_SECONDS, check++);
         stiffen(drape, t, all);
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = SEW_GRIP * drape->friction,

@@ -41,7 +41,8 @@ void mus__drape_self_weld(mus_drape *drape)
 void mus__drape_self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
-    sim->self_rule = (mus__cloth_rule){h, sim->rule.slip, SELF_PUSH_SPEED * h, drape->collider != NULL};
+    sim->self_rule = (mus__cloth_rule){.step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h,
+                                       .body = drape->collider != NULL, .dull = mus__drape_layered(drape)};
     if (sim->self == NULL || sim->self->stale || !mus__cloth_self_short(sim->self, h)) return;
     sim->self->stale = 1;
     sim->ops->look(sim);

@@ -20,6 +20,7 @@ STACKS = [
     ("W40", 25, ["shirt_mandarin_long", "waistcoat"]),
     ("W40", 30, ["tshirt", "waistcoat", SLEEVELESS_COAT]),
     ("W40", 30, ["shirt_mandarin_long", LONG_COAT]),
+    ("W40", 30, ["shirt_mandarin_long", "waistcoat", LONG_COAT]),
     ("W40", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
     ("M50", 25, ["shirt_mandarin_long", "waistcoat", "coat"]),
 ]

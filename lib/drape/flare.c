@@ -8,7 +8,8 @@
  *     a(s) = A (s - 1/2),   b(s) = B (1 - cos(2 pi n s)) / 2,   0 <= s <= 1,
  *
  * a the angle in the panel's plane and b that out of it, on the right side; B is such that the length is right. The
- * apex is where the sides meet, which are the two straight seams that hold the panel between them.
+ * apex is where the sides meet, which are the two straight seams that hold the panel between them. The hem is free: a
+ * front with its sleeves is wide between its shoulder seams too, and is no fan.
  */
 #include <math.h>
 #include <string.h>
@@ -26,6 +27,7 @@
 #define FLARE_MEET 0.1      /* of the longest side: how far the sides may miss the apex, */
 #define FLARE_BESIDE 0.15   /* radians: how far nodes may be beyond them */
 #define FLARE_LONG 0.5       /* of the way from the apex to the hem: its sides are as long; a band is no fan */
+#define FLARE_SEWN 0.5       /* of the sides, from their inner ends: farther out nothing else is sewn */
 #define FLARE_SEAMS 32      /* of a panel that are looked at */
 #define FLARE_STEPS 512     /* of the curve */
 
@@ -87,7 +89,25 @@ static double flare_angle(const flare_fan *fan, const double *x, double *far)
 }
 
 
-/* the fan between two sides of panel p; false where they do not hold all of it between them, or it is not wide */
+/* whether panel p is sewn to another one beside its two sides only near the apex, no farther off than `most` */
+static bool flare_free(const mus_drape *drape, int32_t p, const flare_fan *fan, const flare_side *one,
+                       const flare_side *two, double most)
+{
+    const mus_cloth *cloth = drape->cloth;
+    for (int32_t i = 0; i < cloth->npair; i++) {
+        const int32_t *pair = cloth->pair + 2 * (int64_t)i;
+        const bool first = cloth->node_panel[pair[0]] == p, second = cloth->node_panel[pair[1]] == p;
+        double far;
+        if (first == second || cloth->pair_seam[i] == one->seam || cloth->pair_seam[i] == two->seam) continue;
+        flare_angle(fan, drape->x + 3 * (int64_t)pair[first ? 0 : 1], &far);
+        if (far > most) return false;
+    }
+    return true;
+}
+
+
+/* the fan between two sides of panel p; false where they do not hold all of it between them, its hem is sewn, or it is
+ * not wide */
 static bool flare_between(const mus_drape *drape, int32_t p, const flare_side *one, const flare_side *two,
                           flare_fan *fan)
 {
@@ -132,6 +152,7 @@ static bool flare_between(const mus_drape *drape, int32_t p, const flare_side *o
     fan->half = fmax(fabs(left), fabs(right));
     fan->length = one->way + two->way;
     if (!(2.0 * fan->half > FLARE_WIDE)) return false;
+    if (!flare_free(drape, p, fan, one, two, back + FLARE_SEWN * fmin(one->way, two->way))) return false;
     for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
         const double beyond = fabs(flare_angle(fan, drape->x + 3 * (int64_t)i, &far)) - fan->half;
         if (far < 0.5 * back || beyond > FLARE_BESIDE) return false;

@@ -24,6 +24,7 @@
 #define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
 #define LIFT_POINTS 1.0 /* of 2: edges that point up close over the shoulders, down and out under the arms */
 #define LIFT_STRAP 0.6  /* of the shoulder line: what closes on less of it is a strap */
+#define LIFT_RIM 1.2    /* of the shoulders' half breadth: farther out begins no strap */
 #define HANG_NEAR 0.05  /* [m]: then straps are home */
 #define HANG_SHARE 0.25 /* of the pull that the others have until then */
 
@@ -150,22 +151,24 @@ static int32_t lift_side(const mus_drape *drape, const mus__held_level *armpit, 
 }
 
 
-/* whether a seam over the shoulder is a strap's: short, and to one side of the middle; *inward how much nearer to the
- * neck than it begins it is put on: its middle on that of the shoulder, so that it does not lie at the rim, and nothing
- * of it on the neck */
-static bool lift_strap(const mus_drape *drape, int32_t first, int32_t last, double *inward)
+/* whether a seam over the shoulder is a strap's: short, to one side of the middle, above the armpits and not out on the
+ * arm, as that of a cuff is; *inward how much nearer to the neck than it begins it is put on: its middle on that of the
+ * shoulder, so that it does not lie at the rim, and nothing of it on the neck */
+static bool lift_strap(const mus_drape *drape, const mus__held_level *armpit, int32_t first, int32_t last,
+                       double *inward)
 {
     double neck, least = INFINITY, middle = 0.0, length = 0.0;
     const double shoulder = mus__drape_shoulder(drape, &neck);
     for (int32_t p = first; p < last; p++) {
         const mus__pair *pair = &drape->plan.pair[p];
         if (!(pair->aside * drape->plan.pair[first].aside > 0.0)) return false;
+        if (!(mus__dot3(armpit->up, drape->x + 3 * (int64_t)pair->a) > armpit->at)) return false;
         least = fmin(least, fabs(pair->aside));
         middle += pair->length * fabs(pair->aside);
         length += pair->length;
     }
     *inward = fmax(fmin(middle / length - 0.5 * (neck + shoulder), least - neck), 0.0);
-    return length < LIFT_STRAP * (shoulder - neck);
+    return length < LIFT_STRAP * (shoulder - neck) && middle < LIFT_RIM * shoulder * length;
 }
 
 
@@ -183,7 +186,7 @@ void mus__drape_lift_start(mus_drape *drape)
         const int32_t over = lift_side(drape, &armpit, p, next);
         double inward;
         for (int32_t i = p; i < next; i++) pair[i].over = over, pair[i].aside = lift_aside(drape, &armpit, &pair[i]);
-        if (over < 1 || !lift_strap(drape, p, next, &inward)) continue;
+        if (over < 1 || !lift_strap(drape, &armpit, p, next, &inward)) continue;
         for (int32_t i = p; i < next; i++) pair[i].over = 2, pair[i].aside -= copysign(inward, pair[i].aside);
         straps = true;
     }

@@ -108,6 +108,30 @@ START_TEST(straps_close_over_the_shoulders)
 END_TEST
 
 
+/* what is short and points up is a strap on the shoulders (_i 0), a cuff's below the armpits (1) */
+START_TEST(cuffs_are_no_straps)
+{
+    mus_context *context = support_context();
+    mus_body *body = scene_body(context);
+    mus_drape *drape;
+    double neck, top[3];
+    const double rim = mus__body_shoulder(body, &neck);
+    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
+    mus_pattern *pattern = strap_top(context, rim, top[1] + (_i == 1 ? -0.3 : 0.06));
+    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, NULL, &drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+    mus__drape_lift_start(drape);
+    ck_assert_int_eq(mus__drape_strapped(drape, NULL) == MUS__STRAPS_NONE, _i > 0);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(what_is_held_at_the_armpits_stays_under_the_arms)
 {
     static const double corner[5][2] = {{-0.25, -0.2}, {0.25, -0.2}, {0.26, -0.02}, {0.0, 0.12}, {-0.26, -0.02}};
@@ -168,6 +192,7 @@ Suite *mus_suite_lift(void)
     TCase *tests = tcase_create("lift");
     tcase_set_timeout(tests, 600);
     suite_add_tcase(suite, tests);
+    tcase_add_loop_test(tests, cuffs_are_no_straps, 0, 2);
     tcase_add_loop_test(tests, straps_close_over_the_shoulders, 0, 2);
     tcase_add_test(tests, what_is_held_at_the_armpits_stays_under_the_arms);
     return suite;

@@ -9,6 +9,9 @@
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
 #include "scenes.h"
+#include "worn.h"
+
+Suite *mus_suite_lift(void);
 
 #define SPACING 0.03
 
@@ -66,44 +69,80 @@ static mus_pattern *strap_top(mus_context *context, double rim, double height)
 }
 
 
+/* a body with nothing on; a pattern on it where it starts */
+static worn lift_body(void)
+{
+    worn w = {.context = support_context()};
+    w.body = scene_body(w.context);
+    return w;
+}
+
+
+static void lift_put_on(worn *w, mus_pattern *pattern, const mus_drape_def *def)
+{
+    worn_put_on(w, pattern);
+    w->cloth = scene_cut(w->context, pattern, SPACING, 0.0);
+    worn_place(w, def);
+}
+
+
+/* half the breadth of the shoulders, and their height */
+static double lift_rim(const worn *w, double *neck, double *height)
+{
+    double top[3];
+    ck_assert_int_eq(mus_body_landmark(w->body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
+    *height = top[1];
+    return mus__body_shoulder(w->body, neck);
+}
+
+
+static void lift_sew(const worn *w)
+{
+    ck_assert_msg(mus_drape_sew(w->drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(w->context));
+}
+
+
+static void lift_settle(const worn *w)
+{
+    ck_assert_msg(mus_drape_settle(w->drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(w->context));
+}
+
+
+/* where a pair of seam ends lies once it is sewn */
+static const double *lift_pair_at(const worn *w, int32_t pair)
+{
+    return w->drape->x + 3 * (int64_t)w->drape->rep[w->cloth->pair[2 * pair]];
+}
+
+
 START_TEST(straps_close_over_the_shoulders)
 {
-    mus_context *context = support_context();
-    mus_body *body = scene_body(context);
+    worn w = lift_body();
     mus_drape_def def;
-    mus_drape *drape;
     mus__held_level armpit;
     mus_drape_def_init(&def, sizeof def);
     def.self_contact = _i;
 
     /* at the rim of the shoulders, as high as they are there */
-    double neck, top[3];
-    const double rim = mus__body_shoulder(body, &neck);
-    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
-    mus_pattern *pattern = strap_top(context, rim, top[1] + 0.06);
-    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
-    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
-    ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
-    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+    double neck, height;
+    const double rim = lift_rim(&w, &neck, &height);
+    lift_put_on(&w, strap_top(w.context, rim, height + 0.06), &def);
+    lift_sew(&w);
+    mus__drape_level(w.drape, MUS_HOLD_ARMPIT, 0, &armpit);
 
     /* seams 2 and 3 are the straps': sewn on the shoulders, inside their rim and not on the neck; at rest still there,
      * as far out as they are cut */
     for (int32_t settled = 0; settled < 2; settled++) {
-        for (int32_t p = 0; p < cloth->npair; p++) {
-            if (cloth->pair_seam[p] < 2) continue;
-            const double *x = drape->x + 3 * (int64_t)drape->rep[cloth->pair[2 * p]];
+        for (int32_t p = 0; p < w.cloth->npair; p++) {
+            if (w.cloth->pair_seam[p] < 2) continue;
+            const double *x = lift_pair_at(&w, p);
             ck_assert_double_gt(mus__dot3(armpit.up, x), armpit.at + 0.06);
             ck_assert_double_lt(fabs(x[0]), settled ? rim + 0.04 : rim);
             ck_assert_double_gt(fabs(x[0]), neck);
         }
-        if (!settled) ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+        if (!settled) lift_settle(&w);
     }
-    mus_drape_destroy(drape);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    support_context_end(context);
+    worn_end(&w);
 }
 END_TEST
 
@@ -111,23 +150,13 @@ END_TEST
 /* what is short and points up is a strap on the shoulders (_i 0), a cuff's below the armpits (1) */
 START_TEST(cuffs_are_no_straps)
 {
-    mus_context *context = support_context();
-    mus_body *body = scene_body(context);
-    mus_drape *drape;
-    double neck, top[3];
-    const double rim = mus__body_shoulder(body, &neck);
-    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
-    mus_pattern *pattern = strap_top(context, rim, top[1] + (_i == 1 ? -0.3 : 0.06));
-    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
-    ck_assert_int_eq(mus_drape_create(context, cloth, body, NULL, &drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
-    mus__drape_lift_start(drape);
-    ck_assert_int_eq(mus__drape_strapped(drape, NULL) == MUS__STRAPS_NONE, _i > 0);
-    mus_drape_destroy(drape);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    support_context_end(context);
+    worn w = lift_body();
+    double neck, height;
+    const double rim = lift_rim(&w, &neck, &height);
+    lift_put_on(&w, strap_top(w.context, rim, height + (_i == 1 ? -0.3 : 0.06)), NULL);
+    mus__drape_lift_start(w.drape);
+    ck_assert_int_eq(mus__drape_strapped(w.drape, NULL) == MUS__STRAPS_NONE, _i > 0);
+    worn_end(&w);
 }
 END_TEST
 
@@ -135,56 +164,45 @@ END_TEST
 START_TEST(what_is_held_at_the_armpits_stays_under_the_arms)
 {
     static const double corner[5][2] = {{-0.25, -0.2}, {0.25, -0.2}, {0.26, -0.02}, {0.0, 0.12}, {-0.26, -0.02}};
-    mus_context *context = support_context();
-    mus_body *body = scene_body(context);
-    mus_drape_def def;
-    mus_drape *drape;
+    worn w = lift_body();
     mus_pattern *pattern;
     mus__held_level armpit;
     int32_t edge[2][16];
     double bust[3];
-    mus_drape_def_init(&def, sizeof def);
-    ck_assert_int_eq(mus_body_landmark(body, MUS_LANDMARK_BUST, bust), MUS_OK);
+    ck_assert_int_eq(mus_body_landmark(w.body, MUS_LANDMARK_BUST, bust), MUS_OK);
 
     /* a strapless top that begins a hand below where it is held, wider than the shoulders */
-    ck_assert_int_eq(mus_pattern_create(context, "strapless", &pattern), MUS_OK);
+    ck_assert_int_eq(mus_pattern_create(w.context, "strapless", &pattern), MUS_OK);
     lift_both(pattern, corner, 5, bust[1] - 0.06, edge);
     scene_sew(pattern, edge[0][1], edge[1][4], 0.0);
     scene_sew(pattern, edge[0][4], edge[1][1], 0.0);
     for (int32_t i = 0; i < 2; i++)
         for (int32_t e = 2; e < 4; e++)
             ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edge[i][e], MUS_HOLD_ARMPIT, 0.0), MUS_OK);
-    mus_cloth *cloth = scene_cut(context, pattern, SPACING, 0.0);
-    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
-    ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
-    ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
-    mus__drape_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
+    lift_put_on(&w, pattern, NULL);
+    lift_sew(&w);
+    mus__drape_level(w.drape, MUS_HOLD_ARMPIT, 0, &armpit);
     for (int32_t settled = 0; settled < 2; settled++) {
         double low = INFINITY;
-        for (int32_t p = 0; p < cloth->npair; p++) {
-            const double *x = drape->x + 3 * (int64_t)drape->rep[cloth->pair[2 * p]];
+        for (int32_t p = 0; p < w.cloth->npair; p++) {
+            const double *x = lift_pair_at(&w, p);
             ck_assert_double_lt(mus__dot3(armpit.up, x), armpit.at + 0.03);
             low = fmin(low, mus__dot3(armpit.up, x));
         }
         ck_assert_double_gt(low, armpit.at - 0.35);
-        if (!settled) ck_assert_msg(mus_drape_settle(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+        if (!settled) lift_settle(&w);
     }
 
     /* settled it is held there */
-    for (int32_t h = 0; h < drape->plan.nheld; h++) {
-        ck_assert_double_eq(drape->plan.held[h].share, 1.0);
-        ck_assert_double_gt(mus__dot3(armpit.up, drape->x + 3 * (int64_t)drape->plan.held[h].node), armpit.at - 0.015);
+    const mus__plan *plan = &w.drape->plan;
+    for (int32_t h = 0; h < plan->nheld; h++) {
+        ck_assert_double_eq(plan->held[h].share, 1.0);
+        ck_assert_double_gt(mus__dot3(armpit.up, w.drape->x + 3 * (int64_t)plan->held[h].node), armpit.at - 0.015);
     }
-    mus_drape_destroy(drape);
-    mus_cloth_destroy(cloth);
-    mus_pattern_destroy(pattern);
-    mus_body_destroy(body);
-    support_context_end(context);
+    worn_end(&w);
 }
 END_TEST
 
-
-Suite *mus_suite_lift(void);
 
 Suite *mus_suite_lift(void)
 {

@@ -93,6 +93,7 @@ static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, 
     const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
     self->measured += self->npair;
     self->ntouch = 0;
+    memset(self->near, 0, (size_t)self->nodes);
     for (int32_t k = 0; k < self->pair_capacity; k++) {
         if (k == self->nnode_pair) k = edges;
         if (k == self->pair_capacity) break;
@@ -104,8 +105,12 @@ static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, 
         const MUS_REAL apart = (MUS_REAL)MUS_SQRT(MUS_FIELD(self_measure)(self, k, p, share));
         MUS_REAL room = (MUS_REAL)SELF_BALL * apart;
         MUS_REAL idle = (MUS_REAL)0.5 * (apart - (MUS_REAL)(1.0 + SELF_BAND) * t);
-        if (apart < (MUS_REAL)SELF_ACTIVE * t) self->touch[self->ntouch++] = k;
-        else room = (MUS_REAL)SELF_APPROACH * (apart - t);
+        if (apart < (MUS_REAL)SELF_ACTIVE * t) {
+            self->touch[self->ntouch++] = k;
+            for (int32_t i = 0; i < 4; i++) self->near[node[i]] = 1;
+        } else {
+            room = (MUS_REAL)SELF_APPROACH * (apart - t);
+        }
         if (self->drifts) {
             const MUS_REAL spread = MUS_FIELD(self_closing)(self, k, p, share, apart);
             const MUS_REAL part = (MUS_REAL)SELF_PART * room;
@@ -178,21 +183,22 @@ static inline MUS_REAL MUS_FIELD(self_off2)(int64_t n, int64_t i, MUS_REAL since
 }
 
 
-/* the largest of these over the nodes */
+/* these of all nodes, and the largest of them */
 MUS_CLONES
 static MUS_REAL MUS_FIELD(self_farthest)(int64_t n, int32_t count, MUS_REAL since, const MUS_REAL *restrict ball,
-                                         const MUS_REAL *restrict w, const MUS_REAL *restrict x)
+                                         const MUS_REAL *restrict w, const MUS_REAL *restrict x,
+                                         MUS_REAL *restrict off2)
 {
     MUS_REAL most[16] = {0}, all = 0;
     int32_t i = 0;
     for (; i + 16 <= count; i += 16)
         for (int32_t k = 0; k < 16; k++) {
-            const MUS_REAL off2 = MUS_FIELD(self_off2)(n, i + k, since, ball, w, x);
-            most[k] = off2 > most[k] ? off2 : most[k];
+            off2[i + k] = MUS_FIELD(self_off2)(n, i + k, since, ball, w, x);
+            most[k] = off2[i + k] > most[k] ? off2[i + k] : most[k];
         }
     for (; i < count; i++) {
-        const MUS_REAL off2 = MUS_FIELD(self_off2)(n, i, since, ball, w, x);
-        all = off2 > all ? off2 : all;
+        off2[i] = MUS_FIELD(self_off2)(n, i, since, ball, w, x);
+        all = off2[i] > all ? off2[i] : all;
     }
     for (int32_t k = 0; k < 16; k++) all = most[k] > all ? most[k] : all;
     return all;
@@ -273,31 +279,35 @@ static inline void MUS_FIELD(self_stand)(mus__cloth_self *self, const int32_t *n
 }
 
 
-/* which nodes that may touch the body pushed in this step, and whither */
+/* which nodes of pairs that may touch the body pushed in this step, and whither; others keep what they had */
+MUS_CLONES
+static void MUS_FIELD(self_pushed)(int64_t n, int32_t count, const uint8_t *restrict near, const MUS_REAL *restrict v,
+                                   const MUS_REAL *restrict before, uint8_t *restrict level,
+                                   MUS_REAL *restrict ground)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const MUS_REAL push0 = v[i] - before[i], push1 = v[n + i] - before[n + i];
+        const MUS_REAL push2 = v[2 * n + i] - before[2 * n + i];
+        const MUS_REAL all = push0 * push0 + push1 * push1 + push2 * push2;
+        const int32_t held = near[i] != 0 && all > 0;
+        const MUS_REAL length = (MUS_REAL)MUS_SQRT(held ? all : 1);
+        level[i] = held ? 0 : MUS_SELF_LOOSE;
+        ground[i] = held ? push0 / length : ground[i];
+        ground[n + i] = held ? push1 / length : ground[n + i];
+        ground[2 * n + i] = held ? push2 / length : ground[2 * n + i];
+    }
+}
+
+
 static void MUS_FIELD(self_grounds)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *v)
 {
-    const int64_t n = self->n;
-    const MUS_REAL *before = self->before;
-    MUS_REAL *ground = self->ground;
     uint8_t *const was = self->last;
     self->last = self->level;
     self->level = was;
-    memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
-    if (!rule->body) return;
-    for (int32_t k = 0; k < self->ntouch; k++)
-        for (int32_t i = 0; i < 4; i++) {
-            const int32_t node = self->pair[self->touch[k]].node[i];
-            MUS_REAL push[3], push2 = 0;
-            if (self->level[node] == 0) continue;
-            for (int64_t d = 0; d < 3; d++) {
-                push[d] = v[d * n + node] - before[d * n + node];
-                push2 += push[d] * push[d];
-            }
-            if (!(push2 > 0)) continue;
-            self->level[node] = 0;
-            const MUS_REAL length = (MUS_REAL)MUS_SQRT(push2);
-            for (int64_t d = 0; d < 3; d++) ground[d * n + node] = push[d] / length;
-        }
+    if (rule->body)
+        MUS_FIELD(self_pushed)(self->n, self->nodes, self->near, v, self->before, self->level, self->ground);
+    else
+        memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
 }
 
 
@@ -339,7 +349,7 @@ static inline void MUS_FIELD(self_give)(mus__cloth_self *self, const MUS_FIELD(s
                                         MUS_REAL *x, MUS_REAL *v)
 {
     const int64_t n = self->n;
-    MUS_REAL *force = self->force;
+    MUS_REAL *force = self->force, *off = self->off;
     for (int32_t i = 0; i < 4; i++) {
         const MUS_REAL share = pair->share[i], moved = share * inverse[pair->node[i]];
         for (int32_t d = 0; d < 3; d++) {
@@ -350,6 +360,7 @@ static inline void MUS_FIELD(self_give)(mus__cloth_self *self, const MUS_FIELD(s
         }
         const MUS_REAL off2 =
             MUS_FIELD(self_off2)(n, pair->node[i], (MUS_REAL)self->since, self->ball, self->drift, x);
+        off[pair->node[i]] = off2;
         if (off2 > (MUS_REAL)self->far2) self->far2 = (double)off2;
     }
 }
@@ -432,19 +443,29 @@ static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule 
 }
 
 
+/* nonzero when any node of a pair has gone as far as its things may unseen */
+static inline int32_t MUS_FIELD(self_nears)(const mus__cloth_self *self, const mus__cloth_near *pair)
+{
+    const MUS_REAL *off = self->off, room2 = (MUS_REAL)pair->room2;
+    const int32_t *node = pair->node;
+    if ((MUS_REAL)self->far2 < room2) return 0;
+    return !((off[node[0]] < room2) & (off[node[1]] < room2) & (off[node[2]] < room2) & (off[node[3]] < room2));
+}
+
+
 static void MUS_FIELD(self_touch)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
                                   MUS_REAL *x, MUS_REAL *v)
 {
     self->close = 0;
     self->far2 = (double)MUS_FIELD(self_farthest)(self->n, self->nodes, (MUS_REAL)self->since, self->ball, self->drift,
-                                                  x);
+                                                  x, self->off);
     for (int32_t k = 0; k < self->ntouch; k++)
         if (self->pair[self->touch[k]].impulse > 0) MUS_FIELD(self_again)(self, rule, inverse, self->touch[k], x, v);
 
     /* what gave nothing in the last call and cannot touch in this one is not asked */
     for (int32_t k = 0; k < self->ntouch; k++) {
         const mus__cloth_near *pair = &self->pair[self->touch[k]];
-        if (!(pair->impulse > 0) && self->far2 < (double)pair->room2) continue;
+        if (!(pair->impulse > 0) && !MUS_FIELD(self_nears)(self, pair)) continue;
         MUS_FIELD(self_answer)(self, rule, inverse, self->touch[k], x, v);
         self->answers++;
     }

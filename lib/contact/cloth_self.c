@@ -173,6 +173,7 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
         {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
         {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
         {&self->drift, planes, real},                     {&self->worn, nodes, 1},
+        {&self->off, n, real},                            {&self->near, nodes, 1},
         {&self->at, 8 * (int64_t)n, real},
         {&self->force, planes, real},                     {&self->before, planes, real},
         {&self->ground, planes, real},                    {&self->level, nodes, 1},
@@ -213,7 +214,7 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     mus__cloth_tree_destroy(context, &self->edges);
     mus__cloth_tree_destroy(context, &self->faces);
     void *blocks[] = {self->class_of, self->group,  self->triangle, self->order,  self->own,    self->thick,
-                      self->ball,     self->home,   self->drift,    self->worn,
+                      self->ball,     self->home,   self->drift,    self->worn,     self->off,    self->near,
                       self->at,       self->force,  self->before,   self->ground,
                       self->level,    self->last,   self->tangle, self->pass,   self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);

@@ -77,6 +77,7 @@ typedef struct mus__cloth_self {
     int32_t *group;        /* (nodes) one for what hangs together, by triangles and seams */
     float *thick;          /* (nodes) where triangles of seams are: half the least height there; else the thickness */
     void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
+    void *off;             /* (n) squared distance of each from there, in a call [m2] */
     void *home;            /* (3 n) where each was when the list was made */
     void *drift;           /* (3 n) velocities with which balls and homes go along [m/s] */
     void *force;           /* (3 n) impulses since the caller cleared them [N s] */
@@ -86,6 +87,7 @@ typedef struct mus__cloth_self {
     uint8_t *tangle;       /* (nodes) nonzero for these */
     uint8_t *pass;         /* (nodes) nonzero: counts as part of one, until the caller clears it */
     void *before;          /* (3 n) velocities before the body gave its answer in this step, written by the stepper */
+    uint8_t *near;         /* (nodes) nonzero: part of a pair that may touch */
     uint8_t *level, *last; /* (nodes) layers between it and the body that held it in this call, and in the last;
                             * MUS_SELF_LOOSE: nothing does */
     void *ground;          /* (3 n) unit: from what holds it */

@@ -371,10 +371,7 @@ static void MUS_FIELD(self_again)(mus__cloth_self *self, const mus__cloth_rule *
                                   int32_t k, MUS_REAL *x, MUS_REAL *v)
 {
     MUS_FIELD(self_pair) pair;
-    if (!MUS_FIELD(self_lies)(self, k, x, &pair)) {
-        if (!rule->dull) self->pair[k].impulse = 0;
-        return;
-    }
+    if (!MUS_FIELD(self_lies)(self, k, x, &pair)) return;
     self->pair[k].impulse *= (float)SELF_AGAIN;
     MUS_REAL impulse[3], move[3];
     for (int32_t d = 0; d < 3; d++) {
@@ -388,11 +385,11 @@ static void MUS_FIELD(self_again)(mus__cloth_self *self, const mus__cloth_rule *
 /*
  * What it gives beside that, or less, and friction of what it gives in all.
  *
- * Where the rule is dull, no blow is followed by a bounce. What the pair gave may have been too much: by taking a layer
- * for held that was not, or by giving again what had done its work. If that brought the two out of reach they would
- * keep it, 1.9 times their speed before, and sheets between sheets would never rest. So a pair that came apart since it
- * gave takes back what drives the two from each other, up to what it gave; and taking back counts both sides, for both
- * move.
+ * No blow is followed by a bounce. What the pair gave may have been too much: by taking a layer for held that was not,
+ * or by giving again what had done its work. If that brought the two out of reach they would keep it, 1.9 times their
+ * speed before, and sheets between sheets, or a corner hooked in a fold, would never rest. So a pair that came apart
+ * since it gave takes back what drives the two from each other, up to what it gave; and taking back counts both sides,
+ * for both move.
  */
 static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule *rule, const MUS_REAL *inverse,
                                    int32_t k, MUS_REAL *x, MUS_REAL *v)
@@ -401,7 +398,7 @@ static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule 
     MUS_FIELD(self_pair) pair;
     MUS_REAL w[3] = {0, 0, 0}, give = 0, both = 0, speed2 = 0, rub = 0, slide[3], impulse[3], move[3];
     const int32_t lies = MUS_FIELD(self_lies)(self, k, x, &pair);
-    if (!lies && (!rule->dull || !(self->pair[k].impulse > 0) || pair.lift > 0)) {
+    if (!lies && (!(self->pair[k].impulse > 0) || pair.lift > 0)) {
         self->pair[k].impulse = 0;
         return;
     }
@@ -418,7 +415,7 @@ static void MUS_FIELD(self_answer)(mus__cloth_self *self, const mus__cloth_rule 
 
     /* the approach ends, or what was given too much is taken back; friction against the sliding */
     const MUS_REAL out = MUS_FIELD(dot)(w, pair.normal), last = (MUS_REAL)self->pair[k].impulse;
-    if (rule->dull && out > 0) give = both;
+    if (out > 0) give = both;
     if (!(give > 0)) return;
     const MUS_REAL enough = last - out / give > 0 ? last - out / give : 0;
     const MUS_REAL all = lies || enough < last ? enough : last, more = all - last;

@@ -112,7 +112,6 @@ typedef struct mus__cloth_rule {
     double slip; /* [s] h for symplectic Euler, h/2 for RK4, as that of mus__contact_rule */
     double push; /* [m] what overlaps is put apart by at most this in one call */
     int32_t body; /* nonzero: there is one, and velocities before its answer are known */
-    int32_t dull; /* nonzero: a blow is not followed by a bounce */
 } mus__cloth_rule;
 
 /* class_of (nodes): those that pairs (npair x 2) join have one, the smallest of them */

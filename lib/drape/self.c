@@ -42,7 +42,7 @@ void mus__drape_self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
     sim->self_rule = (mus__cloth_rule){.step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h,
-                                       .body = drape->collider != NULL, .dull = mus__drape_layered(drape)};
+                                       .body = drape->collider != NULL};
     if (sim->self == NULL || sim->self->stale || !mus__cloth_self_short(sim->self, h)) return;
     sim->self->stale = 1;
     sim->ops->look(sim);

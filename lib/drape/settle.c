@@ -17,7 +17,8 @@
  *
  * Where cloth lies on cloth each step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple
  * by so much, and forces with them. So the mean is over a time there, not over a number of steps, and a residual that
- * no longer falls halves the step. Any cloth that lies still with force left halves it too.
+ * no longer falls halves the step. Any cloth that lies still with force left halves it too. Where little force is left
+ * and cloth still goes somewhere, the step is doubled again.
  */
 #include <math.h>
 #include <string.h>
@@ -33,6 +34,7 @@
 #define RIPPLE_FAR 10.0      /* times what is allowed */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
+#define MOVING_CHECKS 3      /* with the residual reached and no rest: the step is doubled again */
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
@@ -72,6 +74,7 @@ typedef struct lying {
     double best;       /* least residual since the step was halved */
     double safety;     /* of the bound, for the steps */
     int32_t still;     /* checks with force left and nothing gained */
+    int32_t moving;    /* checks with no more force than is allowed, but not at rest yet */
 } lying;
 
 
@@ -236,11 +239,16 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     const bool gains = residual < STALE_PART * now->best || residual <= goal->residual;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
     if (gains || t <= goal->fall) now->best = residual;
+    now->moving = residual <= goal->residual && now->drift > goal->drift ? now->moving + 1 : 0;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
-    if (now->still < STILL_CHECKS || !(now->safety > least)) return;
-    now->safety *= 0.5;
-    now->still = 0;
-    now->best = residual;
+    if (now->moving >= MOVING_CHECKS && now->safety < SAFETY_STEP) {
+        now->safety *= 2.0;
+        now->moving = 0;
+    } else if (now->still >= STILL_CHECKS && now->safety > least) {
+        now->safety *= 0.5;
+        now->still = 0;
+        now->best = residual;
+    }
 }
 
 

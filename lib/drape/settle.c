@@ -32,8 +32,10 @@
 #define SAFETY_STEP 0.75     /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
 #define RIPPLE_SAFETY 0.2    /* the same for what cloth on cloth leaves, when it is */
 #define RIPPLE_FAR 10.0      /* times what is allowed */
+#define RIPPLE_DRIFT 20.0    /* the same: cloth that goes faster may be on its way, not held up by ripples */
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
+#define FAST_CHECKS 8
 #define MOVING_CHECKS 3      /* with the residual reached and no rest: the step is doubled again */
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
@@ -238,13 +240,14 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
     const bool gains = residual < STALE_PART * now->best || residual <= goal->residual;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
+    const int32_t patience = now->drift > RIPPLE_DRIFT * goal->drift ? FAST_CHECKS : STILL_CHECKS;
     if (gains || t <= goal->fall) now->best = residual;
     now->moving = residual <= goal->residual && now->drift > goal->drift ? now->moving + 1 : 0;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
     if (now->moving >= MOVING_CHECKS && now->safety < SAFETY_STEP) {
         now->safety *= 2.0;
         now->moving = 0;
-    } else if (now->still >= STILL_CHECKS && now->safety > least) {
+    } else if (now->still >= patience && now->safety > least) {
         now->safety *= 0.5;
         now->still = 0;
         now->best = residual;

@@ -18,7 +18,8 @@
  * Where cloth lies on cloth each step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple
  * by so much, and forces with them. So the mean is over a time there, not over a number of steps, and a residual that
  * no longer falls halves the step. Any cloth that lies still with force left halves it too. Where little force is left
- * and cloth still goes somewhere, the step is doubled again.
+ * and cloth still goes somewhere, the step is doubled again. What hangs on a hook, far from equilibrium and going
+ * nowhere, will not rest: that is said at once.
  */
 #include <math.h>
 #include <string.h>
@@ -36,6 +37,7 @@
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
 #define FAST_CHECKS 8
+#define STUCK_CHECKS 12      /* with far more force left than is allowed, hardly any drift, and the smallest step */
 #define MOVING_CHECKS 3      /* with the residual reached and no rest: the step is doubled again */
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
@@ -76,6 +78,7 @@ typedef struct lying {
     double best;       /* least residual since the step was halved */
     double safety;     /* of the bound, for the steps */
     int32_t still;     /* checks with force left and nothing gained */
+    int32_t stuck;     /* checks that have it caught somewhere */
     int32_t moving;    /* checks with no more force than is allowed, but not at rest yet */
 } lying;
 
@@ -252,6 +255,8 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
         now->still = 0;
         now->best = residual;
     }
+    const bool caught = residual > RIPPLE_FAR * goal->residual && now->drift <= goal->drift && now->safety <= least;
+    now->stuck = caught ? now->stuck + 1 : 0;
 }
 
 
@@ -282,7 +287,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
     if (status != MUS_OK) return status;
     mus__sim *sim = &drape->sim;
     lying now = lie_down(drape, goal->fall);
-    for (double t = 0.0; t < goal->seconds && !drape->settled && !run->stop && !run->slid;) {
+    for (double t = 0.0; t < goal->seconds && now.stuck < STUCK_CHECKS;) {
+        if (drape->settled || run->stop || run->slid) break;
         const double h = now.safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = now.drag;

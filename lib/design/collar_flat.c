@@ -17,6 +17,10 @@
 
 #define FLAT_SEAM 0.007
 #define FLAT_STEPS 96 /* of the integration along the neck edge */
+#define FLAT_ABOVE 4.0 /* [cm at size 40]: so far above the body's panels a collar starts */
+#define FLAT_TILT 0.7  /* its back is turned down by this angle, */
+#define FLAT_BEND 1.6  /* its sides round a roll of so many radii of the neck. Flatter ones stand up after sewing (2.2),
+                        * closer ones are caught on the shoulders (1.1) */
 
 typedef struct flat_collar {
     double length;          /* of the neck edge, centre back to centre front */
@@ -154,22 +158,49 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 }
 
 
-/* before the body is sewn the collar lies round the neck above the highest of the body's panels, so that none comes
- * through it: it falls on to the shoulders from above. Where the shoulders overlap it would stand as well as lie, since
- * its cone has two ways round: by `tilt` it starts with its back and its sides turned down */
-static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel, double tilt)
+/* y (2) is widened to the heights of a panel's corners, and of the points of the curves between them, as placed */
+static void flat_heights(const mus__board *board, int32_t panel, double *y)
+{
+    const mus_placement *place = &board->panel[panel].placement;
+    for (int32_t i = 0; i < board->nside; i++) {
+        const mus__board_chain *chain = &board->side[i].chain;
+        if (board->side[i].panel != panel) continue;
+        for (int32_t k = 0; k < chain->nxy; k++) {
+            double x = chain->xy[2 * k], z = 0.0;
+            if (place->bend != 0.0) {
+                const double angle = (x - place->bend_x) / place->bend;
+                x = place->bend_x + place->bend * sin(angle);
+                z = place->bend * (cos(angle) - 1.0);
+            }
+            const double high = place->origin[1] + place->rotation[3] * x +
+                                place->rotation[4] * chain->xy[2 * k + 1] + place->rotation[5] * z;
+            y[0] = fmin(y[0], high), y[1] = fmax(y[1], high);
+        }
+    }
+}
+
+
+/*
+ * Before the body is sewn the collar is above the highest of the body's panels as they are placed, so that none comes
+ * through it: it falls on to the shoulders from above. On the shoulders it is a cone, which has two ways round, and one
+ * that starts level stands up round the neck: it starts with its back and its sides turned down, bent about a line from
+ * front to back.
+ */
+static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
 {
     mus__board *board = &half->board;
     if (board->status != MUS_OK) return;
     const double radius = fmax(half->measures.v[MUS_MEASURE_NECK] / (2.0 * MUS_PI), 0.3 * neck->length);
-    const double k = mus__measures_scale(&half->measures), c = cos(tilt), s = sin(tilt);
+    const double k = mus__measures_scale(&half->measures), c = cos(FLAT_TILT), s = sin(FLAT_TILT);
     const double turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
+    double own[2] = {INFINITY, -INFINITY}, body[2] = {INFINITY, half->skeleton.nape};
     mus_placement *place = &board->panel[panel].placement;
     mus_placement_init(place, sizeof *place);
     memcpy(place->rotation, turn, sizeof turn);
-    place->origin[1] = half->skeleton.nape + (tilt > 0.0 ? 7.0 : 4.0) * k * MUS__CM;
     place->origin[2] = half->skeleton.shoulder_z - radius;
-    place->bend = tilt > 0.0 ? -2.2 * radius : 0.0;
+    place->bend = -FLAT_BEND * radius;
+    for (int32_t p = 0; p < board->npanel; p++) flat_heights(board, p, p == panel ? own : body);
+    place->origin[1] = body[1] - own[0] + FLAT_ABOVE * k * MUS__CM;
 }
 
 
@@ -218,5 +249,5 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
     board->side[cb].centre = neck->back_open ? MUS__CENTRE_OPEN : MUS__CENTRE_FOLD;
     mus__board_sew(board, 2, neck_sides, neck->rim.n, neck->rim.side);
-    flat_place(half, neck, panel, style == MUS__COLLAR_PETER_PAN ? 0.4 : 0.0);
+    flat_place(half, neck, panel);
 }

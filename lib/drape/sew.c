@@ -84,10 +84,12 @@ static mus_status fail_open(mus_drape *drape)
 }
 
 
-/* cloth near the last pairs may go through cloth: it is what holds them apart; untangling has the rest */
+/* cloth near the last pairs may go through cloth: it is what holds them apart; untangling has the rest. Not through
+ * layers that are worn: what is drawn through those all round is not untangled */
 static void let_pass(mus_drape *drape)
 {
     mus__cloth_self *self = drape->self;
+    const int32_t open_from = drape->plan.open_from;
     const double reach = PASS_REACH * drape->cloth->spacing;
     if (self == NULL) return;
     memset(self->pass, 0, (size_t)drape->n);
@@ -99,7 +101,7 @@ static void let_pass(mus_drape *drape)
         for (int32_t i = 0; i < drape->n; i++) {
             const double *x = drape->x + 3 * (int64_t)i;
             const double d[3] = {x[0] - 0.5 * (a[0] + b[0]), x[1] - 0.5 * (a[1] + b[1]), x[2] - 0.5 * (a[2] + b[2])};
-            self->pass[i] |= mus__dot3(d, d) < far * far;
+            self->pass[i] |= mus__cloth_layer(drape->cloth, i) >= open_from && mus__dot3(d, d) < far * far;
         }
     }
     self->stale = 1;

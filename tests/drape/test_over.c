@@ -1,7 +1,7 @@
 /*
  * test_over.c: a skirt over a skirt, joined by the public calls: sewn from inside to outside without a crossing, the
- * outer one outside; sleeves over sleeves; folds that lie on folds rest; a fit that fails for want of memory gives
- * back what it took.
+ * outer one outside; sleeves over sleeves; nothing worn is gone through; a collar lies on the shoulders; folds that lie
+ * on folds rest; a fit that fails for want of memory gives back what it took.
  */
 #include <math.h>
 #include <string.h>
@@ -140,6 +140,68 @@ START_TEST(what_is_sewn_over_starts_where_the_pattern_has_it_or_just_outside)
 END_TEST
 
 
+/* two squares before and behind two sheets that are worn and held: their short seam stays open and goes through nothing
+ * (it was drawn through both while the last pairs could pass all cloth near them) */
+START_TEST(what_is_sewn_over_goes_through_nothing_worn)
+{
+    worn w = {.context = support_context()};
+    int32_t edge[4], seam[2];
+    ck_assert_int_eq(mus_pattern_create(w.context, "between", &w.pattern), MUS_OK);
+    const double out[] = {0.0, -0.03, 0.06, -0.09};
+    for (int32_t p = 0; p < 4; p++) {
+        const double half = p < 2 ? 0.2 : 0.06;
+        const char name[2] = {(char)('a' + p), 0};
+        const int32_t panel = scene_rectangle(w.pattern, name, -half, -half, 2.0 * half, 2.0 * half, edge);
+        scene_move(w.pattern, panel, 0.003 * p, 0.0, out[p]);
+        ck_assert_int_eq(mus_pattern_set_layer(w.pattern, panel, p / 2), MUS_OK);
+        seam[p % 2] = edge[0];
+    }
+    scene_sew(w.pattern, seam[0], seam[1], 0.0);
+    over_place(&w, 0.04);
+    const int32_t *panel = mus_cloth_node_panels(w.cloth);
+    for (int32_t i = 0; i < mus_drape_node_count(w.drape); i++)
+        if (panel[i] < 2) ck_assert_int_eq(mus_drape_pin(w.drape, i, 1), MUS_OK);
+    ck_assert_int_eq(mus_drape_sew(w.drape, NULL, NULL), MUS_ERR_SEW);
+
+    /* each square may have folded through itself, near the pairs that are open */
+    int32_t pairs[2 * 64];
+    int64_t count;
+    ck_assert_int_eq(mus_drape_crossings(w.drape, 64, pairs, &count), MUS_OK);
+    ck_assert_int_le(count, 64);
+    for (int64_t i = 0; i < count; i++)
+        ck_assert_int_eq(panel[mus_cloth_triangles(w.cloth)[3 * pairs[2 * i]]],
+                         panel[mus_cloth_triangles(w.cloth)[3 * pairs[2 * i + 1]]]);
+    worn_end(&w);
+}
+END_TEST
+
+
+/* a coat's collar falls on the shoulders and lies there, below the nape (110 crossings while it began before and behind
+ * the fronts' highest points; begun level above them it stood up round the neck) */
+START_TEST(a_shawl_collar_lies_on_the_shoulders)
+{
+    worn w = worn_body("W40");
+    worn_put_on_design(&w, "coat", NULL);
+    over_place(&w, 0.025);
+    ck_assert_msg(mus_drape_sew(w.drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(w.context));
+    over_clear(&w);
+    ck_assert_msg(mus_drape_settle(w.drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(w.context));
+    over_clear(&w);
+    ck_assert_int_eq(mus_tape_complete(w.tape), MUS_OK);
+    const double *x = mus_drape_positions(w.drape), nape = mus_tape_value(w.tape, MUS_MEASURE_NAPE_HEIGHT);
+    const int32_t *panel = mus_cloth_node_panels(w.cloth);
+    int32_t collar = 0;
+    for (int32_t i = 0; i < mus_drape_node_count(w.drape); i++) {
+        if (strcmp(mus_cloth_panel_name(w.cloth, panel[i]), "collar") != 0) continue;
+        ck_assert_double_lt(x[3 * i + 1], nape);
+        collar++;
+    }
+    ck_assert_int_gt(collar, 50);
+    worn_end(&w);
+}
+END_TEST
+
+
 START_TEST(a_skirt_is_sewn_over_a_skirt)
 {
     worn w = over_skirts("skirt_plain", 2, 0.045);
@@ -193,7 +255,9 @@ Suite *mus_suite_over(void)
     tcase_set_timeout(tests, 120);
     if (!SUPPORT_SLOW) tcase_add_test(tests, sleeves_close_over_sleeves);
     tcase_add_test(tests, what_is_sewn_over_starts_where_the_pattern_has_it_or_just_outside);
+    tcase_add_test(tests, what_is_sewn_over_goes_through_nothing_worn);
     tcase_add_test(tests, a_skirt_is_sewn_over_a_skirt);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, a_shawl_collar_lies_on_the_shoulders);
     tcase_add_test(tests, a_fit_that_finds_no_memory_gives_all_back);
     if (!SUPPORT_SLOW) tcase_add_test(tests, folds_that_lie_on_folds_come_to_rest);
     suite_add_tcase(suite, tests);

@@ -37,7 +37,8 @@ typedef struct mus_drape_def {
     double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */
     double seam_pull;          /* tension that pulls a seam shut [N per m of seam], default 50 */
     double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
-    double settle_seconds;     /* give up settling after this much cloth time on the finest cut [s], default 10 */
+    double settle_seconds;     /* give up settling after this much cloth time on the finest cut at the latest [s],
+                                * default 10; what hangs on a hook is told sooner */
     double settle_residual;    /* rest: rms residual force over node weight below this, default 0.02 */
     int32_t integrator;        /* of mus_drape_step: MUS_METHOD_RK4 (default) or MUS_METHOD_VERLET */
     double contact_ball;       /* of mus_drape_step: a node near the skin takes it for a plane while it stays in a ball

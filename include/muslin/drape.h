@@ -274,6 +274,7 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * settle_residual, and no node's mean place goes faster than 2 mm/s. Or: for half a second no node has gone 0.1 mm or
  * been so far from its mean place, and of the nodes that touch neither skin nor plane nor cloth the force left is below
  * settle_residual: what surfaces that wedge a node carry is not known from its place, but it does not move.
+ * Where cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
  * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED, MUS_ERR_MEMORY
  * Memory:  the first sew or settle makes the coarser doubles, a third of the drape, kept until it is destroyed
  */

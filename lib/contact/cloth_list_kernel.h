@@ -240,8 +240,9 @@ static inline void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t 
         self->full = 1;
         return;
     }
-    const mus__cloth_near pair = {{node[0], node[1], node[2], node[3]}, MUS_FIELD(self_thickness)(self, edges, node), 0,
-                                  0};
+    float thickness = MUS_FIELD(self_thickness)(self, edges, node);
+    for (int32_t i = 0; i < 4; i++) thickness = self->most[node[i]] < thickness ? self->most[node[i]] : thickness;
+    const mus__cloth_near pair = {{node[0], node[1], node[2], node[3]}, thickness, 0, 0};
     self->pair[edges ? --search->last : search->first++] = pair;
 }
 

@@ -15,6 +15,8 @@
 #define SELF_MOST_PAIRS 1024
 #define SELF_FLAT 0.5       /* of the least height of a triangle: flat cloth does not touch itself */
 #define SELF_SKIN 0.2
+#define SELF_YIELD 0.7      /* of what was allowed: in one call no less */
+#define SELF_THINNEST 0.25  /* of the thickness: pairs that gave way are no thinner */
 
 typedef struct self_edge {
     int32_t low, high, at; /* nodes; 8 times its triangle and its place there */
@@ -171,6 +173,7 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
         {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
         {&self->order, flat->ntriangle, sizeof *self->order},
         {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
+        {&self->most, nodes, sizeof *self->most},
         {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
         {&self->drift, planes, real},                     {&self->worn, nodes, 1},
         {&self->off, n, real},                            {&self->near, nodes, 1},
@@ -214,8 +217,8 @@ void mus__cloth_self_destroy(mus__cloth_self *self)
     mus__cloth_tree_destroy(context, &self->edges);
     mus__cloth_tree_destroy(context, &self->faces);
     void *blocks[] = {self->class_of, self->group,  self->triangle, self->order,  self->own,    self->thick,
-                      self->ball,     self->home,   self->drift,    self->worn,     self->off,    self->near,
-                      self->at,       self->force,  self->before,   self->ground,
+                      self->most,     self->ball,   self->home,     self->drift,  self->worn,   self->off,
+                      self->near,     self->at,     self->force,    self->before, self->ground,
                       self->level,    self->last,   self->tangle, self->pass,   self->pair, self->touch};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
@@ -262,6 +265,7 @@ void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32
     const int32_t *triangle = self->flat.triangle;
     int32_t *slot = self->grid.of; /* free between counts */
     self->ntriangle = 0;
+    for (int32_t i = 0; i < self->nodes; i++) self->most[i] = (float)self->thickness;
     for (int64_t t = 0; t < self->flat.ntriangle; t++) {
         int32_t *to = self->triangle + 3 * (int64_t)self->ntriangle;
         slot[t] = MUS_NONE;
@@ -294,6 +298,28 @@ void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32
     mus__cloth_tree_raise(&self->corners, self->faces.levels);
     if (self->corners.levels > self->faces.levels) mus__cloth_tree_raise(&self->faces, self->corners.levels);
     self->stale = 1;
+}
+
+
+/* no thinner than a part: through a tenth springs press nodes in one step, and then their balls hold them there. From
+ * all to half at once did the same to some */
+int32_t mus__cloth_self_give_way(mus__cloth_self *self, const uint8_t *marked)
+{
+    const float least = (float)(SELF_THINNEST * self->thickness);
+    const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
+    int32_t gave = 0;
+    for (int32_t i = 0; i < self->nodes; i++) {
+        if (!marked[i] || !(self->most[i] > least)) continue;
+        self->most[i] = fmaxf((float)SELF_YIELD * self->most[i], least);
+        gave = 1;
+    }
+    for (int32_t k = 0; gave && k < self->pair_capacity; k++) {
+        if (k == self->nnode_pair) k = edges;
+        if (k == self->pair_capacity) break;
+        mus__cloth_near *pair = &self->pair[k];
+        for (int32_t i = 0; i < 4; i++) pair->thickness = fminf(pair->thickness, self->most[pair->node[i]]);
+    }
+    return gave;
 }
 
 

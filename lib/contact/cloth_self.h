@@ -28,7 +28,7 @@
  *
  * A pair's thickness is that of the drape; within a panel at most half the distance of the two in the flat, and across
  * a seam half the least height of the triangles there, so that flat cloth never touches itself. Nodes that a seam joins
- * count as one, sewn or not yet.
+ * count as one, sewn or not yet. Where cloth presses a node into the body, the caller may have its pairs give way.
  */
 #ifndef MUS_CONTACT_CLOTH_SELF_H
 #define MUS_CONTACT_CLOTH_SELF_H
@@ -76,6 +76,7 @@ typedef struct mus__cloth_self {
     mus__cloth_tree corners, edges, faces;
     int32_t *group;        /* (nodes) one for what hangs together, by triangles and seams */
     float *thick;          /* (nodes) where triangles of seams are: half the least height there; else the thickness */
+    float *most;           /* (nodes) no pair of it is thicker: the thickness, where it gave way less */
     void *ball;            /* (4 n) where each node was looked at (3 planes), squared radius */
     void *off;             /* (n) squared distance of each from there, in a call [m2] */
     void *home;            /* (3 n) where each was when the list was made */
@@ -130,6 +131,9 @@ int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__cros
 /* between steps, the list just made of x: pairs nearer than `least` to that distance, one after the other, but nodes
  * that are held (nodes) stay. How many there were; they may cross others then */
 int32_t mus__cloth_self_part(const mus__cloth_self *self, double least, const int32_t *held, double *x);
+/* between steps: until seams are welded anew no pair of the nodes that are marked (nodes) is thicker than 0.7 of what
+ * was allowed before, down to a quarter of the thickness. Nonzero when that made any thinner */
+int32_t mus__cloth_self_give_way(mus__cloth_self *self, const uint8_t *marked);
 /* between steps: room for twice the pairs that there were, where it became narrow */
 mus_status mus__cloth_self_grow(mus__cloth_self *self);
 

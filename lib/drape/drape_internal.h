@@ -183,6 +183,9 @@ mus_status mus__drape_self_fits(const mus_drape *drape);
 /* mean force that it gave node i since it was forgotten (3) [N], added to `force`; nonzero when there was any */
 int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force);
 void mus__drape_self_forget(mus_drape *drape);
+/* at a check of settling, mean places known: pairs of nodes that linger deep in the body and touch cloth are thinner
+ * from now on; nonzero when any is */
+int32_t mus__drape_self_give_way(mus_drape *drape);
 void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report);
 
 /* ---- levels of the body that edges are held at (hold.c) ---- */

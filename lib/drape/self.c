@@ -9,9 +9,12 @@
 
 #include "contact/cloth_crossing.h"
 #include "drape/drape_internal.h"
+#include "geom/vec.h"
 
 #define SELF_PUSH_SPEED 0.5   /* [m/s]: what overlaps leaves each other no faster */
 #define SELF_THICKEST 0.5     /* of the spacing */
+#define SELF_DEEP 0.7e-3      /* [m] in the body: cloth on cloth gives way for what is deeper, */
+#define SELF_LINGERS 1e-3     /* [m]: and went no farther from check to check: most of what is faster comes out */
 
 
 mus_status mus__drape_self_create(mus_drape *drape)
@@ -100,6 +103,22 @@ int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
         touches |= own != 0.0;
     }
     return touches;
+}
+
+
+int32_t mus__drape_self_give_way(mus_drape *drape)
+{
+    mus__cloth_self *self = drape->self;
+    if (self == NULL || drape->collider == NULL) return 0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double *x = drape->mean + 3 * (int64_t)i, *was = drape->before + 3 * (int64_t)i;
+        const double way[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
+        double force[3] = {0.0};
+        self->worn[i] = drape->mass[i] > 0.0 && mus__norm3(way) < SELF_LINGERS &&
+                        mus__drape_self_force(drape, i, force) &&
+                        mus__collider_depth(drape->collider, x, 0.0, NULL) > SELF_DEEP;
+    }
+    return mus__cloth_self_give_way(self, self->worn);
 }
 
 

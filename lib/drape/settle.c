@@ -20,6 +20,10 @@
  * no longer falls halves the step. Any cloth that lies still with force left halves it too. Where little force is left
  * and cloth still goes somewhere, the step is doubled again. What hangs on a hook, far from equilibrium and going
  * nowhere, will not rest: that is said at once.
+ *
+ * Two sheets of full thickness and the skin on both sides may have no room, as between legs: a node then lies deep in
+ * the body, pressed by cloth. What is left there has to be shared, so the thickness of such nodes yields near
+ * rest; not while seams close, for what is drawn through narrow places wants all of it.
  */
 #include <math.h>
 #include <string.h>
@@ -50,6 +54,7 @@
 #define DRAG_FALL 0.75       /* the same where nothing is to be damped, down to that of a fall */
 #define LOOSE_SECONDS 1.0    /* of cloth time in which a loose garment drops onto the body */
 #define REST_DRIFT 0.002     /* [m/s]: no node's mean place drifts faster at rest */
+#define GIVE_DRIFT 0.02      /* [m/s]: near rest cloth on cloth gives way; before, springs press through what is left */
 #define REST_WAY 1e-4        /* [m]: what lies still: no node goes farther, */
 #define REST_SECONDS 0.5     /* in so long, nor strays as far from its mean place */
 
@@ -156,13 +161,11 @@ static double farthest(const mus_drape *drape, const double *a, const double *b)
 }
 
 
-/* how far the mean places went since the last check; this one's become the last */
-static double take_move(mus_drape *drape)
+/* mean places and forces of this check become those of the last */
+static void keep_check(mus_drape *drape)
 {
-    const double move = farthest(drape, drape->mean, drape->before);
     memcpy(drape->before, drape->mean, 3 * (size_t)drape->n * sizeof *drape->before);
     memcpy(drape->left, drape->force, 3 * (size_t)drape->n * sizeof *drape->left);
-    return move;
 }
 
 
@@ -223,8 +226,11 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
     now->stray = farthest(drape, drape->x, drape->mean);
     const double last = now->move;
-    now->move = take_move(drape);
+    now->move = farthest(drape, drape->mean, drape->before);
     now->drift = now->move / seconds;
+    const bool slow = goal->residual < ROUGH_RESIDUAL && now->drift < GIVE_DRIFT;
+    const bool gives = slow && mus__drape_self_give_way(drape);
+    keep_check(drape);
     drape->distance = expected_distance(now->move, last);
 
     /* for how long it has lain still */
@@ -238,6 +244,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
     drape->settled = (residual <= goal->residual && now->drift <= goal->drift) ||
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
+    if (gives) drape->settled = 0;
 
     /* force that a smaller step may take away */
     const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
@@ -256,7 +263,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
         now->best = residual;
     }
     const bool caught = residual > RIPPLE_FAR * goal->residual && now->drift <= goal->drift && now->safety <= least;
-    now->stuck = caught ? now->stuck + 1 : 0;
+    now->stuck = caught && !gives ? now->stuck + 1 : 0;
 }
 
 

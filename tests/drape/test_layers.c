@@ -1,7 +1,7 @@
 /*
  * test_layers.c: cloth on cloth: sheets fall on each other and crumple without a crossing, at any speed; no blow is
- * followed by a bounce; friction is Coulomb's; the bytes are the same for any number of threads, and where nothing is
- * near, those of a drape without it.
+ * followed by a bounce; friction is Coulomb's; without room they give way; the bytes are the same for any number of
+ * threads, and where nothing is near, those of a drape without it.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -218,6 +218,32 @@ START_TEST(a_blow_is_not_followed_by_a_bounce)
 END_TEST
 
 
+/* a sheet between one that is held and a ceiling 1 mm above that, where the two have no room for their thickness: it
+ * would come to rest 1 mm deep in the ceiling. They give way, by no more than they have to */
+START_TEST(cloth_without_room_between_cloth_and_body_gives_way)
+{
+    const double size[] = {0.16, 0.16, 0.12, 0.1};
+    pile p;
+    pile_start(&p, _i ? 64 : 32);
+    pile_make(&p, 2, size, 0.0021);
+    mus_plane ceiling;
+    mus_plane_init(&ceiling, sizeof ceiling);
+    ceiling.point[1] = 0.001, ceiling.normal[1] = -1.0;
+    ck_assert_int_eq(mus_drape_add_plane(p.drape, &ceiling, NULL), MUS_OK);
+    ck_assert_msg(mus_drape_settle(p.drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(p.context));
+    mus_drape_report report;
+    mus_drape_report_init(&report, sizeof report);
+    ck_assert_int_eq(mus_drape_report_get(p.drape, &report), MUS_OK);
+    ck_assert_double_le(report.max_penetration, 0.7e-3);
+    ck_assert_int_eq(pile_crossings(&p), 0);
+    const double *x = mus_drape_positions(p.drape);
+    for (int32_t i = 0; i < p.n; i++)
+        if (p.panel[i] > 0) ck_assert_double_gt(x[3 * i + 1], 0.3e-3);
+    pile_end(&p);
+}
+END_TEST
+
+
 START_TEST(layers_have_the_same_bytes_for_any_number_of_threads)
 {
     const double size[] = {0.3, 0.3, 0.34, 0.3, 0.2, 0.36};
@@ -368,6 +394,7 @@ Suite *mus_suite_layers(void)
     tcase_add_loop_test(tests, sheets_thrown_on_each_other_never_cross, 0, SUPPORT_SLOW ? 2 : 6);
     tcase_add_loop_test(tests, a_blow_is_not_followed_by_a_bounce, 0, 2);
     tcase_add_loop_test(tests, what_trembles_beside_cloth_gains_no_energy, 0, SUPPORT_SLOW ? 1 : 4);
+    tcase_add_loop_test(tests, cloth_without_room_between_cloth_and_body_gives_way, 0, 2);
     tcase_add_loop_test(tests, layers_have_the_same_bytes_for_any_number_of_threads, 0, 2);
     tcase_add_test(tests, where_nothing_is_near_nothing_changes);
     tcase_add_test(tests, what_turns_with_its_neighbours_is_not_asked);

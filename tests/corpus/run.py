@@ -77,8 +77,9 @@ def dress_all(jobs, options, out, place):
         for spec, tape, row in jobs))
     asked = ["--spacing", f"{options.spacing:g}"] if options.spacing else []
     asked += ["--self-contact"] if options.self_contact else []
+    asked += ["--place", place] if place else []
     told, since = set(), time.time()
-    batch = subprocess.Popen([options.command, "dress", "--batch", out / "list", "-o", out, "--quiet", "--place", place,
+    batch = subprocess.Popen([options.command, "dress", "--batch", out / "list", "-o", out, "--quiet",
                               "--limit", f"{options.limit:g}", "--jobs", str(options.jobs), *asked],
                              stdout=subprocess.DEVNULL)
     while batch.poll() is None:
@@ -186,8 +187,9 @@ def main():
     parser.add_argument("--spacing", type=float, help="of the lattice [mm], default that of the command")
     parser.add_argument("--self-contact", action="store_true", help="cloth does not go through cloth")
     parser.add_argument("--again", action="store_true", help="run each twice: the state must be the same")
-    parser.add_argument("--place", choices=["file", "found"], default="file",
-                        help="found: starts are found; each garment is dressed from the start of its file too")
+    parser.add_argument("--place", choices=["file", "found"],
+                        help="file: from the start of the file alone; found: starts are found, and each garment is dressed "
+                        "from that of its file too; default: as `muslin dress`, of the file, then found")
     parser.add_argument("--every", type=int, default=1, help="take each n-th specification only")
     parser.add_argument("--only", help="those whose file name contains this, of the ones taken")
     options = parser.parse_args()

@@ -24,6 +24,7 @@
 #define SELF_AGAINST 0.5   /* cosine of what holds a node and what pushes it */
 
 #include "contact/cloth_list_kernel.h"
+#include "contact/cloth_room_kernel.h"
 
 
 /* ---- ball: how far nodes may go ---- */
@@ -63,24 +64,31 @@ static inline int32_t MUS_FIELD(self_loose)(const mus__cloth_self *self, const i
 }
 
 
-/*
- * Half of how fast [m/s] drifts may close the gap of pair k, whose nodes are at p and apart: of two convex things that
- * move straight, no faster than along the direction that parts them now. Rounding may have turned that a little, by
- * which drifts that differ count too.
- */
-static inline MUS_REAL MUS_FIELD(self_closing)(const mus__cloth_self *self, int32_t k, MUS_REAL p[4][3],
-                                               const MUS_REAL *share, MUS_REAL apart)
+/* what pair k, apart by so much and closing by twice so much, leaves of the balls of its nodes, and whether it answers
+ * from now on; the balls hold for `most` or less */
+static inline MUS_REAL MUS_FIELD(self_room)(mus__cloth_self *self, int32_t k, MUS_REAL apart, MUS_REAL closing,
+                                            MUS_REAL most)
 {
+    MUS_REAL *ball = (MUS_REAL *)self->ball + 3 * (int64_t)self->n;
     const int32_t *node = self->pair[k].node;
-    const MUS_REAL spread = MUS_FIELD(self_spread)(self, node), turn = (MUS_REAL)SELF_TURNED / apart;
-    MUS_REAL w[4][3], way[3];
-    if (!(turn < 1) || !(spread > 0)) return spread;
-    MUS_FIELD(self_take)(self->drift, self->n, node, w);
-    for (int32_t d = 0; d < 3; d++)
-        way[d] = share[0] * p[0][d] + share[1] * p[1][d] + share[2] * p[2][d] + share[3] * p[3][d];
-    const MUS_REAL rate = -MUS_FIELD(self_along)(k >= self->nnode_pair, w, way) / apart;
-    const MUS_REAL half = (MUS_REAL)0.5 * (rate > 0 ? rate : 0) + turn * spread;
-    return half < spread ? half : spread;
+    const MUS_REAL t = (MUS_REAL)self->pair[k].thickness;
+    MUS_REAL room = (MUS_REAL)SELF_BALL * apart;
+    MUS_REAL idle = (MUS_REAL)0.5 * (apart - (MUS_REAL)(1.0 + SELF_BAND) * t);
+    if (apart < (MUS_REAL)SELF_ACTIVE * t) {
+        self->touch[self->ntouch++] = k;
+        for (int32_t i = 0; i < 4; i++) self->near[node[i]] = 1;
+    } else {
+        room = (MUS_REAL)SELF_APPROACH * (apart - t);
+    }
+    if (self->drifts) {
+        const MUS_REAL part = (MUS_REAL)SELF_PART * room;
+        if (most * closing > part) most = part / closing;
+        room -= most * closing;
+        idle -= most * closing;
+    }
+    self->pair[k].room2 = idle > 0 ? (float)((MUS_REAL)SELF_IDLE * idle * idle) : 0;
+    for (int32_t i = 0; i < 4; i++) ball[node[i]] = room < ball[node[i]] ? room : ball[node[i]];
+    return most;
 }
 
 
@@ -88,39 +96,21 @@ static inline MUS_REAL MUS_FIELD(self_closing)(const mus__cloth_self *self, int3
  * [s], `most` or less: as long as drifts that differ take no more than a part of a pair's room */
 static MUS_REAL MUS_FIELD(self_rooms)(mus__cloth_self *self, const MUS_REAL *x, MUS_REAL most)
 {
-    const int64_t n = self->n;
-    MUS_REAL *ball = (MUS_REAL *)self->ball + 3 * n;
     const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
+    const int32_t range[2][2] = {{0, self->nnode_pair}, {edges, self->pair_capacity}};
     self->measured += self->npair;
     self->ntouch = 0;
     memset(self->near, 0, (size_t)self->nodes);
-    for (int32_t k = 0; k < self->pair_capacity; k++) {
-        if (k == self->nnode_pair) k = edges;
-        if (k == self->pair_capacity) break;
-        const int32_t *node = self->pair[k].node;
-        MUS_REAL p[4][3], share[4];
-        if (self->tangled > 0 && MUS_FIELD(self_loose)(self, node, k < self->nnode_pair ? 1 : 2)) continue;
-        MUS_FIELD(self_take)(x, n, node, p);
-        const MUS_REAL t = (MUS_REAL)self->pair[k].thickness;
-        const MUS_REAL apart = (MUS_REAL)MUS_SQRT(MUS_FIELD(self_measure)(self, k, p, share));
-        MUS_REAL room = (MUS_REAL)SELF_BALL * apart;
-        MUS_REAL idle = (MUS_REAL)0.5 * (apart - (MUS_REAL)(1.0 + SELF_BAND) * t);
-        if (apart < (MUS_REAL)SELF_ACTIVE * t) {
-            self->touch[self->ntouch++] = k;
-            for (int32_t i = 0; i < 4; i++) self->near[node[i]] = 1;
-        } else {
-            room = (MUS_REAL)SELF_APPROACH * (apart - t);
+    MUS_FIELD(self_row) row;
+    for (int32_t kind = 0; kind < 2; kind++)
+        for (int32_t k = range[kind][0]; k < range[kind][1]; k += SELF_LANES) {
+            const int32_t left = range[kind][1] - k, count = left < SELF_LANES ? left : SELF_LANES;
+            MUS_FIELD(self_row_measure)(self, k, count, x, &row);
+            for (int32_t i = 0; i < count; i++) {
+                if (self->tangled > 0 && MUS_FIELD(self_loose)(self, self->pair[k + i].node, kind + 1)) continue;
+                most = MUS_FIELD(self_room)(self, k + i, row.apart[i], row.closing[i], most);
+            }
         }
-        if (self->drifts) {
-            const MUS_REAL spread = MUS_FIELD(self_closing)(self, k, p, share, apart);
-            const MUS_REAL part = (MUS_REAL)SELF_PART * room;
-            if (most * spread > part) most = part / spread;
-            room -= most * spread;
-            idle -= most * spread;
-        }
-        self->pair[k].room2 = idle > 0 ? (float)((MUS_REAL)SELF_IDLE * idle * idle) : 0;
-        for (int32_t i = 0; i < 4; i++) ball[node[i]] = room < ball[node[i]] ? room : ball[node[i]];
-    }
     return most;
 }
 

@@ -109,22 +109,6 @@ static inline void MUS_FIELD(self_take)(const MUS_REAL *x, int64_t n, const int3
 
 /* ---- look: the list of near pairs ---- */
 
-/* by how much [m/s] drifts of four nodes differ at most from one in the middle of them */
-static inline MUS_REAL MUS_FIELD(self_spread)(const mus__cloth_self *self, const int32_t *node)
-{
-    const int64_t n = self->n;
-    MUS_REAL wide2 = 0;
-    for (int64_t d = 0; d < 3; d++) {
-        const MUS_REAL *w = (const MUS_REAL *)self->drift + d * n;
-        const MUS_REAL a = w[node[0]], b = w[node[1]], c = w[node[2]], e = w[node[3]];
-        const MUS_REAL low = a < b ? a : b, high = a < b ? b : a, under = c < e ? c : e, over = c < e ? e : c;
-        const MUS_REAL wide = (high > over ? high : over) - (low < under ? low : under);
-        wide2 += wide * wide;
-    }
-    return (MUS_REAL)0.5 * (MUS_REAL)MUS_SQRT(wide2);
-}
-
-
 typedef struct MUS_FIELD(self_search) {
     mus__cloth_self *self;
     MUS_REAL reach;
@@ -247,7 +231,7 @@ static inline void MUS_FIELD(self_add)(MUS_FIELD(self_search) * search, int32_t 
 }
 
 
-/* corner number a and the triangles of a block; edge number a and the edges of a block */
+/* corner number a and the triangles of a block; triangle number a and corners; edge number a and edges */
 static void MUS_FIELD(self_faces)(void *user, int32_t a, int32_t b, uint32_t mask)
 {
     MUS_FIELD(self_search) *search = user;
@@ -256,6 +240,19 @@ static void MUS_FIELD(self_faces)(void *user, int32_t a, int32_t b, uint32_t mas
     for (; mask != 0; mask &= mask - 1) {
         const int32_t k = mus__cloth_tree_lowest(mask);
         for (int32_t i = 0; i < 3; i++) node[1 + i] = face[i * MUS_TREE_LANES + k];
+        MUS_FIELD(self_add)(search, 0, node);
+    }
+}
+
+
+static void MUS_FIELD(self_corners)(void *user, int32_t a, int32_t b, uint32_t mask)
+{
+    MUS_FIELD(self_search) *search = user;
+    const int32_t lane = a % MUS_TREE_LANES, *corner = search->self->corners.node + MUS_TREE_LANES * (int64_t)b;
+    const int32_t *face = search->self->faces.node + a / MUS_TREE_LANES * 3 * (int64_t)MUS_TREE_LANES + lane;
+    int32_t node[4] = {0, face[0], face[MUS_TREE_LANES], face[2 * MUS_TREE_LANES]};
+    for (; mask != 0; mask &= mask - 1) {
+        node[0] = corner[mus__cloth_tree_lowest(mask)];
         MUS_FIELD(self_add)(search, 0, node);
     }
 }
@@ -384,14 +381,15 @@ static MUS_REAL MUS_FIELD(self_drift)(mus__cloth_self *self, const MUS_REAL *x)
 }
 
 
-/* boxes of the things of a tree, now and at the end */
-static void MUS_FIELD(self_box)(const mus__cloth_self *self, mus__cloth_tree *tree)
+/* boxes of the things of a tree, now and at the end; worn (nodes): of those with such a node */
+static void MUS_FIELD(self_box)(const mus__cloth_self *self, mus__cloth_tree *tree, const uint8_t *worn)
 {
     const int32_t each = tree->each;
     for (int64_t t = 0; t < tree->count; t++) {
         const int64_t block = t / MUS_TREE_LANES, lane = t % MUS_TREE_LANES;
         const int32_t *node = tree->node + block * each * MUS_TREE_LANES + lane;
         float *box = tree->box + block * MUS_TREE_PLANES * MUS_TREE_LANES + lane;
+        if (worn != NULL && !mus__cloth_tree_worn(tree, t, worn)) continue;
         for (int32_t time = 0; time < 2; time++)
             for (int32_t d = 0; d < 3; d++) {
                 const MUS_REAL *at = (const MUS_REAL *)self->at + 4 * time + d;
@@ -408,22 +406,35 @@ static void MUS_FIELD(self_box)(const mus__cloth_self *self, mus__cloth_tree *tr
 }
 
 
-/* all pairs of the search; worn (nodes): those with such a node, NULL: all */
-static void MUS_FIELD(self_pairs)(mus__cloth_self *self, MUS_FIELD(self_search) * search, const uint8_t *worn)
+/*
+ * All pairs of the search from `age` on; worn (nodes): those with such a node, NULL: all. Boxes are of the whole time
+ * of the list, so that those of what is not worn are still right.
+ */
+static void MUS_FIELD(self_pairs)(mus__cloth_self *self, MUS_FIELD(self_search) * search, MUS_REAL age, MUS_REAL span,
+                                  const uint8_t *worn)
 {
     mus__cloth_tree *tree[3] = {&self->corners, &self->edges, &self->faces};
     MUS_REAL far = 0;
+    MUS_FIELD(self_places)(self, 0, span);
     for (int64_t i = 0; i < 8 * (int64_t)self->nodes; i++) {
         const MUS_REAL x = ((const MUS_REAL *)self->at)[i];
         far = x > far ? x : -x > far ? -x : far;
     }
-    for (int32_t k = 0; k < 3; k++) {
-        MUS_FIELD(self_box)(self, tree[k]);
-        mus__cloth_tree_fit(tree[k], worn);
-    }
     const float reach = (float)(search->reach + (MUS_REAL)SELF_ROUND * far);
-    mus__cloth_tree_pairs(tree[0], tree[2], reach, MUS_FIELD(self_faces), search);
-    mus__cloth_tree_pairs(tree[1], tree[1], reach, MUS_FIELD(self_crosses), search);
+    for (int32_t k = 0; k < 3; k++) {
+        MUS_FIELD(self_box)(self, tree[k], self->boxed ? worn : NULL);
+        if (!self->boxed) mus__cloth_tree_fit(tree[k], NULL);
+        if (worn != NULL) mus__cloth_tree_fit(tree[k], worn);
+    }
+    self->boxed = 1;
+    if (age > 0) MUS_FIELD(self_places)(self, age, span);
+    if (worn == NULL) {
+        mus__cloth_tree_pairs(tree[0], tree[2], reach, MUS_FIELD(self_faces), search);
+        mus__cloth_tree_pairs(tree[1], tree[1], reach, MUS_FIELD(self_crosses), search);
+    } else {
+        mus__cloth_tree_asked(tree[0], tree[2], reach, MUS_FIELD(self_faces), MUS_FIELD(self_corners), search);
+        mus__cloth_tree_asked(tree[1], tree[1], reach, MUS_FIELD(self_crosses), NULL, search);
+    }
     if (search->waiting > 0) MUS_FIELD(self_sift)(search);
 }
 
@@ -446,11 +457,10 @@ static void MUS_FIELD(self_list)(mus__cloth_self *self, const MUS_REAL *x)
     if (4 * (int64_t)self->npair < self->pair_capacity) self->skin = fmin(self->widest, SELF_WIDEN * self->skin);
     memcpy(home, x, 3 * (size_t)self->n * sizeof *home);
     for (int32_t k = 0; k < SELF_REACH_MOST; k++) {
-        MUS_FIELD(self_places)(self, 0, span);
         const MUS_REAL reach = (MUS_REAL)(self->thickness + 2.0 * self->skin);
         MUS_FIELD(self_search) search = {self, reach, 0, self->pair_capacity, 0, {0}};
-        self->full = 0;
-        MUS_FIELD(self_pairs)(self, &search, NULL);
+        self->full = self->boxed = 0;
+        MUS_FIELD(self_pairs)(self, &search, 0, span, NULL);
         MUS_FIELD(self_found)(self, &search);
         self->looks++;
         if (!self->full) break;
@@ -502,11 +512,10 @@ static int32_t MUS_FIELD(self_renew)(mus__cloth_self *self, const MUS_REAL *x)
             if (rate > 0) w[d * n + i] = rate * (x[d * n + i] - centre[d * n + i]);
             home[d * n + i] = x[d * n + i] - age * w[d * n + i];
         }
-    MUS_FIELD(self_places)(self, age, span);
     const MUS_REAL reach = (MUS_REAL)(self->thickness + 2.0 * self->skin);
     MUS_FIELD(self_search) search = {self, reach, 0, self->pair_capacity, 0, {0}};
     MUS_FIELD(self_drop)(self, &search);
-    MUS_FIELD(self_pairs)(self, &search, self->worn);
+    MUS_FIELD(self_pairs)(self, &search, age, span, self->worn);
     MUS_FIELD(self_found)(self, &search);
     return !self->full;
 }
@@ -519,7 +528,8 @@ static void MUS_FIELD(self_rest)(mus__cloth_self *self)
     MUS_REAL *home = self->home, *drift = self->drift, age = (MUS_REAL)self->age;
     for (int64_t i = 0; i < n3; i++) home[i] += age * drift[i];
     memset(drift, 0, (size_t)n3 * sizeof *drift);
-    self->drifts = 0;
+    memset(self->mean, 0, sizeof self->mean);
+    self->drifts = self->boxed = 0;
     self->span = INFINITY;
     self->age = 0.0;
 }

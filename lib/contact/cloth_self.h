@@ -67,6 +67,7 @@ typedef struct mus__cloth_self {
     double mean[3];        /* of the drifts */
     int32_t drifts;        /* nonzero: any node has a drift */
     int32_t stale;         /* nonzero: places were changed from outside */
+    int32_t boxed;         /* nonzero: the trees' boxes are those of the list's homes and drifts, but for worn nodes */
     int32_t full;          /* nonzero: there is no memory for the pairs, and nothing moves until there is */
     int32_t *class_of;     /* (nodes) nodes that seams join have one */
     int32_t *triangle;     /* (ntriangle x 3) nodes that stand for the corners */

@@ -106,19 +106,17 @@ static void tree_around(const float *block, float *above)
 void mus__cloth_tree_fit(mus__cloth_tree *tree, const uint8_t *worn)
 {
     memset(tree->worn, worn == NULL ? 0xff : 0, (size_t)tree->first[tree->levels] * sizeof *tree->worn);
-    for (int64_t i = 0; worn != NULL && i < tree->count; i++) {
-        const int32_t *node = tree->node + i / MUS_TREE_LANES * tree->each * MUS_TREE_LANES + i % MUS_TREE_LANES;
-        int32_t any = 0;
-        for (int32_t k = 0; k < tree->each; k++) any |= worn[node[k * MUS_TREE_LANES]];
-        if (any) tree->worn[i / MUS_TREE_LANES] |= (uint16_t)(1 << i % MUS_TREE_LANES);
-    }
+    for (int64_t i = 0; worn != NULL && i < tree->count; i++)
+        if (mus__cloth_tree_worn(tree, i, worn))
+            tree->worn[i / MUS_TREE_LANES] |= (uint16_t)(1 << i % MUS_TREE_LANES);
     for (int32_t l = 0; l + 1 < tree->levels; l++)
         for (int64_t b = tree->first[l]; b < tree->first[l + 1]; b++) {
             const int64_t i = b - tree->first[l], above = tree->first[l + 1] + i / MUS_TREE_LANES;
             const int64_t lane = i % MUS_TREE_LANES;
+            if (!tree->worn[b]) continue;
             tree_around(tree->box + b * MUS_TREE_PLANES * MUS_TREE_LANES,
                         tree->box + above * MUS_TREE_PLANES * MUS_TREE_LANES + lane);
-            if (tree->worn[b]) tree->worn[above] |= (uint16_t)(1 << lane);
+            tree->worn[above] |= (uint16_t)(1 << lane);
         }
 }
 
@@ -184,14 +182,11 @@ static void tree_meet(const tree_search *s, int32_t level, int32_t i, int32_t j)
 {
     const mus__cloth_tree *a = s->a, *b = s->b;
     const int64_t of = a->first[level] + (int64_t)i, met = b->first[level] + (int64_t)j;
-    const uint32_t awake = a->worn[of], other = b->worn[met];
     uint32_t mask[MUS_TREE_LANES];
-    if (!(awake | other)) return;
     tree_masks(a->box + of * MUS_TREE_PLANES * MUS_TREE_LANES, b->box + met * MUS_TREE_PLANES * MUS_TREE_LANES,
                s->reach, mask);
     for (int32_t r = 0; r < MUS_TREE_LANES; r++) {
         uint32_t bits = mask[r];
-        if (!(awake >> r & 1)) bits &= other;
         if (a == b && i == j) bits &= level > 0 ? ~0u << r : ~0u << r << 1;
         if (bits == 0) continue;
         if (level == 0) {
@@ -211,4 +206,73 @@ void mus__cloth_tree_pairs(const mus__cloth_tree *a, const mus__cloth_tree *b, f
 {
     const tree_search search = {a, b, reach, fn, user};
     if (a->count > 0 && b->count > 0) tree_meet(&search, a->levels - 1, 0, 0);
+}
+
+
+/* the boxes of a block that may come within reach of one, both now and then as in tree_masks() */
+MUS_CLONES
+static uint32_t tree_mask(const float *restrict a, const float *restrict b, float reach)
+{
+    enum { N = MUS_TREE_LANES };
+    uint32_t mask = 0;
+    float gap[N];
+    MUS_ROLLED
+    for (int32_t r = 0; r < N; r++) gap[r] = -TREE_FAR;
+    for (int32_t d = 0; d < 3; d++) {
+        const float low = a[d * N], high = a[(3 + d) * N], low2 = a[(6 + d) * N], high2 = a[(9 + d) * N];
+        const float *bl = b + d * N, *bh = b + (3 + d) * N, *bl2 = b + (6 + d) * N, *bh2 = b + (9 + d) * N;
+        MUS_ROLLED
+        for (int32_t r = 0; r < N; r++) {
+            const float up = low - bh[r], up2 = low2 - bh2[r], down = bl[r] - high, down2 = bl2[r] - high2;
+            const float over = up < up2 ? up : up2, under = down < down2 ? down : down2;
+            const float most = over > under ? over : under;
+            gap[r] = most > gap[r] ? most : gap[r];
+        }
+    }
+    for (int32_t r = 0; r < N; r++) mask |= (uint32_t)(gap[r] <= reach) << r;
+    return mask;
+}
+
+
+/* thing i of a tree and what block number j of a level of the other holds; asked things of that below `from` had their
+ * turn */
+static void tree_ask(const tree_search *s, int32_t i, int32_t from, int32_t level, int32_t j)
+{
+    enum { N = MUS_TREE_LANES };
+    const mus__cloth_tree *a = s->a, *b = s->b;
+    const int64_t block = i / N, lane = i % N, met = b->first[level] + (int64_t)j;
+    const float *box = a->box + block * MUS_TREE_PLANES * N + lane, *boxes = b->box + met * MUS_TREE_PLANES * N;
+    uint32_t bits = tree_mask(box, boxes, s->reach);
+    if (level > 0) {
+        for (; bits != 0; bits &= bits - 1) tree_ask(s, i, from, level - 1, j * N + mus__cloth_tree_lowest(bits));
+        return;
+    }
+    const int32_t past = from - j * N;
+    bits &= ~(uint32_t)b->worn[met] | (past <= 0 ? ~0u : past >= N ? 0u : ~0u << past);
+    if (bits == 0) return;
+    bits = tree_apart(a->class_of + block * a->each * N, a->each, (int32_t)lane, b->class_of + (int64_t)j * b->each * N,
+                      b->each, bits);
+    if (bits != 0) s->fn(s->user, i, j, bits);
+}
+
+
+/* those of a tree that are asked for with the other; but not, where `turn`, with those of that which are */
+static void tree_asks(const tree_search *s, int32_t turn)
+{
+    const mus__cloth_tree *a = s->a;
+    for (int32_t block = 0; block < a->first[1]; block++)
+        for (uint32_t left = a->worn[block]; left != 0; left &= left - 1) {
+            const int32_t i = block * MUS_TREE_LANES + mus__cloth_tree_lowest(left);
+            tree_ask(s, i, turn ? s->b->count : a == s->b ? i + 1 : 0, s->b->levels - 1, 0);
+        }
+}
+
+
+void mus__cloth_tree_asked(const mus__cloth_tree *a, const mus__cloth_tree *b, float reach, mus__cloth_tree_fn fn,
+                           mus__cloth_tree_fn back, void *user)
+{
+    const tree_search there = {a, b, reach, fn, user}, again = {b, a, reach, back, user};
+    if (a->count == 0 || b->count == 0) return;
+    tree_asks(&there, 0);
+    if (a != b) tree_asks(&again, 1);
 }

@@ -52,12 +52,29 @@ void mus__cloth_tree_clear(mus__cloth_tree *tree);
 void mus__cloth_tree_add(mus__cloth_tree *tree, const int32_t *node, const int32_t *class_of);
 void mus__cloth_tree_raise(mus__cloth_tree *tree, int32_t levels);
 
-/* boxes of blocks from those of the things; worn (nodes): things that have such a node are asked for; NULL: all are */
+/* nonzero where thing i has a node that is marked (nodes) */
+static inline int32_t mus__cloth_tree_worn(const mus__cloth_tree *tree, int64_t i, const uint8_t *marked)
+{
+    const int32_t *node = tree->node + i / MUS_TREE_LANES * tree->each * MUS_TREE_LANES + i % MUS_TREE_LANES;
+    int32_t any = 0;
+    for (int32_t k = 0; k < tree->each; k++) any |= marked[node[k * MUS_TREE_LANES]];
+    return any;
+}
+
+
+/* boxes of blocks from those of the things. worn (nodes): only things that have such a node have new boxes, and are
+ * asked for; NULL: all */
 void mus__cloth_tree_fit(mus__cloth_tree *tree, const uint8_t *worn);
 
-/* things of both that may come nearer than `reach`, that have no node of one class, and one of which is asked for. The
- * same tree twice: each pair once */
+/* things of both that may come nearer than `reach`, and that have no node of one class. The same tree twice: each pair
+ * once */
 void mus__cloth_tree_pairs(const mus__cloth_tree *a, const mus__cloth_tree *b, float reach, mus__cloth_tree_fn fn,
                            void *user);
+
+/* of these the pairs with a thing that is asked for, each thing on its way down the other tree, which is cheaper for
+ * some of a hundred. `back` is told the other way round, a thing of b and a block of a, where only that of b is asked
+ * for; the same tree twice: never */
+void mus__cloth_tree_asked(const mus__cloth_tree *a, const mus__cloth_tree *b, float reach, mus__cloth_tree_fn fn,
+                           mus__cloth_tree_fn back, void *user);
 
 #endif

@@ -76,6 +76,13 @@ static void swarm_met(void *user, int32_t a, int32_t b, uint32_t mask)
 }
 
 
+static void swarm_met_back(void *user, int32_t b, int32_t a, uint32_t mask)
+{
+    for (int32_t k = 0; k < 16; k++)
+        if (mask >> k & 1) swarm_met(user, 16 * a + k, b / 16, 1u << b % 16);
+}
+
+
 /* how far two things' boxes are apart, at the least of some times */
 static float swarm_gap(const swarm *s, int32_t a, int32_t aeach, int32_t b, int32_t beach)
 {
@@ -124,7 +131,8 @@ static void swarm_check(swarm *s, int32_t one, int32_t two, int32_t some)
     s->seen = calloc((size_t)a->count * (size_t)s->count, 1);
     swarm_boxes(s, &s->tree[one], some ? s->worn : NULL);
     if (one != two) swarm_boxes(s, &s->tree[two], some ? s->worn : NULL);
-    mus__cloth_tree_pairs(a, b, REACH, swarm_met, s);
+    if (some) mus__cloth_tree_asked(a, b, REACH, swarm_met, swarm_met_back, s);
+    else mus__cloth_tree_pairs(a, b, REACH, swarm_met, s);
     for (int32_t i = 0; i < a->count; i++)
         for (int32_t j = one == two ? i + 1 : 0; j < b->count; j++) {
             const int32_t met = s->seen[i * (int64_t)s->count + j] ||

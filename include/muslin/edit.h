@@ -50,7 +50,8 @@ MUS_API mus_status mus_pattern_dart(const mus_pattern *pattern, int32_t leg, dou
 
 /** A dart on an edge: its mouth `width` wide along the edge about s, its point at point (2). Legs that would differ are
  * trued: both ends of the mouth come to the mean distance from the point. A seam of the edge closes over the mouth.
- * Errors: MUS_ERR_ARG (the mouth beyond the edge, a leg that leaves the panel). `leg` may be NULL. */
+ * Errors: MUS_ERR_ARG (an edge inside the panel, the mouth beyond it, a leg that leaves the panel). `leg` may be NULL.
+ */
 MUS_API mus_status mus_pattern_add_dart(mus_pattern *pattern, int32_t edge, double s, double width, const double *point,
                                         int32_t *leg);
 
@@ -62,8 +63,8 @@ MUS_API mus_status mus_pattern_add_dart(mus_pattern *pattern, int32_t edge, doub
  * and the sum of the angles stay; the sewn topology too. Closed whole, the edges beside the old mouth become one where
  * they were one (equal label and stem of name, no corner). When the target is the mouth of a dart with the same point,
  * the two become one dart. *out (may be NULL) is a leg of the dart at the target, named target name + "_d1". Errors:
- * MUS_ERR_ARG (target of another panel or the dart's own, a fraction not in 0 to 1, legs that differ by more than 2 mm,
- * a cut that leaves the panel)
+ * MUS_ERR_ARG (target of another panel, inside it or the dart's own, a fraction not in 0 to 1, legs that differ by more
+ * than 2 mm, a cut that leaves the panel)
  */
 MUS_API mus_status mus_pattern_rotate_dart(mus_pattern *pattern, int32_t leg, int32_t target, double s, int32_t keep,
                                            double fraction, int32_t *out);
@@ -100,7 +101,9 @@ MUS_API mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, int32_t leg, i
  * Shapes:  kinds (npiece), xy (nxy x 2) without the two ends, as in mus_pattern_add_edge(); npiece 0 is a straight line
  * What the outline passes from a to b becomes panel `name`; both new edges are called `seam_name` and are sewn
  * together. *panel and *seam (may be NULL) are the new ones. The sewn topology stays; a face, a seam and two corners
- * are added. Errors:  MUS_ERR_ARG (places of two panels, a name that is taken, a line that crosses the outline)
+ * are added. A line inside the panel goes with the part that it lies in, from whichever edge a corner is counted.
+ * Errors:  MUS_ERR_ARG (places of two panels or on a line inside one, a name that is taken, a line that crosses the
+ *          outline)
  */
 MUS_API mus_status mus_pattern_separate(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b,
                                         int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
@@ -146,7 +149,8 @@ MUS_API mus_status mus_pattern_remove_seam(mus_pattern *pattern, int32_t seam);
  * Slash from place a to place b and spread: what the outline passes from a to b moves as a rigid piece, so that the
  * slash opens by w_a at a and w_b at b [m]: equal is parallel (gathers), 0 is a hinge (flare). The gaps become part of
  * the two edges, whose seams grow in ease by them. Errors: MUS_ERR_ARG (negative, both 0, or of a difference beyond the
- * slash; a slash that leaves the panel)
+ * slash; a slash that leaves the panel or ends at a line inside it, as a patch is sewn to: the cloth hangs together
+ * there; a line that hangs from the corner between the slash and the edge given)
  */
 MUS_API mus_status mus_pattern_spread(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b,
                                       double w_a, double w_b);
@@ -168,7 +172,7 @@ MUS_API mus_status mus_pattern_pleat(mus_pattern *pattern, int32_t edge_a, doubl
  * sewn, in its place, to what the edge was sewn to, whose seam is so much shorter: 2 |depths[i]| each. Notches stand at
  * both folds. Pleats come in order and lie clear of each other: each takes from s - d to s + 2 d, or from s - 2 d to
  * s + d. A seam keeps as ease what the pleats leave.
- * Errors:  MUS_ERR_ARG (a pleat beyond the edge or on another, an edge that is sewn face to face)
+ * Errors:  MUS_ERR_ARG (a pleat beyond the edge or on another, an edge that is sewn face to face or inside the panel)
  */
 MUS_API mus_status mus_pattern_lay_pleats(mus_pattern *pattern, int32_t edge, int32_t n, const double *s,
                                           const double *depths);

@@ -248,6 +248,17 @@ int32_t mus__board_patch(mus__board *board, int32_t panel, int32_t n, const doub
 /* does a line lie so far inside a panel that a patch can be sewn there? Asks only */
 bool mus__board_patch_fits(mus__board *board, int32_t panel, int32_t n, const double *xy);
 
+/* ---- board_inner.c: lines inside a panel, and the rim ---- */
+
+/* fail the board where a side is part of a line inside its panel, which the word passes out and back: nothing is cut
+ * from there. The sentence begins with `what` */
+void mus__board_rim_side(mus__board *board, int32_t side, const char *what);
+/* the corner where `side` starts may be one of several where the word passes that point: the side that starts at the
+ * one from which the way goes towards a point */
+int32_t mus__board_corner(const mus__board *board, int32_t side, const double *towards);
+/* the same for a cut, sentence as above: MUS_NONE where that corner is of a line inside */
+int32_t mus__board_rim_corner(mus__board *board, int32_t side, const double *towards, const char *what);
+
 /* ---- board_part.c: parts of a panel that move as rigid pieces ---- */
 
 /* turned about `centre`, then shifted */

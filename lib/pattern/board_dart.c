@@ -240,11 +240,12 @@ static bool dart_cut_at(mus__board *board, const dart_view *dart, int32_t target
     mus__board_part_clear(board, dart->panel, "dart", dart->point, q);
     if (board->status != MUS_OK) return false;
     if (!at_start && !at_end) {
+        mus__board_rim_side(board, target, "dart");
         cut->p1 = target;
         cut->r0 = mus__board_split(board, target, s, NULL);
     } else {
-        cut->p1 = at_start ? before : target;
-        cut->r0 = at_start ? target : after;
+        cut->r0 = mus__board_rim_corner(board, at_start ? target : after, dart->point, "dart");
+        cut->p1 = cut->r0 != MUS_NONE ? board->side[cut->r0].prev : MUS_NONE;
     }
     return board->status == MUS_OK;
 }
@@ -355,6 +356,7 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     if (!mus__board_has_side(board, side)) return MUS_NONE;
     const mus__board_side *own = &board->side[side];
     int32_t panel = own->panel;
+    mus__board_rim_side(board, side, "dart");
     if (!(width > 0.0) || !(s - 0.5 * width >= DART_SAME) || !(s + 0.5 * width <= own->length - DART_SAME)) {
         mus__board_fail(board, MUS_ERR_ARG,
                         "dart on side %s of panel %s: a mouth of %g m about %g m is not within its %g m", own->name,

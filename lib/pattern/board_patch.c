@@ -258,6 +258,7 @@ int32_t mus__board_patch(mus__board *board, int32_t panel, int32_t n, const doub
         mus__board_fail(board, MUS_ERR_ARG, "patch on panel %s: no corner of the panel is seen from an end of its line",
                         board->panel[panel].name);
     if (board->status != MUS_OK) goto done;
+    from = mus__board_corner(board, from, line);
     snprintf(title, sizeof title, "%.100s_line", name);
     patch_draw(board, from, n, line, title, sides);
     for (int32_t i = 0; i < n - 1 && board->status == MUS_OK; i++)

@@ -84,6 +84,7 @@ void mus__board_lay(mus__board *board, int32_t side, int32_t n, const double *s,
     if (n < 1 || n > PLEAT_MOST)
         mus__board_fail(board, MUS_ERR_ARG, "%d pleats on side %s are outside 1 to %d", (int)n, board->side[side].name,
                         PLEAT_MOST);
+    mus__board_rim_side(board, side, "pleat");
     const int32_t seam = mus__board_seam_of(board, side), partner = mus__board_partner(board, side);
     if (board->status == MUS_OK && seam != MUS_NONE && board->seam[seam].direction != MUS_SEAM_REVERSED)
         mus__board_fail(board, MUS_ERR_ARG, "pleats on side %s: it is sewn face to face", board->side[side].name);

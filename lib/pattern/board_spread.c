@@ -29,15 +29,29 @@ typedef struct spread_joint {
 } spread_joint;
 
 
-/* open the ring at arc length s of a side. Its seam stays with the first part, so the side it is sewn to stays whole */
-static bool spread_divide(mus__board *board, int32_t side, double s, spread_joint *out)
+/* does the ring open at a corner, for a slash towards a point, beside the side that the gap becomes part of? */
+static bool spread_corner(mus__board *board, const spread_joint *joint, const double *towards)
+{
+    const int32_t after = mus__board_rim_corner(board, joint->after, towards, "slash");
+    if (after == joint->after || board->status != MUS_OK) return board->status == MUS_OK;
+    const mus__board_side *owner = &board->side[joint->owner];
+    mus__board_fail(board, MUS_ERR_ARG, "slash on panel %s: a line inside it lies between the slash and side %s",
+                    board->panel[owner->panel].name, owner->name);
+    return false;
+}
+
+
+/* open the ring at arc length s of a side, for a slash from there towards a point. Its seam stays with the first part,
+ * so the side it is sewn to stays whole */
+static bool spread_divide(mus__board *board, int32_t side, double s, const double *towards, spread_joint *out)
 {
     if (board->status != MUS_OK) return false;
     const mus__board_side *own = &board->side[side];
     *out = (spread_joint){side, side, false};
-    if (s <= SPREAD_END) return true;
+    if (s <= SPREAD_END) return spread_corner(board, out, towards);
     *out = (spread_joint){own->next, side, false};
-    if (s >= own->length - SPREAD_END) return true;
+    if (s >= own->length - SPREAD_END) return spread_corner(board, out, towards);
+    mus__board_rim_side(board, side, "slash");
 
     mus__board_chain before, after;
     mus__board_chain_split(board, &own->chain, own->length, s, &before, &after);
@@ -173,8 +187,8 @@ void mus__board_spread(mus__board *board, int32_t from, double s0, int32_t to, d
     /* the ring opens at both places; of two on one side the later first, so that the first part keeps its lengths */
     spread_joint at_from, at_to;
     bool late = from == to && s1 > s0;
-    bool open = late ? spread_divide(board, to, s1, &at_to) && spread_divide(board, from, s0, &at_from)
-                     : spread_divide(board, from, s0, &at_from) && spread_divide(board, to, s1, &at_to);
+    bool open = late ? spread_divide(board, to, s1, p, &at_to) && spread_divide(board, from, s0, q, &at_from)
+                     : spread_divide(board, from, s0, q, &at_from) && spread_divide(board, to, s1, p, &at_to);
     if (!open) return;
 
     mus__board_motion motion;

@@ -235,6 +235,7 @@ mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, int32_t leg, int32_t t
             mus__dist2(start, end) <= EDIT_SAME && mus__board_dart_angle(board, board->side[to].prev) > 0.0;
         const int32_t old = board->side[from].panel;
         double *all = mus__edit_chain(&e, start, end, npiece, kinds, nxy, xy);
+        if (all != NULL && !one) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)nxy, "cut");
         mus__edit_cut_begin(&e, old);
         if (board->status == MUS_OK)
             made = mus__board_dart_to_seam(board, from, to,

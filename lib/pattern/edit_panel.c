@@ -37,6 +37,8 @@ mus_status mus_pattern_separate(mus_pattern *pattern, int32_t edge_a, double s_a
         const double *start = mus__board_start(board, from), *end = mus__board_start(board, to);
         const int32_t old = board->side[from].panel;
         double *all = mus__edit_chain(&e, start, end, npiece, kinds, nxy, xy);
+        if (all != NULL) from = mus__board_rim_corner(board, from, all + 2, "cut");
+        if (all != NULL) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)nxy, "cut");
         mus__edit_cut_begin(&e, old);
         if (board->status == MUS_OK)
             made = mus__board_cut(board, from, to, npiece > 0 ? npiece : 1, npiece > 0 ? kinds : &line, nxy + 2, all,

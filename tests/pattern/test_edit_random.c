@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "pattern/darts.h"
 #include "pattern/same.h"
@@ -209,12 +208,8 @@ static void edit_claims(int32_t kind, bool free, const summary *a, const summary
 
 static mus_pattern *some_pattern(mus_context *context, uint64_t *state, int32_t number)
 {
-    /* every other one is a named design, here and there from the list; not yet coat_short, which is told to
-     * have one side when a panel of it is spread */
-    if (number % 2 == 0) {
-        const char *name = mus_design_name(number / 2 * 31 % mus_design_count());
-        return drafts_pattern(context, strcmp(name, "coat_short") == 0 ? "bodice" : name, "W40");
-    }
+    /* every other one is a named design, here and there from the list */
+    if (number % 2 == 0) return drafts_pattern(context, mus_design_name(number / 2 * 31 % mus_design_count()), "W40");
     mus__board board;
     mus_pattern *pattern;
     mus__board_begin(&board, context, "random");

@@ -18,8 +18,8 @@
  * Where cloth lies on cloth each step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple
  * by so much, and forces with them. So the mean is over a time there, not over a number of steps, and a residual that
  * no longer falls halves the step. Any cloth that lies still with force left halves it too. Where little force is left
- * and cloth still goes somewhere, the step is doubled again. What hangs on a hook, far from equilibrium and going
- * nowhere, will not rest: that is said at once.
+ * and cloth still goes somewhere, the step is doubled again. What hangs on a hook, far from equilibrium, going
+ * nowhere and with no less force than before, will not rest: that is said at once.
  *
  * Two sheets of full thickness and the skin on both sides may have no room, as between legs: a node then lies deep in
  * the body, pressed by cloth. What is left there has to be shared, so the thickness of such nodes yields near
@@ -41,7 +41,7 @@
 #define LEAST_SAFETY 0.1     /* halved down to this while cloth lies still with force left, or ripples on cloth */
 #define STILL_CHECKS 4
 #define FAST_CHECKS 8
-#define STUCK_CHECKS 12      /* with far more force left than is allowed, hardly any drift, and the smallest step */
+#define STUCK_CHECKS 12      /* with far more force left than is allowed, none gained, no drift, the smallest step */
 #define MOVING_CHECKS 3      /* with the residual reached and no rest: the step is doubled again */
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
@@ -263,7 +263,7 @@ static void look_at_rest(mus_drape *drape, const settling *goal, double t, doubl
         now->best = residual;
     }
     const bool caught = residual > RIPPLE_FAR * goal->residual && now->drift <= goal->drift && now->safety <= least;
-    now->stuck = caught && !gives ? now->stuck + 1 : 0;
+    now->stuck = caught && !gives && !gains ? now->stuck + 1 : 0;
 }
 
 

@@ -98,6 +98,29 @@ MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions
 /** Hold a node where it is (fixed nonzero) or let it go. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 
+/**
+ * Put a tack in, a stitch of thread between two nodes: a spring of no length, which draws them together from now on.
+ *
+ * E = 1/2 stiffness |x_b - x_a|^2, damped as the fabric's springs are. By the call nothing moves and the energy gains
+ * E; mus_drape_step_bound is at once that with the tack, and mus_drape_step refuses a step above it. It stays until it
+ * is taken out, through place, warm, set_state, sew and settle; it joins what welding makes of its nodes, and is slack
+ * where that is one node or a layer that waits to be sewn. With self_contact the two stay a thickness apart, and it
+ * pulls with stiffness * thickness: above some newtons the cloth may not come to rest.
+ *
+ * `index` (may be NULL) gets its number, the lowest that is free.
+ * Units:   stiffness [N/m], 0 (slack) to 1e9
+ * Errors:  MUS_ERR_ARG (no such node, a = b, a stiffness not finite or not in its range); MUS_ERR_STATE (both nodes are
+ *          held, and more than the collision distance apart); MUS_ERR_LIMIT (2^24 tacks); MUS_ERR_MEMORY; the drape is
+ *          as it was
+ * Memory:  room for 16 by the first, twice as much when they are full, kept until the drape is destroyed
+ * Cost:    about half a microsecond a node; of a step that of a spring off the lattice, and nothing without tacks
+ */
+MUS_API mus_status mus_drape_tack(mus_drape *drape, int32_t a, int32_t b, double stiffness, int32_t *index);
+
+/** Take a tack out; its number is free again. Bound and forces are those without it. Errors: MUS_ERR_ARG (no such
+ * tack). */
+MUS_API mus_status mus_drape_untack(mus_drape *drape, int32_t index);
+
 /** Change gravity (3) [m/s2] from now on. Errors: MUS_ERR_ARG (NULL, not finite, beyond 1e4). */
 MUS_API mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity);
 
@@ -215,7 +238,7 @@ typedef struct mus_drape_forecast {
     int32_t node;            /* that sets the bound, MUS_NONE without springs */
     double node_mass;        /* [kg] */
     double node_stiffness;   /* lambda_max(T) of it [N/m] */
-    double bend_share;       /* part of it that bending and seams are, the rest is stretch and shear */
+    double bend_share;       /* part of it that bending, seams and tacks are, the rest is stretch and shear */
     double seconds;          /* CPU seconds for a frame, from a trial of a few steps, which it takes back */
     int64_t node_evaluations; /* a frame */
 } mus_drape_forecast;
@@ -232,7 +255,8 @@ MUS_API void mus_drape_forecast_init(mus_drape_forecast *forecast, size_t size);
 MUS_API mus_status mus_drape_plan(mus_drape *drape, double frame, mus_drape_forecast *out);
 
 /**
- * Force of springs, bending and gravity on each node: out (nodes x 3) [N], without contact, damping and open seams.
+ * Force of springs, tacks, bending and gravity on each node: out (nodes x 3) [N], without contact, damping and open
+ * seams.
  *
  * Of a held node it is minus the reaction of what holds it; of a free one at rest it is minus what the skin carries.
  * Welded nodes all have the force on their one node.

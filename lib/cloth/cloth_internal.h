@@ -20,7 +20,8 @@ enum {
     MUS__SPRING_SHEAR = 2,
     MUS__SPRING_BORDER = 3,
     MUS__SPRING_SKIP = 4, /* the paper's bending: over one node */
-    MUS__SPRING_ELASTIC = 5
+    MUS__SPRING_ELASTIC = 5,
+    MUS__SPRING_TACK = 6 /* of a drape, never of a cloth: between any two nodes */
 };
 
 typedef struct mus__spring_run { /* E = 1/2 k (|x_b - x_a| - rest)^2, each spring once */

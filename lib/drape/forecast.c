@@ -57,7 +57,7 @@ static double time_steps(mus_drape *drape, double h)
 }
 
 
-/* what of a node's stiffness is bending and seams: all less what springs give at this pose */
+/* what of a node's stiffness is bending, seams and tacks: all less what springs give at this pose */
 static double bend_share(const mus_drape *drape, int32_t node)
 {
     const double all = drape->stiffness[node];

@@ -18,18 +18,26 @@
 
 mus_status mus__plan_gather_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan)
 {
-    const int64_t halves = 2 * (int64_t)plan->spring_capacity, weights = 12 * (int64_t)plan->hinge_capacity;
+    const int64_t weights = 12 * (int64_t)plan->hinge_capacity;
     plan->gather_node = mus__new(context, cloth->nnode, sizeof *plan->gather_node);
     plan->half_start = mus__new(context, (int64_t)cloth->nnode + 1, sizeof *plan->half_start);
     plan->linear_start = mus__new(context, (int64_t)cloth->nnode + 1, sizeof *plan->linear_start);
-    plan->half_other = mus__new(context, halves, sizeof *plan->half_other);
-    plan->half_constant = mus__new(context, 3 * halves, plan->real);
     plan->linear_other = mus__new(context, weights, sizeof *plan->linear_other);
     plan->linear_weight = mus__new(context, weights, plan->real);
     plan->pair_end = mus__new(context, 2 * (int64_t)cloth->npair, sizeof *plan->pair_end);
     if (plan->gather_node == NULL || plan->half_start == NULL || plan->linear_start == NULL ||
-        plan->half_other == NULL || plan->half_constant == NULL || plan->linear_other == NULL ||
-        plan->linear_weight == NULL || plan->pair_end == NULL)
+        plan->linear_other == NULL || plan->linear_weight == NULL || plan->pair_end == NULL)
+        return mus__fail_memory(context, "the irregular part of a drape");
+    return mus__plan_halves_new(context, plan);
+}
+
+
+mus_status mus__plan_halves_new(mus_context *context, mus__plan *plan)
+{
+    const int64_t halves = 2 * (int64_t)plan->spring_capacity;
+    plan->half_other = mus__new(context, halves, sizeof *plan->half_other);
+    plan->half_constant = mus__new(context, 3 * halves, plan->real);
+    if (plan->half_other == NULL || plan->half_constant == NULL)
         return mus__fail_memory(context, "the irregular part of a drape");
     return MUS_OK;
 }
@@ -54,9 +62,11 @@ static void gather_open(int32_t *start, int32_t n)
 }
 
 
-/* does a spring's pull on `node` belong in the lists: of the lattice alone, or of all but what blocks hold? */
-static int32_t gather_wants_spring(const mus__plan *plan, int32_t lattice, int32_t node, int32_t other)
+/* does a spring's pull on `node` belong in the lists: of the lattice alone, or of all but what blocks hold? Tacks come
+ * when blocks are long made */
+static int32_t gather_wants_spring(const mus__plan *plan, int32_t lattice, int32_t kind, int32_t node, int32_t other)
 {
+    if (kind == MUS__SPRING_TACK) return !lattice;
     const int32_t between = plan->lattice[node] && plan->lattice[other];
     if (lattice || !between) return lattice == between;
     const int32_t slot = mus__plan_slot(plan, node, other);
@@ -83,13 +93,13 @@ static void gather_springs(mus__plan *plan, int32_t nnode, int32_t lattice)
     for (int32_t s = 0; s < 2 * plan->nspring; s++) {
         const mus__spring *spring = &plan->spring[s / 2];
         const int32_t node = s % 2 ? spring->b : spring->a, other = s % 2 ? spring->a : spring->b;
-        start[node + 1] += gather_wants_spring(plan, lattice, node, other);
+        start[node + 1] += gather_wants_spring(plan, lattice, spring->kind, node, other);
     }
     gather_open(start, nnode);
     for (int32_t s = 0; s < 2 * plan->nspring; s++) {
         const mus__spring *spring = &plan->spring[s / 2];
         const int32_t node = s % 2 ? spring->b : spring->a, other = s % 2 ? spring->a : spring->b;
-        if (!gather_wants_spring(plan, lattice, node, other)) continue;
+        if (!gather_wants_spring(plan, lattice, spring->kind, node, other)) continue;
         const int32_t at = gather_next(start, node);
         plan->half_other[at] = other;
         mus__plan_put(plan, plan->half_constant, 3 * (int64_t)at, spring->k);

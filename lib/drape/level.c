@@ -9,10 +9,8 @@
 #include "drape/level.h"
 
 
-mus_status mus__drape_coarse(mus_drape *drape, mus_drape **out)
+static mus_status make_coarse(mus_drape *drape)
 {
-    *out = drape->coarse;
-    if (drape->coarse != NULL || drape->cloth->coarse == NULL) return MUS_OK;
     mus_drape *coarse;
     mus_status status = mus__drape_make(drape->context, drape->cloth->coarse, NULL, drape, &drape->def, &coarse);
     if (status != MUS_OK) return status;
@@ -20,7 +18,18 @@ mus_status mus__drape_coarse(mus_drape *drape, mus_drape **out)
     if (status == MUS_OK) status = mus__transfer_build(drape->context, drape->cloth, coarse->cloth, &drape->down);
     drape->coarse = coarse;
     if (status != MUS_OK) mus__drape_coarse_destroy(drape);
-    *out = drape->coarse;
+    return status;
+}
+
+
+mus_status mus__drape_coarse(mus_drape *drape, mus_drape **out)
+{
+    mus_status status = MUS_OK;
+    if (drape->coarse == NULL && drape->cloth->coarse != NULL) status = make_coarse(drape);
+    mus_drape *coarse = drape->coarse;
+    if (coarse != NULL)
+        status = mus__plan_tack_room(drape->context, coarse->cloth, drape->plan.ntack, &coarse->plan);
+    *out = coarse;
     return status;
 }
 
@@ -40,12 +49,7 @@ static void restrict_pins(mus_drape *drape)
     mus_drape *coarse = drape->coarse;
     for (int32_t i = 0; i < drape->n; i++) {
         if (!(drape->pinned[i] & MUS__PINNED)) continue;
-        const int32_t *node = drape->up.node + 3 * (int64_t)i;
-        const float *weight = drape->up.weight + 3 * (int64_t)i;
-        int32_t k = 0;
-        if (weight[1] > weight[k]) k = 1;
-        if (weight[2] > weight[k]) k = 2;
-        const int32_t held = coarse->rep[node[k]];
+        const int32_t held = coarse->rep[mus__transfer_nearest(&drape->up, i)];
         if (coarse->pinned[held]) continue;
         coarse->pinned[held] = MUS__PINNED;
         memcpy(coarse->x + 3 * (int64_t)held, drape->x + 3 * (int64_t)i, 3 * sizeof *coarse->x);
@@ -63,6 +67,7 @@ void mus__drape_restrict(mus_drape *drape)
     coarse->plan.wait_from = waits;
     for (int32_t i = 0; i < coarse->n; i++)
         coarse->pinned[i] = waits > 0 && mus__cloth_layer(coarse->cloth, i) >= waits ? MUS__WAITS : 0;
+    mus__drape_restrict_tacks(drape);
     mus__drape_open(coarse);
     mus__transfer_apply(&drape->down, drape->x, coarse->x);
     mus__transfer_apply(&drape->down, drape->v, coarse->v);

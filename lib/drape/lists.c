@@ -4,7 +4,7 @@
  * Within a chunk, nodes are sorted by how many half springs and weights they have, so that the lanes of a group have
  * about as many; a node with more than ITEMS of either stands again for the rest. Half springs of a chunk's groups then
  * take at most as many places as there are and one longest group more, and weights ITEMS a node: the memory is known
- * before any welding.
+ * before any welding. A tack puts one more half spring to two nodes, and each is in at most one group more by it.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -45,8 +45,11 @@ mus_status mus__plan_lists_new(mus_context *context, const mus_cloth *cloth, mus
         chunks += memchr(named + plan->chunk[c].first, 1, (size_t)plan->chunk[c].count) != NULL;
     mus__free(context, named);
 
-    const int64_t halves = 2 * (int64_t)plan->spring_capacity, weights = 12 * (int64_t)plan->hinge_capacity;
-    const int64_t entries = nodes + (halves > weights ? halves : weights) / ITEMS;
+    /* the cloth's own, then tacks */
+    const int64_t own = 2 * (int64_t)cloth->nspring, tacked = 2 * (int64_t)plan->tack_capacity, halves = own + tacked;
+    const int64_t weights = 12 * (int64_t)plan->hinge_capacity;
+    const int64_t entries = nodes + (own > weights ? own : weights) / ITEMS + tacked;
+    chunks = chunks + tacked < plan->nchunk ? chunks + tacked : plan->nchunk;
     const int64_t groups = entries / MUS_LANES + chunks, spare = ITEMS * MUS_LANES * chunks;
     mus__list *list = &plan->list;
     list->entry = mus__new(context, entries, sizeof *list->entry);

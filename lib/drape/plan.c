@@ -123,19 +123,26 @@ static mus_status build_rows(mus_context *context, const mus_cloth *cloth, mus__
 
 /* ---- springs, hinges and pairs ---- */
 
-static mus_status build_elements(mus_context *context, const mus_cloth *cloth, mus__plan *plan)
+mus_status mus__plan_springs_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan)
 {
-    plan->spring_capacity = cloth->nspring;
-    plan->hinge_capacity = cloth->nhinge + cloth->nseam_hinge;
+    plan->spring_capacity = cloth->nspring + plan->tack_capacity;
     plan->spring = mus__new(context, plan->spring_capacity, sizeof *plan->spring);
     plan->spring_dashpot = mus__new(context, plan->spring_capacity, sizeof *plan->spring_dashpot);
+    if (plan->spring == NULL || plan->spring_dashpot == NULL)
+        return mus__fail_memory(context, "the elements of a drape");
+    return MUS_OK;
+}
+
+
+static mus_status build_elements(mus_context *context, const mus_cloth *cloth, mus__plan *plan)
+{
+    plan->hinge_capacity = cloth->nhinge + cloth->nseam_hinge;
     plan->hinge = mus__new(context, plan->hinge_capacity, sizeof *plan->hinge);
     plan->pair = mus__new(context, cloth->npair, sizeof *plan->pair);
     plan->held = mus__new(context, cloth->nhold, sizeof *plan->held);
-    if (plan->spring == NULL || plan->spring_dashpot == NULL || plan->hinge == NULL || plan->pair == NULL ||
-        plan->held == NULL)
+    if (plan->hinge == NULL || plan->pair == NULL || plan->held == NULL)
         return mus__fail_memory(context, "the elements of a drape");
-    return MUS_OK;
+    return mus__plan_springs_new(context, cloth, plan);
 }
 
 
@@ -189,22 +196,64 @@ static void fill_held(const mus_cloth *cloth, const int32_t *rep, mus__plan *pla
 }
 
 
-/* springs and hinges with their nodes renamed, and the pairs of open seams */
-static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+/* nonzero when any of two nodes is of a layer that waits */
+static int32_t waits(const mus_cloth *cloth, const mus__plan *plan, int32_t a, int32_t b)
 {
-    plan->nspring = plan->nhinge = plan->npair = 0;
+    return plan->wait_from > 0 &&
+           (mus__cloth_layer(cloth, a) >= plan->wait_from || mus__cloth_layer(cloth, b) >= plan->wait_from);
+}
+
+
+/* [N s/m] of a spring of k between nodes of the cloth: the fabric's ratio at its own frequency */
+static double fabric_dashpot(const mus_cloth *cloth, int32_t a, int32_t b, double k)
+{
+    const double mass = 0.5 * (cloth->mass[a] + cloth->mass[b]);
+    return 2.0 * cloth->fabric.damping * sqrt(0.5 * k * mass);
+}
+
+
+/* springs with their nodes renamed: those of the cloth, then tacks, so that what tacks do not touch keeps its order */
+static void fill_springs(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+{
+    plan->nspring = 0;
     for (int32_t s = 0; s < cloth->nspring; s++) {
         mus__spring spring = cloth->spring[s];
-        const double mass = 0.5 * (cloth->mass[spring.a] + cloth->mass[spring.b]);
+        const int32_t a = spring.a, b = spring.b;
         if (rep != NULL) spring.a = rep[spring.a], spring.b = rep[spring.b];
         if (spring.a == spring.b) continue;
         if (spring.kind == MUS__SPRING_ELASTIC && cloth->npair > 0 && is_open(cloth, rep, plan, spring.a))
             spring.k *= OPEN_ELASTIC;
-        plan->spring_dashpot[plan->nspring] = cloth->dashpot != NULL
-                                                  ? cloth->dashpot[s]
-                                                  : 2.0 * cloth->fabric.damping * sqrt(0.5 * spring.k * mass);
+        plan->spring_dashpot[plan->nspring] =
+            cloth->dashpot != NULL ? cloth->dashpot[s] : fabric_dashpot(cloth, a, b, spring.k);
         plan->spring[plan->nspring++] = spring;
     }
+    for (int32_t t = 0; t < plan->ntack; t++) {
+        const mus__tack *tack = &plan->tack[t];
+        if (tack->a == MUS_NONE || !(tack->k > 0.0) || waits(cloth, plan, tack->a, tack->b)) continue;
+        const mus__spring spring = {rep != NULL ? rep[tack->a] : tack->a, rep != NULL ? rep[tack->b] : tack->b,
+                                    MUS__SPRING_TACK, tack->k, 0.0};
+        if (spring.a == spring.b) continue;
+        plan->spring_dashpot[plan->nspring] =
+            cloth->dashpot != NULL ? 0.0 : fabric_dashpot(cloth, tack->a, tack->b, tack->k);
+        plan->spring[plan->nspring++] = spring;
+    }
+}
+
+
+/* springs counted once: half runs make two of each, half bends three */
+static void count_springs(const mus_cloth *cloth, mus__plan *plan)
+{
+    plan->spring_evaluations = plan->nspring + plan->nhinge + plan->npair;
+    for (int32_t r = 0; r < cloth->nrun; r++) plan->spring_evaluations += cloth->run[r].count;
+    for (int32_t r = 0; r < cloth->nbend; r++) plan->spring_evaluations += cloth->bend[r].count;
+}
+
+
+/* springs and hinges with their nodes renamed, and the pairs of open seams */
+static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+{
+    plan->nhinge = plan->npair = 0;
+    fill_springs(cloth, rep, plan);
     fill_held(cloth, rep, plan);
     add_hinges(plan, cloth, 0, rep);
     add_hinges(plan, cloth, 1, rep);
@@ -212,18 +261,19 @@ static void fill_elements(const mus_cloth *cloth, const int32_t *rep, mus__plan 
     /* pairs of seams that are open and do not wait */
     for (int32_t p = 0; p < cloth->npair; p++) {
         const int32_t a = cloth->pair[2 * p], b = cloth->pair[2 * p + 1];
-        if (!is_open(cloth, rep, plan, a) && !is_open(cloth, rep, plan, b)) continue;
-        if (plan->wait_from > 0 &&
-            (mus__cloth_layer(cloth, a) >= plan->wait_from || mus__cloth_layer(cloth, b) >= plan->wait_from))
-            continue;
+        if ((!is_open(cloth, rep, plan, a) && !is_open(cloth, rep, plan, b)) || waits(cloth, plan, a, b)) continue;
         plan->pair[plan->npair++] =
             (mus__pair){.a = a, .b = b, .seam = cloth->pair_seam[p], .length = cloth->pair_length[p], .share = 1.0};
     }
+    count_springs(cloth, plan);
+}
 
-    /* springs counted once: half runs make two of each, half bends three */
-    plan->spring_evaluations = plan->nspring + plan->nhinge + plan->npair;
-    for (int32_t r = 0; r < cloth->nrun; r++) plan->spring_evaluations += cloth->run[r].count;
-    for (int32_t r = 0; r < cloth->nbend; r++) plan->spring_evaluations += cloth->bend[r].count;
+
+void mus__plan_tacked(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan)
+{
+    fill_springs(cloth, rep, plan);
+    count_springs(cloth, plan);
+    mus__plan_gather(cloth, plan);
 }
 
 
@@ -261,7 +311,7 @@ void mus__plan_clear(mus_context *context, mus__plan *plan)
         plan->hinge,        plan->pair,         plan->block,         plan->shape,      plan->table,
         plan->chunk,        plan->gather_node,  plan->half_start,    plan->half_other, plan->half_constant,
         plan->linear_start, plan->linear_other, plan->linear_weight, plan->pair_end,   plan->lattice,
-        plan->held};
+        plan->held,         plan->tack};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__plan_lists_clear(context, plan);
     memset(plan, 0, sizeof *plan);

@@ -60,6 +60,12 @@ typedef struct mus__pair {
     double aside;    /* [m] to the left of the middle: no farther, when it closes over the shoulders */
 } mus__pair;
 
+/* a tack: a spring without length between two nodes of the cloth as it was cut, whatever welds make of them */
+typedef struct mus__tack {
+    int32_t a, b; /* MUS_NONE: taken out, its number free */
+    double k;     /* [N/m] */
+} mus__tack;
+
 /* a held node: pulled up to the plane of its level, k of the way, at most by `most` */
 typedef struct mus__held {
     int32_t node, level, right;
@@ -122,9 +128,12 @@ typedef struct mus__plan {
 
     int32_t nspring, nhinge, npair;
     mus__spring *spring;
-    double *spring_dashpot; /* (nspring) */
+    double *spring_dashpot; /* (nspring) those of the cloth, then tacks */
     mus__hinge *hinge;
     mus__pair *pair;
+
+    int32_t ntack, tack_capacity;
+    mus__tack *tack;         /* (tack_capacity) the first ntack may be in; NULL before the first */
 
     int32_t nheld;
     mus__held *held;         /* (nheld) ascending by node */
@@ -166,14 +175,21 @@ typedef struct mus__plan {
  * mus__plan_clear) */
 mus_status mus__plan_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__plan *plan);
 void mus__plan_clear(mus_context *context, mus__plan *plan);
+/* room for `need` tacks; what there is stays. Errors: MUS_ERR_MEMORY, and the plan is as it was */
+mus_status mus__plan_tack_room(mus_context *context, const mus_cloth *cloth, int32_t need, mus__plan *plan);
+/* the list of tacks has changed; rep as last given to mus__plan_weld. All else stays as it is */
+void mus__plan_tacked(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
 /* open seams again (rep NULL) or weld: rep (nnode) is the node that stands for each, but for what open_from leaves
  * open; within the memory of build */
 void mus__plan_weld(const mus_cloth *cloth, const int32_t *rep, mus__plan *plan);
 
-/* ---- parts of the two above (blocks.c, gather.c, lists.c) ---- */
+/* ---- parts of the above (blocks.c, gather.c, lists.c) ---- */
 
-/* memory of the gather lists */
+/* memory of the gather lists; of what springs take in it, by spring_capacity */
 mus_status mus__plan_gather_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
+mus_status mus__plan_halves_new(mus_context *context, mus__plan *plan);
+/* memory of springs, by the cloth's and tack_capacity */
+mus_status mus__plan_springs_new(mus_context *context, const mus_cloth *cloth, mus__plan *plan);
 /* the lists, of what springs and hinges act from lattice node to lattice node and no weld will change */
 void mus__plan_gather_lattice(const mus_cloth *cloth, mus__plan *plan);
 /* blocks and chunks of the lattice rows, taking in what they can of these lists */
@@ -218,7 +234,7 @@ static inline int32_t mus__plan_table_size(const mus__plan *plan)
 
 /* diagonal bound of the stiffness: t (nnode) gets T_i = sum k S |w|, identity in place of n n^T [N/m] */
 void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t);
-/* what bending, hinges and pairs give of it */
+/* what bending, hinges, pairs and tacks give of it */
 void mus__plan_bending(const mus__plan *plan, int32_t nnode, double *t);
 /* the same at the pose x (nnode x 3): t (nnode) gets a bound of the largest eigenvalue of the 3 x 3 T_i, with n n^T for
  * what pulls along the spring and (1 - rest/l) (1 - n n^T) for a stretched one; work (6 nnode) */

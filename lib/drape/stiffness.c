@@ -13,7 +13,17 @@
 #include "drape/plan.h"
 
 
-/* what bends, hinges and pairs give: isotropic in any pose; visit(node, amount) written as a loop over t */
+/* how many springs are of the cloth: tacks come after them */
+static int32_t own_springs(const mus__plan *plan)
+{
+    int32_t n = plan->nspring;
+    while (n > 0 && plan->spring[n - 1].kind == MUS__SPRING_TACK) n--;
+    return n;
+}
+
+
+/* what bends, hinges, pairs and tacks, which have no length, give: isotropic in any pose; visit(node, amount) written
+ * as a loop over t */
 static void add_isotropic(const mus__plan *plan, double *t)
 {
     for (int32_t r = 0; r < plan->nhalf_bend; r++) {
@@ -32,6 +42,10 @@ static void add_isotropic(const mus__plan *plan, double *t)
         t[plan->pair[p].b] += 2.0 * plan->pair[p].k;
     }
     for (int32_t h = 0; h < plan->nheld; h++) t[plan->held[h].node] += plan->held[h].k;
+    for (int32_t s = own_springs(plan); s < plan->nspring; s++) {
+        t[plan->spring[s].a] += 2.0 * plan->spring[s].k;
+        t[plan->spring[s].b] += 2.0 * plan->spring[s].k;
+    }
 }
 
 
@@ -48,7 +62,7 @@ void mus__plan_stiffness(const mus__plan *plan, int32_t nnode, double *t)
     add_isotropic(plan, t);
     for (int32_t r = 0; r < plan->nhalf_run; r++)
         for (int32_t i = 0; i < plan->half_run[r].count; i++) t[plan->half_run[r].a + i] += 2.0 * plan->half_run[r].k;
-    for (int32_t s = 0; s < plan->nspring; s++) {
+    for (int32_t s = 0, n = own_springs(plan); s < n; s++) {
         t[plan->spring[s].a] += 2.0 * plan->spring[s].k;
         t[plan->spring[s].b] += 2.0 * plan->spring[s].k;
     }
@@ -119,7 +133,7 @@ void mus__plan_stiffness_at(const mus__plan *plan, int32_t nnode, const double *
         const mus__half_run *run = &plan->half_run[r];
         for (int32_t i = 0; i < run->count; i++) add_tangent(x, run->a + i, run->b + i, run->k, run->rest, work);
     }
-    for (int32_t s = 0; s < plan->nspring; s++) {
+    for (int32_t s = 0, n = own_springs(plan); s < n; s++) {
         const mus__spring *spring = &plan->spring[s];
         add_tangent(x, spring->a, spring->b, spring->k, spring->rest, work);
         add_tangent(x, spring->b, spring->a, spring->k, spring->rest, work);

@@ -227,3 +227,13 @@ void mus__transfer_apply(const mus__transfer *transfer, const double *from, doub
         memcpy(to + 3 * (int64_t)i, x, sizeof x);
     }
 }
+
+
+int32_t mus__transfer_nearest(const mus__transfer *transfer, int32_t i)
+{
+    const float *weight = transfer->weight + 3 * (int64_t)i;
+    int32_t k = 0;
+    if (weight[1] > weight[k]) k = 1;
+    if (weight[2] > weight[k]) k = 2;
+    return transfer->node[3 * (int64_t)i + k];
+}

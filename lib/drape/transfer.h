@@ -21,5 +21,7 @@ mus_status mus__transfer_build(mus_context *context, const mus_cloth *from, cons
 void mus__transfer_clear(mus_context *context, mus__transfer *transfer);
 /* to (n x 3) = the places of the nodes in the source's positions `from` */
 void mus__transfer_apply(const mus__transfer *transfer, const double *from, double *to);
+/* the source's node that has most of the weight at node i */
+int32_t mus__transfer_nearest(const mus__transfer *transfer, int32_t i);
 
 #endif

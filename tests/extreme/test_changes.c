@@ -97,8 +97,9 @@ END_TEST
 
 /*
  * X6: what is met from now on. Contact acts by impulses: a plane that is put under a swinging sheet, a little of which
- * is below it, leaves the bound as it is; a step above it is refused with both numbers. No call adds a seam spring, but
- * mus_drape_place opens seams that were welded: the bound is that of a drape that never was sewn.
+ * is below it, leaves the bound as it is; a step above it is refused with both numbers. Springs between nodes are tacks
+ * (tests/drape/test_tack.c). mus_drape_place opens seams that were welded: the bound is that of a drape that never was
+ * sewn.
  */
 START_TEST(what_is_added_between_steps_has_its_own_bound)
 {

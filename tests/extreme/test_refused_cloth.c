@@ -300,8 +300,8 @@ START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
-/* X23: mus_drape_set_gravity mus_drape_plan */
-START_TEST(gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was)
+/* X23: mus_drape_set_gravity mus_drape_plan mus_drape_tack */
+START_TEST(gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was)
 {
     mus_context *context = support_context();
     mus_pattern *pattern = scene_square(context, 0.1);
@@ -318,6 +318,8 @@ START_TEST(gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was)
         mus_drape_forecast_init(&forecast, sizeof forecast);
         ck_assert_int_eq(mus_drape_plan(drape[0], refused_values[value], &forecast), MUS_ERR_ARG);
         ck_assert_ptr_nonnull(strstr(mus_context_error(context), "frame"));
+        ck_assert_int_eq(mus_drape_tack(drape[0], 0, 9, refused_values[value], NULL), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), "stiffness of a tack"));
     }
 
     /* it goes on as one that was never asked */
@@ -368,7 +370,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_refused);
     tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
-    tcase_add_test(tests, gravity_or_frame_that_is_not_finite_leaves_the_drape_as_it_was);
+    tcase_add_test(tests, gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -300,6 +300,26 @@ def test_cloth_lies_on_a_plane_and_is_carried_by_it(context):
         drape.add_plane(normal=(0, 0, 0))
 
 
+def test_a_tack_draws_two_nodes_together(context):
+    cloth = muslin.Cloth.bare([(0, 0, 0), (0.02, 0, 0)], [1e-3, 1e-3], context=context)
+    drape = muslin.Drape(cloth, precision=64, gravity=(0, 0, 0), drag=0)
+    assert drape.tack(0, 1, 10.0) == 0 and drape.tack(1, 0, 30.0) == 1
+    assert drape.step_bound == pytest.approx(2.62 * (1e-3 / 80) ** 0.5, rel=1e-12)
+    assert drape.forces[0, 0] == pytest.approx(0.8, rel=1e-12)
+    drape.untack(1)
+    quarter = math.pi / 2 * (1e-3 / 20) ** 0.5
+    drape.step(400, quarter / 400)
+    assert drape.positions[1, 0] - drape.positions[0, 0] == pytest.approx(0, abs=1e-11)
+    with pytest.raises(muslin.MuslinError, match="above the stability bound"):
+        drape.step(1, 2.63 * (1e-3 / 20) ** 0.5)
+    with pytest.raises(muslin.MuslinError, match="there is no tack 1"):
+        drape.untack(1)
+    with pytest.raises(muslin.MuslinError, match="a tack of node 1 with itself"):
+        drape.tack(1, 1, 10.0)
+    with pytest.raises(muslin.MuslinError, match="stiffness of a tack is nan N/m"):
+        drape.tack(0, 1, math.nan)
+
+
 def test_a_body_poses_in_steps(scene):
     tape, body, pattern, cloth = scene
     drape = muslin.Drape(cloth, body)

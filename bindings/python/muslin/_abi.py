@@ -732,6 +732,8 @@ FUNCTIONS = {
     "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),
     "mus_drape_set_state": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double), POINTER(c_double)]),
     "mus_drape_pin": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32]),
+    "mus_drape_tack": ("core", c_int32, [POINTER(mus_drape), c_int32, c_int32, c_double, POINTER(c_int32)]),
+    "mus_drape_untack": ("core", c_int32, [POINTER(mus_drape), c_int32]),
     "mus_drape_set_gravity": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_step_bound": ("core", c_double, [POINTER(mus_drape)]),
     "mus_drape_step": ("core", c_int32, [POINTER(mus_drape), c_int32, c_double]),

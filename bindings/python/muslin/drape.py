@@ -118,6 +118,16 @@ class Drape(Object):
         """Hold a node where it is, or let it go."""
         self.do("pin", node, 1 if fixed else 0)
 
+    def tack(self, a, b, stiffness):
+        """Draw two nodes together from now on by a spring of no length, of a stiffness [N/m]; its number."""
+        index = ctypes.c_int32()
+        self.do("tack", a, b, stiffness, ctypes.byref(index))
+        return index.value
+
+    def untack(self, index):
+        """Take a tack out again."""
+        self.do("untack", index)
+
     # ---- look ----
 
     @property

@@ -311,8 +311,8 @@ static mus_status limb_arm_start(limb_cut *cut, double *start)
 
 
 /* the shoulder joint: above the armpit, on the arm's axis; of a level arm at the armpit's own section, of one that
- * hangs by as much before it as the joint lies higher. Within 1 cm of where the mean bodies of GarmentCode have it by
- * their tapes, and our own in a T-pose */
+ * hangs by as much before it as the joint lies higher. Within 1 cm of where our own body has it in a T-pose; where an
+ * arm is bent, as those of the mean bodies of GarmentCode, the axis of all of it passes 4 to 5 cm below */
 static mus_status limb_shoulder(limb_cut *cut, double *shoulder)
 {
     const double s = cut->arm->root + 0.1 * cut->def->spacing;

@@ -36,13 +36,12 @@ START_TEST(heights_follow_from_the_lengths_of_the_file)
         double value;
     } hand[] = {
         {MUS_MEASURE_STATURE, 1.70},
-        {MUS_MEASURE_NAPE_HEIGHT, 1.45},
+        {MUS_MEASURE_NAPE_HEIGHT, 1.45 + 0.0165 * 1.70},
         {MUS_MEASURE_WAIST_HEIGHT, 1.05},
         {MUS_MEASURE_WAIST_TO_HIP, .205},
         {MUS_MEASURE_RISE, .30},
         {MUS_MEASURE_INLEG, .75},
         {MUS_MEASURE_BUST_HEIGHT, 1.23},
-        {MUS_MEASURE_BACK_WAIST, .40},
         {MUS_MEASURE_HIP, 1.0},
         {MUS_MEASURE_THIGH, .60},
         {MUS_MEASURE_BUST_SPAN, .17},
@@ -54,9 +53,10 @@ START_TEST(heights_follow_from_the_lengths_of_the_file)
     ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_ACROSS_BACK), MUS_SOURCE_NONE);
     ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_BUST), MUS_SOURCE_NONE);
     ck_assert_str_eq(mus_tape_name(tape), "body");
-    ck_assert_ptr_nonnull(strstr(support_log(), "not used: neck_w, back_width"));
+    ck_assert_ptr_nonnull(strstr(support_log(), "not used: back_width"));
 
-    /* without bust and waist there is no neck, so no shoulder */
+    /* without bust and waist there is no neck, so no shoulder; the nape is as much above the level as the side of the
+     * neck base is below the nape */
     ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_SHOULDER), MUS_SOURCE_NONE);
     mus_tape_destroy(tape);
     support_context_end(context);
@@ -84,6 +84,26 @@ START_TEST(the_shoulder_ends_where_the_file_has_the_shoulder_point)
 END_TEST
 
 
+START_TEST(the_shoulder_line_is_at_the_level_of_the_file)
+{
+    /* side of the neck 6.0325 from the middle as above; nape 145 + (8.5 - 6.0325) tan 20 + 2.805 = 148.7031;
+     * shoulder point 145 - (18.5 - 8.5) tan 20 = 141.3603, armpit 128.3603, scye depth (148.7031 - 128.3603) / 0.9 */
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_status status = read_text(context,
+                                  "body:\n  height: 170\n  bust: 92\n  waist: 76\n  hips: 100\n  shoulder_w: 37\n"
+                                  "  shoulder_incl: 20\n  head_l: 25\n  neck_w: 17\n  armscye_depth: 13\n",
+                                  &tape);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_NAPE_HEIGHT), 1.487031, 1e-6);
+    ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_SCYE_DEPTH), 0.226031, 1e-6);
+    ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_BACK_WAIST), MUS_SOURCE_NONE);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 static const char *const bodies[] = {"mean_all", "mean_female", "m_smpl_average_A40"};
 
 
@@ -102,6 +122,63 @@ START_TEST(real_bodies_complete_and_build)
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
     status = mus_body_create(context, tape, NULL, &body);
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+    mus_body_destroy(body);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* the highest place of a mesh on the plane x, above its lowest */
+static double mesh_top(const mus_mesh *mesh, double x)
+{
+    const double *at = mus_mesh_vertices(mesh);
+    const int32_t *corner = mus_mesh_triangles(mesh);
+    double floor = HUGE_VAL, top = -HUGE_VAL;
+    for (int32_t i = 0; i < mus_mesh_vertex_count(mesh); i++) floor = fmin(floor, at[3 * i + 1]);
+    for (int32_t e = 0; e < 3 * mus_mesh_triangle_count(mesh); e++) {
+        const double *a = at + 3 * corner[e], *b = at + 3 * corner[e % 3 == 2 ? e - 2 : e + 1];
+        if ((a[0] < x) != (b[0] < x)) top = fmax(top, a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]));
+    }
+    return top - floor;
+}
+
+
+/* of a body, to a tenth of a millimetre */
+static double body_top(const mus_body *body, double x)
+{
+    double top = 0.0;
+    for (double z = -0.08; z < 0.08; z += 0.004)
+        for (double y = 1.6; y > fmax(top, 1.2); y -= 1e-4) {
+            double depth;
+            ck_assert_int_eq(mus_body_depth(body, 1, (double[]){x, y, z}, &depth, NULL), MUS_OK);
+            if (depth > 0.0) top = y;
+            else if (depth > -1e29) y += depth > -0.002 ? 0.0 : 0.5 * depth;
+        }
+    return top;
+}
+
+
+/* m_smpl's tape is not of its mesh */
+START_TEST(shoulders_are_as_high_as_those_of_the_mesh)
+{
+    char tape_name[128], mesh_name[128], tape_path[512], mesh_path[512];
+    snprintf(tape_name, sizeof tape_name, "garmentcode/bodies/%s.yaml", bodies[_i]);
+    snprintf(mesh_name, sizeof mesh_name, "garmentcode/bodies/%s.obj", bodies[_i]);
+    if (support_data(tape_name, tape_path, sizeof tape_path) == NULL) return;
+    if (support_data(mesh_name, mesh_path, sizeof mesh_path) == NULL) return;
+    mus_context *context = support_context();
+    mus_tape *tape;
+    mus_body *body;
+    mus_mesh *mesh;
+    ck_assert_int_eq(mus_tape_read(context, tape_path, NULL, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+    ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+    ck_assert_int_eq(mus_mesh_read_obj(context, mesh_path, &mesh), MUS_OK);
+    for (double x = 0.10; x < 0.175; x += 0.02)
+        ck_assert_msg(fabs(body_top(body, x) - mesh_top(mesh, x)) < 0.006, "%s, %.2f m off the middle: %.4f, not %.4f",
+                      bodies[_i], x, body_top(body, x), mesh_top(mesh, x));
+    mus_mesh_destroy(mesh);
     mus_body_destroy(body);
     mus_tape_destroy(tape);
     support_context_end(context);
@@ -160,7 +237,9 @@ Suite *mus_suite_tape_yaml(void)
     TCase *tests = tcase_create("tape_yaml");
     tcase_add_test(tests, heights_follow_from_the_lengths_of_the_file);
     tcase_add_test(tests, the_shoulder_ends_where_the_file_has_the_shoulder_point);
+    tcase_add_test(tests, the_shoulder_line_is_at_the_level_of_the_file);
     tcase_add_loop_test(tests, real_bodies_complete_and_build, 0, sizeof bodies / sizeof bodies[0]);
+    tcase_add_loop_test(tests, shoulders_are_as_high_as_those_of_the_mesh, 0, 2);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);
     suite_add_tcase(suite, tests);
     return suite;

@@ -19,6 +19,7 @@
 #define LIFT_FROM 0.02  /* [m]: nearer pairs go straight */
 #define LIFT_STEP 0.02  /* [m] of the search for the way round what is between */
 #define LIFT_STEPS 10
+#define LIFT_BELOW 0.03 /* [m]: so much below the top of the shoulder a strap is not on it */
 #define LIFT_CHECKS 4   /* between searches, without straps: a sleeve goes round its arm with what it was given */
 #define LIFT_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
 #define LIFT_SURE 0.5   /* of 2: edges that point less the same way do not say which */
@@ -196,6 +197,26 @@ void mus__drape_lift_start(mus_drape *drape)
 }
 
 
+/* whether a place is under an arm, or before or behind it: nearer to its root than to the neck, and the body reaches more
+ * than a little higher there */
+static bool lift_below(const mus_drape *drape, const mus__held_level *armpit, const mus__pair *pair)
+{
+    const double *from = drape->x + 3 * (int64_t)pair->a;
+    double front[3], neck;
+    const double shoulder = mus__drape_shoulder(drape, &neck);
+    if (fabs(lift_aside(drape, armpit, pair)) < 0.5 * (neck + shoulder)) return false;
+    mus__cross3(armpit->side, armpit->up, front);
+    for (int32_t k = -LIFT_STEPS; k <= LIFT_STEPS; k++)
+        for (int32_t i = 1; i <= LIFT_STEPS; i++) {
+            double x[3];
+            for (int32_t d = 0; d < 3; d++)
+                x[d] = from[d] + (LIFT_BELOW + LIFT_STEP * i) * armpit->up[d] + 0.5 * LIFT_STEP * k * front[d];
+            if (mus__collider_depth(drape->collider, x, 0.0, NULL) > 0.0) return true;
+        }
+    return false;
+}
+
+
 /* whether a pair is a strap's, and above the armpits; *far how wide it is open */
 static bool lift_hangs(const mus_drape *drape, const mus__held_level *armpit, const mus__pair *pair, double *far)
 {
@@ -236,7 +257,8 @@ mus__straps mus__drape_strapped(const mus_drape *drape, int32_t *off)
     for (int32_t p = 0; p < drape->plan.npair; p++) {
         if (drape->plan.pair[p].over != 2) continue;
         straps = MUS__STRAPS_ON;
-        if (lift_hangs(drape, &armpit, &drape->plan.pair[p], &far)) continue;
+        const bool hangs = lift_hangs(drape, &armpit, &drape->plan.pair[p], &far);
+        if (hangs && (far > LIFT_FROM || !lift_below(drape, &armpit, &drape->plan.pair[p]))) continue;
         if (off != NULL) *off = drape->plan.pair[p].seam;
         return MUS__STRAPS_OFF;
     }

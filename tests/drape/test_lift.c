@@ -147,6 +147,45 @@ START_TEST(straps_close_over_the_shoulders)
 END_TEST
 
 
+/* the ends of all straps together at a place of the left shoulder, mirrored on the right */
+static mus__straps lift_straps_at(const worn *w, double aside, double height, double front, int32_t *seam)
+{
+    for (int32_t p = 0; p < w->drape->plan.npair; p++) {
+        const mus__pair *pair = &w->drape->plan.pair[p];
+        double *a = w->drape->x + 3 * (int64_t)pair->a, *b = w->drape->x + 3 * (int64_t)pair->b;
+        if (pair->over != 2) continue;
+        a[0] = b[0] = copysign(aside, pair->aside);
+        a[1] = b[1] = height;
+        a[2] = b[2] = front;
+    }
+    return mus__drape_strapped(w->drape, seam);
+}
+
+
+START_TEST(a_strap_before_the_arm_is_not_on_the_shoulder)
+{
+    worn w = lift_body();
+    mus__held_level armpit;
+    double neck, height, joint[3];
+    int32_t seam = MUS_NONE;
+    const double rim = lift_rim(&w, &neck, &height);
+    ck_assert_int_eq(mus_body_landmark(w.body, MUS_LANDMARK_SHOULDER_LEFT, joint), MUS_OK);
+    lift_put_on(&w, strap_top(w.context, rim, height + 0.06), NULL);
+    mus__drape_lift_start(w.drape);
+    mus__drape_level(w.drape, MUS_HOLD_ARMPIT, 0, &armpit);
+
+    /* on the shoulder, behind it but near the neck; under the arm, and before it, all above the armpits */
+    ck_assert_int_eq(lift_straps_at(&w, 0.9 * rim, height + 0.05, joint[2], &seam), MUS__STRAPS_ON);
+    ck_assert_int_eq(lift_straps_at(&w, 1.1 * neck, height, joint[2] - 0.06, &seam), MUS__STRAPS_ON);
+    ck_assert_int_eq(seam, MUS_NONE);
+    ck_assert_int_eq(lift_straps_at(&w, 1.05 * rim, armpit.at + 0.01, joint[2], &seam), MUS__STRAPS_OFF);
+    ck_assert_int_ge(seam, 2);
+    ck_assert_int_eq(lift_straps_at(&w, 1.05 * rim, armpit.at + 0.01, joint[2] + 0.08, NULL), MUS__STRAPS_OFF);
+    worn_end(&w);
+}
+END_TEST
+
+
 /* what is short and points up is a strap on the shoulders (_i 0), a cuff's below the armpits (1) */
 START_TEST(cuffs_are_no_straps)
 {
@@ -212,6 +251,7 @@ Suite *mus_suite_lift(void)
     suite_add_tcase(suite, tests);
     tcase_add_loop_test(tests, cuffs_are_no_straps, 0, 2);
     tcase_add_loop_test(tests, straps_close_over_the_shoulders, 0, 2);
+    tcase_add_test(tests, a_strap_before_the_arm_is_not_on_the_shoulder);
     tcase_add_test(tests, what_is_held_at_the_armpits_stays_under_the_arms);
     return suite;
 }

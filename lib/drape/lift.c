@@ -197,7 +197,7 @@ void mus__drape_lift_start(mus_drape *drape)
 }
 
 
-/* whether a place is under an arm, or before or behind it: nearer to its root than to the neck, and the body reaches more
+/* whether a pair is under an arm, before or behind it: nearer to its root than to the neck, and the body reaches more
  * than a little higher there */
 static bool lift_below(const mus_drape *drape, const mus__held_level *armpit, const mus__pair *pair)
 {

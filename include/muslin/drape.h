@@ -285,7 +285,8 @@ typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progres
  * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser). With self_contact, panels that begin over each
  * other in one plane are moved apart first: one below the other goes down, of two side by side each goes half of the
  * way. Some sheets of cloth between the last pairs of a seam are no bar: it is welded so, and drawn apart by the moves
- * of mus_drape_untangle(). What crosses after all is counted by mus_drape_crossings().
+ * of mus_drape_untangle(). Sheets of worn layers are one: a seam that would go through them stays open, and its error
+ * says so. What crosses after all is counted by mus_drape_crossings().
  * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED,
  *         MUS_ERR_MEMORY
  */

@@ -282,6 +282,12 @@ typedef mus_status (*mus__drape_sew_fn)(mus_drape *drape, mus__run *run);
 int32_t mus__drape_layered(const mus_drape *drape);
 /* sew and let down layer after layer; `all` sews on every cut, `here` on this one */
 mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew_fn all, mus__drape_sew_fn here);
+/* nonzero: the straight way between two nodes goes to the other side of worn cloth, which is that of the layers below
+ * the one being sewn: through a sheet of it, not in and out of a fold. Triangles that hold either node are not asked.
+ * Cost: the boxes of all worn triangles */
+int32_t mus__drape_worn_between(const mus_drape *drape, int32_t i, int32_t k);
+/* crossings of a layer's triangles with those of the layers below it */
+int64_t mus__drape_worn_crossings(const mus_drape *drape, int32_t layer);
 /* what is sewn falls on this cut until it nearly rests (settle.c) */
 mus_status mus__drape_let_down(mus_drape *drape, mus__run *run);
 

@@ -15,11 +15,13 @@
 #include <string.h>
 
 #include "drape/drape_internal.h"
+#include "geom/predicate.h"
 #include "geom/vec.h"
 
 #define LAYERS_TRIALS 24   /* of starts, each farther out */
 #define LAYERS_REACH 0.3   /* [m]: the body is looked for so far from a panel */
 #define LAYERS_STEP 0.004  /* [m] in again */
+#define WAY_MOST 8         /* sheets between the nodes of a pair */
 
 
 /* the first layer from `from` on that any panel is in, 0 when there is none */
@@ -171,6 +173,97 @@ int32_t mus__drape_layered(const mus_drape *drape)
     for (int32_t p = 1; p < drape->cloth->npanel; p++)
         if (drape->cloth->panel[p].layer != first) return drape->self != NULL;
     return 0;
+}
+
+
+/* ---- what lies between two nodes that are to be welded ---- */
+
+/* is the box of a triangle clear of that of the segment p q? */
+static bool layers_far(const double *p, const double *q, const double *a, const double *b, const double *c)
+{
+    for (int32_t d = 0; d < 3; d++) {
+        if (fmax(p[d], q[d]) < fmin(a[d], fmin(b[d], c[d]))) return true;
+        if (fmin(p[d], q[d]) > fmax(a[d], fmax(b[d], c[d]))) return true;
+    }
+    return false;
+}
+
+
+/* is the node a corner of triangle t, or welded to one? */
+static bool layers_corner(const mus_drape *drape, int32_t t, int32_t node)
+{
+    const int32_t *rep = drape->rep, *corner = drape->cloth->triangle + 3 * (int64_t)t;
+    return rep[corner[0]] == rep[node] || rep[corner[1]] == rep[node] || rep[corner[2]] == rep[node];
+}
+
+
+/* have two triangles a corner in common? */
+static bool layers_share(const mus_drape *drape, int32_t s, int32_t t)
+{
+    const int32_t *corner = drape->cloth->triangle + 3 * (int64_t)s;
+    return layers_corner(drape, t, corner[0]) || layers_corner(drape, t, corner[1]) ||
+           layers_corner(drape, t, corner[2]);
+}
+
+
+/* do two triangles share a corner, or does a third share one with each? So do both sides of a fold */
+static bool layers_beside(const mus_drape *drape, int32_t s, int32_t t)
+{
+    if (layers_share(drape, s, t)) return true;
+    for (int32_t k = 0; k < drape->cloth->ntriangle; k++)
+        if (layers_share(drape, k, s) && layers_share(drape, k, t)) return true;
+    return false;
+}
+
+
+/* a way that goes through worn cloth: the triangles that it has not come back out of */
+typedef struct layers_way {
+    int32_t count, triangle[WAY_MOST];
+    bool out[WAY_MOST]; /* by its right side */
+} layers_way;
+
+
+/* the way goes through triangle t. Where it went in by the other side beside it, it has gone through a fold */
+static void layers_pass(const mus_drape *drape, layers_way *way, int32_t t, bool out)
+{
+    for (int32_t k = 0; k < way->count; k++) {
+        if (way->out[k] == out || !layers_beside(drape, way->triangle[k], t)) continue;
+        way->count--;
+        way->triangle[k] = way->triangle[way->count], way->out[k] = way->out[way->count];
+        return;
+    }
+    way->triangle[way->count] = t, way->out[way->count] = out;
+    way->count++;
+}
+
+
+/* A seam under the arm of what is worn is a ridge: a straight way over it goes in and out again, and a pair so near is
+ * on one side of the cloth all the same */
+int32_t mus__drape_worn_between(const mus_drape *drape, int32_t i, int32_t k)
+{
+    const mus_cloth *cloth = drape->cloth;
+    const double *x = drape->x, *p = x + 3 * (int64_t)i, *q = x + 3 * (int64_t)k;
+    layers_way way = {.count = 0};
+    for (int32_t panel = 0; panel < cloth->npanel; panel++) {
+        const mus__panel_mesh *mesh = &cloth->panel[panel];
+        if (mesh->layer >= drape->plan.open_from) continue;
+        for (int32_t t = mesh->first_triangle; t < mesh->first_triangle + mesh->triangle_count; t++) {
+            const int32_t *corner = cloth->triangle + 3 * (int64_t)t;
+            const double *a = x + 3 * (int64_t)corner[0], *b = x + 3 * (int64_t)corner[1];
+            const double *c = x + 3 * (int64_t)corner[2];
+            if (layers_far(p, q, a, b, c) || !mus__cloth_pierces(p, q, a, b, c)) continue;
+            if (layers_corner(drape, t, i) || layers_corner(drape, t, k)) continue;
+            layers_pass(drape, &way, t, mus__orient3d(a, b, c, p) > 0.0);
+            if (way.count == WAY_MOST) return 1;
+        }
+    }
+    return way.count > 0;
+}
+
+
+int64_t mus__drape_worn_crossings(const mus_drape *drape, int32_t layer)
+{
+    return layers_count(drape, layer, MUS_NONE);
 }
 
 

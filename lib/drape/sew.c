@@ -4,7 +4,8 @@
  * Gravity is off. The pull starts gentle, so that panels travel to the body without folding over, and grows until the
  * last pair is home; a pair within the collision distance is stitched: it moves as one from then on, and its
  * neighbours follow as in a zip. When all are stitched they are welded. Where cloth meets cloth, some sheets of it may
- * hold the last pairs apart; they are welded so, and what then crosses is drawn apart (untangle.c).
+ * hold the last pairs apart; they are welded so, and what then crosses is drawn apart (untangle.c). Not through worn
+ * layers: a weld that leaves cloth through those is taken back, and the pull goes on to its end.
  *
  * Pull on a pair that stands for length L of seam:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
  */
@@ -72,15 +73,34 @@ static int32_t count_open(const mus__plan *plan)
 }
 
 
+/* does worn cloth lie between the nodes of a pair that is open? */
+static bool worn_between(const mus_drape *drape)
+{
+    const mus__plan *plan = &drape->plan;
+    for (int32_t p = 0; p < plan->npair && plan->open_from > 0; p++) {
+        const mus__pair *pair = &plan->pair[p];
+        if (!pair->locked && mus__drape_worn_between(drape, pair->a, pair->b)) return true;
+    }
+    return false;
+}
+
+
+/* are all pairs within the collision distance? */
+static bool is_home(const mus_drape *drape)
+{
+    return mus__drape_gap(drape, NULL) <= drape->def.collision_distance;
+}
+
+
 /* the sentence for seams that stayed open */
-static mus_status fail_open(mus_drape *drape)
+static mus_status fail_open(mus_drape *drape, bool worn)
 {
     int32_t seam;
     const double gap = mus__drape_gap(drape, &seam);
     const bool far = gap >= 0.1;
-    return mus__fail(drape->context, MUS_ERR_SEW, "seam %d cannot close: gap %.*f %s after %.2f s, %.1f mm allowed",
+    return mus__fail(drape->context, MUS_ERR_SEW, "seam %d cannot close: gap %.*f %s after %.2f s, %.1f mm allowed%s",
                      (int)seam, far ? 3 : 1, far ? gap : 1e3 * gap, far ? "m" : "mm", drape->sew_time,
-                     1e3 * drape->def.collision_distance);
+                     1e3 * drape->def.collision_distance, worn ? "; worn cloth lies between" : "");
 }
 
 
@@ -109,7 +129,8 @@ static void let_pass(mus_drape *drape)
 
 
 /* whether cloth alone, a few sheets of it, still holds the last pairs apart: welding draws it aside. Not where both
- * nodes of a pair are held: they stay where they are, and the seam is open */
+ * nodes of a pair are held: they stay where they are, and the seam is open. Nor where worn cloth lies between them: it
+ * would be gone through, and what is through it all round is not untangled */
 static bool near_home(const mus_drape *drape)
 {
     const mus__plan *plan = &drape->plan;
@@ -118,15 +139,17 @@ static bool near_home(const mus_drape *drape)
         const mus__pair *pair = &plan->pair[p];
         if (!pair->locked && (drape->pinned[pair->a] & drape->pinned[pair->b] & MUS__PINNED)) return false;
     }
-    return true;
+    return !worn_between(drape);
 }
 
 
-/* pull, stitch and weld on this cut, as from time `t` of the pull */
-static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double t)
+/* pull and stitch on this cut, as from time *time of the pull, until all pairs are home; or, not `patient`, until only
+ * cloth holds the last ones apart */
+static mus_status sew_pull(mus_drape *drape, mus__run *run, int32_t way, bool patient, double *time)
 {
     mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
+    double t = *time;
     mus_status status = mus__drape_near(drape);
     if (status != MUS_OK) return status;
     memset(sim->gravity, 0, sizeof sim->gravity);
@@ -159,23 +182,52 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double 
         t += CHECK_STEPS * h;
         drape->sew_time += CHECK_STEPS * h;
         open = count_open(&drape->plan);
-        if (lateness(t, all) > NEAR_LATE && near_home(drape)) break;
+        if (!patient && lateness(t, all) > NEAR_LATE && near_home(drape)) break;
         mus__run_report(run, 1.0 - (double)open / pairs);
     }
+    *time = t;
     sim->near = NULL;
     for (int32_t i = 0; i < drape->plan.nheld; i++) drape->plan.held[i].share = 1.0;
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
     if (drape->self != NULL) drape->self->stale = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
-    if (open > 0 && !(mus__drape_gap(drape, NULL) <= drape->def.collision_distance) && !near_home(drape))
-        return fail_open(drape);
+    if (open > 0 && !is_home(drape) && !near_home(drape)) return fail_open(drape, worn_between(drape));
     int32_t strap;
     if (mus__drape_strapped(drape, &strap) == MUS__STRAPS_OFF)
         return mus__fail(drape->context, MUS_ERR_SEW, "seam %d is under the arm, not over the shoulder, after %.2f s",
                          (int)strap, drape->sew_time);
+    return MUS_OK;
+}
+
+
+/* weld, and draw apart what then crosses. Pairs that were not home over what is worn are opened again where that leaves
+ * them through it: *clear is false */
+static mus_status sew_weld(mus_drape *drape, bool *clear)
+{
+    const int32_t worn = is_home(drape) ? 0 : drape->plan.open_from;
+    if (worn > 0) memcpy(drape->before, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     mus__drape_weld(drape);
-    return mus__drape_untangle(drape);
+    const mus_status status = mus__drape_untangle(drape);
+    *clear = status != MUS_OK || worn == 0 || mus__drape_worn_crossings(drape, worn) == 0;
+    if (*clear) return status;
+    drape->plan.open_from = worn;
+    mus__drape_reopen(drape, drape->before);
+    return MUS_OK;
+}
+
+
+/* pull, stitch and weld on this cut, as from time `t` of the pull. Where the weld leaves cloth through worn cloth, the
+ * pull goes on to its end, which may bring the pairs home */
+static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double t)
+{
+    bool clear = true;
+    mus_status status = sew_pull(drape, run, way, false, &t);
+    if (status == MUS_OK && !run->stop) status = sew_weld(drape, &clear);
+    if (clear) return status;
+    status = sew_pull(drape, run, SEW_STRAIGHT, true, &t);
+    if (status == MUS_OK && !run->stop) status = sew_weld(drape, &clear);
+    return clear || status != MUS_OK || run->stop ? status : fail_open(drape, true);
 }
 
 
@@ -183,10 +235,10 @@ static mus_status sew_here(mus_drape *drape, mus__run *run, int32_t way, double 
  * what is between, straps first if there are any, straight. Over what is worn, which is round enough, straight first */
 static mus_status sew_tries(mus_drape *drape, mus__run *run)
 {
-    if (drape->collider == NULL) return sew_here(drape, run, SEW_STRAIGHT, 0.0);
-    const bool first = drape->mean == NULL;
-    mus_status status = mus__drape_scratch(drape);
+    const bool first = drape->mean == NULL, body = drape->collider != NULL;
+    mus_status status = body || drape->plan.open_from > 0 ? mus__drape_scratch(drape) : MUS_OK;
     if (status != MUS_OK) return status;
+    if (!body) return sew_here(drape, run, SEW_STRAIGHT, 0.0);
     mus__drape_publish(drape);
     memcpy(drape->mean, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     const int32_t begin = !drape->welded || run->sleeved ? SEW_ROUND : SEW_STRAIGHT;

@@ -141,6 +141,7 @@ typedef struct mus__contact_rule {
     double clearance; /* nodes are kept this far off [m] */
     double friction;
     double push;   /* a node that was inside before is put back by at most this in one call [m] */
+    double deep;   /* [1/s] near alone: of what is deeper than MUS_NEAR_DEEP, as much more in a second */
     double travel; /* no node moves farther between two calls [m]; 0: not known */
     double slip;   /* [s] h for symplectic Euler, h/2 for RK4: how long the step moved with the old velocity */
     double step;   /* [s] since the last call */
@@ -151,6 +152,7 @@ typedef struct mus__contact_rule {
 
 /* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */
 #define MUS_NEAR_BALL 2.5e-4
+#define MUS_NEAR_DEEP 1e-3 /* [m] */
 
 /* what a node need not be asked for a while: until it or the surfaces have gone `slack` [m], the parts whose bits are
  * set, or all surfaces */

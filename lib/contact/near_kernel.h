@@ -12,8 +12,16 @@
 #define NEAR_MOST 8 /* surfaces that a node touches at once; more are left out */
 
 typedef struct MUS_FIELD(near_rule) {
-    MUS_REAL clearance, friction, push, time, slip, ball;
+    MUS_REAL clearance, friction, push, deep, time, slip, ball;
 } MUS_FIELD(near_rule);
+
+
+/* how far something that is `lift` inside comes out in a call */
+static MUS_INLINE MUS_REAL MUS_FIELD(near_push)(MUS_FIELD(near_rule) rule, MUS_REAL lift)
+{
+    const MUS_REAL over = lift - (MUS_REAL)MUS_NEAR_DEEP;
+    return rule.push + rule.deep * (over > 0 ? over : 0);
+}
 
 
 /*
@@ -25,8 +33,8 @@ static MUS_INLINE void MUS_FIELD(near_respond)(MUS_FIELD(near_rule) rule, MUS_RE
 {
     const MUS_REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
     const MUS_REAL inward = vn < 0 ? -vn : 0;
-    const MUS_REAL partly = rule.push + inward * rule.slip;
-    const MUS_REAL out = lift <= rule.push + inward * rule.time ? lift : partly;
+    const MUS_REAL push = MUS_FIELD(near_push)(rule, lift), partly = push + inward * rule.slip;
+    const MUS_REAL out = lift <= push + inward * rule.time ? lift : partly;
     const MUS_REAL move = touch * (lift > 0 ? out : 0);
 
     const MUS_REAL t0 = v[0] + inward * normal[0], t1 = v[1] + inward * normal[1], t2 = v[2] + inward * normal[2];
@@ -69,12 +77,13 @@ static void MUS_FIELD(near_planes)(MUS_FIELD(near_rule) rule, int64_t n, int32_t
 static void MUS_FIELD(near_respond_all)(MUS_FIELD(near_rule) rule, const MUS_FIELD(meeting) * list, int32_t count,
                                         MUS_REAL *x, MUS_REAL *v)
 {
-    MUS_REAL wish[NEAR_MOST], share[NEAR_MOST], move[3];
-    for (int32_t i = 0; i < count; i++) wish[i] = list[i].lift;
-    const MUS_REAL fast = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(v, v)), most = rule.push + fast * rule.slip;
+    MUS_REAL wish[NEAR_MOST], share[NEAR_MOST], move[3], deepest = 0;
+    for (int32_t i = 0; i < count; i++) wish[i] = list[i].lift, deepest = wish[i] > deepest ? wish[i] : deepest;
+    const MUS_REAL fast = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(v, v)), push = MUS_FIELD(near_push)(rule, deepest);
+    const MUS_REAL most = push + fast * rule.slip;
     MUS_FIELD(out_of_all)(list, count, wish, most, move, share);
     const MUS_REAL far = (MUS_REAL)MUS_SQRT(MUS_FIELD(dot)(move, move));
-    const MUS_REAL scale = far <= rule.push + fast * rule.time ? 1 : most / far;
+    const MUS_REAL scale = far <= push + fast * rule.time ? 1 : most / far;
     for (int32_t d = 0; d < 3; d++) x[d] += scale * move[d];
 
     for (int32_t i = 0; i < count; i++) wish[i] = -MUS_FIELD(dot)(v, list[i].normal);
@@ -165,6 +174,7 @@ void MUS_NEAR(const mus__collider *collider, const mus__contact_rule *rule, int3
     const MUS_FIELD(near_rule) own = {(MUS_REAL)(rule->clearance - collider->skin),
                                       (MUS_REAL)rule->friction,
                                       (MUS_REAL)rule->push,
+                                      (MUS_REAL)(rule->deep * rule->step),
                                       (MUS_REAL)rule->step,
                                       (MUS_REAL)rule->slip,
                                       (MUS_REAL)rule->ball};

@@ -176,6 +176,10 @@ bool mus__drape_flare(mus_drape *drape);
 mus_status mus__drape_apart(mus_drape *drape);
 /* crossings of a cloth with self_contact drawn apart as far as they go (untangle.c) */
 mus_status mus__drape_untangle(mus_drape *drape);
+/* pairs of cloth that lie closer than a twentieth of the thickness are put so far apart, where nothing crosses then */
+mus_status mus__drape_part(mus_drape *drape);
+/* how many nodes cannot move: cloth is nearer to them than numbers tell apart */
+int32_t mus__drape_self_frozen(const mus_drape *drape);
 /* the rule of steps of `h`, the rule of contact set */
 void mus__drape_self_rule(mus_drape *drape, double h);
 /* MUS_ERR_LIMIT when a step found more pairs than there is room for */

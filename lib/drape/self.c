@@ -14,6 +14,7 @@
 #define SELF_PUSH_SPEED 0.5   /* [m/s]: what overlaps leaves each other no faster */
 #define SELF_THICKEST 0.5     /* of the spacing */
 #define SELF_DEEP 0.7e-3      /* [m] in the body: cloth on cloth gives way for what is deeper, */
+#define SELF_FROZEN 1e-6      /* [m]: a node with a smaller ball goes nowhere */
 #define SELF_LINGERS 1e-3     /* [m]: and went no farther from check to check: most of what is faster comes out */
 
 
@@ -119,6 +120,18 @@ int32_t mus__drape_self_give_way(mus_drape *drape)
                         mus__collider_depth(drape->collider, x, 0.0, NULL) > SELF_DEEP;
     }
     return mus__cloth_self_give_way(self, self->worn);
+}
+
+
+int32_t mus__drape_self_frozen(const mus_drape *drape)
+{
+    int32_t frozen = 0;
+    if (drape->self == NULL) return 0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->rep[i] != i || drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        frozen += mus__plan_number(&drape->plan, drape->self->ball, 3 * drape->sim.n + i) < SELF_FROZEN * SELF_FROZEN;
+    }
+    return frozen;
 }
 
 

@@ -42,10 +42,12 @@
 #define STILL_CHECKS 4
 #define FAST_CHECKS 8
 #define STUCK_CHECKS 12      /* with far more force left than is allowed, none gained, no drift, the smallest step */
+#define PART_CHECKS 20       /* with nodes that cannot move for cloth that is too near */
 #define MOVING_CHECKS 3      /* with the residual reached and no rest: the step is doubled again */
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
+#define LAYER_DEEP_RATE 100.0 /* [1/s]: but what springs pull deeper than a millimetre comes out so much faster */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
 #define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
@@ -84,6 +86,7 @@ typedef struct lying {
     double safety;     /* of the bound, for the steps */
     int32_t still;     /* checks with force left and nothing gained */
     int32_t stuck;     /* checks that have it caught somewhere */
+    int32_t parted;    /* checks with nodes that cloth so near let go nowhere */
     int32_t moving;    /* checks with no more force than is allowed, but not at rest yet */
 } lying;
 
@@ -283,6 +286,18 @@ static lying lie_down(mus_drape *drape, double fall)
 }
 
 
+/* what is too near to other cloth to move is put a little off it, and does not count as at rest */
+static mus_status free_frozen(mus_drape *drape, lying *now)
+{
+    const double residual = drape->residual;
+    const mus_status status = mus__drape_part(drape);
+    drape->residual = residual;
+    drape->settled = 0;
+    now->parted++;
+    return status;
+}
+
+
 /* on this cut, from where it is. MUS_OK: at rest or stopped */
 static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
 {
@@ -299,8 +314,10 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         const double h = now.safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SETTLE_SPEED * h;
         const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
         sim->drag = now.drag;
-        const double push = drape->self != NULL ? LAYER_PUSH_SPEED * h : 2.0 * travel;
-        sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction, .push = push,
+        const bool layers = drape->self != NULL;
+        sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
+                                        .push = layers ? LAYER_PUSH_SPEED * h : 2.0 * travel,
+                                        .deep = layers ? LAYER_DEEP_RATE : 0.0,
                                         .travel = travel, .slip = h, .step = h, .ball = MUS_NEAR_BALL};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
@@ -314,6 +331,8 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         drape->settle_time += batch * h;
         look_at_rest(drape, goal, t, batch * h, &now);
         run->slid = mus__drape_slid(drape, drape->mean, t > LOOSE_SECONDS);
+        if (now.parted < PART_CHECKS && mus__drape_self_frozen(drape) > 0) status = free_frozen(drape, &now);
+        if (status != MUS_OK) break;
         mus__run_report(run, t / goal->seconds);
     }
     sim->near = NULL;

@@ -145,14 +145,11 @@ static mus_status untangle_ease(mus_drape *drape)
 }
 
 
-/*
- * What no longer crosses may still lie closer than numbers of a float state tell apart, and could not move: pairs so
- * near are put apart, as long as the count finds no crossing.
- */
-static mus_status untangle_part(mus_drape *drape)
+/* as they lie, without a crossing where there was none: pairs that are nearer than that to UNTANGLE_LEAST */
+mus_status mus__drape_part(mus_drape *drape)
 {
     const double least = UNTANGLE_LEAST * drape->def.thickness;
-    double *was = drape->force;
+    double *was = drape->work;
     for (int32_t k = 0; k < UNTANGLE_PARTS; k++) {
         mus__drape_push(drape);
         drape->self->stale = 1;
@@ -183,7 +180,9 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
         if (k < UNTANGLE_PLAIN) continue;
         status = untangle_ease(drape);
     }
-    if (status == MUS_OK && *left == 0 && moved) status = untangle_part(drape);
+
+    /* what no longer crosses may still lie closer than numbers of a float state tell apart, and could not move */
+    if (status == MUS_OK && *left == 0 && moved) status = mus__drape_part(drape);
     drape->sim.near = NULL;
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);

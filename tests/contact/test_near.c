@@ -86,6 +86,31 @@ START_TEST(planes_do_what_asking_every_time_does)
 END_TEST
 
 
+/* what is deep comes out by `push`, and by `deep` of what is more than a millimetre; with none, by `push` alone */
+START_TEST(what_is_deep_comes_out_faster)
+{
+    mus_context *context = support_context();
+    mus__collider *collider = two_legs(context);
+    const double h = 2e-4, push = 2e-5, clearance = 0.002, deep = _i ? 100.0 : 0.0;
+    const mus__contact_rule rule = {.clearance = clearance, .push = push, .deep = deep, .slip = h, .step = h,
+                                    .ball = MUS_NEAR_BALL};
+    mus__contact_tally tally = {0};
+    for (int call = 0; call < 12; call++) {
+        double x[3] = {0.063 - 0.001 * call, 0.01, 0.0}, v[3] = {0.0}, near[8] = {0}, inverse = 1000.0, after[3];
+        near[7] = -1.0;
+        const double depth = mus__collider_depth(collider, x, 0.0, NULL), lift = depth + clearance;
+        for (int d = 0; d < 3; d++) x[d] -= collider->origin[d];
+        mus__near_f64(collider, &rule, 1, 0, 1, &inverse, near, x, v, &tally);
+        for (int d = 0; d < 3; d++) after[d] = x[d] + collider->origin[d];
+        const double most = push + deep * h * fmax(lift - MUS_NEAR_DEEP, 0.0), out = fmin(fmax(lift, 0.0), most);
+        ck_assert_double_eq_tol(depth - mus__collider_depth(collider, after, 0.0, NULL), out, 1e-9 + 1e-3 * out);
+    }
+    mus__collider_destroy(collider);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* far nodes fall on the leg at 3 m/s and none gets below the skin by more than one step's way */
 START_TEST(nothing_falls_through_a_ball)
 {
@@ -123,6 +148,7 @@ Suite *mus_suite_near(void)
     TCase *tests = tcase_create("near");
     tcase_add_loop_test(tests, planes_do_what_asking_every_time_does, 0, 3);
     tcase_add_test(tests, nothing_falls_through_a_ball);
+    tcase_add_loop_test(tests, what_is_deep_comes_out_faster, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

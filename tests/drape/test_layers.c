@@ -244,6 +244,23 @@ START_TEST(cloth_without_room_between_cloth_and_body_gives_way)
 END_TEST
 
 
+/* a sheet as near to another as no number of a float state tells apart has no way to go; it does not lie there for ever */
+START_TEST(what_is_too_near_to_move_is_put_off)
+{
+    const double size[] = {0.16, 0.16, 0.12, 0.1};
+    pile p;
+    pile_start(&p, _i ? 64 : 32);
+    pile_make(&p, 2, size, 1e-8);
+    ck_assert_msg(mus_drape_settle(p.drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(p.context));
+    const double *x = mus_drape_positions(p.drape);
+    for (int32_t i = 0; i < p.n; i++)
+        if (p.panel[i] > 0) ck_assert_double_gt(x[3 * i + 1], 0.9 * p.def.thickness);
+    ck_assert_int_eq(pile_crossings(&p), 0);
+    pile_end(&p);
+}
+END_TEST
+
+
 START_TEST(layers_have_the_same_bytes_for_any_number_of_threads)
 {
     const double size[] = {0.3, 0.3, 0.34, 0.3, 0.2, 0.36};
@@ -395,6 +412,7 @@ Suite *mus_suite_layers(void)
     tcase_add_loop_test(tests, a_blow_is_not_followed_by_a_bounce, 0, 2);
     tcase_add_loop_test(tests, what_trembles_beside_cloth_gains_no_energy, 0, SUPPORT_SLOW ? 1 : 4);
     tcase_add_loop_test(tests, cloth_without_room_between_cloth_and_body_gives_way, 0, 2);
+    tcase_add_loop_test(tests, what_is_too_near_to_move_is_put_off, 0, 2);
     tcase_add_loop_test(tests, layers_have_the_same_bytes_for_any_number_of_threads, 0, 2);
     tcase_add_test(tests, where_nothing_is_near_nothing_changes);
     tcase_add_test(tests, what_turns_with_its_neighbours_is_not_asked);

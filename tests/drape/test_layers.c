@@ -244,7 +244,7 @@ START_TEST(cloth_without_room_between_cloth_and_body_gives_way)
 END_TEST
 
 
-/* a sheet as near to another as no number of a float state tells apart has no way to go; it does not lie there for ever */
+/* a sheet nearer to another than numbers tell apart has no way to go; it does not lie there for ever */
 START_TEST(what_is_too_near_to_move_is_put_off)
 {
     const double size[] = {0.16, 0.16, 0.12, 0.1};

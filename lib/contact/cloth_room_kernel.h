@@ -107,7 +107,8 @@ static void MUS_FIELD(self_row_closing)(int32_t edges, const MUS_REAL *restrict 
         const MUS_REAL a = along[0], b = along[1], c = along[2] > along[3] ? along[2] : along[3];
         const MUS_REAL gap = two > 0 ? (a < b ? a : b) - c : a - (b > c ? b : c), rate = -gap / apart[i];
         const MUS_REAL half = (MUS_REAL)0.5 * (rate > 0 ? rate : 0) + turn * spread;
-        closing[i] = (turn < 1) & (spread > 0) & (half < spread) ? half : spread;
+        const int32_t less = (turn < 1) & (spread > 0) & (half < spread);
+        closing[i] = less ? half : spread;
     }
 }
 

@@ -152,7 +152,7 @@ typedef struct mus__contact_rule {
 
 /* [m] round a limb of 5 cm a plane is 0.6 um off at the edge of a ball of this */
 #define MUS_NEAR_BALL 2.5e-4
-#define MUS_NEAR_DEEP 1e-3 /* [m] */
+#define MUS_NEAR_DEEP 1e-3 /* [m] below the clearance, where cloth is to rest */
 
 /* what a node need not be asked for a while: until it or the surfaces have gone `slack` [m], the parts whose bits are
  * set, or all surfaces */

@@ -47,7 +47,7 @@
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
-#define LAYER_DEEP_RATE 100.0 /* [1/s]: but what springs pull deeper than a millimetre comes out so much faster */
+#define LAYER_DEEP_RATE 100.0 /* [1/s]: but what springs pull deeper than MUS_NEAR_DEEP comes out so much faster */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
 #define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */

@@ -1,11 +1,11 @@
-/* test_near.c: contact by remembered planes against contact that asks the limbs at every call. */
+/* test_plane_cache.c: contact by remembered planes against contact that asks the limbs at every call. */
 #include <math.h>
 #include <string.h>
 
-#include "contact/near.h"
+#include "contact/plane_cache.h"
 #include "support.h"
 
-Suite *mus_suite_near(void);
+Suite *mus_suite_plane_cache(void);
 
 enum { NODES = 300, CALLS = 400 };
 
@@ -44,10 +44,10 @@ START_TEST(planes_do_what_asking_every_time_does)
     const double h = 2e-4;
     const double friction = _i == 1 ? 0.0 : _i == 2 ? INFINITY : 0.6;
     const mus__contact_rule rule = {.clearance = 0.002, .friction = friction, .push = 1e-3, .slip = h, .step = h,
-                                    .ball = MUS_NEAR_BALL};
+                                    .cache_radius = MUS__CACHE_RADIUS};
     static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES];
     static double near[8 * NODES], inverse[NODES];
-    mus__aside rest[NODES] = {{0, 0}};
+    mus__distance_cache rest[NODES] = {{0, 0}};
     mus__contact_tally asked = {0}, kept = {0};
     uint64_t random = 11;
     int differ = 0;
@@ -69,8 +69,8 @@ START_TEST(planes_do_what_asking_every_time_does)
         }
         memcpy(p, x, sizeof p), memcpy(w, v, sizeof w);
         memset(rest, 0, sizeof rest);
-        mus__contact_f64(collider, &rule, NODES, 0, NODES, inverse, before, 0, rest, p, w, &asked);
-        mus__near_f64(collider, &rule, NODES, 0, NODES, inverse, near, x, v, &kept);
+        mus__contact_pass_f64(collider, &rule, NODES, 0, NODES, inverse, before, 0, rest, p, w, &asked);
+        mus__plane_cache_pass_f64(collider, &rule, NODES, 0, NODES, inverse, near, x, v, &kept);
         for (int i = 0; i < 3 * NODES; i++) {
             ck_assert_double_eq_tol(x[i], p[i], 3e-6);
             ck_assert_double_eq_tol(v[i], w[i], 0.05);
@@ -93,16 +93,16 @@ START_TEST(what_is_deep_comes_out_faster)
     mus__collider *collider = two_legs(context);
     const double h = 2e-4, push = 2e-5, clearance = 0.002, deep = _i ? 100.0 : 0.0;
     const mus__contact_rule rule = {.clearance = clearance, .push = push, .deep = deep, .slip = h, .step = h,
-                                    .ball = MUS_NEAR_BALL};
+                                    .cache_radius = MUS__CACHE_RADIUS};
     mus__contact_tally tally = {0};
     for (int call = 0; call < 12; call++) {
         double x[3] = {0.063 - 0.001 * call, 0.01, 0.0}, v[3] = {0.0}, near[8] = {0}, inverse = 1000.0, after[3];
         near[7] = -1.0;
         const double depth = mus__collider_depth(collider, x, 0.0, NULL), lift = depth + clearance;
         for (int d = 0; d < 3; d++) x[d] -= collider->origin[d];
-        mus__near_f64(collider, &rule, 1, 0, 1, &inverse, near, x, v, &tally);
+        mus__plane_cache_pass_f64(collider, &rule, 1, 0, 1, &inverse, near, x, v, &tally);
         for (int d = 0; d < 3; d++) after[d] = x[d] + collider->origin[d];
-        const double most = push + deep * h * fmax(lift - MUS_NEAR_DEEP, 0.0), out = fmin(fmax(lift, 0.0), most);
+        const double most = push + deep * h * fmax(lift - MUS__CACHE_DEEP, 0.0), out = fmin(fmax(lift, 0.0), most);
         ck_assert_double_eq_tol(depth - mus__collider_depth(collider, after, 0.0, NULL), out, 1e-9 + 1e-3 * out);
     }
     mus__collider_destroy(collider);
@@ -118,7 +118,7 @@ START_TEST(nothing_falls_through_a_ball)
     mus__collider *collider = two_legs(context);
     const double h = 1e-4;
     const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.6, .push = 1e-3, .slip = h, .step = h,
-                                    .ball = MUS_NEAR_BALL};
+                                    .cache_radius = MUS__CACHE_RADIUS};
     float x[3], v[3], near[8], inverse[1] = {1000.0f};
     mus__contact_tally tally = {0};
     uint64_t random = 5;
@@ -130,7 +130,7 @@ START_TEST(nothing_falls_through_a_ball)
         near[7] = -1.0f;
         for (int i = 0; i < 1200; i++) {
             for (int d = 0; d < 3; d++) x[d] += (float)h * v[d];
-            mus__near_f32(collider, &rule, 1, 0, 1, inverse, near, x, v, &tally);
+            mus__plane_cache_pass_f32(collider, &rule, 1, 0, 1, inverse, near, x, v, &tally);
             const double p[3] = {(double)x[0] + collider->origin[0], (double)x[1] + collider->origin[1],
                                  (double)x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 3.2 * h);
@@ -142,9 +142,9 @@ START_TEST(nothing_falls_through_a_ball)
 END_TEST
 
 
-Suite *mus_suite_near(void)
+Suite *mus_suite_plane_cache(void)
 {
-    Suite *suite = suite_create("near");
+    Suite *suite = suite_create("plane_cache");
     TCase *tests = tcase_create("near");
     tcase_add_loop_test(tests, planes_do_what_asking_every_time_does, 0, 3);
     tcase_add_test(tests, nothing_falls_through_a_ball);

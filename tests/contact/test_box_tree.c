@@ -1,15 +1,15 @@
 /*
- * test_cloth_tree.c: what moves straight and comes near is found, each pair once, in trees of any size; what has a node
+ * test_box_tree.c: what moves straight and comes near is found, each pair once, in trees of any size; what has a node
  * in common is not; of what is asked for alone, all pairs.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/cloth_tree.h"
+#include "contact/box_tree.h"
 #include "support.h"
 
-Suite *mus_suite_cloth_tree(void);
+Suite *mus_suite_box_tree(void);
 
 #define NODES 900
 #define REACH 0.02f
@@ -17,13 +17,13 @@ Suite *mus_suite_cloth_tree(void);
 
 typedef struct swarm {
     mus_context *context;
-    mus__cloth_tree tree[2];
+    mus__box_tree tree[2];
     float at[2][NODES][3];
     int32_t class_of[NODES];
     uint8_t worn[NODES];
     uint8_t *seen; /* (things x things) */
     int32_t count;
-    const mus__cloth_tree *met;
+    const mus__box_tree *met;
 } swarm;
 
 
@@ -37,17 +37,17 @@ static float swarm_random(uint32_t *seed)
 /* things of `each` nodes that follow each other, `count` of them; a tree of their boxes */
 static void swarm_grow(swarm *s, int32_t which, int32_t each, int32_t count)
 {
-    ck_assert_int_eq(mus__cloth_tree_create(s->context, each, count, &s->tree[which]), MUS_OK);
-    mus__cloth_tree_clear(&s->tree[which]);
+    ck_assert_int_eq(mus__box_tree_create(s->context, each, count, &s->tree[which]), MUS_OK);
+    mus__box_tree_clear(&s->tree[which]);
     for (int32_t i = 0; i < count; i++) {
         int32_t node[3] = {0, 0, 0};
         for (int32_t k = 0; k < each; k++) node[k] = (i + k) % NODES;
-        mus__cloth_tree_add(&s->tree[which], node, s->class_of);
+        mus__box_tree_add(&s->tree[which], node, s->class_of);
     }
 }
 
 
-static void swarm_boxes(swarm *s, mus__cloth_tree *tree, const uint8_t *worn)
+static void swarm_boxes(swarm *s, mus__box_tree *tree, const uint8_t *worn)
 {
     for (int32_t i = 0; i < tree->count; i++)
         for (int32_t time = 0; time < 2; time++)
@@ -60,7 +60,7 @@ static void swarm_boxes(swarm *s, mus__cloth_tree *tree, const uint8_t *worn)
                 float *box = tree->box + i / 16 * 16 * 12 + i % 16 + (6 * time + d) * 16;
                 box[0] = low, box[3 * 16] = high;
             }
-    mus__cloth_tree_fit(tree, worn);
+    mus__box_tree_fit(tree, worn);
 }
 
 
@@ -125,14 +125,14 @@ static int32_t swarm_worn(const swarm *s, int32_t a, int32_t each)
 /* all pairs of both trees that are asked for are found, and none that has a node of one class, or is not */
 static void swarm_check(swarm *s, int32_t one, int32_t two, int32_t some)
 {
-    const mus__cloth_tree *a = &s->tree[one], *b = &s->tree[two];
+    const mus__box_tree *a = &s->tree[one], *b = &s->tree[two];
     int64_t found = 0;
     s->count = 16 * ((b->count + 15) / 16);
     s->seen = calloc((size_t)a->count * (size_t)s->count, 1);
     swarm_boxes(s, &s->tree[one], some ? s->worn : NULL);
     if (one != two) swarm_boxes(s, &s->tree[two], some ? s->worn : NULL);
-    if (some) mus__cloth_tree_asked(a, b, REACH, swarm_met, swarm_met_back, s);
-    else mus__cloth_tree_pairs(a, b, REACH, swarm_met, s);
+    if (some) mus__box_tree_stale_pairs(a, b, REACH, swarm_met, swarm_met_back, s);
+    else mus__box_tree_pairs(a, b, REACH, swarm_met, s);
     for (int32_t i = 0; i < a->count; i++)
         for (int32_t j = one == two ? i + 1 : 0; j < b->count; j++) {
             const int32_t met = s->seen[i * (int64_t)s->count + j] ||
@@ -167,23 +167,23 @@ START_TEST(what_comes_near_is_found)
     }
     swarm_grow(&s, 0, 2, count[_i][0]);
     swarm_grow(&s, 1, 1, count[_i][1]);
-    mus__cloth_tree_raise(&s.tree[0], 0);
-    mus__cloth_tree_raise(&s.tree[1], s.tree[0].levels);
-    if (s.tree[1].levels > s.tree[0].levels) mus__cloth_tree_raise(&s.tree[0], s.tree[1].levels);
+    mus__box_tree_raise(&s.tree[0], 0);
+    mus__box_tree_raise(&s.tree[1], s.tree[0].tiers);
+    if (s.tree[1].tiers > s.tree[0].tiers) mus__box_tree_raise(&s.tree[0], s.tree[1].tiers);
     for (int32_t some = 0; some < 2; some++) {
         swarm_check(&s, 0, 0, some);
         swarm_check(&s, 1, 0, some);
     }
-    mus__cloth_tree_destroy(s.context, &s.tree[0]);
-    mus__cloth_tree_destroy(s.context, &s.tree[1]);
+    mus__box_tree_destroy(s.context, &s.tree[0]);
+    mus__box_tree_destroy(s.context, &s.tree[1]);
     support_context_end(s.context);
 }
 END_TEST
 
 
-Suite *mus_suite_cloth_tree(void)
+Suite *mus_suite_box_tree(void)
 {
-    Suite *suite = suite_create("cloth_tree");
+    Suite *suite = suite_create("box_tree");
     TCase *tests = tcase_create("tree");
     tcase_add_loop_test(tests, what_comes_near_is_found, 0, 4);
     suite_add_tcase(suite, tests);

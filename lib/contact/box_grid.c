@@ -1,18 +1,18 @@
 /*
- * cloth_grid.c: boxes to cells, cells to pairs.
+ * box_grid.c: boxes to cells, cells to pairs.
  *
  * Two passes sort the boxes by cell; then each cell meets itself and 13 of its neighbours, the other 13 having met it.
  */
 #include <string.h>
 
-#include "contact/cloth_grid.h"
+#include "contact/box_grid.h"
 
 #define GRID_BITS 18     /* of a cell's number along an axis: farther off is in the last cell */
 #define GRID_ROUND 4e-7f /* of a coordinate: sums of floats are off by less */
 #define GRID_LEAST 1e-6f /* [m] a cell is at least so wide */
 
 
-mus_status mus__cloth_grid_create(mus_context *context, int32_t capacity, mus__cloth_grid *grid)
+mus_status mus__box_grid_create(mus_context *context, int32_t capacity, mus__box_grid *grid)
 {
     memset(grid, 0, sizeof *grid);
     grid->capacity = capacity;
@@ -24,15 +24,15 @@ mus_status mus__cloth_grid_create(mus_context *context, int32_t capacity, mus__c
     grid->key = mus__new(context, capacity, sizeof *grid->key);
     grid->slot = mus__new(context, grid->slots, sizeof *grid->slot);
     if (grid->box != NULL) grid->sorted = grid->box + 6 * (int64_t)capacity;
-    if (grid->box != NULL && grid->item != NULL && grid->of != NULL && grid->start != NULL &&
-        grid->key != NULL && grid->slot != NULL)
+    if (grid->box != NULL && grid->item != NULL && grid->of != NULL && grid->start != NULL && grid->key != NULL &&
+        grid->slot != NULL)
         return MUS_OK;
-    mus__cloth_grid_destroy(context, grid);
+    mus__box_grid_destroy(context, grid);
     return mus__fail_memory(context, "the grid of a cloth");
 }
 
 
-void mus__cloth_grid_destroy(mus_context *context, mus__cloth_grid *grid)
+void mus__box_grid_destroy(mus_context *context, mus__box_grid *grid)
 {
     void *blocks[] = {grid->box, grid->item, grid->of, grid->start, grid->key, grid->slot};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
@@ -55,18 +55,18 @@ static int64_t grid_key(int64_t x, int64_t y, int64_t z)
 
 
 /* the slot that has the key, or the free one where it belongs */
-static mus__cloth_slot *grid_find(const mus__cloth_grid *grid, int64_t key)
+static mus__box_slot *grid_find(const mus__box_grid *grid, int64_t key)
 {
     uint64_t at = (uint64_t)key * UINT64_C(0x9E3779B97F4A7C15) >> 32;
     for (;; at++) {
-        mus__cloth_slot *slot = &grid->slot[at & (uint64_t)(grid->slots - 1)];
+        mus__box_slot *slot = &grid->slot[at & (uint64_t)(grid->slots - 1)];
         if (slot->cell == MUS_NONE || slot->key == key) return slot;
     }
 }
 
 
 /* the first n boxes sorted by cells of at least `reach` and the largest box; returns the number of cells */
-static int32_t grid_sort(mus__cloth_grid *grid, int32_t n, float reach)
+static int32_t grid_sort(mus__box_grid *grid, int32_t n, float reach)
 {
     float low[3] = {3e38f, 3e38f, 3e38f}, size = GRID_LEAST, far = 0.0f;
     for (int32_t i = 0; i < n; i++)
@@ -88,7 +88,7 @@ static int32_t grid_sort(mus__cloth_grid *grid, int32_t n, float reach)
         int64_t at[3];
         for (int32_t d = 0; d < 3; d++) at[d] = grid_number(0.5f * (b[d] + b[d + 3]), low[d], size);
         const int64_t key = grid_key(at[0], at[1], at[2]);
-        mus__cloth_slot *slot = grid_find(grid, key);
+        mus__box_slot *slot = grid_find(grid, key);
         if (slot->cell == MUS_NONE) {
             slot->key = grid->key[cells] = key;
             slot->cell = cells++;
@@ -111,8 +111,8 @@ static int32_t grid_sort(mus__cloth_grid *grid, int32_t n, float reach)
 
 
 /* box number i of the sorted ones with those of a cell from number j on; some: with none that comes to i by itself */
-static void grid_meet(const mus__cloth_grid *grid, int32_t i, int32_t j, int32_t end, float reach, const uint8_t *some,
-                      mus__cloth_pair_fn fn, void *user)
+static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t end, float reach, const uint8_t *some,
+                      mus__box_pair_fn fn, void *user)
 {
     const float *a = grid->sorted + 6 * (int64_t)i;
     const float l0 = a[0] - reach, l1 = a[1] - reach, l2 = a[2] - reach;
@@ -129,8 +129,8 @@ static void grid_meet(const mus__cloth_grid *grid, int32_t i, int32_t j, int32_t
 
 
 /* of some boxes with all in their cell and the 26 round it */
-static void grid_some(const mus__cloth_grid *grid, int32_t cells, float reach, const uint8_t *some,
-                      mus__cloth_pair_fn fn, void *user)
+static void grid_some(const mus__box_grid *grid, int32_t cells, float reach, const uint8_t *some, mus__box_pair_fn fn,
+                      void *user)
 {
     for (int32_t c = 0; c < cells; c++)
         for (int32_t i = grid->start[c]; i < grid->start[c + 1]; i++) {
@@ -145,8 +145,8 @@ static void grid_some(const mus__cloth_grid *grid, int32_t cells, float reach, c
 }
 
 
-void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, const uint8_t *some, mus__cloth_pair_fn fn,
-                           void *user)
+void mus__box_grid_pairs(mus__box_grid *grid, int32_t n, float reach, const uint8_t *some, mus__box_pair_fn fn,
+                         void *user)
 {
     const int32_t cells = n > 0 ? grid_sort(grid, n, reach) : 0;
     if (some != NULL) {
@@ -158,7 +158,7 @@ void mus__cloth_grid_pairs(mus__cloth_grid *grid, int32_t n, float reach, const 
         for (int32_t k = 0; k < 14; k++) {
             /* itself, and those ahead of it in the order of x, y, z */
             const int32_t dz = (k + 13) % 3 - 1, dy = (k + 13) / 3 % 3 - 1, dx = (k + 13) / 9 - 1;
-            const mus__cloth_slot *slot = k > 0 ? grid_find(grid, grid->key[c] + grid_key(dx, dy, dz)) : NULL;
+            const mus__box_slot *slot = k > 0 ? grid_find(grid, grid->key[c] + grid_key(dx, dy, dz)) : NULL;
             const int32_t other = slot != NULL ? slot->cell : c;
             if (other == MUS_NONE) continue;
             for (int32_t i = first; i < end; i++)

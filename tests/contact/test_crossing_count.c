@@ -1,14 +1,14 @@
 /*
- * test_cloth_crossing.c: whether cloth goes through cloth, against whole numbers that cannot round and against asking
+ * test_crossing_count.c: whether cloth goes through cloth, against whole numbers that cannot round and against asking
  * every triangle of every other.
  */
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/cloth_crossing.h"
+#include "contact/crossing_count.h"
 #include "support.h"
 
-Suite *mus_suite_cloth_crossing(void);
+Suite *mus_suite_crossing_count(void);
 
 #define TRIANGLES 160
 
@@ -61,7 +61,7 @@ START_TEST(a_segment_meets_a_triangle_as_in_whole_numbers)
             p[k / 3][k % 3] = (int64_t)(support_random(&state) % 7);
             x[k / 3][k % 3] = (double)p[k / 3][k % 3] / 1024.0;
         }
-        const int32_t got = mus__cloth_pierces(x[0], x[1], x[2], x[3], x[4]);
+        const int32_t got = mus__segment_meets_triangle(x[0], x[1], x[2], x[3], x[4]);
         if (volume(p[2], p[3], p[4], p[0]) == volume(p[2], p[3], p[4], p[1])) {
             flat++; /* along the plane, or no triangle */
             continue;
@@ -89,8 +89,8 @@ START_TEST(in_the_plane_a_segment_meets_what_it_covers)
         {{-1, 0, 1}, {0, -1, 1}, 0},  {{0, 0, 1}, {-1, -1, 1}, 1},  {{1, 1, 2}, {2, 1, 2}, 0},
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        ck_assert_int_eq(mus__cloth_pierces(row[i].p, row[i].q, a, b, c), row[i].meets);
-        ck_assert_int_eq(mus__cloth_pierces(row[i].q, row[i].p, b, c, a), row[i].meets);
+        ck_assert_int_eq(mus__segment_meets_triangle(row[i].p, row[i].q, a, b, c), row[i].meets);
+        ck_assert_int_eq(mus__segment_meets_triangle(row[i].q, row[i].p, b, c, a), row[i].meets);
     }
 }
 END_TEST
@@ -126,7 +126,7 @@ static int edges_meet(const int32_t *triangle, const int32_t *class_of, const do
     for (int k = 0; k < 3; k++) {
         const int32_t p = triangle[3 * s + k], q = triangle[3 * s + (k + 1) % 3], *c = triangle + 3 * t;
         if (share(triangle, class_of, p, t) || share(triangle, class_of, q, t)) continue;
-        found += mus__cloth_pierces(x + 3 * p, x + 3 * q, x + 3 * c[0], x + 3 * c[1], x + 3 * c[2]);
+        found += mus__segment_meets_triangle(x + 3 * p, x + 3 * q, x + 3 * c[0], x + 3 * c[1], x + 3 * c[2]);
     }
     return found;
 }
@@ -142,8 +142,8 @@ static void count_calls(void *user, int32_t p, int32_t q, int32_t of, int32_t me
 START_TEST(crossings_are_those_of_every_triangle_with_every_other)
 {
     mus_context *context = support_context();
-    mus__cloth_grid grid;
-    ck_assert_int_eq(mus__cloth_grid_create(context, TRIANGLES, &grid), MUS_OK);
+    mus__box_grid grid;
+    ck_assert_int_eq(mus__box_grid_create(context, TRIANGLES, &grid), MUS_OK);
     uint64_t state = 5;
     int64_t all = 0;
     for (int round = 0; round < 40; round++) {
@@ -158,13 +158,13 @@ START_TEST(crossings_are_those_of_every_triangle_with_every_other)
                 want += found > 0;
                 edges += found;
             }
-        const int64_t got = mus__cloth_crossings(&grid, TRIANGLES, triangle, class_of, x, count_calls, &calls);
+        const int64_t got = mus__crossing_count(&grid, TRIANGLES, triangle, class_of, x, count_calls, &calls);
         ck_assert_int_eq(got, want);
         ck_assert_int_eq(calls, edges);
         all += want;
     }
     ck_assert_int_gt(all, 2000);
-    mus__cloth_grid_destroy(context, &grid);
+    mus__box_grid_destroy(context, &grid);
     support_context_end(context);
 }
 END_TEST
@@ -186,9 +186,9 @@ static void mark(void *user, int32_t a, int32_t b)
 START_TEST(the_grid_finds_every_near_pair_once)
 {
     mus_context *context = support_context();
-    mus__cloth_grid grid;
+    mus__box_grid grid;
     met *m = calloc(1, sizeof *m);
-    ck_assert_int_eq(mus__cloth_grid_create(context, TRIANGLES, &grid), MUS_OK);
+    ck_assert_int_eq(mus__box_grid_create(context, TRIANGLES, &grid), MUS_OK);
     uint64_t state = 8;
     for (int round = 0; round < 30; round++) {
         const double wide = round % 3 == 0 ? 100.0 : 1.0;
@@ -200,7 +200,7 @@ START_TEST(the_grid_finds_every_near_pair_once)
                 grid.box[6 * i + d] = (float)low;
                 grid.box[6 * i + 3 + d] = (float)(low + support_uniform(&state, 0.0, 0.3));
             }
-        mus__cloth_grid_pairs(&grid, TRIANGLES, reach, NULL, mark, m);
+        mus__box_grid_pairs(&grid, TRIANGLES, reach, NULL, mark, m);
         for (int a = 0; a < TRIANGLES; a++)
             for (int b = a + 1; b < TRIANGLES; b++) {
                 int near = 1;
@@ -211,16 +211,16 @@ START_TEST(the_grid_finds_every_near_pair_once)
                 ck_assert_int_ge(m->seen[a * TRIANGLES + b], near);
             }
     }
-    mus__cloth_grid_destroy(context, &grid);
+    mus__box_grid_destroy(context, &grid);
     free(m);
     support_context_end(context);
 }
 END_TEST
 
 
-Suite *mus_suite_cloth_crossing(void)
+Suite *mus_suite_crossing_count(void)
 {
-    Suite *suite = suite_create("cloth_crossing");
+    Suite *suite = suite_create("crossing_count");
     TCase *tests = tcase_create("cloth_crossing");
     tcase_add_test(tests, a_segment_meets_a_triangle_as_in_whole_numbers);
     tcase_add_test(tests, in_the_plane_a_segment_meets_what_it_covers);

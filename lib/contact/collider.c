@@ -1,5 +1,5 @@
 /*
- * contact.c: the collider: the body's radius fields copied for float and double, with a box round each part; planes.
+ * collider.c: the collider: the body's radius fields copied for float and double, with a box round each part; planes.
  *
  * Boxes are of the capsule-like hull of the axis: the span of the axis widened by the reach of the contours. A node
  * outside every box pays six comparisons a part and nothing else.
@@ -8,14 +8,15 @@
 #include <string.h>
 
 #include "body/body_internal.h"
-#include "contact/contact.h"
+#include "contact/contact_template.h"
 
-#define BIG 1e30
-#define CAP_FALL 0.4999   /* most of k of a cap, which is below 1/2 */
-#define OFFSET_NEAR 1e-3  /* [rings] that is near enough */
-#define OFFSET_ROUNDS 8   /* towards the point that a point of the wider surface lies off */
-#define SAFE_PART 0.5     /* of the least radius: so deep in a limb the nearest skin is the one that was passed */
-#define STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
+#define COLLIDER_FAR 1e30
+#define COLLIDER_CAP_FALL 0.4999  /* most of k of a cap, which is below 1/2 */
+#define COLLIDER_OFFSET_NEAR 1e-3 /* [rings] that is near enough */
+#define COLLIDER_OFFSET_ROUNDS 8  /* towards the point that a point of the wider surface lies off */
+#define COLLIDER_SAFE_SHARE 0.5 /* of the least radius: so deep in a limb the nearest skin is the one that was passed  \
+                                 */
+#define COLLIDER_STEEP_MARGIN 0.02 /* [m]: near a cap the radius is far from the surface that is close */
 
 
 /* largest radius of rings k and k+1 of a table (nring x nangle) */
@@ -63,7 +64,7 @@ static double offset_radius(const mus__field *field, int32_t k, int32_t j, doubl
     const double x = (int32_t)angle % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
     const double ua = (angle < 1.0 || angle >= 3.0 ? x : -x) / length, ub = (angle < 2.0 ? y : -y) / length;
     double u = k, radius = 0.0;
-    for (int32_t round = 0; round < OFFSET_ROUNDS; round++) {
+    for (int32_t round = 0; round < COLLIDER_OFFSET_ROUNDS; round++) {
         /* between the two rings round u */
         const int32_t at = u >= field->nring - 1 ? field->nring - 2 : (int32_t)u;
         const double t = u - at;
@@ -76,7 +77,7 @@ static double offset_radius(const mus__field *field, int32_t k, int32_t j, doubl
         const double back = (c[0] - c0[0] - t * (c0[2] - c0[0])) * ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * ub;
         radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + skin * plane / length_g - back;
         const double next = fmin(fmax(k - skin * up / (length_g * field->ds), 0.0), field->nring - 1);
-        if (fabs(next - u) < OFFSET_NEAR) break;
+        if (fabs(next - u) < COLLIDER_OFFSET_NEAR) break;
         u = next;
     }
     return radius;
@@ -86,7 +87,7 @@ static double offset_radius(const mus__field *field, int32_t k, int32_t j, doubl
 /* the cap of an end of the surface `skin` off a field, from the rings of that surface. The quarter of an ellipse leaves
  * the last ring with the mean slope of the stack, taken of the squares, and ends at the pole: with k = -R' length / R
  * the last ring lies at v = k / (1 - k) of the half axis L, and L = length / (1 - v) */
-static void fit_cap(const mus__field *from, double skin, int32_t end, mus__f64_field *to)
+static void fit_cap(const mus__field *from, double skin, int32_t end, mus__field_f64 *to)
 {
     const int32_t last = from->nring - 1, n = from->nangle;
     const double *ring = to->radius + (end == 0 ? 0 : (int64_t)last * n), *next = end == 0 ? ring + n : ring - n;
@@ -100,7 +101,9 @@ static void fit_cap(const mus__field *from, double skin, int32_t end, mus__f64_f
             rise += next[j] * next[j] - ring[j] * ring[j];
         }
         const double length = fabs(to->pole[end] - s), fall = 0.5 * rise / from->ds * length / squares;
-        v = fall <= 0.0 ? 0.0 : fall >= CAP_FALL ? CAP_FALL / (1.0 - CAP_FALL) : fall / (1.0 - fall);
+        v = fall <= 0.0                 ? 0.0
+            : fall >= COLLIDER_CAP_FALL ? COLLIDER_CAP_FALL / (1.0 - COLLIDER_CAP_FALL)
+                                        : fall / (1.0 - fall);
         half = length / (1.0 - v);
     }
     to->middle[end] = s - outward * v * half;
@@ -110,7 +113,7 @@ static void fit_cap(const mus__field *from, double skin, int32_t end, mus__f64_f
 
 
 /* table of one limb in double: centre, radius, largest, in this order */
-static void fill_double(const mus__field *from, const double *origin, double skin, mus__f64_field *to, double *table)
+static void fill_double(const mus__field *from, const double *origin, double skin, mus__field_f64 *to, double *table)
 {
     const int64_t nring = from->nring, nradius = nring * from->nangle;
     for (int32_t i = 0; i < 3; i++) to->origin[i] = from->origin[i] - origin[i];
@@ -138,7 +141,7 @@ static void fill_double(const mus__field *from, const double *origin, double ski
 
 
 /* the float form of a double field; `table` holds its rounded rings */
-static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *table)
+static void fill_float(const mus__field_f64 *from, mus__field_f32 *to, float *table)
 {
     const int64_t nring = from->nring, nradius = nring * from->nangle, total = 3 * nring + nradius;
     for (int32_t i = 0; i < 3; i++) {
@@ -167,7 +170,7 @@ static void fill_float(const mus__f64_field *from, mus__f32_field *to, float *ta
 
 
 /* where a part was made: the field of a posed body is carried by a frame, its limb is not */
-static void fill_home(const mus__field *from, const mus__limb *limb, const double *origin, mus__contact_home *home)
+static void fill_home(const mus__field *from, const mus__limb *limb, const double *origin, mus__collider_part *home)
 {
     for (int32_t i = 0; i < 3; i++) home->origin[i] = limb->origin[i] - origin[i];
     memcpy(home->axis, limb->axis, sizeof home->axis);
@@ -181,7 +184,7 @@ static void fill_home(const mus__field *from, const mus__limb *limb, const doubl
 /* least radius of a part */
 static double thinnest(const mus__field *field)
 {
-    double least = BIG;
+    double least = COLLIDER_FAR;
     for (int64_t i = 0; i < (int64_t)field->nring * field->nangle; i++) least = fmin(least, field->radius[i]);
     return least;
 }
@@ -191,28 +194,28 @@ static double thinnest(const mus__field *field)
 static mus_status fill_parts(mus__collider *collider, const mus_body *body)
 {
     mus_context *context = collider->context;
-    const int32_t n = collider->nlimb = body->nfield;
+    const int32_t n = collider->nparts = body->nfield;
     int64_t total = 0;
     for (int32_t l = 0; l < n; l++) total += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     collider->field32 = mus__new(context, n, sizeof *collider->field32);
     collider->field64 = mus__new(context, n, sizeof *collider->field64);
     collider->box = mus__new(context, 6 * (int64_t)n, sizeof *collider->box);
-    collider->home = mus__new(context, n, sizeof *collider->home);
-    collider->carry = mus__new(context, n, sizeof *collider->carry);
+    collider->part = mus__new(context, n, sizeof *collider->part);
+    collider->motion = mus__new(context, n, sizeof *collider->motion);
     collider->frame = mus__new(context, n, sizeof *collider->frame);
     collider->table32 = mus__new(context, total, sizeof *collider->table32);
     collider->table64 = mus__new(context, total, sizeof *collider->table64);
-    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->home == NULL ||
-        collider->carry == NULL || collider->frame == NULL || collider->table32 == NULL || collider->table64 == NULL)
+    if (collider->field32 == NULL || collider->field64 == NULL || collider->box == NULL || collider->part == NULL ||
+        collider->motion == NULL || collider->frame == NULL || collider->table32 == NULL || collider->table64 == NULL)
         return mus__fail_memory(context, "the radius fields of a collider");
 
     int64_t at = 0;
     for (int32_t l = 0; l < n; l++) {
-        fill_double(&body->field[l], collider->origin, collider->skin, &collider->field64[l], collider->table64 + at);
+        fill_double(&body->field[l], collider->origin, collider->offset, &collider->field64[l], collider->table64 + at);
         fill_float(&collider->field64[l], &collider->field32[l], collider->table32 + at);
-        fill_home(&body->field[l], &body->limb[body->rig.part[l].limb], collider->origin, &collider->home[l]);
-        collider->home[l].safe = SAFE_PART * thinnest(&body->field[l]);
-        collider->safe = fmin(collider->safe, collider->home[l].safe);
+        fill_home(&body->field[l], &body->limb[body->rig.part[l].limb], collider->origin, &collider->part[l]);
+        collider->part[l].safe = COLLIDER_SAFE_SHARE * thinnest(&body->field[l]);
+        collider->safe = fmin(collider->safe, collider->part[l].safe);
         at += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
     }
     return MUS_OK;
@@ -223,14 +226,14 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
                                 mus__collider **out)
 {
     *out = NULL;
-    if (body != NULL && body->nfield > MUS_LIMBS_MOST)
+    if (body != NULL && body->nfield > MUS__PARTS_MAX)
         return mus__fail(context, MUS_ERR_LIMIT, "body: %d limbs, at most %d can be collided with", (int)body->nfield,
-                         MUS_LIMBS_MOST);
+                         MUS__PARTS_MAX);
     mus__collider *collider = mus__new(context, 1, sizeof *collider);
     if (collider == NULL) return mus__fail_memory(context, "a collider");
     collider->context = context;
-    collider->skin = skin;
-    collider->safe = BIG;
+    collider->offset = skin;
+    collider->safe = COLLIDER_FAR;
     memcpy(collider->origin, origin, sizeof collider->origin);
     const mus_status status = body != NULL ? fill_parts(collider, body) : MUS_OK;
     if (status != MUS_OK) {
@@ -251,8 +254,8 @@ void mus__collider_destroy(mus__collider *collider)
     mus__free(context, collider->field32);
     mus__free(context, collider->field64);
     mus__free(context, collider->box);
-    mus__free(context, collider->home);
-    mus__free(context, collider->carry);
+    mus__free(context, collider->part);
+    mus__free(context, collider->motion);
     mus__free(context, collider->frame);
     mus__free(context, collider->plane);
     mus__free(context, collider->table32);
@@ -268,26 +271,27 @@ static void to_state(const mus__collider *collider, const double *point, double 
 }
 
 
-/* depth of a point of the world below plane k; -BIG beside and far below a disc */
+/* depth of a point of the world below plane k; -COLLIDER_FAR beside and far below a disc */
 static double plane_depth(const mus__collider *collider, int32_t k, const double *point)
 {
-    const mus__contact_plane *plane = &collider->plane[k];
+    const mus__collider_plane *plane = &collider->plane[k];
     double up = 0.0, across2 = 0.0;
     for (int32_t i = 0; i < 3; i++) up += (point[i] - plane->point[i]) * plane->normal[i];
     for (int32_t i = 0; i < 3; i++) across2 += pow(point[i] - plane->point[i] - up * plane->normal[i], 2.0);
-    if (plane->reach > 0.0 && (up < -MUS_PLANE_THICK || across2 > plane->reach * plane->reach)) return -BIG;
+    if (plane->reach > 0.0 && (up < -MUS__DISC_THICKNESS || across2 > plane->reach * plane->reach))
+        return -COLLIDER_FAR;
     return -up;
 }
 
 
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal)
 {
-    double p[3], deepest = -BIG;
+    double p[3], deepest = -COLLIDER_FAR;
     to_state(collider, point, p);
-    for (int32_t l = 0; l < collider->nlimb; l++) {
+    for (int32_t l = 0; l < collider->nparts; l++) {
         double n[3];
         int32_t near;
-        const double depth = mus__f64_query(&collider->field64[l], p, margin, n, &near) - collider->skin;
+        const double depth = mus__field_query_f64(&collider->field64[l], p, margin, n, &near) - collider->offset;
         if (near != 1 || depth <= deepest) continue;
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
@@ -308,14 +312,14 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
     double p[3];
     to_state(collider, point, p);
     int32_t count = 0;
-    for (int32_t l = 0; l < collider->nlimb && count < MUS_TOUCH_MOST; l++) {
+    for (int32_t l = 0; l < collider->nparts && count < MUS__TOUCHING_MAX; l++) {
         int32_t near;
-        const double depth =
-            mus__f64_query(&collider->field64[l], p, reach + STEEP_MARGIN, normals + 3 * (int64_t)count, &near);
-        if (near == 1 && depth > collider->skin - reach) friction[count++] = -1.0;
+        const double depth = mus__field_query_f64(&collider->field64[l], p, reach + COLLIDER_STEEP_MARGIN,
+                                                  normals + 3 * (int64_t)count, &near);
+        if (near == 1 && depth > collider->offset - reach) friction[count++] = -1.0;
     }
-    for (int32_t k = 0; k < collider->nplane && count < MUS_TOUCH_MOST; k++) {
-        const mus__contact_plane *plane = &collider->plane[k];
+    for (int32_t k = 0; k < collider->nplane && count < MUS__TOUCHING_MAX; k++) {
+        const mus__collider_plane *plane = &collider->plane[k];
         if (!(plane_depth(collider, k, point) > -reach)) continue;
         memcpy(normals + 3 * (int64_t)count, plane->normal, 3 * sizeof *normals);
         friction[count++] = plane->friction;

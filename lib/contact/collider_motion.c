@@ -1,5 +1,5 @@
 /*
- * stand.c: where the surfaces of a collider stand, and what they did in the last step.
+ * collider_motion.c: where the surfaces of a collider stand, and what they did in the last step.
  *
  * Parts of the body are carried by frames, and all glide with one velocity; planes move with a velocity and turn about
  * their normal. A step of a surface is a rigid motion. Of a plane, with a the angle turned, K the cross product by the
@@ -13,13 +13,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/contact.h"
+#include "contact/contact_template.h"
 
-#define TURN_SMALL 0.25 /* [rad]: below it the sums are exact to rounding */
+#define MOTION_TURN_SMALL 0.25 /* [rad]: below it the sums are exact to rounding */
 
 
 /* box of part l: its axis from end to end, widened by the reach in the contour's plane */
-static void part_box(const mus__contact_home *home, const mus__f64_field *field, double skin, double *box)
+static void part_box(const mus__collider_part *home, const mus__field_f64 *field, double skin, double *box)
 {
     for (int32_t i = 0; i < 3; i++) {
         const double start = field->origin[i];
@@ -35,9 +35,9 @@ static void part_box(const mus__contact_home *home, const mus__f64_field *field,
 /* the fields and the box of part l to where it stands now */
 static void stand_part(mus__collider *collider, int32_t l)
 {
-    const mus__contact_home *home = &collider->home[l];
-    mus__f64_field *wide = &collider->field64[l];
-    mus__f32_field *slim = &collider->field32[l];
+    const mus__collider_part *home = &collider->part[l];
+    mus__field_f64 *wide = &collider->field64[l];
+    mus__field_f32 *slim = &collider->field32[l];
     memcpy(wide->origin, home->origin, sizeof wide->origin);
     memcpy(wide->axis, home->axis, sizeof wide->axis);
     memcpy(wide->side, home->side, sizeof wide->side);
@@ -58,7 +58,7 @@ static void stand_part(mus__collider *collider, int32_t l)
         slim->axis[i] = (float)wide->axis[i], slim->side[i] = (float)wide->side[i];
         slim->front[i] = (float)wide->front[i];
     }
-    part_box(home, wide, collider->skin, collider->box + 6 * (int64_t)l);
+    part_box(home, wide, collider->offset, collider->box + 6 * (int64_t)l);
 }
 
 
@@ -88,7 +88,7 @@ static void cross(const double *a, const double *b, double *out)
  *   speed(x1) = (r x x1 + w) / h + drift,   w = c - r x c / 2 + r x (r x c) / 12
  */
 static void carry_of(const mus__collider *collider, const mus__frame *was, const mus__frame *now, const double *drift,
-                     double h, mus__carry *out)
+                     double h, mus__surface_motion *out)
 {
     double turn[9], far[3], round[3], once[3], twice[3];
     turn_between(now->turn, was->turn, turn);
@@ -105,19 +105,19 @@ static void carry_of(const mus__collider *collider, const mus__frame *was, const
     cross(round, once, twice);
     for (int32_t i = 0; i < 3; i++) {
         const int32_t j = (i + 1) % 3, k = (i + 2) % 3;
-        out->on[3 * i + i] = turn[3 * i + i] - 1.0, out->speed[3 * i + i] = 0.0;
-        out->on[3 * i + j] = turn[3 * i + j], out->speed[3 * i + j] = -round[k] / h;
-        out->on[3 * i + k] = turn[3 * i + k], out->speed[3 * i + k] = round[j] / h;
-        out->on[9 + i] = far[i] + h * drift[i];
-        out->speed[9 + i] = (far[i] - once[i] / 2.0 + twice[i] / 12.0) / h + drift[i];
+        out->displacement[3 * i + i] = turn[3 * i + i] - 1.0, out->velocity[3 * i + i] = 0.0;
+        out->displacement[3 * i + j] = turn[3 * i + j], out->velocity[3 * i + j] = -round[k] / h;
+        out->displacement[3 * i + k] = turn[3 * i + k], out->velocity[3 * i + k] = round[j] / h;
+        out->displacement[9 + i] = far[i] + h * drift[i];
+        out->velocity[9 + i] = (far[i] - once[i] / 2.0 + twice[i] / 12.0) / h + drift[i];
     }
 
     /* of places in the state's coordinates, before and after the step */
     for (int32_t i = 0; i < 3; i++)
         for (int32_t d = 0; d < 3; d++) {
             const double after = collider->origin[d] - collider->shift[d];
-            out->on[9 + i] += out->on[3 * i + d] * (after + h * drift[d]);
-            out->speed[9 + i] += out->speed[3 * i + d] * after;
+            out->displacement[9 + i] += out->displacement[3 * i + d] * (after + h * drift[d]);
+            out->velocity[9 + i] += out->velocity[3 * i + d] * after;
         }
 }
 
@@ -132,25 +132,25 @@ void mus__collider_move(mus__collider *collider, const mus__frame *frame, const 
     const int32_t glides = h > 0.0 && (drift[0] != 0.0 || drift[1] != 0.0 || drift[2] != 0.0);
     memcpy(collider->shift, shift, sizeof collider->shift);
     for (int32_t i = 0; i < 3; i++) collider->drift[i] = glides ? drift[i] : 0.0;
-    collider->moving = glides ? MUS_GLIDED : MUS_STOOD;
-    for (int32_t l = 0; l < collider->nlimb && h > 0.0; l++) {
+    collider->moving = glides ? MUS__TRANSLATED : MUS__AT_REST;
+    for (int32_t l = 0; l < collider->nparts && h > 0.0; l++) {
         const mus__frame *was = collider->turned ? &collider->frame[l] : &at_home;
         const mus__frame *now = frame != NULL ? &frame[l] : &at_home;
-        if (memcmp(was, now, sizeof *now) != 0) collider->moving = MUS_TURNED;
+        if (memcmp(was, now, sizeof *now) != 0) collider->moving = MUS__TURNED;
     }
-    for (int32_t l = 0; l < collider->nlimb; l++) {
+    for (int32_t l = 0; l < collider->nparts; l++) {
         const mus__frame was = collider->turned ? collider->frame[l] : at_home;
         collider->frame[l] = frame != NULL ? frame[l] : at_home;
-        if (collider->moving == MUS_TURNED)
-            carry_of(collider, &was, &collider->frame[l], collider->drift, h, &collider->carry[l]);
+        if (collider->moving == MUS__TURNED)
+            carry_of(collider, &was, &collider->frame[l], collider->drift, h, &collider->motion[l]);
     }
     collider->turned = frame != NULL;
-    for (int32_t l = 0; l < collider->nlimb; l++) stand_part(collider, l);
-    if (collider->moving != MUS_GLIDED || collider->nlimb == 0) return;
-    memset(collider->carry, 0, sizeof *collider->carry);
+    for (int32_t l = 0; l < collider->nparts; l++) stand_part(collider, l);
+    if (collider->moving != MUS__TRANSLATED || collider->nparts == 0) return;
+    memset(collider->motion, 0, sizeof *collider->motion);
     for (int32_t i = 0; i < 3; i++) {
-        collider->carry->on[9 + i] = h * drift[i];
-        collider->carry->speed[9 + i] = drift[i];
+        collider->motion->displacement[9 + i] = h * drift[i];
+        collider->motion->velocity[9 + i] = drift[i];
     }
 }
 
@@ -161,17 +161,17 @@ mus_status mus__collider_add_plane(mus__collider *collider, const double *point,
                                    double reach)
 {
     mus_context *context = collider->context;
-    if (collider->nplane == MUS_PLANES_MOST)
-        return mus__fail(context, MUS_ERR_LIMIT, "drape: one plane more than %d", MUS_PLANES_MOST);
-    if (collider->plane == NULL) collider->plane = mus__new(context, MUS_PLANES_MOST, sizeof *collider->plane);
+    if (collider->nplane == MUS__PLANES_MAX)
+        return mus__fail(context, MUS_ERR_LIMIT, "drape: one plane more than %d", MUS__PLANES_MAX);
+    if (collider->plane == NULL) collider->plane = mus__new(context, MUS__PLANES_MAX, sizeof *collider->plane);
     if (collider->plane == NULL) return mus__fail_memory(context, "planes");
-    mus__contact_plane *plane = &collider->plane[collider->nplane++];
+    mus__collider_plane *plane = &collider->plane[collider->nplane++];
     memset(plane, 0, sizeof *plane);
     memcpy(plane->point, point, sizeof plane->point);
     memcpy(plane->normal, normal, sizeof plane->normal);
     plane->friction = friction;
     plane->reach = reach;
-    collider->safe = fmin(collider->safe, MUS_PLANE_SAFE);
+    collider->safe = fmin(collider->safe, MUS__PLANE_SAFE_TRAVEL);
     return MUS_OK;
 }
 
@@ -180,7 +180,7 @@ mus_status mus__collider_add_plane(mus__collider *collider, const double *point,
 static void turn_of(double angle, double *sine, double *less)
 {
     int32_t doublings = 0;
-    for (; angle > TURN_SMALL || angle < -TURN_SMALL; doublings++) angle *= 0.5;
+    for (; angle > MOTION_TURN_SMALL || angle < -MOTION_TURN_SMALL; doublings++) angle *= 0.5;
     const double a = angle * angle;
     double s = angle * (1 - a / 6 * (1 - a / 20 * (1 - a / 42 * (1 - a / 72 * (1 - a / 110)))));
     double l = a / 2 * (1 - a / 12 * (1 - a / 30 * (1 - a / 56 * (1 - a / 90))));
@@ -210,7 +210,7 @@ static void spin_map(double sine, double less, const double *n, const double *p,
 void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *point, const double *velocity,
                               double spin, double h)
 {
-    mus__contact_plane *plane = &collider->plane[k];
+    mus__collider_plane *plane = &collider->plane[k];
     memcpy(plane->point, point, sizeof plane->point);
     plane->moving = h > 0.0 && (velocity[0] != 0.0 || velocity[1] != 0.0 || velocity[2] != 0.0 || spin != 0.0);
     if (!plane->moving) return;
@@ -221,8 +221,8 @@ void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *
         then[i] = now[i] - way[i];
     }
     turn_of(h * spin, &sine, &less);
-    spin_map(sine, less, plane->normal, then, way, plane->carry.on);
-    spin_map(spin, 0.0, plane->normal, now, velocity, plane->carry.speed);
+    spin_map(sine, less, plane->normal, then, way, plane->motion.displacement);
+    spin_map(spin, 0.0, plane->normal, now, velocity, plane->motion.velocity);
 }
 
 
@@ -243,25 +243,25 @@ static double box_haste(const double *map, const double *drift, const double *bo
 }
 
 
-void mus__collider_haste(mus__collider *collider)
+void mus__collider_update_speed(mus__collider *collider)
 {
     static const double still[12] = {0.0};
     double most = 0.0;
-    collider->haste = 0.0;
-    for (int32_t l = 0; l < collider->nlimb; l++) {
-        double *own = &collider->home[l].haste;
+    collider->speed_max = 0.0;
+    for (int32_t l = 0; l < collider->nparts; l++) {
+        double *own = &collider->part[l].speed_max;
         *own = 0.0;
-        if (collider->moving == MUS_TURNED)
-            *own = box_haste(collider->carry[l].speed, collider->drift, collider->box + 6 * (int64_t)l);
-        collider->haste = fmax(collider->haste, *own);
+        if (collider->moving == MUS__TURNED)
+            *own = box_haste(collider->motion[l].velocity, collider->drift, collider->box + 6 * (int64_t)l);
+        collider->speed_max = fmax(collider->speed_max, *own);
     }
     for (int32_t k = 0; k < collider->nplane; k++) {
-        const mus__contact_plane *plane = &collider->plane[k];
+        const mus__collider_plane *plane = &collider->plane[k];
         double box[6];
         for (int32_t i = 0; i < 6; i++)
             box[i] = plane->point[i % 3] - collider->origin[i % 3] + (i < 3 ? -plane->reach : plane->reach);
-        most = fmax(most, box_haste(plane->moving ? plane->carry.speed : still, collider->drift, box));
+        most = fmax(most, box_haste(plane->moving ? plane->motion.velocity : still, collider->drift, box));
     }
-    collider->plane_haste = most;
-    collider->haste = fmax(collider->haste, most);
+    collider->plane_speed_max = most;
+    collider->speed_max = fmax(collider->speed_max, most);
 }

@@ -1,5 +1,5 @@
 /*
- * cloth_crossing.c: edges against triangles with exact signs.
+ * crossing_count.c: edges against triangles with exact signs.
  *
  * The segment p q meets the triangle a b c off its plane when p and q are not on the same side of it, and the line p q
  * has a b, b c and c a on one side:  orient(p,q,a,b), orient(p,q,b,c), orient(p,q,c,a)  of one sign, or 0. In the
@@ -7,7 +7,7 @@
  */
 #include <math.h>
 
-#include "contact/cloth_crossing.h"
+#include "contact/crossing_count.h"
 #include "geom/predicate.h"
 
 #define CROSSING_ROUND 1.2e-7 /* of a coordinate: a float is off by less */
@@ -57,7 +57,7 @@ static int32_t crossing_in_plane(const double *p, const double *q, const double 
 }
 
 
-int32_t mus__cloth_pierces(const double *p, const double *q, const double *a, const double *b, const double *c)
+int32_t mus__segment_meets_triangle(const double *p, const double *q, const double *a, const double *b, const double *c)
 {
     const double above = mus__orient3d(a, b, c, p), below = mus__orient3d(a, b, c, q);
     if ((above > 0.0 && below > 0.0) || (above < 0.0 && below < 0.0)) return 0;
@@ -110,7 +110,7 @@ static int32_t crossing_edges(const crossing_search *s, int32_t of, int32_t met)
     for (int32_t k = 0; k < 3; k++) {
         const int32_t p = s->triangle[3 * (int64_t)of + k], q = s->triangle[3 * (int64_t)of + (k + 1) % 3];
         if (!crossing_apart(s, p, corner) || !crossing_apart(s, q, corner)) continue;
-        if (!mus__cloth_pierces(s->x + 3 * (int64_t)p, s->x + 3 * (int64_t)q, a, b, c)) continue;
+        if (!mus__segment_meets_triangle(s->x + 3 * (int64_t)p, s->x + 3 * (int64_t)q, a, b, c)) continue;
         found++;
         if (s->fn != NULL) s->fn(s->user, p, q, of, met);
     }
@@ -128,8 +128,8 @@ static void crossing_pair(void *user, int32_t a, int32_t b)
 }
 
 
-int64_t mus__cloth_crossings(mus__cloth_grid *grid, int32_t n, const int32_t *triangle, const int32_t *class_of,
-                             const double *x, mus__crossing_fn fn, void *user)
+int64_t mus__crossing_count(mus__box_grid *grid, int32_t n, const int32_t *triangle, const int32_t *class_of,
+                            const double *x, mus__crossing_fn fn, void *user)
 {
     /* boxes as floats, a little too wide */
     for (int64_t t = 0; t < n; t++)
@@ -141,6 +141,6 @@ int64_t mus__cloth_crossings(mus__cloth_grid *grid, int32_t n, const int32_t *tr
             grid->box[6 * t + 3 + d] = (float)(high + CROSSING_ROUND * fabs(high));
         }
     crossing_search search = {triangle, class_of, x, fn, user, 0};
-    mus__cloth_grid_pairs(grid, n, 0.0f, NULL, crossing_pair, &search);
+    mus__box_grid_pairs(grid, n, 0.0f, NULL, crossing_pair, &search);
     return search.count;
 }

@@ -1,5 +1,5 @@
 /*
- * cloth_self.c: the memory of a cloth's contact with itself, and what it knows of the mesh.
+ * self_contact.c: the memory of a cloth's contact with itself, and what it knows of the mesh.
  *
  * Corners, edges and triangles are in trees of their own, each once, so that a pair of them is met once. They stand in
  * the order of the triangles that have them first, and these along a curve that keeps near what is near in the flat
@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/cloth_self.h"
+#include "contact/self_contact.h"
 
-#define SELF_FIRST_PAIRS 8  /* a node; more when there are more */
-#define SELF_MOST_PAIRS 1024
-#define SELF_FLAT 0.5       /* of the least height of a triangle: flat cloth does not touch itself */
-#define SELF_SKIN 0.2
-#define SELF_YIELD 0.7      /* of what was allowed: in one call no less */
-#define SELF_THINNEST 0.25  /* of the thickness: pairs that gave way are no thinner */
+#define SELF_PAIRS_FIRST 8 /* a node; more when there are more */
+#define SELF_PAIRS_MAX 1024
+#define SELF_FLAT 0.5 /* of the least height of a triangle: flat cloth does not touch itself */
+#define SELF_MARGIN 0.2
+#define SELF_YIELD 0.7     /* of what was allowed: in one call no less */
+#define SELF_THINNEST 0.25 /* of the thickness: pairs that gave way are no thinner */
 
 typedef struct self_edge {
     int32_t low, high, at; /* nodes; 8 times its triangle and its place there */
@@ -33,28 +33,32 @@ static int32_t self_root(int32_t *class_of, int32_t i)
 }
 
 
-void mus__cloth_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32_t *class_of)
+void mus__self_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32_t *class_of)
 {
     for (int32_t i = 0; i < nodes; i++) class_of[i] = i;
     for (int32_t p = 0; p < npair; p++) {
         const int32_t a = self_root(class_of, pair[2 * p]), b = self_root(class_of, pair[2 * p + 1]);
-        if (a < b) class_of[b] = a;
-        else class_of[a] = b;
+        if (a < b)
+            class_of[b] = a;
+        else
+            class_of[a] = b;
     }
     for (int32_t i = 0; i < nodes; i++) class_of[i] = self_root(class_of, i);
 }
 
 
 /* what hangs together: classes by seams, then by triangles too */
-static void self_groups(mus__cloth_self *self)
+static void self_groups(mus__self_contact *self)
 {
-    const mus__cloth_flat *flat = &self->flat;
+    const mus__self_mesh *flat = &self->flat;
     memcpy(self->group, self->class_of, (size_t)flat->nodes * sizeof *self->group);
     for (int64_t e = 0; e < 3 * (int64_t)flat->ntriangle; e++) {
         const int64_t next = e % 3 == 2 ? e - 2 : e + 1;
         const int32_t a = self_root(self->group, flat->triangle[e]), b = self_root(self->group, flat->triangle[next]);
-        if (a < b) self->group[b] = a;
-        else self->group[a] = b;
+        if (a < b)
+            self->group[b] = a;
+        else
+            self->group[a] = b;
     }
     for (int32_t i = 0; i < flat->nodes; i++) self->group[i] = self_root(self->group, i);
 }
@@ -73,14 +77,14 @@ static double self_height(const double *a, const double *b, const double *c, dou
 
 
 /* thickness where triangles have nodes of seams; how far the list of pairs is to reach */
-static void self_thickness(mus__cloth_self *self)
+static void self_thickness(mus__self_contact *self)
 {
-    const mus__cloth_flat *flat = &self->flat;
+    const mus__self_mesh *flat = &self->flat;
     double edges = 0.0, edge;
-    uint8_t *sewn = self->level;
+    uint8_t *sewn = self->rank;
     memset(sewn, 0, (size_t)flat->nodes);
     for (int32_t p = 0; p < 2 * flat->npair; p++) sewn[flat->pair[p]] = 1;
-    for (int32_t i = 0; i < flat->nodes; i++) self->thick[i] = (float)self->thickness;
+    for (int32_t i = 0; i < flat->nodes; i++) self->seam_thick[i] = (float)self->thickness;
     for (int64_t t = 0; t < flat->ntriangle; t++) {
         const int32_t *corner = flat->triangle + 3 * t;
         const double height = self_height(flat->rest + 2 * (int64_t)corner[0], flat->rest + 2 * (int64_t)corner[1],
@@ -88,12 +92,12 @@ static void self_thickness(mus__cloth_self *self)
         edges += edge;
         if (!sewn[corner[0]] && !sewn[corner[1]] && !sewn[corner[2]]) continue;
         for (int32_t k = 0; k < 3; k++)
-            if (SELF_FLAT * height < (double)self->thick[corner[k]])
-                self->thick[corner[k]] = (float)(SELF_FLAT * height);
+            if (SELF_FLAT * height < (double)self->seam_thick[corner[k]])
+                self->seam_thick[corner[k]] = (float)(SELF_FLAT * height);
     }
     const double mean = flat->ntriangle > 0 ? edges / flat->ntriangle : 0.0;
-    self->edge = mean;
-    self->skin = self->widest = fmax(SELF_SKIN * mean, 0.5 * self->thickness);
+    self->mean_edge = mean;
+    self->margin = self->margin_max = fmax(SELF_MARGIN * mean, 0.5 * self->thickness);
 }
 
 
@@ -122,9 +126,9 @@ static uint64_t self_spaced(double part)
 
 
 /* triangles by panel, and in it along the curve */
-static mus_status self_order(mus__cloth_self *self)
+static mus_status self_order(mus__self_contact *self)
 {
-    const mus__cloth_flat *flat = &self->flat;
+    const mus__self_mesh *flat = &self->flat;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     self_place *place = mus__new(self->context, flat->ntriangle, sizeof *place);
     if (place == NULL) return mus__fail_memory(self->context, "a cloth's contact with itself");
@@ -138,8 +142,8 @@ static mus_status self_order(mus__cloth_self *self)
         double mean[2] = {0.0, 0.0};
         for (int32_t k = 0; k < 6; k++)
             mean[k % 2] += (flat->rest[2 * (int64_t)corner[k / 2] + k % 2] - low[k % 2]) / 3.0;
-        place[t].key = (uint64_t)flat->panel[corner[0]] << 32 | self_spaced(mean[0] / size) |
-                       self_spaced(mean[1] / size) << 1;
+        place[t].key =
+            (uint64_t)flat->panel[corner[0]] << 32 | self_spaced(mean[0] / size) | self_spaced(mean[1] / size) << 1;
         place[t].triangle = t;
     }
     qsort(place, (size_t)flat->ntriangle, sizeof *place, self_by_place);
@@ -149,11 +153,11 @@ static mus_status self_order(mus__cloth_self *self)
 }
 
 
-mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, const mus__cloth_flat *flat,
-                                  double thickness, double friction, mus__cloth_self **out)
+mus_status mus__self_contact_create(mus_context *context, size_t real, int32_t n, const mus__self_mesh *flat,
+                                    double thickness, double friction, mus__self_contact **out)
 {
     *out = NULL;
-    mus__cloth_self *self = mus__new(context, 1, sizeof *self);
+    mus__self_contact *self = mus__new(context, 1, sizeof *self);
     if (self == NULL) return mus__fail_memory(context, "a cloth's contact with itself");
     const int64_t nodes = flat->nodes, planes = 3 * (int64_t)n;
     self->context = context;
@@ -163,32 +167,40 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
     self->flat = *flat;
     self->thickness = thickness;
     self->friction = friction;
-    self->pair_capacity = (int32_t)fmin(SELF_FIRST_PAIRS * (double)nodes + 256.0, 1e9);
+    self->pair_capacity = (int32_t)fmin(SELF_PAIRS_FIRST * (double)nodes + 256.0, 1e9);
     const struct {
         void *array;
         int64_t count;
         size_t size;
     } arrays[] = {
-        {&self->class_of, nodes, sizeof *self->class_of}, {&self->group, nodes, sizeof *self->group},
+        {&self->class_of, nodes, sizeof *self->class_of},
+        {&self->group, nodes, sizeof *self->group},
         {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
         {&self->order, flat->ntriangle, sizeof *self->order},
-        {&self->own, flat->ntriangle, 1},                 {&self->thick, nodes, sizeof *self->thick},
-        {&self->most, nodes, sizeof *self->most},
-        {&self->ball, 4 * (int64_t)n, real},              {&self->home, planes, real},
-        {&self->drift, planes, real},                     {&self->worn, nodes, 1},
-        {&self->off, n, real},                            {&self->near, nodes, 1},
+        {&self->own, flat->ntriangle, 1},
+        {&self->seam_thick, nodes, sizeof *self->seam_thick},
+        {&self->thick_max, nodes, sizeof *self->thick_max},
+        {&self->bound, 4 * (int64_t)n, real},
+        {&self->list_home, planes, real},
+        {&self->drift, planes, real},
+        {&self->stale, nodes, 1},
+        {&self->travel2, n, real},
+        {&self->active_node, nodes, 1},
         {&self->at, 8 * (int64_t)n, real},
-        {&self->force, planes, real},                     {&self->before, planes, real},
-        {&self->ground, planes, real},                    {&self->level, nodes, 1},
-        {&self->last, nodes, 1},                          {&self->tangle, nodes, 1},
+        {&self->force, planes, real},
+        {&self->before_body, planes, real},
+        {&self->support, planes, real},
+        {&self->rank, nodes, 1},
+        {&self->last_rank, nodes, 1},
+        {&self->crossed, nodes, 1},
         {&self->pass, nodes, 1},
         {&self->pair, self->pair_capacity, sizeof *self->pair},
-        {&self->touch, self->pair_capacity, sizeof *self->touch},
+        {&self->active, self->pair_capacity, sizeof *self->active},
     };
-    mus_status status = mus__cloth_grid_create(context, flat->ntriangle, &self->grid);
-    if (status == MUS_OK) status = mus__cloth_tree_create(context, 1, flat->nodes, &self->corners);
-    if (status == MUS_OK) status = mus__cloth_tree_create(context, 2, 3 * flat->ntriangle, &self->edges);
-    if (status == MUS_OK) status = mus__cloth_tree_create(context, 3, flat->ntriangle, &self->faces);
+    mus_status status = mus__box_grid_create(context, flat->ntriangle, &self->grid);
+    if (status == MUS_OK) status = mus__box_tree_create(context, 1, flat->nodes, &self->corners);
+    if (status == MUS_OK) status = mus__box_tree_create(context, 2, 3 * flat->ntriangle, &self->edges);
+    if (status == MUS_OK) status = mus__box_tree_create(context, 3, flat->ntriangle, &self->faces);
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0] && status == MUS_OK; i++) {
         void *block = mus__new(context, arrays[i].count, arrays[i].size);
         memcpy(arrays[i].array, &block, sizeof block);
@@ -196,30 +208,31 @@ mus_status mus__cloth_self_create(mus_context *context, size_t real, int32_t n, 
     }
     if (status == MUS_OK) status = self_order(self);
     if (status != MUS_OK) {
-        mus__cloth_self_destroy(self);
+        mus__self_contact_destroy(self);
         return status;
     }
-    mus__cloth_classes(flat->nodes, flat->npair, flat->pair, self->class_of);
+    mus__self_classes(flat->nodes, flat->npair, flat->pair, self->class_of);
     self_groups(self);
     self_thickness(self);
-    mus__cloth_self_weld(self, NULL, NULL, 0);
+    mus__self_contact_weld(self, NULL, NULL, 0);
     *out = self;
     return MUS_OK;
 }
 
 
-void mus__cloth_self_destroy(mus__cloth_self *self)
+void mus__self_contact_destroy(mus__self_contact *self)
 {
     if (self == NULL) return;
     mus_context *context = self->context;
-    mus__cloth_grid_destroy(context, &self->grid);
-    mus__cloth_tree_destroy(context, &self->corners);
-    mus__cloth_tree_destroy(context, &self->edges);
-    mus__cloth_tree_destroy(context, &self->faces);
-    void *blocks[] = {self->class_of, self->group,  self->triangle, self->order,  self->own,    self->thick,
-                      self->most,     self->ball,   self->home,     self->drift,  self->worn,   self->off,
-                      self->near,     self->at,     self->force,    self->before, self->ground,
-                      self->level,    self->last,   self->tangle, self->pass,   self->pair, self->touch};
+    mus__box_grid_destroy(context, &self->grid);
+    mus__box_tree_destroy(context, &self->corners);
+    mus__box_tree_destroy(context, &self->edges);
+    mus__box_tree_destroy(context, &self->faces);
+    void *blocks[] = {self->class_of,    self->group,     self->triangle,    self->order,     self->own,
+                      self->seam_thick,  self->thick_max, self->bound,       self->list_home, self->drift,
+                      self->stale,       self->travel2,   self->active_node, self->at,        self->force,
+                      self->before_body, self->support,   self->rank,        self->last_rank, self->crossed,
+                      self->pass,        self->pair,      self->active};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
 }
@@ -235,10 +248,10 @@ static int self_by_edge(const void *left, const void *right)
 
 
 /* what each triangle has first, in their order; slot (flat.ntriangle): where in self->triangle it is */
-static void self_own(mus__cloth_self *self, const int32_t *slot)
+static void self_own(mus__self_contact *self, const int32_t *slot)
 {
     const int32_t all = self->flat.ntriangle;
-    memset(self->level, 0, (size_t)self->nodes); /* free as a mark, for it is worked out anew */
+    memset(self->rank, 0, (size_t)self->nodes);            /* free as a mark, for it is worked out anew */
     self_edge *edge = (self_edge *)(void *)self->grid.box; /* 48 bytes a triangle */
     int64_t count = 0;
     for (int32_t i = 0; i < all; i++) {
@@ -246,8 +259,8 @@ static void self_own(mus__cloth_self *self, const int32_t *slot)
         self->own[i] = 0;
         for (int32_t k = 0; k < 3 && slot[self->order[i]] >= 0; k++) {
             const int32_t a = corner[k], b = corner[(k + 1) % 3];
-            if (!self->level[a]) self->own[i] |= (uint8_t)(1 << k);
-            self->level[a] = 1;
+            if (!self->rank[a]) self->own[i] |= (uint8_t)(1 << k);
+            self->rank[a] = 1;
             edge[count++] = (self_edge){a < b ? a : b, a < b ? b : a, 8 * i + k};
         }
     }
@@ -255,17 +268,17 @@ static void self_own(mus__cloth_self *self, const int32_t *slot)
     for (int64_t e = 0; e < count; e++)
         if (e == 0 || edge[e].low != edge[e - 1].low || edge[e].high != edge[e - 1].high)
             self->own[edge[e].at / 8] |= (uint8_t)(8 << edge[e].at % 8);
-    memset(self->level, MUS_SELF_LOOSE, (size_t)self->nodes);
-    memset(self->last, MUS_SELF_LOOSE, (size_t)self->nodes);
+    memset(self->rank, MUS__RANK_NONE, (size_t)self->nodes);
+    memset(self->last_rank, MUS__RANK_NONE, (size_t)self->nodes);
 }
 
 
-void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32_t *flags, int32_t absent)
+void mus__self_contact_weld(mus__self_contact *self, const int32_t *rep, const int32_t *flags, int32_t absent)
 {
     const int32_t *triangle = self->flat.triangle;
     int32_t *slot = self->grid.of; /* free between counts */
     self->ntriangle = 0;
-    for (int32_t i = 0; i < self->nodes; i++) self->most[i] = (float)self->thickness;
+    for (int32_t i = 0; i < self->nodes; i++) self->thick_max[i] = (float)self->thickness;
     for (int64_t t = 0; t < self->flat.ntriangle; t++) {
         int32_t *to = self->triangle + 3 * (int64_t)self->ntriangle;
         slot[t] = MUS_NONE;
@@ -280,66 +293,66 @@ void mus__cloth_self_weld(mus__cloth_self *self, const int32_t *rep, const int32
     self_own(self, slot);
 
     /* the trees of these */
-    mus__cloth_tree_clear(&self->corners);
-    mus__cloth_tree_clear(&self->edges);
-    mus__cloth_tree_clear(&self->faces);
+    mus__box_tree_clear(&self->corners);
+    mus__box_tree_clear(&self->edges);
+    mus__box_tree_clear(&self->faces);
     for (int32_t i = 0; i < self->flat.ntriangle; i++) {
         if (slot[self->order[i]] < 0) continue;
         const int32_t *corner = self->triangle + 3 * (int64_t)slot[self->order[i]];
-        mus__cloth_tree_add(&self->faces, corner, self->class_of);
+        mus__box_tree_add(&self->faces, corner, self->class_of);
         for (int32_t k = 0; k < 3; k++) {
             const int32_t edge[2] = {corner[k], corner[(k + 1) % 3]};
-            if (self->own[i] >> k & 1) mus__cloth_tree_add(&self->corners, edge, self->class_of);
-            if (self->own[i] >> (3 + k) & 1) mus__cloth_tree_add(&self->edges, edge, self->class_of);
+            if (self->own[i] >> k & 1) mus__box_tree_add(&self->corners, edge, self->class_of);
+            if (self->own[i] >> (3 + k) & 1) mus__box_tree_add(&self->edges, edge, self->class_of);
         }
     }
-    mus__cloth_tree_raise(&self->edges, 0);
-    mus__cloth_tree_raise(&self->faces, 0);
-    mus__cloth_tree_raise(&self->corners, self->faces.levels);
-    if (self->corners.levels > self->faces.levels) mus__cloth_tree_raise(&self->faces, self->corners.levels);
-    self->stale = 1;
+    mus__box_tree_raise(&self->edges, 0);
+    mus__box_tree_raise(&self->faces, 0);
+    mus__box_tree_raise(&self->corners, self->faces.tiers);
+    if (self->corners.tiers > self->faces.tiers) mus__box_tree_raise(&self->faces, self->corners.tiers);
+    self->invalid = 1;
 }
 
 
 /* no thinner than a part: through a tenth springs press nodes in one step, and then their balls hold them there. From
  * all to half at once did the same to some */
-int32_t mus__cloth_self_give_way(mus__cloth_self *self, const uint8_t *marked)
+int32_t mus__self_contact_yield(mus__self_contact *self, const uint8_t *marked)
 {
     const float least = (float)(SELF_THINNEST * self->thickness);
     const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
     int32_t gave = 0;
     for (int32_t i = 0; i < self->nodes; i++) {
-        if (!marked[i] || !(self->most[i] > least)) continue;
-        self->most[i] = fmaxf((float)SELF_YIELD * self->most[i], least);
+        if (!marked[i] || !(self->thick_max[i] > least)) continue;
+        self->thick_max[i] = fmaxf((float)SELF_YIELD * self->thick_max[i], least);
         gave = 1;
     }
     for (int32_t k = 0; gave && k < self->pair_capacity; k++) {
         if (k == self->nnode_pair) k = edges;
         if (k == self->pair_capacity) break;
-        mus__cloth_near *pair = &self->pair[k];
-        for (int32_t i = 0; i < 4; i++) pair->thickness = fminf(pair->thickness, self->most[pair->node[i]]);
+        mus__self_pair *pair = &self->pair[k];
+        for (int32_t i = 0; i < 4; i++) pair->thickness = fminf(pair->thickness, self->thick_max[pair->node[i]]);
     }
     return gave;
 }
 
 
-int32_t mus__cloth_self_short(const mus__cloth_self *self, double h)
+int32_t mus__self_contact_expires(const mus__self_contact *self, double h)
 {
-    return !(self->since + h <= self->holds);
+    return !(self->bound_age + h <= self->bound_span);
 }
 
 
-mus_status mus__cloth_self_grow(mus__cloth_self *self)
+mus_status mus__self_contact_grow(mus__self_contact *self)
 {
-    const int64_t most = SELF_MOST_PAIRS * (int64_t)self->nodes + 256;
-    if (!self->full && 2 * (int64_t)self->most_pairs < self->pair_capacity) return MUS_OK;
+    const int64_t most = SELF_PAIRS_MAX * (int64_t)self->nodes + 256;
+    if (!self->full && 2 * (int64_t)self->pairs_max < self->pair_capacity) return MUS_OK;
     const int64_t capacity = 2 * (int64_t)self->pair_capacity;
     if (!self->full && (capacity > most || capacity > INT32_MAX)) return MUS_OK;
     if (capacity > most || capacity > INT32_MAX)
         return mus__fail(self->context, MUS_ERR_LIMIT,
                          "drape: more than %d pairs of cloth and cloth are nearer than %g mm; the cloth is crumpled",
                          (int)self->pair_capacity, 1e3 * self->thickness);
-    mus__cloth_near *pair = mus__new(self->context, capacity, sizeof *pair);
+    mus__self_pair *pair = mus__new(self->context, capacity, sizeof *pair);
     int32_t *touch = mus__new(self->context, capacity, sizeof *touch);
     if (pair == NULL || touch == NULL) {
         mus__free(self->context, pair);
@@ -347,19 +360,19 @@ mus_status mus__cloth_self_grow(mus__cloth_self *self)
         return mus__fail_memory(self->context, "the pairs of cloth near cloth");
     }
     mus__free(self->context, self->pair);
-    mus__free(self->context, self->touch);
+    mus__free(self->context, self->active);
     self->pair = pair;
-    self->touch = touch;
+    self->active = touch;
     self->pair_capacity = (int32_t)capacity;
-    self->npair = self->ntouch = self->nnode_pair = 0;
+    self->npair = self->nactive = self->nnode_pair = 0;
     self->full = 0;
-    self->stale = 1;
+    self->invalid = 1;
     return MUS_OK;
 }
 
 
 typedef struct self_tangle {
-    mus__cloth_self *self;
+    mus__self_contact *self;
     mus__crossing_fn fn;
     void *user;
 } self_tangle;
@@ -368,34 +381,34 @@ typedef struct self_tangle {
 static void self_mark(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
 {
     const self_tangle *tangle = user;
-    mus__cloth_self *self = tangle->self;
+    mus__self_contact *self = tangle->self;
     for (int32_t k = 0; k < 3; k++) {
-        self->tangle[self->triangle[3 * (int64_t)of + k]] = 1;
-        self->tangle[self->triangle[3 * (int64_t)met + k]] = 1;
+        self->crossed[self->triangle[3 * (int64_t)of + k]] = 1;
+        self->crossed[self->triangle[3 * (int64_t)met + k]] = 1;
     }
     if (tangle->fn != NULL) tangle->fn(tangle->user, p, q, of, met);
 }
 
 
-int64_t mus__cloth_self_tangle(mus__cloth_self *self, const double *x, mus__crossing_fn fn, void *user)
+int64_t mus__self_contact_mark_crossings(mus__self_contact *self, const double *x, mus__crossing_fn fn, void *user)
 {
     self_tangle tangle = {self, fn, user};
-    memset(self->tangle, 0, (size_t)self->nodes);
-    const int64_t count = mus__cloth_crossings(&self->grid, self->ntriangle, self->triangle, self->class_of, x,
-                                               self_mark, &tangle);
+    memset(self->crossed, 0, (size_t)self->nodes);
+    const int64_t count =
+        mus__crossing_count(&self->grid, self->ntriangle, self->triangle, self->class_of, x, self_mark, &tangle);
 
     /* and their neighbours, to which a crossing moves on */
     for (int64_t t = 0; count > 0 && t < 3 * (int64_t)self->ntriangle; t += 3) {
         const int32_t *corner = self->triangle + t;
-        if (self->tangle[corner[0]] != 1 && self->tangle[corner[1]] != 1 && self->tangle[corner[2]] != 1) continue;
+        if (self->crossed[corner[0]] != 1 && self->crossed[corner[1]] != 1 && self->crossed[corner[2]] != 1) continue;
         for (int32_t k = 0; k < 3; k++)
-            if (self->tangle[corner[k]] == 0) self->tangle[corner[k]] = 2;
+            if (self->crossed[corner[k]] == 0) self->crossed[corner[k]] = 2;
     }
-    self->tangled = 0;
+    self->ncrossed = 0;
     for (int32_t i = 0; i < self->nodes; i++) {
-        if (self->pass[i]) self->tangle[i] = 1;
-        self->tangled += self->tangle[i] != 0;
+        if (self->pass[i]) self->crossed[i] = 1;
+        self->ncrossed += self->crossed[i] != 0;
     }
-    self->stale = 1;
+    self->invalid = 1;
     return count;
 }

@@ -1,16 +1,14 @@
 /*
- * query_batch_kernel.h: many nodes asked of a part at once, a part of contact_kernel.h.
+ * query_batch_kernel.h: the nodes of a chunk asked of the parts in whose boxes they are, a part of contact_kernel.h.
  *
- * The query of field_kernel.h for places in a row, without a branch, so that it is made for as many nodes at once as
- * the vector unit is wide; the same operations in the same order, so the same bits. What is in a cap, beyond the first
- * or the last ring, is asked in a row of its own.
+ * The query of body/field_kernel.h in a loop over nodes that are in one part's box, without a branch, so that it becomes
+ * vectors. Nodes in a cap, beyond the first or the last ring, are asked in a loop of their own.
  */
 
-#define MUS__CHUNK 256   /* nodes */
-#define MUS__BATCH_MIN 2 /* less are asked one by one */
-#define MUS__QUERY_CAP 2 /* state of a node that is in a cap: 0 is not near, 1 near */
+#define MUS__BATCH_MIN 2 /* nodes; fewer are not worth the copies and are asked one by one */
+#define MUS__QUERY_CAP 2 /* state of a node that is in a cap; else 0: not near, 1: near */
 
-/* an answer for a node; next: of the same node's, by part ascending; 0 ends */
+/* depth and normal of a node below a part; next: another result of the same node, by part ascending; 0 ends */
 typedef struct MUS__NAME(query_result) {
     MUS__REAL depth, normal[3];
     int32_t part, next;
@@ -21,9 +19,9 @@ typedef struct MUS__NAME(query_batch) {
     MUS__REAL found[4 * MUS__CHUNK]; /* depth, normal */
     int32_t state[MUS__CHUNK];
     uint8_t who[MUS__PARTS_MAX][MUS__CHUNK];    /* nodes in the box of each part */
-    int32_t head[MUS__CHUNK], most[MUS__CHUNK]; /* of each node: its first answer, how many it has */
-    int32_t answers;
-    MUS__NAME(query_result) answer[1 + MUS__CHUNK * MUS__MANIFOLD_MAX];
+    int32_t head[MUS__CHUNK], many[MUS__CHUNK]; /* of each node: its first result, how many it has */
+    int32_t results;
+    MUS__NAME(query_result) result[1 + MUS__CHUNK * MUS__MANIFOLD_MAX];
 } MUS__NAME(query_batch);
 
 
@@ -78,9 +76,9 @@ static void MUS__NAME(query_batch_caps)(const MUS__NAME(field) * field, int32_t 
 }
 
 
-/* what part l answered to `m` nodes of a block, who (m): those that are near keep it, of others the part is taken out
- * of `in`; nodes that are left stay at the front of who. Their number */
-static int32_t MUS__NAME(query_batch_keep)(int32_t l, int32_t m, uint8_t *who, uint64_t *in,
+/* the results of `m` nodes, who (m), of part l: those that are near keep theirs, from others the part is taken out of
+ * `parts`; nodes in a cap move to the front of who. Returns the number of these */
+static int32_t MUS__NAME(query_batch_keep)(int32_t l, int32_t m, uint8_t *who, uint64_t *parts,
                                            MUS__NAME(query_batch) * batch, int64_t *queries)
 {
     int32_t left = 0;
@@ -91,52 +89,58 @@ static int32_t MUS__NAME(query_batch_keep)(int32_t l, int32_t m, uint8_t *who, u
             continue;
         }
         (*queries)++;
-        if (batch->state[k] == 0) in[i] &= ~((uint64_t)1 << l);
-        if (batch->state[k] == 0 || batch->most[i] == MUS__MANIFOLD_MAX) continue;
-        MUS__NAME(query_result) *answer = &batch->answer[batch->answers];
-        answer->depth = batch->found[k];
-        for (int32_t d = 0; d < 3; d++) answer->normal[d] = batch->found[(d + 1) * MUS__CHUNK + k];
-        answer->part = l;
-        answer->next = batch->head[i];
-        batch->head[i] = batch->answers++;
-        batch->most[i]++;
+        if (batch->state[k] == 0) parts[i] &= ~((uint64_t)1 << l);
+        if (batch->state[k] == 0 || batch->many[i] == MUS__MANIFOLD_MAX) continue;
+        MUS__NAME(query_result) *result = &batch->result[batch->results];
+        result->depth = batch->found[k];
+        for (int32_t d = 0; d < 3; d++) result->normal[d] = batch->found[(d + 1) * MUS__CHUNK + k];
+        result->part = l;
+        result->next = batch->head[i];
+        batch->head[i] = batch->results++;
+        batch->many[i]++;
     }
     return left;
 }
 
 
-/* the nodes of a block asked of the parts whose boxes they are in, `in` (count) a bit each; bits of parts that are not
- * near are taken out, of those that are the answers are kept. x planes from the block's first node on */
-static void MUS__NAME(query_batch_chunk)(const mus__collider *collider, MUS__REAL margin, int64_t n, int32_t count,
-                                         const MUS__REAL *x, uint64_t *in, MUS__NAME(query_batch) * batch,
-                                         int64_t *queries)
+/* places of `m` nodes, who (m), of a chunk; x planes (3 x n) from its first node on */
+static inline void MUS__NAME(query_batch_gather)(int64_t n, int32_t m, const uint8_t *who, const MUS__REAL *x,
+                                                 MUS__NAME(query_batch) * batch)
 {
+    for (int64_t d = 0; d < 3; d++)
+        for (int32_t k = 0; k < m; k++) batch->place[d * MUS__CHUNK + k] = x[d * n + who[k]];
+}
+
+
+/* asks the nodes of a chunk of their parts; parts that are not near are taken out of chunk->parts */
+static void MUS__NAME(query_batch_chunk)(const MUS__NAME(pass) * pass, MUS__NAME(chunk) * chunk,
+                                         MUS__NAME(query_batch) * batch)
+{
+    const int64_t n = pass->nodes->n;
+    const MUS__REAL *x = (const MUS__REAL *)pass->nodes->x + chunk->start, margin = pass->surfaces.margin;
+    int64_t *queries = &pass->tally->queries;
     int32_t members[MUS__PARTS_MAX];
-    for (int32_t l = 0; l < collider->nparts; l++) members[l] = 0;
-    for (int32_t i = 0; i < count; i++) {
-        batch->head[i] = batch->most[i] = 0;
-        for (uint64_t bits = in[i]; bits != 0; bits &= bits - 1) {
+    for (int32_t l = 0; l < pass->collider->nparts; l++) members[l] = 0;
+    for (int32_t i = 0; i < chunk->count; i++) {
+        batch->head[i] = batch->many[i] = 0;
+        for (uint64_t bits = chunk->parts[i]; bits != 0; bits &= bits - 1) {
             const int32_t l = mus__lowest_bit(bits);
             batch->who[l][members[l]++] = (uint8_t)i;
         }
     }
-    batch->answers = 1;
+    batch->results = 1;
 
-    /* the last part first: the lists then begin with the first. A few nodes are not worth a row */
-    for (int32_t l = collider->nparts - 1; l >= 0; l--) {
+    /* the last part first: the lists then begin with the first */
+    for (int32_t l = pass->collider->nparts - 1; l >= 0; l--) {
         const int32_t m = members[l];
         uint8_t *who = batch->who[l];
         if (m < MUS__BATCH_MIN) continue;
-        for (int64_t d = 0; d < 3; d++)
-            for (int32_t k = 0; k < m; k++) batch->place[d * MUS__CHUNK + k] = x[d * n + who[k]];
-        MUS__NAME(query_batch_between)
-        (&collider->MUS__PART_FIELDS[l], m, margin, batch->place, batch->found, batch->state);
-        const int32_t left = MUS__NAME(query_batch_keep)(l, m, who, in, batch, queries);
+        MUS__NAME(query_batch_gather)(n, m, who, x, batch);
+        MUS__NAME(query_batch_between)(&pass->field[l], m, margin, batch->place, batch->found, batch->state);
+        const int32_t left = MUS__NAME(query_batch_keep)(l, m, who, chunk->parts, batch, queries);
         if (left == 0) continue;
-        for (int64_t d = 0; d < 3; d++)
-            for (int32_t k = 0; k < left; k++) batch->place[d * MUS__CHUNK + k] = x[d * n + who[k]];
-        MUS__NAME(query_batch_caps)
-        (&collider->MUS__PART_FIELDS[l], left, margin, batch->place, batch->found, batch->state);
-        MUS__NAME(query_batch_keep)(l, left, who, in, batch, queries);
+        MUS__NAME(query_batch_gather)(n, left, who, x, batch);
+        MUS__NAME(query_batch_caps)(&pass->field[l], left, margin, batch->place, batch->found, batch->state);
+        MUS__NAME(query_batch_keep)(l, left, who, chunk->parts, batch, queries);
     }
 }

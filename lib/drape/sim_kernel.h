@@ -211,12 +211,11 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
         for (int64_t d = 0; d < 3; d++)
             memcpy((MUS_REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
+    const mus__contact_nodes nodes = {sim->n, start, end, sim->inverse, sim->before, x, v};
     if (sim->near != NULL && !sim->swift)
-        MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
+        MUS_NEAR(sim->collider, &sim->rule, &nodes, sim->near, &sim->part_tally[part]);
     else
-        MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->before, sim->swift,
-                    sim->aside, x, v,
-                    &sim->part_tally[part]);
+        MUS_CONTACT(sim->collider, &sim->rule, &nodes, sim->swift, sim->aside, &sim->part_tally[part]);
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "design/design_list.h"
 #include "design/style.h"
+#include "muslin/topology.h"
 
 /* recipes of the first designs of the list, in order */
 static void (*const design_recipe[])(mus__draft *draft) = {

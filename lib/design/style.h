@@ -27,8 +27,11 @@
 #ifndef MUS_STYLE_H
 #define MUS_STYLE_H
 
+#include "board/board_cut.h"
+#include "board/board_dart.h"
+#include "board/board_fullness.h"
+#include "board/board_sew.h"
 #include "design/design_internal.h"
-#include "pattern/board.h"
 
 /* axis, its word, its options in the order of their enum. The first is the default */
 #define MUS__AXES(X)                                                                                                  \

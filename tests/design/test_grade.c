@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "design/drafts.h"
+#include "muslin/topology.h"
 
 #define MOST 400
 

@@ -9,6 +9,7 @@
 
 #include "design/drafts.h"
 #include "design/style.h"
+#include "muslin/topology.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 

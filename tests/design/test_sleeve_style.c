@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "design/half_shirt.h"
+#include "muslin/topology.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 #define SIZES (int)(sizeof sizes / sizeof sizes[0])

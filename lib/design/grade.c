@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "board/board_chain.h"
-#include "design/design_internal.h"
+#include "design/draft.h"
 
 #define GRADE_CHORDS 16
 #define GRADE_UPRIGHT 0.999  /* cosine between y of a panel and the vertical */

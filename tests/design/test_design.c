@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 #include "muslin/topology.h"
 
 

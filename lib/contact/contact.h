@@ -23,7 +23,7 @@
 #define MUS_REAL float
 #define MUS_FIELD(name) mus__f32_##name
 #define mus__f32_sqrt sqrtf
-#include "body/field_kernel.h"
+#include "limb/field_kernel.h"
 #include "contact/meet_kernel.h"
 #undef MUS_REAL
 #undef MUS_FIELD
@@ -31,7 +31,7 @@
 #define MUS_REAL double
 #define MUS_FIELD(name) mus__f64_##name
 #define mus__f64_sqrt sqrt
-#include "body/field_kernel.h"
+#include "limb/field_kernel.h"
 #include "contact/meet_kernel.h"
 #undef MUS_REAL
 #undef MUS_FIELD

@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 #include "base/base_internal.h"
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "muslin/design.h"
 
 #define MUS__CM 0.01

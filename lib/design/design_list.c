@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "design/design_list.h"
-#include "design/style.h"
+#include "design/words.h"
 
 #define ALL (MUS_GROUP_WOMEN | MUS_GROUP_MEN | MUS_GROUP_CHILDREN)
 

@@ -5,7 +5,7 @@
 #ifndef MUS_DESIGN_LIST_H
 #define MUS_DESIGN_LIST_H
 
-#include "design/design_internal.h"
+#include "muslin/design.h"
 
 typedef struct mus__design_row {
     const char *name, *family, *title;

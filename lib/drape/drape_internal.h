@@ -52,7 +52,7 @@ struct mus_drape {
     mus_drape_def def;
     mus_cloth *cloth;
     mus__collider *collider; /* NULL without a body and planes */
-    mus__cloth_self *self;   /* NULL unless the def asks for it */
+    mus__self_contact *self;   /* NULL unless the def asks for it */
     mus__pool *pool;
     mus_drape *parent;       /* of a coarser double, which borrows its collider and pool; NULL */
     mus_drape *coarse;       /* the coarser double, NULL until sew or settle want it (level.c) */
@@ -96,7 +96,7 @@ struct mus_drape {
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;
     mus__drape_stance *stance; /* NULL without a body */
-    mus__drape_plane *plane; /* (MUS_PLANES_MOST) as many as the collider has, NULL without */
+    mus__drape_plane *plane; /* (MUS__PLANES_MAX) as many as the collider has, NULL without */
     int32_t moving;          /* nonzero: the collider was last told of a motion */
     int32_t moved;           /* nonzero: a surface did since nodes were asked what they remember */
     char skipped[96];

@@ -11,12 +11,12 @@
 
 #include "limb/field.h"
 
-#define MUS_REAL double
-#define MUS_FIELD(name) mus__body_##name
+#define MUS__REAL double
+#define MUS__NAME(name) mus__body_##name
 #define mus__body_sqrt sqrt
 #include "limb/field_kernel.h"
-#undef MUS_REAL
-#undef MUS_FIELD
+#undef MUS__REAL
+#undef MUS__NAME
 
 /* further out than this the first-order distance means nothing [m] */
 #define FIELD_MARGIN 0.05
@@ -131,11 +131,11 @@ double mus__field_depth(const mus__field *field, const double *p, double *normal
         f.pole[end] = field->pole[end] - f.s0;
         f.middle[end] = field->middle[end] - f.s0;
         f.axis_inverse[end] = 1.0 / field->half[end];
-        f.share[end] = mus__body_share(s - f.middle[end], f.axis_inverse[end]);
+        f.share[end] = mus__body_field_share(s - f.middle[end], f.axis_inverse[end]);
     }
 
     int32_t near;
-    double depth = mus__body_query(&f, p, FIELD_MARGIN, normal, &near);
+    double depth = mus__body_field_query(&f, p, FIELD_MARGIN, normal, &near);
     if (near > 0) return depth;
     normal[0] = normal[1] = normal[2] = 0.0;
     return -1e30;

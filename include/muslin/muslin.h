@@ -16,6 +16,7 @@
 #include "muslin/cloth.h"
 #include "muslin/integrate.h"
 #include "muslin/drape.h"
+#include "muslin/dress.h"
 #include "muslin/fit.h"
 
 #endif

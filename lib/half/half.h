@@ -31,8 +31,8 @@
 #include "board/board_dart.h"
 #include "board/board_fullness.h"
 #include "board/board_sew.h"
-#include "body/skeleton.h"
 #include "half/style.h"
+#include "limb/skeleton.h"
 #include "muslin/design.h"
 
 typedef struct mus__half {

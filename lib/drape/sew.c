@@ -212,7 +212,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
 
 
 /* the memory of sewing, kept until the drape is destroyed; give it back */
-static mus_status sew_create(mus_drape *drape)
+mus_status mus__sew_create(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->sewing.start_x != NULL) return MUS_OK;
@@ -236,7 +236,7 @@ static void sew_clear(mus_drape *drape)
 static mus_status sew_weld(mus_drape *drape, bool *clear)
 {
     const int32_t worn = is_home(drape) ? 0 : drape->program.open_from;
-    mus_status status = worn > 0 ? sew_create(drape) : MUS_OK;
+    mus_status status = worn > 0 ? mus__sew_create(drape) : MUS_OK;
     if (status != MUS_OK) return status;
     if (worn > 0) memcpy(drape->sewing.unwelded_x, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     mus__weld(drape);
@@ -268,7 +268,7 @@ static mus_status sew_here(mus_drape *drape, mus__progress *run, int32_t way, do
 static mus_status sew_tries(mus_drape *drape, mus__progress *run)
 {
     const bool first = drape->sewing.start_x == NULL, body = drape->scene.collider != NULL;
-    mus_status status = body ? sew_create(drape) : MUS_OK;
+    mus_status status = body ? mus__sew_create(drape) : MUS_OK;
     if (status != MUS_OK) return status;
     if (!body) return sew_here(drape, run, SEW_STRAIGHT, 0.0);
     mus__drape_publish(drape);

@@ -16,6 +16,9 @@ typedef struct mus__sewing {
     double *outward;    /* (n x 3) unit at each node: out of its panel, away from its triangles */
 } mus__sewing;
 
+/* take the memory of sewing, if need be; it is kept until the drape is destroyed. Errors: MUS_ERR_MEMORY */
+mus_status mus__sew_create(mus_drape *drape);
+
 /* ---- weld.c ---- */
 
 /* open all seams */

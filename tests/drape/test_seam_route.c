@@ -170,6 +170,7 @@ START_TEST(a_strap_before_the_arm_is_not_on_the_shoulder)
     const double rim = lift_rim(&w, &neck, &height);
     ck_assert_int_eq(mus_body_landmark(w.body, MUS_LANDMARK_SHOULDER_LEFT, joint), MUS_OK);
     lift_put_on(&w, strap_top(w.context, rim, height + 0.06), NULL);
+    ck_assert_int_eq(mus__sew_create(w.drape), MUS_OK);
     mus__seam_route_start(w.drape);
     mus__scene_level(w.drape, MUS_HOLD_ARMPIT, 0, &armpit);
 
@@ -192,6 +193,7 @@ START_TEST(cuffs_are_no_straps)
     double neck, height;
     const double rim = lift_rim(&w, &neck, &height);
     lift_put_on(&w, strap_top(w.context, rim, height + (_i == 1 ? -0.3 : 0.06)), NULL);
+    ck_assert_int_eq(mus__sew_create(w.drape), MUS_OK);
     mus__seam_route_start(w.drape);
     ck_assert_int_eq(mus__seam_route_straps(w.drape, NULL) == MUS__STRAPS_NONE, _i > 0);
     worn_end(&w);

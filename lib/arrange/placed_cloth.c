@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "arrange/placed_cloth.h"
-#include "contact/cloth_self.h"
+#include "contact/self_contact.h"
 #include "geom/vec.h"
 
 
@@ -87,17 +87,17 @@ mus_status mus__placed_crossings(const mus__placed_cloth *placed, int32_t most, 
 {
     mus_context *context = placed->context;
     const mus_cloth *cloth = placed->cloth;
-    mus__cloth_grid grid;
+    mus__box_grid grid;
     *count = 0;
     int32_t *class_of = mus__new(context, cloth->nnode, sizeof *class_of);
     if (class_of == NULL) return mus__fail_memory(context, "a count of crossings");
-    const mus_status status = mus__cloth_grid_create(context, cloth->ntriangle, &grid);
+    const mus_status status = mus__box_grid_create(context, cloth->ntriangle, &grid);
     if (status == MUS_OK) {
         crossing_list list = {pairs, most, {MUS_NONE, MUS_NONE}, 0};
-        mus__cloth_classes(cloth->nnode, cloth->npair, cloth->pair, class_of);
+        mus__self_classes(cloth->nnode, cloth->npair, cloth->pair, class_of);
         *count =
-            mus__cloth_crossings(&grid, cloth->ntriangle, cloth->triangle, class_of, placed->x, crossing_note, &list);
-        mus__cloth_grid_destroy(context, &grid);
+            mus__crossing_count(&grid, cloth->ntriangle, cloth->triangle, class_of, placed->x, crossing_note, &list);
+        mus__box_grid_destroy(context, &grid);
     }
     mus__free(context, class_of);
     return status;

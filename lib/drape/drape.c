@@ -211,7 +211,7 @@ void mus_drape_destroy(mus_drape *drape)
         mus__pool_destroy(drape->pool);
         mus__collider_destroy(drape->scene.collider);
     }
-    mus__cloth_self_destroy(drape->self);
+    mus__self_contact_destroy(drape->self);
     mus__program_clear(context, &drape->program);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);

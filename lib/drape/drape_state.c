@@ -163,7 +163,7 @@ mus_status mus__drape_plane_cache(mus_drape *drape)
     mus__sim *sim = &drape->sim;
     const int64_t n = sim->n;
     if (drape->scene.collider == NULL) return MUS_OK;
-    if (drape->plane_cache == NULL) drape->plane_cache = mus__new(drape->context, MUS_NEAR_PLANES * n, sim->ops->real);
+    if (drape->plane_cache == NULL) drape->plane_cache = mus__new(drape->context, MUS__CACHE_PLANES * n, sim->ops->real);
     if (drape->plane_cache == NULL) return mus__fail_memory(drape->context, "what nodes know of the skin");
     for (int64_t i = 7 * n; i < 8 * n; i++) mus__program_put(&drape->program, drape->plane_cache, i, -1.0);
     sim->plane_cache = drape->plane_cache;

@@ -22,7 +22,7 @@ mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
         if (!(fabs(velocity[d]) <= SPEED_OF_BODY_MAX))
             return mus__fail(drape->context, MUS_ERR_ARG, "drape: velocity of the body is %g m/s, expected %g to %g",
                              velocity[d], -SPEED_OF_BODY_MAX, SPEED_OF_BODY_MAX);
-    if (drape->scene.collider == NULL || drape->scene.collider->nlimb == 0)
+    if (drape->scene.collider == NULL || drape->scene.collider->nparts == 0)
         return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body to move");
     memcpy(drape->scene.from, drape->scene.collider->shift, sizeof drape->scene.from);
     memcpy(drape->scene.velocity, velocity, sizeof drape->scene.velocity);
@@ -53,7 +53,7 @@ void mus__scene_update(mus_drape *drape, int64_t steps, double h, double came)
                        came);
     mus__scene_levels_update(drape);
     mus__scene_planes_update(drape, steps, h, came);
-    mus__collider_haste(drape->scene.collider);
+    mus__collider_update_speed(drape->scene.collider);
     drape->scene.moving = came > 0.0;
     drape->scene.moved |= drape->scene.moving;
 }
@@ -86,16 +86,16 @@ mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double du
     if (!(duration >= 0.0 && duration <= MOVEMENT_MAX))
         return mus__fail(context, MUS_ERR_ARG, "drape: duration of a movement is %g s, expected 0 to %g", duration,
                          MOVEMENT_MAX);
-    mus__local end[MUS_JOINT_COUNT];
+    mus__joint_local end[MUS_JOINT_COUNT];
     mus_status status = mus_pose_check(context, pose);
-    if (status == MUS_OK) status = mus__rig_locals(context, &stance->rig, pose, end);
+    if (status == MUS_OK) status = mus__pose_locals(context, &stance->rig, pose, end);
     if (status != MUS_OK) return status;
 
     /* from how it stands now */
     const double part = mus__scene_body_part(drape, 0, drape->clock.dt);
     mus_pose now;
     mus__scene_body_pose(drape, &now);
-    mus__rig_blend(stance->start, stance->end, part, stance->start);
+    mus__pose_blend(stance->start, stance->end, part, stance->start);
     if (!(part < 1.0)) memcpy(stance->start, stance->end, sizeof stance->start);
     stance->from = now;
     stance->to = *pose;
@@ -148,7 +148,7 @@ void mus__scene_before_steps(mus_drape *drape)
     double glide2 = 0.0;
     for (int32_t d = 0; d < 3; d++) glide2 += drape->scene.velocity[d] * drape->scene.velocity[d];
     const double speed = sqrt(sim->ops->speed2(sim)) + sqrt(glide2), h = sim->rule.step;
-    sim->part_tally[0].swift = speed > mus__contact_swift(sim->collider, &sim->rule) || mus__scene_plane_moves(drape) ||
+    sim->part_tally[0].fast = speed > mus__contact_fast_speed(sim->collider, &sim->rule) || mus__scene_plane_moves(drape) ||
                                mus__scene_body_poses(drape, 0, h);
 }
 
@@ -163,7 +163,7 @@ void mus__scene_before_step(mus_drape *drape, int64_t steps, double h)
         mus__scene_update(drape, steps, h, 0.0);
     sim->sweeps = 0;
     for (int32_t part = 0; part < 64; part++) {
-        sim->sweeps |= sim->part_tally[part].swift;
-        sim->part_tally[part].swift = 0;
+        sim->sweeps |= sim->part_tally[part].fast;
+        sim->part_tally[part].fast = 0;
     }
 }

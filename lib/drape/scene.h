@@ -25,8 +25,8 @@ typedef struct mus__scene_plane {
 typedef struct mus__scene_body {
     mus__rig rig;
     mus_pose made, from, to;
-    mus__local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
-    mus__frame frame[MUS_PARTS_MOST];         /* where the parts were last put */
+    mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
+    mus__frame frame[MUS__PARTS_MOST];         /* where the parts were last put */
     double time, duration;                    /* when the movement began, how long it takes [s] */
     int32_t posed;                            /* nonzero: not as the limbs were made */
     int32_t came_posed;                       /* nonzero: the body was posed when the drape was made */
@@ -40,7 +40,7 @@ typedef struct mus__scene {
     double friction;                   /* of surfaces without a friction of their own */
     double from[3], velocity[3], time; /* the body as a whole: its shift at `time` [m], its velocity since [m/s] */
     mus__scene_body *body;             /* NULL without a body */
-    mus__scene_plane *plane;           /* (MUS_PLANES_MOST) as many are in use as the collider has; NULL without */
+    mus__scene_plane *plane;           /* (MUS__PLANES_MAX) as many are in use as the collider has; NULL without */
     int32_t moving;                    /* nonzero: the collider was last told of a motion */
     int32_t moved;                     /* nonzero: a surface moved since the plane cache was filled */
 } mus__scene;

@@ -19,7 +19,7 @@ mus_status mus__scene_body_create(mus_drape *drape, const mus_body *body)
     stance->rig = *mus__body_rig(body);
     stance->came_posed = mus__body_frames(body) != NULL;
     mus_status status = mus_body_stance(body, &stance->made);
-    if (status == MUS_OK) status = mus__rig_locals(drape->context, &stance->rig, &stance->made, stance->as_made);
+    if (status == MUS_OK) status = mus__pose_locals(drape->context, &stance->rig, &stance->made, stance->as_made);
     if (status == MUS_OK) mus__scene_body_reset(drape);
     return status;
 }
@@ -57,10 +57,10 @@ const mus__frame *mus__scene_body_frames(mus_drape *drape, int64_t steps, double
 {
     mus__scene_body *stance = drape->scene.body;
     if (stance == NULL || !stance->posed) return NULL;
-    mus__local now[MUS_JOINT_COUNT];
+    mus__joint_local now[MUS_JOINT_COUNT];
     const double part = mus__scene_body_part(drape, steps, h);
-    if (part < 1.0) mus__rig_blend(stance->start, stance->end, part, now);
-    mus__rig_frames(&stance->rig, part < 1.0 ? now : stance->end, stance->frame);
+    if (part < 1.0) mus__pose_blend(stance->start, stance->end, part, now);
+    mus__pose_frames(&stance->rig, part < 1.0 ? now : stance->end, stance->frame);
     return stance->frame;
 }
 

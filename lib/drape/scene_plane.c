@@ -57,7 +57,7 @@ static mus_status check_plane(mus_context *context, mus_plane *plane)
 static mus_status first_plane(mus_drape *drape)
 {
     mus_context *context = drape->context;
-    if (drape->scene.plane == NULL) drape->scene.plane = mus__new(context, MUS_PLANES_MOST, sizeof *drape->scene.plane);
+    if (drape->scene.plane == NULL) drape->scene.plane = mus__new(context, MUS__PLANES_MAX, sizeof *drape->scene.plane);
     if (drape->scene.plane == NULL) return mus__fail_memory(context, "planes");
     if (drape->scene.collider != NULL) return MUS_OK;
     mus_status status =
@@ -85,7 +85,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     status = mus__collider_add_plane(collider, own.point, own.normal, own.friction, own.reach);
     if (status != MUS_OK) {
         /* a collider without anything in it is none */
-        if (collider->nlimb + collider->nplane > 0) return status;
+        if (collider->nparts + collider->nplane > 0) return status;
         mus__collider_destroy(collider);
         drape->scene.collider = NULL;
         return status;

@@ -113,7 +113,7 @@ static mus_status fail_open(mus_drape *drape, bool worn)
  * layers that are worn: what is drawn through those all round is not untangled */
 static void let_pass(mus_drape *drape)
 {
-    mus__cloth_self *self = drape->self;
+    mus__self_contact *self = drape->self;
     const int32_t open_from = drape->program.open_from;
     const double reach = PASS_REACH * drape->cloth->spacing;
     if (self == NULL) return;
@@ -129,7 +129,7 @@ static void let_pass(mus_drape *drape)
             self->pass[i] |= mus__cloth_layer(drape->cloth, i) >= open_from && mus__dot3(d, d) < far * far;
         }
     }
-    self->stale = 1;
+    self->invalid = 1;
 }
 
 
@@ -178,7 +178,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
                                         .travel = travel,
                                         .slip = h,
                                         .step = h,
-                                        .ball = MUS_NEAR_BALL,
+                                        .cache_radius = MUS__CACHE_RADIUS,
                                         .slick = 1.0 - SEW_GRIP};
         drape->program.seam_pull = pull_at(drape->def.seam_pull, t, all);
         if (!run->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
@@ -199,7 +199,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
     sim->plane_cache = NULL;
     for (int32_t i = 0; i < drape->program.nattachment; i++) drape->program.attachment[i].share = 1.0;
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
-    if (drape->self != NULL) drape->self->stale = 1;
+    if (drape->self != NULL) drape->self->invalid = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !is_home(drape) && !near_home(drape)) return fail_open(drape, worn_between(drape));

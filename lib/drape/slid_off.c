@@ -109,7 +109,7 @@ static void slid_say(mus_drape *drape, int32_t panel, const char *where)
 /* whether nothing is attached or pinned, and no node is near the body any more */
 static bool slid_loose(const mus_drape *drape, const double *x)
 {
-    double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
+    double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
     if (drape->program.nattachment > 0) return false;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->pinned[i]) return false;

@@ -145,7 +145,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
                                     .friction = drape->scene.friction,
                                     .push = PUSH_SPEED * dt,
                                     .step = dt,
-                                    .ball = drape->def.contact_ball};
+                                    .cache_radius = drape->def.contact_ball};
     if (drape->scene.body == NULL || !drape->scene.body->posed) sim->rule.pull = PINCH_PULL;
     mus__scene_before_steps(drape);
     if (drape->scene.moved && drape->plane_cache != NULL)
@@ -220,7 +220,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         drape->stepping.since_look += batch;
         status = mus__drape_check_motion(drape);
         if (status == MUS_OK) status = mus__drape_self_fits(drape);
-        if (status == MUS_OK && drape->self != NULL && drape->self->tangled > 0)
+        if (status == MUS_OK && drape->self != NULL && drape->self->ncrossed > 0)
             status = mus__drape_self_ready(drape, dt);
         drape->stepping.way += batch * dt * drape->stepping.speed;
         const int32_t due = drape->stepping.since_look >= LOOK_STEPS;

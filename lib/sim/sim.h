@@ -13,8 +13,8 @@
 #define MUS_SIM_SIM_H
 
 #include "base/pool.h"
-#include "contact/cloth_self.h"
-#include "contact/near.h"
+#include "contact/self_contact.h"
+#include "contact/plane_cache.h"
 #include "sim/program.h"
 
 typedef struct mus__sim mus__sim;
@@ -70,8 +70,8 @@ struct mus__sim {
     void *inverse;   /* (n) 1/inertia, 0 for fixed or welded nodes */
     void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
     void *last_good; /* (6 n) the last state that was found good */
-    mus__aside *distance_cache; /* (n) contact need not query a node for a while */
-    mus__cloth_self *self;      /* NULL: no self-contact */
+    mus__distance_cache *distance_cache; /* (n) contact need not query a node for a while */
+    mus__self_contact *self;      /* NULL: no self-contact */
     void *plane_cache; /* (8 n) contact planes of nodes, while sew or settle run; NULL: every node is queried in
                         * every step */
 
@@ -83,7 +83,7 @@ struct mus__sim {
     int32_t fresh;             /* nonzero: f holds the forces at y */
     double collision_distance; /* [m] pairs this close are stitched */
     mus__contact_rule rule;
-    mus__cloth_rule self_rule;
+    mus__self_rule self_rule;
     double self_time; /* [s] over which self->force was summed */
     int32_t sweeps;   /* nonzero: nodes are so fast that contact sweeps them */
     mus__contact_tally part_tally[64];
@@ -100,7 +100,7 @@ struct mus__sim {
 /* self-contact of a sim: a build with MUS_WITHOUT_SELF has none, to measure what asking for it costs
  * (tests/guard/self_off.sh) */
 #ifdef MUS_WITHOUT_SELF
-#define MUS__SELF_OF(sim) ((mus__cloth_self *)NULL)
+#define MUS__SELF_OF(sim) ((mus__self_contact *)NULL)
 #else
 #define MUS__SELF_OF(sim) ((sim)->self)
 #endif

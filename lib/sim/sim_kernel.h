@@ -213,7 +213,7 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
                   end = program->chunk[last - 1].first + program->chunk[last - 1].count;
     if (MUS__SELF_OF(sim) != NULL)
         for (int64_t d = 0; d < 3; d++)
-            memcpy((MUS_REAL *)sim->self->before + d * sim->n + start, v + d * sim->n + start,
+            memcpy((MUS_REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
     if (sim->plane_cache != NULL && !sim->sweeps)
         MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->plane_cache, x, v,
@@ -326,7 +326,7 @@ static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
     MUS_FN(run_move)(sim, MUS__PHASE_START);
     MUS_FN(meet_self)(sim, h);
     for (int32_t i = 1; i < steps; i++) {
-        for (int32_t part = 0; part < 64 && !sim->sweeps; part++) sim->sweeps = sim->part_tally[part].swift;
+        for (int32_t part = 0; part < 64 && !sim->sweeps; part++) sim->sweeps = sim->part_tally[part].fast;
         MUS_FN(run_move)(sim, MUS__PHASE_VERLET);
         MUS_FN(meet_self)(sim, h);
     }
@@ -355,7 +355,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
     MUS_FN(flush)(sim);
     memset(sim->distance_cache, 0, (size_t)n * sizeof *sim->distance_cache);
     sim->fresh = 0;
-    if (MUS__SELF_OF(sim) != NULL) sim->self->stale = 1;
+    if (MUS__SELF_OF(sim) != NULL) sim->self->invalid = 1;
     MUS_REAL *good = sim->last_good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -429,7 +429,7 @@ static void MUS_FN(restore)(mus__sim *sim)
     memcpy(sim->y, sim->last_good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
     memset(sim->distance_cache, 0, (size_t)sim->n * sizeof *sim->distance_cache);
     sim->fresh = 0;
-    if (MUS__SELF_OF(sim) != NULL) sim->self->stale = 1;
+    if (MUS__SELF_OF(sim) != NULL) sim->self->invalid = 1;
 }
 
 

@@ -17,6 +17,7 @@
 #include "muslin/arrange.h"
 #include "muslin/integrate.h"
 #include "muslin/drape.h"
+#include "muslin/dress.h"
 #include "muslin/fit.h"
 
 #endif

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/draft.h"
 #include "pattern/board.h"
 
 #define GRADE_CHORDS 16

@@ -10,8 +10,9 @@
 #include "sim/step_bound.h"
 
 #define FLOAT_REACH 1e4 /* [m] from the origin of a float state: a float of 10 km is rounded to a millimetre */
-#define SPEED_MAX 1e4 /* [m/s] a node that is faster is taken for a motion that diverged; chosen: no cloth is as fast  \
-                       */
+#define SPEED_MAX                                                                                                      \
+    1e4 /* [m/s] a node that is faster is taken for a motion that diverged; chosen: no cloth is as fast                \
+         */
 
 
 double mus_drape_time(const mus_drape *drape)
@@ -163,7 +164,8 @@ mus_status mus__drape_plane_cache(mus_drape *drape)
     mus__sim *sim = &drape->sim;
     const int64_t n = sim->n;
     if (drape->scene.collider == NULL) return MUS_OK;
-    if (drape->plane_cache == NULL) drape->plane_cache = mus__new(drape->context, MUS__CACHE_PLANES * n, sim->ops->real);
+    if (drape->plane_cache == NULL)
+        drape->plane_cache = mus__new(drape->context, MUS__CACHE_PLANES * n, sim->ops->real);
     if (drape->plane_cache == NULL) return mus__fail_memory(drape->context, "what nodes know of the skin");
     for (int64_t i = 7 * n; i < 8 * n; i++) mus__program_put(&drape->program, drape->plane_cache, i, -1.0);
     sim->plane_cache = drape->plane_cache;

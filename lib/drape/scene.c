@@ -148,8 +148,8 @@ void mus__scene_before_steps(mus_drape *drape)
     double glide2 = 0.0;
     for (int32_t d = 0; d < 3; d++) glide2 += drape->scene.velocity[d] * drape->scene.velocity[d];
     const double speed = sqrt(sim->ops->speed2(sim)) + sqrt(glide2), h = sim->rule.step;
-    sim->part_tally[0].fast = speed > mus__contact_fast_speed(sim->collider, &sim->rule) || mus__scene_plane_moves(drape) ||
-                               mus__scene_body_poses(drape, 0, h);
+    sim->part_tally[0].fast = speed > mus__contact_fast_speed(sim->collider, &sim->rule) ||
+                              mus__scene_plane_moves(drape) || mus__scene_body_poses(drape, 0, h);
 }
 
 

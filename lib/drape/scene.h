@@ -13,6 +13,7 @@
 #include "body/body_level.h"
 #include "contact/contact.h"
 #include "muslin/drape.h"
+#include "pose/pose_frame.h"
 #include "sim/program_elements.h"
 
 /* a plane: where it was at `time`, and how it has moved since */

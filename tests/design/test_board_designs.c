@@ -1,7 +1,7 @@
 /*
  * test_board_designs.c: the designs of the house laid on the cutting table and written again, in three sizes.
  */
-#include "design/drafts.h"
+#include "block/drafts.h"
 #include "pattern/table.h"
 
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 
 
 START_TEST(designs_have_names_and_are_found)

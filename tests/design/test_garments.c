@@ -4,7 +4,7 @@
  */
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 
 #define SIZES 28
 #define SEAM_MATCH (0.05 * CM)

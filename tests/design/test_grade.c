@@ -4,7 +4,7 @@
  */
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 
 #define MOST 400
 

@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 #include "geom/vec.h"
 #include "pattern/table.h"
 

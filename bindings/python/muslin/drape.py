@@ -9,6 +9,21 @@ from .context import Object, create, make_def, read_struct
 from .integrate import METHODS
 
 
+def progress_hook(progress, raised):
+    """The C hook of a Python function, or a null one; what the function raises goes to the list `raised`."""
+    if progress is None:
+        return _abi.mus_progress_fn()
+
+    def hook(_, phase, share):
+        try:
+            return 1 if progress(phase.decode(), share) else 0
+        except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
+            raised.append(error)
+            return 1
+
+    return _abi.mus_progress_fn(hook)
+
+
 class Drape(Object):
     """A cloth round a body, or in empty space. options: gravity, precision, threads, integrator ("rk4" or "verlet"),
     clearance, ... (mus_drape_def)."""
@@ -68,15 +83,7 @@ class Drape(Object):
 
     def _run(self, function, progress):
         raised = []
-
-        def hook(_, phase, share):
-            try:
-                return 1 if progress(phase.decode(), share) else 0
-            except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
-                raised.append(error)
-                return 1
-
-        self.do(function, _abi.mus_progress_fn(hook) if progress is not None else _abi.mus_progress_fn(), None)
+        self.do(function, progress_hook(progress, raised), None)
         if raised:
             raise raised[0]
 

@@ -13,6 +13,7 @@
 #include "body/body_level.h"
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
+#include "muslin/topology.h"
 
 #define AROUND_WAYS 72
 #define AROUND_WORD 0.02       /* [m2]: what a word against a way is worth */

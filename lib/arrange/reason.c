@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "arrange/reason.h"
+#include "muslin/topology.h"
 
 static const char *const reason_names[MUS_REASON_COUNT] = {
     "nothing asked",     "settled",       "twisted seam", "panel crosses itself",

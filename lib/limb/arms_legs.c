@@ -20,7 +20,7 @@
 #include "limb/limb.h"
 #include "geom/vec.h"
 
-/* distance that each leg keeps from the middle plane [m]; chosen: the limbs of one body are then apart in contact */
+/* distance that each leg keeps from the middle plane [m]; chosen */
 #define LEG_WALL 0.004
 
 

@@ -2,8 +2,8 @@
  * stance.c: a body that changes its pose while the cloth steps.
  *
  * A pose becomes rotations of joints at the door, with sines and cosines. Between two poses a step blends these, and
- * frames of the parts follow, by + - * / and sqrt alone (pose_frame.h). The body comes to stand exactly as asked: at the
- * end of a movement, and ever after, the frames are those of the pose itself.
+ * frames of the parts follow, by + - * / and sqrt alone (pose_frame.h). The body comes to stand exactly as asked: at
+ * the end of a movement, and ever after, the frames are those of the pose itself.
  */
 #include <math.h>
 #include <string.h>

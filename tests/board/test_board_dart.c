@@ -313,7 +313,7 @@ START_TEST(a_shortened_dart_keeps_its_mouth)
     int32_t faults;
     mus__board_write(&board, &pattern);
     table_well(&board);
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_pattern_destroy(pattern);
 

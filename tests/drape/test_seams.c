@@ -122,7 +122,7 @@ START_TEST(a_junction_and_a_dart_leave_no_node)
     int32_t faults;
     ck_assert_int_eq(mus_pattern_topology(pattern, &t), MUS_OK);
     ck_assert(t.vertices == 12 && t.edges == 15 && t.faces == 4 && t.euler == 1 && t.loops == 1 && t.manifold == 1);
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_cloth *cloth = scene_cut(context, pattern, 0.01, 0.0);
 
@@ -256,7 +256,7 @@ static mus_pattern *pleated(mus_context *context, bool box)
     scene_sew(pattern, band[0], skirt[2], 0.2);
     ck_assert_msg(mus_pattern_lay_pleats(pattern, skirt[2], 2, box ? boxed : knife, box ? facing : deep) == MUS_OK,
                   "%s", mus_context_error(context));
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_placement place;
     mus_placement_init(&place, sizeof place);

@@ -461,7 +461,7 @@ START_TEST(the_example_of_the_manual_page_is_read)
     int32_t faults;
     mus_status status = read_text(context, text, &pattern);
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     assert_round_trip(context, pattern);
     mus_pattern_destroy(pattern);

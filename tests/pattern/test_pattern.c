@@ -113,7 +113,7 @@ static mus_status edit_mark(const sample *s)
 static mus_status edit_check(const sample *s)
 {
     int32_t count;
-    return mus_pattern_check(s->pattern, &count);
+    return mus_pattern_check(s->pattern, &count, NULL);
 }
 
 

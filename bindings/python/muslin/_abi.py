@@ -246,6 +246,10 @@ class mus_pattern(Structure):
     pass
 
 
+class mus_faults(Structure):
+    pass
+
+
 class mus_cloth(Structure):
     pass
 
@@ -625,9 +629,12 @@ FUNCTIONS = {
     "mus_form_def_init": ("core", None, [POINTER(mus_form_def), c_size_t]),
     "mus_pattern_form": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_form_def), POINTER(c_uint8), c_size_t,
                                            POINTER(c_size_t), POINTER(c_uint64)]),
-    "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32)]),
-    "mus_pattern_fault": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
-                                            POINTER(c_int32), POINTER(c_int32), POINTER(c_char_p)]),
+    "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32), POINTER(POINTER(mus_faults))]),
+    "mus_faults_destroy": ("core", None, [POINTER(mus_faults)]),
+    "mus_faults_count": ("core", c_int32, [POINTER(mus_faults)]),
+    "mus_faults_item": ("core", c_int32, [POINTER(mus_faults), c_int32, POINTER(c_int32), POINTER(c_int32),
+                                          POINTER(c_int32), POINTER(c_int32)]),
+    "mus_faults_text": ("core", c_char_p, [POINTER(mus_faults), c_int32]),
     "mus_pattern_keep_history": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_undo": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_redo": ("core", c_int32, [POINTER(mus_pattern)]),

@@ -18,7 +18,7 @@ int main(int argc, char **argv)
     for (int32_t i = 0; i < 3 && status == MUS_OK; i++)
         status = mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 3], 1, &line, 0, NULL, &edge[i]);
     if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, 3, edge, along);
-    if (status == MUS_OK) status = mus_pattern_check(pattern, &count);
+    if (status == MUS_OK) status = mus_pattern_check(pattern, &count, NULL);
     if (status == MUS_OK) status = mus_sheet_create(context, pattern, NULL, &sheet);
     if (status == MUS_OK && argc > 1) status = mus_sheet_write_pdf(sheet, argv[1]);
     mus_sheet_destroy(sheet);

@@ -42,14 +42,14 @@ static mus_drape *sewn(mus_context *context, const mus_cloth *cloth)
 /* a polygon with straight edges, n corners (n x 2), counter-clockwise */
 static int32_t polygon(mus_pattern *pattern, const char *name, int32_t n, const double *corner, int32_t *edge)
 {
-    const int32_t line = MUS_PIECE_LINE;
     int32_t panel, point[16], along[16];
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int32_t i = 0; i < n; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[2 * i], corner[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
         along[i] = 1;
-        mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]);
+        mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                      .end = point[(i + 1) % n]}, &edge[i]);
     }
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, edge, along), MUS_OK);
     return panel;

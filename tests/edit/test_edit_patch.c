@@ -18,7 +18,7 @@ static mus_pattern *tube(mus_context *context)
 {
     mus_pattern *pattern;
     static const char *const names[4] = {"hem", "right", "waist", "left"};
-    const int32_t line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+    const int32_t along[4] = {1, 1, 1, 1};
     int32_t edge[2][4];
     ck_assert_int_eq(mus_pattern_create(context, "tube", &pattern), MUS_OK);
     for (int p = 0; p < 2; p++) {
@@ -28,7 +28,9 @@ static mus_pattern *tube(mus_context *context)
         for (int i = 0; i < 4; i++)
             mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]);
         for (int i = 0; i < 4; i++) {
-            mus_pattern_add_edge(pattern, names[i], point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[p][i]);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = names[i],
+                                                          .start = point[i], .end = point[(i + 1) % 4]},
+                                 &edge[p][i]);
             if (i % 2 == 0) mus_pattern_set_edge_label(pattern, edge[p][i], names[i]);
         }
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge[p], along), MUS_OK);

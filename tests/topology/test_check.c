@@ -98,14 +98,16 @@ START_TEST(sides_of_unequal_length_are_told_in_millimetres)
     int32_t e[2], along[4] = {1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_create(context, "two", &pattern), MUS_OK);
     for (int32_t k = 0; k < 2; k++) {
-        int32_t panel, p[4], edges[4], line = MUS_PIECE_LINE;
+        int32_t panel, p[4], edges[4];
         double height = k == 0 ? 0.412 : 0.426, xy[8] = {0.0, 0.0, 0.3, 0.0, 0.3, height, 0.0, height};
         ck_assert_int_eq(mus_pattern_add_panel(pattern, k == 0 ? "front" : "back", &panel), MUS_OK);
         for (int32_t i = 0; i < 4; i++)
             ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &p[i]), MUS_OK);
         for (int32_t i = 0; i < 4; i++)
-            ck_assert_int_eq(mus_pattern_add_edge(pattern, i == 1 ? "side" : NULL, p[i], p[(i + 1) % 4], 1, &line, 0,
-                                                  NULL, &edges[i]),
+            ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                           .name = i == 1 ? "side" : NULL,
+                                                                           .start = p[i], .end = p[(i + 1) % 4]},
+                                                  &edges[i]),
                              MUS_OK);
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edges, along), MUS_OK);
         e[k] = edges[1];
@@ -159,7 +161,7 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     ck_assert_int_eq(check_of(p).count, 0);
 
     /* no outline */
-    int32_t panel, point[4], edge[4], line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+    int32_t panel, point[4], edge[4], along[4] = {1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_add_panel(p, "cuff", &panel), MUS_OK);
     faults f = check_of(p);
     ck_assert(f.count == 1 && f.kind[0] == MUS_FAULT_OPEN_OUTLINE && f.panel[0] == panel && f.edge[0] == MUS_NONE);
@@ -170,7 +172,8 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     for (int32_t i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(p, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < 4; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(p, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                                 .end = point[(i + 1) % 4]}, &edge[i]),
                          MUS_OK);
     f = check_of(p);
     ck_assert(f.count == 5 && f.kind[4] == MUS_FAULT_LOOSE_EDGE && f.edge[4] == edge[3] && f.panel[4] == panel);

@@ -61,6 +61,7 @@ static mus_status refuse_dart_to_seam(const edit_case *c, int32_t k, double bad)
 }
 
 
+/* mus_cut_def.s_a, mus_cut_def.s_b, mus_cut_def.xy */
 static mus_status refuse_separate(const edit_case *c, int32_t k, double bad)
 {
     static const int32_t kind = MUS_PIECE_CUBIC;

@@ -46,6 +46,7 @@ static mus_status call_add_point(const sample *s, int32_t k, double bad)
 }
 
 
+/* mus_edge_def.xy */
 static mus_status call_add_edge(const sample *s, int32_t k, double bad)
 {
     static const int32_t kinds[3] = {MUS_PIECE_LINE, MUS_PIECE_QUADRATIC, MUS_PIECE_ARC};

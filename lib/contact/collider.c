@@ -11,9 +11,10 @@
 #include "body/body_internal.h"
 #include "contact/offset_surface.h"
 
-#define COLLIDER_FAR 1e30          /* [m] depth of what is out of reach, with a minus; beyond every scene */
-#define COLLIDER_STEEP_MARGIN 0.02 /* [m] added to a reach: near a cap the radius is far from a surface that is close;
-                                    * chosen: above the cap's height of every part */
+#define COLLIDER_FAR 1e30 /* [m] depth of what is out of reach, with a minus; beyond every scene */
+#define COLLIDER_STEEP_MARGIN                                                                                          \
+    0.02 /* [m] added to a reach: near a cap the radius is far from a surface that is close;                           \
+          * chosen: above the cap's height of every part */
 
 
 /* parts and memory of a collider whose offset surface is there */

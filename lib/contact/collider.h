@@ -94,7 +94,7 @@ typedef struct mus__collider {
     double speed_max;               /* bound of every surface's speed relative to the drift [m/s] */
     double plane_speed_max;         /* the same of the planes alone [m/s] */
     int32_t nplane;
-    mus__collider_plane *plane; /* (MUS__PLANES_MAX), NULL without planes */
+    mus__collider_plane *plane;          /* (MUS__PLANES_MAX), NULL without planes */
     struct mus__offset_surface *surface; /* tables of the fields, shared by the body's colliders; NULL without a body */
 } mus__collider;
 

@@ -80,8 +80,8 @@ static double offset_radius(const offset_column *column, int32_t k)
         const double up = low->along + t * (high->along - low->along);
         const double length_g = sqrt(plane + up * up);
         const double *c0 = field->centre + 2 * (int64_t)at, *c = field->centre + 2 * (int64_t)k;
-        const double back = (c[0] - c0[0] - t * (c0[2] - c0[0])) * column->ua +
-                            (c[1] - c0[1] - t * (c0[3] - c0[1])) * column->ub;
+        const double back =
+            (c[0] - c0[0] - t * (c0[2] - c0[0])) * column->ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * column->ub;
         radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + offset * plane / length_g - back;
         const double next = fmin(fmax(k - offset * up / (length_g * field->ds), 0.0), field->nring - 1);
         if (fabs(next - u) < OFFSET_CLOSE) break;

@@ -1,5 +1,6 @@
 /*
- * offset_surface.h: the surface at a distance off the skin on which cloth rests, as radius fields of the parts of a body.
+ * offset_surface.h: the surface at a distance off the skin on which cloth rests, as radius fields of the parts of a
+ * body.
  *
  * Made once a body and distance, kept with the body, and shared by all colliders of it, those of posed copies of the
  * body too: it knows nothing of where the parts are. To make one costs a few milliseconds, half of a drape's creation.

@@ -19,12 +19,12 @@ typedef struct mus__stance {
     double angle[MUS_JOINT_COUNT][3]; /* [rad] */
 } mus__stance;
 
-/* what another room makes of a body and keeps with it (lib/contact); posed copies of the body share it. Written by calls
- * that have the body as const: the body's context is used by one thread at a time */
+/* what another room made of a body and shares among its users (lib/contact); posed copies of the body share it too.
+ * Written by calls that have the body as const: the body's context is used by one thread at a time */
 typedef struct mus__body_kept {
-    int32_t users; /* bodies */
-    void *data;    /* NULL: nothing yet */
-    void (*destroy)(void *data);
+    int32_t users;               /* bodies */
+    void *data;                  /* NULL: nothing */
+    void (*destroy)(void *data); /* called when the last body is destroyed, and before another thing takes its place */
 } mus__body_kept;
 
 struct mus_body {

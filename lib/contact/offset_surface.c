@@ -234,6 +234,7 @@ void mus__offset_surface_leave(mus__offset_surface *surface)
 {
     if (surface == NULL || --surface->users > 0) return;
     mus_context *context = surface->context;
+    if (surface->kept != NULL) surface->kept->data = NULL;
     mus__free(context, surface->field32);
     mus__free(context, surface->field64);
     mus__free(context, surface->part);
@@ -243,38 +244,39 @@ void mus__offset_surface_leave(mus__offset_surface *surface)
 }
 
 
+/* the body that named the surface is gone, or names another one */
 static void offset_forget(void *data)
 {
-    mus__offset_surface_leave(data);
+    ((mus__offset_surface *)data)->kept = NULL;
 }
 
 
 mus_status mus__offset_surface_take(mus_context *context, const mus_body *body, double offset,
                                     mus__offset_surface **out)
 {
-    /* a body of another context may be in use by another thread: nothing is kept with it */
+    /* a body of another context may be in use by another thread: it names no surface */
     mus__body_kept *kept = body->context == context ? body->kept : NULL;
     mus__offset_surface *surface = kept != NULL ? kept->data : NULL;
     *out = NULL;
-    if (surface == NULL || memcmp(&surface->offset, &offset, sizeof offset) != 0) {
-        surface = mus__new(context, 1, sizeof *surface);
-        if (surface == NULL) return mus__fail_memory(context, "the radius fields of a collider");
-        surface->context = context;
-        surface->offset = offset;
-        surface->users = 1;
-        const mus_status status = offset_make(surface, body);
-        if (status != MUS_OK) {
-            mus__offset_surface_leave(surface);
-            return status;
-        }
-        if (kept != NULL) {
-            if (kept->data != NULL) kept->destroy(kept->data);
-            kept->data = surface;
-            kept->destroy = offset_forget;
-            surface->users++;
-        }
-    } else {
+    if (surface != NULL && memcmp(&surface->offset, &offset, sizeof offset) == 0) {
         surface->users++;
+        *out = surface;
+        return MUS_OK;
+    }
+    surface = mus__new(context, 1, sizeof *surface);
+    if (surface == NULL) return mus__fail_memory(context, "the radius fields of a collider");
+    surface->context = context;
+    surface->offset = offset;
+    surface->users = 1;
+    const mus_status status = offset_make(surface, body);
+    if (status != MUS_OK) {
+        mus__offset_surface_leave(surface);
+        return status;
+    }
+    if (kept != NULL) {
+        if (kept->data != NULL) kept->destroy(kept->data);
+        *kept = (mus__body_kept){kept->users, surface, offset_forget};
+        surface->kept = kept;
     }
     *out = surface;
     return MUS_OK;

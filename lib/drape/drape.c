@@ -1,7 +1,14 @@
 /*
- * drape.c: create, destroy, the state as callers see it, and its bookkeeping.
+ * drape.c: the life of a drape: its def, create, destroy.
  *
- * All memory that stepping needs is taken here. The number of steps, evaluations and the clock are kept here too.
+ * Where a stranger starts. A drape is a cloth in time. mus_drape_create() (here) makes the force program and the sim
+ * (lib/sim), the scene (scene.c) and self-contact (drape_self.c). mus_drape_place() (place.c) puts the nodes where the
+ * panels start (lib/arrange). mus_drape_sew() (sew.c) pulls seams shut and welds them (weld.c), mus_drape_settle()
+ * (settle.c) relaxes to rest; both use relax.c, and coarse_drape.c for coarser cuts. mus_drape_step() (step.c) steps by
+ * hand. report.c and diagnosis.c tell what was done and how it ended. mus_dress() (dress.c) does it all in one call.
+ * The data is in drape_state.h.
+ *
+ * All memory that stepping needs is taken here.
  */
 #include <math.h>
 #include <string.h>
@@ -10,8 +17,8 @@
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 
-#define LEAST_THICKNESS 1e-5 /* [m]: floats round a metre off by a hundredth of it */
-#define MOST_GRAVITY 1e4     /* [m/s2]: a thousand g and no more */
+#define LEAST_THICKNESS 1e-5 /* [m] a hundred times the rounding of a metre in float */
+#define MOST_GRAVITY 1e4     /* [m/s2] a thousand g */
 
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
@@ -37,7 +44,7 @@ void mus_drape_def_init(mus_drape_def *def, size_t size)
 }
 
 
-/* one number of a def: finite and within low..high */
+/* MUS_ERR_ARG when a number of a def is not within low..high */
 static mus_status check_number(mus_context *context, const char *name, double value, double low, double high)
 {
     if (value >= low && value <= high) return MUS_OK;
@@ -74,7 +81,7 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
 }
 
 
-/* the arrays of the drape and of its sim */
+/* takes the arrays of the drape and of its sim */
 static mus_status take_memory(mus_drape *drape)
 {
     mus_context *context = drape->context;
@@ -100,7 +107,7 @@ static mus_status take_memory(mus_drape *drape)
 }
 
 
-/* float: the mean place of the nodes before sewing, to the centimetre */
+/* the origin of a float state: the mean place of the nodes before sewing, to the centimetre */
 static mus_status choose_origin(mus_drape *drape)
 {
     if (drape->def.precision != 32 || drape->n == 0) return MUS_OK;
@@ -114,7 +121,7 @@ static mus_status choose_origin(mus_drape *drape)
 }
 
 
-/* collider and threads: those of the parent, or new ones */
+/* takes collider and threads of the parent, or makes new ones */
 static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
 {
     const mus_drape *parent = drape->coarse.parent;
@@ -165,7 +172,7 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     sim->collision_distance = def->collision_distance;
     mus__drape_name_skipped(drape);
 
-    /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
+    /* flat in the panels' planes until placed; nodes of a mass-spring network at their place, their pins fixed */
     for (int32_t i = 0; i < drape->n; i++) {
         double *x = drape->x + 3 * (int64_t)i;
         x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;

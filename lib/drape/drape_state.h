@@ -61,7 +61,7 @@ struct mus_drape {
     mus__program program;
     mus__sim sim;
     mus__self_contact *self; /* self-contact; NULL unless the def asks for it */
-    void *plane_cache;     /* (8 n) contact planes of nodes in the sim's precision; NULL before the first use */
+    void *plane_cache;       /* (8 n) contact planes of nodes in the sim's precision; NULL before the first use */
 
     mus__scene scene;
     mus__clock clock;

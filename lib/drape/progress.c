@@ -1,5 +1,5 @@
 /*
- * run.c: what sew, settle and step share: progress calls and the guard on the state.
+ * progress.c: calls of the caller's progress function during sew and settle.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <math.h>

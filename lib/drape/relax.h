@@ -32,6 +32,25 @@ typedef struct mus__relaxation {
     int32_t far;          /* nonzero: not near rest, so that a settle begins on the coarse cut */
 } mus__relaxation;
 
+/* how the steps of a batch act */
+typedef struct mus__relax_rule {
+    double gravity[3];  /* [m/s2] */
+    double drag;        /* [1/s] */
+    double speed_limit; /* of a node [m/s] */
+    double grip;        /* factor on the friction of surfaces, 0..1 */
+    double
+        push_speed; /* speed at which a node leaves a surface that it is inside of, at most [m/s]; 0: twice the limit */
+    double deep_rate; /* that speed over the depth, for deep nodes [1/s]; 0: no more than push_speed */
+} mus__relax_rule;
+
+/* step [s] at the pose x: `safety` of the bound of symplectic Euler, with scaled inertia, which is set */
+double mus__relax_step(mus_drape *drape, double safety);
+/* before a batch of steps of h [s]: set the rule, and find the pairs of self-contact. Errors: MUS_ERR_MEMORY */
+mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, double h);
+/* `steps` steps of h [s]; relax.mean gets the mean place of the last `averaged` of them (0: nothing is averaged). The
+ * caller notes them on the clock. Errors: MUS_ERR_DIVERGED (the last good state is restored), MUS_ERR_LIMIT */
+mus_status mus__relax_run(mus_drape *drape, double h, int32_t steps, int32_t averaged);
+
 /* memory of mean, before, left and anchor, kept until the drape is destroyed; give it back */
 mus_status mus__relax_create(mus_drape *drape);
 void mus__relax_clear(mus_drape *drape);

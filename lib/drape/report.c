@@ -1,5 +1,5 @@
 /*
- * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals.
+ * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals, forces.
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void mus_drape_report_init(mus_drape_report *report, size_t size)
 }
 
 
-/* deepest node below the skin */
+/* depth of the deepest node below the skin [m]; 0 if none is */
 static double deepest(const mus_drape *drape)
 {
     double most = 0.0;
@@ -54,7 +54,7 @@ mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *poin
 }
 
 
-/* seams whose pairs are all within the collision distance */
+/* number of seams whose pairs are all within the collision distance */
 static int32_t closed_seams(const mus_drape *drape)
 {
     const mus_cloth *cloth = drape->cloth;

@@ -27,7 +27,7 @@ typedef struct mus__scene_body {
     mus__rig rig;
     mus_pose made, from, to;
     mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
-    mus__frame frame[MUS__PARTS_MOST];         /* where the parts were last put */
+    mus__frame frame[MUS__PARTS_MOST];        /* where the parts were last put */
     double time, duration;                    /* when the movement began, how long it takes [s] */
     int32_t posed;                            /* nonzero: not as the limbs were made */
     int32_t came_posed;                       /* nonzero: the body was posed when the drape was made */

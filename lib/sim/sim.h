@@ -71,7 +71,7 @@ struct mus__sim {
     void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
     void *last_good; /* (6 n) the last state that was found good */
     mus__distance_cache *distance_cache; /* (n) contact need not query a node for a while */
-    mus__self_contact *self;      /* NULL: no self-contact */
+    mus__self_contact *self;             /* NULL: no self-contact */
     void *plane_cache; /* (8 n) contact planes of nodes, while sew or settle run; NULL: every node is queried in
                         * every step */
 

@@ -65,6 +65,16 @@ MUS_API void mus_drape_def_init(mus_drape_def *def, size_t size);
 MUS_API mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
                                     const mus_drape_def *def, mus_drape **out);
 
+/**
+ * Make a plain drape: a cloth in empty space, in float, without self-contact. All else is as by mus_drape_create().
+ *
+ * A program that makes its drapes by this call alone links no code of bodies, contact, self-contact and double
+ * precision, but what other calls name (mus_drape_add_plane).
+ * Errors:  MUS_ERR_ARG (also: precision 64, self_contact), MUS_ERR_VERSION, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_drape_create_plain(mus_context *context, const mus_cloth *cloth, const mus_drape_def *def,
+                                          mus_drape **out);
+
 MUS_API void mus_drape_destroy(mus_drape *drape);
 
 /** Put the nodes where the pattern's placement says, at rest, and open all seams again. */

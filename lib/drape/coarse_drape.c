@@ -27,7 +27,8 @@ static void coarse_destroy(mus_drape *drape)
 static mus_status make_coarse(mus_drape *drape)
 {
     mus_drape *coarse;
-    mus_status status = mus__drape_make(drape->context, drape->cloth->coarse, NULL, drape, &drape->def, &coarse);
+    mus_status status =
+        mus__drape_make(drape->context, drape->cloth->coarse, NULL, drape, &drape->def, drape->kit, &coarse);
     if (status != MUS_OK) return status;
     status = mus__transfer_build(drape->context, coarse->cloth, drape->cloth, &drape->coarse.up);
     if (status == MUS_OK)

@@ -22,31 +22,15 @@
 #define SELF_LINGERS 1e-3   /* [m] between two checks: a deep node that moves farther mostly comes out by itself */
 
 
-mus_status mus__drape_self_create(mus_drape *drape)
+/* takes the triangles of the open or welded cloth */
+static void self_weld(mus_drape *drape)
 {
-    const mus_cloth *cloth = drape->cloth;
-    const mus_drape_def *def = &drape->def;
-    if (!def->self_contact || cloth->ntriangle == 0) return MUS_OK;
-    if (cloth->spacing > 0.0 && def->thickness > SELF_THICKEST * cloth->spacing)
-        return mus__fail(drape->context, MUS_ERR_ARG,
-                         "drape: thickness is %g m, expected at most half the spacing, %g m", def->thickness,
-                         SELF_THICKEST * cloth->spacing);
-    const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
-    const mus__self_mesh flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
-                                 cloth->rest, cloth->node_panel, cloth->pair};
-    return mus__self_contact_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat, def->thickness, friction,
-                                    &drape->self);
-}
-
-
-void mus__drape_self_weld(mus_drape *drape)
-{
-    if (drape->self == NULL) return;
     mus__self_contact_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
 }
 
 
-void mus__drape_self_rule(mus_drape *drape, double h)
+/* the rule of steps of `h`; finds the pairs anew where displacement bounds do not hold so long */
+static void self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
     sim->self_rule = (mus__self_rule){
@@ -57,13 +41,13 @@ void mus__drape_self_rule(mus_drape *drape, double h)
 }
 
 
-mus_status mus__drape_self_ready(mus_drape *drape, double h)
+/* lets self-contact act from now on: finds the pairs, and takes capacity for them */
+static mus_status self_ready(mus_drape *drape, double h)
 {
     mus__self_contact *self = drape->self;
-    if (self == NULL) return MUS_OK;
     if (drape->sim.self == NULL) self->invalid = 1;
     drape->sim.self = self;
-    mus__drape_self_rule(drape, h);
+    self_rule(drape, h);
     if (self->invalid || self->ncrossed > 0) {
         mus__drape_publish(drape);
         mus__self_contact_mark_crossings(self, drape->x, NULL, NULL);
@@ -76,6 +60,33 @@ mus_status mus__drape_self_ready(mus_drape *drape, double h)
         status = mus__self_contact_grow(self);
     } while (status == MUS_OK && self->invalid);
     return status;
+}
+
+
+static const struct mus__self_ops self_ops = {mus__self_contact_destroy, self_weld, self_ready, self_rule};
+
+
+mus_status mus__drape_self_create(mus_drape *drape)
+{
+    const mus_cloth *cloth = drape->cloth;
+    const mus_drape_def *def = &drape->def;
+    if (!def->self_contact || cloth->ntriangle == 0) return MUS_OK;
+    if (cloth->spacing > 0.0 && def->thickness > SELF_THICKEST * cloth->spacing)
+        return mus__fail(drape->context, MUS_ERR_ARG,
+                         "drape: thickness is %g m, expected at most half the spacing, %g m", def->thickness,
+                         SELF_THICKEST * cloth->spacing);
+    const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
+    const mus__self_mesh flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
+                                 cloth->rest, cloth->node_panel, cloth->pair};
+    const mus_status status = mus__self_contact_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat,
+                                                       def->thickness, friction, &drape->self);
+    if (status != MUS_OK) return status;
+    const bool single = drape->sim.ops->real == sizeof(float);
+    drape->self_ops = &self_ops;
+    drape->sim.self_pass = single ? (mus__pass)mus__self_contact_pass_f32 : (mus__pass)mus__self_contact_pass_f64;
+    drape->sim.self_prepare =
+        single ? (mus__pass)mus__self_contact_prepare_f32 : (mus__pass)mus__self_contact_prepare_f64;
+    return MUS_OK;
 }
 
 

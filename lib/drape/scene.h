@@ -54,6 +54,11 @@ int32_t mus__scene_body_poses(const mus_drape *drape, int64_t steps, double h);
 /* MUS_ERR_STATE when a surface moves: `what` needs it at rest */
 mus_status mus__scene_require_rest(const mus_drape *drape, const char *what);
 
+/* put the body into the scene of a new drape: collider, pose, level planes. Errors: MUS_ERR_MEMORY */
+mus_status mus__scene_add_body(mus_drape *drape, const mus_body *body);
+/* let the sim meet the collider, with the passes of its precision (scene_contact.c) */
+void mus__scene_contact(mus_drape *drape);
+
 /* the pose of the body as it came; the same again after movements */
 mus_status mus__scene_body_create(mus_drape *drape, const mus_body *body);
 void mus__scene_body_reset(mus_drape *drape);

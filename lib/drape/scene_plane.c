@@ -103,7 +103,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     memset(drape->sim.distance_cache, 0, (size_t)drape->n * sizeof *drape->sim.distance_cache);
     for (mus_drape *each = drape; each != NULL; each = each->coarse.drape) {
         each->scene.collider = collider;
-        each->sim.collider = collider;
+        mus__scene_contact(each);
         mus__drape_name_skipped(each);
     }
     if (index != NULL) *index = k;

@@ -15,8 +15,9 @@
 #include "sim/program_number.h"
 #include "sim/program_parts.h"
 
-#define ITEMS_MOST 40 /* half springs, and index differences of bending, at one node; a lattice has at most 12 and 24  \
-                       */
+#define ITEMS_MOST                                                                                                     \
+    40 /* half springs, and index differences of bending, at one node; a lattice has at most 12 and 24                 \
+        */
 
 typedef struct stencil_items { /* of one node */
     int32_t nspring, nlinear;

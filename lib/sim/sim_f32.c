@@ -14,10 +14,6 @@
 #define MUS__NAME(name) sim_f32_##name
 #define MUS__SQRT sqrtf
 #define MUS__OVER_ROOT(a, x) ((a) / sqrtf((x) + 1e-20f)) /* at 0: finite */
-#define MUS__CONTACT mus__contact_pass_f32
-#define MUS__PLANE_CACHE mus__plane_cache_pass_f32
-#define MUS__SELF_PASS mus__self_contact_pass_f32
-#define MUS__SELF_PREPARE mus__self_contact_prepare_f32
 #define MUS__SIM mus__sim_f32
 #include "sim/sim_kernel.h"
 
@@ -27,8 +23,4 @@
 #undef MUS__NAME
 #undef MUS__SQRT
 #undef MUS__OVER_ROOT
-#undef MUS__CONTACT
-#undef MUS__PLANE_CACHE
-#undef MUS__SELF_PASS
-#undef MUS__SELF_PREPARE
 #undef MUS__SIM

@@ -30,10 +30,6 @@ static MUS_INLINE double over_root(double share, double x)
 #define MUS__NAME(name) sim_f64_##name
 #define MUS__SQRT sqrt
 #define MUS__OVER_ROOT(a, x) over_root(a, x)
-#define MUS__CONTACT mus__contact_pass_f64
-#define MUS__PLANE_CACHE mus__plane_cache_pass_f64
-#define MUS__SELF_PASS mus__self_contact_pass_f64
-#define MUS__SELF_PREPARE mus__self_contact_prepare_f64
 #define MUS__SIM mus__sim_f64
 #include "sim/sim_kernel.h"
 
@@ -43,8 +39,4 @@ static MUS_INLINE double over_root(double share, double x)
 #undef MUS__NAME
 #undef MUS__SQRT
 #undef MUS__OVER_ROOT
-#undef MUS__CONTACT
-#undef MUS__PLANE_CACHE
-#undef MUS__SELF_PASS
-#undef MUS__SELF_PREPARE
 #undef MUS__SIM

@@ -1,9 +1,8 @@
 /*
  * sim_kernel.h: the steps of a sim, as a template on the floating type.
  *
- * Define MUS__REAL, MUS__NAME(name) (names of that type), MUS__SQRT, MUS__CONTACT, MUS__PLANE_CACHE, MUS__SELF_PASS,
- * MUS__SELF_PREPARE and MUS__SIM, then include. Loops are plain and counted over planes, so that the compiler
- * vectorises them; the order of the program fixes every sum.
+ * Define MUS__REAL, MUS__NAME(name) (names of that type), MUS__SQRT and MUS__SIM, then include. Loops are plain and
+ * counted over planes, so that the compiler vectorises them; the order of the program fixes every sum.
  *
  * RK4 in the form that needs least memory (a_i the acceleration at stage i; v does not depend on the order of nodes):
  *
@@ -17,6 +16,18 @@
  *   w = v + h/2 (f(x)/m + g - d v)      x' = x + h w      v' = (w + h/2 (f(x', w)/m + g)) / (1 + h/2 d)
  */
 #include "sim/force_kernel.h"
+
+/* the passes of contact in this precision, as they stand in contact.h, plane_cache.h and self_contact.h */
+typedef void MUS__NAME(contact_fn)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
+                                   int32_t first, int32_t last, const MUS__REAL *inverse, const MUS__REAL *before,
+                                   int32_t sweeps, mus__distance_cache *cache, MUS__REAL *x, MUS__REAL *v,
+                                   mus__contact_tally *tally);
+typedef void MUS__NAME(plane_cache_fn)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
+                                       int32_t first, int32_t last, const MUS__REAL *inverse, MUS__REAL *cache,
+                                       MUS__REAL *x, MUS__REAL *v, mus__contact_tally *tally);
+typedef void MUS__NAME(self_fn)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
+                                MUS__REAL *x, MUS__REAL *v);
+typedef void MUS__NAME(self_prepare_fn)(mus__self_contact *self, const MUS__REAL *x);
 
 
 /* ---- what a step does with the forces of nodes first .. first+count-1, f (3 x MUS__SPAN) in the scratch ---- */
@@ -217,11 +228,13 @@ static void MUS__NAME(phase_part)(void *user, int32_t part, int32_t parts)
             memcpy((MUS__REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
     if (sim->plane_cache != NULL && !sim->sweeps)
-        MUS__PLANE_CACHE(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->plane_cache, x, v,
-                         &sim->part_tally[part]);
+        ((MUS__NAME(plane_cache_fn) *)sim->plane_cache_pass)(sim->collider, &sim->rule, sim->n, start, end,
+                                                             sim->inverse, sim->plane_cache, x, v,
+                                                             &sim->part_tally[part]);
     else
-        MUS__CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->x_before, sim->sweeps,
-                     sim->distance_cache, x, v, &sim->part_tally[part]);
+        ((MUS__NAME(contact_fn) *)sim->contact_pass)(sim->collider, &sim->rule, sim->n, start, end, sim->inverse,
+                                                     sim->x_before, sim->sweeps, sim->distance_cache, x, v,
+                                                     &sim->part_tally[part]);
 }
 
 
@@ -284,14 +297,14 @@ static inline void MUS__NAME(meet_self)(mus__sim *sim, double h)
 {
     if (MUS__SELF_OF(sim) == NULL) return;
     MUS__REAL *y = sim->y;
-    MUS__SELF_PASS(sim->self, &sim->self_rule, sim->inverse, y, y + 3 * (int64_t)sim->n);
+    ((MUS__NAME(self_fn) *)sim->self_pass)(sim->self, &sim->self_rule, sim->inverse, y, y + 3 * (int64_t)sim->n);
     sim->self_time += h;
 }
 
 
 static void MUS__NAME(find_pairs)(mus__sim *sim)
 {
-    if (MUS__SELF_OF(sim) != NULL) MUS__SELF_PREPARE(sim->self, sim->y);
+    if (MUS__SELF_OF(sim) != NULL) ((MUS__NAME(self_prepare_fn) *)sim->self_prepare)(sim->self, sim->y);
 }
 
 

@@ -8,6 +8,7 @@
 
 #include "drape/coarse_drape.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 
 /* frees the coarse drape; mus_drape_destroy reaches it through coarse.destroy */

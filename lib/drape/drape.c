@@ -1,12 +1,11 @@
 /*
  * drape.c: the life of a drape: its def, create, destroy.
  *
- * Where a stranger starts. A drape is a cloth in time. mus_drape_create() (here) makes the force program and the sim
- * (lib/sim), the scene (scene.c) and self-contact (drape_self.c). mus_drape_place() (place.c) puts the nodes where the
- * panels start (lib/arrange). mus_drape_sew() (sew.c) pulls seams shut and welds them (weld.c), mus_drape_settle()
- * (settle.c) relaxes to rest; both use relax.c, and coarse_drape.c for coarser cuts. mus_drape_step() (step.c) steps by
- * hand. report.c and diagnosis.c tell what was done and how it ended. mus_dress() (dress.c) does it all in one call.
- * The data is in drape_state.h.
+ * Where a stranger starts. A drape is a cloth in time; its data is in drape_state.h and the parts that this includes.
+ * mus_drape_create() (here) makes the force program and the sim (lib/sim), the scene (scene.c) and self-contact
+ * (drape_self.c). mus_drape_place() (place.c) puts the nodes where the panels start (lib/arrange). mus_drape_step()
+ * (step.c) steps by hand; estimate.c tells the cost before. Sewing and settling are runs over these (lib/dress); they
+ * use weld.c, coarse_drape.c and residual.c. report.c tells what was done.
  *
  * All memory that stepping needs is taken here.
  */
@@ -16,6 +15,7 @@
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 #define LEAST_THICKNESS 1e-5 /* [m] a hundred times the rounding of a metre in float */
 #define MOST_GRAVITY 1e4     /* [m/s2] a thousand g */

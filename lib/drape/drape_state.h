@@ -9,9 +9,8 @@
 
 #include "arrange/placed_cloth.h"
 #include "drape/coarse_drape.h"
-#include "drape/relax.h"
+#include "drape/drape_parts.h"
 #include "drape/scene.h"
-#include "drape/sew.h"
 #include "drape/step.h"
 #include "muslin/drape.h"
 #include "sim/program.h"

@@ -6,6 +6,8 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
+#include "drape/weld.h"
 #include "geom/vec.h"
 #include "sim/force_reference.h"
 

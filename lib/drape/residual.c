@@ -6,6 +6,7 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "sim/force_reference.h"
 
 #define LEFT_MUCH 0.02 /* of a node's weight: with more force left the surfaces beside the node are asked too */

@@ -8,6 +8,7 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 
 double mus__weld_pair_stiffness(const mus_drape *drape)

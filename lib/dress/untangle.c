@@ -22,6 +22,8 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 #define UNTANGLE_ROUNDS 80  /* chosen, as all of these; `make corpus` shows crossings left and seconds */

@@ -11,6 +11,8 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 
 
 mus_status mus__relax_create(mus_drape *drape)

@@ -15,6 +15,8 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 /* All numbers below are chosen; the corpus of GarmentCode patterns shows which seams close when they change. */

@@ -10,8 +10,11 @@
 
 #include "arrange/arrange_check.h"
 #include "arrange/reason.h"
-#include "drape/diagnosis.h"
+#include "drape/residual.h"
+#include "dress/diagnosis.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 

@@ -31,9 +31,11 @@
 #include <string.h>
 
 #include "drape/coarse_drape.h"
-#include "drape/diagnosis.h"
+#include "dress/diagnosis.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 /* All numbers below are chosen; the table of `make corpus` (at rest, crossings, seconds) shows what they change. */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 #include "scenes.h"
 
 Suite *mus_suite_drape(void);

@@ -7,6 +7,7 @@
 
 #include "body/body_level.h"
 #include "drape/drape_state.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 #include "drape/scenes.h"
 #include "drape/worn.h"

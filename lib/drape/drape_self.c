@@ -83,9 +83,9 @@ mus_status mus__drape_self_create(mus_drape *drape)
     if (status != MUS_OK) return status;
     const bool single = drape->sim.ops->real == sizeof(float);
     drape->self_ops = &self_ops;
-    drape->sim.self_pass = single ? (mus__pass)mus__self_contact_pass_f32 : (mus__pass)mus__self_contact_pass_f64;
+    drape->sim.self_pass = single ? (mus__self_fn)mus__self_contact_pass_f32 : (mus__self_fn)mus__self_contact_pass_f64;
     drape->sim.self_prepare =
-        single ? (mus__pass)mus__self_contact_prepare_f32 : (mus__pass)mus__self_contact_prepare_f64;
+        single ? (mus__self_fn)mus__self_contact_prepare_f32 : (mus__self_fn)mus__self_contact_prepare_f64;
     return MUS_OK;
 }
 

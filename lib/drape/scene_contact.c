@@ -11,8 +11,8 @@ void mus__scene_contact(mus_drape *drape)
     mus__sim *sim = &drape->sim;
     const bool single = sim->ops->real == sizeof(float);
     sim->collider = drape->scene.collider;
-    sim->contact_pass = single ? (mus__pass)mus__contact_pass_f32 : (mus__pass)mus__contact_pass_f64;
-    sim->plane_cache_pass = single ? (mus__pass)mus__plane_cache_pass_f32 : (mus__pass)mus__plane_cache_pass_f64;
+    sim->contact_pass = single ? mus__contact_pass_f32 : mus__contact_pass_f64;
+    sim->plane_cache_pass = single ? mus__plane_cache_pass_f32 : mus__plane_cache_pass_f64;
 }
 
 

@@ -17,14 +17,7 @@
  */
 #include "sim/force_kernel.h"
 
-/* the passes of contact in this precision, as they stand in contact.h, plane_cache.h and self_contact.h */
-typedef void MUS__NAME(contact_fn)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
-                                   int32_t first, int32_t last, const MUS__REAL *inverse, const MUS__REAL *before,
-                                   int32_t sweeps, mus__distance_cache *cache, MUS__REAL *x, MUS__REAL *v,
-                                   mus__contact_tally *tally);
-typedef void MUS__NAME(plane_cache_fn)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
-                                       int32_t first, int32_t last, const MUS__REAL *inverse, MUS__REAL *cache,
-                                       MUS__REAL *x, MUS__REAL *v, mus__contact_tally *tally);
+/* the passes of self-contact in this precision, as they stand in self_contact.h */
 typedef void MUS__NAME(self_fn)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
                                 MUS__REAL *x, MUS__REAL *v);
 typedef void MUS__NAME(self_prepare_fn)(mus__self_contact *self, const MUS__REAL *x);
@@ -227,14 +220,11 @@ static void MUS__NAME(phase_part)(void *user, int32_t part, int32_t parts)
         for (int64_t d = 0; d < 3; d++)
             memcpy((MUS__REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
+    const mus__contact_nodes nodes = {sim->n, start, end, sim->inverse, sim->x_before, x, v};
     if (sim->plane_cache != NULL && !sim->sweeps)
-        ((MUS__NAME(plane_cache_fn) *)sim->plane_cache_pass)(sim->collider, &sim->rule, sim->n, start, end,
-                                                             sim->inverse, sim->plane_cache, x, v,
-                                                             &sim->part_tally[part]);
+        sim->plane_cache_pass(sim->collider, &sim->rule, &nodes, sim->plane_cache, &sim->part_tally[part]);
     else
-        ((MUS__NAME(contact_fn) *)sim->contact_pass)(sim->collider, &sim->rule, sim->n, start, end, sim->inverse,
-                                                     sim->x_before, sim->sweeps, sim->distance_cache, x, v,
-                                                     &sim->part_tally[part]);
+        sim->contact_pass(sim->collider, &sim->rule, &nodes, sim->sweeps, sim->distance_cache, &sim->part_tally[part]);
 }
 
 

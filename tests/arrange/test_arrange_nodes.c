@@ -1,12 +1,12 @@
 /*
- * test_put.c: where panels are put before they are sewn: layers and folds lie on a panel's right side, which is that of
+ * test_arrange_nodes.c: where panels are put before they are sewn: layers and folds lie on a panel's right side, which is that of
  * its plane's normal or, where the outline runs clockwise (as GarmentCode draws), the other one.
  */
 #include <math.h>
 
-#include "scenes.h"
+#include "drape/scenes.h"
 
-Suite *mus_suite_put(void);
+Suite *mus_suite_arrange_nodes(void);
 
 
 /* a rectangle w x h from the origin whose outline runs clockwise; edge (4) gets left, top, right, bottom */
@@ -105,10 +105,10 @@ START_TEST(a_pleat_begins_with_its_fold_behind)
 END_TEST
 
 
-Suite *mus_suite_put(void)
+Suite *mus_suite_arrange_nodes(void)
 {
-    Suite *suite = suite_create("put");
-    TCase *tests = tcase_create("put");
+    Suite *suite = suite_create("arrange_nodes");
+    TCase *tests = tcase_create("arrange_nodes");
     tcase_add_loop_test(tests, a_layer_begins_on_the_right_side, 0, 6);
     tcase_add_loop_test(tests, a_pleat_begins_with_its_fold_behind, 0, 2);
     suite_add_tcase(suite, tests);

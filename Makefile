@@ -113,7 +113,7 @@ CORE := $(call sources,base geom integrate body scan pattern design cloth contac
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
 CATALOGUE := $(call sources,catalogue)
-COMMAND := $(wildcard examples/muslin/*.c)
+COMMAND := $(wildcard examples/command/*.c examples/verify/*.c examples/bench/*.c)
 RENDER := $(wildcard examples/render/*.c)
 RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
 TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
@@ -121,7 +121,7 @@ TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
 # parts of the programs that have C tests
-TESTED_EXAMPLES := examples/muslin/bench_plain.c examples/muslin/bench_tree.c
+TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 
 LIB := $(INTO)/lib
@@ -157,8 +157,8 @@ need-print need-exchange need-catalogue need-example need-test: need-%:
 
 $(OUT)/obj/lib/drape/kernel%.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/contact/%.o: HOT = $(HOT_$(config))
-$(OUT)/obj/examples/muslin/bench_plain.o: HOT = $(HOT_$(config))
-$(OUT)/obj/examples/muslin/bench_tree.o: HOT = $(HOT_$(config))
+$(OUT)/obj/examples/bench/plain.o: HOT = $(HOT_$(config))
+$(OUT)/obj/examples/bench/tree.o: HOT = $(HOT_$(config))
 $(OUT)/obj/lib/integrate/%.o: HOT = $(HOT_$(config))
 $(call objects,$(PRINT)): PACKAGE := $(call pkg_flags,$(PRINT_PKG))
 $(call objects,$(PRINT)): | need-print

@@ -7,13 +7,13 @@
 #   make bench      speed table
 #   make install    DESTDIR= PREFIX= LIBDIR= are respected
 #   make corpus     every GarmentCode specification of $(MUSLIN_DATA), a table in build/corpus/ (CORPUS='--spacing 20'
-#                   hands options to tests/corpus/run.py)
+#                   hands options to tests/study/corpus/run.py)
 #   make page       24 GarmentCode garments at 15 mm with cloth on cloth as two pages of pictures, in build/page/
-#                   (PAGE='--spacing 25' hands options to tests/corpus/page.py)
+#                   (PAGE='--spacing 25' hands options to tests/study/corpus/page.py)
 #   make layers     garments worn over one another, a row each with CPU seconds (LAYERS='--spacing 25 --only 1')
 #   make girths     girths of the three scanned bodies of $(MUSLIN_DATA): their yaml, the meshes' own sections, muslin
 #   make motion     T-shirt and skirt in every named pose and over a walk of 240 frames (MOTION='--film ...' hands
-#                   options to tests/motion/run.py)
+#                   options to tests/study/motion/run.py)
 #   make wear       every named design dressed on the sizes of its groups, 100 of them on ten people (WEAR='--every 7')
 #   make people     the 3034 people of ANSUR II in $(MUSLIN_DATA) and the table sizes made and measured, a page of figures
 #                   (PEOPLE='--csv FILE --each 10': a row a person, each tenth of them)
@@ -24,7 +24,7 @@
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
-#   make report     error against run time: page, table and pictures of tests/report anew, 20 minutes (QUICK=1: small
+#   make report     error against run time: page, table and pictures of tests/study/report anew, 20 minutes (QUICK=1: small
 #                   scenes, into build/report, under a minute; REPORT='--only sheet speed' measures some jobs anew)
 #   make check-large  a sheet of a million nodes and eight million springs (0.7 GB)
 #   make check-self-off  a build whose steps know nothing of cloth on cloth: the same bits, the same time within 1 %
@@ -118,7 +118,7 @@ RENDER := $(wildcard examples/render/*.c)
 RENDER_SHARED := $(filter-out examples/render/main.c,$(RENDER))
 TESTS := tests/main.c tests/support.c $(sort $(wildcard tests/*/test_*.c))
 # what test files of one folder share; an archive, since one of them may be a program that a Python test compiles
-TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c))
+TEST_PARTS := $(filter-out $(TESTS),$(wildcard tests/*/*.c tests/study/*/*.c))
 SUITES := $(patsubst test_%,%,$(basename $(notdir $(wildcard tests/*/test_*.c))))
 # parts of the programs that have C tests
 TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
@@ -217,13 +217,13 @@ $(BIN)/muslin-render: $(call objects,$(RENDER)) $(ARCHIVES)
 $(BIN)/tests: $(call objects,$(TESTS) $(TESTED_EXAMPLES)) $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: ARCHIVES := $(A_TESTS) $(ARCHIVES)
 $(BIN)/tests: OUTSIDE := $(call pkg_libs,$(TEST_PKG)) $(OUTSIDE)
-$(BIN)/people: $(call objects,tests/people/people.c) $(A_TESTS) $(A_CORE)
+$(BIN)/people: $(call objects,tests/study/people/people.c) $(A_TESTS) $(A_CORE)
 $(BIN)/people: ARCHIVES := $(A_TESTS) $(A_CORE)
 $(BIN)/people: OUTSIDE := -lm
-$(BIN)/designs: $(call objects,tests/designs/designs.c) $(A_TESTS) $(A_CORE)
+$(BIN)/designs: $(call objects,tests/study/designs/designs.c) $(A_TESTS) $(A_CORE)
 $(BIN)/designs: ARCHIVES := $(A_TESTS) $(A_CORE)
 $(BIN)/designs: OUTSIDE := -lm
-$(BIN)/catalogue-bench: $(call objects,tests/catalogue/bench.c) $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
+$(BIN)/catalogue-bench: $(call objects,tests/study/catalogue-bench/catalogue-bench.c) $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: ARCHIVES := $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: OUTSIDE := $(call pkg_libs,$(EXCHANGE_PKG) $(CATALOGUE_PKG)) -lm
 $(PROGRAMS) $(BIN)/tests $(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench:
@@ -275,31 +275,31 @@ corpus:
 	@sh tests/guard/packages.sh build
 	@$(call again,corpus-now)
 corpus-now: all
-	$(PYTHON) tests/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+	$(PYTHON) tests/study/corpus/run.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
 
 page:
 	@sh tests/guard/packages.sh build report
 	@$(call again,page-now)
 page-now: all
-	$(PYTHON) tests/corpus/page.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/page --jobs $(JOBS) $(PAGE)
+	$(PYTHON) tests/study/corpus/page.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/page --jobs $(JOBS) $(PAGE)
 
 layers:
 	@sh tests/guard/packages.sh build
 	@$(call again,layers-now)
 layers-now: all
-	$(PYTHON) tests/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
+	$(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
 
 girths:
 	@sh tests/guard/packages.sh build report
 	@$(call again,girths-now)
 girths-now: all
-	$(PYTHON) tests/scan/girths.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
+	$(PYTHON) tests/study/girths/girths.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 
 motion:
 	@sh tests/guard/packages.sh build
 	@$(call again,motion-now)
 motion-now: all
-	$(PYTHON) tests/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
+	$(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
 
 # 100 designs on one body; one design on 10 women, 8 men and 2 children
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
@@ -315,7 +315,7 @@ wear:
 	@sh tests/guard/packages.sh build
 	@$(call again,wear-now)
 wear-now: all
-	$(PYTHON) tests/designs/wear.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
+	$(PYTHON) tests/study/designs/wear.py --command $(BIN)/muslin --data '$(MUSLIN_DATA)' --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 
 people:
 	@sh tests/guard/packages.sh build test
@@ -357,7 +357,7 @@ check-large: $(BIN)/tests
 
 check-ports:
 	@sh tests/guard/packages.sh build ports
-	@CC='$(CC)' PYTHON='$(PYTHON)' sh tests/ports/ports.sh '$(OUT)' $(PORTS)
+	@CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 
 # numbers of every run lie in build/report/rows; the page is written into the repository by the full run alone
 report:
@@ -365,8 +365,8 @@ report:
 	@$(call again,report-now)
 report-now: all
 	@CC='$(CC)' REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(SAME_BITS) $(CFLAGS)), kernels $(HOT_$(config))' \
-	  MUSLIN_LIB='$(SO_CORE)' $(PYTHON) tests/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,\
-	  --out $(OUT)/report --page tests/report) $(REPORT)
+	  MUSLIN_LIB='$(SO_CORE)' $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,\
+	  --out $(OUT)/report --page tests/study/report) $(REPORT)
 
 sizes: all
 	@sh tests/guard/sizes.sh '$(OUT)' write

@@ -1,8 +1,8 @@
 /*
- * verify.c: muslin verify: cases with exact answers, run through the public API, as a table, CSV or JSON.
+ * verify.c: `muslin verify`: cases with exact answers, run through the public API, as a table, CSV or JSON.
  *
- * The cases stand in the other files of this folder, one file a family. Rows are printed as they come: some take seconds. JSON holds them
- * all in one object and is printed at the end.
+ * The cases stand in the other files of this folder, one file a family. A row is printed as soon as its case has run,
+ * since some cases take seconds. JSON holds all rows in one object and is printed at the end.
  */
 #include "verify.h"
 

@@ -17,7 +17,7 @@ import time
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+ROOT = HERE.parents[2]
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 
 # one row a point; "error" says which of the three it is: time, mesh, model, or rest (distance from the shape at rest)

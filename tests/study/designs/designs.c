@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../people/ansur.h"
+#include "study/people/ansur.h"
 #include "try.h"
 
 #define REASONS 200

@@ -1,11 +1,12 @@
 /*
- * bench.c: make catalogue-bench: a catalogue of the named designs in five sizes, of the GarmentCode specifications and
- * of 100,000 variants of them, or as many as asked: how long a search takes, and whether the same design on another
- * body comes first.
+ * catalogue-bench.c: time and quality of searches in a large catalogue, the study of `make catalogue-bench`.
+ *
+ * The catalogue holds the named designs in five sizes, the GarmentCode specifications and COUNT variants of them
+ * (100,000 unless told). Measured: the CPU time of a search, and whether the same design on another body comes first.
  *
  *     build/bin/catalogue-bench DATA CATALOGUE.db [COUNT]
  *
- * Times are CPU time of this process, form and traits of the pattern that is looked for included.
+ * The time of a search includes computing the canonical form and the traits of the pattern searched for.
  */
 #define _POSIX_C_SOURCE 200809L
 

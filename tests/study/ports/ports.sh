@@ -7,7 +7,7 @@
 set -u
 out=$1
 shift
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../../.."
 mkdir -p "$out/ports"
 out=$(cd "$out/ports" && pwd)
 PYTHON=${PYTHON:-/usr/bin/python3}
@@ -19,8 +19,7 @@ failed=0
 build()
 {
     mkdir -p "$out/$1"
-    ls lib/base/*.c lib/geom/*.c lib/integrate/*.c lib/body/*.c lib/pattern/*.c lib/design/*.c lib/cloth/*.c \
-        lib/contact/*.c lib/drape/*.c tests/ports/figures.c |
+    ls lib/*/*.c tests/study/ports/figures.c | grep -vE '^lib/(print|exchange|catalogue)/' |
         xargs -P "$jobs" -I{} sh -c "$2 -std=c11 -Iinclude -Ilib -pthread -ffp-contract=off $3 -c {} \
             -o $out/$1/\$(basename {} .c).o" &&
         $2 $3 -static -pthread "$out/$1"/*.o -lm -o "$out/$1.bin"
@@ -37,7 +36,7 @@ port()
 {
     rm -rf "${out:?}/$1"
     if build "$1" "$2" "$3" && run "$1" "$4"; then
-        if said=$("$PYTHON" tests/ports/compare.py "$out/reference.txt" "$out/$1.txt"); then
+        if said=$("$PYTHON" tests/study/ports/compare.py "$out/reference.txt" "$out/$1.txt"); then
             passed=$((passed + 1))
         else
             failed=$((failed + 1))

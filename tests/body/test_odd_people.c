@@ -7,7 +7,7 @@
 
 #include "body/body_internal.h"
 #include "muslin/drape.h"
-#include "slice.h"
+#include "study/people/slice.h"
 #include "support.h"
 
 /* a measure [cm] of a row; the row ends with a value of 0 */

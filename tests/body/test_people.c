@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ansur.h"
 #include "muslin/body.h"
-#include "slice.h"
+#include "study/people/ansur.h"
+#include "study/people/slice.h"
 #include "support.h"
 
 #define EACH 20

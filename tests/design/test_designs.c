@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "designs/try.h"
 #include "muslin/muslin.h"
-#include "people/ansur.h"
+#include "study/designs/try.h"
+#include "study/people/ansur.h"
 #include "support.h"
 
 #define MOST 2000

@@ -1,9 +1,10 @@
 /*
- * figures.c: a program that prints what the library makes, for tests/ports/compare.py to hold two builds against each
- * other: compilers, levels of optimisation, 32 bits, big-endian machines (numerics.md X37).
+ * figures.c: prints figures of what the library makes, so that compare.py can hold two builds against each other:
+ * builds by other compilers, at other levels of optimisation, for 32-bit and big-endian machines.
  *
- * A line is `kind name value`: exact must be the same text: counts, and states, since a step uses only + - * / and
- * square roots; near must be the same to 1e-12: the C library's sine may have another last digit elsewhere.
+ * A line is `kind name value`. An `exact` value must be the same text in both builds: these are counts, and states of a
+ * step, which uses only + - * / and square roots. A `near` value must agree to 1e-12, since the sine of another C
+ * library may differ in its last digit.
  */
 #include <inttypes.h>
 #include <math.h>

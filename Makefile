@@ -39,8 +39,7 @@ $(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug,
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
 KERNEL =
-# the same bits from every compiler: no fused multiply-add, whatever CFLAGS say
-SAME_BITS = -ffp-contract=off
+SAME_BITS = -ffp-contract=off # no fused multiply-add: the same bits from every compiler
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
@@ -55,7 +54,7 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
-OMIT_design = design style block
+OMIT_design = block half style design
 OMIT_drape = drape fit arrange sim contact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
@@ -79,10 +78,8 @@ $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 # what test files share; an archive, since one of them may be a program of its own
-TEST_PARTS := $(filter-out $(TEST_FILES),$(wildcard tests/*/*.c tests/study/*/*.c))
-TEST_MAIN := tests/main.c tests/support.c
-SRC_tests := $(TEST_MAIN) $(TEST_FILES) $(TEST_PARTS)
-# parts of the programs that have C tests
+TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
+SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
 TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
@@ -114,7 +111,7 @@ $(NEED): need-%:
 	installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
 
 define needs_packages
-$$(call objects,$$(SRC_$(1))): PACKAGE := $(call pkg,--cflags,$(PKG_$(1))) $(2)
+$$(call objects,$$(SRC_$(1))): CFLAGS_OUTSIDE := $(call pkg,--cflags,$(PKG_$(1))) $(2)
 $$(call objects,$$(SRC_$(1))): | need-$(1)
 endef
 $(foreach l,$(OWN_LIBRARY),$(eval $(call needs_packages,$(l))))
@@ -127,7 +124,7 @@ $(call objects,tests/main.c): $(OUT)/suites.h
 $(OUT)/obj/%.o: %.c
 	$(call say,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(COMPILE) $(WARN) $(PACKAGE) -c $< -o $@
+	$(Q)$(COMPILE) $(WARN) $(CFLAGS_OUTSIDE) -c $< -o $@
 
 # the list of suites, written anew only when a test file came or went
 $(OUT)/suites.h: FORCE
@@ -156,12 +153,14 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people designs catalogue-bench)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people designs catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
-$(BIN)/tests: $(call objects,$(TEST_MAIN) $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(STUDY_PROGRAMS): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
+$(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
+$(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
 $(EXAMPLES): $(OUT)/examples/%: $(OUT)/obj/examples/%.o
 $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
@@ -170,20 +169,23 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME, after NEEDS_NAME (or its program, or `all`) is built ----
-# A row RUN_NAME makes the target. Options come in the variable of the name in capitals: make corpus CORPUS='--every 7'
+# A row RUN_NAME makes the target. Options come in the variable of its name: make corpus CORPUS='--every 7'
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
+
 # what apt must have beside the packages of a build
-WITH_test = check check-omit check-large people designs catalogue-bench
-WITH_report = report page girths
-WITH_ports = check-ports
+same check check-omit check-large people designs catalogue-bench: APT_GROUP = test
+report page girths: APT_GROUP = report
+check-ports: APT_GROUP = ports
 
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
 RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
 NEEDS_check = all tests examples
+RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
+NEEDS_same = $(BIN)/same $(BIN)/figures
 RUN_bench = $(BIN)/muslin bench $(BENCH)
 RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
 RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
@@ -194,7 +196,6 @@ RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
-# 100 designs on one body; one design on 10 women, 8 men and 2 children
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
@@ -203,10 +204,12 @@ RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
+NEEDS_check-omit = tests
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+NEEDS_check-large = tests
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
@@ -218,11 +221,10 @@ $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error 
 .PHONY: $(STUDIES) $(STUDIES:%=run-%)
 # a second make, so that pkg-config sees what was just installed
 $(STUDIES): %:
-	@sh tests/guard/packages.sh build $(foreach g,test report ports,$(if $(filter $@,$(WITH_$(g))),$(g)))
+	@sh tests/guard/packages.sh build $(APT_GROUP)
 	@$(if $(wildcard $(BIN)/muslin),,echo "muslin: building in $(OUT), a minute or a few (V=1 shows the commands)")
 	@$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) V=$(or $(V),0) run-$@
-needs = $(or $(NEEDS_$(1)),$(filter $(BIN)/$(1),$(STUDY_PROGRAMS)),all $(if $(filter $(1),$(WITH_test)),tests))
-$(STUDIES:%=run-%): run-%: $$(call needs,$$*)
+$(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROGRAMS)),all)
 	@mkdir -p $(OUT)/out
 	$(Q)$(RUN_$*)
 

@@ -55,7 +55,8 @@ typedef int32_t mus_status;
     X(15, ERR_DIVERGED, "the motion diverged; the last good state is kept")       \
     X(16, ERR_SEW, "a seam cannot be closed")                                     \
     X(17, ERR_UNSETTLED, "rest was not reached within the budget")                \
-    X(18, ERR_TANGLED, "cloth goes through cloth")
+    X(18, ERR_TANGLED, "cloth goes through cloth")                                \
+    X(19, ERR_STOPPED, "the caller's progress function stopped the run")
 
 #define MUS_STATUS_NAME(number, name, text) MUS_##name = number,
 enum { MUS_STATUS_LIST(MUS_STATUS_NAME) MUS_STATUS_COUNT };

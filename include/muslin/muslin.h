@@ -11,11 +11,13 @@
 #include "muslin/pose.h"
 #include "muslin/scan.h"
 #include "muslin/pattern.h"
+#include "muslin/topology.h"
 #include "muslin/edit.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"
 #include "muslin/integrate.h"
 #include "muslin/drape.h"
+#include "muslin/dress.h"
 #include "muslin/fit.h"
 
 #endif

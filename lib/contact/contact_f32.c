@@ -1,17 +1,13 @@
 /* contact_f32.c: the contact pass in float. */
 #include "base/clones.h"
-#include "contact/contact.h"
+#include "contact/contact_template.h"
 
-#define MUS_REAL float
-#define MUS_FIELD(name) mus__f32_##name
-#define MUS_FIELDS field32
-#define MUS_CONTACT mus__contact_f32
-#define MUS_RUSH mus__contact_rush_f32
+#define MUS__REAL float
+#define MUS__NAME(name) mus__##name##_f32
+#define MUS__PART_FIELDS field32
 #include "contact/contact_kernel.h"
 
 /* for a build of all files in one */
-#undef MUS_REAL
-#undef MUS_FIELD
-#undef MUS_FIELDS
-#undef MUS_CONTACT
-#undef MUS_RUSH
+#undef MUS__REAL
+#undef MUS__NAME
+#undef MUS__PART_FIELDS

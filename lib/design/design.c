@@ -1,11 +1,18 @@
 /*
- * design.c: a named design drafted: tape to measures and skeleton, its recipe or its words (design_words.c), check.
+ * design.c: a design drafted: tape to measures and skeleton, eases, the parts that its words ask for (lib/style) on a
+ * cutting table as a left half, doubled, written as a pattern and checked. Five named designs have a recipe of their
+ * own instead (garment_top.c, garment_skirt.c).
+ *
+ * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
+ * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
  */
 #include <math.h>
 #include <string.h>
 
-#include "design/design_list.h"
-#include "design/style.h"
+#include "design/draft.h"
+#include "design/recipe.h"
+#include "design/words.h"
+#include "style/parts.h"
 
 /* recipes of the first designs of the list, in order */
 static void (*const design_recipe[])(mus__draft *draft) = {
@@ -13,88 +20,6 @@ static void (*const design_recipe[])(mus__draft *draft) = {
 };
 
 #define DESIGN_RECIPES ((int32_t)(sizeof design_recipe / sizeof design_recipe[0]))
-
-
-void mus_draft_def_init(mus_draft_def *def, size_t size)
-{
-    if (def == NULL || size < sizeof def->size) return;
-    const mus_draft_def own = {size, NAN, NAN, NAN};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
-}
-
-
-/* ---- measures ---- */
-
-void mus__measures_read(const mus_tape *tape, mus__measures *out)
-{
-    for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) out->v[m] = mus_tape_value(tape, m);
-    out->sex = mus_tape_sex(tape);
-    out->front_waist_given = mus_tape_source(tape, MUS_MEASURE_FRONT_WAIST) == MUS_SOURCE_GIVEN;
-}
-
-
-double mus__measures_scale(const mus__measures *measures)
-{
-    return fmin(1.0, measures->v[MUS_MEASURE_BUST] / 0.80);
-}
-
-
-int mus__millimetres(double x)
-{
-    return (int)lround(1000.0 * fmax(-1e5, fmin(1e5, x)));
-}
-
-
-/* ---- draft ---- */
-
-/* an option that was given must be a length that could be meant */
-static mus_status design_check_def(mus_context *context, const mus_draft_def *def)
-{
-    const struct {
-        const char *name;
-        double value, low, high;
-    } list[] = {{"ease", def->ease, -0.5, 1.0}, {"length", def->length, 0.02, 2.5}, {"sleeve", def->sleeve, 0.02, 1.2}};
-    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-        if (isnan(list[i].value) || (list[i].value >= list[i].low && list[i].value <= list[i].high)) continue;
-        return mus__fail(context, MUS_ERR_ARG, "draft: %s is %g m, expected %g to %g", list[i].name, list[i].value,
-                         list[i].low, list[i].high);
-    }
-    return MUS_OK;
-}
-
-
-mus_status mus__design_check(mus_context *context, mus_pattern *pattern)
-{
-    int32_t faults;
-    const char *text;
-    const mus_status status = mus_pattern_check(pattern, &faults);
-    if (status != MUS_OK || faults == 0) return status;
-    mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
-    return mus__fail(context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(pattern), text);
-}
-
-
-mus_status mus__design_read(mus_context *context, const mus_tape *tape, const mus_draft_def *def,
-                            mus_draft_def *wishes, mus__measures *measures, mus__skeleton *skeleton)
-{
-    mus_draft_def_init(wishes, sizeof *wishes);
-    mus_status status = mus__def_read(context, wishes, sizeof *wishes, sizeof *wishes, def, "mus_draft_def");
-    if (status == MUS_OK) status = design_check_def(context, wishes);
-    if (status != MUS_OK) return status;
-
-    mus_tape *copy = NULL;
-    status = mus_tape_copy(tape, &copy);
-    if (status == MUS_OK && !mus_tape_is_complete(copy)) status = mus_tape_complete(copy);
-    if (status == MUS_OK) {
-        mus__measures_read(copy, measures);
-        mus__skeleton_make(copy, skeleton);
-    } else if (mus_tape_context(tape) != context) {
-        mus__fail(context, status, "%s", mus_context_error(mus_tape_context(tape)));
-    }
-    mus_tape_destroy(copy);
-    return status;
-}
 
 
 /* a design that has a recipe of its own */
@@ -111,6 +36,109 @@ static mus_status design_draft_recipe(mus_context *context, int32_t design, cons
     if (draft.status == MUS_OK) *out = draft.pattern;
     else mus_pattern_destroy(draft.pattern);
     return draft.status;
+}
+
+
+/* ---- words ---- */
+
+/* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18
+ * to 22 cm over the body: it goes over a shirt and a jacket */
+static void design_eases(mus__half *half)
+{
+    static const struct {
+        double bust, bust_plain, waist, hip;
+    } ease[2][4] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}, {22.0, 26.0, 20.0, 20.0}},
+                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}, {22.0, 22.0, 18.0, 18.0}}};
+    const int32_t *option = half->style.option, garment = option[MUS__AXIS_GARMENT];
+    const int32_t cloth = option[MUS__AXIS_CLOTH], level = option[MUS__AXIS_EASE];
+    const double *m = half->measures.v, k = mus__measures_scale(&half->measures) * MUS__CM;
+    const bool women = half->measures.sex == MUS_SEX_FEMALE;
+    half->bust_ease = k * (women ? ease[cloth][level].bust : ease[cloth][level].bust_plain);
+    half->waist_ease = k * ease[cloth][level].waist;
+    half->hip_ease = k * ease[cloth][level].hip;
+
+    /* what has no shoulders holds by being close; a band too, and it is held up by the hips being wider */
+    if (garment <= MUS__GARMENT_JUMPSUIT && option[MUS__AXIS_NECK] == MUS__NECK_STRAPLESS)
+        half->bust_ease = fmin(half->bust_ease, k);
+    if (garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS)
+        half->waist_ease = fmin(2.0 * MUS__CM, 0.1 * fmax(0.0, m[MUS_MEASURE_HIP] - m[MUS_MEASURE_WAIST]));
+
+    /* the caller's ease is that of the bust (skirts and trousers: hip); waist and hip keep their distance from it */
+    if (isnan(half->def.ease)) return;
+    if (garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS) {
+        half->hip_ease = half->def.ease;
+        return;
+    }
+    half->waist_ease += half->def.ease - half->bust_ease;
+    half->hip_ease += half->def.ease - half->bust_ease;
+    half->bust_ease = half->def.ease;
+}
+
+
+/* the parts that the words ask for, from the shoulders down */
+static void design_make(mus__half *half)
+{
+    const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
+    const bool skirt = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_DRESS;
+    const bool legs = garment == MUS__GARMENT_TROUSERS || garment == MUS__GARMENT_JUMPSUIT;
+    const bool waist = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
+    const bool cape = garment == MUS__GARMENT_CAPE;
+    if (cape) mus__cape_draft(half);
+    if (!waist && !cape) {
+        mus__top_draft(half);
+        mus__sleeve_attach(half);
+        mus__neck_band_attach(half);
+    }
+    if (!waist) mus__collar_attach(half);
+    if (skirt) mus__skirt_attach(half);
+    if (legs) mus__trousers_attach(half);
+    if (skirt || legs) mus__band_attach(half);
+    mus__pocket_attach(half);
+    if (waist) mus__board_opening_add(&half->board, "waist");
+    for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, "hem");
+    mus__board_double(&half->board);
+    mus__closure_finish(half);
+    mus__pocket_finish(half);
+}
+
+
+mus_status mus__style_draft(mus_context *context, const char *name, const mus__style *style, const mus_tape *tape,
+                            const mus_draft_def *def, mus_pattern **out)
+{
+    mus__half half;
+    mus_pattern *pattern = NULL;
+    memset(&half, 0, sizeof half);
+    half.context = context;
+    half.style = *style;
+    mus_status status = mus__design_read(context, tape, def, &half.def, &half.measures, &half.skeleton);
+    if (status != MUS_OK) return status;
+    half.waist_level = half.skeleton.waist;
+    design_eases(&half);
+    mus__board_begin(&half.board, context, name);
+    design_make(&half);
+    mus__board_write(&half.board, &pattern);
+    status = half.board.status;
+    mus__board_free(&half.board);
+    if (status == MUS_OK) status = mus__design_check(context, pattern);
+    if (status == MUS_OK) *out = pattern;
+    else mus_pattern_destroy(pattern);
+    return status;
+}
+
+
+mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
+                                  const mus_draft_def *def, mus_pattern **out)
+{
+    char name[MUS__NAME_BYTES];
+    mus__style style;
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (words == NULL || tape == NULL || out == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "draft: words, tape or out is NULL");
+    const mus_status status = mus__style_read(context, words, &style);
+    if (status != MUS_OK) return status;
+    mus__style_spell(&style, name, sizeof name);
+    return mus__style_draft(context, name, &style, tape, def, out);
 }
 
 

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/recipe.h"
 
 #define SKIRT_SEAM (1.0 * MUS__CM)
 #define SKIRT_HEM (4.0 * MUS__CM)

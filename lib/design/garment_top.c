@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/recipe.h"
 
 #define TOP_SEAM (1.0 * MUS__CM)
 #define TOP_NECK_SEAM (0.7 * MUS__CM)

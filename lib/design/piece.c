@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/recipe.h"
 
 
 void mus__piece_begin(mus__piece *piece, mus__draft *draft)

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design_internal.h"
+#include "design/recipe.h"
 #include "geom/vec.h"
 
 

@@ -263,7 +263,7 @@ void mus_drape_destroy(mus_drape *drape)
         mus__pool_destroy(drape->pool);
         mus__collider_destroy(drape->collider);
     }
-    mus__cloth_self_destroy(drape->self);
+    mus__self_contact_destroy(drape->self);
     mus__plan_clear(context, &drape->plan);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);

@@ -12,6 +12,7 @@
 #include "drape/sim.h"
 #include "drape/transfer.h"
 #include "muslin/drape.h"
+#include "pose/pose_frame.h"
 
 /* bits of mus_drape.pinned: held by the caller, or by layers.c until its layer is sewn */
 #define MUS__PINNED 1
@@ -30,8 +31,8 @@ typedef struct mus__drape_plane {
 typedef struct mus__drape_stance {
     mus__rig rig;
     mus_pose made, from, to;
-    mus__local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
-    mus__frame frame[MUS_PARTS_MOST]; /* where the parts were last put */
+    mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
+    mus__frame frame[MUS__PARTS_MOST]; /* where the parts were last put */
     double time, duration;            /* the movement began, and takes so long [s] */
     int32_t posed, carried;           /* nonzero: not as limbs are made; the body came posed */
     mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */
@@ -51,7 +52,7 @@ struct mus_drape {
     mus_drape_def def;
     mus_cloth *cloth;
     mus__collider *collider; /* NULL without a body and planes */
-    mus__cloth_self *self;   /* NULL unless the def asks for it */
+    mus__self_contact *self;   /* NULL unless the def asks for it */
     mus__pool *pool;
     mus_drape *parent;       /* of a coarser double, which borrows its collider and pool; NULL */
     mus_drape *coarse;       /* the coarser double, NULL until sew or settle want it (level.c) */
@@ -95,7 +96,7 @@ struct mus_drape {
     /* the body: where it was at glide_time, and its velocity since */
     double glide_from[3], glide[3], glide_time;
     mus__drape_stance *stance; /* NULL without a body */
-    mus__drape_plane *plane; /* (MUS_PLANES_MOST) as many as the collider has, NULL without */
+    mus__drape_plane *plane; /* (MUS__PLANES_MAX) as many as the collider has, NULL without */
     int32_t moving;          /* nonzero: the collider was last told of a motion */
     int32_t moved;           /* nonzero: a surface did since nodes were asked what they remember */
     char skipped[96];

@@ -78,7 +78,7 @@ static void fit_pressures(mus_fit *fit, const mus_drape *drape, double *force)
     for (int32_t i = 0; i < fit->n && drape->collider != NULL; i++) {
         const int32_t r = drape->rep[i];
         const double *x = drape->x + 3 * (ptrdiff_t)r, *f = force + 3 * (ptrdiff_t)r;
-        double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
+        double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
         fit->gap[i] = -mus__collider_depth(drape->collider, x, FIT_FAR, NULL);
         if (fit->gap[i] > 1e29) fit->gap[i] = (double)NAN;
         const double reach = drape->def.clearance + FIT_SLACK;

@@ -15,7 +15,7 @@
 #define TINY_LENGTH 1e-150
 #define MUCH_LEFT 0.02     /* of a node's weight */
 #define CREASE 0.0005      /* [m] */
-#define SIDES_MOST (3 * MUS_TOUCH_MOST)
+#define SIDES_MOST (3 * MUS__TOUCHING_MAX)
 #define TOUCH_SLACK 0.0005 /* [m] a node this much beyond the clearance is still held by the skin */
 
 

@@ -21,7 +21,7 @@ mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
         if (!(fabs(velocity[d]) <= MOST_GLIDE))
             return mus__fail(drape->context, MUS_ERR_ARG, "drape: velocity of the body is %g m/s, expected %g to %g",
                              velocity[d], -MOST_GLIDE, MOST_GLIDE);
-    if (drape->collider == NULL || drape->collider->nlimb == 0)
+    if (drape->collider == NULL || drape->collider->nparts == 0)
         return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body to move");
     memcpy(drape->glide_from, drape->collider->shift, sizeof drape->glide_from);
     memcpy(drape->glide, velocity, sizeof drape->glide);
@@ -58,7 +58,7 @@ void mus__drape_stand(mus_drape *drape, int64_t steps, double h, double came)
     mus__collider_move(drape->collider, mus__drape_frames(drape, steps, h), shift, drape->glide, came);
     mus__drape_hold(drape);
     mus__drape_stand_planes(drape, steps, h, came);
-    mus__collider_haste(drape->collider);
+    mus__collider_update_speed(drape->collider);
     drape->moving = came > 0.0;
     drape->moved |= drape->moving;
 }
@@ -106,8 +106,9 @@ void mus__drape_meet_first(mus_drape *drape)
     double glide2 = 0.0;
     for (int32_t d = 0; d < 3; d++) glide2 += drape->glide[d] * drape->glide[d];
     const double speed = sqrt(sim->ops->speed2(sim)) + sqrt(glide2), h = sim->rule.step;
-    sim->part_tally[0].swift = speed > mus__contact_swift(sim->collider, &sim->rule) || mus__drape_plane_moves(drape) ||
-                               mus__drape_poses(drape, 0, h);
+    sim->part_tally[0].fast =
+        speed > mus__contact_fast_speed(sim->collider, &sim->rule) || mus__drape_plane_moves(drape) ||
+        mus__drape_poses(drape, 0, h);
 }
 
 
@@ -121,7 +122,7 @@ void mus__drape_meet(mus_drape *drape, int64_t steps, double h)
         mus__drape_stand(drape, steps, h, 0.0);
     sim->swift = 0;
     for (int32_t part = 0; part < 64; part++) {
-        sim->swift |= sim->part_tally[part].swift;
-        sim->part_tally[part].swift = 0;
+        sim->swift |= sim->part_tally[part].fast;
+        sim->part_tally[part].fast = 0;
     }
 }

@@ -11,10 +11,10 @@
 #define MUS_FN(name) sim_f32_##name
 #define MUS_SQRT sqrtf
 #define MUS_OVER_ROOT(a, x) ((a) / sqrtf((x) + 1e-20f)) /* at 0: finite */
-#define MUS_CONTACT mus__contact_f32
-#define MUS_NEAR mus__near_f32
-#define MUS_CLOTH mus__cloth_self_f32
-#define MUS_CLOTH_LOOK mus__cloth_self_look_f32
+#define MUS_CONTACT mus__contact_pass_f32
+#define MUS_NEAR mus__plane_cache_pass_f32
+#define MUS_CLOTH mus__self_contact_pass_f32
+#define MUS_CLOTH_LOOK mus__self_contact_prepare_f32
 #define MUS_SIM mus__sim_f32
 #include "drape/sim_kernel.h"
 

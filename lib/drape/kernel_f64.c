@@ -26,10 +26,10 @@ static MUS_INLINE double over_root(double share, double x)
 #define MUS_FN(name) sim_f64_##name
 #define MUS_SQRT sqrt
 #define MUS_OVER_ROOT(a, x) over_root(a, x)
-#define MUS_CONTACT mus__contact_f64
-#define MUS_NEAR mus__near_f64
-#define MUS_CLOTH mus__cloth_self_f64
-#define MUS_CLOTH_LOOK mus__cloth_self_look_f64
+#define MUS_CONTACT mus__contact_pass_f64
+#define MUS_NEAR mus__plane_cache_pass_f64
+#define MUS_CLOTH mus__self_contact_pass_f64
+#define MUS_CLOTH_LOOK mus__self_contact_prepare_f64
 #define MUS_SIM mus__sim_f64
 #include "drape/sim_kernel.h"
 

@@ -94,7 +94,7 @@ static int64_t layers_count(const mus_drape *drape, int32_t layer, int32_t panel
 {
     const mus_cloth *cloth = drape->cloth;
     layers_met found = {cloth, layer, panel, 0};
-    mus__cloth_crossings(&drape->self->grid, cloth->ntriangle, cloth->triangle, drape->self->class_of, drape->x,
+    mus__crossing_count(&drape->self->grid, cloth->ntriangle, cloth->triangle, drape->self->class_of, drape->x,
                          layers_note, &found);
     return found.count;
 }
@@ -251,7 +251,7 @@ int32_t mus__drape_worn_between(const mus_drape *drape, int32_t i, int32_t k)
             const int32_t *corner = cloth->triangle + 3 * (int64_t)t;
             const double *a = x + 3 * (int64_t)corner[0], *b = x + 3 * (int64_t)corner[1];
             const double *c = x + 3 * (int64_t)corner[2];
-            if (layers_far(p, q, a, b, c) || !mus__cloth_pierces(p, q, a, b, c)) continue;
+            if (layers_far(p, q, a, b, c) || !mus__segment_meets_triangle(p, q, a, b, c)) continue;
             if (layers_corner(drape, t, i) || layers_corner(drape, t, k)) continue;
             layers_pass(drape, &way, t, mus__orient3d(a, b, c, p) > 0.0);
             if (way.count == WAY_MOST) return 1;

@@ -57,7 +57,7 @@ static mus_status check_plane(mus_context *context, mus_plane *plane)
 static mus_status first_plane(mus_drape *drape)
 {
     mus_context *context = drape->context;
-    if (drape->plane == NULL) drape->plane = mus__new(context, MUS_PLANES_MOST, sizeof *drape->plane);
+    if (drape->plane == NULL) drape->plane = mus__new(context, MUS__PLANES_MAX, sizeof *drape->plane);
     if (drape->plane == NULL) return mus__fail_memory(context, "planes");
     if (drape->collider != NULL) return MUS_OK;
     mus_status status = mus__collider_create(context, NULL, drape->sim.origin, drape->def.clearance, &drape->collider);
@@ -84,7 +84,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     status = mus__collider_add_plane(collider, own.point, own.normal, own.friction, own.reach);
     if (status != MUS_OK) {
         /* a collider without anything in it is none */
-        if (collider->nlimb + collider->nplane > 0) return status;
+        if (collider->nparts + collider->nplane > 0) return status;
         mus__collider_destroy(collider);
         drape->collider = NULL;
         return status;

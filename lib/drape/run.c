@@ -68,7 +68,7 @@ mus_status mus__drape_near(mus_drape *drape)
     mus__sim *sim = &drape->sim;
     const int64_t n = sim->n;
     if (drape->collider == NULL) return MUS_OK;
-    if (drape->skin == NULL) drape->skin = mus__new(drape->context, MUS_NEAR_PLANES * n, sim->ops->real);
+    if (drape->skin == NULL) drape->skin = mus__new(drape->context, MUS__CACHE_PLANES * n, sim->ops->real);
     if (drape->skin == NULL) return mus__fail_memory(drape->context, "what nodes know of the skin");
     for (int64_t i = 7 * n; i < 8 * n; i++) mus__plan_put(&drape->plan, drape->skin, i, -1.0);
     sim->near = drape->skin;

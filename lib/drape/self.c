@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/cloth_crossing.h"
+#include "contact/crossing_count.h"
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
 
@@ -28,9 +28,9 @@ mus_status mus__drape_self_create(mus_drape *drape)
                          "drape: thickness is %g m, expected at most half the spacing, %g m",
                          def->thickness, SELF_THICKEST * cloth->spacing);
     const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
-    const mus__cloth_flat flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
+    const mus__self_mesh flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
                                   cloth->rest, cloth->node_panel, cloth->pair};
-    return mus__cloth_self_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat, def->thickness, friction,
+    return mus__self_contact_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat, def->thickness, friction,
                                   &drape->self);
 }
 
@@ -38,39 +38,39 @@ mus_status mus__drape_self_create(mus_drape *drape)
 void mus__drape_self_weld(mus_drape *drape)
 {
     if (drape->self == NULL) return;
-    mus__cloth_self_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
+    mus__self_contact_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
 }
 
 
 void mus__drape_self_rule(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
-    sim->self_rule = (mus__cloth_rule){.step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h,
+    sim->self_rule = (mus__self_rule){.step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h,
                                        .body = drape->collider != NULL};
-    if (sim->self == NULL || sim->self->stale || !mus__cloth_self_short(sim->self, h)) return;
-    sim->self->stale = 1;
+    if (sim->self == NULL || sim->self->invalid || !mus__self_contact_expires(sim->self, h)) return;
+    sim->self->invalid = 1;
     sim->ops->look(sim);
 }
 
 
 mus_status mus__drape_self_ready(mus_drape *drape, double h)
 {
-    mus__cloth_self *self = drape->self;
+    mus__self_contact *self = drape->self;
     if (self == NULL) return MUS_OK;
-    if (drape->sim.self == NULL) self->stale = 1;
+    if (drape->sim.self == NULL) self->invalid = 1;
     drape->sim.self = self;
     mus__drape_self_rule(drape, h);
-    if (self->stale || self->tangled > 0) {
+    if (self->invalid || self->ncrossed > 0) {
         mus__drape_publish(drape);
-        mus__cloth_self_tangle(self, drape->x, NULL, NULL);
+        mus__self_contact_mark_crossings(self, drape->x, NULL, NULL);
     }
 
     /* room for the pairs that there are, and as many again */
     mus_status status = MUS_OK;
     do {
         drape->sim.ops->look(&drape->sim);
-        status = mus__cloth_self_grow(self);
-    } while (status == MUS_OK && self->stale);
+        status = mus__self_contact_grow(self);
+    } while (status == MUS_OK && self->invalid);
     return status;
 }
 
@@ -109,17 +109,17 @@ int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
 
 int32_t mus__drape_self_give_way(mus_drape *drape)
 {
-    mus__cloth_self *self = drape->self;
+    mus__self_contact *self = drape->self;
     if (self == NULL || drape->collider == NULL) return 0;
     for (int32_t i = 0; i < drape->n; i++) {
         const double *x = drape->mean + 3 * (int64_t)i, *was = drape->before + 3 * (int64_t)i;
         const double way[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
         double force[3] = {0.0};
-        self->worn[i] = drape->mass[i] > 0.0 && mus__norm3(way) < SELF_LINGERS &&
+        self->stale[i] = drape->mass[i] > 0.0 && mus__norm3(way) < SELF_LINGERS &&
                         mus__drape_self_force(drape, i, force) &&
                         mus__collider_depth(drape->collider, x, 0.0, NULL) > SELF_DEEP;
     }
-    return mus__cloth_self_give_way(self, self->worn);
+    return mus__self_contact_yield(self, self->stale);
 }
 
 
@@ -129,7 +129,7 @@ int32_t mus__drape_self_frozen(const mus_drape *drape)
     if (drape->self == NULL) return 0;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->rep[i] != i || drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        frozen += mus__plan_number(&drape->plan, drape->self->ball, 3 * drape->sim.n + i) < SELF_FROZEN * SELF_FROZEN;
+        frozen += mus__plan_number(&drape->plan, drape->self->bound, 3 * drape->sim.n + i) < SELF_FROZEN * SELF_FROZEN;
     }
     return frozen;
 }
@@ -139,7 +139,7 @@ void mus__drape_self_report(const mus_drape *drape, mus_drape_report *report)
 {
     if (drape->self == NULL) return;
     for (const mus_drape *cut = drape; cut != NULL; cut = cut->coarse)
-        if (cut->self != NULL) report->self_queries += cut->self->answers + cut->self->measured;
+        if (cut->self != NULL) report->self_queries += cut->self->responses + cut->self->measured;
     report->self_contacts = drape->self->close;
 }
 
@@ -176,15 +176,15 @@ mus_status mus_drape_crossings(const mus_drape *drape, int32_t most, int32_t *pa
         return mus__fail(context, MUS_ERR_ARG, "drape: crossings: %s",
                          count == NULL ? "count is NULL" : most < 0 ? "most is below 0" : "pairs is NULL");
     const mus_cloth *cloth = drape->cloth;
-    mus__cloth_grid grid;
+    mus__box_grid grid;
     int32_t *class_of = mus__new(context, drape->n, sizeof *class_of);
     if (class_of == NULL) return mus__fail_memory(context, "a count of crossings");
-    const mus_status status = mus__cloth_grid_create(context, cloth->ntriangle, &grid);
+    const mus_status status = mus__box_grid_create(context, cloth->ntriangle, &grid);
     if (status == MUS_OK) {
         self_found found = {pairs, most, {MUS_NONE, MUS_NONE}, 0};
-        mus__cloth_classes(drape->n, cloth->npair, cloth->pair, class_of);
-        *count = mus__cloth_crossings(&grid, cloth->ntriangle, cloth->triangle, class_of, drape->x, self_note, &found);
-        mus__cloth_grid_destroy(context, &grid);
+        mus__self_classes(drape->n, cloth->npair, cloth->pair, class_of);
+        *count = mus__crossing_count(&grid, cloth->ntriangle, cloth->triangle, class_of, drape->x, self_note, &found);
+        mus__box_grid_destroy(context, &grid);
     }
     mus__free(context, class_of);
     return status;

@@ -47,7 +47,7 @@
 #define STALE_PART 0.9       /* of the least residual so far: more is no gain */
 #define SETTLE_SPEED 4.0     /* [m/s] limit */
 #define LAYER_PUSH_SPEED 0.1 /* [m/s]: cloth between body and cloth leaves the body no faster, or both would shake it */
-#define LAYER_DEEP_RATE 100.0 /* [1/s]: but what springs pull deeper than MUS_NEAR_DEEP comes out so much faster */
+#define LAYER_DEEP_RATE 100.0 /* [1/s]: but what springs pull deeper than MUS__CACHE_DEEP comes out so much faster */
 #define FALL_SECONDS 0.8     /* of cloth time in which cloth falls */
 #define FALL_DRAG 4.0        /* [1/s] meanwhile: near critical for a garment's swing */
 #define START_DRAG 20.0      /* [1/s] before the first measurement of one that is near rest */
@@ -318,7 +318,7 @@ static mus_status relax(mus_drape *drape, mus__run *run, const settling *goal)
         sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
                                         .push = layers ? LAYER_PUSH_SPEED * h : 2.0 * travel,
                                         .deep = layers ? LAYER_DEEP_RATE : 0.0,
-                                        .travel = travel, .slip = h, .step = h, .ball = MUS_NEAR_BALL};
+                                        .travel = travel, .slip = h, .step = h, .cache_radius = MUS__CACHE_RADIUS};
         status = mus__drape_self_ready(drape, h);
         if (status != MUS_OK) break;
         const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;

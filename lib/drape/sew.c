@@ -108,7 +108,7 @@ static mus_status fail_open(mus_drape *drape, bool worn)
  * layers that are worn: what is drawn through those all round is not untangled */
 static void let_pass(mus_drape *drape)
 {
-    mus__cloth_self *self = drape->self;
+    mus__self_contact *self = drape->self;
     const int32_t open_from = drape->plan.open_from;
     const double reach = PASS_REACH * drape->cloth->spacing;
     if (self == NULL) return;
@@ -124,7 +124,7 @@ static void let_pass(mus_drape *drape)
             self->pass[i] |= mus__cloth_layer(drape->cloth, i) >= open_from && mus__dot3(d, d) < far * far;
         }
     }
-    self->stale = 1;
+    self->invalid = 1;
 }
 
 
@@ -169,7 +169,7 @@ static mus_status sew_pull(mus_drape *drape, mus__run *run, int32_t way, bool pa
         const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
         sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = SEW_GRIP * drape->friction,
                                         .push = 2.0 * travel, .travel = travel, .slip = h, .step = h,
-                                        .ball = MUS_NEAR_BALL, .slick = 1.0 - SEW_GRIP};
+                                        .cache_radius = MUS__CACHE_RADIUS, .slick = 1.0 - SEW_GRIP};
         drape->plan.seam_pull = pull_at(drape->def.seam_pull, t, all);
         if (!run->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
             let_pass(drape);
@@ -189,7 +189,7 @@ static mus_status sew_pull(mus_drape *drape, mus__run *run, int32_t way, bool pa
     sim->near = NULL;
     for (int32_t i = 0; i < drape->plan.nheld; i++) drape->plan.held[i].share = 1.0;
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
-    if (drape->self != NULL) drape->self->stale = 1;
+    if (drape->self != NULL) drape->self->invalid = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
     if (open > 0 && !is_home(drape) && !near_home(drape)) return fail_open(drape, worn_between(drape));

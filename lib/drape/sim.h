@@ -11,8 +11,8 @@
 #define MUS_DRAPE_SIM_H
 
 #include "base/pool.h"
-#include "contact/cloth_self.h"
-#include "contact/near.h"
+#include "contact/self_contact.h"
+#include "contact/plane_cache.h"
 #include "drape/plan.h"
 
 typedef struct mus__sim mus__sim;
@@ -66,8 +66,8 @@ struct mus__sim {
     void *inverse;  /* (n) 1/inertia, 0 for held or welded nodes */
     void *weight;   /* (n) mass/inertia: what gravity acts with; 0 for held nodes */
     void *good;     /* (6 n) last good state */
-    mus__aside *aside; /* (n) what contact need not ask of a node for a while */
-    mus__cloth_self *self; /* NULL: cloth is not asked of cloth */
+    mus__distance_cache *aside; /* (n) what contact need not ask of a node for a while */
+    mus__self_contact *self; /* NULL: cloth is not asked of cloth */
     void *near;     /* (8 n) planes of the skin, while sew or settle run; NULL: every node is asked every time */
 
     /* what the steps use; set between steps, never inside */
@@ -78,7 +78,7 @@ struct mus__sim {
     int32_t fresh;      /* nonzero: f holds the forces at y */
     double collision_distance;
     mus__contact_rule rule;
-    mus__cloth_rule self_rule;
+    mus__self_rule self_rule;
     double self_time;   /* [s] that self->force is the impulse of */
     int32_t swift;      /* nodes are so fast that contact sweeps them */
     mus__contact_tally part_tally[64];
@@ -94,7 +94,7 @@ struct mus__sim {
 
 /* what a step asks for cloth on cloth: left out where it is measured what asking costs (tests/guard/self_off.sh) */
 #ifdef MUS_WITHOUT_SELF
-#define MUS_SELF_OF(sim) ((mus__cloth_self *)NULL)
+#define MUS_SELF_OF(sim) ((mus__self_contact *)NULL)
 #else
 #define MUS_SELF_OF(sim) ((sim)->self)
 #endif

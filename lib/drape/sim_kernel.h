@@ -209,7 +209,7 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
     const int32_t start = plan->chunk[first].first, end = plan->chunk[last - 1].first + plan->chunk[last - 1].count;
     if (MUS_SELF_OF(sim) != NULL)
         for (int64_t d = 0; d < 3; d++)
-            memcpy((MUS_REAL *)sim->self->before + d * sim->n + start, v + d * sim->n + start,
+            memcpy((MUS_REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
     if (sim->near != NULL && !sim->swift)
         MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->near, x, v, &sim->part_tally[part]);
@@ -322,7 +322,7 @@ static void MUS_FN(verlet)(mus__sim *sim, double h, int32_t steps)
     MUS_FN(run_move)(sim, PHASE_START);
     MUS_FN(meet_self)(sim, h);
     for (int32_t i = 1; i < steps; i++) {
-        for (int32_t part = 0; part < 64 && !sim->swift; part++) sim->swift = sim->part_tally[part].swift;
+        for (int32_t part = 0; part < 64 && !sim->swift; part++) sim->swift = sim->part_tally[part].fast;
         MUS_FN(run_move)(sim, PHASE_VERLET);
         MUS_FN(meet_self)(sim, h);
     }
@@ -351,7 +351,7 @@ static void MUS_FN(put)(mus__sim *sim, const double *x, const double *v)
     MUS_FN(flush)(sim);
     memset(sim->aside, 0, (size_t)n * sizeof *sim->aside);
     sim->fresh = 0;
-    if (MUS_SELF_OF(sim) != NULL) sim->self->stale = 1;
+    if (MUS_SELF_OF(sim) != NULL) sim->self->invalid = 1;
     MUS_REAL *good = sim->good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -425,7 +425,7 @@ static void MUS_FN(restore)(mus__sim *sim)
     memcpy(sim->y, sim->good, 6 * (size_t)sim->n * sizeof(MUS_REAL));
     memset(sim->aside, 0, (size_t)sim->n * sizeof *sim->aside);
     sim->fresh = 0;
-    if (MUS_SELF_OF(sim) != NULL) sim->self->stale = 1;
+    if (MUS_SELF_OF(sim) != NULL) sim->self->invalid = 1;
 }
 
 

@@ -99,7 +99,7 @@ static void slide_say(mus_drape *drape, int32_t panel, const char *where)
 /* nonzero when nothing is held and no node is near the body any more */
 static int32_t slide_loose(const mus_drape *drape, const double *x)
 {
-    double normal[3 * MUS_TOUCH_MOST], friction[MUS_TOUCH_MOST];
+    double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
     if (drape->plan.nheld > 0) return 0;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->pinned[i]) return 0;

@@ -145,7 +145,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     sim->dashpots = drape->plan.dashpots;
     memset(sim->aside, 0, (size_t)drape->n * sizeof *sim->aside);
     sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
-                                    .push = PUSH_SPEED * dt, .step = dt, .ball = drape->def.contact_ball};
+                                    .push = PUSH_SPEED * dt, .step = dt, .cache_radius = drape->def.contact_ball};
     if (drape->stance == NULL || !drape->stance->posed) sim->rule.pull = PINCH_PULL;
     mus__drape_meet_first(drape);
     if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
@@ -217,7 +217,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         drape->since_look += batch;
         status = mus__drape_check_motion(drape);
         if (status == MUS_OK) status = mus__drape_self_fits(drape);
-        if (status == MUS_OK && drape->self != NULL && drape->self->tangled > 0)
+        if (status == MUS_OK && drape->self != NULL && drape->self->ncrossed > 0)
             status = mus__drape_self_ready(drape, dt);
         drape->way += batch * dt * drape->speed;
         const int32_t due = drape->since_look >= LOOK_STEPS;

@@ -39,7 +39,7 @@ typedef struct untangle {
 
 
 /* corner of triangle `of` that is not on its edge p q */
-static int32_t untangle_third(const mus__cloth_self *self, int32_t of, int32_t p, int32_t q)
+static int32_t untangle_third(const mus__self_contact *self, int32_t of, int32_t p, int32_t q)
 {
     const int32_t *corner = self->triangle + 3 * (int64_t)of;
     for (int32_t k = 0; k < 3; k++)
@@ -59,7 +59,7 @@ static void untangle_give(const untangle *u, int32_t node, double share, const d
 static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
 {
     const untangle *u = user;
-    const mus__cloth_self *self = u->drape->self;
+    const mus__self_contact *self = u->drape->self;
     const double *x = u->drape->x;
     const int32_t *corner = self->triangle + 3 * (int64_t)met;
     const double *a = x + 3 * (int64_t)corner[0], *b = x + 3 * (int64_t)corner[1], *c = x + 3 * (int64_t)corner[2];
@@ -133,7 +133,7 @@ static mus_status untangle_ease(mus_drape *drape)
     sim->dashpots = 0;
     sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
                                     .push = 2.0 * travel, .travel = travel, .slip = h, .step = h,
-                                    .ball = MUS_NEAR_BALL};
+                                    .cache_radius = MUS__CACHE_RADIUS};
     mus_status status = mus__drape_self_ready(drape, h);
     if (status != MUS_OK) return status;
     for (int32_t i = 0; i < UNTANGLE_STEPS; i++) sim->ops->euler(sim, h);
@@ -152,12 +152,12 @@ mus_status mus__drape_part(mus_drape *drape)
     double *was = drape->work;
     for (int32_t k = 0; k < UNTANGLE_PARTS; k++) {
         mus__drape_push(drape);
-        drape->self->stale = 1;
+        drape->self->invalid = 1;
         const mus_status status = mus__drape_self_ready(drape, drape->sim.rule.slip);
         if (status != MUS_OK) return status;
         memcpy(was, drape->x, 3 * (size_t)drape->n * sizeof *was);
-        if (mus__cloth_self_part(drape->self, least, drape->pinned, drape->x) == 0) break;
-        if (mus__cloth_self_tangle(drape->self, drape->x, NULL, NULL) == 0) continue;
+        if (mus__self_contact_separate(drape->self, least, drape->pinned, drape->x) == 0) break;
+        if (mus__self_contact_mark_crossings(drape->self, drape->x, NULL, NULL) == 0) continue;
         memcpy(drape->x, was, 3 * (size_t)drape->n * sizeof *was);
         break;
     }
@@ -173,7 +173,7 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
     mus__drape_publish(drape);
     for (int32_t k = 0; status == MUS_OK; k++) {
         memset(drape->work, 0, 4 * (size_t)drape->n * sizeof *drape->work);
-        *left = mus__cloth_self_tangle(drape->self, drape->x, untangle_note, &u);
+        *left = mus__self_contact_mark_crossings(drape->self, drape->x, untangle_note, &u);
         if (*left == 0 || k == UNTANGLE_ROUNDS) break;
         untangle_move(drape, &u);
         moved = true;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/contact.h"
+#include "contact/contact_template.h"
 #include "geom/vec.h"
 #include "muslin/tape.h"
 #include "support.h"
@@ -92,10 +92,10 @@ static void touch(double r, double clearance, double friction, double push, doub
     const double mobile[1] = {1.0};
     const mus__contact_rule rule = {.clearance = clearance, .friction = friction, .push = push};
     mus__contact_tally tally = {0};
-    mus__aside rest[1] = {{0, 0}};
+    mus__distance_cache rest[1] = {{0, 0}};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
     const double before[3] = {x[0], x[1], x[2]};
-    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
+    mus__contact_pass_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
     ck_assert_int_eq((int)tally.queries, 1);
     x[0] += collider->origin[0];
     mus__collider_destroy(collider);
@@ -157,7 +157,7 @@ START_TEST(float_and_double_respond_alike)
     double x[300], v[300], mobile[100];
     float xf[300], vf[300], mobilef[100];
     mus__contact_tally tally = {0};
-    mus__aside rest[100] = {{0, 0}};
+    mus__distance_cache rest[100] = {{0, 0}};
     for (int i = 0; i < 300; i++) {
         x[i] = support_uniform(&random, -0.2, 0.2) - collider->origin[i / 100];
         v[i] = support_uniform(&random, -1.0, 1.0);
@@ -168,9 +168,9 @@ START_TEST(float_and_double_respond_alike)
     double before[300];
     float beforef[300];
     memcpy(before, x, sizeof before), memcpy(beforef, xf, sizeof beforef);
-    mus__contact_f64(collider, &rule, 100, 0, 100, mobile, before, 0, rest, x, v, &tally);
+    mus__contact_pass_f64(collider, &rule, 100, 0, 100, mobile, before, 0, rest, x, v, &tally);
     memset(rest, 0, sizeof rest);
-    mus__contact_f32(collider, &rule, 100, 0, 100, mobilef, beforef, 0, rest, xf, vf, &tallyf);
+    mus__contact_pass_f32(collider, &rule, 100, 0, 100, mobilef, beforef, 0, rest, xf, vf, &tallyf);
     ck_assert_int_eq((int)tally.queries, (int)tallyf.queries);
     for (int i = 0; i < 300; i++) {
         ck_assert_double_eq_tol(x[i], (double)xf[i], 2e-5);
@@ -191,7 +191,7 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
     enum { N = 700 };
     static double x[3 * N], v[3 * N], before[3 * N], one_x[3 * N], one_v[3 * N], mobile[N];
     static float xf[3 * N], vf[3 * N], beforef[3 * N], onef_x[3 * N], onef_v[3 * N], mobilef[N];
-    static mus__aside rest[N];
+    static mus__distance_cache rest[N];
     mus__contact_tally many = {0}, alone = {0};
     uint64_t random = 12;
     for (int i = 0; i < 3 * N; i++) {
@@ -203,14 +203,14 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
     }
     memcpy(one_x, x, sizeof x), memcpy(one_v, v, sizeof v);
     memcpy(onef_x, xf, sizeof xf), memcpy(onef_v, vf, sizeof vf);
-    mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, rest, x, v, &many);
+    mus__contact_pass_f64(collider, &rule, N, 0, N, mobile, before, 0, rest, x, v, &many);
     memset(rest, 0, sizeof rest);
-    mus__contact_f32(collider, &rule, N, 0, N, mobilef, beforef, 0, rest, xf, vf, &many);
+    mus__contact_pass_f32(collider, &rule, N, 0, N, mobilef, beforef, 0, rest, xf, vf, &many);
     memset(rest, 0, sizeof rest);
     for (int i = 0; i < N; i++) {
-        mus__contact_f64(collider, &rule, N, i, i + 1, mobile, before, 0, rest, one_x, one_v, &alone);
+        mus__contact_pass_f64(collider, &rule, N, i, i + 1, mobile, before, 0, rest, one_x, one_v, &alone);
         memset(rest, 0, sizeof rest);
-        mus__contact_f32(collider, &rule, N, i, i + 1, mobilef, beforef, 0, rest, onef_x, onef_v, &alone);
+        mus__contact_pass_f32(collider, &rule, N, i, i + 1, mobilef, beforef, 0, rest, onef_x, onef_v, &alone);
     }
     ck_assert_int_eq((int)many.queries, (int)alone.queries);
     ck_assert_int_ge((int)many.queries, 200);
@@ -230,11 +230,11 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
     mus__collider *collider = make_collider(context, 1);
     const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 0.01};
     const double mobile[1] = {1.0};
-    mus__aside rest[1] = {{0, 0}};
+    mus__distance_cache rest[1] = {{0, 0}};
     mus__contact_tally tally = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
     const double before[3] = {10.0, 0.0, 0.0};
-    mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
+    mus__contact_pass_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
     ck_assert_int_eq((int)tally.queries, 0);
     ck_assert_double_eq(x[0], 10.0);
     ck_assert_double_eq(v[0], -100.0);
@@ -257,14 +257,14 @@ START_TEST(sitting_out_lets_nothing_through)
     for (int k = 0; k < 200; k++) {
         const double turn = support_uniform(&random, 0.0, 6.283), off = support_uniform(&random, -0.08, 0.08);
         const double d[2] = {cos(turn), sin(turn)};
-        mus__aside rest[1] = {{0, 0}};
+        mus__distance_cache rest[1] = {{0, 0}};
         double x[3] = {0.3 * d[0] - off * d[1] - collider->origin[0], -collider->origin[1],
                        0.3 * d[1] + off * d[0] - collider->origin[2]};
         double v[3] = {-d[0], 0.0, -d[1]};
         for (int i = 0; i < 500; i++, calls++) {
             const double before[3] = {x[0], x[1], x[2]};
             for (int c = 0; c < 3; c++) x[c] += step * v[c];
-            mus__contact_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
+            mus__contact_pass_f64(collider, &rule, 1, 0, 1, mobile, before, 0, rest, x, v, &tally);
             const double p[3] = {x[0] + collider->origin[0], x[1] + collider->origin[1], x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 1.5 * step);
         }
@@ -293,7 +293,7 @@ START_TEST(what_is_put_aside_would_not_have_touched)
     const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.4, .push = 1e-3, .slip = h, .step = h};
     enum { N = 1000 };
     static double x[3 * N], v[3 * N], before[3 * N], all_x[3 * N], all_v[3 * N], mobile[N];
-    static mus__aside aside[N], none[N];
+    static mus__distance_cache aside[N], none[N];
     mus__contact_tally kept = {0}, asked = {0};
     uint64_t random = 19;
     memset(aside, 0, sizeof aside);
@@ -314,8 +314,8 @@ START_TEST(what_is_put_aside_would_not_have_touched)
         }
         memcpy(all_x, x, sizeof x), memcpy(all_v, v, sizeof v);
         memset(none, 0, sizeof none);
-        mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, aside, x, v, &kept);
-        mus__contact_f64(collider, &rule, N, 0, N, mobile, before, 0, none, all_x, all_v, &asked);
+        mus__contact_pass_f64(collider, &rule, N, 0, N, mobile, before, 0, aside, x, v, &kept);
+        mus__contact_pass_f64(collider, &rule, N, 0, N, mobile, before, 0, none, all_x, all_v, &asked);
         ck_assert_mem_eq(x, all_x, sizeof x);
         ck_assert_mem_eq(v, all_v, sizeof v);
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "body/people.h"
+#include "contact/contact_template.h"
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
 #include "support.h"
@@ -153,7 +154,7 @@ START_TEST(a_part_that_turns_has_the_velocity_of_a_rigid_body)
         for (int d = 0; d < 3; d++) before[d] = shift[d] - h * glide[d];
         mus__collider_move(collider, &was, before, none, 0.0);
         mus__collider_move(collider, &now, shift, glide, h);
-        ck_assert_int_eq(collider->moving, MUS_TURNED);
+        ck_assert_int_eq(collider->moving, MUS__TURNED);
 
         /* the point of the part that is x in its own frame */
         double from[3], to[3];
@@ -164,8 +165,8 @@ START_TEST(a_part_that_turns_has_the_velocity_of_a_rigid_body)
             const int j = (d + 1) % 3, i = (d + 2) % 3;
             const double rj = to[j] - shift[j] + origin[j] - fixed[j], ri = to[i] - shift[i] + origin[i] - fixed[i];
             const double exact = spin * (axis[j] * ri - axis[i] * rj) + glide[d];
-            ck_assert_double_eq_tol(from[d] + map_at(collider->carry->on, d, from), to[d], 4e-15);
-            ck_assert_double_eq_tol(map_at(collider->carry->speed, d, to), exact, 1e-8);
+            ck_assert_double_eq_tol(from[d] + map_at(collider->motion->displacement, d, from), to[d], 4e-15);
+            ck_assert_double_eq_tol(map_at(collider->motion->velocity, d, to), exact, 1e-8);
         }
     }
     mus__collider_destroy(collider);
@@ -260,14 +261,14 @@ START_TEST(a_pose_there_and_back_returns)
     posing p = posing_start(1, none, 0);
     const mus_pose low = arm_ahead(-0.5), high = arm_ahead(0.6);
     mus_pose told, rest;
-    mus__f64_field first[MUS_LIMBS_MOST];
+    mus__field_f64 first[MUS__PARTS_MAX];
     posing_drape(&p);
     ck_assert_int_eq(mus_body_rest_pose(p.body, &rest), MUS_OK);
     ck_assert_int_eq(mus_drape_body_pose(p.drape, &told), MUS_OK);
     ck_assert_mem_eq(&told, &rest, sizeof rest);
     posing_to(&p, &low, 0.0);
     const mus__collider *collider = p.drape->collider;
-    memcpy(first, collider->field64, (size_t)collider->nlimb * sizeof *first);
+    memcpy(first, collider->field64, (size_t)collider->nparts * sizeof *first);
     posing_to(&p, &high, 0.05);
     posing_steps(&p, 25, 1e-3);
     ck_assert_int_eq(mus_drape_body_pose(p.drape, &told), MUS_OK);
@@ -275,10 +276,10 @@ START_TEST(a_pose_there_and_back_returns)
     ck_assert_int_eq(mus_drape_settle(p.drape, NULL, NULL), MUS_ERR_STATE);
     ck_assert_ptr_nonnull(strstr(mus_context_error(p.context), "pose"));
     posing_steps(&p, 50, 1e-3);
-    ck_assert_mem_ne(first, collider->field64, (size_t)collider->nlimb * sizeof *first);
+    ck_assert_mem_ne(first, collider->field64, (size_t)collider->nparts * sizeof *first);
     posing_to(&p, &low, 0.05);
     posing_steps(&p, 70, 1e-3);
-    ck_assert_mem_eq(first, collider->field64, (size_t)collider->nlimb * sizeof *first);
+    ck_assert_mem_eq(first, collider->field64, (size_t)collider->nparts * sizeof *first);
     ck_assert_int_eq(mus_drape_body_pose(p.drape, &told), MUS_OK);
     ck_assert_mem_eq(&told, &low, sizeof low);
     posing_end(&p);
@@ -301,8 +302,8 @@ START_TEST(a_posed_copy_and_a_posed_drape_are_the_same)
     ck_assert_mem_eq(&told, &high, sizeof high);
     posing_drape(&p);
     posing_to(&p, &high, 0.0);
-    for (int32_t l = 0; l < p.drape->collider->nlimb; l++) {
-        const mus__f64_field *a = &p.drape->collider->field64[l], *b = &other->collider->field64[l];
+    for (int32_t l = 0; l < p.drape->collider->nparts; l++) {
+        const mus__field_f64 *a = &p.drape->collider->field64[l], *b = &other->collider->field64[l];
         ck_assert_mem_eq(a->origin, b->origin, sizeof a->origin);
         ck_assert_mem_eq(a->axis, b->axis, sizeof a->axis);
         ck_assert_mem_eq(a->radius, b->radius, sizeof *a->radius * (size_t)(a->nring * a->nangle));
@@ -311,7 +312,7 @@ START_TEST(a_posed_copy_and_a_posed_drape_are_the_same)
     const mus_pose low = arm_ahead(0.0);
     ck_assert_int_eq(mus_drape_pose_body(other, &low, 0.0), MUS_OK);
     ck_assert_int_eq(mus_drape_place(other), MUS_OK);
-    for (int32_t l = 0; l < p.drape->collider->nlimb; l++)
+    for (int32_t l = 0; l < p.drape->collider->nparts; l++)
         ck_assert_mem_eq(p.drape->collider->field64[l].origin, other->collider->field64[l].origin, 24);
     mus_drape_destroy(other);
     mus_body_destroy(posed);

@@ -1,8 +1,8 @@
 /*
  * test_board_designs.c: the designs of the house laid on the cutting table and written again, in three sizes.
  */
-#include "design/drafts.h"
-#include "pattern/table.h"
+#include "block/drafts.h"
+#include "board/table.h"
 
 
 START_TEST(every_design_read_and_written_is_the_same)

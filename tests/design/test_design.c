@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
+#include "muslin/topology.h"
 
 
 START_TEST(designs_have_names_and_are_found)

@@ -4,7 +4,8 @@
  */
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
+#include "muslin/topology.h"
 
 #define SIZES 28
 #define SEAM_MATCH (0.05 * CM)

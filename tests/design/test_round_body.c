@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 
 #define STEP 0.012       /* of the lattice [m] */
 #define CLEAR 0.005      /* off the body */

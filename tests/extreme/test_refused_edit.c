@@ -4,7 +4,7 @@
  */
 #include <math.h>
 
-#include "design/drafts.h"
+#include "block/drafts.h"
 #include "pattern/same.h"
 
 Suite *mus_suite_refused_edit(void);

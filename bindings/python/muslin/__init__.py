@@ -2,12 +2,12 @@
 
     import muslin
     tape = muslin.Tape.size("W40")
-    body = muslin.Body(tape)
-    pattern = muslin.draft("tshirt", tape)
-    drape = muslin.Drape(muslin.Cloth(pattern), body)
-    drape.place(); drape.sew(); drape.settle()
-    drape.positions                     # (nodes x 3), a view, no copy
-    muslin.Sheet(pattern).write_pdf("tshirt.pdf")
+    tshirt = muslin.dress("tshirt", tape)
+    tshirt.drape.positions              # (nodes x 3), a view, no copy
+    muslin.Sheet(tshirt.pattern).write_pdf("tshirt.pdf")
+
+The same step by step: Body(tape), draft("tshirt", tape), Cloth(pattern), Drape(cloth, body), and the drape's place(),
+sew() and settle().
 
 Units are SI: metre, kilogram, second, radian. X to the wearer's left, Y up, Z forward, floor at Y = 0. A status that is
 not MUS_OK becomes a MuslinError with the library's own sentence. Nothing is computed in Python. Arrays are numpy's when
@@ -21,6 +21,7 @@ from .cloth import Cloth, Fabric, fabrics
 from .context import Context
 from .design import axes, designs, draft, ease, grade, spell
 from .drape import Drape
+from .dress import Dressed, dress
 from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
 from .fit import Fit
@@ -31,6 +32,7 @@ from .print import Sheet
 from .scan import scan
 from .tape import Tape, measures, sizes
 
-__all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Fabric", "Fit", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet",
-           "Tape", "axes", "designs", "draft", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "poses", "read_obj",
-           "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]
+__all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "Fabric", "Fit", "Mesh", "Move", "MuslinError",
+           "Pattern", "Pose", "Sheet", "Tape", "axes", "designs", "draft", "dress", "ease", "fabrics", "grade",
+           "integrate", "joint_limits", "measures", "moves", "poses", "read_obj", "scan", "sizes", "spell", "version",
+           "write_glb", "write_glb_motion", "write_obj", "__version__"]

@@ -34,7 +34,8 @@ MUS_ERR_DIVERGED = 15
 MUS_ERR_SEW = 16
 MUS_ERR_UNSETTLED = 17
 MUS_ERR_TANGLED = 18
-MUS_STATUS_COUNT = 19
+MUS_ERR_STOPPED = 19
+MUS_STATUS_COUNT = 20
 MUS_SEX_UNSET = 0
 MUS_SEX_FEMALE = 1
 MUS_SEX_MALE = 2
@@ -92,9 +93,6 @@ MUS_LANDMARK_WRIST_RIGHT = 9
 MUS_LANDMARK_ANKLE_LEFT = 10
 MUS_LANDMARK_ANKLE_RIGHT = 11
 MUS_LANDMARK_COUNT = 12
-MUS_POSE_FLEXION = 0
-MUS_POSE_ABDUCTION = 1
-MUS_POSE_ROTATION = 2
 MUS_JOINT_ROOT = 0
 MUS_JOINT_LUMBAR = 1
 MUS_JOINT_NECK = 2
@@ -111,6 +109,9 @@ MUS_JOINT_KNEE_RIGHT = 12
 MUS_JOINT_ANKLE_LEFT = 13
 MUS_JOINT_ANKLE_RIGHT = 14
 MUS_JOINT_COUNT = 15
+MUS_POSE_FLEXION = 0
+MUS_POSE_ABDUCTION = 1
+MUS_POSE_ROTATION = 2
 MUS_SCAN_FOUND = 0
 MUS_SCAN_X = 1
 MUS_SCAN_Y = 2
@@ -190,6 +191,10 @@ MUS_REASON_NOT_SETTLED = 8
 MUS_REASON_UNSTABLE = 9
 MUS_REASON_BAD_INPUT = 10
 MUS_REASON_COUNT = 11
+MUS_DRESS_PLACE_BOTH = 0
+MUS_DRESS_PLACE_PATTERN = 1
+MUS_DRESS_PLACE_FOUND = 2
+MUS_DRESS_STARTS_MOST = 8
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -208,7 +213,7 @@ MUS_DISTANCE_COUNT = 6
 # names of the lists, by number
 STATUS_NAMES = ("OK", "ERR_ARG", "ERR_MEMORY", "ERR_VERSION", "ERR_STATE", "ERR_LIMIT", "ERR_FILE", "ERR_FORMAT",
                 "ERR_UNSUPPORTED", "ERR_TAPE", "ERR_BODY", "ERR_PATTERN", "ERR_DESIGN", "ERR_MESH", "ERR_STEP",
-                "ERR_DIVERGED", "ERR_SEW", "ERR_UNSETTLED", "ERR_TANGLED")
+                "ERR_DIVERGED", "ERR_SEW", "ERR_UNSETTLED", "ERR_TANGLED", "ERR_STOPPED")
 MEASURE_NAMES = ("STATURE", "BUST", "WAIST", "HIP", "UNDERBUST", "HIGH_BUST", "HIGH_HIP", "NECK", "SHOULDER",
                  "SHOULDER_SLOPE", "ACROSS_BACK", "ACROSS_FRONT", "BACK_WAIST", "FRONT_WAIST", "BUST_DEPTH",
                  "BUST_SPAN", "SCYE_DEPTH", "ARM", "ELBOW", "UPPER_ARM", "WRIST", "HAND", "WAIST_HEIGHT",
@@ -405,6 +410,20 @@ class mus_drape_report(Structure):
                 ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
                 ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3),
                 ("self_contacts", c_int32), ("self_queries", c_int64)]
+
+
+class mus_dress_def(Structure):
+    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)), ("self_contact", c_int32),
+                ("precision", c_int32), ("threads", c_int32), ("friction", c_double),
+                ("drape", POINTER(mus_drape_def)), ("place", c_int32), ("retry", c_int32), ("open_closures", c_int32),
+                ("progress", mus_progress_fn), ("progress_user", c_void_p)]
+
+
+class mus_dress_report(Structure):
+    _fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
+                ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
+                ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
+                ("sew_seconds", c_double), ("settle_seconds", c_double)]
 
 
 class mus_fit_level(Structure):
@@ -768,6 +787,11 @@ FUNCTIONS = {
     "mus_drape_crossings": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_int32), POINTER(c_int64)]),
     "mus_drape_untangle": ("core", c_int32, [POINTER(mus_drape), POINTER(c_int64)]),
     "mus_drape_normals": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
+    "mus_dress_def_init": ("core", None, [POINTER(mus_dress_def), c_size_t]),
+    "mus_dress_report_init": ("core", None, [POINTER(mus_dress_report), c_size_t]),
+    "mus_dress": ("core", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_body),
+                                    POINTER(mus_dress_def), POINTER(mus_dress_report), POINTER(mus_reason),
+                                    POINTER(POINTER(mus_cloth)), POINTER(POINTER(mus_drape))]),
     "mus_fit_create": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_body), POINTER(POINTER(mus_fit))]),
     "mus_fit_destroy": ("core", None, [POINTER(mus_fit)]),
     "mus_fit_node_count": ("core", c_int32, [POINTER(mus_fit)]),

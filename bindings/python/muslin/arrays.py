@@ -43,6 +43,8 @@ def view(owner, pointer, count, width=1):
 
 
 def _flat(values):
+    if isinstance(values, memoryview):  # rows of a view cannot be iterated; its bytes can
+        values = values.cast("B").cast(values.format[-1])
     for value in values:
         if hasattr(value, "__iter__"):
             yield from _flat(value)

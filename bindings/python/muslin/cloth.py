@@ -69,9 +69,7 @@ class Cloth(Object):
 
     @classmethod
     def _own(cls, context, function, *arguments):
-        self = cls.__new__(cls)
-        Object.__init__(self, context, create(context, "cloth", function, context.handle, *arguments))
-        return self
+        return cls._owned(context, create(context, "cloth", function, context.handle, *arguments))
 
     @classmethod
     def grid(cls, rows, columns, cell, fabric=None, context=None, **options):

@@ -81,6 +81,15 @@ class Object:
         self._views = weakref.WeakSet()
         self._end = weakref.finalize(self, _destroy_object, f"mus_{self._kind}_destroy", handle, context)
 
+    @classmethod
+    def _owned(cls, context, handle):
+        """An object of this class for a handle that the library made; None for NULL."""
+        if not handle:
+            return None
+        self = cls.__new__(cls)
+        Object.__init__(self, context, handle)
+        return self
+
     @property
     def handle(self):
         if not self._end.alive:

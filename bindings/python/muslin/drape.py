@@ -8,6 +8,27 @@ from .context import Object, create, make_def, read_struct
 from .integrate import METHODS
 
 
+def progress_hook(progress, raised):
+    """The C hook of a Python function, or a null one; what the function raises goes to the list `raised`."""
+    if progress is None:
+        return _abi.mus_progress_fn()
+
+    def hook(_, phase, share):
+        try:
+            return 1 if progress(phase.decode(), share) else 0
+        except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
+            raised.append(error)
+            return 1
+
+    return _abi.mus_progress_fn(hook)
+
+
+def reason_dict(reason):
+    """A mus_reason as a dict; kind in words too, as name."""
+    return {**read_struct(reason), "name": lib.mus_reason_name(reason.kind).decode(),
+            "text": reason.text.decode("utf-8", "replace")}
+
+
 class Drape(Object):
     """A cloth round a body, or in empty space. options: gravity, precision, threads, integrator ("rk4" or "verlet"),
     clearance, ... (mus_drape_def)."""
@@ -67,15 +88,7 @@ class Drape(Object):
 
     def _run(self, function, progress):
         raised = []
-
-        def hook(_, phase, share):
-            try:
-                return 1 if progress(phase.decode(), share) else 0
-            except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
-                raised.append(error)
-                return 1
-
-        self.do(function, _abi.mus_progress_fn(hook) if progress is not None else _abi.mus_progress_fn(), None)
+        self.do(function, progress_hook(progress, raised), None)
         if raised:
             raise raised[0]
 
@@ -193,8 +206,7 @@ class Drape(Object):
     def _reason(self, which):
         reason = make_def(_abi.mus_reason, lib.mus_reason_init)
         self.do(which, ctypes.byref(reason))
-        values = read_struct(reason)
-        return {**values, "name": lib.mus_reason_name(reason.kind).decode(), "text": reason.text.decode("utf-8", "replace")}
+        return reason_dict(reason)
 
     @property
     def start(self):

@@ -1,0 +1,99 @@
+/*
+ * muslin/dress.h: from a pattern and a body to a garment at rest, in one call.
+ *
+ * mus_dress() finds where the panels start, cuts the cloth, sews it and settles it. A garment that does not come on
+ * from one start is tried again from another one, as `muslin dress` does; the report lists the starts that were tried.
+ * The same steps one by one: mus_cloth_create(), mus_drape_create(), mus_drape_place(), mus_drape_sew(),
+ * mus_drape_settle().
+ */
+#ifndef MUSLIN_DRESS_H
+#define MUSLIN_DRESS_H
+
+#include "muslin/base.h"
+#include "muslin/body.h"
+#include "muslin/cloth.h"
+#include "muslin/drape.h"
+#include "muslin/pattern.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Which starts mus_dress() tries: both (the pattern's own first, where it has one), or one of the two alone. */
+#define MUS_DRESS_PLACE_BOTH 0
+#define MUS_DRESS_PLACE_PATTERN 1 /* the placement that the pattern holds */
+#define MUS_DRESS_PLACE_FOUND 2   /* the placement that the library finds round the body */
+
+/** Options of mus_dress(). Pointers are read during the call and not kept. */
+typedef struct mus_dress_def {
+    size_t size;
+    double spacing;             /* of the lattice [m], default 0.01, 0.001..0.1 */
+    const mus_fabric *fabric;   /* NULL (default): the default fabric */
+    int32_t self_contact;       /* nonzero: cloth meets cloth; 0 (default). Layers worn over each other need it */
+    int32_t precision;          /* of the state, 32 (default) or 64 bits */
+    int32_t threads;            /* 1 (default) .. 64; the result does not depend on it */
+    double friction;            /* on skin; NaN (default): the fabric's */
+    const mus_drape_def *drape; /* NULL (default); else all options of the drape, and the four above are not read */
+    int32_t place;              /* MUS_DRESS_PLACE_*, default both */
+    int32_t retry;              /* nonzero (default): after a failure from the pattern's start the found one is tried;
+                                 * 0: one start alone */
+    int32_t open_closures;      /* nonzero: zips and buttons are left open; 0 (default): closed */
+    mus_progress_fn progress;   /* of sewing and settling, NULL (default): none. Nonzero stops the run */
+    void *progress_user;        /* handed to progress */
+} mus_dress_def;
+
+/** Zero `def`, write the defaults and its size. `size` is sizeof(mus_dress_def) of the caller. */
+MUS_API void mus_dress_def_init(mus_dress_def *def, size_t size);
+
+/* Capacity of the lists of starts in the report. Today at most 4 starts are tried. */
+#define MUS_DRESS_STARTS_MOST 8
+
+/** What mus_dress() did. */
+typedef struct mus_dress_report {
+    size_t size;
+    int32_t found;         /* nonzero: the garment started from the found placement */
+    int32_t starts;        /* number of starts that were tried */
+    int32_t kept;          /* the start that is returned, MUS_NONE when none was tried */
+    int32_t start_place[MUS_DRESS_STARTS_MOST];   /* of each start: MUS_DRESS_PLACE_PATTERN or MUS_DRESS_PLACE_FOUND */
+    int32_t start_patient[MUS_DRESS_STARTS_MOST]; /* nonzero: all ways of sewing were tried; 0: the first one alone */
+    int32_t start_end[MUS_DRESS_STARTS_MOST];     /* MUS_REASON_*: how it ended */
+    double start_seconds[MUS_DRESS_STARTS_MOST];  /* wall time from cutting the cloth to its end [s] */
+    double place_seconds;  /* wall time of finding placements [s] */
+    double cut_seconds;    /* wall time of cutting the cloth, all starts together [s] */
+    double sew_seconds;    /* wall time of sewing, all starts together [s] */
+    double settle_seconds; /* wall time of settling, all starts together [s] */
+} mus_dress_report;
+
+/** Zero `report` and write its size. */
+MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
+
+/**
+ * Dress a body in a pattern: place, cut, sew and settle, from up to two placements, each tried up to twice.
+ *
+ * The pattern's own placement comes first when it has one, else the one of mus_pattern_place(). A start fails when
+ * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off or finds no
+ * rest. Then, with MUS_DRESS_PLACE_BOTH and `retry`, the found placement has its turn. Because sewing with patience
+ * is slow, both placements are first sewn in one way only, and with all ways after that. The first success ends the
+ * search; when none succeeds, the result is the patient one from the pattern's placement, if that was made, else the
+ * first one.
+ *
+ * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
+ * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the
+ * garment got, and are NULL only when nothing could be cut or there was no memory. `reason` gets the same as
+ * mus_drape_reason(), or the fault of the start or of the pattern.
+ * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION; MUS_ERR_PATTERN, MUS_ERR_MESH, MUS_ERR_LIMIT (as mus_cloth_create);
+ *          MUS_ERR_BODY (a placement must be found, round a body not made of a tape); MUS_ERR_SEW (a bad start,
+ *          or a seam stays open); MUS_ERR_UNSETTLED; MUS_ERR_TANGLED (at rest, but cloth crosses cloth);
+ *          MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
+ * Memory:  at most two cloths and two drapes at one time
+ * Cost:    a T-shirt at 0.01 m takes about a second, with self_contact some seconds
+ */
+MUS_API mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus_body *body,
+                             const mus_dress_def *def, mus_dress_report *report, mus_reason *reason, mus_cloth **cloth,
+                             mus_drape **drape);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

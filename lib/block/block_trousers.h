@@ -1,0 +1,53 @@
+/*
+ * block_trousers.h: the trousers block, front and back of one leg.
+ *
+ * Frame: x from the centre line to the side, the fork at x < 0, y = 0 at the natural waist; lengths in metre.
+ */
+#ifndef MUS_BLOCK_TROUSERS_H
+#define MUS_BLOCK_TROUSERS_H
+
+#include "block/block_bodice.h"
+
+typedef struct mus__trousers_def {
+    double waist, hip, hip_ease; /* girths of the body at the top edge and at the hip; total ease on the hip */
+    double net[2];               /* top edge of front and back, darts sewn */
+    double top;                  /* level of the top edge at centre front */
+    double rise;                 /* crotch line below the natural waist, its ease included */
+    double inleg;                /* crotch line to hem */
+    double thigh;                /* girth of the body that the crotch line must clear by 3 cm */
+    double knee[2], hem[2];      /* widths of front and back, across */
+    double end;                  /* where the leg is cut, as a part of inleg: 1 at the hem */
+    bool darts;
+} mus__trousers_def;
+
+/* a front or back half: side at x > 0, fork at x < 0, y = 0 at the natural waist */
+typedef struct mus__trousers_half {
+    double centre[4];    /* top edge to hip line: two points */
+    double crotch[8];    /* hip line to fork */
+    mus__chain inseam;   /* fork to hem */
+    mus__chain outseam;  /* top edge to hem */
+    double side[2];      /* top edge at the side */
+    double hem[8];       /* inseam to outseam, square to both */
+    int32_t ndart;
+    double dart[MUS__DARTS][6]; /* inner mouth, point, outer mouth; from the centre outwards */
+    double dart_width;
+    double crease;       /* x of the leg's middle */
+    double fork, hip;    /* widths beyond the centre line and before it on the crotch line */
+    double fork_drop;    /* fork below the crotch line */
+    double waist_length; /* darts closed */
+    double crotch_length, inseam_length, outseam_length;
+    double knee_in, knee_out; /* arc length of the knee along both seams, from the hem; 0 when cut above */
+} mus__trousers_half;
+
+typedef struct mus__trousers {
+    mus__trousers_half front, back;
+    double thigh;  /* girth on the crotch line */
+    double hip;    /* level of the hip line */
+    double crotch; /* level of the crotch line */
+} mus__trousers;
+
+/* widths for leg girths `knee` and `hem`: the back 2 cm wider than the front */
+void mus__trousers_widths(mus__trousers_def *def, double knee, double hem);
+mus_status mus__trousers_draft(mus_context *context, const mus__trousers_def *def, mus__trousers *out);
+
+#endif

@@ -1,0 +1,79 @@
+/*
+ * box_tree.h: which things of a moving cloth may come near each other: boxes by sixteen, and boxes of these.
+ *
+ * A thing (a node, an edge, a triangle) moves straight from where it is now to where it will be; of each there is the
+ * box now and the box then. Two boxes that are farther apart than a reach along one axis, on the same side now and
+ * then, are so all the time between: the least of straight movements is concave in time, the greatest convex.
+ *
+ * Things are in the order of the pattern, near ones together. A block holds the boxes of sixteen plane by plane, so
+ * that a box meets a block in a few vectors; the block above holds the boxes of sixteen blocks. Two trees of as many
+ * tiers are met from the top down, and pairs come in the order of the things, whatever the width of a vector.
+ */
+#ifndef MUS_CONTACT_BOX_TREE_H
+#define MUS_CONTACT_BOX_TREE_H
+
+#include "base/base_internal.h"
+
+#define MUS__TREE_LANES 16
+#define MUS__TREE_PLANES 12 /* of a block: low (3) and high (3) now, low and high then */
+#define MUS__TREE_TIERS 8
+#define MUS__TREE_NODES 3
+
+typedef struct mus__box_tree {
+    int32_t each;     /* nodes of a thing */
+    int32_t capacity; /* things */
+    int32_t count, tiers;
+    int32_t first[MUS__TREE_TIERS + 1]; /* block of each tier; the last: how many blocks there are */
+    int32_t *node;                      /* (blocks below x each x 16) */
+    int32_t *class_of;                  /* the same: what these are joined to; negative where there is no thing */
+    float *box;                         /* (blocks x 12 x 16) */
+    uint16_t *stale;                    /* (blocks) bits of those that are asked for */
+} mus__box_tree;
+
+/* place of the lowest bit (Leiserson, Prokop, Randall, Using de Bruijn sequences to index a 1 in a computer word, 1998)
+ */
+static inline int32_t mus__box_tree_lowest(uint32_t bits)
+{
+    static const uint8_t place[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                      31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+    return place[(bits & (~bits + 1)) * 0x077CB531u >> 27];
+}
+
+
+/* thing number a of one tree, and those of block b of the other that have their bit in `mask` */
+typedef void (*mus__box_tree_fn)(void *user, int32_t a, int32_t b, uint32_t mask);
+
+/* room for as many things of `each` nodes; what is made is destroyed also when it failed */
+mus_status mus__box_tree_create(mus_context *context, int32_t each, int32_t capacity, mus__box_tree *tree);
+void mus__box_tree_destroy(mus_context *context, mus__box_tree *tree);
+
+/* the tree without things; a thing more; the tiers above them, at least as many as `tiers` */
+void mus__box_tree_clear(mus__box_tree *tree);
+void mus__box_tree_add(mus__box_tree *tree, const int32_t *node, const int32_t *class_of);
+void mus__box_tree_raise(mus__box_tree *tree, int32_t tiers);
+
+/* nonzero where thing i has a node that is marked (nodes) */
+static inline int32_t mus__box_tree_stale(const mus__box_tree *tree, int64_t i, const uint8_t *marked)
+{
+    const int32_t *node = tree->node + i / MUS__TREE_LANES * tree->each * MUS__TREE_LANES + i % MUS__TREE_LANES;
+    int32_t any = 0;
+    for (int32_t k = 0; k < tree->each; k++) any |= marked[node[k * MUS__TREE_LANES]];
+    return any;
+}
+
+
+/* boxes of blocks from those of the things. stale (nodes): only things that have such a node have new boxes, and are
+ * asked for; NULL: all */
+void mus__box_tree_fit(mus__box_tree *tree, const uint8_t *stale);
+
+/* things of both that may come nearer than `reach`, and that have no node of one class. The same tree twice: each pair
+ * once */
+void mus__box_tree_pairs(const mus__box_tree *a, const mus__box_tree *b, float reach, mus__box_tree_fn fn, void *user);
+
+/* of these the pairs with a thing that is asked for, each thing on its way down the other tree, which is cheaper for
+ * some of a hundred. `back` is told the other way round, a thing of b and a block of a, where only that of b is asked
+ * for; the same tree twice: never */
+void mus__box_tree_stale_pairs(const mus__box_tree *a, const mus__box_tree *b, float reach, mus__box_tree_fn fn,
+                               mus__box_tree_fn back, void *user);
+
+#endif

@@ -1,0 +1,14 @@
+/* plane_cache_f64.c: the contact pass by planes in double. */
+#include "base/clones.h"
+#include "contact/plane_cache.h"
+#include "contact/contact_template.h"
+
+#define MUS__REAL double
+#define MUS__NAME(name) mus__##name##_f64
+#define MUS__PART_FIELDS field64
+#include "contact/plane_cache_kernel.h"
+
+/* for a build of all files in one */
+#undef MUS__REAL
+#undef MUS__NAME
+#undef MUS__PART_FIELDS

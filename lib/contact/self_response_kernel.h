@@ -1,0 +1,290 @@
+/*
+ * self_response_kernel.h: cloth_self.h as a template on the floating type (MUS__REAL, MUS__NAME, MUS_SELF,
+ * MUS_SELF_LOOK, MUS_SQRT).
+ *
+ * All loops over pairs are in the order of the list, on one thread: what a pair gives its nodes the next one sees, and
+ * the bytes do not depend on how many threads there are.
+ */
+
+#define MUS__BOUND_SHARE 0.45    /* of the distance of a pair; below a half */
+#define MUS__BOUND_RENEW 0.64    /* of the squared radius: from there on balls are taken anew */
+#define MUS__ACTIVE_DISTANCE 2.0 /* thicknesses: pairs that are nearer answer until balls are taken anew */
+#define MUS__BOUND_APPROACH                                                                                            \
+    0.45 /* of what others are farther apart than the thickness: they do not come to it unseen */
+#define MUS__REST_BAND                                                                                                 \
+    0.002                          /* of the thickness: cloth this little farther off still rests on cloth. Small, for \
+                                    * beside an edge it is that far off at an angle of the root of twice this */
+#define MUS__PUSH_SHARE 0.05       /* of the overlap, in one call */
+#define MUS__WARM_START 0.9        /* of what a pair gave in the last call it gives at once */
+#define MUS__LIST_RENEW 0.3        /* of the margin: with less left for a node the list is made anew */
+#define MUS__BOUND_LONGER 2.0      /* times as long as the last balls lasted they are to last */
+#define MUS__BOUND_STEPS_MIN 2.0   /* that balls are to hold for, or nothing drifts */
+#define MUS__BOUND_DRIFT_SHARE 0.5 /* of its room a pair leaves to drifts that differ */
+#define MUS__NORMAL_ROUND 1e-5     /* [m]: rounding may be off by so much in the way from one thing to another */
+#define MUS__IDLE_SHARE 0.99       /* of the squared way that leaves a pair apart: less than that is not asked */
+#define MUS__WEIGHT_BEARS 0.05     /* a node with less of a weight in a pair does not bear on it */
+#define MUS__SUPPORT_FACING 0.5    /* cosine of what holds a node and what pushes it */
+
+#include "contact/pair_distance_kernel.h"
+#include "contact/neighbour_list_kernel.h"
+#include "contact/displacement_bound_kernel.h"
+
+
+/* ---- touch: what near pairs answer ---- */
+
+/*
+ * A layer that lies on the body hands on what it gets from the layers on it: the body takes it before the next call. In
+ * a pair such a layer is as good as held, and the other gets all of the answer; else a pile would sink by half of the
+ * answer in each step. It is held when the body pushed its nodes in this step, or a layer that is held did in the last
+ * call, against the way in which this pair pushes them.
+ */
+
+/* the rank of the nodes first .. last-1 that bear on the pair, which pushes them along `sign` times the normal */
+static inline int32_t MUS__NAME(self_rank_of)(const mus__self_contact *self, const int32_t *node,
+                                              const MUS__REAL *weight, int32_t first, int32_t last, MUS__REAL sign,
+                                              const MUS__REAL *normal)
+{
+    const int64_t n = self->n;
+    const MUS__REAL *support = self->support;
+    int32_t rank = 0;
+    for (int32_t i = first; i < last; i++) {
+        const int32_t k = node[i], now = self->last_rank[k] < self->rank[k] ? self->last_rank[k] : self->rank[k];
+        if (weight[i] < (MUS__REAL)MUS__WEIGHT_BEARS && weight[i] > -(MUS__REAL)MUS__WEIGHT_BEARS) continue;
+        if (now == MUS__RANK_NONE) return now;
+        const MUS__REAL along = support[k] * normal[0] + support[n + k] * normal[1] + support[2 * n + k] * normal[2];
+        if (!(sign * along < -(MUS__REAL)MUS__SUPPORT_FACING)) return MUS__RANK_NONE;
+        rank = now > rank ? now : rank;
+    }
+    return rank;
+}
+
+
+/* the nodes first .. last-1 are pushed along `sign` times the normal by something of `rank` */
+static inline void MUS__NAME(self_rank_set)(mus__self_contact *self, const int32_t *node, int32_t first, int32_t last,
+                                            int32_t rank, MUS__REAL sign, const MUS__REAL *normal)
+{
+    const int64_t n = self->n;
+    MUS__REAL *support = self->support;
+    for (int32_t i = first; i < last && rank < MUS__RANK_MAX; i++) {
+        const int32_t k = node[i];
+        if (self->rank[k] <= rank + 1) continue;
+        self->rank[k] = (uint8_t)(rank + 1);
+        for (int32_t d = 0; d < 3; d++) support[d * n + k] = sign * normal[d];
+    }
+}
+
+
+/* which nodes of pairs that may touch the body pushed in this step, and whither; others keep what they had */
+MUS_CLONES
+static void MUS__NAME(self_rank_body)(int64_t n, int32_t count, const uint8_t *restrict near,
+                                      const MUS__REAL *restrict v, const MUS__REAL *restrict before,
+                                      uint8_t *restrict rank, MUS__REAL *restrict support)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const MUS__REAL push0 = v[i] - before[i], push1 = v[n + i] - before[n + i];
+        const MUS__REAL push2 = v[2 * n + i] - before[2 * n + i];
+        const MUS__REAL all = push0 * push0 + push1 * push1 + push2 * push2;
+        const int32_t held = near[i] != 0 && all > 0;
+        const MUS__REAL length = (MUS__REAL)MUS__NAME(sqrt)(held ? all : 1);
+        rank[i] = held ? 0 : MUS__RANK_NONE;
+        support[i] = held ? push0 / length : support[i];
+        support[n + i] = held ? push1 / length : support[n + i];
+        support[2 * n + i] = held ? push2 / length : support[2 * n + i];
+    }
+}
+
+
+static void MUS__NAME(self_rank_start)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *v)
+{
+    uint8_t *const was = self->last_rank;
+    self->last_rank = self->rank;
+    self->rank = was;
+    if (rule->body)
+        MUS__NAME(self_rank_body)
+        (self->n, self->nodes, self->active_node, v, self->before_body, self->rank, self->support);
+    else
+        memset(self->rank, MUS__RANK_NONE, (size_t)self->nodes);
+}
+
+
+/* a pair that answers: shares of its nodes, unit normal from its second thing to its first, how much too near they
+ * are */
+typedef struct MUS__NAME(self_contact_pair) {
+    const int32_t *node;
+    int32_t split; /* nodes of the first thing */
+    MUS__REAL weight[4], normal[3], overlap;
+} MUS__NAME(self_contact_pair);
+
+
+/* pair number k as it lies now, left out where it does not and gave nothing; nonzero when its things are nearer than
+ * the thickness, or hardly more */
+static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, int32_t k, const MUS__REAL *x,
+                                                MUS__NAME(self_contact_pair) * pair)
+{
+    const MUS__REAL t = (MUS__REAL)self->pair[k].thickness, reach = (MUS__REAL)(1.0 + MUS__REST_BAND) * t;
+    MUS__REAL p[4][3], *weight = pair->weight;
+    pair->node = self->pair[k].node;
+    pair->split = k < self->nnode_pair ? 1 : 2;
+    MUS__NAME(self_pair_places)(x, self->n, pair->node, p);
+    const MUS__REAL d2 = MUS__NAME(self_pair_measure)(self, k, p, weight);
+    const int32_t lies = d2 > 0 && d2 < reach * reach;
+    pair->overlap = t;
+    if (!lies && !(d2 > 0 && self->pair[k].impulse > 0)) return 0;
+    const MUS__REAL apart = (MUS__REAL)MUS__NAME(sqrt)(d2);
+    pair->overlap = t - apart;
+    for (int32_t d = 0; d < 3; d++)
+        pair->normal[d] =
+            (weight[0] * p[0][d] + weight[1] * p[1][d] + weight[2] * p[2][d] + weight[3] * p[3][d]) / apart;
+    return lies;
+}
+
+
+/* an impulse and a move per mass (3 each) to the nodes of a pair */
+static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS__NAME(self_contact_pair) * pair,
+                                              const MUS__REAL *inverse, const MUS__REAL *impulse, const MUS__REAL *move,
+                                              MUS__REAL *x, MUS__REAL *v)
+{
+    const int64_t n = self->n;
+    MUS__REAL *force = self->force, *off = self->travel2;
+    for (int32_t i = 0; i < 4; i++) {
+        const MUS__REAL weight = pair->weight[i], moved = weight * inverse[pair->node[i]];
+        for (int32_t d = 0; d < 3; d++) {
+            const int64_t at = d * n + pair->node[i];
+            v[at] += moved * impulse[d];
+            x[at] += moved * move[d];
+            force[at] += weight * impulse[d];
+        }
+        const MUS__REAL off2 =
+            MUS__NAME(self_travel2)(n, pair->node[i], (MUS__REAL)self->bound_age, self->bound, self->drift, x);
+        off[pair->node[i]] = off2;
+        if (off2 > (MUS__REAL)self->travel2_max) self->travel2_max = (double)off2;
+    }
+}
+
+
+/* what a pair gave in the last call, along its normal of now */
+static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__self_rule *rule,
+                                            const MUS__REAL *inverse, int32_t k, MUS__REAL *x, MUS__REAL *v)
+{
+    MUS__NAME(self_contact_pair) pair;
+    if (!MUS__NAME(self_pair_lies)(self, k, x, &pair)) return;
+    self->pair[k].impulse *= (float)MUS__WARM_START;
+    MUS__REAL impulse[3], move[3];
+    for (int32_t d = 0; d < 3; d++) {
+        impulse[d] = (MUS__REAL)self->pair[k].impulse * pair.normal[d];
+        move[d] = pair.overlap > 0 ? (MUS__REAL)rule->slip * impulse[d] : 0;
+    }
+    MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
+}
+
+
+/*
+ * What it gives beside that, or less, and friction of what it gives in all.
+ *
+ * No blow is followed by a bounce. What the pair gave may have been too much: by taking a layer for held that was not,
+ * or by giving again what had done its work. If that brought the two out of reach they would keep it, 1.9 times their
+ * speed before, and sheets between sheets, or a corner hooked in a fold, would never rest. So a pair that came apart
+ * since it gave takes back what drives the two from each other, up to what it gave; and taking back counts both sides,
+ * for both move.
+ */
+static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
+                                         int32_t k, MUS__REAL *x, MUS__REAL *v)
+{
+    const int64_t n = self->n;
+    MUS__NAME(self_contact_pair) pair;
+    MUS__REAL w[3] = {0, 0, 0}, give = 0, both = 0, speed2 = 0, rub = 0, slide[3], impulse[3], move[3];
+    const int32_t lies = MUS__NAME(self_pair_lies)(self, k, x, &pair);
+    if (!lies && (!(self->pair[k].impulse > 0) || pair.overlap > 0)) {
+        self->pair[k].impulse = 0;
+        return;
+    }
+    self->close += lies;
+    const int32_t *node = pair.node, split = pair.split;
+    const int32_t one = MUS__NAME(self_rank_of)(self, node, pair.weight, 0, split, 1, pair.normal);
+    const int32_t two = MUS__NAME(self_rank_of)(self, node, pair.weight, split, 4, -1, pair.normal);
+    for (int32_t i = 0; i < 4; i++) {
+        for (int32_t d = 0; d < 3; d++) w[d] += pair.weight[i] * v[d * n + node[i]];
+        const MUS__REAL own = pair.weight[i] * pair.weight[i] * inverse[node[i]];
+        both += own;
+        if (i < split ? one >= two || one == MUS__RANK_NONE : two >= one || two == MUS__RANK_NONE) give += own;
+    }
+
+    /* the approach ends, or what was given too much is taken back; friction against the sliding */
+    const MUS__REAL out = MUS__NAME(dot)(w, pair.normal), last = (MUS__REAL)self->pair[k].impulse;
+    if (out > 0) give = both;
+    if (!(give > 0)) return;
+    const MUS__REAL enough = last - out / give > 0 ? last - out / give : 0;
+    const MUS__REAL all = lies || enough < last ? enough : last, more = all - last;
+    for (int32_t d = 0; d < 3; d++) slide[d] = w[d] - out * pair.normal[d], speed2 += slide[d] * slide[d];
+    if (all > 0 && speed2 > 0) {
+        const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(speed2), grip = (MUS__REAL)self->friction * all * give;
+        rub = (grip < speed ? grip / speed : 1) / give;
+    }
+    if (all > 0 && one < two) MUS__NAME(self_rank_set)(self, node, split, 4, one, -1, pair.normal);
+    if (all > 0 && two < one) MUS__NAME(self_rank_set)(self, node, 0, split, two, 1, pair.normal);
+    self->pair[k].impulse = lies ? (float)all : 0;
+
+    /* what moved with the old velocity moves back; but in the band it sinks on, so that it rests below its edge */
+    const MUS__REAL slip = (MUS__REAL)rule->slip, sink = pair.overlap > 0 ? slip : 0, most = (MUS__REAL)rule->push;
+    MUS__REAL push = (MUS__REAL)MUS__PUSH_SHARE * (pair.overlap - sink * more * give);
+    push = (push > most ? most : push > 0 ? push : 0) / give;
+    for (int32_t d = 0; d < 3; d++) {
+        impulse[d] = more * pair.normal[d] - rub * slide[d];
+        move[d] = (sink * more + push) * pair.normal[d] - slip * rub * slide[d];
+    }
+    MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
+}
+
+
+/* nonzero when any node of a pair has gone as far as its things may unseen */
+static inline int32_t MUS__NAME(self_pair_may_touch)(const mus__self_contact *self, const mus__self_pair *pair)
+{
+    const MUS__REAL *off = self->travel2, idle2 = (MUS__REAL)pair->idle2;
+    const int32_t *node = pair->node;
+    if ((MUS__REAL)self->travel2_max < idle2) return 0;
+    return !((off[node[0]] < idle2) & (off[node[1]] < idle2) & (off[node[2]] < idle2) & (off[node[3]] < idle2));
+}
+
+
+static void MUS__NAME(self_respond_pairs)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
+                                          MUS__REAL *x, MUS__REAL *v)
+{
+    self->close = 0;
+    self->travel2_max = (double)MUS__NAME(self_travel2_all)(self->n, self->nodes, (MUS__REAL)self->bound_age,
+                                                            self->bound, self->drift, x, self->travel2);
+    for (int32_t k = 0; k < self->nactive; k++)
+        if (self->pair[self->active[k]].impulse > 0)
+            MUS__NAME(self_pair_warm_start)(self, rule, inverse, self->active[k], x, v);
+
+    /* what gave nothing in the last call and cannot touch in this one is not asked */
+    for (int32_t k = 0; k < self->nactive; k++) {
+        const mus__self_pair *pair = &self->pair[self->active[k]];
+        if (!(pair->impulse > 0) && !MUS__NAME(self_pair_may_touch)(self, pair)) continue;
+        MUS__NAME(self_pair_respond)(self, rule, inverse, self->active[k], x, v);
+        self->responses++;
+    }
+}
+
+
+/* ---- the calls ---- */
+
+void MUS__NAME(self_contact_prepare)(mus__self_contact *self, const MUS__REAL *x)
+{
+    if (self->invalid) MUS__NAME(self_bounds_make)(self, x, 0.0);
+}
+
+
+void MUS__NAME(self_contact_pass)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
+                                  MUS__REAL *x, MUS__REAL *v)
+{
+    self->bound_age += rule->step;
+    self->list_age += rule->step;
+    int32_t turn = MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, x, v);
+    turn |= self->bound_age + rule->step > self->bound_span;
+    if (self->nactive > 0) {
+        MUS__NAME(self_rank_start)(self, rule, v);
+        MUS__NAME(self_respond_pairs)(self, rule, inverse, x, v);
+        turn |= MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, x, v);
+    }
+    if (turn) MUS__NAME(self_bounds_make)(self, x, rule->step);
+}

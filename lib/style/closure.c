@@ -1,0 +1,118 @@
+/*
+ * closure.c: what becomes of the centre lines of a top: on the fold, or sewn up as a closure that is done up.
+ *
+ * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
+ * which a cloth can leave open. What lies
+ * beyond it is allowance: a button stand of 1.75 cm, turned under by as much and 1 cm more. Buttons and the end of a
+ * side zip are marked. Source: drafting reference 3.3, 5.4.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "style/top.h"
+
+#define CLOSURE_STAND (1.75 * MUS__CM)
+#define CLOSURE_ZIP (1.5 * MUS__CM)
+#define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
+#define CLOSURE_BUTTONS (8.5 * MUS__CM) /* apart, at most */
+
+
+/* buttons on the centre line from 1.5 cm below the neck to 4 cm above a hem, evenly */
+static void closure_buttons(mus__half *half, int32_t side)
+{
+    mus__board *board = &half->board;
+    const double *top = mus__board_start(board, side), *foot = mus__board_end(board, side);
+    if (top == NULL || foot == NULL) return;
+    const double length = top[1] - foot[1] - 5.5 * MUS__CM;
+    const int32_t n = (int32_t)ceil(fmax(length, 0.0) / CLOSURE_BUTTONS);
+    for (int32_t i = 0; i <= n; i++) {
+        const double part = n > 0 ? (double)i / n : 0.0;
+        const double xy[2] = {top[0], top[1] - 1.5 * MUS__CM - part * fmax(length, 0.0)};
+        mus__board_mark_add(board, board->side[side].panel, "button", 1, xy);
+    }
+}
+
+
+void mus__closure_set(mus__half *half)
+{
+    mus__board *board = &half->board;
+    if (board->status != MUS_OK) return;
+    for (int32_t i = 0; i < board->nside; i++) {
+        mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || strcmp(side->label, "centre") != 0) continue;
+        const bool front = strncmp(board->panel[side->panel].name, "front", 5) == 0;
+        const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
+        side->centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
+        side->allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        if (opens && front) closure_buttons(half, i);
+    }
+}
+
+
+/* does a name end so? */
+static bool closure_ends(const char *name, const char *end)
+{
+    const size_t n = strlen(name), m = strlen(end);
+    return n >= m && strcmp(name + n - m, end) == 0;
+}
+
+
+/* a notch where a side of the front crosses the height y, and where it is sewn to */
+static void closure_notch(mus__board *board, int32_t side, double y)
+{
+    double lo = 0.0, hi = board->side[side].length, at[2];
+    mus__board_at(board, side, lo, at, NULL);
+    const bool above = at[1] > y;
+    mus__board_at(board, side, hi, at, NULL);
+    if ((at[1] > y) == above) return;
+    for (int i = 0; i < 40; i++) {
+        const double s = 0.5 * (lo + hi);
+        mus__board_at(board, side, s, at, NULL);
+        if ((at[1] > y) == above) lo = s;
+        else hi = s;
+    }
+    const int32_t other = mus__board_partner(board, side);
+    mus__board_notch_add(board, side, lo, MUS_NOTCH_TRIPLE);
+    if (other == MUS_NONE) return;
+    const double part = 1.0 - lo / board->side[side].length;
+    mus__board_notch_add(board, other, part * board->side[other].length, MUS_NOTCH_TRIPLE);
+}
+
+
+/* what the centre seams of a top are closed with: buttons before, a zip behind */
+static void closure_seams(mus__half *half)
+{
+    mus__board *board = &half->board;
+    for (int32_t i = 0; i < board->nseam; i++) {
+        mus__board_seam *seam = &board->seam[i];
+        if (seam->a == MUS_NONE || strcmp(board->side[seam->a].label, "centre") != 0 ||
+            strcmp(board->side[seam->b].label, "centre") != 0)
+            continue;
+        const char *panel = board->panel[board->side[seam->a].panel].name;
+        if (strncmp(panel, "front", 5) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT))
+            seam->closure = MUS_CLOSURE_BUTTONS;
+        if (strncmp(panel, "back", 4) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_BACK))
+            seam->closure = MUS_CLOSURE_ZIP;
+    }
+}
+
+
+void mus__closure_finish(mus__half *half)
+{
+    if (half->board.status == MUS_OK) closure_seams(half);
+
+    /* the ends of a zip 18 cm long about the waist, in the left side seam */
+    mus__board *board = &half->board;
+    const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);
+    if (board->status != MUS_OK || lower || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SIDE)) return;
+    const double reach = 0.5 * CLOSURE_SIDE_ZIP * mus__measures_scale(&half->measures);
+    const int32_t nside = board->nside;
+    for (int32_t i = 0; i < nside; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || strcmp(side->label, "side") != 0 || closure_ends(side->name, "_r")) continue;
+        const char *panel = board->panel[side->panel].name;
+        if (strncmp(panel, "front", 5) != 0 || closure_ends(panel, "_right")) continue;
+        closure_notch(board, i, reach);
+        closure_notch(board, i, -reach);
+    }
+}

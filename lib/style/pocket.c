@@ -1,0 +1,98 @@
+/*
+ * pocket.c: patch pockets: where they go on the half, and on the whole garment the pieces themselves.
+ *
+ * A patch is a third sheet on the garment: at three of its sides three sheets meet (board_patch.c). On the half it is
+ * a line, 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front. Once the garment is whole, each such
+ * line gets its piece; the line stays as the mark on paper of where it is laid. Where the panel is too small for it, as
+ * one that was cut apart may be, it is the mark alone; so it is on the seat of trousers, where the cloth is tight and a
+ * piece of the same length over it does not come to rest with cloth on cloth (jeans at 20 mm: residual 0.26). It
+ * changes no opening and no handle (drafting.md section 8).
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "style/lower.h"
+
+#define POCKET_STEP (1.0 * MUS__CM)
+#define POCKET_MOVES 8
+
+
+/* moved by at most POCKET_MOVES steps each way, least first, until it lies within its panel, all sides of it */
+static void pocket_within(mus__half *half, int32_t panel, double *xy)
+{
+    const double step = POCKET_STEP * mus__lower_scale(half), w = xy[4] - xy[0], h = xy[1] - xy[3];
+    for (int32_t far = 0; far <= 2 * POCKET_MOVES; far++)
+        for (int32_t i = -far; i <= far; i++)
+            for (int32_t sign = -1; sign <= 1; sign += 2) {
+                const int32_t j = sign * (far - abs(i));
+                const double x = xy[0] + i * step, y = xy[1] + j * step;
+                if (abs(i) > POCKET_MOVES || abs(j) > POCKET_MOVES) continue;
+                double all[16] = {x, y, x, y - 0.5 * h, x, y - h, x + 0.5 * w, y - h,
+                                  x + w, y - h, x + w, y - 0.5 * h, x + w, y, x + 0.5 * w, y};
+                if (!mus__board_patch_fits(&half->board, panel, 8, all)) continue;
+                for (int32_t k = 0; k < 5; k++) xy[2 * k] += i * step, xy[2 * k + 1] += j * step;
+                return;
+            }
+}
+
+
+/* centre (x, y) of the pocket's top, half its width, its height; a back is drawn at x < 0 */
+static void pocket_mark(mus__half *half, const char *name, double x, double y)
+{
+    const int32_t panel = mus__board_find_panel(&half->board, name);
+    if (half->board.status != MUS_OK || panel == MUS_NONE) return;
+    const double scale = mus__lower_scale(half), w = 6.5 * MUS__CM * scale, h = 15.0 * MUS__CM * scale;
+    double xy[10] = {x - w, y, x - w, y - h, x + w, y - h, x + w, y, x - w, y};
+    pocket_within(half, panel, xy);
+    mus__board_mark_add(&half->board, panel, "pocket", 5, xy);
+}
+
+
+void mus__pocket_attach(mus__half *half)
+{
+    if (half->style.option[MUS__AXIS_POCKET] != MUS__POCKET_PATCH) return;
+    const double *m = half->measures.v, scale = mus__lower_scale(half), hip = m[MUS_MEASURE_HIP];
+    const double low = -0.55 * m[MUS_MEASURE_WAIST_TO_HIP];
+    switch (half->style.option[MUS__AXIS_GARMENT]) {
+    case MUS__GARMENT_TROUSERS:
+    case MUS__GARMENT_JUMPSUIT: pocket_mark(half, "leg_back", -0.13 * hip, low); break;
+    case MUS__GARMENT_SKIRT:
+    case MUS__GARMENT_DRESS: pocket_mark(half, "skirt_front", 0.13 * hip, low); break;
+    case MUS__GARMENT_TOP: pocket_mark(half, "front", 0.11 * m[MUS_MEASURE_BUST], 0.26 * scale); break;
+    default: break;
+    }
+}
+
+
+/* the piece of mark i; the second on a panel, or on its mirror image, is that of the right */
+static void pocket_piece(mus__board *board, int32_t i, int32_t *left)
+{
+    const int32_t panel = board->mark[i].panel;
+    const char *name = *left == MUS_NONE ? "pocket_left" : "pocket_right";
+    const int32_t made = mus__board_patch(board, panel, 4, board->mark[i].xy, name);
+    if (made == MUS_NONE) return;
+    if (*left == MUS_NONE) {
+        *left = made;
+        return;
+    }
+    board->panel[made].mirror_of = *left;
+    board->panel[*left].cut_count += board->panel[made].cut_count;
+}
+
+
+void mus__pocket_finish(mus__half *half)
+{
+    mus__board *board = &half->board;
+    int32_t left = MUS_NONE;
+    const int32_t garment = half->style.option[MUS__AXIS_GARMENT];
+    if (garment == MUS__GARMENT_TROUSERS || garment == MUS__GARMENT_JUMPSUIT) return;
+    const int32_t nmark = board->nmark;
+    for (int32_t i = 0; i < nmark && board->status == MUS_OK; i++) {
+        const mus__board_mark *mark = &board->mark[i];
+        if (mark->panel != MUS_NONE && mark->n == 5 && strcmp(mark->name, "pocket") == 0 &&
+            mus__board_patch_fits(board, mark->panel, 4, mark->xy))
+            pocket_piece(board, i, &left);
+    }
+}

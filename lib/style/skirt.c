@@ -1,0 +1,190 @@
+/*
+ * skirt.c: the half of a skirt by its word: which of the skirts is drawn, and the straight one with its kin.
+ *
+ * Each draws front and back (or gores, or sectors) on the cutting table with its top edge labelled "waist", sews what
+ * belongs together, and stands it round the hips. Under a bodice the top edge is sewn to its waist.
+ * Source: drafting.md sections 3.4, 3.5; formulas in the man page mus_design(3).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "block/block_skirt.h"
+#include "style/lower.h"
+
+#define SKIRT_ALLOWANCE (1.0 * MUS__CM)
+#define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
+
+
+/* the block for this half: its waist under a bodice as long as that one's, its darts below that one's */
+static mus__skirt_def skirt_block(const mus__half *half, double flare)
+{
+    const double *m = half->measures.v, level = mus__lower_level(half);
+    const double front = mus__lower_net(half, true, level, 0.5 * MUS__CM);
+    const double back = mus__lower_net(half, false, level, 0.5 * MUS__CM);
+    mus__skirt_def def;
+    memset(&def, 0, sizeof def);
+    def.waist = 2.0 * (front + back);
+    def.shift = 0.5 * (front - back) - 0.5 * MUS__CM;
+    def.hip = fmax(m[MUS_MEASURE_HIP], 0.98 * m[MUS_MEASURE_WAIST]);
+    def.depth = m[MUS_MEASURE_WAIST_TO_HIP] + level;
+    def.hip_ease = half->hip_ease;
+    def.length = mus__skirt_length(half);
+    def.flare = flare;
+    def.rise = 1.2 * MUS__CM * (def.depth / m[MUS_MEASURE_WAIST_TO_HIP]);
+    def.darts = true;
+    if (mus__lower_has_top(half)) {
+        def.dart_at[0] = mus__lower_snap(half, true, 0.45 * front, 0.2 * front);
+        def.dart_at[1] = mus__lower_snap(half, false, 0.45 * back, 0.2 * back);
+    }
+    return def;
+}
+
+
+/* parts of the waist between the darts, from the centre outwards */
+static void skirt_waist_parts(const mus__skirt_half *block, mus__chain *part)
+{
+    double s0 = 0.0;
+    for (int32_t d = 0; d <= block->ndart; d++) {
+        const double s1 = d < block->ndart ? block->dart_s[d][0] : block->waist_length + block->dart_width;
+        double cubic[8];
+        mus__cubic_part(block->waist, s0, s1, cubic);
+        if (d > 0) memcpy(cubic, block->dart[d - 1] + 4, 2 * sizeof *cubic);
+        if (d < block->ndart) memcpy(cubic + 6, block->dart[d], 2 * sizeof *cubic);
+        mus__chain_cubic(&part[d], cubic);
+        if (d < block->ndart) s0 = block->dart_s[d][1];
+    }
+}
+
+
+/* hem, side, waist with its darts, centre down to the slit (0: none), which makes it a seam */
+static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, bool front, double slit)
+{
+    mus__outline outline;
+    mus__chain chain, low, part[MUS__DARTS + 1];
+    const double *top = block->waist, *bottom = block->hem, open[2] = {0.0, bottom[1] + slit};
+    mus__outline_begin(&outline);
+    mus__chain_cubic(&chain, block->hem);
+    mus__outline_add(&outline, "hem", "hem", SKIRT_HEM_ALLOWANCE, &chain);
+    mus__chain_cubic(&chain, block->side_high);
+    mus__chain_cubic(&low, block->side_low);
+    mus__chain_append(&chain, &low);
+    mus__chain_reverse(&chain);
+    mus__outline_add(&outline, "side", "side", SKIRT_ALLOWANCE, &chain);
+    skirt_waist_parts(block, part);
+    mus__lower_top(&outline, block->ndart, block->dart, part);
+    mus__outline_line(&outline, "centre", "centre", SKIRT_ALLOWANCE, top, slit > 0.0 ? open : bottom);
+    if (slit > 0.0) mus__outline_line(&outline, "slit", "hem", SKIRT_ALLOWANCE, open, bottom);
+
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "skirt_front" : "skirt_back", "skirt", !front);
+    mus__half_centre(half, panel, "centre", front && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
+    mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
+    mus__half_darts(half, panel);
+
+    /* the hip: the front's side is walked up, the back's down */
+    const double hip = front ? block->side_length - block->side_high_length : block->side_high_length;
+    mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"), hip,
+                         front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
+    return panel;
+}
+
+
+/* slits of front and back (2) from the hem up; the front's panel */
+static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, const double *slit)
+{
+    mus__skirt block;
+    const mus_status status = mus__skirt_draft(half->context, def, &block);
+    mus__half_failed(half, status);
+    if (status != MUS_OK) return MUS_NONE;
+    const int32_t front = skirt_panel_draw(half, &block.front, true, slit[0]);
+    const int32_t back = skirt_panel_draw(half, &block.back, false, slit[1]);
+    mus__half_sew(half, front, "side", back, "side", 0.0);
+    const double width = fmax(block.front.hem_width, block.front.hip) + fmax(block.back.hem_width, block.back.hip);
+    const double height = half->waist_level + mus__lower_level(half);
+    mus__panel_place_hips(half, front, true, width, height);
+    mus__panel_place_hips(half, back, false, width, height);
+    return front;
+}
+
+
+/* straight; pencil: the hem 2.5 cm in a half; a-line: out by an eighth of what is below the hip, the waist taken in by
+ * the side and the darts. A narrow hem that reaches the knee has a slit at the centre back */
+void mus__skirt_straight(mus__half *half)
+{
+    const int32_t kind = half->style.option[MUS__AXIS_SKIRT];
+    mus__skirt_def def = skirt_block(half, 0.0);
+    const double below = fmax(0.0, def.length - def.depth), scale = mus__lower_scale(half);
+    double slit[2] = {0.0, 0.0};
+    if (kind == MUS__SKIRT_A_LINE) def.flare = 0.18 * below;
+    else if (below > 0.12 * half->measures.v[MUS_MEASURE_STATURE]) slit[1] = fmax(18.0 * MUS__CM * scale, 0.4 * below);
+    if (kind == MUS__SKIRT_PENCIL) def.flare = -fmin(2.5 * MUS__CM * scale, 0.06 * below);
+    skirt_straight_draw(half, &def, slit);
+}
+
+
+/* what laps over from the left front to the right one, from the end of the centre seam down: a sector about that end,
+ * so that it hangs no lower than the hem; one for a hem that falls is shorter at its edge. It is cut once */
+static void skirt_lap(mus__half *half, int32_t front, double top, double bottom, double width)
+{
+    const double height = top - bottom, angle = fmin(width / height, 0.6);
+    const double reach = height * (half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW ? 0.7 : 1.0);
+    const double a[2] = {0.0, bottom}, b[2] = {0.0, top}, c[2] = {-reach * sin(angle), top - reach * cos(angle)};
+    const double handle = angle / 3.0;
+    double low[8];
+    mus__chain chain;
+    mus__outline outline;
+    mus__outline_begin(&outline);
+    mus__cubic_set(low, c, c[0] + handle * reach * cos(angle), c[1] - handle * reach * sin(angle), -handle * height,
+                   bottom, a);
+    mus__chain_cubic(&chain, low);
+    mus__outline_add(&outline, "hem", "hem", SKIRT_ALLOWANCE, &chain);
+    mus__outline_line(&outline, "join", "centre", SKIRT_ALLOWANCE, a, b);
+    mus__outline_line(&outline, "edge", "hem", SKIRT_ALLOWANCE, b, c);
+    const int32_t lap = mus__outline_panel(half, &outline, "skirt_lap", "skirt", false);
+    if (half->board.status != MUS_OK) return;
+    half->board.panel[lap].single = 1;
+    mus__half_sew(half, front, "slit", lap, "join", 0.0);
+
+    /* as the front, and 2 cm before it */
+    half->board.panel[lap].placement = half->board.panel[front].placement;
+    half->board.panel[lap].placement.origin[2] += 0.02;
+    half->board.panel[lap].placement.bend += 0.02;
+}
+
+
+/* a front that laps over: the fronts are sewn together at the centre half way to the hip, and from there on the left
+ * one goes on over the right */
+void mus__skirt_wrap(mus__half *half)
+{
+    mus__skirt_def def = skirt_block(half, 0.0);
+    const double below = fmax(0.0, def.length - def.depth);
+    const double slit[2] = {def.length - 0.5 * def.depth, 0.0};
+    def.flare = 0.10 * below;
+    const int32_t front = skirt_straight_draw(half, &def, slit);
+    if (half->board.status != MUS_OK) return;
+    skirt_lap(half, front, slit[0] - def.length, -def.length, 0.16 * (def.waist + def.hip));
+}
+
+
+void mus__skirt_attach(mus__half *half)
+{
+    const int32_t first = half->board.npanel;
+    if (half->board.status != MUS_OK) return;
+    switch (half->style.option[MUS__AXIS_SKIRT]) {
+    case MUS__SKIRT_GORED4:
+    case MUS__SKIRT_GORED6:
+    case MUS__SKIRT_GORED8:
+    case MUS__SKIRT_GODET:
+    case MUS__SKIRT_TRUMPET: mus__skirt_gores(half); break;
+    case MUS__SKIRT_QUARTER:
+    case MUS__SKIRT_HALF:
+    case MUS__SKIRT_THREE_QUARTER:
+    case MUS__SKIRT_FULL: mus__skirt_round(half); break;
+    case MUS__SKIRT_GATHERED:
+    case MUS__SKIRT_KNIFE:
+    case MUS__SKIRT_BOX:
+    case MUS__SKIRT_TIERED: mus__skirt_gathered(half); break;
+    case MUS__SKIRT_WRAP: mus__skirt_wrap(half); break;
+    default: mus__skirt_straight(half); break;
+    }
+    mus__lower_waist_sew(half, first);
+}

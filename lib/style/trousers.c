@@ -1,0 +1,209 @@
+/*
+ * trousers.c: the left leg of trousers by its words: widths of the leg, where it is cut, its rib.
+ *
+ *   straight  knee + 6 or calf + 4, hem 4 cm narrower      wide     as wide as on the crotch line all the way down
+ *   tapered   knee + 3, hem as the foot allows             culotte  wider still below
+ *   bootcut   hem 5 cm wider than the knee                 jogger   hem gathered into a rib
+ *   flare     hem 15 cm wider                              harem    crotch 10 cm lower, gathered into a rib
+ *
+ * Front and back are sewn at inseam and outseam; the crotch sides are centre seams, which the doubling sews. Under a
+ * bodice the waist is sewn to its waist, the rise 3 cm longer, since shoulder and crotch are then tied to each other.
+ * Source: drafting.md sections 3.6, 3.10; formulas in the man page mus_design(3).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "block/block_trousers.h"
+#include "geom/vec.h"
+#include "style/lower.h"
+
+#define LEG_ALLOWANCE (1.0 * MUS__CM)
+#define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
+#define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
+
+
+/* garment girths of knee and hem of legs that follow the leg; what the crotch line has for those that hang from it */
+static void trousers_leg(const mus__half *half, mus__trousers_def *def)
+{
+    const double *m = half->measures.v, scale = mus__lower_scale(half);
+    const double knee = fmax(m[MUS_MEASURE_KNEE] + 6.0 * MUS__CM, m[MUS_MEASURE_CALF] + 4.0 * MUS__CM);
+    const double hem = fmax(knee - 4.0 * MUS__CM, 1.55 * m[MUS_MEASURE_ANKLE]);
+    const double hip = fmax(def->hip, 0.97 * def->waist);
+    const double front = (hip + def->hip_ease) / 4.0 - 1.0 * MUS__CM + hip / 20.0;
+    const double back = (hip + def->hip_ease) / 4.0 + 2.0 * MUS__CM + hip / 10.0;
+    mus__trousers_widths(def, knee, hem);
+    switch (half->style.option[MUS__AXIS_LEG]) {
+    case MUS__LEG_TAPERED:
+        mus__trousers_widths(def, fmax(m[MUS_MEASURE_KNEE] + 3.0 * MUS__CM, m[MUS_MEASURE_CALF] + 3.0 * MUS__CM),
+                             1.5 * m[MUS_MEASURE_ANKLE]);
+        break;
+    case MUS__LEG_BOOTCUT: mus__trousers_widths(def, knee - 1.0 * MUS__CM, knee + 4.0 * scale * MUS__CM); break;
+    case MUS__LEG_FLARE:
+        mus__trousers_widths(def, knee - 2.0 * MUS__CM, fmax(hem + 4.0 * MUS__CM, knee + 13.0 * scale * MUS__CM));
+        break;
+    case MUS__LEG_WIDE:
+        def->knee[0] = def->hem[0] = 0.95 * front;
+        def->knee[1] = def->hem[1] = 0.95 * back;
+        break;
+    case MUS__LEG_CULOTTE:
+        def->knee[0] = 1.04 * front, def->hem[0] = 1.12 * front;
+        def->knee[1] = 1.04 * back, def->hem[1] = 1.12 * back;
+        break;
+    case MUS__LEG_JOGGER: mus__trousers_widths(def, knee + 2.0 * scale * MUS__CM, hem); break;
+    case MUS__LEG_HAREM: mus__trousers_widths(def, 0.72 * (front + back), 0.55 * (front + back)); break;
+    default: break;
+    }
+}
+
+
+static bool trousers_ribbed(const mus__half *half)
+{
+    const int32_t leg = half->style.option[MUS__AXIS_LEG];
+    return leg == MUS__LEG_JOGGER || leg == MUS__LEG_HAREM;
+}
+
+
+/* the block for this half */
+static mus__trousers_def trousers_block(const mus__half *half)
+{
+    /* parts of the inleg: full, short, bermuda, capri, ankle */
+    static const double end[] = {1.0, 0.16, 0.40, 0.68, 0.91};
+    const double *m = half->measures.v, level = mus__lower_level(half), scale = mus__lower_scale(half);
+    const int32_t leg = half->style.option[MUS__AXIS_LEG], length = half->style.option[MUS__AXIS_LEG_LENGTH];
+    mus__trousers_def def;
+    memset(&def, 0, sizeof def);
+    def.waist = m[MUS_MEASURE_WAIST];
+    def.hip = m[MUS_MEASURE_HIP];
+    def.hip_ease = half->hip_ease + (leg == MUS__LEG_HAREM ? 8.0 * scale * MUS__CM : 0.0);
+    def.top = level;
+    def.net[0] = mus__lower_net(half, true, level, -0.5 * MUS__CM);
+    def.net[1] = mus__lower_net(half, false, level, -0.5 * MUS__CM);
+    def.darts = true;
+    if (!mus__lower_has_top(half) && half->style.option[MUS__AXIS_BAND] == MUS__BAND_ELASTIC) {
+        /* drawn up by the elastic: nearly as wide as the hip, no darts */
+        const double wide = 0.25 * 0.95 * fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
+        def.net[0] = fmax(def.net[0], wide - 0.5 * MUS__CM);
+        def.net[1] = fmax(def.net[1], wide + 0.5 * MUS__CM);
+        def.darts = false;
+    }
+
+    /* crotch and leg */
+    def.rise = m[MUS_MEASURE_RISE] + 1.0 * MUS__CM + (mus__lower_has_top(half) ? 2.0 * MUS__CM : 0.0);
+    def.inleg = m[MUS_MEASURE_INLEG] - 2.0 * MUS__CM - (def.rise - m[MUS_MEASURE_RISE] - 1.0 * MUS__CM);
+    def.thigh = m[MUS_MEASURE_THIGH];
+    trousers_leg(half, &def);
+    if (leg == MUS__LEG_HAREM) {
+        const double drop = 10.0 * scale * MUS__CM;
+        def.rise += drop;
+        def.inleg -= drop;
+    }
+    def.end = end[length];
+    if (trousers_ribbed(half)) {
+        /* the rib goes round the ankle, the leg falls 2 cm over it */
+        const double low = (length == MUS__LEG_LENGTH_FULL ? 0.050 : 0.080) * m[MUS_MEASURE_STATURE];
+        const double above = low + scale * (LEG_RIB - LEG_BLOUSE);
+        def.end = fmax(0.2, fmin(1.0, (m[MUS_MEASURE_WAIST_HEIGHT] - def.rise - above) / def.inleg));
+    }
+    return def;
+}
+
+
+/* parts of the waist line between the darts, from the centre outwards */
+static void trousers_waist(const mus__trousers_half *block, mus__chain *part)
+{
+    const double *at = block->centre;
+    for (int32_t d = 0; d <= block->ndart; d++) {
+        mus__chain_line(&part[d], at, d < block->ndart ? block->dart[d] : block->side);
+        if (d < block->ndart) at = block->dart[d] + 4;
+    }
+}
+
+
+/* hem, outseam up, waist, centre and crotch down, inseam down */
+static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, bool front)
+{
+    mus__outline outline;
+    mus__chain chain, crotch, part[MUS__DARTS + 1];
+    mus__outline_begin(&outline);
+    mus__chain_cubic(&chain, block->hem);
+    mus__outline_add(&outline, "hem", "hem", 4.0 * MUS__CM, &chain);
+    chain = block->outseam;
+    mus__chain_reverse(&chain);
+    mus__outline_add(&outline, "outseam", "side", LEG_ALLOWANCE, &chain);
+    trousers_waist(block, part);
+    mus__lower_top(&outline, block->ndart, block->dart, part);
+    mus__chain_line(&chain, block->centre, block->centre + 2);
+    mus__chain_cubic(&crotch, block->crotch);
+    mus__chain_append(&chain, &crotch);
+    mus__outline_add(&outline, "crotch", "centre", LEG_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "inseam", "inseam", LEG_ALLOWANCE, &block->inseam);
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "leg_front" : "leg_back", "leg", !front);
+    mus__half_centre(half, panel, "crotch", MUS__CENTRE_SEAM);
+    mus__half_darts(half, panel);
+
+    /* knee notches: arc lengths are from the hem */
+    const int32_t kind = front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE;
+    const int32_t in = mus__board_find(&half->board, panel, "inseam");
+    const int32_t out = mus__board_find(&half->board, panel, "outseam");
+    if (block->knee_in > 1.0 * MUS__CM)
+        mus__board_notch_add(&half->board, in, front ? block->inseam_length - block->knee_in : block->knee_in, kind);
+    if (block->knee_out > 1.0 * MUS__CM)
+        mus__board_notch_add(&half->board, out, front ? block->knee_out : block->outseam_length - block->knee_out,
+                             kind);
+    return panel;
+}
+
+
+/* the rib: round the ankle, closed at the inseam, the leg gathered into it */
+static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t front, int32_t back)
+{
+    mus__board *board = &half->board;
+    const double *m = half->measures.v, scale = mus__lower_scale(half), height = LEG_RIB * scale;
+    const double w = 0.5 * (m[MUS_MEASURE_ANKLE] + 3.0 * scale * MUS__CM), top = block->front.hem[7];
+    const double bottom = top - height;
+    const double a[2] = {-w, bottom}, b[2] = {w, bottom}, c[2] = {w, top}, d[2] = {-w, top};
+    mus__outline outline;
+    mus__outline_begin(&outline);
+    mus__outline_line(&outline, "hem", "hem", 0.0, a, b);
+    mus__outline_line(&outline, "end_back", "inseam", LEG_ALLOWANCE, b, c);
+    mus__outline_line(&outline, "top", "cuff", LEG_ALLOWANCE, c, d);
+    mus__outline_line(&outline, "end_front", "inseam", LEG_ALLOWANCE, d, a);
+    const int32_t rib = mus__outline_panel(half, &outline, "leg_rib", "rib", false);
+    mus__half_sew(half, rib, "end_back", rib, "end_front", 0.0);
+    const int32_t hems[2] = {mus__board_find(board, front, "hem"), mus__board_find(board, back, "hem")};
+    const int32_t tops[1] = {mus__board_find(board, rib, "top")};
+    if (board->status != MUS_OK) return;
+    mus__board_rename(board, hems[0], "hem", "cuff");
+    mus__board_rename(board, hems[1], "hem", "cuff");
+    mus__board_sew(board, 2, hems, 1, tops);
+
+    /* rolled about the leg with room for the heel, its middle at the outside */
+    const double radius = w / MUS_PI + 0.03;
+    const double origin[3] = {0.065 * m[MUS_MEASURE_STATURE] + radius, half->waist_level + LEG_BLOUSE * scale,
+                              -0.025 * m[MUS_MEASURE_STATURE]};
+    mus__lower_place(half, rib, 0.5 * MUS_PI, 0.0, origin, radius);
+}
+
+
+void mus__trousers_attach(mus__half *half)
+{
+    const int32_t first = half->board.npanel;
+    if (half->board.status != MUS_OK) return;
+    const mus__trousers_def def = trousers_block(half);
+    mus__trousers block;
+    const mus_status status = mus__trousers_draft(half->context, &def, &block);
+    mus__half_failed(half, status);
+    if (status != MUS_OK) return;
+    const int32_t front = trousers_draw(half, &block.front, true), back = trousers_draw(half, &block.back, false);
+    mus__half_sew(half, front, "outseam", back, "outseam", 0.0);
+    mus__half_sew(half, front, "inseam", back, "inseam", 0.0);
+
+    /* a hem that goes round the whole foot starts before the toes */
+    const double *m = half->measures.v, foot = m[MUS_MEASURE_FOOT];
+    const double toes = def.hem[0] + def.hem[1] > 2.2 * foot ? 0.115 * m[MUS_MEASURE_STATURE] + 0.04 : 0.0;
+    mus__lower_place_leg(half, front, true, block.front.crease, block.front.crease + block.front.fork, block.thigh,
+                         toes);
+    mus__lower_place_leg(half, back, false, block.back.crease, block.back.crease + block.back.fork, block.thigh, 0.0);
+    if (trousers_ribbed(half)) trousers_rib(half, &block, front, back);
+    mus__lower_waist_sew(half, first);
+}

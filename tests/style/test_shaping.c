@@ -1,0 +1,303 @@
+/*
+ * test_shaping.c: what shapes, necks and closures of a top promise, on the half garment that they are worked on.
+ *
+ * Figures: drafting reference 4.1 (a bust dart turned into the waist), 3.9 (T-shirt), 3.10 (waist lines that meet).
+ */
+#include <stdio.h>
+
+#include "style/halves.h"
+#include "geom/vec.h"
+
+#define LENGTH_SAME 1e-9
+#define JERSEY 1.15
+
+
+/* a half from words; to be given back with its tape by half_end() */
+static mus_tape *half_make(mus_context *context, const char *size, const char *words, mus__half *half)
+{
+    mus__style style;
+    mus_tape *tape = drafts_tape(context, size);
+    const mus_status status = mus__style_read(context, words, &style);
+    ck_assert_msg(status == MUS_OK, "%s: %s", words, mus_context_error(context));
+    halves_begin(context, tape, &style, half);
+    mus__top_draft(half);
+    return tape;
+}
+
+
+static void half_end(mus__half *half, mus_tape *tape)
+{
+    mus__board_free(&half->board);
+    mus_tape_destroy(tape);
+}
+
+
+static void half_good(mus_context *context, const mus__half *half, const char *words)
+{
+    ck_assert_msg(half->board.status == MUS_OK, "%s: %s", words, mus_context_error(context));
+}
+
+
+static int32_t side_of(const mus__half *half, const char *panel, const char *name)
+{
+    const int32_t side = mus__board_find(&half->board, mus__board_find_panel(&half->board, panel), name);
+    ck_assert_msg(side != MUS_NONE, "no side %s of panel %s", name, panel);
+    return side;
+}
+
+
+static double boundary_length(const mus__half *half, const char *panels, const char *label)
+{
+    int32_t sides[64];
+    double length = 0.0;
+    const int32_t n = mus__half_boundary(half, panels, label, sides, 64);
+    ck_assert_int_le(n, 64);
+    for (int32_t i = 0; i < n; i++) length += half->board.side[sides[i]].length;
+    return length;
+}
+
+
+/* the loose knit top is the sleeveless one that has a recipe of its own */
+START_TEST(a_boxy_knit_is_the_sleeveless_top)
+{
+    static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116", "C56"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        mus__half half;
+        mus_pattern *pattern = NULL, *old = drafts_pattern(context, "sleeveless", sizes[i]);
+        mus_tape *tape = half_make(context, sizes[i], "top shape=boxy cloth=knit", &half);
+        mus__board_double(&half.board);
+        mus__board_write(&half.board, &pattern);
+        half_good(context, &half, sizes[i]);
+        for (int32_t p = 0; p < 2; p++) {
+            const char *panel = p == 0 ? "front" : "back";
+            const double area = mus_pattern_panel_area(pattern, mus_pattern_find_panel(pattern, panel));
+            ck_assert_double_eq_tol(area, mus_pattern_panel_area(old, mus_pattern_find_panel(old, panel)), 1e-12);
+            static const char *const edges[3][2] = {{"sh", "shL"}, {"arm", "armL"}, {"side", "sideL"}};
+            for (int e = 0; e < 3; e++)
+                ck_assert_double_eq_tol(drafts_length(pattern, panel, edges[e][0]),
+                                        drafts_length(old, panel, edges[e][1]), LENGTH_SAME);
+        }
+        mus_pattern_destroy(pattern);
+        mus_pattern_destroy(old);
+        half_end(&half, tape);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* W40: the side dart of 12 degrees turned into the waist dart is one of 20.373 degrees with a mouth of 7.086 cm */
+START_TEST(the_waist_takes_the_bust_dart)
+{
+    mus_context *context = support_context();
+    mus__half half;
+    mus_tape *tape = half_make(context, "W40", "dress shape=waist sleeve=short closure=back", &half);
+    half_good(context, &half, "shape=waist");
+    const double *a = mus__board_start(&half.board, side_of(&half, "front", "wd1"));
+    const double *b = mus__board_end(&half.board, side_of(&half, "front", "wd2"));
+    ck_assert_double_eq_tol(mus__dist2(a, b) / CM, 7.086, 0.011);
+    const double middle[2] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+    const double angle = 2.0 * atan(0.5 * mus__dist2(a, b) / mus__dist2(middle, half.bodice.front.bust));
+    ck_assert_double_eq_tol(angle / MUS__DEGREE, 20.373, 0.02);
+    half_end(&half, tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* the waist of a dress is W + its ease whatever the shape; the smoothed waist of a French dart a hair less */
+START_TEST(waists_have_their_ease_in_every_shape)
+{
+    static const char *const sizes[] = {"W34", "W40", "W52"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        for (int32_t shape = 0; shape < MUS__SHAPE_BOXY; shape++) {
+            char words[96];
+            mus__half half;
+            snprintf(words, sizeof words, "dress closure=back shape=%s", mus__style_word(MUS__AXIS_SHAPE, shape));
+            mus_tape *tape = half_make(context, sizes[i], words, &half);
+            half_good(context, &half, words);
+            const double waist = 2.0 * boundary_length(&half, "", "waist");
+            const double want = half.measures.v[MUS_MEASURE_WAIST] + 4.0 * CM;
+            const double tolerance = shape == MUS__SHAPE_FRENCH ? 0.2 * CM : LENGTH_SAME;
+            ck_assert_msg(fabs(waist - want) <= tolerance, "%s: %s: waist %.3f cm, expected %.3f", sizes[i], words,
+                          waist / CM, want / CM);
+            ck_assert_double_eq_tol(half.waist_ease, waist - half.measures.v[MUS_MEASURE_WAIST], LENGTH_SAME);
+
+            /* front and back meet at the side: the front is the wider by the balance */
+            const double more = boundary_length(&half, "front", "waist") - boundary_length(&half, "back", "waist");
+            ck_assert_double_eq_tol(more, 1.0 * CM, tolerance + LENGTH_SAME);
+            half_end(&half, tape);
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a princess seam is one fair curve on both panels, eased by less than 1.2 cm */
+START_TEST(princess_seams_are_fair)
+{
+    static const char *const shapes[] = {"princess_shoulder", "princess_armhole"};
+    static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < 10; i++) {
+        char words[96];
+        mus__half half;
+        snprintf(words, sizeof words, "dress closure=back shape=%s", shapes[i % 2]);
+        mus_tape *tape = half_make(context, sizes[i / 2], words, &half);
+        half_good(context, &half, words);
+        static const char *const panels[] = {"front", "front_side", "back", "back_side"};
+        for (int p = 0; p < 4; p++) {
+            const int32_t side = side_of(&half, panels[p], "princess");
+            const mus__board_chain *chain = &half.board.side[side].chain;
+            ck_assert_int_eq(chain->npiece, 2);
+            const double *q = chain->xy;
+            const double u[2] = {q[6] - q[4], q[7] - q[5]}, v[2] = {q[8] - q[6], q[9] - q[7]};
+            ck_assert_double_ge((u[0] * v[0] + u[1] * v[1]) / (hypot(u[0], u[1]) * hypot(v[0], v[1])), 1.0 - 1e-12);
+            const mus__board_seam *seam = &half.board.seam[mus__board_seam_of(&half.board, side)];
+            ck_assert_double_le(fabs(seam->ease), 1.2 * CM);
+        }
+        half_end(&half, tape);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* nothing opens: the head passes every neckline */
+START_TEST(heads_pass_what_does_not_open)
+{
+    static const char *const sizes[] = {"W34", "W52", "M50", "C56", "C116"};
+    static const char *const necks[] = {"jewel", "scoop", "v", "deep_v", "square", "boat", "sweetheart"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        for (size_t n = 0; n < 2 * sizeof necks / sizeof necks[0]; n++) {
+            char words[96];
+            mus__half half;
+            snprintf(words, sizeof words, "top shape=boxy closure=none neck=%s cloth=%s", necks[n / 2],
+                     n % 2 == 0 ? "woven" : "knit");
+            mus_tape *tape = half_make(context, sizes[i], words, &half);
+            half_good(context, &half, words);
+            const double neck = 2.0 * boundary_length(&half, "", "neck") * (n % 2 == 0 ? 1.0 : JERSEY);
+            ck_assert_msg(neck >= half.measures.v[MUS_MEASURE_HEAD] + 2.0 * CM - 1e-9, "%s: %s: neck %.1f cm", sizes[i],
+                          words, neck / CM);
+            ck_assert_double_gt(half.board.side[side_of(&half, "front", "sh")].length, 1.5 * CM);
+            half_end(&half, tape);
+        }
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(darts_are_not_moved_on_a_block_without)
+{
+    static const char *const shapes[] = {"waist", "shoulder_waist", "french", "neck_gathers", "cf_gathers"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
+        char words[96], text[96];
+        mus__half half;
+        snprintf(words, sizeof words, "top closure=back shape=%s", shapes[i]);
+        snprintf(text, sizeof text, "shape=%s moves a bust dart", shapes[i]);
+        mus_tape *tape = half_make(context, "M50", words, &half);
+        ck_assert_int_eq(half.board.status, MUS_ERR_DESIGN);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(context), text));
+        half_end(&half, tape);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* notches of a side zip are on the left alone, four; buttons stand on the centre, evenly, 8.5 cm apart at most */
+START_TEST(closures_are_marked)
+{
+    mus_context *context = support_context();
+    mus__half half;
+    mus_tape *tape = half_make(context, "W40", "top closure=side neck=scoop", &half);
+    mus__board_double(&half.board);
+    mus__closure_finish(&half);
+    half_good(context, &half, "closure=side");
+    int32_t triple = 0;
+    for (int32_t i = 0; i < half.board.nnotch; i++) {
+        const mus__board_notch *notch = &half.board.notch[i];
+        if (notch->side == MUS_NONE || notch->kind != MUS_NOTCH_TRIPLE) continue;
+        double at[2];
+        mus__board_at(&half.board, notch->side, notch->s, at, NULL);
+        const bool front = strncmp(half.board.panel[half.board.side[notch->side].panel].name, "front", 5) == 0;
+        ck_assert(front ? at[0] > 0.0 : at[0] < 0.0);
+        triple++;
+    }
+    ck_assert_int_eq(triple, 4);
+    half_end(&half, tape);
+
+    tape = half_make(context, "W40", "top closure=front", &half);
+    half_good(context, &half, "closure=front");
+    double last = NAN;
+    int32_t buttons = 0;
+    for (int32_t i = 0; i < half.board.nmark; i++) {
+        const mus__board_mark *mark = &half.board.mark[i];
+        if (mark->panel == MUS_NONE || strcmp(mark->name, "button") != 0) continue;
+        ck_assert_double_eq_tol(mark->xy[0], 0.0, 1e-12);
+        if (buttons++ > 0) ck_assert_double_le(last - mark->xy[1], 8.5 * CM + 1e-9);
+        last = mark->xy[1];
+    }
+    ck_assert_int_ge(buttons, 6);
+    ck_assert_int_eq(half.board.side[side_of(&half, "front", "cf")].centre, MUS__CENTRE_SEAM);
+    ck_assert_int_eq(half.board.side[side_of(&half, "back", "cb")].centre, MUS__CENTRE_FOLD);
+    half_end(&half, tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* every allocation that fails leaves an error and no byte */
+START_TEST(failing_allocations_are_told)
+{
+    static const char *const words[] = {"dress closure=back shape=french neck=v", "top closure=back shape=neck_gathers",
+                                        "top closure=back shape=princess_armhole neck=halter",
+                                        "dress closure=back shape=empire", "top closure=front yoke=yoke"};
+    for (int64_t n = 0;; n++) {
+        mus_context *context = support_context();
+        mus__half half;
+        mus_pattern *pattern = NULL;
+        mus__style style;
+        ck_assert_int_eq(mus__style_read(context, words[_i], &style), MUS_OK);
+        mus_tape *tape = drafts_tape(context, "W40");
+        halves_begin(context, tape, &style, &half);
+        support_fail_after(n, false);
+        mus__top_draft(&half);
+        mus__neck_band_attach(&half);
+        mus__board_double(&half.board);
+        mus__closure_finish(&half);
+        mus__board_write(&half.board, &pattern);
+        support_fail_never();
+        const mus_status status = half.board.status;
+        mus_pattern_destroy(pattern);
+        half_end(&half, tape);
+        support_context_end(context);
+        if (status == MUS_OK) break;
+        ck_assert_int_eq(status, MUS_ERR_MEMORY);
+    }
+}
+END_TEST
+
+
+Suite *mus_suite_shaping(void);
+
+Suite *mus_suite_shaping(void)
+{
+    Suite *suite = suite_create("shaping");
+    TCase *tc = tcase_create("shaping");
+    tcase_set_timeout(tc, 120);
+    tcase_add_test(tc, a_boxy_knit_is_the_sleeveless_top);
+    tcase_add_test(tc, the_waist_takes_the_bust_dart);
+    tcase_add_test(tc, waists_have_their_ease_in_every_shape);
+    tcase_add_test(tc, princess_seams_are_fair);
+    tcase_add_test(tc, heads_pass_what_does_not_open);
+    tcase_add_test(tc, darts_are_not_moved_on_a_block_without);
+    tcase_add_test(tc, closures_are_marked);
+    tcase_add_loop_test(tc, failing_allocations_are_told, 0, 5);
+    suite_add_tcase(suite, tc);
+    return suite;
+}

@@ -22,6 +22,20 @@ static void must(mus_status status)
 }
 
 
+/* a straight edge */
+static int32_t line(mus_pattern *pattern, const char *name, int32_t start, int32_t end)
+{
+    mus_edge_def def;
+    int32_t edge;
+    mus_edge_def_init(&def, sizeof def);
+    def.name = name;
+    def.start = start;
+    def.end = end;
+    must(mus_pattern_add_edge(pattern, &def, &edge));
+    return edge;
+}
+
+
 static void tell(const char *when, const mus_pattern *pattern, int32_t leg)
 {
     double angle, width, depth;
@@ -40,7 +54,7 @@ int main(void)
 {
     const double corner[4][2] = {{0, 0}, {0.30, 0}, {0.30, 0.40}, {0, 0.40}}, bust[2] = {0.12, 0.25};
     const char *const name[4] = {"waist", "side", "shoulder", "centre"};
-    const int32_t forwards[4] = {1, 1, 1, 1}, kind = MUS_PIECE_LINE;
+    const int32_t forwards[4] = {1, 1, 1, 1};
     int32_t panel, point[4], edge[4], leg;
     mus_pattern *pattern;
 
@@ -48,8 +62,7 @@ int main(void)
     must(mus_pattern_create(context, "front", &pattern));
     must(mus_pattern_add_panel(pattern, "front", &panel));
     for (int i = 0; i < 4; i++) must(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]));
-    for (int i = 0; i < 4; i++)
-        must(mus_pattern_add_edge(pattern, name[i], point[i], point[(i + 1) % 4], 1, &kind, 0, NULL, &edge[i]));
+    for (int i = 0; i < 4; i++) edge[i] = line(pattern, name[i], point[i], point[(i + 1) % 4]);
     must(mus_pattern_set_outline(pattern, panel, 4, edge, forwards));
     must(mus_pattern_keep_history(pattern, 10));
     tell("drawn:", pattern, MUS_NONE);

@@ -27,9 +27,13 @@ static void must(mus_status status)
 /* a straight edge */
 static int32_t line(mus_pattern *pattern, const char *name, int32_t start, int32_t end)
 {
-    const int32_t kind = MUS_PIECE_LINE;
+    mus_edge_def def;
     int32_t edge;
-    must(mus_pattern_add_edge(pattern, name, start, end, 1, &kind, 0, NULL, &edge));
+    mus_edge_def_init(&def, sizeof def);
+    def.name = name;
+    def.start = start;
+    def.end = end;
+    must(mus_pattern_add_edge(pattern, &def, &edge));
     return edge;
 }
 

@@ -178,6 +178,7 @@ TAPE := examples/tapes/w40.tape
 same check check-omit check-large people designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
+gallery: APT_GROUP = report test
 
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
@@ -193,6 +194,8 @@ RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --
 RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
 RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
+RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
+  --strip examples/gallery/strip.png
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)

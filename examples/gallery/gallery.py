@@ -24,11 +24,11 @@ sys.path.insert(0, str(ROOT / "bindings" / "python"))
 import muslin  # noqa: E402
 
 TAPE = ROOT / "examples" / "tapes" / "w40.tape"
-GARMENT = ["--design", "tea_dress", "--tape", str(TAPE)]
-CLOTH = ["--fabric", "cotton", "--spacing", "15", "--colour", "#a8433a"]
-VIEW, WIDTH, HEIGHT = "25,4,1.02", 560, 960  # of the three pictures with a body: yaw, pitch, zoom; pixels
+GARMENT = ["--design", "tshirt", "--tape", str(TAPE)]
+CLOTH = ["--colour", "#a8433a"]
+VIEW, WIDTH, HEIGHT = "25,4,1.32,0.88", 520, 960  # of the three pictures with a body: yaw, pitch, zoom; pixels
 # the girths drawn round the body: measure, limb, contour
-PAGE = 6  # of the PDF
+PAGE = 19  # of the PDF
 GIRTHS = [("bust", "torso", "bust"), ("waist", "torso", "waist"), ("hip", "torso", "hip")]
 PIECES = ["#f0d5ca", "#dbe5cf", "#cfdeea", "#efe2bb", "#e2d5ea", "#cfe6e2"]
 
@@ -94,10 +94,10 @@ def pattern_picture(axes):
     corners, height = shelves(outlines, width)
     for k, outline in enumerate(outlines):
         x, y = corners[k]
-        axes.fill(outline[:, 0] + x, height - y - outlines[k][:, 1].max() + outline[:, 1], facecolor=PIECES[k % len(PIECES)],
-                  edgecolor="#333333", linewidth=0.9)
-    axes.set_xlim(-0.03, width + 0.03)
-    axes.set_ylim(-0.03, height + 0.03)
+        top = height - y - outline[:, 1].max()
+        axes.fill(outline[:, 0] + x, outline[:, 1] + top, facecolor=PIECES[k % len(PIECES)], edgecolor="#333333",
+                  linewidth=0.9)
+    axes.margins(0.06)
     axes.set_aspect("equal")
 
 
@@ -114,17 +114,18 @@ def main():
     girths = body_picture(options.bin, out)
     worn = [command, "dress", *GARMENT, *CLOTH, "--view", VIEW, "--pixels", f"{WIDTH}x{HEIGHT}", "--quiet"]
     run(*worn, "--png", out / "worn.png", "--report", out / "worn.json")
-    run(*worn, "--map", "strain", "--png", out / "map.png")
+    run(*worn, "--map", "ease", "--png", out / "map.png")
     run(command, "print", *GARMENT, "--pdf", out / "paper.pdf")
-    run("pdftoppm", "-r", "60", "-f", str(PAGE), "-l", str(PAGE), "-singlefile", "-png", out / "paper.pdf", out / "page")
+    run("pdftoppm", "-r", "80", "-f", str(PAGE), "-l", str(PAGE), "-singlefile", "-png", out / "paper.pdf", out / "page")
 
     report = json.loads((out / "worn.json").read_text())
     figure, row = plt.subplots(1, 5, figsize=(15, 5.6), dpi=100)
     figure.subplots_adjust(left=0.005, right=0.995, bottom=0.01, top=0.92, wspace=0.03)
     titles = ["tape: " + ", ".join(girths) + " cm", "pattern, drafted for her",
-              f"sewn and draped: {report['nodes']} nodes", "fit: strain of the cloth", "paper: A4 at true scale"]
+              f"sewn and draped: {report['nodes']} nodes", "fit: ease over the skin", "paper: A4 at true scale"]
     for axes, title in zip(row, titles):
-        axes.set_title(title, fontsize=11, color="#333333")
+        box = axes.get_position()
+        figure.text((box.x0 + box.x1) / 2, 0.955, title, fontsize=11, color="#333333", ha="center")
         axes.set_axis_off()
     pattern_picture(row[1])
     for axes, name in ((row[0], "body"), (row[2], "worn"), (row[3], "map"), (row[4], "page")):

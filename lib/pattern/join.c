@@ -2,7 +2,7 @@
  * layer.c: several garments as one pattern, each a layer farther out than the one before.
  *
  * A layer is a number of a panel: 0 is worn next to the skin. It says nothing of shape: a shirt is the same pattern
- * under a coat. A drape sews the layers one after another, from inside to outside (lib/drape/layers.c).
+ * under a coat. A drape sews the layers one after another, from inside to outside (lib/dress/layers.c).
  */
 #include <stdio.h>
 #include <string.h>

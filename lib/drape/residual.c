@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact_template.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
@@ -46,8 +47,7 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
             grip += own[k] * push[k];
     }
     if (all > 0.0) grip += friction * all;
-    const double left = length3(r);
-    const double part = left > grip ? (left - grip) / left : 0.0;
+    const double part = mus__friction_keep_f64(length3(r), grip);
     for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }
 

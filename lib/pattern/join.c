@@ -63,7 +63,7 @@ static void layer_move(mus_pattern *p, mus_pattern *more, int32_t layer)
         mus__panel own = more->panel[i];
         for (int32_t k = 0; k < own.noutline; k++) own.outline[k] += edge;
         if (own.mirror_of != MUS_NONE) own.mirror_of += panel;
-        own.layer = layer;
+        own.attr.layer = layer;
         layer_name(p, more->name, more->panel[i].name, own.name);
         p->panel[p->npanel++] = own;
     }

@@ -65,3 +65,19 @@ void mus__matrix_product(const double *a, const double *b, double *out)
         for (int k = 0; k < 3; k++)
             out[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
 }
+
+
+void mus__frame_turn_back(const mus__frame *frame, const double *x, double *out)
+{
+    double y[3];
+    for (int i = 0; i < 3; i++)
+        y[i] = frame->turn[i] * x[0] + frame->turn[3 + i] * x[1] + frame->turn[6 + i] * x[2];
+    memcpy(out, y, sizeof y);
+}
+
+
+void mus__frame_back(const mus__frame *frame, const double *x, double *out)
+{
+    const double d[3] = {x[0] - frame->place[0], x[1] - frame->place[1], x[2] - frame->place[2]};
+    mus__frame_turn_back(frame, d, out);
+}

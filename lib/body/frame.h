@@ -48,4 +48,9 @@ static inline void mus__frame_turn(const mus__frame *frame, const double *x, dou
     mus__matrix_point(frame->turn, x, out);
 }
 
+/* the opposite motion of a point: out (3) = transpose of turn * (x - place) */
+void mus__frame_back(const mus__frame *frame, const double *x, double *out);
+/* the opposite rotation of a direction: out (3) = transpose of turn * x */
+void mus__frame_turn_back(const mus__frame *frame, const double *x, double *out);
+
 #endif

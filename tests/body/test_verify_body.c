@@ -1,6 +1,6 @@
 /*
- * test_verify_body.c: the cases of `muslin verify` on contours and solids as claims (numerics.md K1-K4): their source
- * is taken in, and each row asserts.
+ * test_verify_body.c: the cases of `muslin verify` on contours and solids as claims: their source is
+ * included, and each row is an assertion.
  */
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #define verify_wants verify_body_wants
 #define verify_add verify_body_add
 #define verify_broken verify_body_broken
-#include "muslin/verify_body.c"
+#include "verify/body.c"
 #include "support.h"
 
 Suite *mus_suite_verify_body(void);

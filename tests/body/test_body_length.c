@@ -4,7 +4,7 @@
  * what a body was made without has no length, and a sheet whose arm and elbow quarrel is refused.
  */
 #include "people.h"
-#include "people/ansur.h"
+#include "study/people/ansur.h"
 
 #define POINTS 2048
 #define RANDOM_TAPES (SUPPORT_SLOW ? 10 : 60)

@@ -10,8 +10,9 @@
 #include "drape/residual.h"
 #include "sim/force_reference.h"
 
-#define LEFT_MUCH 0.02 /* of a node's weight: with more force left the surfaces beside the node are asked too */
-#define CREASE 0.0005  /* [m] how far to each side they are asked; chosen: below the radius of any crease of a skin */
+#define LEFT_MUCH 0.02 /* of a node's weight: with more force left, the surfaces beside the node are included */
+#define CREASE                                                                                                         \
+    0.0005 /* [m] how far to each side they are looked for; chosen: below the radius of any crease of a skin */
 #define SIDES_MAX (3 * MUS__TOUCHING_MAX)
 #define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
 

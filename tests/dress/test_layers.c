@@ -1,5 +1,5 @@
 /*
- * test_over.c: a skirt over a skirt, joined by the public calls: sewn from inside to outside without a crossing, the
+ * test_layers.c: a skirt over a skirt, joined by the public calls: sewn from inside to outside without a crossing, the
  * outer one outside; sleeves over sleeves; nothing worn is gone through; a collar lies on the shoulders; folds that lie
  * on folds rest; a fit that fails for want of memory gives back what it took.
  */
@@ -10,7 +10,7 @@
 #include "drape/scenes.h"
 #include "drape/worn.h"
 
-Suite *mus_suite_over(void);
+Suite *mus_suite_layers(void);
 
 /* cloth that meets cloth, where the panels start */
 static void over_place(worn *w, double spacing)
@@ -279,10 +279,10 @@ START_TEST(a_fit_that_finds_no_memory_gives_all_back)
 END_TEST
 
 
-Suite *mus_suite_over(void)
+Suite *mus_suite_layers(void)
 {
-    Suite *suite = suite_create("over");
-    TCase *tests = tcase_create("over");
+    Suite *suite = suite_create("layers");
+    TCase *tests = tcase_create("layers");
     tcase_set_timeout(tests, 120);
     if (!SUPPORT_SLOW) tcase_add_test(tests, sleeves_close_over_sleeves);
     tcase_add_test(tests, what_is_sewn_over_starts_where_the_pattern_has_it_or_just_outside);

@@ -1,5 +1,5 @@
 /*
- * test_layers.c: cloth on cloth: sheets fall on each other and crumple without a crossing, at any speed; no blow is
+ * test_drape_self.c: cloth on cloth: sheets fall on each other and crumple without a crossing, at any speed; no blow is
  * followed by a bounce; friction is Coulomb's; without room they give way; the bytes are the same for any number of
  * threads, and where nothing is near, those of a drape without it.
  */
@@ -9,7 +9,7 @@
 
 #include "scenes.h"
 
-Suite *mus_suite_layers(void);
+Suite *mus_suite_drape_self(void);
 
 #define SPACING 0.02
 
@@ -402,10 +402,10 @@ START_TEST(failing_allocations_leave_nothing_behind)
 END_TEST
 
 
-Suite *mus_suite_layers(void)
+Suite *mus_suite_drape_self(void)
 {
-    Suite *suite = suite_create("layers");
-    TCase *tests = tcase_create("layers");
+    Suite *suite = suite_create("drape_self");
+    TCase *tests = tcase_create("drape_self");
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, cloth_slides_on_cloth_beyond_the_angle_of_friction, 0, SUPPORT_SLOW ? 1 : 8);
     tcase_add_loop_test(tests, sheets_thrown_on_each_other_never_cross, 0, SUPPORT_SLOW ? 2 : 6);

@@ -1,12 +1,12 @@
 /*
- * test_put.c: where panels are put before they are sewn: layers and folds lie on a panel's right side, which is that of
- * its plane's normal or, where the outline runs clockwise (as GarmentCode draws), the other one.
+ * test_arrange_nodes.c: where panels are put before they are sewn: layers and folds lie on a panel's right side, which
+ * is that of its plane's normal or, where the outline runs clockwise (as GarmentCode draws), the other one.
  */
 #include <math.h>
 
-#include "scenes.h"
+#include "drape/scenes.h"
 
-Suite *mus_suite_put(void);
+Suite *mus_suite_arrange_nodes(void);
 
 
 /* a rectangle w x h from the origin whose outline runs clockwise; edge (4) gets left, top, right, bottom */
@@ -19,8 +19,9 @@ static int32_t clockwise(mus_pattern *pattern, double w, double h, int32_t *edge
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]), MUS_OK);
     for (int i = 0; i < 4; i++)
-        mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
-                                                      .end = point[(i + 1) % 4]}, &edge[i]);
+        mus_pattern_add_edge(
+            pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i], .end = point[(i + 1) % 4]},
+            &edge[i]);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, forward), MUS_OK);
     return panel;
 }
@@ -39,8 +40,8 @@ START_TEST(a_layer_begins_on_the_right_side)
     mus_drape *drape;
     int32_t edge[4];
     ck_assert_int_eq(mus_pattern_create(context, "panel", &pattern), MUS_OK);
-    const int32_t panel = other ? clockwise(pattern, 0.2, 0.1, edge)
-                                : scene_rectangle(pattern, "as drawn", 0.0, 0.0, 0.2, 0.1, edge);
+    const int32_t panel =
+        other ? clockwise(pattern, 0.2, 0.1, edge) : scene_rectangle(pattern, "as drawn", 0.0, 0.0, 0.2, 0.1, edge);
     mus_placement_init(&place, sizeof place);
     place.bend = bend, place.bend_x = 0.1;
     ck_assert_int_eq(mus_pattern_set_placement(pattern, panel, &place), MUS_OK);
@@ -52,9 +53,11 @@ START_TEST(a_layer_begins_on_the_right_side)
     for (int32_t i = 0; i < mus_drape_node_count(drape); i++) {
         const double radius = fabs(bend) + (side * bend > 0.0 ? 0.02 : 0.0);
         ck_assert_double_eq_tol(x[3 * i + 1], rest[2 * i + 1], 1e-7);
-        if (bend == 0.0) ck_assert_double_eq_tol(x[3 * i + 2], side * 0.02, 1e-7);
-        else ck_assert_double_eq_tol(hypot(x[3 * i] - 0.1, x[3 * i + 2] - side * 0.02 + copysign(radius, bend)),
-                                     radius, 1e-7);
+        if (bend == 0.0)
+            ck_assert_double_eq_tol(x[3 * i + 2], side * 0.02, 1e-7);
+        else
+            ck_assert_double_eq_tol(hypot(x[3 * i] - 0.1, x[3 * i + 2] - side * 0.02 + copysign(radius, bend)), radius,
+                                    1e-7);
     }
     mus_drape_destroy(drape);
     mus_cloth_destroy(cloth);
@@ -74,8 +77,8 @@ START_TEST(a_pleat_begins_with_its_fold_behind)
     mus_drape *drape;
     int32_t edge[4], band[4];
     ck_assert_int_eq(mus_pattern_create(context, "pleat", &pattern), MUS_OK);
-    const int32_t panel = _i == 1 ? clockwise(pattern, 0.4, 0.1, edge)
-                                  : scene_rectangle(pattern, "as drawn", 0.0, 0.0, 0.4, 0.1, edge);
+    const int32_t panel =
+        _i == 1 ? clockwise(pattern, 0.4, 0.1, edge) : scene_rectangle(pattern, "as drawn", 0.0, 0.0, 0.4, 0.1, edge);
     const int32_t above = scene_rectangle(pattern, "band", 0.0, 0.0, 0.3, 0.04, band);
     scene_move(pattern, above, 0.0, 0.2, 0.0);
     scene_sew(pattern, band[0], edge[_i == 1 ? 1 : 2], 0.1);
@@ -105,10 +108,10 @@ START_TEST(a_pleat_begins_with_its_fold_behind)
 END_TEST
 
 
-Suite *mus_suite_put(void)
+Suite *mus_suite_arrange_nodes(void)
 {
-    Suite *suite = suite_create("put");
-    TCase *tests = tcase_create("put");
+    Suite *suite = suite_create("arrange_nodes");
+    TCase *tests = tcase_create("arrange_nodes");
     tcase_add_loop_test(tests, a_layer_begins_on_the_right_side, 0, 6);
     tcase_add_loop_test(tests, a_pleat_begins_with_its_fold_behind, 0, 2);
     suite_add_tcase(suite, tests);

@@ -73,8 +73,10 @@ PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 
 room = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-SRC_muslin := $(call room,$(filter-out $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
+# lib/file writes the files of two libraries, and is in both
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file))))
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 # what test files share; an archive, since one of them may be a program of its own

@@ -1,5 +1,5 @@
 /*
- * bend.c: bending of a cloth against the elastica and its relatives (numerics.md B1-B7).
+ * bend.c: bending of a cloth against the elastica and its relatives (cases B1-B7).
  *
  * A strip that is clamped level is half of a symmetric one held along its middle: the stencil at the clamp then bends
  * to both sides and counts double for each, which is what a clamp asks (error of order a^2, not a). Where gravity runs

@@ -1,5 +1,5 @@
 /*
- * cloth.c: springs, shear and membrane of a cloth against the moduli of its fabric (numerics.md M1-M8).
+ * cloth.c: springs, shear and membrane of a cloth against the moduli of its fabric (cases M1-M8).
  *
  * Patches are energies of a drape without gravity whose nodes are set to a uniform strain; the mean over +e and -e has
  * no cubic part. Frequencies come from the phase of a mode after a quarter of its period.

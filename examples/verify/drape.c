@@ -1,6 +1,6 @@
 /*
  * drape.c: whole pieces: crumpled and turned; cut finer and finer, a strip that hangs and the drape disc
- * (numerics.md M9, M10, B8).
+ * (cases M9, M10, B8).
  *
  * The drape coefficient is that of the standards: a disc of 30 cm on a support of 18 cm, the part of the ring that the
  * shadow of the draped cloth still covers.

@@ -1,6 +1,6 @@
 /*
  * force.c: every force law alone is the gradient of its energy, and turns and moves nothing as a whole
- * (numerics.md I11).
+ * (case I11).
  *
  * By mus_drape_forces() and the energy of mus_drape_report_get(), in a thousand random states a law, one in four folded
  * flat or crumpled to a fifth.

@@ -1,5 +1,5 @@
 /*
- * motion.c: cloth in motion without a body: free fall, springs, chains, momentum, damping (numerics.md I2, I3,
+ * motion.c: cloth in motion without a body: free fall, springs, chains, momentum, damping (cases I2, I3,
  * I6, I8-I10, I12, D1-D3).
  *
  * Everything is a cloth of bare nodes or a grid, stepped by mus_drape_step() in double with its own stepper, unless a

@@ -1,5 +1,5 @@
 /*
- * plane.c: cloth and points on planes: incline, stop, belt, shaken table, turntable, weight (numerics.md F1, F2,
+ * plane.c: cloth and points on planes: incline, stop, belt, shaken table, turntable, weight (cases F1, F2,
  * F5, F6, V1, C2).
  *
  * All in double without drag; clearance 0 but for cloths. Thresholds of sticking are halved in from 10 % below to 10 %

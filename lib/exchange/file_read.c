@@ -97,7 +97,7 @@ static mus_status source_read(mus__source *source, const char *path)
 mus_status mus__input_check(mus_context *context, const mus__input *input, const void *out, const char *what)
 {
     if (input->path != NULL && out != NULL) return MUS_OK;
-    return mus__file_fail(context, MUS_ERR_ARG, "%s: a pointer that is needed is NULL", what);
+    return mus__file_fail(context, MUS_ERR_ARG, "%s: a required pointer is NULL", what);
 }
 
 

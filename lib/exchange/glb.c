@@ -289,7 +289,7 @@ static mus_status glb_build(mus_context *context, mus__sink *file, mus__sink *js
     uint64_t length = 12 + 8 + (uint64_t)json->size + 8 + lists->offset;
     if (length > UINT32_MAX)
         return mus__file_fail(context, MUS_ERR_LIMIT, "a .glb of %llu bytes is above the limit of 4 GiB",
-                                  (unsigned long long)length);
+                              (unsigned long long)length);
 
     mus__sink_add(file, "glTF", 4);
     put_u32(file, 2);

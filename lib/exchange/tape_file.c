@@ -299,8 +299,8 @@ static mus_status tape_load(mus_context *context, const mus__input *input, const
     const int form = tape_form(path);
     if (form == 0)
         return mus__file_fail(context, MUS_ERR_FORMAT,
-                                  "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
-                                  path);
+                              "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
+                              path);
     if ((form == 'c') != (row != NULL))
         return mus__file_fail(
             context, MUS_ERR_ARG,

@@ -169,8 +169,8 @@ mus_status mus__cover_check(const mus_sheet *sheet)
     mus__print_millimetres(margin, sizeof margin, sheet->def.margin);
     mus__print_millimetres(limit, sizeof limit, most);
     return mus__file_fail(sheet->context, MUS_ERR_ARG,
-                           "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
-                           limit);
+                          "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
+                          limit);
 }
 
 

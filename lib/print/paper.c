@@ -43,8 +43,8 @@ mus_status mus__paper_check(const mus_sheet *sheet)
     mus__print_millimetres(left, sizeof left, narrow > 0.0 ? narrow : 0.0);
     mus__print_millimetres(least, sizeof least, PRINTED_LEAST);
     return mus__file_fail(sheet->context, MUS_ERR_ARG,
-                           "paper %s: margin %s mm leaves %s mm of its width to print on; at least %s mm and twice the "
-                           "overlap of %s mm must be left", names[def->paper], margin, left, least, overlap);
+                          "paper %s: margin %s mm leaves %s mm of its width to print on; at least %s mm and twice the "
+                          "overlap of %s mm must be left", names[def->paper], margin, left, least, overlap);
 }
 
 

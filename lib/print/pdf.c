@@ -147,7 +147,7 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     if (status == MUS_OK) status = bytes->status;
     if (status == MUS_OK && trouble != CAIRO_STATUS_SUCCESS)
         status = mus__file_fail(sheet->context, trouble == CAIRO_STATUS_NO_MEMORY ? MUS_ERR_MEMORY : MUS_ERR_FILE,
-                                 "cairo: %s", cairo_status_to_string(trouble));
+                                "cairo: %s", cairo_status_to_string(trouble));
     return status;
 }
 

@@ -44,7 +44,7 @@ static mus_status sheet_def_check(mus_context *context, const mus_sheet_def *def
 {
     if (def->paper < MUS_PAPER_A4 || def->paper > MUS_PAPER_ROLL)
         return mus__file_fail(context, MUS_ERR_ARG, "sheet: paper %d is unknown; 0 (A4) to %d (roll)", def->paper,
-                               MUS_PAPER_ROLL);
+                              MUS_PAPER_ROLL);
     mus_status status = sheet_range(context, "allowance", def->allowance, ALLOWANCE_MOST);
     if (status == MUS_OK) status = sheet_range(context, "margin", def->margin, BORDER_MOST);
     if (status == MUS_OK) status = sheet_range(context, "overlap", def->overlap, BORDER_MOST);
@@ -73,7 +73,7 @@ static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
         status = mus_faults_item(faults, i, &kind, NULL, NULL, NULL);
         if (kind == MUS_FAULT_OPEN_OUTLINE || kind == MUS_FAULT_CROSSING || kind == MUS_FAULT_SMALL_PANEL)
             status = mus__file_fail(context, MUS_ERR_PATTERN, "pattern %.100s cannot be printed: %.300s",
-                                     mus_pattern_name(pattern), mus_faults_text(faults, i));
+                                    mus_pattern_name(pattern), mus_faults_text(faults, i));
     }
     mus_faults_destroy(faults);
     return status;
@@ -147,7 +147,7 @@ mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, co
     if (def != NULL) {
         if (def->size != sizeof own)
             return mus__file_fail(context, MUS_ERR_VERSION, "mus_sheet_def: size %zu, this library knows %zu; use "
-                                   "mus_sheet_def_init", def->size, sizeof own);
+                                  "mus_sheet_def_init", def->size, sizeof own);
         own = *def;
     }
     mus_status status = sheet_def_check(context, &own);
@@ -217,7 +217,7 @@ mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *out)
     int32_t first = sheet->tiled ? 1 : 0;
     if (page < first || page >= first + sheet->ntile)
         return mus__file_fail(sheet->context, MUS_ERR_ARG, "page %d shows no part of the sheet; pages %d to %d do",
-                               page, first, first + sheet->ntile - 1);
+                              page, first, first + sheet->ntile - 1);
 
     double box[4];
     mus__tile_window(sheet, &sheet->tiles[page - first], box);

@@ -110,7 +110,7 @@ static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__p
         svg_number(bytes, style->dash[1]);
     }
     mus__sink_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
-                     path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
+                    path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
 }
 
 

@@ -243,7 +243,7 @@ static mus_status layout_find(mus_sheet *sheet, layout *l, layout *best)
     for (int32_t way = 0; way < ways && status == MUS_OK; way++) status = layout_search(sheet, l, way == 1, best);
     if (status == MUS_OK && best->ntile == 0)
         status = mus__file_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title,
-                                 TILES_MAX);
+                                TILES_MAX);
     return status;
 }
 

@@ -2,10 +2,10 @@
  * search.c: the searches of a catalogue: the same patterns, the nearest patterns, patterns that contain a part.
  *
  * Exact: an SQLite index finds the hash, the canonical form confirms the match, and patterns are listed by the number
- * of their form. Nearest: the traits of all patterns are kept in memory and read again when the file has changed. They are
- * compared one pattern after another; a comparison stops when the partial distance exceeds the largest distance in the
- * list of the nearest. Containing: the traits rule out patterns that have too few panels with the part's numbers of
- * edges; the forms of the others are read and searched.
+ * of their form. Nearest: the traits of all patterns are kept in memory and read again when the file has changed. They
+ * are compared one pattern after another; a comparison stops when the partial distance exceeds the largest one
+ * in the list of the nearest. Containing: the traits rule out patterns that have too few panels with the part's numbers
+ * of edges; the forms of the others are read and searched.
  */
 #include <math.h>
 #include <stdio.h>
@@ -297,7 +297,8 @@ mus_status mus_catalogue_containing(mus_catalogue *catalogue, const mus_pattern 
     if (count != NULL) *count = 0;
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (part == NULL || (ids != NULL && capacity < 0))
-        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "containing: part is NULL, or capacity is %d", (int)capacity);
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "containing: part is NULL, or capacity is %d",
+                                   (int)capacity);
     uint8_t *form = NULL, hash[16];
     double *traits = NULL;
     size_t size = 0;

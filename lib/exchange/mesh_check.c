@@ -1,7 +1,7 @@
 /*
- * mesh_check.c: the defaults of a mesh view, and its check before a byte of a mesh file is written.
+ * mesh_check.c: the defaults of a mesh view, and its check before a mesh file is written.
  *
- * Both mesh writers read the caller's arrays as they are, so sizes, numbers and indices are checked once, up front.
+ * Both mesh writers use the caller's arrays without a copy, so sizes, numbers and indices are checked once, before.
  */
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "exchange/mesh_check.h"
 #include "file/message.h"
 
-#define MESH_LIMIT 1e30 /* a float holds it; nothing made of cloth is near it */
+#define MESH_LIMIT 1e30 /* [m] largest number of a mesh; chosen: a float can hold it, and no garment comes near it */
 
 
 void mus_mesh_view_init(mus_mesh_view *view, size_t size)

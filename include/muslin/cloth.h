@@ -67,7 +67,7 @@ typedef struct mus_cloth mus_cloth;
 typedef struct mus_cloth_def {
     size_t size;
     double spacing;         /* of the lattice [m], default 0.01, 0.001..0.1 */
-    mus_fabric fabric;      /* default: the default fabric */
+    const mus_fabric *fabric; /* NULL (default): the default fabric; read during the call and not kept */
     int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
     double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
     int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start */

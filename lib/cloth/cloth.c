@@ -15,18 +15,21 @@ void mus_cloth_def_init(mus_cloth_def *def, size_t size)
     if (def == NULL || size < sizeof def->size) return;
     mus_cloth_def own = {
         .size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
-    mus_fabric_init(&own.fabric, sizeof own.fabric);
     memset(def, 0, size);
     memcpy(def, &own, size < sizeof own ? size : sizeof own);
 }
 
 
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own)
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric)
 {
     mus_cloth_def_init(own, sizeof *own);
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
-    if (status == MUS_OK) status = mus_fabric_check(context, &own->fabric);
+    mus_fabric_init(fabric, sizeof *fabric);
+    if (status == MUS_OK)
+        status = mus__def_read(context, fabric, sizeof *fabric, sizeof *fabric, own->fabric, "mus_fabric");
+    if (status == MUS_OK) status = mus_fabric_check(context, fabric);
     if (status != MUS_OK) return status;
+    own->fabric = fabric;
     if (own->bending != MUS_BEND_PLATE && own->bending != MUS_BEND_PAPER)
         return mus__fail(context, MUS_ERR_ARG, "bending %d is neither plate (0) nor paper (1)", (int)own->bending);
     if (!(own->paper_curvature >= 0.1 && own->paper_curvature <= 1000.0))
@@ -120,7 +123,8 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", pattern == NULL ? "pattern" : "out");
 
     mus_cloth_def own;
-    mus_status status = mus__cloth_def_read(context, def, &own);
+    mus_fabric fabric;
+    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
     if (status != MUS_OK) return status;
     if (!(own.spacing >= 0.001 && own.spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
@@ -132,7 +136,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         .context = context, .pattern = pattern, .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
-    cloth->fabric = own.fabric, cloth->spacing = own.spacing;
+    cloth->fabric = fabric, cloth->spacing = own.spacing;
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
     mesh.cloth = cloth;
@@ -145,7 +149,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
     /* said once: by the coarsest cut */
     const double cell[2] = {own.spacing, own.spacing};
-    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &own.fabric, cell);
+    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &fabric, cell);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
     mus__free(context, mesh.first_rim);

@@ -110,8 +110,8 @@ struct mus_cloth {
 
 /* a cloth with one owner and nothing in it, and its own `spacing` and fabric left zero; NULL without memory */
 mus_cloth *mus__cloth_new(mus_context *context);
-/* defaults, then the caller's def, checked without its spacing */
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own);
+/* defaults, then the caller's options, and those of its fabric in *fabric; all checked but the spacing */
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
 
 /* one more owner; mus_cloth_destroy() gives one up and frees at the last */
 mus_cloth *mus__cloth_retain(const mus_cloth *cloth);

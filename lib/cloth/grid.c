@@ -213,13 +213,14 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
     if (cell == NULL || out == NULL)
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", cell == NULL ? "cell" : "out");
     mus_cloth_def own;
-    mus_status status = mus__cloth_def_read(context, def, &own);
+    mus_fabric fabric;
+    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
     if (status == MUS_OK) status = grid_check(context, rows, columns, cell);
     if (status != MUS_OK) return status;
 
     grid g = {.cloth = mus__cloth_new(context), .rows = rows, .columns = columns, .cell = cell};
     if (g.cloth != NULL) {
-        g.cloth->fabric = own.fabric;
+        g.cloth->fabric = fabric;
         g.cloth->spacing = fmin(cell[0], cell[1]);
     }
     if (g.cloth == NULL || !grid_take(&g)) {
@@ -239,7 +240,7 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
 
     /* said once: by the coarsest cut; a single line has nothing to clamp */
     if (status == MUS_OK && g.cloth->coarse == NULL && rows > 1 && columns > 1)
-        mus__fabric_note(context, &own.fabric, cell);
+        mus__fabric_note(context, &fabric, cell);
     if (status == MUS_OK) *out = g.cloth;
     else mus_cloth_destroy(g.cloth);
     return status;

@@ -106,7 +106,7 @@ static mus_status dress_cut(dress_call *call, const mus_pattern *pattern, bool p
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = call->def.spacing;
-    if (call->def.fabric != NULL) cut.fabric = *call->def.fabric;
+    cut.fabric = call->def.fabric;
     mus_status status = mus_cloth_create(call->context, pattern, &cut, &trial->cloth);
     call->report.cut_seconds += dress_time() - start;
     if (status != MUS_OK) return status;

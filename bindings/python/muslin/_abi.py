@@ -359,7 +359,7 @@ class mus_fabric(Structure):
 
 
 class mus_cloth_def(Structure):
-    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric), ("bending", c_int32),
+    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)), ("bending", c_int32),
                 ("paper_curvature", c_double), ("coarser", c_int32)]
 
 

@@ -96,7 +96,7 @@ OMIT_drape = drape contact
 OMIT_cloth = cloth drape contact exchange
 OMIT_pattern = pattern block half style design cloth drape contact print exchange catalogue
 OMIT_scan = scan
-OMIT_body = body scan block half style design exchange
+OMIT_body = limb body pose scan block half style design exchange
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, catalogue, design, integrate, \
   drape, cloth, scan, pattern, body)))
 space := $(subst ,, )
@@ -109,7 +109,7 @@ INTO := $(OUT)$(if $(OMIT),/omit-$(subst $(space),-,$(strip $(OMIT))))
 
 # files of the folders of lib/ that are not left out
 sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-CORE := $(call sources,base geom integrate body scan pattern block half style design cloth contact drape)
+CORE := $(call sources,base geom integrate tape limb body pose scan pattern block half style design cloth contact drape)
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
 CATALOGUE := $(call sources,catalogue)

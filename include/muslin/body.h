@@ -18,6 +18,34 @@ extern "C" {
 
 typedef struct mus_body mus_body;
 
+/*
+ * The joints, parents before children. X(NAME, "name").
+ *
+ * Positive flexion: root, lumbar and neck forwards; shoulder, elbow and hip move the limb forwards; knee backwards;
+ * ankle toes up; wrist towards the palm. Positive abduction: root, lumbar and neck towards the left; limbs away from
+ * the middle; wrist towards the thumb. Positive rotation: root, lumbar and neck to the left; limbs inwards.
+ */
+#define MUS_JOINT_LIST(X)                                            \
+    X(ROOT, "root")                     /* the pelvis in the world */ \
+    X(LUMBAR, "lumbar")                 /* chest on pelvis */         \
+    X(NECK, "neck")                     /* head on chest */           \
+    X(SHOULDER_LEFT, "shoulder_left")   /* arm on chest */            \
+    X(SHOULDER_RIGHT, "shoulder_right")                               \
+    X(ELBOW_LEFT, "elbow_left")         /* its rotation is that of the forearm */ \
+    X(ELBOW_RIGHT, "elbow_right")                                     \
+    X(WRIST_LEFT, "wrist_left")                                       \
+    X(WRIST_RIGHT, "wrist_right")                                     \
+    X(HIP_LEFT, "hip_left")             /* leg on pelvis */           \
+    X(HIP_RIGHT, "hip_right")                                         \
+    X(KNEE_LEFT, "knee_left")                                         \
+    X(KNEE_RIGHT, "knee_right")                                       \
+    X(ANKLE_LEFT, "ankle_left")                                       \
+    X(ANKLE_RIGHT, "ankle_right")
+
+#define MUS_JOINT_ENUM(NAME, name) MUS_JOINT_##NAME,
+enum { MUS_JOINT_LIST(MUS_JOINT_ENUM) MUS_JOINT_COUNT };
+#undef MUS_JOINT_ENUM
+
 /** A limb given by its contours on a straight axis: superellipses |a/A|^n + |b/B|^n = 1, or outlines. */
 typedef struct mus_limb {
     size_t size;

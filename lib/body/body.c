@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 /* contact field: distance of rings in parts of the stature (3.7 mm at 1.68 m): depths of the surface then stay under
@@ -22,50 +22,17 @@
 /* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
 #define BODY_CONTOUR_GAP 0.006
 
-/* most limbs added to those of a tape: with its 15 parts no more than a rig has room for */
-#define BODY_ADDED 48
-
-
-void mus_body_def_init(mus_body_def *def, size_t size)
-{
-    if (def == NULL || size < sizeof def->size) return;
-    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
-    def->size = size;
-}
-
-
-mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own)
-{
-    mus_body_def_init(own, sizeof *own);
-    mus_status status = MUS_OK;
-    if (def != NULL) status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_body_def");
-    if (status != MUS_OK) return status;
-    if (own->samples < 16 || own->samples > MUS_BODY_SAMPLES || own->samples % 4 != 0)
-        return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to %d", (int)own->samples,
-                         MUS_BODY_SAMPLES);
-    if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
-        return mus__fail(context, MUS_ERR_ARG, "ring_spacing %g m is outside 0.001 to 0.1 m", own->ring_spacing);
-    if (own->without < 0 || own->without > MUS_WITHOUT_ALL)
-        return mus__fail(context, MUS_ERR_ARG, "without %d has bits that are no MUS_WITHOUT_*", (int)own->without);
-    if (own->limbs < 0 || own->limbs > BODY_ADDED || (own->limbs > 0 && own->limb == NULL))
-        return mus__fail(context, MUS_ERR_ARG, "%d limbs are added, expected 0 to %d and theirs", (int)own->limbs,
-                         BODY_ADDED);
-    return MUS_OK;
-}
-
 
 /* the limbs that the caller adds, behind those of the tape */
 static mus_status body_add(mus_body *body)
 {
     mus_status status = MUS_OK;
     for (int32_t l = 0; l < body->def.limbs && status == MUS_OK; l++) {
-        mus__limb *limb = &body->limb[MUS_LIMB_COUNT + l];
+        mus__limb *limb = &body->limb[MUS__LIMB_COUNT + l];
         status = mus__body_given_limb(body->context, l, &body->def.limb[l], limb);
         for (int32_t i = 0; body->def.ellipse && i < limb->count; i++) limb->contour[i].n = 2.0;
     }
-    if (status == MUS_OK) status = mus__body_outlines(body, MUS_LIMB_COUNT, body->def.limbs, body->def.limb);
+    if (status == MUS_OK) status = mus__body_outlines(body, MUS__LIMB_COUNT, body->def.limbs, body->def.limb);
     body->def.limb = NULL; /* the caller's */
     return status;
 }
@@ -93,21 +60,21 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
 {
     mus__limb *limb = body->limb;
     const mus__skeleton *bone = &body->skeleton;
-    mus__body_torso(tape, bone, &limb[MUS_LIMB_TORSO]);
-    mus_status status = body_fit(body, MUS_LIMB_TORSO, turn, xy, work);
+    mus__limb_torso(tape, bone, &limb[MUS__LIMB_TORSO]);
+    mus_status status = body_fit(body, MUS__LIMB_TORSO, turn, xy, work);
     if (status == MUS_OK) status = mus__body_follow(body, tape, turn, xy, work);
     if (status != MUS_OK) return status;
 
-    if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS_LIMB_TORSO]);
+    if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS__LIMB_TORSO]);
 
-    const mus__contour *hip = &limb[MUS_LIMB_TORSO].contour[0];
+    const mus__contour *hip = &limb[MUS__LIMB_TORSO].contour[0];
     while (hip->girth != MUS_MEASURE_HIP) hip++;
     for (int32_t right = 0; right < 2; right++) {
-        mus__body_arm(tape, bone, right, &limb[MUS_LIMB_ARM_LEFT + right]);
-        mus__body_leg(tape, bone, right, hip, &limb[MUS_LIMB_LEG_LEFT + right]);
-        mus__body_foot(tape, bone, right, &limb[MUS_LIMB_FOOT_LEFT + right]);
+        mus__limb_arm(tape, bone, right, &limb[MUS__LIMB_ARM_LEFT + right]);
+        mus__limb_leg(tape, bone, right, hip, &limb[MUS__LIMB_LEG_LEFT + right]);
+        mus__limb_foot(tape, bone, right, &limb[MUS__LIMB_FOOT_LEFT + right]);
     }
-    for (int32_t l = MUS_LIMB_TORSO + 1; l < MUS_LIMB_COUNT && status == MUS_OK; l++)
+    for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
         status = body_fit(body, l, turn, xy, work);
     if (status == MUS_OK) mus__body_without(body);
     return status;
@@ -132,7 +99,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     if (turn == NULL || work == NULL) {
         status = mus__fail_memory(body->context, "the directions of contours");
     } else {
-        mus__body_turns(n, turn);
+        mus__contour_turns(n, turn);
         status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
         if (status == MUS_OK) status = body_add(body);
         if (status == MUS_OK) status = mus__body_surface_of(body, turn);
@@ -174,7 +141,7 @@ mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus
     }
     body->context = context;
     body->def = own;
-    status = mus__body_limbs(body, MUS_LIMB_COUNT + own.limbs);
+    status = mus__body_limbs(body, MUS__LIMB_COUNT + own.limbs);
     if (status == MUS_OK) status = body_make(body, tape);
     if (status != MUS_OK) goto fail;
     mus_tape_destroy(copy);
@@ -188,24 +155,6 @@ fail:
     mus_tape_destroy(copy);
     mus_body_destroy(body);
     return status;
-}
-
-
-void mus_body_destroy(mus_body *body)
-{
-    if (body == NULL) return;
-    for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
-    mus__free(body->context, body->field);
-    mus__free(body->context, body->frame);
-    mus__free(body->context, body->limb);
-    mus__free(body->context, body->outline);
-    mus__free(body->context, body->vertices);
-    mus__free(body->context, body->normals);
-    mus__free(body->context, body->ring);
-    mus__free(body->context, body->skin);
-    mus__free(body->context, body->skin_normals);
-    mus__free(body->context, body->triangles);
-    mus__free(body->context, body);
 }
 
 

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/polygon.h"
 
 #define FOLLOW_ROUNDS 24
@@ -83,7 +83,7 @@ static double follow_span(follow *at, double angle)
 {
     const int32_t n = at->body->def.samples, first = 3 * n / 4;
     mus__contour *c = at->contour;
-    double radius[MUS_BODY_SAMPLES], place[MUS_BODY_SAMPLES / 4 + 2][2];
+    double radius[MUS__CONTOUR_SAMPLES], place[MUS__CONTOUR_SAMPLES / 4 + 2][2];
     *c = at->base;
     c->bump_angle[0] = angle;
     c->bump[0] *= at->rise;
@@ -112,7 +112,7 @@ static double follow_outmost(follow *at)
 
 static void follow_bust(follow *at, double span)
 {
-    mus__limb *torso = &at->body->limb[MUS_LIMB_TORSO];
+    mus__limb *torso = &at->body->limb[MUS__LIMB_TORSO];
     for (int32_t i = 0; i < torso->count; i++) {
         mus__contour *c = &torso->contour[i];
         if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
@@ -133,14 +133,14 @@ static void follow_bust(follow *at, double span)
 static double follow_middle(follow *at)
 {
     mus_body *body = at->body;
-    mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     mus__stack stack;
     double turn[2 * FOLLOW_ANGLES], radius[FOLLOW_ANGLES], centre[2], line[2 * FOLLOW_STEPS + 1][2];
     int32_t work[2 * (2 * FOLLOW_STEPS + 1)];
-    bool limited[MUS_LIMB_CONTOURS];
+    bool limited[MUS__LIMB_CONTOURS];
     if (at->status != MUS_OK) return 0.0;
     memcpy(limited, torso->limited, sizeof limited);
-    mus__body_turns(FOLLOW_ANGLES, turn);
+    mus__contour_turns(FOLLOW_ANGLES, turn);
     at->status = mus__stack_make(body->context, torso, FOLLOW_ANGLES, turn, &stack);
     if (at->status != MUS_OK) return 0.0;
     mus__stack_limit(&stack, torso);
@@ -182,7 +182,7 @@ static double follow_hip(follow *at, double part)
 
 static void follow_rise(follow *at, double length)
 {
-    mus__limb *torso = &at->body->limb[MUS_LIMB_TORSO];
+    mus__limb *torso = &at->body->limb[MUS__LIMB_TORSO];
     if (torso->count < 2 || torso->contour[1].girth != MUS_MEASURE_HIP) return;
     at->contour = &torso->contour[0], at->hip = &torso->contour[1];
     at->seat = *at->hip;

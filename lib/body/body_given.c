@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 #define GIVEN_LIMBS 64    /* most limbs */
@@ -104,9 +104,9 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
 {
     if (from->size != sizeof *from)
         return mus__fail(context, MUS_ERR_VERSION, "limb %d: size unknown; use mus_limb_init", (int)l);
-    if (from->contours < 2 || from->contours > MUS_LIMB_CONTOURS || from->contour == NULL)
+    if (from->contours < 2 || from->contours > MUS__LIMB_CONTOURS || from->contour == NULL)
         return mus__fail(context, MUS_ERR_ARG, "limb %d: %d contours, expected 2 to %d", (int)l, (int)from->contours,
-                         MUS_LIMB_CONTOURS);
+                         MUS__LIMB_CONTOURS);
     if (from->joint < 0 || from->joint >= MUS_JOINT_COUNT)
         return mus__fail(context, MUS_ERR_ARG, "limb %d: joint %d is not one of 0 to %d", (int)l, (int)from->joint,
                          MUS_JOINT_COUNT - 1);
@@ -116,7 +116,7 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
 
     /* the name is cut at the room there is */
     const char *name = from->name != NULL ? from->name : "limb";
-    for (int i = 0; i + 1 < MUS_LIMB_NAME_BYTES && name[i] != '\0'; i++) to->own_name[i] = name[i];
+    for (int i = 0; i + 1 < MUS__LIMB_NAME_BYTES && name[i] != '\0'; i++) to->own_name[i] = name[i];
     to->name = to->own_name;
     to->joint = from->joint;
     to->end[0] = to->end[1] = MUS_NONE;
@@ -127,15 +127,15 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
 /* joints: the limbs that have them are cut there; a scanned form has none */
 static void given_bones(mus_body *body, const mus__bones *bones)
 {
-    static const int32_t cuts[MUS_LIMB_COUNT] = {
-        [MUS_LIMB_TORSO] = 2, [MUS_LIMB_ARM_LEFT] = 3, [MUS_LIMB_ARM_RIGHT] = 3,
-        [MUS_LIMB_LEG_LEFT] = 2, [MUS_LIMB_LEG_RIGHT] = 2};
+    static const int32_t cuts[MUS__LIMB_COUNT] = {
+        [MUS__LIMB_TORSO] = 2, [MUS__LIMB_ARM_LEFT] = 3, [MUS__LIMB_ARM_RIGHT] = 3,
+        [MUS__LIMB_LEG_LEFT] = 2, [MUS__LIMB_LEG_RIGHT] = 2};
     body->scanned = true;
-    if (bones->limb[MUS_LIMB_TORSO] == MUS_NONE) return;
+    if (bones->limb[MUS__LIMB_TORSO] == MUS_NONE) return;
     body->jointed = true;
     body->bones = *bones;
     body->skeleton = bones->skeleton;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
         if (bones->limb[l] != MUS_NONE) body->limb[bones->limb[l]].cuts = cuts[l];
 }
 
@@ -157,7 +157,7 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
 
     double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);
     if (turn == NULL) return mus__fail_memory(body->context, "the directions of contours");
-    mus__body_turns(body->def.samples, turn);
+    mus__contour_turns(body->def.samples, turn);
     status = mus__body_surface_of(body, turn);
     mus__free(body->context, turn);
     if (status == MUS_OK) status = mus__body_fields(body, spacing);

@@ -15,7 +15,7 @@ static void landmark_carry(const mus_body *body, int32_t limb, double s, double 
 {
     mus__frame frame;
     if (body->frame == NULL) return;
-    if (body->limb[limb].gone) limb = MUS_LIMB_TORSO, s = x[1];
+    if (body->limb[limb].gone) limb = MUS__LIMB_TORSO, s = x[1];
     mus__rig_ring(&body->rig, body->frame, limb, s, &frame);
     mus__frame_point(&frame, x, x);
 }
@@ -51,7 +51,7 @@ static bool landmark_has(const mus_body *body, int32_t l, const char *name)
 /* of a body of a tape */
 static mus_status landmark_measured(const mus_body *body, int32_t landmark, double *out)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
     const int32_t right = landmark % 2;
     switch (landmark) {
@@ -60,16 +60,16 @@ static mus_status landmark_measured(const mus_body *body, int32_t landmark, doub
         return MUS_OK;
     case MUS_LANDMARK_NAPE:
         /* on the skin behind the centre of the neck */
-        landmark_contour(body, MUS_LIMB_TORSO, "nape", bone->nape, true, out);
+        landmark_contour(body, MUS__LIMB_TORSO, "nape", bone->nape, true, out);
         return MUS_OK;
     case MUS_LANDMARK_BUST:
-        landmark_contour(body, MUS_LIMB_TORSO, "bust", bone->bust, false, out);
+        landmark_contour(body, MUS__LIMB_TORSO, "bust", bone->bust, false, out);
         return MUS_OK;
     case MUS_LANDMARK_WAIST:
-        landmark_contour(body, MUS_LIMB_TORSO, "waist", bone->waist, false, out);
+        landmark_contour(body, MUS__LIMB_TORSO, "waist", bone->waist, false, out);
         return MUS_OK;
     case MUS_LANDMARK_HIP:
-        landmark_contour(body, MUS_LIMB_TORSO, "hip", bone->hip, false, out);
+        landmark_contour(body, MUS__LIMB_TORSO, "hip", bone->hip, false, out);
         return MUS_OK;
     case MUS_LANDMARK_CROTCH:
         memcpy(out, body->vertices + 3 * (ptrdiff_t)torso->first_vertex, 3 * sizeof *out);
@@ -77,17 +77,17 @@ static mus_status landmark_measured(const mus_body *body, int32_t landmark, doub
     case MUS_LANDMARK_SHOULDER_LEFT:
     case MUS_LANDMARK_SHOULDER_RIGHT:
         memcpy(out, bone->joint[right], 3 * sizeof *out);
-        landmark_carry(body, MUS_LIMB_ARM_LEFT + right, 0.0, out);
+        landmark_carry(body, MUS__LIMB_ARM_LEFT + right, 0.0, out);
         return MUS_OK;
     case MUS_LANDMARK_WRIST_LEFT:
     case MUS_LANDMARK_WRIST_RIGHT:
-        if (!landmark_has(body, MUS_LIMB_ARM_LEFT + right, "wrist")) break;
-        landmark_contour(body, MUS_LIMB_ARM_LEFT + right, "wrist", 0.0, false, out);
+        if (!landmark_has(body, MUS__LIMB_ARM_LEFT + right, "wrist")) break;
+        landmark_contour(body, MUS__LIMB_ARM_LEFT + right, "wrist", 0.0, false, out);
         return MUS_OK;
     case MUS_LANDMARK_ANKLE_LEFT:
     case MUS_LANDMARK_ANKLE_RIGHT:
-        if (!landmark_has(body, MUS_LIMB_LEG_LEFT + right, "ankle")) break;
-        landmark_contour(body, MUS_LIMB_LEG_LEFT + right, "ankle", bone->ankle, false, out);
+        if (!landmark_has(body, MUS__LIMB_LEG_LEFT + right, "ankle")) break;
+        landmark_contour(body, MUS__LIMB_LEG_LEFT + right, "ankle", bone->ankle, false, out);
         return MUS_OK;
     default:
         break;
@@ -110,7 +110,7 @@ static bool landmark_joint(const mus_body *body, int32_t which, int32_t joint, d
 /* the middle of the torso at a height; false: it is not known */
 static bool landmark_level(const mus_body *body, double height, double *out)
 {
-    const int32_t l = body->bones.limb[MUS_LIMB_TORSO];
+    const int32_t l = body->bones.limb[MUS__LIMB_TORSO];
     if (!(height > 0.0)) return false;
     mus__rig_middle(&body->limb[l], height, out);
     landmark_carry(body, l, height, out);
@@ -122,7 +122,7 @@ static bool landmark_level(const mus_body *body, double height, double *out)
 static mus_status landmark_scanned(const mus_body *body, int32_t landmark, double *out)
 {
     const mus__bones *bones = &body->bones;
-    const mus__limb *torso = &body->limb[bones->limb[MUS_LIMB_TORSO]];
+    const mus__limb *torso = &body->limb[bones->limb[MUS__LIMB_TORSO]];
     const int32_t right = landmark % 2;
     bool there = false;
     switch (landmark) {
@@ -143,16 +143,16 @@ static mus_status landmark_scanned(const mus_body *body, int32_t landmark, doubl
         break;
     case MUS_LANDMARK_SHOULDER_LEFT:
     case MUS_LANDMARK_SHOULDER_RIGHT:
-        there = landmark_joint(body, MUS_LIMB_ARM_LEFT + right, MUS_JOINT_SHOULDER_LEFT + right,
+        there = landmark_joint(body, MUS__LIMB_ARM_LEFT + right, MUS_JOINT_SHOULDER_LEFT + right,
                                bones->shoulder[right], out);
         break;
     case MUS_LANDMARK_WRIST_LEFT:
     case MUS_LANDMARK_WRIST_RIGHT:
-        there = landmark_joint(body, MUS_LIMB_ARM_LEFT + right, MUS_JOINT_WRIST_LEFT + right, bones->wrist[right], out);
+        there = landmark_joint(body, MUS__LIMB_ARM_LEFT + right, MUS_JOINT_WRIST_LEFT + right, bones->wrist[right], out);
         break;
     case MUS_LANDMARK_ANKLE_LEFT:
     case MUS_LANDMARK_ANKLE_RIGHT:
-        there = landmark_joint(body, MUS_LIMB_LEG_LEFT + right, MUS_JOINT_ANKLE_LEFT + right, bones->ankle[right], out);
+        there = landmark_joint(body, MUS__LIMB_LEG_LEFT + right, MUS_JOINT_ANKLE_LEFT + right, bones->ankle[right], out);
         break;
     default:
         break;

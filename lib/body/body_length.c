@@ -18,7 +18,7 @@
  */
 #include <math.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
@@ -117,7 +117,7 @@ static void length_begin(length_row *row, const double *u, const double *v)
 /* the middle line of the torso, in its plane (backwards, up) */
 static void length_middle(mus_body *body, length_row *row)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
     const int32_t back = body->def.samples / 4, front = 3 * back;
     const double behind[3] = {0.0, 0.0, -1.0}, up[3] = {0.0, 1.0, 0.0};
@@ -138,7 +138,7 @@ static void length_middle(mus_body *body, length_row *row)
  * of the shoulder bone's edge where it nowhere is */
 static double length_shoulder_end(const mus_body *body)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
     const int32_t first = length_ring(body, torso, bone->shoulder), last = length_ring(body, torso, bone->neck_side);
     for (int32_t ring = last; ring > first; ring--) {
@@ -154,7 +154,7 @@ static double length_shoulder_end(const mus_body *body)
 /* the shoulder, in the upright plane from the side of the neck to the shoulder point */
 static void length_shoulder(mus_body *body, length_row *row)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const double high = body->skeleton.neck_side, low = length_shoulder_end(body), up[3] = {0.0, 1.0, 0.0};
     double neck[3], end[3];
     length_at(body, torso, high, 0, neck);
@@ -192,7 +192,7 @@ static double length_in_arms(const mus_body *body, const double *x)
     double deepest = -1e30, normal[3];
     for (int32_t p = 0; p < body->nfield; p++) {
         const int32_t l = body->rig.part[p].limb;
-        if (l != MUS_LIMB_ARM_LEFT && l != MUS_LIMB_ARM_RIGHT) continue;
+        if (l != MUS__LIMB_ARM_LEFT && l != MUS__LIMB_ARM_RIGHT) continue;
         deepest = fmax(deepest, mus__field_depth(&body->field[p], x, normal));
         deepest = fmax(deepest, mus__field_depth(&body->field[p], mirror, normal));
     }
@@ -203,7 +203,7 @@ static double length_in_arms(const mus_body *body, const double *x)
 /* from arm to arm over line `middle` of the ring half way down the armhole: on both sides to where the arm begins */
 static double length_across(const mus_body *body, int32_t middle, length_row *row)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
     const int32_t n = body->def.samples, quarter = n / 4;
     const double left[3] = {1.0, 0.0, 0.0}, front[3] = {0.0, 0.0, 1.0}, s = 0.5 * (bone->armpit + bone->shoulder);
@@ -239,7 +239,7 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
 /* breasts: the foremost places of the bust's ring, left and right */
 static double length_span(const mus_body *body)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const int32_t n = body->def.samples;
     for (int32_t i = 0; i < torso->count; i++) {
         const mus__contour *c = &torso->contour[i];
@@ -262,7 +262,7 @@ static double length_span(const mus_body *body)
 mus_status mus__body_lengths(mus_body *body)
 {
     int32_t most = body->def.samples;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
         if (body->limb[l].rings > most) most = body->limb[l].rings;
     length_row row = {0};
     row.xy = mus__new(body->context, 2 * (2 * (int64_t)most + 8), sizeof(double));
@@ -273,9 +273,9 @@ mus_status mus__body_lengths(mus_body *body)
     } else {
         length_middle(body, &row);
         length_shoulder(body, &row);
-        for (int32_t l = MUS_LIMB_ARM_RIGHT; l >= MUS_LIMB_ARM_LEFT; l--)
+        for (int32_t l = MUS__LIMB_ARM_RIGHT; l >= MUS__LIMB_ARM_LEFT; l--)
             if (!body->limb[l].gone && body->limb[l].cuts > 0) length_arm(body, &body->limb[l], &row);
-        if (!body->limb[MUS_LIMB_ARM_LEFT].gone || !body->limb[MUS_LIMB_ARM_RIGHT].gone) {
+        if (!body->limb[MUS__LIMB_ARM_LEFT].gone || !body->limb[MUS__LIMB_ARM_RIGHT].gone) {
             const int32_t back = body->def.samples / 4;
             body->made[MUS_MEASURE_ACROSS_BACK] = length_across(body, back, &row);
             body->made[MUS_MEASURE_ACROSS_FRONT] = length_across(body, 3 * back, &row);

@@ -54,7 +54,7 @@ void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mu
     if (!body->measured) return;
     const int32_t arm = level == MUS__LEVEL_BICEPS || level == MUS__LEVEL_WRIST;
     const double height = level_height(&body->skeleton, level);
-    const int32_t l = height > 0.0 ? MUS_LIMB_TORSO : (arm ? MUS_LIMB_ARM_LEFT : MUS_LIMB_LEG_LEFT) + right;
+    const int32_t l = height > 0.0 ? MUS__LIMB_TORSO : (arm ? MUS__LIMB_ARM_LEFT : MUS__LIMB_LEG_LEFT) + right;
     const mus__limb *limb = &body->limb[l];
     if (limb->gone) return;
     double s = height, a = 0.0, b = 0.0;

@@ -7,8 +7,41 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
+
+/* most limbs added to those of a tape: with its 15 parts no more than a rig has room for */
+#define MAKE_ADDED 48
+
+
+void mus_body_def_init(mus_body_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    def->size = size;
+}
+
+
+mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own)
+{
+    mus_body_def_init(own, sizeof *own);
+    mus_status status = MUS_OK;
+    if (def != NULL) status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_body_def");
+    if (status != MUS_OK) return status;
+    if (own->samples < 16 || own->samples > MUS__CONTOUR_SAMPLES || own->samples % 4 != 0)
+        return mus__fail(context, MUS_ERR_ARG, "samples %d is not a multiple of 4 in 16 to %d", (int)own->samples,
+                         MUS__CONTOUR_SAMPLES);
+    if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
+        return mus__fail(context, MUS_ERR_ARG, "ring_spacing %g m is outside 0.001 to 0.1 m", own->ring_spacing);
+    if (own->without < 0 || own->without > MUS_WITHOUT_ALL)
+        return mus__fail(context, MUS_ERR_ARG, "without %d has bits that are no MUS_WITHOUT_*", (int)own->without);
+    if (own->limbs < 0 || own->limbs > MAKE_ADDED || (own->limbs > 0 && own->limb == NULL))
+        return mus__fail(context, MUS_ERR_ARG, "%d limbs are added, expected 0 to %d and theirs", (int)own->limbs,
+                         MAKE_ADDED);
+    return MUS_OK;
+}
 
 
 mus_status mus__body_limbs(mus_body *body, int32_t count)
@@ -17,20 +50,6 @@ mus_status mus__body_limbs(mus_body *body, int32_t count)
     if (body->limb == NULL) return mus__fail_memory(body->context, "the limbs of a body");
     body->limb_count = count;
     return MUS_OK;
-}
-
-
-void mus__body_turns(int32_t n, double *turn)
-{
-    for (int32_t k = 0; k < n; k++) {
-        /* cosines and sines of angles below 45 degrees, so that the quarters mirror each other to the last bit */
-        int32_t step = k % (n / 4), quarter = k / (n / 4);
-        int32_t least = step < n / 4 - step ? step : n / 4 - step;
-        double angle = 2.0 * MUS_PI * least / n, more = cos(angle), less = 2 * least == n / 4 ? more : sin(angle);
-        double c = least == step ? more : less, s = least == step ? less : more;
-        turn[2 * k] = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
-        turn[2 * k + 1] = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
-    }
 }
 
 
@@ -56,7 +75,7 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
 {
     mus__stack stack;
     if (body->limb[l].gone) return MUS_OK;
-    mus_status status = mus__stack_make(body->context, &body->limb[l], MUS_BODY_ANGLES, turn, &stack);
+    mus_status status = mus__stack_make(body->context, &body->limb[l], MUS__FIELD_ANGLES, turn, &stack);
     if (status != MUS_OK) return status;
     while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {
         const int32_t p = body->nfield;
@@ -70,8 +89,8 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
 
 mus_status mus__body_fields(mus_body *body, double spacing)
 {
-    double turn[2 * MUS_BODY_ANGLES];
-    mus__field_turns(MUS_BODY_ANGLES, turn);
+    double turn[2 * MUS__FIELD_ANGLES];
+    mus__field_turns(MUS__FIELD_ANGLES, turn);
     mus__rig_make(body, &body->rig);
     body->field = mus__new(body->context, body->rig.parts, sizeof *body->field);
     if (body->field == NULL) return mus__fail_memory(body->context, "contact fields");
@@ -79,4 +98,22 @@ mus_status mus__body_fields(mus_body *body, double spacing)
     mus_status status = MUS_OK;
     for (int32_t l = 0; l < body->limb_count && status == MUS_OK; l++) status = make_fields(body, l, turn, spacing);
     return status;
+}
+
+
+void mus_body_destroy(mus_body *body)
+{
+    if (body == NULL) return;
+    for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
+    mus__free(body->context, body->field);
+    mus__free(body->context, body->frame);
+    mus__free(body->context, body->limb);
+    mus__free(body->context, body->outline);
+    mus__free(body->context, body->vertices);
+    mus__free(body->context, body->normals);
+    mus__free(body->context, body->ring);
+    mus__free(body->context, body->skin);
+    mus__free(body->context, body->skin_normals);
+    mus__free(body->context, body->triangles);
+    mus__free(body->context, body);
 }

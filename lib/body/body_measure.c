@@ -6,7 +6,7 @@
  */
 #include <math.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
@@ -35,7 +35,7 @@ static double measure_girth(const mus_body *body, const mus__limb *limb, int32_t
 /* mean height of the vertices of a named contour of the torso; NaN without it */
 static double measure_height(const mus_body *body, const char *name)
 {
-    const mus__limb *limb = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *limb = &body->limb[MUS__LIMB_TORSO];
     int32_t n = body->def.samples;
     for (int32_t i = 0; i < limb->count; i++) {
         const char *p = limb->contour[i].name, *q = name;
@@ -63,7 +63,7 @@ mus_status mus__body_remeasure(mus_body *body)
 
     /* girths: of two sides the one further from what was asked */
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->made[m] = NAN;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++)
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
         for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
             int32_t m = body->limb[l].contour[i].girth;
             if (m == MUS_NONE) continue;
@@ -75,7 +75,7 @@ mus_status mus__body_remeasure(mus_body *body)
     mus__free(body->context, work);
 
     /* heights: end points and rings of the torso, length of the foot */
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO], *foot = &body->limb[MUS_LIMB_FOOT_LEFT];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO], *foot = &body->limb[MUS__LIMB_FOOT_LEFT];
     const double *x = body->vertices + 3 * (ptrdiff_t)torso->first_vertex;
     double waist = measure_height(body, "waist");
     body->made[MUS_MEASURE_INLEG] = x[1];
@@ -85,7 +85,7 @@ mus_status mus__body_remeasure(mus_body *body)
     body->made[MUS_MEASURE_BUST_HEIGHT] = measure_height(body, "bust");
     body->made[MUS_MEASURE_WAIST_TO_HIP] = waist - measure_height(body, "hip");
     body->made[MUS_MEASURE_RISE] = waist - body->made[MUS_MEASURE_INLEG];
-    if (foot->gone) foot = &body->limb[MUS_LIMB_FOOT_RIGHT];
+    if (foot->gone) foot = &body->limb[MUS__LIMB_FOOT_RIGHT];
     if (foot->gone) return MUS_OK;
     const double *y = body->vertices + 3 * (ptrdiff_t)foot->first_vertex;
     body->made[MUS_MEASURE_FOOT] = y[3 * ((ptrdiff_t)foot->vertices - 1) + 2] - y[2];

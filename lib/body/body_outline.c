@@ -11,7 +11,7 @@
  */
 #include <math.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 #define OUTLINE_CORNERS 1024 /* most corners of an outline */
@@ -21,26 +21,6 @@
 static double outline_cross(const double *p, const double *q)
 {
     return p[0] * q[1] - p[1] * q[0];
-}
-
-
-double mus__outline_radius(const mus__contour *contour, double cosine, double sine)
-{
-    /* the last corner at or before the angle; before the first it is the last one, a turn earlier */
-    const double angle = atan2(sine, cosine);
-    const int32_t n = contour->corners;
-    int32_t low = -1, high = n;
-    while (high - low > 1) {
-        const int32_t middle = low + (high - low) / 2;
-        if (contour->corner[3 * (ptrdiff_t)middle] <= angle)
-            low = middle;
-        else
-            high = middle;
-    }
-    const double *p = contour->corner + 3 * (ptrdiff_t)(low < 0 ? n - 1 : low) + 1;
-    const double *q = contour->corner + 3 * (ptrdiff_t)(high == n ? 0 : high) + 1;
-    const double d[2] = {cosine, sine}, side[2] = {q[0] - p[0], q[1] - p[1]};
-    return outline_cross(p, q) / outline_cross(d, side);
 }
 
 

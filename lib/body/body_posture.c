@@ -14,7 +14,7 @@
  */
 #include <math.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 
 /* least and most of each, in parts of the stature: an upright back to that of old age */
 static const struct {

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 /* rings of a cap at equal angles of the quarter ellipse */
@@ -105,78 +105,6 @@ static void surface_carry(const mus_body *body, int32_t l, const double *s, doub
 }
 
 
-void mus__surface_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out)
-{
-    int32_t first = vertex + 1, top = first + n * rings, high = first + n * (rings - 1);
-    for (int32_t k = 0; k < n; k++, out += 3) {
-        out[0] = first - 1, out[1] = first + (k + 1) % n, out[2] = first + k;
-    }
-    for (int32_t j = 0; j + 1 < rings; j++) {
-        int32_t low = first + n * j;
-        for (int32_t k = 0; k < n; k++, out += 6) {
-            int32_t next = (k + 1) % n;
-            out[0] = low + k, out[1] = low + next, out[2] = low + n + k;
-            out[3] = low + next, out[4] = low + n + next, out[5] = low + n + k;
-        }
-    }
-    for (int32_t k = 0; k < n; k++, out += 3) {
-        out[0] = high + k, out[1] = high + (k + 1) % n, out[2] = top;
-    }
-}
-
-
-/* the area of the hexagon of a vertex's neighbours q0 .. q5, which is that of the triangles around the vertex */
-static void surface_hexagon(const double *q0, const double *q1, const double *q2, const double *q3, const double *q4,
-                            const double *q5, double *out)
-{
-    /* (q2 - q0) x (q3 - q1) + (q4 - q0) x (q5 - q3); in scalars, which stay in registers */
-    const double ux = q2[0] - q0[0], uy = q2[1] - q0[1], uz = q2[2] - q0[2];
-    const double vx = q3[0] - q1[0], vy = q3[1] - q1[1], vz = q3[2] - q1[2];
-    const double wx = q4[0] - q0[0], wy = q4[1] - q0[1], wz = q4[2] - q0[2];
-    const double tx = q5[0] - q3[0], ty = q5[1] - q3[1], tz = q5[2] - q3[2];
-    const double x = uy * vz - uz * vy + wy * tz - wz * ty;
-    const double y = uz * vx - ux * vz + wz * tx - wx * tz;
-    const double z = ux * vy - uy * vx + wx * ty - wy * tx;
-    const double square = x * x + y * y + z * z, inverse = square > 0.0 ? 1.0 / sqrt(square) : 0.0;
-    out[0] = x * inverse, out[1] = y * inverse, out[2] = z * inverse;
-}
-
-
-/* a normal has the direction of the sum of the triangles' areas around it; below the first ring and above the last the
- * end point stands for all neighbours */
-void mus__surface_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals)
-{
-    const ptrdiff_t row = 3 * (ptrdiff_t)n;
-    const double *low = x, *high = x + 3 + rings * row;
-    for (int32_t j = from; j < rings; j++) {
-        const double *p = x + 3 + j * row;
-        double *out = normals + 3 + j * row;
-        for (int32_t k = 0; k < n; k++, out += 3) {
-            const ptrdiff_t here = 3 * (ptrdiff_t)k, next = k + 1 < n ? here + 3 : 0, last = k > 0 ? here - 3 : row - 3;
-            const double *below = j > 0 ? p - row + here : low, *below_next = j > 0 ? p - row + next : low;
-            const double *above = j + 1 < rings ? p + row + here : high;
-            const double *above_last = j + 1 < rings ? p + row + last : high;
-            surface_hexagon(p + next, above, above_last, p + last, below, below_next, out);
-        }
-    }
-
-    /* an end point: the area of its ring */
-    for (int end = 0; end < 2; end++) {
-        const double *p = x + 3 + (end == 0 ? 0 : (rings - 1) * row);
-        double *out = normals + (end == 0 ? 0 : 3 + rings * row), cross[3];
-        out[0] = out[1] = out[2] = 0.0;
-        out[0] = out[1] = out[2] = 0.0;
-        for (int32_t k = 0; k < n; k++) {
-            const double *q = p + 3 * (ptrdiff_t)k, *r = p + 3 * (ptrdiff_t)((k + 1) % n);
-            const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-            mus__cross3(u, v, cross);
-            for (int i = 0; i < 3; i++) out[i] += end == 0 ? -cross[i] : cross[i];
-        }
-        mus__unit3(out);
-    }
-}
-
-
 mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
 {
     int32_t n = body->def.samples;
@@ -216,9 +144,9 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         surface_rings(&stack[l], limb, spacing, s);
         surface_vertices(&stack[l], limb, s, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
         if (body->frame != NULL) surface_carry(body, l, s, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
-        mus__surface_triangles(limb->first_vertex, limb->rings, n,
+        mus__ring_triangles(limb->first_vertex, limb->rings, n,
                                body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
-        mus__surface_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings, 0,
+        mus__ring_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings, 0,
                              body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
     mus__free(body->context, work);

@@ -102,7 +102,7 @@ static double volume_within(const mus__field *const *near, int32_t count, const 
 /* area of a ring of part p that lies within limbs before its own */
 static double volume_shared(const mus_body *body, int32_t p, int32_t ring, const double *turn, const double *weight)
 {
-    const mus__field *field = &body->field[p], *near[MUS_PARTS_MOST];
+    const mus__field *field = &body->field[p], *near[MUS__PARTS_MOST];
     const double *c = field->centre + 2 * (ptrdiff_t)ring, s = field->s0 + ring * field->ds;
     const double *radius = field->radius + (ptrdiff_t)ring * field->nangle;
     double middle[3], area = 0.0;
@@ -157,7 +157,7 @@ static double volume_overlap(const mus_body *body, int32_t p, const double *turn
 static double volume_at_rest(const mus_body *body)
 {
     mus_body rest = *body;
-    mus__field field[MUS_PARTS_MOST];
+    mus__field field[MUS__PARTS_MOST];
     for (int32_t p = 0; p < body->nfield; p++) {
         const mus__limb *limb = &body->limb[body->rig.part[p].limb];
         field[p] = body->field[p];
@@ -176,9 +176,9 @@ double mus_body_volume(const mus_body *body)
 {
     if (body == NULL) return NAN;
     if (body->frame != NULL) return volume_at_rest(body);
-    double turn[2 * MUS_BODY_ANGLES], weight[MUS_BODY_ANGLES], volume = 0.0;
-    mus__field_turns(MUS_BODY_ANGLES, turn);
-    volume_weights(MUS_BODY_ANGLES, turn, weight);
+    double turn[2 * MUS__FIELD_ANGLES], weight[MUS__FIELD_ANGLES], volume = 0.0;
+    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    volume_weights(MUS__FIELD_ANGLES, turn, weight);
     for (int32_t p = 0; p < body->nfield; p++) {
         volume += volume_part(&body->field[p], &body->rig.part[p], weight);
         if (body->rig.part[p].limb > 0) volume -= volume_overlap(body, p, turn, weight);

@@ -7,7 +7,7 @@
  */
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 
 /* length of a stump beyond the joint, in parts of its radius */
 #define WITHOUT_ROUND 0.7
@@ -45,10 +45,10 @@ static void without_below(mus__limb *limb, double s, int32_t cuts)
 void mus__body_without(mus_body *body)
 {
     const mus__skeleton *bone = &body->skeleton;
-    body->limb[MUS_LIMB_TORSO].cuts = 2;
+    body->limb[MUS__LIMB_TORSO].cuts = 2;
     for (int32_t right = 0; right < 2; right++) {
         const int32_t gone = body->def.without >> right;
-        mus__limb *arm = &body->limb[MUS_LIMB_ARM_LEFT + right], *leg = &body->limb[MUS_LIMB_LEG_LEFT + right];
+        mus__limb *arm = &body->limb[MUS__LIMB_ARM_LEFT + right], *leg = &body->limb[MUS__LIMB_LEG_LEFT + right];
         arm->cuts = 2, leg->cuts = 1;
         arm->gone = (gone & MUS_WITHOUT_ARM_LEFT) != 0;
         leg->gone = (gone & MUS_WITHOUT_LEG_LEFT) != 0;
@@ -61,6 +61,6 @@ void mus__body_without(mus_body *body)
         else if ((gone & MUS_WITHOUT_FOOT_LEFT) != 0)
             without_below(leg, bone->ankle, 1);
         const int32_t footless = MUS_WITHOUT_LEG_LEFT | MUS_WITHOUT_SHANK_LEFT | MUS_WITHOUT_FOOT_LEFT;
-        body->limb[MUS_LIMB_FOOT_LEFT + right].gone = (gone & footless) != 0;
+        body->limb[MUS__LIMB_FOOT_LEFT + right].gone = (gone & footless) != 0;
     }
 }

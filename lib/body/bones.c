@@ -14,13 +14,13 @@
 void mus__bones_measured(const mus__skeleton *skeleton, double foot, mus__bones *out)
 {
     memset(out, 0, sizeof *out);
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) out->limb[l] = l;
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) out->limb[l] = l;
     out->lumbar = skeleton->waist, out->neck = skeleton->neck_side;
     for (int r = 0; r < 2; r++) {
         out->elbow[r] = skeleton->elbow, out->wrist[r] = skeleton->arm_length;
-        out->hip[r] = fmin(skeleton->crotch + MUS_BONES_HIP * skeleton->crown, skeleton->hip);
+        out->hip[r] = fmin(skeleton->crotch + MUS__BONES_HIP * skeleton->crown, skeleton->hip);
         out->knee[r] = skeleton->knee;
-        out->ankle[r] = fmin(MUS_BONES_ANKLE * foot, skeleton->ankle);
+        out->ankle[r] = fmin(MUS__BONES_ANKLE * foot, skeleton->ankle);
     }
     out->skeleton = *skeleton;
 }

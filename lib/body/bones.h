@@ -7,32 +7,32 @@
 #ifndef MUS_BODY_BONES_H
 #define MUS_BODY_BONES_H
 
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "muslin/body.h"
 
-#define MUS_LIMB_COUNT 7 /* of a body made from a tape */
+#define MUS__LIMB_COUNT 7 /* of a body made from a tape */
 
 /* which limb is which in mus_body.limb of a body made from a tape, and in mus__bones.limb of any */
 enum {
-    MUS_LIMB_TORSO,
-    MUS_LIMB_ARM_LEFT,
-    MUS_LIMB_ARM_RIGHT,
-    MUS_LIMB_LEG_LEFT,
-    MUS_LIMB_LEG_RIGHT,
-    MUS_LIMB_FOOT_LEFT,
-    MUS_LIMB_FOOT_RIGHT
+    MUS__LIMB_TORSO,
+    MUS__LIMB_ARM_LEFT,
+    MUS__LIMB_ARM_RIGHT,
+    MUS__LIMB_LEG_LEFT,
+    MUS__LIMB_LEG_RIGHT,
+    MUS__LIMB_FOOT_LEFT,
+    MUS__LIMB_FOOT_RIGHT
 };
 
 typedef struct mus__bones {
-    int32_t limb[MUS_LIMB_COUNT];           /* its number in the body; MUS_NONE: it has no such limb */
+    int32_t limb[MUS__LIMB_COUNT];           /* its number in the body; MUS_NONE: it has no such limb */
     double lumbar, neck;                    /* s along the torso */
     double shoulder[2], elbow[2], wrist[2]; /* s along the arms */
     double hip[2], knee[2], ankle[2];       /* s along the legs */
     mus__skeleton skeleton; /* of a scanned body: crown, shoulder joints and the arms' axes; the levels of its torso */
 } mus__bones;
 
-#define MUS_BONES_HIP 0.04   /* hip joints above the crotch, in parts of the stature */
-#define MUS_BONES_ANKLE 0.30 /* ankle joints above the floor, in parts of the foot's length */
+#define MUS__BONES_HIP 0.04   /* hip joints above the crotch, in parts of the stature */
+#define MUS__BONES_ANKLE 0.30 /* ankle joints above the floor, in parts of the foot's length */
 
 /* those of a body of a tape with feet of that length */
 void mus__bones_measured(const mus__skeleton *skeleton, double foot, mus__bones *out);

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 #define DIGIT_ROUND 12 /* samples round a digit */
@@ -55,7 +55,7 @@ enum { DIGIT_A_SIDE = 5, DIGIT_LIMBS = 4 };
 /* hands left and right, feet left and right: whether the body has it */
 static bool digit_has(const mus_body *body, int32_t which)
 {
-    const mus__limb *limb = &body->limb[(which < 2 ? MUS_LIMB_ARM_LEFT : MUS_LIMB_FOOT_LEFT - 2) + which];
+    const mus__limb *limb = &body->limb[(which < 2 ? MUS__LIMB_ARM_LEFT : MUS__LIMB_FOOT_LEFT - 2) + which];
     bool hand = false;
     for (int32_t i = 0; i < limb->count; i++) hand |= limb->contour[i].girth == MUS_MEASURE_HAND;
     return !limb->gone && (which >= 2 || hand);
@@ -84,7 +84,7 @@ static int32_t digit_part(const mus_body *body, int32_t l)
 
 static void digit_hand(const mus_body *body, int32_t right, digit_base *out)
 {
-    const int32_t l = MUS_LIMB_ARM_LEFT + right;
+    const int32_t l = MUS__LIMB_ARM_LEFT + right;
     const mus__limb *limb = &body->limb[l];
     const mus__contour *hand = &limb->contour[0], *wrist = hand;
     while (hand->girth != MUS_MEASURE_HAND) hand++;
@@ -101,7 +101,7 @@ static void digit_hand(const mus_body *body, int32_t right, digit_base *out)
 
 static void digit_foot(const mus_body *body, int32_t right, digit_base *out)
 {
-    const int32_t l = MUS_LIMB_FOOT_LEFT + right;
+    const int32_t l = MUS__LIMB_FOOT_LEFT + right;
     const mus__limb *limb = &body->limb[l];
     const double foot = limb->pole[1] - limb->pole[0], inward = right ? 1.0 : -1.0;
     double middle = 0.0;
@@ -173,8 +173,8 @@ void mus__digit_make(mus_body *body)
             digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, x);
             for (int32_t i = 0; i < each && body->frame != NULL; i++)
                 mus__frame_point(&body->frame[base.part], x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)i);
-            mus__surface_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->skin_normals + 3 * (ptrdiff_t)vertex);
-            mus__surface_triangles(vertex, DIGIT_RINGS, DIGIT_ROUND, triangle);
+            mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->skin_normals + 3 * (ptrdiff_t)vertex);
+            mus__ring_triangles(vertex, DIGIT_RINGS, DIGIT_ROUND, triangle);
             vertex += each;
             triangle += 3 * 2 * DIGIT_ROUND * DIGIT_RINGS;
         }

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 /* in parts of the stature */
@@ -123,13 +123,13 @@ static double seat_front(const mus__limb *limb, int32_t girth)
 
 void mus__skin_seat(mus_body *body)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
-    const int32_t limbs[] = {MUS_LIMB_TORSO, MUS_LIMB_LEG_LEFT, MUS_LIMB_LEG_RIGHT};
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
+    const int32_t limbs[] = {MUS__LIMB_TORSO, MUS__LIMB_LEG_LEFT, MUS__LIMB_LEG_RIGHT};
     seat_place seat = {body->skeleton.crown, body->skeleton.crotch, body->skeleton.hip, 0.0, 0.0};
     for (int32_t i = 0; i < torso->count; i++)
         if (torso->contour[i].girth == MUS_MEASURE_HIP) seat.middle = -torso->contour[i].cb;
     seat.groin = seat_front(torso, MUS_NONE) + SEAT_GROIN * seat.h -
-                 seat_front(&body->limb[MUS_LIMB_LEG_LEFT], MUS_MEASURE_THIGH);
+                 seat_front(&body->limb[MUS__LIMB_LEG_LEFT], MUS_MEASURE_THIGH);
 
     const double low = seat.crotch - SEAT_BELOW * seat.h, high = seat.hip + SEAT_UP * seat.h;
     for (int k = 0; k < 3; k++) {

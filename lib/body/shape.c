@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_internal.h"
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 #define SHAPE_PALM 0.38  /* of its length from the knuckles on that the mitten keeps */
@@ -109,11 +109,11 @@ static double shape_child(const mus__skeleton *bone, double chin, double brow, d
 /* a ring of the head at rest */
 static void shape_head(const mus_body *body, double s, int32_t n, double *x)
 {
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__contour *chin = shape_contour(torso, "chin"), *brow = shape_contour(torso, "brow");
-    if (chin == NULL || brow == NULL || n > MUS_BODY_SAMPLES) return;
+    if (chin == NULL || brow == NULL || n > MUS__CONTOUR_SAMPLES) return;
     const double q = (s - chin->s) / (brow->s - chin->s), z0 = -brow->cb;
-    double ring[3 * MUS_BODY_SAMPLES];
+    double ring[3 * MUS__CONTOUR_SAMPLES];
     memcpy(ring, x, 3 * (size_t)n * sizeof *x);
     shape_gather(n, SHAPE_FRONT * shape_step((q + 0.4) / 0.4) * shape_step((1.8 - q) / 0.5), ring, x);
     for (int32_t k = 0; k < n; k++) {
@@ -159,10 +159,10 @@ static void shape_foot(const mus__limb *limb, double inward, double *p)
 static double shape_from(const mus_body *body, int32_t l)
 {
     const mus__limb *limb = &body->limb[l];
-    if (l == MUS_LIMB_FOOT_LEFT || l == MUS_LIMB_FOOT_RIGHT) return -INFINITY;
+    if (l == MUS__LIMB_FOOT_LEFT || l == MUS__LIMB_FOOT_RIGHT) return -INFINITY;
     const mus__contour *from = NULL;
-    if (l == MUS_LIMB_TORSO) from = shape_contour(limb, "nape");
-    if (l == MUS_LIMB_ARM_LEFT || l == MUS_LIMB_ARM_RIGHT) from = shape_contour(limb, "hand");
+    if (l == MUS__LIMB_TORSO) from = shape_contour(limb, "nape");
+    if (l == MUS__LIMB_ARM_LEFT || l == MUS__LIMB_ARM_RIGHT) from = shape_contour(limb, "hand");
     return from != NULL ? from->s : INFINITY;
 }
 
@@ -171,11 +171,11 @@ static double shape_from(const mus_body *body, int32_t l)
 static void shape_ring(const mus_body *body, int32_t l, double s, int32_t n, double *x)
 {
     const mus__limb *limb = &body->limb[l];
-    if (l == MUS_LIMB_TORSO && n > 1) shape_head(body, s, n, x);
+    if (l == MUS__LIMB_TORSO && n > 1) shape_head(body, s, n, x);
     for (int32_t k = 0; k < n; k++, x += 3) {
-        if (l == MUS_LIMB_FOOT_LEFT || l == MUS_LIMB_FOOT_RIGHT)
-            shape_foot(limb, l == MUS_LIMB_FOOT_LEFT ? -1.0 : 1.0, x);
-        if (l == MUS_LIMB_ARM_LEFT || l == MUS_LIMB_ARM_RIGHT) {
+        if (l == MUS__LIMB_FOOT_LEFT || l == MUS__LIMB_FOOT_RIGHT)
+            shape_foot(limb, l == MUS__LIMB_FOOT_LEFT ? -1.0 : 1.0, x);
+        if (l == MUS__LIMB_ARM_LEFT || l == MUS__LIMB_ARM_RIGHT) {
             const double beyond = (1.0 - SHAPE_PALM) * (s - shape_from(body, l));
             for (int i = 0; i < 3; i++) x[i] -= beyond * limb->axis[i];
         }
@@ -207,7 +207,7 @@ void mus__skin_shape(mus_body *body)
     for (int32_t l = 0; l < body->limb_count; l++) {
         const mus__limb *limb = &body->limb[l];
         const int32_t n = body->def.samples;
-        if (limb->gone || l >= MUS_LIMB_COUNT) continue;
+        if (limb->gone || l >= MUS__LIMB_COUNT) continue;
         const double from = shape_from(body, l), *s = body->ring + limb->first_ring;
         double *x = body->skin + 3 * (ptrdiff_t)limb->first_vertex;
         int32_t first = 0;
@@ -216,7 +216,7 @@ void mus__skin_shape(mus_body *body)
         if (first == 0) shape_posed(body, l, limb->pole[0], 1, x);
         for (int32_t j = first; j < limb->rings; j++) shape_posed(body, l, s[j], n, x + 3 * (1 + (ptrdiff_t)j * n));
         shape_posed(body, l, limb->pole[1], 1, x + 3 * (1 + (ptrdiff_t)limb->rings * n));
-        mus__surface_normals(x, n, limb->rings, first > 0 ? first - 1 : 0,
+        mus__ring_normals(x, n, limb->rings, first > 0 ? first - 1 : 0,
                              body->skin_normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
 }

@@ -19,11 +19,10 @@
  * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; a width that follows the angle of the
  * gradients is from Gourmel and others, A Gradient-Based Implicit Blend, 2013.
  */
-#include "body/skin.h"
-
 #include <math.h>
 #include <string.h>
 
+#include "body/body_make.h"
 #include "geom/vec.h"
 
 /* how deep both sheets lie on the union, in parts of a fillet: 5 mm of 25, about half a ring's distance */
@@ -59,6 +58,19 @@
 /* Newton steps: the third moves less than 0.01 mm; what is nearer than this [m] is there */
 #define SKIN_STEPS 3
 #define SKIN_NEAR 1e-5
+
+/* what a place of the surface may meet */
+typedef struct skin_union {
+    const mus_body *body;
+    int32_t limb;                 /* the limb whose surface it is */
+    double reach;                 /* width of a fillet along both surfaces of a right-angled crease [m] */
+    double groin[2];              /* of the fillets between torso and legs, left and right, in parts of the reach */
+    double most;                  /* no vertex of the ring moves further [m] */
+    double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach */
+    double high[MUS__PARTS_MOST][3];
+    int32_t count;                /* parts that may be near */
+    int32_t part[MUS__PARTS_MOST];
+} skin_union;
 
 
 /* merge depth d with normal n into (depth, gradient) so far; the gradient is outward and not of unit length */
@@ -103,17 +115,17 @@ static double skin_field(const mus__field *field, const double *p, double *norma
 
 /* reach of a fillet with another limb: legs grow out of the torso along its surface, and what crease there is needs
  * little */
-static double skin_reach(const mus__skin_union *at, int32_t other)
+static double skin_reach(const skin_union *at, int32_t other)
 {
-    const bool groin = at->body->measured && (at->limb == MUS_LIMB_TORSO || other == MUS_LIMB_TORSO) &&
-                       at->limb + other >= MUS_LIMB_LEG_LEFT && at->limb + other <= MUS_LIMB_LEG_RIGHT;
-    return groin ? at->groin[at->limb + other - MUS_LIMB_LEG_LEFT] * at->reach : at->reach;
+    const bool groin = at->body->measured && (at->limb == MUS__LIMB_TORSO || other == MUS__LIMB_TORSO) &&
+                       at->limb + other >= MUS__LIMB_LEG_LEFT && at->limb + other <= MUS__LIMB_LEG_RIGHT;
+    return groin ? at->groin[at->limb + other - MUS__LIMB_LEG_LEFT] * at->reach : at->reach;
 }
 
 
 /* depth and outward gradient of the union at p; own plane (x0, n0). *other: the largest depth in the other parts, 1e30
  * in the slot between two thighs, where there is no way out */
-static double skin_depth(const mus__skin_union *at, const double *p, const double *x0, const double *n0,
+static double skin_depth(const skin_union *at, const double *p, const double *x0, const double *n0,
                          double *gradient, double *other)
 {
     double depth = 0.0, normal[3], last[3] = {0.0, 0.0, 0.0};
@@ -141,7 +153,8 @@ static double skin_depth(const mus__skin_union *at, const double *p, const doubl
 }
 
 
-bool mus__skin_move(const mus__skin_union *at, double *x, double *normal)
+/* move a vertex onto the union and turn its normal; false: it is not near another part and stays */
+static bool skin_move(const skin_union *at, double *x, double *normal)
 {
     const double margin = SKIN_MARGIN * at->reach;
     double p[3], gradient[3], other, here;
@@ -218,13 +231,13 @@ static bool skin_bent(const mus_body *body, int32_t p, int32_t q)
 
 
 /* fillets of the groins: the torso's first part is the pelvis, a leg's last one the thigh */
-static void skin_groins(mus__skin_union *at)
+static void skin_groins(skin_union *at)
 {
     const mus_body *body = at->body;
     for (int32_t r = 0; r < 2; r++) {
         int32_t thigh = MUS_NONE;
         for (int32_t p = 0; p < body->nfield; p++)
-            if (body->rig.part[p].limb == MUS_LIMB_LEG_LEFT + r) thigh = p;
+            if (body->rig.part[p].limb == MUS__LIMB_LEG_LEFT + r) thigh = p;
         const bool posed = body->measured && body->frame != NULL && thigh != MUS_NONE;
         const double fold = posed ? fmin(skin_turned(body, 0, thigh) / SKIN_FOLD, 1.0) : 0.0;
         at->groin[r] = SKIN_LEG + (1.0 - SKIN_LEG) * fold;
@@ -253,18 +266,18 @@ static bool skin_own(const mus_body *body, int32_t q, double s)
 
 /* how far vertices of a ring at s may move: in the rest pose not past the contour of the thigh, which keeps its
  * girth */
-static double skin_most(const mus__skin_union *at, double s)
+static double skin_most(const skin_union *at, double s)
 {
     const mus__skeleton *bone = &at->body->skeleton;
     const double most = SKIN_MOST * at->reach;
     if (!at->body->measured || at->body->frame != NULL || s <= bone->knee) return most;
-    if (at->limb != MUS_LIMB_LEG_LEFT && at->limb != MUS_LIMB_LEG_RIGHT) return most;
+    if (at->limb != MUS__LIMB_LEG_LEFT && at->limb != MUS__LIMB_LEG_RIGHT) return most;
     return fmin(fmax(0.9 * (s - bone->crotch * (1.0 - SKIN_THIGH)), 0.0), most);
 }
 
 
 /* the parts that the box of a ring touches */
-static void skin_parts(mus__skin_union *at, double s, const double *low, const double *high)
+static void skin_parts(skin_union *at, double s, const double *low, const double *high)
 {
     at->most = skin_most(at, s);
     at->count = 0;
@@ -277,7 +290,7 @@ static void skin_parts(mus__skin_union *at, double s, const double *low, const d
 
 
 /* all vertices of a limb: its two end points as rings of one; of the torso the left half alone where that is enough */
-static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l, bool half)
+static void skin_limb(skin_union *at, mus_body *body, int32_t l, bool half)
 {
     const mus__limb *limb = &body->limb[l];
     int32_t n = body->def.samples;
@@ -293,7 +306,7 @@ static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l, bool half)
         if (at->count == 0) continue;
         for (int32_t k = 0; k < count; k++, first += 3)
             if (!half || k <= n / 4 || k >= n - n / 4)
-                mus__skin_move(at, body->skin + first, body->skin_normals + first);
+                skin_move(at, body->skin + first, body->skin_normals + first);
     }
 }
 
@@ -302,7 +315,7 @@ static void skin_limb(mus__skin_union *at, mus_body *body, int32_t l, bool half)
  * the right */
 static bool skin_is_even(const mus_body *body)
 {
-    return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS_LIMB_COUNT;
+    return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
 }
 
 
@@ -320,7 +333,7 @@ static void skin_mirror_row(const double *from, int32_t n, double *to)
 static void skin_mirror(mus_body *body, double *x)
 {
     const int32_t n = body->def.samples;
-    static const int32_t left[] = {MUS_LIMB_ARM_LEFT, MUS_LIMB_LEG_LEFT, MUS_LIMB_FOOT_LEFT};
+    static const int32_t left[] = {MUS__LIMB_ARM_LEFT, MUS__LIMB_LEG_LEFT, MUS__LIMB_FOOT_LEFT};
     for (int i = 0; i < 3; i++) {
         const mus__limb *p = &body->limb[left[i]], *q = p + 1;
         const double *from = x + 3 * (ptrdiff_t)p->first_vertex;
@@ -330,7 +343,7 @@ static void skin_mirror(mus_body *body, double *x)
             skin_mirror_row(from + 3 * (1 + (ptrdiff_t)ring * n), n, to + 3 * (1 + (ptrdiff_t)ring * n));
         skin_mirror_row(from + 3 * ((ptrdiff_t)p->vertices - 1), 1, to + 3 * ((ptrdiff_t)p->vertices - 1));
     }
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     for (int32_t ring = 0; ring < torso->rings; ring++) {
         double *row = x + 3 * ((ptrdiff_t)torso->first_vertex + 1 + (ptrdiff_t)ring * n);
         for (int32_t k = 1 - n / 4; k < n / 4; k++) {
@@ -375,13 +388,13 @@ static void skin_scanned(mus_body *body)
 {
     for (int32_t l = 0; l < body->limb_count; l++) {
         const mus__limb *limb = &body->limb[l];
-        if (l == body->bones.limb[MUS_LIMB_TORSO]) continue;
+        if (l == body->bones.limb[MUS__LIMB_TORSO]) continue;
         for (int32_t ring = 0; ring < limb->rings; ring++) {
             if (!skin_blended(body, l, body->ring[limb->first_ring + ring])) continue;
             double *row = body->skin + 3 * (limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
             for (int32_t k = 0; k < body->def.samples; k++) skin_settle(body, row + 3 * (ptrdiff_t)k);
         }
-        mus__surface_normals(body->skin + 3 * (ptrdiff_t)limb->first_vertex, body->def.samples, limb->rings, 0,
+        mus__ring_normals(body->skin + 3 * (ptrdiff_t)limb->first_vertex, body->def.samples, limb->rings, 0,
                              body->skin_normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
 }
@@ -402,7 +415,7 @@ mus_status mus__body_skin(mus_body *body)
     if (body->scanned && body->frame != NULL) skin_scanned(body);
     if (body->fillet == 0.0) return MUS_OK;
 
-    mus__skin_union at = {.body = body, .reach = body->fillet};
+    skin_union at = {.body = body, .reach = body->fillet};
     for (int32_t q = 0; q < body->nfield; q++) skin_field_box(&body->field[q], at.reach, at.low[q], at.high[q]);
     skin_groins(&at);
     const bool even = skin_is_even(body);

@@ -29,7 +29,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 
 #define MUS__REAL float
 #define MUS__NAME(name) mus__##name##_f32
-#include "body/field_kernel.h"
+#include "limb/field_kernel.h"
 #include "contact/manifold_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL
@@ -37,7 +37,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 
 #define MUS__REAL double
 #define MUS__NAME(name) mus__##name##_f64
-#include "body/field_kernel.h"
+#include "limb/field_kernel.h"
 #include "contact/manifold_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL

@@ -3,13 +3,12 @@
  * cutting table as a left half, doubled, written as a pattern and checked. Five named designs have a recipe of their
  * own instead (garment_top.c, garment_skirt.c).
  *
- * The room: words.c and word_rules.c read words to a style; design_list*.c hold the named designs; draft_read.c checks
- * options and reads the tape; grade.c compares and moves sizes.
+ * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
+ * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
  */
 #include <math.h>
 #include <string.h>
 
-#include "design/design_list.h"
 #include "design/draft.h"
 #include "design/recipe.h"
 #include "design/words.h"

@@ -4,44 +4,27 @@
  */
 #include <string.h>
 
-#include "design/design_list.h"
+#include "design/design_table.h"
 #include "design/words.h"
 
-#define ALL (MUS_GROUP_WOMEN | MUS_GROUP_MEN | MUS_GROUP_CHILDREN)
-
-/* these have recipes of their own, design.c lists them in the same order */
-static const mus__design_row design_own[] = {
-    {"tshirt", "top", "T-shirt", "", ALL},
-    {"sleeveless", "top", "Sleeveless top", "", ALL},
-    {"bodice", "block", "Bodice block", "", ALL},
-    {"skirt", "skirt", "Straight skirt", "", ALL},
-    {"skirt_plain", "skirt", "A-line skirt without darts", "", ALL},
-};
-
-static const int32_t design_own_count = (int32_t)(sizeof design_own / sizeof design_own[0]);
-
-/* the lists in the order of their numbers */
+/* the tables in the order of their numbers */
 static const struct {
     const mus__design_row *row;
     const int32_t *n;
-} design_lists[] = {
-    {design_own, &design_own_count},
+} design_tables[] = {
     {mus__designs_top, &mus__designs_top_count},
-    {mus__designs_knit, &mus__designs_knit_count},
-    {mus__designs_skirt, &mus__designs_skirt_count},
-    {mus__designs_trousers, &mus__designs_trousers_count},
+    {mus__designs_lower, &mus__designs_lower_count},
     {mus__designs_dress, &mus__designs_dress_count},
-    {mus__designs_suit, &mus__designs_suit_count},
 };
 
-#define DESIGN_LISTS (sizeof design_lists / sizeof design_lists[0])
+#define DESIGN_TABLES (sizeof design_tables / sizeof design_tables[0])
 
 
-static const mus__design_row *design_find_row(int32_t design)
+static const mus__design_row *design_row(int32_t design)
 {
-    for (size_t i = 0; i < DESIGN_LISTS && design >= 0; i++) {
-        if (design < *design_lists[i].n) return &design_lists[i].row[design];
-        design -= *design_lists[i].n;
+    for (size_t i = 0; i < DESIGN_TABLES && design >= 0; i++) {
+        if (design < *design_tables[i].n) return &design_tables[i].row[design];
+        design -= *design_tables[i].n;
     }
     return NULL;
 }
@@ -50,42 +33,42 @@ static const mus__design_row *design_find_row(int32_t design)
 int32_t mus_design_count(void)
 {
     int32_t n = 0;
-    for (size_t i = 0; i < DESIGN_LISTS; i++) n += *design_lists[i].n;
+    for (size_t i = 0; i < DESIGN_TABLES; i++) n += *design_tables[i].n;
     return n;
 }
 
 
 const char *mus_design_name(int32_t design)
 {
-    const mus__design_row *row = design_find_row(design);
+    const mus__design_row *row = design_row(design);
     return row != NULL ? row->name : NULL;
 }
 
 
 const char *mus_design_family(int32_t design)
 {
-    const mus__design_row *row = design_find_row(design);
+    const mus__design_row *row = design_row(design);
     return row != NULL ? row->family : NULL;
 }
 
 
 const char *mus_design_title(int32_t design)
 {
-    const mus__design_row *row = design_find_row(design);
+    const mus__design_row *row = design_row(design);
     return row != NULL ? row->title : NULL;
 }
 
 
 const char *mus_design_words(int32_t design)
 {
-    const mus__design_row *row = design_find_row(design);
+    const mus__design_row *row = design_row(design);
     return row != NULL ? row->words : NULL;
 }
 
 
 int32_t mus_design_groups(int32_t design)
 {
-    const mus__design_row *row = design_find_row(design);
+    const mus__design_row *row = design_row(design);
     return row != NULL ? row->groups : 0;
 }
 
@@ -93,9 +76,9 @@ int32_t mus_design_groups(int32_t design)
 int32_t mus_design_find(const char *name)
 {
     int32_t first = 0;
-    for (size_t i = 0; name != NULL && i < DESIGN_LISTS; first += *design_lists[i++].n)
-        for (int32_t r = 0; r < *design_lists[i].n; r++)
-            if (strcmp(design_lists[i].row[r].name, name) == 0) return first + r;
+    for (size_t i = 0; name != NULL && i < DESIGN_TABLES; first += *design_tables[i++].n)
+        for (int32_t r = 0; r < *design_tables[i].n; r++)
+            if (strcmp(design_tables[i].row[r].name, name) == 0) return first + r;
     return MUS_NONE;
 }
 

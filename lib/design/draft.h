@@ -5,7 +5,7 @@
 #define MUS_DRAFT_H
 
 #include "block/measures.h"
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "half/style.h"
 #include "muslin/design.h"
 

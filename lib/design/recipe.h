@@ -8,7 +8,7 @@
 #include "block/block_bodice.h"
 #include "block/block_sleeve.h"
 #include "block/block_skirt.h"
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "muslin/design.h"
 
 /* one draft in the making. After a failure `status` stays and every later call does nothing */

@@ -12,6 +12,7 @@
 #include "drape/sim.h"
 #include "drape/transfer.h"
 #include "muslin/drape.h"
+#include "pose/pose_frame.h"
 
 /* bits of mus_drape.pinned: held by the caller, or by layers.c until its layer is sewn */
 #define MUS__PINNED 1
@@ -30,8 +31,8 @@ typedef struct mus__drape_plane {
 typedef struct mus__drape_stance {
     mus__rig rig;
     mus_pose made, from, to;
-    mus__local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
-    mus__frame frame[MUS_PARTS_MOST]; /* where the parts were last put */
+    mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
+    mus__frame frame[MUS__PARTS_MOST]; /* where the parts were last put */
     double time, duration;            /* the movement began, and takes so long [s] */
     int32_t posed, carried;           /* nonzero: not as limbs are made; the body came posed */
     mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */

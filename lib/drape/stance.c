@@ -2,7 +2,7 @@
  * stance.c: a body that changes its pose while the cloth steps.
  *
  * A pose becomes rotations of joints at the door, with sines and cosines. Between two poses a step blends these, and
- * frames of the parts follow, by + - * / and sqrt alone (body/rig.h). The body comes to stand exactly as asked: at the
+ * frames of the parts follow, by + - * / and sqrt alone (pose_frame.h). The body comes to stand exactly as asked: at the
  * end of a movement, and ever after, the frames are those of the pose itself.
  */
 #include <math.h>
@@ -21,7 +21,7 @@ mus_status mus__drape_stance_create(mus_drape *drape, const mus_body *body)
     stance->rig = *mus__body_rig(body);
     stance->carried = mus__body_frames(body) != NULL;
     mus_status status = mus_body_stance(body, &stance->made);
-    if (status == MUS_OK) status = mus__rig_locals(drape->context, &stance->rig, &stance->made, stance->as_made);
+    if (status == MUS_OK) status = mus__pose_locals(drape->context, &stance->rig, &stance->made, stance->as_made);
     if (status == MUS_OK) mus__drape_stance_back(drape);
     return status;
 }
@@ -59,10 +59,10 @@ const mus__frame *mus__drape_frames(mus_drape *drape, int64_t steps, double h)
 {
     mus__drape_stance *stance = drape->stance;
     if (stance == NULL || !stance->posed) return NULL;
-    mus__local now[MUS_JOINT_COUNT];
+    mus__joint_local now[MUS_JOINT_COUNT];
     const double part = stance_part(drape, steps, h);
-    if (part < 1.0) mus__rig_blend(stance->start, stance->end, part, now);
-    mus__rig_frames(&stance->rig, part < 1.0 ? now : stance->end, stance->frame);
+    if (part < 1.0) mus__pose_blend(stance->start, stance->end, part, now);
+    mus__pose_frames(&stance->rig, part < 1.0 ? now : stance->end, stance->frame);
     return stance->frame;
 }
 
@@ -90,16 +90,16 @@ mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double du
     if (!(duration >= 0.0 && duration <= STANCE_LONGEST))
         return mus__fail(context, MUS_ERR_ARG, "drape: duration of a movement is %g s, expected 0 to %g", duration,
                          STANCE_LONGEST);
-    mus__local end[MUS_JOINT_COUNT];
+    mus__joint_local end[MUS_JOINT_COUNT];
     mus_status status = mus_pose_check(context, pose);
-    if (status == MUS_OK) status = mus__rig_locals(context, &stance->rig, pose, end);
+    if (status == MUS_OK) status = mus__pose_locals(context, &stance->rig, pose, end);
     if (status != MUS_OK) return status;
 
     /* from how it stands now */
     const double part = stance_part(drape, 0, drape->dt);
     mus_pose now;
     stance_now(drape, &now);
-    mus__rig_blend(stance->start, stance->end, part, stance->start);
+    mus__pose_blend(stance->start, stance->end, part, stance->start);
     if (!(part < 1.0)) memcpy(stance->start, stance->end, sizeof stance->start);
     stance->from = now;
     stance->to = *pose;

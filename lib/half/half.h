@@ -27,7 +27,7 @@
 #define MUS_HALF_H
 
 #include "block/block_bodice.h"
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "half/style.h"
 #include "muslin/design.h"
 #include "pattern/board.h"

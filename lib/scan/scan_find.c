@@ -236,7 +236,7 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
     mus_status status = MUS_OK;
     arm->up[0] = -arm->axis[1] * arm->side, arm->up[1] = arm->axis[0] * arm->side, arm->up[2] = 0.0;
     mus__unit3(arm->up);
-    find_way way = {spread, spread, INFINITY, arm->axis[1] > -MUS_SCAN_LEVEL};
+    find_way way = {spread, spread, INFINITY, arm->axis[1] > -MUS__SCAN_LEVEL};
     for (low = high; status == MUS_OK && alone && low > -0.1 * h; low = alone ? low - step : low) {
         status = find_alone(along, arm, low, &way, &alone);
         if (alone) high = low;

@@ -12,9 +12,9 @@
 #include "body/bones.h"
 #include "muslin/scan.h"
 
-#define MUS_SCAN_LEVEL 0.35   /* sine of arms that are level: 20 degrees down */
-#define MUS_SCAN_LIMBS 7      /* torso, arms, legs, feet */
-#define MUS_SCAN_CONTOURS 128 /* most of a limb: what mus_body_create_limbs takes */
+#define MUS__SCAN_LEVEL 0.35   /* sine of arms that are level: 20 degrees down */
+#define MUS__SCAN_LIMBS 7      /* torso, arms, legs, feet */
+#define MUS__SCAN_CONTOURS 128 /* most of a limb: what mus_body_create_limbs takes */
 
 /* ---- scan_mesh.c ---- */
 
@@ -136,9 +136,9 @@ mus_status mus__scan_find(const mus__scan_mesh *mesh, mus__slicer *upright, mus_
 /* outlines of all limbs, ready for mus_body_create_limbs; rows and outlines live in `block` */
 typedef struct mus__scan_limbs {
     int32_t count;
-    mus_limb limb[MUS_SCAN_LIMBS];
-    int32_t which[MUS_SCAN_LIMBS]; /* MUS_LIMB_* of body/bones.h */
-    double *row[MUS_SCAN_LIMBS], *outline[MUS_SCAN_LIMBS];
+    mus_limb limb[MUS__SCAN_LIMBS];
+    int32_t which[MUS__SCAN_LIMBS]; /* MUS_LIMB_* of body/bones.h */
+    double *row[MUS__SCAN_LIMBS], *outline[MUS__SCAN_LIMBS];
     double shoulder[2]; /* s of the shoulder joints along the arms */
     int32_t filled;
     double deepest;

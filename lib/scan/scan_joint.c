@@ -70,28 +70,28 @@ static void joint_leg(const mus__scan_found *found, const mus_limb *leg, const m
 {
     const double h = found->stature;
     const double narrow = joint_narrowest(leg, 0.46 * found->crotch, 0.64 * found->crotch, INFINITY);
-    out->hip[r] = found->crotch + MUS_BONES_HIP * h;
+    out->hip[r] = found->crotch + MUS__BONES_HIP * h;
     out->knee[r] = isfinite(narrow) ? narrow + JOINT_KNEE * h : JOINT_KNEE_PART * found->crotch;
-    out->ankle[r] = foot != NULL ? MUS_BONES_ANKLE * (foot->pole[1] - foot->pole[0]) : JOINT_ANKLE * h;
+    out->ankle[r] = foot != NULL ? MUS__BONES_ANKLE * (foot->pole[1] - foot->pole[0]) : JOINT_ANKLE * h;
 }
 
 
 void mus__scan_joints(const mus__scan_found *found, const mus__scan_limbs *limbs, mus__bones *out)
 {
-    const mus_limb *limb[MUS_LIMB_COUNT] = {NULL};
+    const mus_limb *limb[MUS__LIMB_COUNT] = {NULL};
     memset(out, 0, sizeof *out);
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         out->limb[l] = MUS_NONE;
         for (int32_t i = 0; i < limbs->count; i++)
             if (limbs->which[i] == l) out->limb[l] = i, limb[l] = &limbs->limb[i];
     }
     const double h = found->stature;
     out->skeleton.crown = h;
-    out->lumbar = joint_narrowest(limb[MUS_LIMB_TORSO], 0.57 * h, 0.70 * h, JOINT_WAIST * h);
+    out->lumbar = joint_narrowest(limb[MUS__LIMB_TORSO], 0.57 * h, 0.70 * h, JOINT_WAIST * h);
     out->neck = found->neck - JOINT_NECK * h;
     for (int r = 0; r < 2; r++) {
-        const mus_limb *arm = limb[MUS_LIMB_ARM_LEFT + r], *leg = limb[MUS_LIMB_LEG_LEFT + r];
+        const mus_limb *arm = limb[MUS__LIMB_ARM_LEFT + r], *leg = limb[MUS__LIMB_LEG_LEFT + r];
         if (arm != NULL) joint_arm(found, arm, limbs->shoulder[r], r, out);
-        if (leg != NULL) joint_leg(found, leg, limb[MUS_LIMB_FOOT_LEFT + r], r, out);
+        if (leg != NULL) joint_leg(found, leg, limb[MUS__LIMB_FOOT_LEFT + r], r, out);
     }
 }

@@ -27,7 +27,7 @@
 #define LIMB_BARE 0.03      /* and up while it has something further out than this behind the wall */
 #define LIMB_UNDER 0.0015   /* a leg's upper end goes so far under the torso's skin [m] */
 
-static const char *const limb_names[MUS_SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
+static const char *const limb_names[MUS__SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
                                                        "leg_right", "foot_left", "foot_right"};
 
 /* a limb while it is cut */
@@ -161,13 +161,13 @@ static mus_status limb_arm(limb_cut *cut, double s)
 static void limb_under(const limb_cut *cut, double s, int32_t corners, const double *centre, double *outline)
 {
     const mus__scan_found *found = cut->found;
-    const bool leg = cut->which == MUS_LIMB_LEG_LEFT || cut->which == MUS_LIMB_LEG_RIGHT;
+    const bool leg = cut->which == MUS__LIMB_LEG_LEFT || cut->which == MUS__LIMB_LEG_RIGHT;
     const double up = found->legs ? (s - found->crotch) / found->stature : INFINITY;
     double under = 0.0;
     if (leg && up > 0.0) under = LIMB_UNDER * up / LIMB_LEG_UP;
 
     /* the torso's end between the legs is round, so that it has no edge where a leg is lifted */
-    if (cut->which == MUS_LIMB_TORSO && up < LIMB_ROUND_UP) {
+    if (cut->which == MUS__LIMB_TORSO && up < LIMB_ROUND_UP) {
         const double v = 1.0 - fmax(up, 0.0) / LIMB_ROUND_UP;
         under = LIMB_ROUND * (1.0 - sqrt(1.0 - v * v));
     }
@@ -251,9 +251,9 @@ static mus_status limb_stack(limb_cut *cut, limb_part *part, double low, double 
     mus_limb *limb = &cut->limbs->limb[cut->index];
     const bool bare[2] = {bare_low, bare_high};
     bool flat[2] = {false, false};
-    double spacing = cut->def->spacing, place[MUS_SCAN_CONTOURS];
-    if (cut->which >= MUS_LIMB_FOOT_LEFT) spacing *= 0.6;
-    spacing = fmax(spacing, (high - low) / (MUS_SCAN_CONTOURS - 10));
+    double spacing = cut->def->spacing, place[MUS__SCAN_CONTOURS];
+    if (cut->which >= MUS__LIMB_FOOT_LEFT) spacing *= 0.6;
+    spacing = fmax(spacing, (high - low) / (MUS__SCAN_CONTOURS - 10));
     limb->name = limb_names[cut->which];
     memcpy(limb->origin, cut->slicer->origin, sizeof limb->origin);
     memcpy(limb->axis, cut->slicer->axis, sizeof limb->axis);
@@ -284,9 +284,9 @@ static mus_status limb_room(limb_cut *cut, int32_t which)
     cut->index = limbs->count;
     limbs->which[cut->index] = which;
     mus_limb_init(&limbs->limb[cut->index], sizeof limbs->limb[cut->index]);
-    limbs->row[cut->index] = mus__new(cut->context, 6 * MUS_SCAN_CONTOURS, sizeof(double));
+    limbs->row[cut->index] = mus__new(cut->context, 6 * MUS__SCAN_CONTOURS, sizeof(double));
     limbs->outline[cut->index] =
-        mus__new(cut->context, 2 * (int64_t)MUS_SCAN_CONTOURS * cut->def->corners, sizeof(double));
+        mus__new(cut->context, 2 * (int64_t)MUS__SCAN_CONTOURS * cut->def->corners, sizeof(double));
     if (limbs->row[cut->index] == NULL || limbs->outline[cut->index] == NULL)
         return mus__fail_memory(cut->context, "the contours of a mesh");
     return MUS_OK;
@@ -331,7 +331,7 @@ static mus_status limb_cut_arm(limb_cut *cut, const mus__scan_mesh *mesh, int i,
     mus__slicer along;
     double start = 0.0;
     cut->arm = &cut->found->arm[i];
-    mus_status status = limb_room(cut, MUS_LIMB_ARM_LEFT + i);
+    mus_status status = limb_room(cut, MUS__LIMB_ARM_LEFT + i);
     if (status != MUS_OK) return status;
     status = mus__slicer_make(mesh, cut->arm->origin, cut->arm->axis, cut->arm->across, cut->def->gap, &along);
     if (status != MUS_OK) return status;
@@ -362,7 +362,7 @@ static mus_status limb_cut_feet(limb_cut *cut, const mus__scan_mesh *mesh, mus_s
             low = fmin(low, x[2]), high = fmax(high, x[2]);
         }
         cut->slicer = &ahead;
-        status = limb_room(cut, MUS_LIMB_FOOT_LEFT + i);
+        status = limb_room(cut, MUS__LIMB_FOOT_LEFT + i);
         if (status == MUS_OK) status = limb_stack(cut, limb_foot, low, high, true, true);
     }
     report->holes += ahead.holes;
@@ -376,7 +376,7 @@ static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__s
 {
     const mus__scan_found *found = cut->found;
     cut->slicer = upright;
-    mus_status status = limb_room(cut, MUS_LIMB_TORSO);
+    mus_status status = limb_room(cut, MUS__LIMB_TORSO);
     if (status == MUS_OK)
         status = limb_stack(cut, limb_torso, found->legs ? found->crotch : upright->low, upright->high, true, true);
     for (int i = 0; i < 2 && status == MUS_OK; i++)
@@ -385,7 +385,7 @@ static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__s
         const bool foot = found->foot > 0.0;
         cut->side = i == 0 ? 1.0 : -1.0;
         cut->slicer = upright;
-        status = limb_room(cut, MUS_LIMB_LEG_LEFT + i);
+        status = limb_room(cut, MUS__LIMB_LEG_LEFT + i);
         if (status != MUS_OK) break;
         status = limb_stack(cut, limb_leg, foot ? LIMB_LEG_DOWN * found->stature : upright->low,
                             found->crotch + LIMB_LEG_UP * found->stature, !foot, false);
@@ -410,7 +410,7 @@ mus_status mus__scan_cut(const mus__scan_mesh *mesh, const mus_scan_def *def, mu
 
 void mus__scan_limbs_free(mus_context *context, mus__scan_limbs *limbs)
 {
-    for (int l = 0; l < MUS_SCAN_LIMBS; l++) {
+    for (int l = 0; l < MUS__SCAN_LIMBS; l++) {
         mus__free(context, limbs->row[l]);
         mus__free(context, limbs->outline[l]);
     }

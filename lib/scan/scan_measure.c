@@ -22,7 +22,7 @@
 
 typedef struct measure_rows {
     int32_t count;
-    double s[MUS_SCAN_CONTOURS], tape[MUS_SCAN_CONTOURS], ahead[MUS_SCAN_CONTOURS];
+    double s[MUS__SCAN_CONTOURS], tape[MUS__SCAN_CONTOURS], ahead[MUS__SCAN_CONTOURS];
 } measure_rows;
 
 
@@ -118,7 +118,7 @@ static void measure_below(mus_scan_report *report, int32_t girth, const measure_
 static double measure_armpit(const mus__scan_arm *arm, double h)
 {
     const double armpit = arm->armpit[1];
-    return arm->axis[1] > -MUS_SCAN_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
+    return arm->axis[1] > -MUS__SCAN_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
 }
 
 

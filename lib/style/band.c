@@ -91,13 +91,13 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
         mus__chain_line(&low, p[0], p[2]);
         mus__chain_line(&high, p[3], p[5]);
     }
-    mus__sketch sketch;
-    mus__sketch_begin(&sketch);
-    mus__sketch_add(&sketch, "low", "band", 1.0 * MUS__CM, &low);
-    mus__sketch_line(&sketch, "end", "side", 1.0 * MUS__CM, p[2], p[3]);
-    mus__sketch_add(&sketch, "top", "waist", 1.0 * MUS__CM, &high);
-    mus__sketch_line(&sketch, "centre", "centre", 1.0 * MUS__CM, p[5], p[0]);
-    const int32_t panel = mus__sketch_panel(half, &sketch, front ? "band_front" : "band_back", plan->label, !front);
+    mus__outline outline;
+    mus__outline_begin(&outline);
+    mus__outline_add(&outline, "low", "band", 1.0 * MUS__CM, &low);
+    mus__outline_line(&outline, "end", "side", 1.0 * MUS__CM, p[2], p[3]);
+    mus__outline_add(&outline, "top", "waist", 1.0 * MUS__CM, &high);
+    mus__outline_line(&outline, "centre", "centre", 1.0 * MUS__CM, p[5], p[0]);
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
     mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));

@@ -58,23 +58,24 @@ static int32_t cape_panel(mus__half *half, bool front, double length)
     const double along[2] = {cos(block->slope), -sin(block->slope)};
     const double bottom[2] = {0.0, snp[1] - length};
     const double end[2] = {snp[0] + length * along[0], snp[1] + length * along[1]};
-    mus__drawing drawing = {.front = front};
+    mus__outline outline;
     mus__chain chain;
     double hem[8];
 
     /* a quarter turn less the slope about the side neck point, then level to the centre */
     const double reach = 4.0 / 3.0 * tan(0.25 * (0.5 * MUS_PI - block->slope)) * length;
+    mus__outline_begin(&outline);
     mus__chain_line(&chain, centre, bottom);
-    mus__drawing_add(&drawing, front ? "cf" : "cb", "centre", 0.0, &chain);
+    mus__outline_add(&outline, front ? "cf" : "cb", "centre", 0.0, &chain);
     mus__cubic_set(hem, bottom, snp[0] + reach, bottom[1], end[0] + reach * along[1], end[1] - reach * along[0], end);
     mus__chain_cubic(&chain, hem);
-    mus__drawing_add(&drawing, "hem", "hem", MUS__TOP_HEM, &chain);
+    mus__outline_add(&outline, "hem", "hem", MUS__TOP_HEM, &chain);
     mus__chain_line(&chain, end, snp);
-    mus__drawing_add(&drawing, "sh", "shoulder", MUS__TOP_SEAM, &chain);
+    mus__outline_add(&outline, "sh", "shoulder", MUS__TOP_SEAM, &chain);
     mus__chain_cubic(&chain, block->neck);
     mus__chain_reverse(&chain);
-    mus__drawing_add(&drawing, "neck", "neck", MUS__TOP_NECK_SEAM, &chain);
-    return mus__drawing_lay(half, &drawing, front ? "front" : "back");
+    mus__outline_add(&outline, "neck", "neck", MUS__TOP_NECK_SEAM, &chain);
+    return mus__outline_panel(half, &outline, front ? "front" : "back", "body", !front);
 }
 
 

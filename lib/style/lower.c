@@ -1,9 +1,9 @@
 /*
- * lower.c: what skirts, trousers and bands have in common: a sketch that becomes a panel, the body's girth at a level,
+ * lower.c: what skirts, trousers and bands have in common: the body's girth at a level,
  * the waist as a run that goes on from panel to panel.
  *
- * The waist is walked as the boundary loop is: from a half-edge to the next of its panel, and where that is sewn, to the
- * one after its partner. So it passes side seams, cuts and darts, and stops at the centre line. The bodice's runs
+ * The waist is walked as the boundary loop is: from a half-edge to the next of its panel, and where that is sewn, to
+ * the one after its partner. So it passes side seams, cuts and darts, and stops at the centre line. The bodice's runs
  * from centre front over the side to centre back, that of what hangs on it the other way.
  */
 #include <math.h>
@@ -14,68 +14,20 @@
 #define WALK_LONGEST 400 /* sides that a boundary may have before a walk gives up */
 
 
-/* ---- sketches ---- */
-
-void mus__sketch_begin(mus__sketch *sketch)
-{
-    sketch->n = 0;
-}
-
-
-void mus__sketch_add(mus__sketch *sketch, const char *name, const char *label, double allowance,
-                     const mus__chain *chain)
-{
-    MUS_ASSERT(sketch->n < MUS__LOWER_SIDES && strlen(name) < sizeof sketch->side[0].name);
-    mus__sketch_side *side = &sketch->side[sketch->n++];
-    memset(side, 0, sizeof *side);
-    memcpy(side->name, name, strlen(name));
-    side->label = label;
-    side->allowance = allowance;
-    side->chain = *chain;
-}
-
-
-void mus__sketch_line(mus__sketch *sketch, const char *name, const char *label, double allowance, const double *start,
-                      const double *end)
-{
-    mus__chain chain;
-    mus__chain_line(&chain, start, end);
-    mus__sketch_add(sketch, name, label, allowance, &chain);
-}
-
-
-void mus__sketch_top(mus__sketch *sketch, int32_t n, const double (*dart)[6], const mus__chain *part)
+void mus__lower_top(mus__outline *outline, int32_t n, const double (*dart)[6], const mus__chain *part)
 {
     char name[] = "w1", leg[] = "d1";
     for (int32_t d = n; d >= 0; d--) {
         mus__chain chain = part[d];
         mus__chain_reverse(&chain);
-        mus__sketch_add(sketch, name, "waist", 1.0 * MUS__CM, &chain);
+        mus__outline_add(outline, name, "waist", 1.0 * MUS__CM, &chain);
         name[1]++;
         if (d == 0) break;
-        mus__sketch_line(sketch, leg, "", 0.0, dart[d - 1] + 4, dart[d - 1] + 2);
+        mus__outline_line(outline, leg, "", 0.0, dart[d - 1] + 4, dart[d - 1] + 2);
         leg[1]++;
-        mus__sketch_line(sketch, leg, "", 0.0, dart[d - 1] + 2, dart[d - 1]);
+        mus__outline_line(outline, leg, "", 0.0, dart[d - 1] + 2, dart[d - 1]);
         leg[1]++;
     }
-}
-
-
-int32_t mus__sketch_panel(mus__half *half, const mus__sketch *sketch, const char *name, const char *label,
-                          bool mirror)
-{
-    mus__board *board = &half->board;
-    const int32_t panel = mus__board_panel_add(board, name, label);
-    for (int32_t i = 0; i < sketch->n; i++) {
-        const mus__sketch_side *from = &sketch->side[mirror ? sketch->n - 1 - i : i];
-        mus__chain chain = from->chain;
-        if (mirror) mus__chain_mirror(&chain);
-        const int32_t side = mus__board_side_add(board, panel, from->name, from->label, chain.npiece, chain.kinds,
-                                                 chain.nxy, chain.xy);
-        if (board->status == MUS_OK) board->side[side].allowance = from->allowance;
-    }
-    mus__board_panel_close(board, panel);
-    return panel;
 }
 
 

@@ -1,47 +1,22 @@
 /*
- * lower.h: what the files of the lower body share: sketches that become panels of the half, the waist as a run over
- * panels, girths of the body at a level.
+ * lower.h: what the files of the lower body share: the waist as a run over panels, girths of the body at a
+ * level.
  *
- * Levels are heights above the natural waist (below it negative). A sketch is drawn as the blocks are (x from the
- * centre line to the side); mus__sketch_panel() turns it, or its mirror image for a back, into a panel. Formulas: man
- * page mus_design(3).
+ * Levels are heights above the natural waist (below it negative). Formulas: man page mus_design(3).
  */
 #ifndef MUS_LOWER_H
 #define MUS_LOWER_H
 
+#include "half/panel_outline.h"
 #include "half/panel_place.h"
 #include "style/parts.h"
 
-#define MUS__LOWER_SIDES 16
-#define MUS__WAIST_SIDES 32
+#define MUS__WAIST_SIDES 32 /* half-edges of one waist */
 
-/* ---- lower.c: sketches ---- */
-
-typedef struct mus__sketch_side {
-    char name[16];
-    const char *label;
-    double allowance;
-    mus__chain chain;
-} mus__sketch_side;
-
-typedef struct mus__sketch {
-    int32_t n;
-    mus__sketch_side side[MUS__LOWER_SIDES];
-} mus__sketch;
-
-void mus__sketch_begin(mus__sketch *sketch);
-/* next side, counter-clockwise as drawn */
-void mus__sketch_add(mus__sketch *sketch, const char *name, const char *label, double allowance,
-                     const mus__chain *chain);
-void mus__sketch_line(mus__sketch *sketch, const char *name, const char *label, double allowance, const double *start,
-                      const double *end);
-/* the sketch as a panel of the half; `mirror`: its image in x = 0, so that it runs counter-clockwise again */
-int32_t mus__sketch_panel(mus__half *half, const mus__sketch *sketch, const char *name, const char *label,
-                          bool mirror);
 /* the top edge from the side to the centre, as it is walked: "waist" sides w1.. and between them dart legs d1.., from
  * (n x 6) darts: inner mouth, point, outer mouth, from the centre outwards; the parts (n + 1) from the centre outwards,
  * each drawn from the centre outwards */
-void mus__sketch_top(mus__sketch *sketch, int32_t n, const double (*dart)[6], const mus__chain *part);
+void mus__lower_top(mus__outline *outline, int32_t n, const double (*dart)[6], const mus__chain *part);
 
 /* girth of the body at a level between underbust and hip */
 double mus__lower_girth(const mus__half *half, double level);

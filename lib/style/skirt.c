@@ -59,23 +59,23 @@ static void skirt_waist_parts(const mus__skirt_half *block, mus__chain *part)
 /* hem, side, waist with its darts, centre down to the slit (0: none), which makes it a seam */
 static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, bool front, double slit)
 {
-    mus__sketch sketch;
+    mus__outline outline;
     mus__chain chain, low, part[MUS__DARTS + 1];
     const double *top = block->waist, *bottom = block->hem, open[2] = {0.0, bottom[1] + slit};
-    mus__sketch_begin(&sketch);
+    mus__outline_begin(&outline);
     mus__chain_cubic(&chain, block->hem);
-    mus__sketch_add(&sketch, "hem", "hem", SKIRT_HEM_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "hem", "hem", SKIRT_HEM_ALLOWANCE, &chain);
     mus__chain_cubic(&chain, block->side_high);
     mus__chain_cubic(&low, block->side_low);
     mus__chain_append(&chain, &low);
     mus__chain_reverse(&chain);
-    mus__sketch_add(&sketch, "side", "side", SKIRT_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "side", "side", SKIRT_ALLOWANCE, &chain);
     skirt_waist_parts(block, part);
-    mus__sketch_top(&sketch, block->ndart, block->dart, part);
-    mus__sketch_line(&sketch, "centre", "centre", SKIRT_ALLOWANCE, top, slit > 0.0 ? open : bottom);
-    if (slit > 0.0) mus__sketch_line(&sketch, "slit", "hem", SKIRT_ALLOWANCE, open, bottom);
+    mus__lower_top(&outline, block->ndart, block->dart, part);
+    mus__outline_line(&outline, "centre", "centre", SKIRT_ALLOWANCE, top, slit > 0.0 ? open : bottom);
+    if (slit > 0.0) mus__outline_line(&outline, "slit", "hem", SKIRT_ALLOWANCE, open, bottom);
 
-    const int32_t panel = mus__sketch_panel(half, &sketch, front ? "skirt_front" : "skirt_back", "skirt", !front);
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "skirt_front" : "skirt_back", "skirt", !front);
     mus__half_centre(half, panel, "centre", front && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
@@ -131,15 +131,15 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
     const double handle = angle / 3.0;
     double low[8];
     mus__chain chain;
-    mus__sketch sketch;
-    mus__sketch_begin(&sketch);
+    mus__outline outline;
+    mus__outline_begin(&outline);
     mus__cubic_set(low, c, c[0] + handle * reach * cos(angle), c[1] - handle * reach * sin(angle), -handle * height,
                    bottom, a);
     mus__chain_cubic(&chain, low);
-    mus__sketch_add(&sketch, "hem", "hem", SKIRT_ALLOWANCE, &chain);
-    mus__sketch_line(&sketch, "join", "centre", SKIRT_ALLOWANCE, a, b);
-    mus__sketch_line(&sketch, "edge", "hem", SKIRT_ALLOWANCE, b, c);
-    const int32_t lap = mus__sketch_panel(half, &sketch, "skirt_lap", "skirt", false);
+    mus__outline_add(&outline, "hem", "hem", SKIRT_ALLOWANCE, &chain);
+    mus__outline_line(&outline, "join", "centre", SKIRT_ALLOWANCE, a, b);
+    mus__outline_line(&outline, "edge", "hem", SKIRT_ALLOWANCE, b, c);
+    const int32_t lap = mus__outline_panel(half, &outline, "skirt_lap", "skirt", false);
     if (half->board.status != MUS_OK) return;
     half->board.panel[lap].single = 1;
     mus__half_sew(half, front, "slit", lap, "join", 0.0);

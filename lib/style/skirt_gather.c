@@ -28,17 +28,17 @@ static int32_t ruffle_draw(mus__half *half, const ruffle_strip *strip, bool fron
     const double middle[2] = {0.0, strip->top};
     double cubic[8];
     mus__chain hem;
-    mus__sketch sketch;
+    mus__outline outline;
     const double slope = (front ? 0.5 : -0.5) * MUS_PI * fabs(b[1] - a[1]) / w;
     mus__cubic_set(cubic, a, a[0] + 0.35 * w, a[1], b[0] - 0.35 * w, b[1] + 0.35 * w * slope, b);
     if (strip->centre == strip->side) mus__chain_line(&hem, a, b);
     else mus__chain_cubic(&hem, cubic);
-    mus__sketch_begin(&sketch);
-    mus__sketch_add(&sketch, "hem", strip->low_label, 3.0 * MUS__CM, &hem);
-    mus__sketch_line(&sketch, "side", "side", 1.0 * MUS__CM, b, top);
-    mus__sketch_line(&sketch, "waist", strip->top_label, 1.0 * MUS__CM, top, middle);
-    mus__sketch_line(&sketch, "centre", "centre", 0.0, middle, a);
-    const int32_t panel = mus__sketch_panel(half, &sketch, strip->name, "skirt", !front);
+    mus__outline_begin(&outline);
+    mus__outline_add(&outline, "hem", strip->low_label, 3.0 * MUS__CM, &hem);
+    mus__outline_line(&outline, "side", "side", 1.0 * MUS__CM, b, top);
+    mus__outline_line(&outline, "waist", strip->top_label, 1.0 * MUS__CM, top, middle);
+    mus__outline_line(&outline, "centre", "centre", 0.0, middle, a);
+    const int32_t panel = mus__outline_panel(half, &outline, strip->name, "skirt", !front);
     mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
     return panel;
 }

@@ -144,23 +144,23 @@ static void gore_edge_split(const gore_plan *plan, const mus__chain *edge, mus__
 }
 
 
-/* one edge to the sketch: the outer one up, the inner one down; with a godet in two sides */
-static void gore_edge_add(const gore_plan *plan, mus__sketch *sketch, const mus__chain *edge, bool outer)
+/* one edge to the outline: the outer one up, the inner one down; with a godet in two sides */
+static void gore_edge_add(const gore_plan *plan, mus__outline *outline, const mus__chain *edge, bool outer)
 {
     mus__chain high = *edge, low;
     const char *name = outer ? "out" : "in", *name_low = outer ? "out_low" : "in_low";
     if (plan->godet > 0.0) gore_edge_split(plan, edge, &high, &low);
     if (!outer) {
-        mus__sketch_add(sketch, name, "side", GORE_ALLOWANCE, &high);
-        if (plan->godet > 0.0) mus__sketch_add(sketch, name_low, "side", GORE_ALLOWANCE, &low);
+        mus__outline_add(outline, name, "side", GORE_ALLOWANCE, &high);
+        if (plan->godet > 0.0) mus__outline_add(outline, name_low, "side", GORE_ALLOWANCE, &low);
         return;
     }
     mus__chain_reverse(&high);
     if (plan->godet > 0.0) {
         mus__chain_reverse(&low);
-        mus__sketch_add(sketch, name_low, "side", GORE_ALLOWANCE, &low);
+        mus__outline_add(outline, name_low, "side", GORE_ALLOWANCE, &low);
     }
-    mus__sketch_add(sketch, name, "side", GORE_ALLOWANCE, &high);
+    mus__outline_add(outline, name, "side", GORE_ALLOWANCE, &high);
 }
 
 
@@ -203,18 +203,18 @@ static int32_t gore_draw(mus__half *half, const gore_plan *plan, int32_t index, 
     mus__chain_shift(&inner, shift);
     *at = shift + half_hem + plan->gap;
 
-    mus__sketch sketch;
+    mus__outline outline;
     char name[] = "gore1";
     name[4] = (char)('1' + index);
-    mus__sketch_begin(&sketch);
-    mus__sketch_add(&sketch, "hem", "hem", 3.0 * MUS__CM, &hem);
-    gore_edge_add(plan, &sketch, &edge, true);
-    mus__sketch_add(&sketch, "waist", "waist", GORE_ALLOWANCE, &waist);
+    mus__outline_begin(&outline);
+    mus__outline_add(&outline, "hem", "hem", 3.0 * MUS__CM, &hem);
+    gore_edge_add(plan, &outline, &edge, true);
+    mus__outline_add(&outline, "waist", "waist", GORE_ALLOWANCE, &waist);
     if (on_fold)
-        mus__sketch_line(&sketch, "in", "centre", GORE_ALLOWANCE, waist.xy + 2 * (waist.nxy - 1), hem.xy);
+        mus__outline_line(&outline, "in", "centre", GORE_ALLOWANCE, waist.xy + 2 * (waist.nxy - 1), hem.xy);
     else
-        gore_edge_add(plan, &sketch, &inner, false);
-    return mus__sketch_panel(half, &sketch, name, "skirt", !front);
+        gore_edge_add(plan, &outline, &inner, false);
+    return mus__outline_panel(half, &outline, name, "skirt", !front);
 }
 
 
@@ -226,15 +226,15 @@ static int32_t gore_godet(mus__half *half, const gore_plan *plan, const char *na
     const double b[2] = {x + h * sin(angle), a[1]}, low[2] = {x, top - h};
     const double mid[2] = {x + h * sin(0.5 * angle), top - h * cos(0.5 * angle)};
     mus__chain hem;
-    mus__sketch sketch;
-    mus__sketch_begin(&sketch);
+    mus__outline outline;
+    mus__outline_begin(&outline);
     if (on_fold) mus__chain_arc(&hem, low, mid, b);
     else mus__chain_arc(&hem, a, low, b);
-    mus__sketch_add(&sketch, "hem", "hem", 3.0 * MUS__CM, &hem);
-    mus__sketch_line(&sketch, "out", "side", GORE_ALLOWANCE, b, apex);
-    if (on_fold) mus__sketch_line(&sketch, "fold", "centre", 0.0, apex, low);
-    else mus__sketch_line(&sketch, "in", "side", GORE_ALLOWANCE, apex, a);
-    const int32_t panel = mus__sketch_panel(half, &sketch, name, "godet", !front);
+    mus__outline_add(&outline, "hem", "hem", 3.0 * MUS__CM, &hem);
+    mus__outline_line(&outline, "out", "side", GORE_ALLOWANCE, b, apex);
+    if (on_fold) mus__outline_line(&outline, "fold", "centre", 0.0, apex, low);
+    else mus__outline_line(&outline, "in", "side", GORE_ALLOWANCE, apex, a);
+    const int32_t panel = mus__outline_panel(half, &outline, name, "godet", !front);
     mus__half_centre(half, panel, "fold", MUS__CENTRE_FOLD);
     return panel;
 }

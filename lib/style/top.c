@@ -137,32 +137,33 @@ static void torso_sew_darts(mus__half *half, int32_t panel)
 static void torso_draw(mus__half *half, mus__top *top, int32_t which)
 {
     const bool front = which == MUS__TOP_FRONT;
-    mus__drawing drawing = {.front = front, .n = 0};
+    mus__outline outline, side;
     mus__chain chain;
 
     /* centre down, hem out, side up */
-    mus__drawing side = {.front = front, .n = 0};
+    mus__outline_begin(&outline);
+    mus__outline_begin(&side);
     mus__top_side(half, top, front, &side);
     const mus__chain *neck = &top->neck[which], *low = &side.edge[0].chain;
     const double *head = neck->xy + 2 * (neck->nxy - 1), foot[2] = {0.0, top->hem};
     mus__chain_line(&chain, head, foot);
-    mus__drawing_add(&drawing, front ? "cf" : "cb", "centre", MUS__TOP_SEAM, &chain);
-    mus__top_low(half, top, which, low->xy, &drawing);
+    mus__outline_add(&outline, front ? "cf" : "cb", "centre", MUS__TOP_SEAM, &chain);
+    mus__top_low(half, top, which, low->xy, &outline);
     for (int32_t i = 0; i < side.n; i++) {
-        const mus__drawing_edge *edge = &side.edge[i];
-        mus__drawing_add(&drawing, edge->name, edge->label, edge->allowance, &edge->chain);
+        const mus__outline_edge *edge = &side.edge[i];
+        mus__outline_add(&outline, edge->name, edge->label, edge->allowance, &edge->chain);
     }
 
     /* armhole, shoulder, neck */
     if (top->arm[which].npiece > 0)
-        mus__drawing_add(&drawing, "arm", "armhole", MUS__TOP_SEAM, &top->arm[which]);
+        mus__outline_add(&outline, "arm", "armhole", MUS__TOP_SEAM, &top->arm[which]);
     if (top->shoulder[which]) {
         mus__chain_line(&chain, top->arm[which].xy + 2 * (top->arm[which].nxy - 1), neck->xy);
-        mus__drawing_add(&drawing, "sh", "shoulder", MUS__TOP_SEAM, &chain);
+        mus__outline_add(&outline, "sh", "shoulder", MUS__TOP_SEAM, &chain);
     }
-    mus__drawing_add(&drawing, "neck", top->neck_label[which], MUS__TOP_NECK_SEAM, neck);
+    mus__outline_add(&outline, "neck", top->neck_label[which], MUS__TOP_NECK_SEAM, neck);
 
-    top->panel[which] = mus__drawing_lay(half, &drawing, front ? "front" : "back");
+    top->panel[which] = mus__outline_panel(half, &outline, front ? "front" : "back", "body", !front);
     torso_sew_darts(half, top->panel[which]);
     const int32_t arm = mus__board_find(&half->board, top->panel[which], "arm");
     const mus__bodice_half *block = front ? &half->bodice.front : &half->bodice.back;

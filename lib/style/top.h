@@ -9,6 +9,7 @@
 #define MUS_TOP_H
 
 #include "half/boundary.h"
+#include "half/panel_outline.h"
 #include "half/panel_place.h"
 #include "style/parts.h"
 
@@ -16,27 +17,7 @@
 #define MUS__TOP_NECK_SEAM (0.7 * MUS__CM)
 #define MUS__TOP_HEM (2.5 * MUS__CM)
 
-#define MUS__DRAWING_EDGES 16
 #define MUS__TOP_RUN 32 /* sides of one run */
-
-typedef struct mus__drawing_edge {
-    const char *name, *label;
-    double allowance;
-    mus__chain chain;
-} mus__drawing_edge;
-
-/* a half in the block's frame (x >= 0), walked counter-clockwise from the centre line down; that of a back is mirrored
- * on its way to the board */
-typedef struct mus__drawing {
-    bool front;
-    int32_t n;
-    mus__drawing_edge edge[MUS__DRAWING_EDGES];
-} mus__drawing;
-
-void mus__drawing_add(mus__drawing *drawing, const char *name, const char *label, double allowance,
-                      const mus__chain *chain);
-/* as a panel of the board; its index */
-int32_t mus__drawing_lay(mus__half *half, const mus__drawing *drawing, const char *name);
 
 /* figures of a top that its steps share */
 typedef struct mus__top {
@@ -62,9 +43,9 @@ typedef struct mus__top {
 /* the underarm, lower along the side by top->low: with the bust dart closed, and as it lies in the drawing */
 void mus__top_under(const mus__half *half, const mus__top *top, bool front, double *closed, double *turned);
 /* side edges from the hem to the underarm; in front with the bust dart open about the bust point */
-void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__drawing *drawing);
+void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__outline *outline);
 /* the lower edge from the centre to `end` at the side, with the waist darts of the block: w1, wd1, wd2, w2, ... */
-void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end, mus__drawing *drawing);
+void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end, mus__outline *outline);
 /* half a waist dart (inner mouth, point, outer mouth) from the lower edge to its point, on the side `turn` (-1 towards
  * the centre) of its upright axis */
 void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus__chain *out);

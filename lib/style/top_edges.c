@@ -18,34 +18,6 @@ void mus__top_turn(const double *p, const double *o, double a, double *out)
 }
 
 
-void mus__drawing_add(mus__drawing *drawing, const char *name, const char *label, double allowance,
-                      const mus__chain *chain)
-{
-    MUS_ASSERT(drawing->n < MUS__DRAWING_EDGES);
-    mus__drawing_edge *edge = &drawing->edge[drawing->n++];
-    edge->name = name, edge->label = label;
-    edge->allowance = allowance;
-    edge->chain = *chain;
-}
-
-
-int32_t mus__drawing_lay(mus__half *half, const mus__drawing *drawing, const char *name)
-{
-    mus__board *board = &half->board;
-    const int32_t panel = mus__board_panel_add(board, name, "body");
-    for (int32_t i = 0; i < drawing->n; i++) {
-        const mus__drawing_edge *edge = &drawing->edge[drawing->front ? i : drawing->n - 1 - i];
-        mus__chain chain = edge->chain;
-        if (!drawing->front) mus__chain_mirror(&chain);
-        const int32_t side = mus__board_side_add(board, panel, edge->name, edge->label, chain.npiece, chain.kinds,
-                                                 chain.nxy, chain.xy);
-        if (side != MUS_NONE) board->side[side].allowance = edge->allowance;
-    }
-    mus__board_panel_close(board, panel);
-    return panel;
-}
-
-
 void mus__top_under(const mus__half *half, const mus__top *top, bool front, double *closed, double *turned)
 {
     const mus__bodice *bodice = &half->bodice;
@@ -106,7 +78,7 @@ static bool torso_side_low(const mus__half *half, const mus__top *top, const dou
 
 /* side edges from the hem to the underarm; in front with the bust dart open about the bust point. Gives the start of
  * the hem's end and the underarm */
-void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__drawing *drawing)
+void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__outline *outline)
 {
     const mus__bodice *bodice = &half->bodice;
     const mus__bodice_half *block = front ? &bodice->front : &bodice->back;
@@ -120,7 +92,7 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
     if (!front || !(block->theta > 0.0)) {
         mus__chain_line(&line, start, under);
         if (curved) mus__chain_append(&chain, &line);
-        mus__drawing_add(drawing, "side", "side", MUS__TOP_SEAM, curved ? &chain : &line);
+        mus__outline_add(outline, "side", "side", MUS__TOP_SEAM, curved ? &chain : &line);
         return;
     }
 
@@ -132,17 +104,17 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
     mus__top_turn(lower, block->bust, block->theta, upper);
     mus__chain_line(&line, start, lower);
     if (curved) mus__chain_append(&chain, &line);
-    mus__drawing_add(drawing, "side1", "side", MUS__TOP_SEAM, curved ? &chain : &line);
+    mus__outline_add(outline, "side1", "side", MUS__TOP_SEAM, curved ? &chain : &line);
     const double middle[2] = {0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1])};
     const double back = fmin(top->point_back / mus__dist2(middle, block->bust), 0.6);
     double point[2];
     for (int i = 0; i < 2; i++) point[i] = block->bust[i] + back * (middle[i] - block->bust[i]);
     mus__chain_line(&line, lower, point);
-    mus__drawing_add(drawing, "bd1", "", 0.0, &line);
+    mus__outline_add(outline, "bd1", "", 0.0, &line);
     mus__chain_line(&line, point, upper);
-    mus__drawing_add(drawing, "bd2", "", 0.0, &line);
+    mus__outline_add(outline, "bd2", "", 0.0, &line);
     mus__chain_line(&line, upper, turned);
-    mus__drawing_add(drawing, "side2", "side", MUS__TOP_SEAM, &line);
+    mus__outline_add(outline, "side2", "side", MUS__TOP_SEAM, &line);
 }
 
 
@@ -173,7 +145,7 @@ void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus
 
 /* the lower edge from the centre to the side, with the waist darts of the block: w1, wd1, wd2, w2, ... */
 void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end,
-                      mus__drawing *drawing)
+                      mus__outline *outline)
 {
     static const char *const edges[] = {"w1", "w2", "w3"}, *const legs[] = {"wd1", "wd2", "wd3", "wd4"};
     const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
@@ -193,12 +165,12 @@ void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, con
         mus__top_dart_leg(top, dart, -1.0, &left);
         mus__top_dart_leg(top, dart, 1.0, &right);
         mus__chain_line(&chain, at, left.xy);
-        mus__drawing_add(drawing, edges[d], label, allowance, &chain);
-        mus__drawing_add(drawing, legs[2 * d], "", 0.0, &left);
+        mus__outline_add(outline, edges[d], label, allowance, &chain);
+        mus__outline_add(outline, legs[2 * d], "", 0.0, &left);
         memcpy(at, right.xy, sizeof at);
         mus__chain_reverse(&right);
-        mus__drawing_add(drawing, legs[2 * d + 1], "", 0.0, &right);
+        mus__outline_add(outline, legs[2 * d + 1], "", 0.0, &right);
     }
     mus__chain_line(&chain, at, end);
-    mus__drawing_add(drawing, ndart > 0 ? edges[ndart] : label, label, allowance, &chain);
+    mus__outline_add(outline, ndart > 0 ? edges[ndart] : label, label, allowance, &chain);
 }

@@ -122,22 +122,22 @@ static void trousers_waist(const mus__trousers_half *block, mus__chain *part)
 /* hem, outseam up, waist, centre and crotch down, inseam down */
 static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, bool front)
 {
-    mus__sketch sketch;
+    mus__outline outline;
     mus__chain chain, crotch, part[MUS__DARTS + 1];
-    mus__sketch_begin(&sketch);
+    mus__outline_begin(&outline);
     mus__chain_cubic(&chain, block->hem);
-    mus__sketch_add(&sketch, "hem", "hem", 4.0 * MUS__CM, &chain);
+    mus__outline_add(&outline, "hem", "hem", 4.0 * MUS__CM, &chain);
     chain = block->outseam;
     mus__chain_reverse(&chain);
-    mus__sketch_add(&sketch, "outseam", "side", LEG_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "outseam", "side", LEG_ALLOWANCE, &chain);
     trousers_waist(block, part);
-    mus__sketch_top(&sketch, block->ndart, block->dart, part);
+    mus__lower_top(&outline, block->ndart, block->dart, part);
     mus__chain_line(&chain, block->centre, block->centre + 2);
     mus__chain_cubic(&crotch, block->crotch);
     mus__chain_append(&chain, &crotch);
-    mus__sketch_add(&sketch, "crotch", "centre", LEG_ALLOWANCE, &chain);
-    mus__sketch_add(&sketch, "inseam", "inseam", LEG_ALLOWANCE, &block->inseam);
-    const int32_t panel = mus__sketch_panel(half, &sketch, front ? "leg_front" : "leg_back", "leg", !front);
+    mus__outline_add(&outline, "crotch", "centre", LEG_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "inseam", "inseam", LEG_ALLOWANCE, &block->inseam);
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "leg_front" : "leg_back", "leg", !front);
     mus__half_centre(half, panel, "crotch", MUS__CENTRE_SEAM);
     mus__half_darts(half, panel);
 
@@ -162,13 +162,13 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
     const double w = 0.5 * (m[MUS_MEASURE_ANKLE] + 3.0 * scale * MUS__CM), top = block->front.hem[7];
     const double bottom = top - height;
     const double a[2] = {-w, bottom}, b[2] = {w, bottom}, c[2] = {w, top}, d[2] = {-w, top};
-    mus__sketch sketch;
-    mus__sketch_begin(&sketch);
-    mus__sketch_line(&sketch, "hem", "hem", 0.0, a, b);
-    mus__sketch_line(&sketch, "end_back", "inseam", LEG_ALLOWANCE, b, c);
-    mus__sketch_line(&sketch, "top", "cuff", LEG_ALLOWANCE, c, d);
-    mus__sketch_line(&sketch, "end_front", "inseam", LEG_ALLOWANCE, d, a);
-    const int32_t rib = mus__sketch_panel(half, &sketch, "leg_rib", "rib", false);
+    mus__outline outline;
+    mus__outline_begin(&outline);
+    mus__outline_line(&outline, "hem", "hem", 0.0, a, b);
+    mus__outline_line(&outline, "end_back", "inseam", LEG_ALLOWANCE, b, c);
+    mus__outline_line(&outline, "top", "cuff", LEG_ALLOWANCE, c, d);
+    mus__outline_line(&outline, "end_front", "inseam", LEG_ALLOWANCE, d, a);
+    const int32_t rib = mus__outline_panel(half, &outline, "leg_rib", "rib", false);
     mus__half_sew(half, rib, "end_back", rib, "end_front", 0.0);
     const int32_t hems[2] = {mus__board_find(board, front, "hem"), mus__board_find(board, back, "hem")};
     const int32_t tops[1] = {mus__board_find(board, rib, "top")};

@@ -10,7 +10,7 @@
 #include "block/block_bodice.h"
 #include "block/block_skirt.h"
 #include "block/block_sleeve.h"
-#include "body/skeleton.h"
+#include "limb/skeleton.h"
 #include "muslin/muslin.h"
 #include "support.h"
 

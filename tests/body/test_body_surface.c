@@ -5,6 +5,7 @@
 #include "body/body_internal.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
+#include "muslin/pose.h"
 #include "people.h"
 
 
@@ -81,7 +82,7 @@ START_TEST(contours_keep_the_conditions_of_the_paper)
     for (int32_t size = 0; size < mus_tape_size_count(); size++) {
         mus_body *body = people_body(context, mus_tape_size_name(size), NULL);
         int32_t n = body->def.samples, work[96], i, j;
-        for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+        for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
             const mus__limb *limb = &body->limb[l];
             double last = -1e9, xy[2 * 96];
             for (int32_t ring = 0; ring < limb->rings; ring++) {
@@ -111,7 +112,7 @@ START_TEST(triangles_take_two_neighbours_of_a_contour_at_most)
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
     int32_t n = body->def.samples;
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
         for (int32_t t = 0; t < limb->triangles; t++) {
             const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
@@ -158,7 +159,7 @@ START_TEST(normals_are_unit_outward_and_smooth)
     for (int32_t t = 0; t < body->triangle_count; t++) {
         const int32_t *v = triangles + 3 * (ptrdiff_t)t;
         double u[3], w[3], area[3];
-        if (own + 1 < MUS_LIMB_COUNT && t >= body->limb[own + 1].first_triangle) own++;
+        if (own + 1 < MUS__LIMB_COUNT && t >= body->limb[own + 1].first_triangle) own++;
         double deep = -1e30;
         for (int c = 0; c < 3; c++) deep = fmax(deep, depth_in_others(body, own, body->vertices + 3 * (ptrdiff_t)v[c]));
         if (deep > 0.005) continue;
@@ -187,7 +188,7 @@ START_TEST(rings_are_as_close_as_asked)
     mus_body_def_init(&def, sizeof def);
     def.ring_spacing = 0.02;
     mus_body *body = people_body(context, "W40", &def);
-    for (int32_t l = 0; l < MUS_LIMB_COUNT; l++) {
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
         const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1);
         for (int32_t i = 3 * def.samples * limb->contour[0].ring;
@@ -224,7 +225,7 @@ START_TEST(the_skin_is_the_union_of_the_limbs)
         mus_body *body = people_body(context, sizes[i], NULL);
         const double tall = body->skeleton.crown;
         int32_t off = 0, bare = 0;
-        for (int32_t l = 0; l <= MUS_LIMB_LEG_RIGHT; l++) {
+        for (int32_t l = 0; l <= MUS__LIMB_LEG_RIGHT; l++) {
             const mus__limb *limb = &body->limb[l];
             for (int32_t v = limb->first_vertex; v < limb->first_vertex + limb->vertices; v++) {
                 const double *x = body->vertices + 3 * (ptrdiff_t)v, *y = body->skin + 3 * (ptrdiff_t)v;
@@ -259,7 +260,7 @@ START_TEST(the_seat_has_a_cleft)
     mus_pose pose;
     ck_assert_int_eq(mus_pose_named(context, "sit", &pose), MUS_OK);
     ck_assert_int_eq(mus_body_pose(body, &pose, &posed), MUS_OK);
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const int32_t n = body->def.samples, back = n / 4;
     int32_t ring = 0;
     while (body->ring[torso->first_ring + ring] < body->skeleton.hip - 1e-9) ring++;
@@ -299,7 +300,7 @@ START_TEST(an_infants_head_is_round)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "C68", NULL);
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const int32_t n = body->def.samples;
     for (int32_t i = 0; i < torso->count; i++) {
         const ptrdiff_t first = torso->first_vertex + 1 + (ptrdiff_t)torso->contour[i].ring * n;
@@ -324,17 +325,17 @@ START_TEST(normals_run_on_from_limb_to_limb)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
-    const mus__limb *torso = &body->limb[MUS_LIMB_TORSO], *arm = &body->limb[MUS_LIMB_ARM_LEFT];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO], *arm = &body->limb[MUS__LIMB_ARM_LEFT];
     const double *x = body->skin, *normal = body->skin_normals;
     int32_t met = 0, across = 0;
     for (int32_t i = torso->first_vertex; i < torso->first_vertex + torso->vertices; i++) {
         if (memcmp(x + 3 * (ptrdiff_t)i, body->vertices + 3 * (ptrdiff_t)i, 3 * sizeof *x) == 0) continue;
-        if (depth_in_others(body, MUS_LIMB_TORSO, body->vertices + 3 * (ptrdiff_t)i) > 0.004) continue;
+        if (depth_in_others(body, MUS__LIMB_TORSO, body->vertices + 3 * (ptrdiff_t)i) > 0.004) continue;
         for (int32_t j = arm->first_vertex; j < arm->first_vertex + arm->vertices; j++) {
             const double *p = x + 3 * (ptrdiff_t)i, *q = x + 3 * (ptrdiff_t)j;
             const double d[3] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
             if (mus__norm3(d) > 0.002) continue;
-            if (depth_in_others(body, MUS_LIMB_ARM_LEFT, body->vertices + 3 * (ptrdiff_t)j) > 0.004) continue;
+            if (depth_in_others(body, MUS__LIMB_ARM_LEFT, body->vertices + 3 * (ptrdiff_t)j) > 0.004) continue;
             met++;
             across += mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < 0.9;
         }

@@ -7,6 +7,7 @@
 
 #include "body/body_internal.h"
 #include "muslin/drape.h"
+#include "muslin/pose.h"
 #include "slice.h"
 #include "support.h"
 
@@ -73,11 +74,11 @@ START_TEST(a_body_of_two_hundred_kilograms)
         ck_assert_msg(kg > 170.0 && kg < 240.0, "%g kg", kg);
 
         /* the thighs touch at the middle and do not cross it */
-        for (int32_t l = MUS_LIMB_LEG_LEFT; l <= MUS_LIMB_LEG_RIGHT; l++) {
+        for (int32_t l = MUS__LIMB_LEG_LEFT; l <= MUS__LIMB_LEG_RIGHT; l++) {
             double nearest = 1.0;
             for (int32_t i = 0; i < body->limb[l].vertices; i++) {
                 const double x = body->vertices[3 * ((ptrdiff_t)body->limb[l].first_vertex + i)];
-                nearest = fmin(nearest, l == MUS_LIMB_LEG_LEFT ? x : -x);
+                nearest = fmin(nearest, l == MUS__LIMB_LEG_LEFT ? x : -x);
             }
             ck_assert_msg(nearest > 0.0 && nearest < 0.004, "%g", nearest);
         }
@@ -238,7 +239,7 @@ START_TEST(any_limb_can_be_left_out)
     /* without limbs at all: a torso with its head */
     mus_body *torso = odd_made(context, MUS_WITHOUT_ALL, 0, NULL);
     double x[3];
-    ck_assert_int_eq(mus_body_contour_count(torso, MUS_LIMB_ARM_LEFT), 0);
+    ck_assert_int_eq(mus_body_contour_count(torso, MUS__LIMB_ARM_LEFT), 0);
     ck_assert_int_eq(mus_body_landmark(torso, MUS_LANDMARK_WRIST_LEFT, x), MUS_ERR_ARG);
     ck_assert_int_eq(mus_body_landmark(torso, MUS_LANDMARK_SHOULDER_LEFT, x), MUS_OK);
     ck_assert(isnan(mus_body_made(torso, MUS_MEASURE_WRIST)) && isnan(mus_body_made(torso, MUS_MEASURE_FOOT)));

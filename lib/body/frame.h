@@ -1,0 +1,34 @@
+/*
+ * frame.h: rigid motions: a frame turns a point and then moves it.
+ *
+ * Quaternions are (w, x, y, z) with w the cosine of half the angle; matrices are 3 x 3, row by row. Outputs may be one
+ * of the inputs, but not those of mus__matrix_product().
+ */
+#ifndef MUS_BODY_FRAME_H
+#define MUS_BODY_FRAME_H
+
+/* x = turn * rest + place, turn row by row */
+typedef struct mus__frame {
+    double turn[9], place[3];
+} mus__frame;
+
+/* out = a b: the rotation b, then the rotation a */
+void mus__quaternion_product(const double *a, const double *b, double *out);
+/* the opposite rotation */
+void mus__quaternion_conjugate(const double *a, double *out);
+/* scale q (4) to length 1 */
+void mus__quaternion_normalise(double *q);
+/* the matrix (9) of a unit quaternion */
+void mus__quaternion_matrix(const double *q, double *out);
+/* the unit quaternion of a rotation matrix m (9) */
+void mus__quaternion_of(const double *m, double *q);
+/* out (3) = turn x */
+void mus__matrix_point(const double *turn, const double *x, double *out);
+/* out (9) = a b */
+void mus__matrix_product(const double *a, const double *b, double *out);
+/* out (3) = turn * x + place for a point */
+void mus__frame_point(const mus__frame *frame, const double *x, double *out);
+/* out (3) = turn * x for a direction */
+void mus__frame_turn(const mus__frame *frame, const double *x, double *out);
+
+#endif

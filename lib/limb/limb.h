@@ -1,0 +1,96 @@
+/*
+ * limb.h: a limb: a stack of closed contours on a straight axis.
+ *
+ * The room's way, from the tape to the table that contact queries:
+ *
+ *     skeleton.[ch]      heights and joints of a person, from a completed tape alone
+ *     limb.h             contour and limb (this file)
+ *     contour.c          radius of a contour by direction, its girth, and scaling it to the tape
+ *     torso.c            the contours of torso, neck and head
+ *     arms_legs.c        the contours of arms, legs and feet
+ *     stack.[ch]         the limb sampled in fixed directions, with splines between the contours
+ *     field.[ch]         a part of a limb as a table of radii: depth and normal at a point
+ *     field_kernel.h     the query of that table, one text for float and double
+ *
+ * Callers: lib/body puts limbs together into a body; lib/contact copies the fields; the drafting blocks read the
+ * skeleton.
+ *
+ * A limb has a right-handed frame (side, front, axis): point = origin + a*side + b*front + s*axis. The torso's and the
+ * legs' is (X, -Z, Y), the frame of Metaaphanon and Kanongchaiyos 2005: angles run from +X. Contours ascend in s; each
+ * is a star-shaped closed curve about its centre (ca, cb), given by a radius for every angle.
+ */
+#ifndef MUS_LIMB_LIMB_H
+#define MUS_LIMB_LIMB_H
+
+#include "base/base_internal.h"
+#include "limb/skeleton.h"
+
+#define MUS__LIMB_CONTOURS 128    /* most contours of a limb; a torso from a tape has 20 */
+#define MUS__LIMB_NAME_BYTES 32   /* of a limb's own name, the closing 0 included */
+#define MUS__CONTOUR_SAMPLES 512  /* most samples round a contour; 96 is the default of mus_body_def */
+
+typedef struct mus__contour {
+    const char *name;
+    int32_t girth;        /* measure that is its girth, or MUS_NONE */
+    int32_t height;       /* measure that sets its place, or MUS_NONE */
+    bool hard;            /* the girth was given: the contour may not be left out */
+    bool flat;            /* narrowest or widest of its neighbours: the slope is held monotone, so 0, here */
+    bool fine;            /* rings stand twice as close above it */
+    double target;        /* girth to be fitted to [m], 0: a and b stand as they are */
+    double s;             /* place on the axis [m] */
+    double ca, cb;        /* centre in the contour's plane [m] */
+    double a, b, n;       /* half breadth along side, half depth along front [m], superellipse exponent */
+    double bump[2];       /* height of the pair of bumps towards the front, and towards the back [m] */
+    double bump_angle[2]; /* angle of the bumps off the front (off the back) [rad] */
+    double wall;          /* plane a = wall that the contour does not pass, on the side wall_side [m] */
+    double wall_side;     /* +1: a >= wall, -1: a <= -wall, 0: no wall */
+    int32_t corners;      /* of an outline in place of the superellipse, 0: none */
+    const double *corner; /* (corners x 3) angle -pi..pi ascending, a and b off the centre; owned by the body */
+    double host[7];       /* the shape of another contour of this plane in place of its own: centre a and b, half
+                             breadth, half depth, exponent, bump and angle of the back; host[2] = 0: its own */
+    int32_t ring;         /* its ring in the surface */
+} mus__contour;
+
+typedef struct mus__limb {
+    const char *name;
+    char own_name[MUS__LIMB_NAME_BYTES]; /* `name` of a given limb */
+    double origin[3], side[3], front[3], axis[3];
+    int32_t count;
+    mus__contour contour[MUS__LIMB_CONTOURS];
+    bool limited[MUS__LIMB_CONTOURS]; /* slopes held monotone here: the natural spline would overshoot */
+    double pole[2];                   /* s of the closing points below and above */
+    int32_t end[2];                   /* measures that set them, or MUS_NONE */
+    double wall, wall_side;           /* as the contours', for all in-between contours too */
+    bool gone;                        /* the body was made without it: no part, no surface; contours for the joints */
+    int32_t cuts;                     /* joints within it that it is cut at: one less than its parts */
+    int32_t joint;                    /* joint (MUS_JOINT_*) that carries a limb added to a body of a tape */
+    int32_t first_vertex, vertices, first_triangle, triangles, first_ring, rings; /* its ranges in the body's surface */
+} mus__limb;
+
+/* ---- contour.c ---- */
+
+/* n directions (n x 2) at equal angles, exact at the quarters; n a multiple of 4 */
+void mus__contour_turns(int32_t n, double *turn);
+/* half breadth of a superellipse of that girth: exact for n = 2 (paper eq. 6), an estimate to 1 % up to n = 3 */
+double mus__contour_half_breadth(double girth, double ratio, double n);
+/* depth to breadth of a thigh of that girth which is to be no broader than half the hip of half breadth `hip` */
+double mus__contour_thigh_ratio(double girth, double hip);
+/* radius of a contour in the direction (cos, sin) */
+double mus__contour_radius(const mus__contour *contour, double cosine, double sine);
+/* radii in n directions that are symmetric about both axes, n a multiple of 4 and at most MUS__CONTOUR_SAMPLES */
+void mus__contour_radii(const mus__contour *contour, int32_t n, const double *turn, double *radius);
+/* girth of the contour sampled at n equal angles, as a tape lies; xy (2n), work (2n) */
+double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work);
+/* scale a contour until that girth is `girth` */
+void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
+
+/* ---- torso.c, arms_legs.c: the contours of each limb from the tape; shapes only, not yet fitted ---- */
+
+void mus__limb_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__limb *limb);
+void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
+/* hip: the fitted contour of the torso that the legs grow out of */
+void mus__limb_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__contour *hip,
+                   mus__limb *limb);
+void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
+
+#endif

@@ -1,0 +1,163 @@
+/*
+ * pose_fit.c: poses and movements fitted to a body: its feet on the floor, its arms off its sides.
+ *
+ * Both ask the contact fields, carried by the frames of their parts, without making a posed copy. An arm is lifted
+ * sideways a degree at a time until all of it below the armpit keeps its distance; named poses start so that most
+ * people's arms stay as they are.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "geom/vec.h"
+#include "pose/pose_frame.h"
+#include "pose/pose_table.h"
+
+#define FIT_STEP (MUS_PI / 180.0) /* of an arm that is lifted */
+#define FIT_STEPS 60              /* most of them */
+#define FIT_ARMPIT 0.40           /* part of the arm's length from which on it is to be clear */
+#define FIT_RING 0.012            /* [m] between rings that are asked, about */
+#define FIT_ANGLE 8               /* every so many directions of a ring is asked */
+
+
+/* fields as a pose carries them; they borrow the tables of the body's own. out (parts) */
+static mus_status fit_carry(const mus_body *body, const mus_pose *pose, mus__field *out)
+{
+    mus__joint_local local[MUS_JOINT_COUNT];
+    mus__frame frame[MUS__PARTS_MOST];
+    mus_status status = mus_pose_check(body->context, pose);
+    if (status == MUS_OK) status = mus__pose_locals(body->context, &body->rig, pose, local);
+    if (status != MUS_OK) return status;
+    mus__pose_frames(&body->rig, local, frame);
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const mus__limb *limb = &body->limb[body->rig.part[p].limb];
+        out[p] = body->field[p];
+        mus__part_carry(limb, &frame[p], &out[p]);
+    }
+    return MUS_OK;
+}
+
+
+/* point (a, b, s) of a field in the world */
+static void fit_point(const mus__field *field, double a, double b, double s, double *out)
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = field->origin[i] + a * field->side[i] + b * field->front[i] + s * field->axis[i];
+}
+
+
+/* height of the lowest point of a field: of its rings and end points */
+static double fit_lowest(const mus__field *field, const double *turn)
+{
+    double lowest = INFINITY, x[3];
+    for (int32_t j = 0; j < field->nring; j++) {
+        const double *c = field->centre + 2 * (ptrdiff_t)j, *r = field->radius + (ptrdiff_t)j * field->nangle;
+        fit_point(field, c[0], c[1], field->s0 + j * field->ds, x);
+        for (int32_t k = 0; k < field->nangle; k++)
+            lowest = fmin(lowest, x[1] + r[k] * (turn[2 * k] * field->side[1] + turn[2 * k + 1] * field->front[1]));
+    }
+    for (int end = 0; end < 2; end++) {
+        const double *c = field->centre + 2 * (ptrdiff_t)(end == 0 ? 0 : field->nring - 1);
+        fit_point(field, c[0], c[1], field->pole[end], x);
+        lowest = fmin(lowest, x[1]);
+    }
+    return lowest;
+}
+
+
+mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
+{
+    if (body == NULL) return MUS_ERR_ARG;
+    mus__field field[MUS__PARTS_MOST];
+    mus_status status = fit_carry(body, pose, field);
+    if (status != MUS_OK) return status;
+
+    double turn[2 * MUS__FIELD_ANGLES], lowest = INFINITY;
+    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, fit_lowest(&field[p], turn));
+    pose->place[1] -= lowest;
+    return MUS_OK;
+}
+
+
+/* depth of the deepest point of an arm below the armpit in any part that is not of that arm */
+static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t right, const double *turn)
+{
+    const mus__bones *bones = &body->bones;
+    const int32_t arm = bones->limb[MUS__LIMB_ARM_LEFT + right];
+    const double armpit = bones->shoulder[right] + FIT_ARMPIT * (bones->wrist[right] - bones->shoulder[right]);
+    double deepest = -1e30, x[3], normal[3];
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const mus__field *own = &field[p];
+        if (body->rig.part[p].limb != arm) continue;
+        const int32_t step = (int32_t)fmax(1.0, FIT_RING / own->ds);
+        for (int32_t j = 0; j < own->nring; j += step) {
+            const double s = own->s0 + j * own->ds, *c = own->centre + 2 * (ptrdiff_t)j;
+            if (s < armpit) continue;
+            for (int32_t k = 0; k < own->nangle; k += FIT_ANGLE) {
+                const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
+                fit_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
+                for (int32_t q = 0; q < body->nfield; q++)
+                    if (body->rig.part[q].limb != arm) deepest = fmax(deepest, mus__field_depth(&field[q], x, normal));
+            }
+        }
+    }
+    return deepest;
+}
+
+
+mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
+{
+    if (body == NULL) return MUS_ERR_ARG;
+    if (!(gap >= 0.0 && gap <= 0.04))
+        return mus__fail(body->context, MUS_ERR_ARG, "gap %g m is outside 0 to 0.04 m", gap);
+    mus__field field[MUS__PARTS_MOST];
+    mus_status status = fit_carry(body, pose, field);
+    if (status != MUS_OK || !body->jointed) return status;
+
+    double turn[2 * MUS__FIELD_ANGLES];
+    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    for (int32_t right = 0; right < 2; right++) {
+        if (body->bones.limb[MUS__LIMB_ARM_LEFT + right] == MUS_NONE) continue;
+        double *lift = &pose->angle[MUS_JOINT_SHOULDER_LEFT + right][MUS_POSE_ABDUCTION], low, high;
+        mus_joint_limits(MUS_JOINT_SHOULDER_LEFT + right, MUS_POSE_ABDUCTION, &low, &high);
+        for (int32_t step = 0; step < FIT_STEPS && *lift + FIT_STEP <= high; step++) {
+            if (fit_arm_depth(body, field, right, turn) <= -gap) break;
+            *lift += FIT_STEP;
+            fit_carry(body, pose, field);
+        }
+    }
+    return MUS_OK;
+}
+
+
+mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus_move **out)
+{
+    if (out == NULL) return MUS_ERR_ARG;
+    *out = NULL;
+    if (body == NULL) return MUS_ERR_ARG;
+    if (!body->jointed)
+        return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no movements by name");
+    int32_t move = mus__move_find(name);
+    if (move == MUS_NONE)
+        return mus__fail(body->context, MUS_ERR_ARG, "no movement is called \"%.60s\"", name != NULL ? name : "");
+
+    /* the movement of its stature, with as many keys again between its keys */
+    double times[2 * MUS__MOVE_KEYS], rough[MUS__MOVE_KEYS + 1], period;
+    mus_pose poses[2 * MUS__MOVE_KEYS];
+    mus_move *of_mean = NULL;
+    int32_t keys = mus__move_keys(move, body->skeleton.crown, rough, poses, &period);
+    mus_status status = mus_move_create(body->context, keys, rough, poses, period, &of_mean);
+    rough[keys] = rough[0] + period;
+    keys = period > 0.0 ? 2 * keys : 2 * keys - 1;
+    for (int32_t i = 0; i < keys && status == MUS_OK; i++) {
+        times[i] = i % 2 == 0 ? rough[i / 2] : 0.5 * (rough[i / 2] + rough[i / 2 + 1]);
+        status = mus_move_at(of_mean, times[i], &poses[i]);
+
+        /* each put on the floor with its arms clear */
+        if (status == MUS_OK) status = mus_body_clear_arms(body, &poses[i], gap);
+        if (status == MUS_OK) status = mus_body_ground(body, &poses[i]);
+    }
+    mus_move_destroy(of_mean);
+    return status == MUS_OK ? mus_move_create(body->context, keys, times, poses, period, out) : status;
+}

@@ -1,0 +1,107 @@
+/*
+ * pose_frame.c: from the angles of a pose to the frames of a body's parts.
+ *
+ * A joint turns by Q = R(flexion) R(abduction) R(rotation) from the anatomical pose. With the parent's rotation P from
+ * the anatomical to the rest pose, and Q0 the joint's own in the rest pose, the turn against the rest pose in its
+ * directions is  P Q Q0* P*,  which is the identity where Q = Q0.
+ *
+ * The shoulder joint goes up and inwards with the scapula while the arm rises from 30 to 170 degrees.
+ */
+#include "pose/pose_frame.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "geom/vec.h"
+
+#define POSE_SCAPULA_IN 0.5 /* of the way of a shoulder joint inwards, for each part upwards */
+
+_Static_assert(MUS__FLEXION == MUS_POSE_FLEXION && MUS__ABDUCTION == MUS_POSE_ABDUCTION, "one order of the angles");
+
+
+/* how high the arm is lifted, as a part of the way of the scapula: 0 at 30 degrees off hanging, 1 at 170 */
+static double pose_lift(const double *turn)
+{
+    double down[3] = {0.0, -1.0, 0.0}, m[9];
+    mus__quaternion_matrix(turn, m);
+    mus__matrix_point(m, down, down);
+    double lift = acos(fmin(fmax(-down[1], -1.0), 1.0));
+    return fmax(lift - MUS_PI / 6.0, 0.0) / (140.0 * MUS_PI / 180.0);
+}
+
+
+mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus_pose *pose, mus__joint_local *out)
+{
+    if (pose == NULL) return mus__fail(context, MUS_ERR_ARG, "the pose is NULL");
+    if (pose->size != sizeof *pose)
+        return mus__fail(context, MUS_ERR_VERSION, "mus_pose.size %zu is unknown; use mus_pose_init", pose->size);
+    for (int i = 0; i < 3; i++)
+        if (!mus__finite(pose->place[i]))
+            return mus__fail(context, MUS_ERR_ARG, "mus_pose.place %g is not finite", pose->place[i]);
+
+    for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
+        double turn[4], rest[4], back[4];
+        for (int k = 0; k < 3; k++)
+            if (!mus__finite(pose->angle[j][k]))
+                return mus__fail(context, MUS_ERR_ARG, "mus_pose.angle of %s is not finite", mus_joint_name(j));
+        for (int k = 0; k < 3 && rig->missing[j]; k++)
+            if (pose->angle[j][k] != 0.0)
+                return mus__fail(context, MUS_ERR_BODY,
+                                 "%s is asked to turn by %.1f degrees, and the scan has no such limb: set it to 0",
+                                 mus_joint_name(j), pose->angle[j][k] * 180.0 / MUS_PI);
+        mus__joint_turn(j, pose->angle[j], turn);
+        mus__joint_turn(j, rig->rest[j], rest);
+        memset(&out[j], 0, sizeof out[j]);
+        if (j == MUS_JOINT_ROOT) memcpy(out[j].shift, pose->place, sizeof out[j].shift);
+        if (j == MUS_JOINT_SHOULDER_LEFT || j == MUS_JOINT_SHOULDER_RIGHT) {
+            double up = rig->scapula * (pose_lift(turn) - pose_lift(rest));
+            out[j].shift[0] = (j == MUS_JOINT_SHOULDER_RIGHT ? POSE_SCAPULA_IN : -POSE_SCAPULA_IN) * up;
+            out[j].shift[1] = up;
+        }
+
+        /* P Q Q0* P* */
+        mus__quaternion_conjugate(rest, back);
+        mus__quaternion_product(turn, back, turn);
+        mus__quaternion_product(rig->parent_stand[j], turn, turn);
+        mus__quaternion_conjugate(rig->parent_stand[j], back);
+        mus__quaternion_product(turn, back, out[j].quaternion);
+        mus__quaternion_normalise(out[j].quaternion);
+    }
+    return MUS_OK;
+}
+
+
+void mus__pose_blend(const mus__joint_local *a, const mus__joint_local *b, double t, mus__joint_local *out)
+{
+    for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
+        /* the nearer of q and -q */
+        const double *p = a[j].quaternion, *q = b[j].quaternion;
+        double sign = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3] < 0.0 ? -1.0 : 1.0;
+        for (int i = 0; i < 4; i++) out[j].quaternion[i] = (1.0 - t) * p[i] + t * sign * q[i];
+        mus__quaternion_normalise(out[j].quaternion);
+        for (int i = 0; i < 3; i++) out[j].shift[i] = (1.0 - t) * a[j].shift[i] + t * b[j].shift[i];
+    }
+}
+
+
+void mus__pose_frames(const mus__rig *rig, const mus__joint_local *local, mus__frame *out)
+{
+    mus__frame joint[MUS_JOINT_COUNT], own;
+    for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
+        const int32_t parent = rig->parent[j];
+        double pivot[3], back[3];
+        mus__quaternion_matrix(local[j].quaternion, own.turn);
+        for (int i = 0; i < 3; i++) pivot[i] = rig->pivot[j][i] + local[j].shift[i];
+        if (parent == MUS_NONE) {
+            joint[j] = own;
+        } else {
+            mus__matrix_product(joint[parent].turn, own.turn, joint[j].turn);
+            mus__frame_point(&joint[parent], pivot, pivot);
+        }
+
+        /* place: the pivot goes where its parent carries it */
+        mus__matrix_point(joint[j].turn, rig->pivot[j], back);
+        for (int i = 0; i < 3; i++) joint[j].place[i] = pivot[i] - back[i];
+    }
+    for (int32_t p = 0; p < rig->parts; p++) out[p] = joint[rig->part[p].joint];
+}

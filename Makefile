@@ -53,8 +53,8 @@ endif
 
 # the version stands in base.h and nowhere else
 version_part = $(shell sed -n 's/^.define MUS_VERSION_$(1) //p' include/muslin/base.h)
-MAJOR := $(call version_part,MAJOR)
-VERSION := $(MAJOR).$(call version_part,MINOR).$(call version_part,PATCH)
+ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
+VERSION := $(call version_part,MAJOR).$(call version_part,MINOR).$(call version_part,PATCH)
 
 # ---- flags ----
 
@@ -77,7 +77,7 @@ HOT =
 SAME_BITS = -ffp-contract=off
 COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HOT) $(CPPFLAGS) $(CFLAGS) $(SAME_BITS)
 LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LINK_$(config)) $(LDFLAGS)
-SHARED = -shared -Wl,-z,defs -Wl,-soname,$(1).so.$(MAJOR) -Wl,--version-script=$(2)
+SHARED = -shared -Wl,-z,defs -Wl,-soname,$(1).so.$(ABI) -Wl,--version-script=$(2)
 
 pkg_flags = $(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)
 pkg_libs = $(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null)
@@ -192,7 +192,7 @@ $(A_CORE) $(A_PRINT) $(A_EXCHANGE) $(A_CATALOGUE) $(A_TESTS):
 	$(AR) rcsD $@ $^
 
 # links in the build folder, so that -lmuslin and the loader find the library there
-shared_links = ln -sf $(notdir $@) $(LIB)/$(1).so.$(MAJOR) && ln -sf $(1).so.$(MAJOR) $(LIB)/$(1).so
+shared_links = ln -sf $(notdir $@) $(LIB)/$(1).so.$(ABI) && ln -sf $(1).so.$(ABI) $(LIB)/$(1).so
 $(SO_CORE): $(call objects,$(CORE)) lib/muslin.map
 	@mkdir -p $(@D)
 	$(LINK) $(call SHARED,libmuslin,lib/muslin.map) $(filter %.o,$^) -lm -o $@
@@ -382,7 +382,7 @@ sizes: all
 	@sh tests/guard/sizes.sh '$(OUT)' write
 
 install: all
-	@sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+	@sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 
 clean:
 	rm -rf build

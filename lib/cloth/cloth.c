@@ -1,8 +1,14 @@
 /*
- * cloth.c: cut a pattern in cloth, answer questions about it, share and destroy it.
+ * cloth.c: cut a pattern in a fabric; read, share and destroy the cloth. A stranger to this folder starts here.
  *
- * The pattern is checked on a copy (a check writes its faults into the pattern), then each panel is meshed and its
- * springs made while its lattice is at hand; seams come last, when all panels have nodes.
+ * Files in the order of use: fabric_table.c and fabric_value.c (measured fabrics), fabric.c (spring constants of a
+ * fabric), lattice.c (nodes and cells inside a panel), mesh.c and line.c (nodes and triangles of a panel), spring.c and
+ * strip.c (its springs), pairs.c (seams), calibrate.c (bending rigidity of a panel), pleat.c, held.c (gathers,
+ * elastics, attachments), coarse.c (coarser cuts). grid.c and bare.c make a cloth without a pattern. lib/drape moves
+ * the cloth.
+ *
+ * The pattern is checked first. Each panel is then meshed, and its springs are made while its lattice is in memory.
+ * Seams come last, when all panels have nodes.
  */
 #include <math.h>
 #include <string.h>
@@ -13,11 +19,9 @@
 
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_cloth_def own = {
-        .size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+        .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -68,7 +72,7 @@ static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 }
 
 
-/* names of the pattern and its panels, for sentences; the warp of each, for strains */
+/* copy the names of the pattern and its panels, for messages, and the warp direction of each panel, for strains */
 static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 {
     cloth->names = mus__new(cloth->context, (int64_t)cloth->npanel + 1, MUS__CLOTH_NAME);
@@ -90,7 +94,7 @@ static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 }
 
 
-/* all panels, then all seams, then the limit */
+/* mesh all panels, then join them along seams, then adjust the springs */
 static mus_status cloth_build(mus__mesh *mesh)
 {
     mus_cloth *cloth = mesh->cloth;
@@ -113,6 +117,16 @@ static mus_status cloth_build(mus__mesh *mesh)
     if (status == MUS_OK) status = mus__mesh_pleats(mesh);
     for (int32_t i = 0; i < cloth->nnode; i++) cloth->mass_total += cloth->mass[i];
     return status;
+}
+
+
+/* the coarser cuts of a cloth. A pattern that cannot be meshed so coarsely has none. Errors: MUS_ERR_MEMORY */
+static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, const mus_cloth_def *def)
+{
+    mus_cloth_def coarse = *def;
+    if (!mus__cloth_coarser(cloth, def, &coarse.spacing)) return MUS_OK;
+    const mus_status status = mus_cloth_create(cloth->context, pattern, &coarse, &cloth->coarse);
+    return status == MUS_ERR_MEMORY ? status : MUS_OK;
 }
 
 
@@ -147,8 +161,8 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         status = mus__fail_memory(context, "a cloth");
     if (status == MUS_OK) status = cloth_names(cloth, pattern);
     if (status == MUS_OK) status = cloth_build(&mesh);
-    if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
-    /* said once: by the coarsest cut */
+    if (status == MUS_OK) status = cloth_coarsen(cloth, pattern, &own);
+    /* a warning comes once: from the coarsest cut */
     const double cell[2] = {own.spacing, own.spacing};
     if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &fabric, cell);
     mus__free(context, mesh.edge);

@@ -15,7 +15,9 @@
 
 #include "cloth/mesh.h"
 
+/* nodes of a grid at most: the force program counts elements in 32 bits */
 #define GRID_MOST_NODES (1 << 24)
+/* [m] shortest and longest side of a cell. Chosen: far below a thread, far above a garment */
 #define GRID_LEAST_CELL 1e-6
 #define GRID_MOST_CELL 10.0
 
@@ -236,9 +238,12 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         grid_bends(&g, r);
         grid_skips(&g, r);
     }
-    status = mus__grid_coarsen(context, rows, columns, cell, &own, g.cloth);
+    double coarse_cell[2];
+    int32_t r = rows, c = columns;
+    if (mus__grid_coarser(g.cloth, &own, &r, &c, cell, coarse_cell))
+        status = mus_cloth_create_grid(context, r, c, coarse_cell, &own, &g.cloth->coarse);
 
-    /* said once: by the coarsest cut; a single line has nothing to clamp */
+    /* a warning comes once: from the coarsest cut; a single row of nodes has nothing to clamp */
     if (status == MUS_OK && g.cloth->coarse == NULL && rows > 1 && columns > 1)
         mus__fabric_note(context, &fabric, cell);
     if (status == MUS_OK) *out = g.cloth;

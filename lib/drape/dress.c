@@ -46,27 +46,21 @@ typedef struct dress_trial {
 
 void mus_dress_def_init(mus_dress_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_dress_def own = {0};
-    own.size = size;
     own.spacing = 0.01;
     own.precision = 32;
     own.threads = 1;
     own.friction = NAN;
     own.place = MUS_DRESS_PLACE_BOTH;
     own.retry = 1;
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
 void mus_dress_report_init(mus_dress_report *report, size_t size)
 {
-    if (report == NULL || size < sizeof report->size) return;
     mus_dress_report own = {.kept = MUS_NONE};
-    own.size = size;
-    memset(report, 0, size);
-    memcpy(report, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(report, size, &own, sizeof own);
 }
 
 

@@ -103,10 +103,8 @@ mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *c
 
 void mus_placement_init(mus_placement *placement, size_t size)
 {
-    if (placement == NULL || size < sizeof placement->size) return;
-    mus_placement own = {.size = size, .rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
-    memset(placement, 0, size);
-    memcpy(placement, &own, size < sizeof own ? size : sizeof own);
+    mus_placement own = {.rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    mus__def_init(placement, size, &own, sizeof own);
 }
 
 

@@ -5,12 +5,13 @@ Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_float, c_int32, c_int64,
                     c_size_t, c_uint64, c_uint8, c_void_p)
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"
 
 # constants
 MUS_VERSION_MAJOR = 0
-MUS_VERSION_MINOR = 1
+MUS_VERSION_MINOR = 2
 MUS_VERSION_PATCH = 0
+MUS_ABI = 1
 MUS_NONE = -1
 MUS_LOG_ERROR = 0
 MUS_LOG_WARNING = 1

@@ -188,7 +188,8 @@ enum {
     MUS_REASON_NOT_SETTLED = 8,
     MUS_REASON_UNSTABLE = 9,
     MUS_REASON_BAD_INPUT = 10,
-    MUS_REASON_COUNT = 11,
+    MUS_REASON_STOPPED = 11,
+    MUS_REASON_COUNT = 12,
     MUS_DRESS_PLACE_BOTH = 0,
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
@@ -238,10 +239,11 @@ typedef struct mus_fabric mus_fabric;
 typedef struct mus_cloth_def mus_cloth_def;
 typedef struct mus_bare mus_bare;
 typedef struct mus_integrate_def mus_integrate_def;
+typedef struct mus_reason mus_reason;
 typedef struct mus_drape_def mus_drape_def;
 typedef struct mus_plane mus_plane;
-typedef struct mus_drape_forecast mus_drape_forecast;
-typedef struct mus_reason mus_reason;
+typedef struct mus_estimate mus_estimate;
+typedef struct mus_progress mus_progress;
 typedef struct mus_drape_report mus_drape_report;
 typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
@@ -255,7 +257,7 @@ typedef void (*mus_rate_fn)(void *user, double t, const double *y, double *dy);
 typedef void (*mus_rate32_fn)(void *user, double t, const float *y, float *dy);
 typedef double (*mus_energy_fn)(void *user, double t, const double *y);
 typedef double (*mus_energy32_fn)(void *user, double t, const float *y);
-typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progress);
+typedef int32_t (*mus_progress_fn)(void *user, const mus_progress *progress);
 
 struct mus_context_def {
     size_t size;
@@ -454,6 +456,18 @@ struct mus_integrate_def {
     void *user;
 };
 
+struct mus_reason {
+    size_t size;
+    int32_t kind;
+    int32_t panel;
+    int32_t seam;
+    int32_t node;
+    int32_t count;
+    double value;
+    double place[3];
+    char text[256];
+};
+
 struct mus_drape_def {
     size_t size;
     double gravity[3];
@@ -473,6 +487,7 @@ struct mus_drape_def {
     double thickness;
     double self_friction;
     int32_t sew_once;
+    double progress_seconds;
 };
 
 struct mus_plane {
@@ -485,7 +500,7 @@ struct mus_plane {
     double reach;
 };
 
-struct mus_drape_forecast {
+struct mus_estimate {
     size_t size;
     double step;
     double step_bound;
@@ -498,16 +513,15 @@ struct mus_drape_forecast {
     int64_t node_evaluations;
 };
 
-struct mus_reason {
+struct mus_progress {
     size_t size;
-    int32_t kind;
-    int32_t panel;
-    int32_t seam;
-    int32_t node;
-    int32_t count;
-    double value;
-    double place[3];
-    char text[256];
+    const char *phase;
+    double progress;
+    int32_t coarse;
+    int32_t nodes;
+    int32_t triangles;
+    const double *positions;
+    const int32_t *triangle;
 };
 
 struct mus_drape_report {
@@ -553,6 +567,7 @@ struct mus_dress_def {
     int32_t open_closures;
     mus_progress_fn progress;
     void *progress_user;
+    double progress_seconds;
 };
 
 struct mus_dress_report {
@@ -859,10 +874,13 @@ void mus_integrate_def_init(mus_integrate_def *def, size_t size);
 int64_t mus_integrate_work(int32_t method, int64_t n);
 mus_status mus_integrate(mus_context *context, const mus_integrate_def *def, int64_t n, double *y, int64_t steps, double *work, int64_t *done);
 mus_status mus_integrate_f32(mus_context *context, const mus_integrate_def *def, int64_t n, float *y, int64_t steps, float *work, int64_t *done);
+mus_status mus_arrange_pattern(mus_pattern *pattern, const mus_body *body);
+void mus_reason_init(mus_reason *reason, size_t size);
+const char *mus_reason_name(int32_t kind);
+mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out);
 void mus_drape_def_init(mus_drape_def *def, size_t size);
 mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body, const mus_drape_def *def, mus_drape **out);
 void mus_drape_destroy(mus_drape *drape);
-mus_status mus_pattern_place(mus_pattern *pattern, const mus_body *body);
 mus_status mus_drape_place(mus_drape *drape);
 mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
 mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
@@ -879,8 +897,8 @@ mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out);
 void mus_plane_init(mus_plane *plane, size_t size);
 mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t *index);
 mus_status mus_drape_move_plane(mus_drape *drape, int32_t index, const double *velocity, double spin);
-void mus_drape_forecast_init(mus_drape_forecast *forecast, size_t size);
-mus_status mus_drape_plan(mus_drape *drape, double frame, mus_drape_forecast *out);
+void mus_estimate_init(mus_estimate *estimate, size_t size);
+mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estimate *out);
 mus_status mus_drape_forces(const mus_drape *drape, double *out);
 mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *points, double *depth, double *normal);
 mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
@@ -889,11 +907,8 @@ const double *mus_drape_positions(const mus_drape *drape);
 const double *mus_drape_velocities(const mus_drape *drape);
 int32_t mus_drape_node_count(const mus_drape *drape);
 double mus_drape_time(const mus_drape *drape);
-void mus_reason_init(mus_reason *reason, size_t size);
-const char *mus_reason_name(int32_t kind);
 mus_status mus_drape_start(const mus_drape *drape, mus_reason *out);
 mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out);
-mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out);
 void mus_drape_report_init(mus_drape_report *report, size_t size);
 mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out);
 const char *mus_drape_skipped(const mus_drape *drape);

@@ -17,10 +17,10 @@
 #include "commands.h"
 
 /* one line that rewrites itself on a terminal */
-static int32_t show_progress(void *user, const char *phase, double progress)
+static int32_t show_progress(void *user, const mus_progress *progress)
 {
     (void)user;
-    fprintf(stderr, "\r%-7s %3.0f %%", phase, 100.0 * progress);
+    fprintf(stderr, "\r%-7s %3.0f %%", progress->phase, 100.0 * progress->progress);
     fflush(stderr);
     return 0;
 }

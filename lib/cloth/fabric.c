@@ -20,7 +20,7 @@
 
 #include "cloth/fabric.h"
 
-/* least stiffness of a line spring, over C11 b / a. Chosen: a fabric with more shear than stretch has line springs too */
+/* least stiffness of a line spring, over C11 b / a. Chosen: a fabric with more shear than stretch has line springs */
 #define FABRIC_LEAST_STRETCH 0.1
 /* least shear of a triangle of the strip, over its least stretch: without shear, border nodes could move freely */
 #define FABRIC_LEAST_SHEAR 1e-3

@@ -321,7 +321,7 @@ static mus_status relax(mus_drape *drape, mus__progress *run, const settling *go
         run->slid = mus__slid_off(drape, drape->relax.mean, t > LOOSE_SECONDS);
         if (now.parted < PART_CHECKS && mus__drape_self_frozen(drape) > 0) status = free_frozen(drape, &now);
         if (status != MUS_OK) break;
-        mus__progress_report(run, t / goal->seconds);
+        mus__progress_report(run, drape, t / goal->seconds);
     }
     sim->plane_cache = NULL;
     if (status != MUS_OK) return status;
@@ -383,7 +383,8 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     const settling goal = {drape->relax.far ? FALL_SECONDS : 0.0, drape->def.settle_seconds, drape->def.settle_residual,
                            REST_DRIFT};
     mus__progress run;
-    mus__progress_start(&run, "settle", progress, user);
+    status = mus__progress_start(&run, drape, "settle", progress, user);
+    if (status != MUS_OK) return status;
     mus_reason_init(&drape->reason, sizeof drape->reason);
     if (drape->relax.far) {
         status = settle_levels(drape, &run, &goal);
@@ -392,5 +393,6 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
         mus__drape_publish(drape);
     }
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->relax.far = 0;
+    status = mus__progress_end(&run, drape, status, drape->relax.settled);
     return mus__diagnosis_status(drape, status);
 }

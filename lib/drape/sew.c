@@ -193,7 +193,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
         drape->counters.sew_time += CHECK_STEPS * h;
         open = count_open(&drape->program);
         if (!patient && lateness(t, all) > NEAR_LATE && near_home(drape)) break;
-        mus__progress_report(run, 1.0 - (double)open / pairs);
+        mus__progress_report(run, drape, 1.0 - (double)open / pairs);
     }
     *time = t;
     sim->plane_cache = NULL;
@@ -325,10 +325,11 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if ((drape->welded && drape->program.open_from == 0) || drape->cloth->npair == 0) return MUS_OK;
-    const mus_status status = mus__scene_require_rest(drape, "sew");
+    mus_status status = mus__scene_require_rest(drape, "sew");
     if (status != MUS_OK) return status;
     mus__progress run;
-    mus__progress_start(&run, "sew", progress, user);
+    status = mus__progress_start(&run, drape, "sew", progress, user);
+    if (status != MUS_OK) return status;
     mus_reason_init(&drape->reason, sizeof drape->reason);
     const mus__placed_cloth placed = mus__drape_placed(drape);
     mus__arrange_check(&placed, &drape->start);
@@ -344,6 +345,7 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
         }
         if (done == MUS_OK) done = sew_levels(drape, &run);
     }
+    done = mus__progress_end(&run, drape, done, drape->welded && drape->program.open_from == 0);
     mus__diagnosis_status(drape, done);
     return done;
 }

@@ -123,6 +123,7 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
         REFUSED(mus_drape_def, settle_seconds, 1, false, "settle_seconds"),
         REFUSED(mus_drape_def, settle_residual, 1, false, "settle_residual"),
+        REFUSED(mus_drape_def, progress_seconds, 1, false, "progress_seconds"),
         REFUSED(mus_drape_def, contact_ball, 1, false, "contact_ball"),
     };
     mus_drape_def def;

@@ -191,7 +191,8 @@ MUS_REASON_TANGLED = 7
 MUS_REASON_NOT_SETTLED = 8
 MUS_REASON_UNSTABLE = 9
 MUS_REASON_BAD_INPUT = 10
-MUS_REASON_COUNT = 11
+MUS_REASON_STOPPED = 11
+MUS_REASON_COUNT = 12
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
@@ -278,7 +279,7 @@ mus_rate_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double), POINTER(c_d
 mus_rate32_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_float), POINTER(c_float))
 mus_energy_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_double))
 mus_energy32_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_float))
-mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
+mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(mus_progress))
 
 # structs
 
@@ -388,7 +389,8 @@ class mus_drape_def(Structure):
                 ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
                 ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
                 ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double),
-                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double), ("sew_once", c_int32)]
+                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double),
+                ("sew_once", c_int32), ("progress_seconds", c_double)]
 
 
 class mus_plane(Structure):
@@ -400,6 +402,12 @@ class mus_estimate(Structure):
     _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
                 ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
                 ("seconds", c_double), ("node_evaluations", c_int64)]
+
+
+class mus_progress(Structure):
+    _fields_ = [("size", c_size_t), ("phase", c_char_p), ("progress", c_double), ("coarse", c_int32),
+                ("nodes", c_int32), ("triangles", c_int32), ("positions", POINTER(c_double)),
+                ("triangle", POINTER(c_int32))]
 
 
 class mus_drape_report(Structure):
@@ -417,7 +425,7 @@ class mus_dress_def(Structure):
     _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)), ("self_contact", c_int32),
                 ("precision", c_int32), ("threads", c_int32), ("friction", c_double),
                 ("drape", POINTER(mus_drape_def)), ("place", c_int32), ("retry", c_int32), ("open_closures", c_int32),
-                ("progress", mus_progress_fn), ("progress_user", c_void_p)]
+                ("progress", mus_progress_fn), ("progress_user", c_void_p), ("progress_seconds", c_double)]
 
 
 class mus_dress_report(Structure):

@@ -101,8 +101,8 @@ static void cut_sides(mus__board *board, int32_t panel, int32_t made, const int3
 }
 
 
-int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npiece, const int32_t *kinds, int32_t nxy,
-                       const double *xy, const char *name, const char *seam_name)
+int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, const mus__board_path *path, const char *name,
+                       const char *seam_name)
 {
     if (!mus__board_has_side(board, from) || !mus__board_has_side(board, to)) return MUS_NONE;
     const int32_t panel = board->side[from].panel, ends[2] = {from, to};
@@ -113,7 +113,7 @@ int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npie
         return MUS_NONE;
     }
     mus__board_chain chain;
-    mus__board_chain_make(board, npiece, kinds, nxy, xy, &chain);
+    mus__board_chain_make(board, path->npiece, path->kinds, path->nxy, path->xy, &chain);
     const int32_t made = mus__board_panel_add(board, name, board->panel[panel].label);
     if (made == MUS_NONE) {
         mus__free(board->context, chain.xy);

@@ -503,8 +503,8 @@ static void dart_seam(mus__board *board, int32_t side, const char *name)
 }
 
 
-int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int32_t npiece, const int32_t *kinds,
-                                int32_t nxy, const double *xy, const char *name, const char *seam_name)
+int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, const mus__board_path *path,
+                                const char *name, const char *seam_name)
 {
     dart_view dart;
     if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, to)) return MUS_NONE;
@@ -514,8 +514,8 @@ int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int3
                         board->side[leg].name, panel, board->side[to].name);
         return MUS_NONE;
     }
-    if (npiece > 0) {
-        int32_t made = mus__board_cut(board, dart.back, to, npiece, kinds, nxy, xy, name, seam_name);
+    if (path != NULL) {
+        int32_t made = mus__board_cut(board, dart.back, to, path, name, seam_name);
         dart_seam(board, leg, seam_name);
         return board->status == MUS_OK ? made : MUS_NONE;
     }

@@ -30,6 +30,14 @@ typedef struct mus__board_chain {
     double *xy; /* the block that holds kinds too; owned */
 } mus__board_chain;
 
+/* the same where somebody else owns the points */
+typedef struct mus__board_path {
+    int32_t npiece;
+    const int32_t *kinds;
+    int32_t nxy;
+    const double *xy;
+} mus__board_path;
+
 typedef struct mus__board_side {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
     int32_t panel; /* MUS_NONE: removed */

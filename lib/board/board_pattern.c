@@ -213,8 +213,13 @@ static mus_status board_write_edge(board_writer *w, int32_t k)
         end = swap;
     }
     w->turn[index] = side->backward ? -1 : 1;
-    mus_status status = mus_pattern_add_edge(w->pattern, side->name, start, end, chain->npiece, chain->kinds,
-                                             chain->nxy - 2, chain->nxy > 2 ? chain->xy + 2 : NULL, &w->edge[index]);
+    mus_status status = mus_pattern_add_edge(w->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                         .name = side->name, .start = start,
+                                                                         .end = end, .npiece = chain->npiece,
+                                                                         .kinds = chain->kinds,
+                                                                         .nxy = chain->nxy - 2,
+                                                                         .xy = chain->nxy > 2 ? chain->xy + 2 : NULL},
+                                             &w->edge[index]);
     mus__free(board->context, turned.xy);
     if (status == MUS_OK) status = mus_pattern_set_edge_label(w->pattern, w->edge[index], side->label);
     if (status == MUS_OK) status = mus_pattern_set_edge_allowance(w->pattern, w->edge[index], side->allowance);

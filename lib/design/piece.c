@@ -53,8 +53,12 @@ void mus__piece_unfold(mus__piece *piece, int32_t first, int32_t last)
 static mus_status piece_panel_edge(mus_pattern *pattern, mus__piece_edge *edge, const mus__chain *chain, int32_t start,
                                   int32_t end)
 {
-    mus_status status = mus_pattern_add_edge(pattern, edge->name, start, end, chain->npiece, chain->kinds,
-                                             chain->nxy - 2, chain->nxy > 2 ? chain->xy + 2 : NULL, &edge->edge);
+    mus_status status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                      .name = edge->name, .start = start,
+                                                                      .end = end, .npiece = chain->npiece,
+                                                                      .kinds = chain->kinds, .nxy = chain->nxy - 2,
+                                                                      .xy = chain->nxy > 2 ? chain->xy + 2 : NULL},
+                                             &edge->edge);
     if (status == MUS_OK && edge->label != NULL)
         status = mus_pattern_set_edge_label(pattern, edge->edge, edge->label);
     if (status == MUS_OK) status = mus_pattern_set_edge_allowance(pattern, edge->edge, edge->allowance);

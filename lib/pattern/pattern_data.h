@@ -18,7 +18,6 @@
 #define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
 /* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
 #define MUS__FARTHEST 1e6
-#define MUS__FAULT_BYTES 768 /* five names and a sentence round them */
 
 typedef struct mus__panel {
     char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
@@ -67,11 +66,6 @@ typedef struct mus__opening {
     char label[MUS__NAME_BYTES];
 } mus__opening;
 
-typedef struct mus__fault {
-    int32_t kind, panel, edge, seam;
-    char text[MUS__FAULT_BYTES];
-} mus__fault;
-
 /* what a pattern was before its last edits, and after those that were undone: patterns without a history of their own.
  * The last of each list is next */
 typedef struct mus__history {
@@ -82,7 +76,7 @@ typedef struct mus__history {
 struct mus_pattern {
     mus_context *context;
     char name[MUS__NAME_BYTES];
-    int32_t npanel, npoint, nedge, nseam, nnotch, nmark, nfault;
+    int32_t npanel, npoint, nedge, nseam, nnotch, nmark;
     int32_t panel_room, point_room, edge_room, seam_room, notch_room, mark_room;
     int32_t nopening, opening_room;
     mus__panel *panel;     /* (npanel) */
@@ -92,7 +86,6 @@ struct mus_pattern {
     mus__notch *notch;     /* (nnotch) */
     mus__mark *mark;       /* (nmark) */
     mus__opening *opening; /* (nopening) */
-    mus__fault *fault;     /* (nfault) of the last check; dropped by every edit */
     mus__history *history; /* what it was before edits, NULL unless it is kept */
 };
 

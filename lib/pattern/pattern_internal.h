@@ -14,7 +14,7 @@ mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int3
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out);
 /* are both coordinates of a point within MUS__FARTHEST? NaN is not */
 bool mus__pattern_near(double x, double y);
-/* every call that changes a pattern ends with this: the faults of the last check and the undone edits are dropped */
+/* every call that changes a pattern ends with this: edits that were undone cannot be redone any more */
 void mus__pattern_edited(mus_pattern *pattern);
 /* copy the struct `own` to `out`, a caller's struct whose size field must be own_size. Errors: MUS_ERR_VERSION */
 mus_status mus__pattern_give(const mus_pattern *pattern, void *out, const void *own, size_t own_size, const char *name);

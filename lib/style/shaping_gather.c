@@ -128,7 +128,8 @@ static int32_t gather_strip(mus__half *half, mus__top *top)
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, to);
     const double xy[4] = {a[0], a[1], b[0], b[1]};
     const int32_t kind = MUS__LINE;
-    const int32_t panel = mus__board_cut(board, from, to, 1, &kind, 2, xy, "front_strip", "strip");
+    const int32_t panel = mus__board_cut(board, from, to, &(mus__board_path){1, &kind, 2, xy}, "front_strip",
+                                         "strip");
     const int32_t strip = mus__board_find(board, panel, "strip");
     if (strip != MUS_NONE) mus__board_seam_drop(board, strip);
     return strip;

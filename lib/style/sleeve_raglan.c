@@ -65,7 +65,8 @@ static void raglan_cut(mus__board *board, bool front, int32_t first, int32_t las
     double line[8];
     const int32_t kind = MUS__CUBIC;
     raglan_line(mus__board_start(board, first), mus__board_start(board, last), bow, line);
-    const int32_t corner = mus__board_cut(board, first, last, 1, &kind, 4, line, "raglan_corner", "rag");
+    const int32_t corner = mus__board_cut(board, first, last, &(mus__board_path){1, &kind, 4, line},
+                                          "raglan_corner", "rag");
     if (board->status != MUS_OK) return;
     int32_t rag = board->panel[corner].first;
     for (int32_t i = 0; i < 4 && strcmp(board->side[rag].name, "rag") != 0; i++) rag = board->side[rag].next;

@@ -16,7 +16,7 @@ static int32_t cut_straight(mus__board *board, int32_t from, int32_t to, const c
     double xy[4];
     memcpy(xy, mus__board_start(board, from), 2 * sizeof *xy);
     memcpy(xy + 2, mus__board_start(board, to), 2 * sizeof *xy);
-    return mus__board_cut(board, from, to, 1, &kind, 2, xy, name, "cut");
+    return mus__board_cut(board, from, to, &(mus__board_path){1, &kind, 2, xy}, name, "cut");
 }
 
 
@@ -36,7 +36,7 @@ START_TEST(a_cut_and_a_join_are_nothing)
         const double bend[2] = {support_uniform(&random, 0.1, 0.3), support_uniform(&random, 0.1, 0.3)};
         const double xy[8] = {p[0], p[1], bend[0], bend[1], bend[1], bend[0], q[0], q[1]};
         const int32_t kind = MUS_PIECE_CUBIC, nmark = board.nmark;
-        const int32_t made = mus__board_cut(&board, from, to, 1, &kind, 4, xy, "part", "cut");
+        const int32_t made = mus__board_cut(&board, from, to, &(mus__board_path){1, &kind, 4, xy}, "part", "cut");
         table_whole(&board);
         ck_assert_int_eq(nmark, board.nmark);
         ck_assert_double_eq_tol(table_area(&board, panel) + table_area(&board, made), area, 1e-15);

@@ -216,6 +216,7 @@ typedef struct mus_tape mus_tape;
 typedef struct mus_body mus_body;
 typedef struct mus_move mus_move;
 typedef struct mus_pattern mus_pattern;
+typedef struct mus_faults mus_faults;
 typedef struct mus_cloth mus_cloth;
 typedef struct mus_drape mus_drape;
 typedef struct mus_fit mus_fit;
@@ -228,11 +229,13 @@ typedef struct mus_body_def mus_body_def;
 typedef struct mus_pose mus_pose;
 typedef struct mus_scan_def mus_scan_def;
 typedef struct mus_scan_report mus_scan_report;
+typedef struct mus_edge_def mus_edge_def;
 typedef struct mus_seam_def mus_seam_def;
 typedef struct mus_placement mus_placement;
 typedef struct mus_topology mus_topology;
 typedef struct mus_homology mus_homology;
 typedef struct mus_form_def mus_form_def;
+typedef struct mus_cut_def mus_cut_def;
 typedef struct mus_seam_walk mus_seam_walk;
 typedef struct mus_draft_def mus_draft_def;
 typedef struct mus_fabric mus_fabric;
@@ -335,6 +338,17 @@ struct mus_scan_report {
     double body_to_mesh[6][3];
 };
 
+struct mus_edge_def {
+    size_t size;
+    const char *name;
+    int32_t start;
+    int32_t end;
+    int32_t npiece;
+    int32_t nxy;
+    const int32_t *kinds;
+    const double *xy;
+};
+
 struct mus_seam_def {
     size_t size;
     int32_t edge_a;
@@ -383,6 +397,20 @@ struct mus_form_def {
     size_t size;
     int32_t mirror;
     int32_t labels;
+};
+
+struct mus_cut_def {
+    size_t size;
+    const char *name;
+    const char *seam_name;
+    int32_t edge_a;
+    int32_t edge_b;
+    double s_a;
+    double s_b;
+    int32_t npiece;
+    int32_t nxy;
+    const int32_t *kinds;
+    const double *xy;
 };
 
 struct mus_seam_walk {
@@ -714,7 +742,8 @@ const char *mus_pattern_name(const mus_pattern *pattern);
 mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);
 mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out);
 mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
-mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t start, int32_t end, int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy, int32_t *out);
+void mus_edge_def_init(mus_edge_def *def, size_t size);
+mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def *def, int32_t *out);
 mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t n, const int32_t *edges, const int32_t *directions);
 mus_status mus_pattern_set_edge_label(mus_pattern *pattern, int32_t edge, const char *label);
 mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t edge, double allowance);
@@ -781,8 +810,11 @@ mus_status mus_pattern_homology(const mus_pattern *pattern, int32_t sewn, mus_ho
 mus_status mus_pattern_boundary(const mus_pattern *pattern, int32_t sewn, int32_t dimension, int32_t *triples, int32_t capacity, int32_t *count);
 void mus_form_def_init(mus_form_def *def, size_t size);
 mus_status mus_pattern_form(const mus_pattern *pattern, const mus_form_def *def, uint8_t *bytes, size_t capacity, size_t *count, uint64_t *hash);
-mus_status mus_pattern_check(mus_pattern *pattern, int32_t *count);
-mus_status mus_pattern_fault(const mus_pattern *pattern, int32_t index, int32_t *kind, int32_t *panel, int32_t *edge, int32_t *seam, const char **text);
+mus_status mus_pattern_check(const mus_pattern *pattern, int32_t *count, mus_faults **out);
+void mus_faults_destroy(mus_faults *faults);
+int32_t mus_faults_count(const mus_faults *faults);
+mus_status mus_faults_item(const mus_faults *faults, int32_t index, int32_t *kind, int32_t *panel, int32_t *edge, int32_t *seam);
+const char *mus_faults_text(const mus_faults *faults, int32_t index);
 mus_status mus_pattern_keep_history(mus_pattern *pattern, int32_t depth);
 mus_status mus_pattern_undo(mus_pattern *pattern);
 mus_status mus_pattern_redo(mus_pattern *pattern);
@@ -795,8 +827,9 @@ mus_status mus_pattern_split_dart(mus_pattern *pattern, int32_t leg, int32_t n, 
 mus_status mus_pattern_merge_darts(mus_pattern *pattern, int32_t leg, int32_t into, int32_t keep, int32_t *out);
 mus_status mus_pattern_shorten_dart(mus_pattern *pattern, int32_t leg, double back);
 mus_status mus_pattern_release_dart(mus_pattern *pattern, int32_t leg, int32_t *out);
-mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, int32_t leg, int32_t target, double s, int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy, const char *name, const char *seam_name, int32_t *panel, int32_t *seam);
-mus_status mus_pattern_separate(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b, int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy, const char *name, const char *seam_name, int32_t *panel, int32_t *seam);
+void mus_cut_def_init(mus_cut_def *def, size_t size);
+mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam);
+mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam);
 mus_status mus_pattern_join_panels(mus_pattern *pattern, int32_t seam, int32_t *panel);
 mus_status mus_pattern_mirror_panel(mus_pattern *pattern, int32_t panel, const char *name, int32_t *out);
 mus_status mus_pattern_unfold(mus_pattern *pattern, int32_t fold);

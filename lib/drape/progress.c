@@ -43,7 +43,7 @@ void mus__progress_report(mus__progress *run, const mus_drape *drape, double sha
     const mus_progress told = {.size = sizeof told,
                                .phase = run->phase,
                                .progress = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share,
-                               .coarse = drape->parent != NULL,
+                               .coarse = drape->coarse.parent != NULL,
                                .nodes = drape->n,
                                .triangles = drape->cloth->ntriangle,
                                .positions = run->x,

@@ -230,17 +230,16 @@ def render(headers):
     out += ["", "# names of the lists, by number"]
     for kind, names in headers.names.items():
         out.append(wrap(f"{kind}_NAMES = (", [f'"{name}"' for name in names], ")"))
-    out += ["", "", "# opaque handles"]
-    for name in headers.handles:
+    out += ["", "", "# opaque handles, and structs, whose fields stand below"]
+    for name in [*headers.handles, *headers.structs]:
         out += ["", "", f"class {name}(Structure):", "    pass"]
     out += ["", "", "# callbacks"]
     for name, (result, arguments) in headers.callbacks.items():
         kinds = [result, *(kind for kind, _ in arguments)]
         out.append(f"{name} = CFUNCTYPE({', '.join(headers.ctype(kind) for kind in kinds)})")
-    out += ["", "# structs"]
+    out += ["", "# fields of the structs"]
     for name, fields in headers.structs.items():
-        out += ["", "", f"class {name}(Structure):",
-                wrap("    _fields_ = [", [f'("{field}", {" * ".join([headers.ctype(kind), *map(str, reversed(sizes))])})'
+        out += [wrap(f"{name}._fields_ = [", [f'("{field}", {" * ".join([headers.ctype(kind), *map(str, reversed(sizes))])})'
                                         for field, kind, sizes in fields], "]")]
     out += ["", "", "# functions: name -> (library, result, arguments)", "FUNCTIONS = {"]
     for name, (library, result, arguments) in headers.functions.items():

@@ -18,9 +18,8 @@
 
 void mus_limb_init(mus_limb *limb, size_t size)
 {
-    mus_limb own = {.size = sizeof own, .name = "limb", .axis = {0.0, 1.0, 0.0}, .side = {1.0, 0.0, 0.0}};
+    mus_limb own = {.name = "limb", .axis = {0.0, 1.0, 0.0}, .side = {1.0, 0.0, 0.0}};
     mus__def_init(limb, size, &own, sizeof own);
-    limb->size = size;
 }
 
 

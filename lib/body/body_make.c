@@ -16,9 +16,8 @@
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
-    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
+    mus_body_def own = {.samples = 96, .ring_spacing = 0.01};
     mus__def_init(def, size, &own, sizeof own);
-    def->size = size;
 }
 
 

@@ -18,7 +18,6 @@ void mus_plane_init(mus_plane *plane, size_t size)
 {
     const mus_plane own = {sizeof own, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, -1.0, 0.0};
     mus__def_init(plane, size, &own, sizeof own);
-    plane->size = size;
 }
 
 

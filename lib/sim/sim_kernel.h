@@ -215,12 +215,11 @@ static void MUS_FN(phase_part)(void *user, int32_t part, int32_t parts)
         for (int64_t d = 0; d < 3; d++)
             memcpy((MUS_REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
+    const mus__contact_nodes nodes = {sim->n, start, end, sim->inverse, sim->x_before, x, v};
     if (sim->plane_cache != NULL && !sim->sweeps)
-        MUS_NEAR(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->plane_cache, x, v,
-                 &sim->part_tally[part]);
+        MUS_NEAR(sim->collider, &sim->rule, &nodes, sim->plane_cache, &sim->part_tally[part]);
     else
-        MUS_CONTACT(sim->collider, &sim->rule, sim->n, start, end, sim->inverse, sim->x_before, sim->sweeps,
-                    sim->distance_cache, x, v, &sim->part_tally[part]);
+        MUS_CONTACT(sim->collider, &sim->rule, &nodes, sim->sweeps, sim->distance_cache, &sim->part_tally[part]);
 }
 
 

@@ -913,6 +913,7 @@ const char *mus_reason_name(int32_t kind);
 mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out);
 void mus_drape_def_init(mus_drape_def *def, size_t size);
 mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body, const mus_drape_def *def, mus_drape **out);
+mus_status mus_drape_create_plain(mus_context *context, const mus_cloth *cloth, const mus_drape_def *def, mus_drape **out);
 void mus_drape_destroy(mus_drape *drape);
 mus_status mus_drape_place(mus_drape *drape);
 mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);

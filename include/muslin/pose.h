@@ -86,7 +86,7 @@ MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
  *
  * Units:   gap [m], 0 to 0.04
  * Errors:  as mus_body_pose()
- * Cost:    a few milliseconds
+ * Cost:    about 1 ms for each step
  */
 MUS_API mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap);
 

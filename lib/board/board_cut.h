@@ -20,9 +20,6 @@ int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, const mus__b
  * one (they must be congruent within 1e-6 m), its sides taken in, the seam gone. Where sides next to it are sewn to one
  * another and lie on each other too, their seams go as well */
 void mus__board_join(mus__board *board, int32_t side);
-/* move a whole panel in its plane: turned by `angle` about `centre`, then shifted; grain, marks and notches go along.
- * A flat placement is changed so that the panel stays where it was in space, a bent one so for a shift alone */
-void mus__board_turn(mus__board *board, int32_t panel, const double *centre, double angle, const double *shift);
 /* the mirror image (x to -x) of a panel as a new one: words run counter-clockwise again; placement mirrored in X */
 int32_t mus__board_mirror(mus__board *board, int32_t panel, const char *name);
 /* a panel and its mirror image in the straight side `side` become one panel; the side is gone. Sides of the image are

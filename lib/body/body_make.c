@@ -40,6 +40,13 @@ mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus
 }
 
 
+double mus__cubic_step(double t)
+{
+    t = fmin(fmax(t, 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+
 mus_status mus__body_limbs(mus_body *body, int32_t count)
 {
     body->limb = mus__new(body->context, count, sizeof *body->limb);

@@ -18,6 +18,9 @@ mus_status mus__body_surface_of(mus_body *body, const double *turn);
 /* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
+/* cubic step: 0 for t <= 0, 1 for t >= 1 */
+double mus__cubic_step(double t);
+
 /* ---- body_posture.c ---- */
 
 /* whether the options ask for the upright posture */

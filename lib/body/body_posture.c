@@ -24,14 +24,6 @@ static const struct {
 } posture_range[] = {{"stoop", -0.02, 0.04}, {"head_forward", -0.01, 0.03}, {"sway", -0.015, 0.03}};
 
 
-/* cubic step: 0 for t <= 0, 1 for t >= 1 */
-static double posture_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-
 bool mus__posture_none(const mus_body_def *def)
 {
     return def->stoop == 0.0 && def->head_forward == 0.0 && def->sway == 0.0;
@@ -56,9 +48,9 @@ static double posture_shift(const mus_body_def *def, const mus__skeleton *bone, 
 {
     const double t = fmin(fmax((y - bone->waist) / (bone->nape - bone->waist), 0.0), 1.0);
     const double stoop = 0.5 * t * t * (5.0 * t - 3.0);
-    const double head = posture_step((y - bone->neck_side) / (bone->jaw - bone->neck_side));
-    const double sway = y < bone->waist ? 1.0 - 1.3 * posture_step((bone->waist - y) / (bone->waist - bone->hip))
-                                        : 1.0 - posture_step((y - bone->waist) / (bone->armpit - bone->waist));
+    const double head = mus__cubic_step((y - bone->neck_side) / (bone->jaw - bone->neck_side));
+    const double sway = y < bone->waist ? 1.0 - 1.3 * mus__cubic_step((bone->waist - y) / (bone->waist - bone->hip))
+                                        : 1.0 - mus__cubic_step((y - bone->waist) / (bone->armpit - bone->waist));
     return def->stoop * stoop + def->head_forward * head + def->sway * sway;
 }
 

@@ -8,7 +8,7 @@
  *
  *     V = sum of  integral A(s) ds - (part of it within earlier limbs),   A = 1/2 integral R^2 dt
  *
- * Cost: 1 ms for a body of a tape, most of it at the shoulders. Error of the overlaps: 0.02 % of the body's volume.
+ * Cost: 3 ms for a body of a tape, most of it at the shoulders. Error of the overlaps: 0.02 % of the body's volume.
  */
 #include <math.h>
 

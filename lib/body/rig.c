@@ -125,9 +125,9 @@ static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, m
     const double down = sqrt(axis[1] * axis[1] + axis[2] * axis[2]), out_by = right ? -axis[0] : axis[0];
 
     /* the flexion of a nearly horizontal arm is not determined and set to 0 */
-    const bool level = down < RIG_HORIZONTAL;
-    rest[MUS__FLEXION] = level ? 0.0 : atan2(axis[2], -axis[1]);
-    rest[MUS__ABDUCTION] = atan2(out_by, level ? -axis[1] : down);
+    const bool horizontal = down < RIG_HORIZONTAL;
+    rest[MUS__FLEXION] = horizontal ? 0.0 : atan2(axis[2], -axis[1]);
+    rest[MUS__ABDUCTION] = atan2(out_by, horizontal ? -axis[1] : down);
 }
 
 

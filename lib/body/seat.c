@@ -36,22 +36,14 @@ typedef struct seat_place {
 } seat_place;
 
 
-/* cubic step: 0 for t <= 0, 1 for t >= 1 */
-static double seat_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-
 /* shift forwards of the point (x, y, z) by the cleft [m] */
 static double seat_in(const seat_place *seat, double x, double y, double z)
 {
     const double h = seat->h, u = x / (SEAT_WIDE * h);
     if (u * u > 30.0) return 0.0;
-    const double low = seat_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
-    const double high = seat_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
-    return SEAT_DEPTH * h * exp(-u * u) * low * high * seat_step((seat->middle - z) / (SEAT_BEHIND * h));
+    const double low = mus__cubic_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
+    const double high = mus__cubic_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
+    return SEAT_DEPTH * h * exp(-u * u) * low * high * mus__cubic_step((seat->middle - z) / (SEAT_BEHIND * h));
 }
 
 
@@ -60,8 +52,8 @@ static double seat_groin(const seat_place *seat, double x, double y, double z)
 {
     const double h = seat->h, u = x / (SEAT_GROIN_WIDE * h);
     if (u * u > 30.0 || seat->groin <= 0.0) return 0.0;
-    const double high = seat_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
-    return seat->groin * exp(-u * u) * high * seat_step((z - seat->middle) / (SEAT_BEHIND * h));
+    const double high = mus__cubic_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
+    return seat->groin * exp(-u * u) * high * mus__cubic_step((z - seat->middle) / (SEAT_BEHIND * h));
 }
 
 
@@ -91,21 +83,12 @@ static void seat_move(const seat_place *seat, double *x, double *normal)
 }
 
 
-/* turn a direction from the pose to the rest pose: by the transpose of the rotation */
-static void seat_back(const mus__frame *frame, const double *from, double *to)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = frame->turn[i] * from[0] + frame->turn[3 + i] * from[1] + frame->turn[6 + i] * from[2];
-}
-
-
 /* move a point and its normal, in the body's pose */
 static void seat_posed(const seat_place *seat, const mus__frame *frame, double *x, double *normal)
 {
-    const double d[3] = {x[0] - frame->place[0], x[1] - frame->place[1], x[2] - frame->place[2]};
     double rest[3], n[3], before[3];
-    seat_back(frame, d, rest);
-    seat_back(frame, normal, n);
+    mus__frame_back(frame, x, rest);
+    mus__frame_turn_back(frame, normal, n);
     memcpy(before, rest, sizeof before);
     seat_move(seat, rest, n);
     if (memcmp(before, rest, sizeof before) == 0) return;

@@ -43,14 +43,6 @@ static double shape_bell(double x)
 }
 
 
-/* cubic step: 0 for t <= 0, 1 for t >= 1 */
-static double shape_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-
 /* contour of a limb by name; NULL: it has none */
 static const mus__contour *shape_contour(const mus__limb *limb, const char *name)
 {
@@ -70,8 +62,8 @@ static double shape_relief(double q, double x)
     }
 
     /* the nose rises from between the eyes to its tip and falls to the lip */
-    const double ridge = shape_step((0.86 - q) / 0.40) * shape_step((q - 0.38) / 0.09);
-    return sum + 0.085 * ridge * shape_bell(x / (0.10 + 0.05 * shape_step((0.62 - q) / 0.2)));
+    const double ridge = mus__cubic_step((0.86 - q) / 0.40) * mus__cubic_step((q - 0.38) / 0.09);
+    return sum + 0.085 * ridge * shape_bell(x / (0.10 + 0.05 * mus__cubic_step((0.62 - q) / 0.2)));
 }
 
 
@@ -100,11 +92,11 @@ static void shape_gather(int32_t n, double front, const double *ring, double *ou
  * is lowered all round, so that the skull is as high above it as it is broad, the chin in front only */
 static double shape_child(const mus__skeleton *bone, double chin, double brow, double s, double front)
 {
-    const double h = bone->crown, young = h * shape_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
-    const double low = SHAPE_CHIN * young * shape_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
-    if (s < chin) return low * shape_step((s - bone->nape) / (chin - bone->nape));
-    return s < brow ? low + shape_step((s - chin) / (brow - chin)) * (high - low)
-                    : high * shape_step((h - s) / (h - brow));
+    const double h = bone->crown, young = h * mus__cubic_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
+    const double low = SHAPE_CHIN * young * mus__cubic_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
+    if (s < chin) return low * mus__cubic_step((s - bone->nape) / (chin - bone->nape));
+    return s < brow ? low + mus__cubic_step((s - chin) / (brow - chin)) * (high - low)
+                    : high * mus__cubic_step((h - s) / (h - brow));
 }
 
 
@@ -117,13 +109,13 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
     const double q = (s - chin->s) / (brow->s - chin->s), z0 = -brow->cb;
     double ring[3 * MUS__CONTOUR_SAMPLES];
     memcpy(ring, x, 3 * (size_t)n * sizeof *x);
-    shape_gather(n, SHAPE_FRONT * shape_step((q + 0.4) / 0.4) * shape_step((1.8 - q) / 0.5), ring, x);
+    shape_gather(n, SHAPE_FRONT * mus__cubic_step((q + 0.4) / 0.4) * mus__cubic_step((1.8 - q) / 0.5), ring, x);
     for (int32_t k = 0; k < n; k++) {
         double *p = x + 3 * (ptrdiff_t)k;
         const double side = p[0] / brow->a, front = (p[2] - z0) / brow->b;
         if (front > 0.0) {
             /* outwards along the radius, with less of it to the sides so that a nose points forwards */
-            const double out = shape_relief(q, side) * brow->b * shape_step(front / 0.5);
+            const double out = shape_relief(q, side) * brow->b * mus__cubic_step(front / 0.5);
             const double length = sqrt(p[0] * p[0] + (p[2] - z0) * (p[2] - z0));
             p[0] += 0.5 * out * p[0] / length;
             p[2] += out * (p[2] - z0) / length;
@@ -132,7 +124,7 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
         p[1] -= shape_child(&body->skeleton, chin->s, brow->s, s, front);
 
         /* ears, behind the middle */
-        const double flank = shape_bell((front + 0.08) / 0.13) * shape_step(4.0 * fabs(side) - 2.4);
+        const double flank = shape_bell((front + 0.08) / 0.13) * mus__cubic_step(4.0 * fabs(side) - 2.4);
         const double ear = shape_bell((q - 0.66) / 0.20) * flank;
         p[0] += (p[0] > 0.0 ? 0.13 : -0.13) * ear * brow->a;
         p[2] -= 0.10 * ear * brow->a;
@@ -146,13 +138,13 @@ static void shape_foot(const mus__limb *limb, double inward, double *p)
 {
     const double foot = limb->pole[1] - limb->pole[0], f = (p[2] - limb->origin[2] - limb->pole[0]) / foot;
     const double middle = limb->contour[limb->count / 2].ca;
-    const double in = shape_step(0.1 + inward * (p[0] - middle) / (0.16 * foot)), high = p[1] / (0.20 * foot);
-    const double arch = shape_bell((f - 0.43) / 0.17) * in * shape_step(1.0 - high);
+    const double in = mus__cubic_step(0.1 + inward * (p[0] - middle) / (0.16 * foot)), high = p[1] / (0.20 * foot);
+    const double arch = shape_bell((f - 0.43) / 0.17) * in * mus__cubic_step(1.0 - high);
     p[1] += 0.055 * foot * arch;
     p[0] -= inward * 0.035 * foot * arch;
 
     /* the back of the heel is rounded in height */
-    const double heel = shape_step((0.10 - f) / 0.12);
+    const double heel = mus__cubic_step((0.10 - f) / 0.12);
     p[2] += 0.045 * foot * heel * (high - 0.45) * (high - 0.45) / 0.3;
     if (f > 0.70) p[2] -= (1.0 - SHAPE_BALL) * (f - 0.70) * foot;
 }
@@ -195,11 +187,7 @@ static void shape_posed(const mus_body *body, int32_t l, double s, int32_t n, do
     }
     mus__frame frame;
     mus__rig_ring(&body->rig, body->frame, l, s, &frame);
-    for (int32_t k = 0; k < n; k++) {
-        double *p = x + 3 * (ptrdiff_t)k, d[3];
-        for (int i = 0; i < 3; i++) d[i] = p[i] - frame.place[i];
-        for (int i = 0; i < 3; i++) p[i] = frame.turn[i] * d[0] + frame.turn[3 + i] * d[1] + frame.turn[6 + i] * d[2];
-    }
+    for (int32_t k = 0; k < n; k++) mus__frame_back(&frame, x + 3 * (ptrdiff_t)k, x + 3 * (ptrdiff_t)k);
     shape_ring(body, l, s, n, x);
     for (int32_t k = 0; k < n; k++) mus__frame_point(&frame, x + 3 * (ptrdiff_t)k, x + 3 * (ptrdiff_t)k);
 }

@@ -178,9 +178,9 @@ static void edit_strip(mus__editing *e, int32_t side, double width, const char *
     const int32_t made = mus__board_cut(board, from, to, &(mus__board_path){n, kinds, 3 * n + 1, xy}, name, "inner");
     if (board->status != MUS_OK) return;
     const int32_t inner = board->side[from].prev;
-    mus__board_rename(board, inner, NULL, board->side[side].label);
+    mus__board_rename(board, inner, NULL, board->side[side].attr.label);
     mus__board_remove_panel(board, rest);
-    board->panel[made].cut_count = 1;
+    board->panel[made].attr.cut_count = 1;
 }
 
 
@@ -201,8 +201,8 @@ static int32_t edit_image(const mus__board *board, int32_t mirror, int32_t side)
 static void edit_place_behind(mus__board *board, int32_t panel, int32_t made)
 {
     if (board->status != MUS_OK) return;
-    mus_placement *to = &board->panel[made].placement;
-    *to = board->panel[panel].placement;
+    mus_placement *to = &board->panel[made].attr.placement;
+    *to = board->panel[panel].attr.placement;
     to->bend = 0.0 - to->bend, to->bend_x = 0.0 - to->bend_x;
     for (int32_t i = 0; i < 3; i++) {
         double *row = to->rotation + 3 * (size_t)i;

@@ -24,8 +24,8 @@ mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t
     mus_context *context = pattern->context;
     if (name == NULL || name[0] == '\0') return mus__fail(context, MUS_ERR_ARG, "panel: it needs a name");
 
-    mus__panel panel = {.cut_count = 1, .mirror_of = MUS_NONE, .grain = {0.0, 1.0}};
-    mus_placement_init(&panel.placement, sizeof panel.placement);
+    mus__panel panel = {.mirror_of = MUS_NONE};
+    mus__panel_attributes_init(&panel.attr);
     mus_status status = mus__pattern_take_name(pattern, "panel", name, panel.name);
     if (status != MUS_OK) return status;
     int32_t taken = mus_pattern_find_panel(pattern, panel.name);
@@ -160,8 +160,7 @@ mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def *def, i
     if (own.npiece == 0) own.npiece = 1, own.kinds = &line;
 
     mus__edge edge = {.start = own.start, .end = own.end, .npiece = own.npiece, .seam = MUS_NONE};
-    edge.allowance = (double)NAN;
-    edge.stay.ratio = 1.0;
+    mus__edge_attributes_init(&edge.attr);
     status = mus__pattern_take_name(pattern, "edge", own.name, edge.name);
     if (status == MUS_OK) status = cell_chain_check(pattern, edge.name, &own);
     if (status != MUS_OK) return status;

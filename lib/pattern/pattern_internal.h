@@ -31,7 +31,17 @@ void mus__history_forget_undone(mus_pattern *pattern);
 /* destroy the whole history of a pattern */
 void mus__history_end(mus_pattern *pattern);
 
+/* ---- edge_attributes.c ---- */
+
+/* no label, allowance left to the sheet, no hold, no elastic */
+void mus__edge_attributes_init(mus__edge_attributes *attr);
+/* are two the same in every attribute? */
+bool mus__edge_attributes_equal(const mus__edge_attributes *a, const mus__edge_attributes *b);
+
 /* ---- panel_attributes.c ---- */
+
+/* no label, cut once, layer 0, warp along y, flat at the origin */
+void mus__panel_attributes_init(mus__panel_attributes *attr);
 
 /* Errors: MUS_ERR_ARG (layer outside 0 to MUS_LAYERS_MOST - 1) */
 mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer);

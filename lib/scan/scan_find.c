@@ -208,7 +208,7 @@ static double find_tall(const mus__slicer *along, int32_t group, const double *u
 typedef struct find_way {
     double spread, last; /* most distance of points from the centroid, and that of the last section [m] */
     double tall;         /* least height of a section so far [m] */
-    bool level;          /* the arm is horizontal: its end is found by the height */
+    bool horizontal;     /* the arm is horizontal: its end is found by the height */
 } find_way;
 
 
@@ -221,7 +221,7 @@ static mus_status find_alone(mus__slicer *along, const mus__scan_arm *arm, doubl
     *alone = false;
     if (status != MUS_OK || group < 0) return status;
     const double now = find_spread(&along->section, group, centre), tall = find_tall(along, group, arm->up);
-    *alone = now <= fmin(way->spread, 1.4 * way->last) && !(way->level && tall > FIND_TALL * way->tall);
+    *alone = now <= fmin(way->spread, 1.4 * way->last) && !(way->horizontal && tall > FIND_TALL * way->tall);
     if (!*alone) return status;
     way->last = fmax(now, 0.6 * way->last);
     way->tall = fmin(way->tall, tall);

@@ -83,14 +83,14 @@ void mus__neck_band_attach(mus__half *half)
 
     /* one piece with a seam behind; with a closure in front, one behind on the fold */
     const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT);
-    board->side[top].allowance = MUS__TOP_NECK_SEAM;
+    board->side[top].attr.allowance = MUS__TOP_NECK_SEAM;
     board->side[cb].centre = opens ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM;
     board->side[cf].centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-    board->side[opens ? cf : cb].allowance = MUS__TOP_NECK_SEAM;
-    board->side[opens ? cb : cf].allowance = 0.0;
+    board->side[opens ? cf : cb].attr.allowance = MUS__TOP_NECK_SEAM;
+    board->side[opens ? cb : cf].attr.allowance = 0.0;
     for (int32_t i = 0; i < n; i++) {
         const int32_t side = boundary[n - 1 - i];
-        board->side[lower[i]].allowance = MUS__TOP_NECK_SEAM;
+        board->side[lower[i]].attr.allowance = MUS__TOP_NECK_SEAM;
         mus__board_seam_add(board, side, lower[i], MUS_SEAM_REVERSED, length[i] - board->side[side].length);
     }
     mus__panel_place_ring(half, panel, true, 2.0 * at[0] + 0.08, half->skeleton.neck_side);

@@ -42,10 +42,10 @@ static const char *garment_label(const mus_pattern *pattern, int32_t n, const in
     const char *best = "";
     double most = 0.0;
     for (int32_t i = 0; i < n; i++) {
-        const char *label = pattern->edge[edges[i]].label;
+        const char *label = pattern->edge[edges[i]].attr.label;
         double length = 0.0;
         for (int32_t j = 0; j < n; j++)
-            if (strcmp(pattern->edge[edges[j]].label, label) == 0) length += mus_pattern_edge_length(pattern, edges[j]);
+            if (strcmp(pattern->edge[edges[j]].attr.label, label) == 0) length += mus_pattern_edge_length(pattern, edges[j]);
         if (label[0] == '\0' || length <= most) continue;
         best = label, most = length;
     }

@@ -1,8 +1,8 @@
 /*
  * test_contour.c: one contour.
  *
- * Golden numbers: paper eq. 6 inverted (p = 0.9, q = 0.7: a = 0.167212626, b = 0.117048838: numerics K2), perimeters of
- * superellipses by quadrature (drafting 2.1), polygon deficit pi^2 / 6 N^2 (numerics K3).
+ * Golden numbers: Ramanujan's perimeter inverted (p = 0.9, q = 0.7: a = 0.167212626, b = 0.117048838, computed outside
+ * the library), perimeters of superellipses by quadrature, deficit of a polygon pi^2 / 6 N^2.
  */
 #include <math.h>
 

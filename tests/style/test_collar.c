@@ -163,7 +163,7 @@ START_TEST(no_neckline_no_collar)
     mus__half half;
     shirt_of(context, "W40", 0, MUS__SLEEVE_NONE, 0.0, &half);
     for (int32_t i = 0; i < half.board.nside; i++)
-        if (strcmp(half.board.side[i].label, "neck") == 0) mus__board_rename(&half.board, i, "neck", "");
+        if (strcmp(half.board.side[i].attr.label, "neck") == 0) mus__board_rename(&half.board, i, "neck", "");
     mus__collar_attach(&half);
     ck_assert_int_eq(half.board.status, MUS_ERR_DESIGN);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "neck"));

@@ -813,6 +813,8 @@ FUNCTIONS = {
     "mus_drape_def_init": ("core", None, [POINTER(mus_drape_def), c_size_t]),
     "mus_drape_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_body),
                                            POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),
+    "mus_drape_create_plain": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_drape_def),
+                                                 POINTER(POINTER(mus_drape))]),
     "mus_drape_destroy": ("core", None, [POINTER(mus_drape)]),
     "mus_drape_place": ("core", c_int32, [POINTER(mus_drape)]),
     "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),

@@ -7,9 +7,10 @@
 
 #include "body/body_level.h"
 #include "drape/drape_state.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 Suite *mus_suite_seam_route(void);
 

@@ -8,9 +8,10 @@
 #include <time.h>
 
 #include "drape/drape_state.h"
-#include "drape/progress.h"
+#include "dress/progress.h"
 
 
+/* wall time [s] */
 static double progress_time(void)
 {
     struct timespec now;

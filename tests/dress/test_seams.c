@@ -9,7 +9,7 @@
 
 #include "muslin/exchange.h"
 #include "muslin/topology.h"
-#include "scenes.h"
+#include "drape/scenes.h"
 
 
 /* how many pairs each node is in: (nodes), to be freed */

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 
 static mus_reason why(const mus_drape *drape)

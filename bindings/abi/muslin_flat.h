@@ -199,6 +199,12 @@ enum {
     MUS_PAPER_A3 = 2,
     MUS_PAPER_A0 = 3,
     MUS_PAPER_ROLL = 4,
+    MUS_LINE_CUT = 0,
+    MUS_LINE_SEW = 1,
+    MUS_LINE_NOTCH = 2,
+    MUS_LINE_GRAIN = 3,
+    MUS_LINE_MARK = 4,
+    MUS_LINE_LABEL = 5,
     MUS_CATALOGUE_READ = 0,
     MUS_CATALOGUE_WRITE = 1,
     MUS_DISTANCE_PIECES = 0,
@@ -252,6 +258,8 @@ typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
 typedef struct mus_fit_level mus_fit_level;
 typedef struct mus_sheet_def mus_sheet_def;
+typedef struct mus_sheet_piece mus_sheet_piece;
+typedef struct mus_sheet_line mus_sheet_line;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
 typedef void *(*mus_alloc_fn)(void *user, void *ptr, size_t old_size, size_t new_size);
@@ -634,6 +642,29 @@ struct mus_sheet_def {
     const char *person;
 };
 
+struct mus_sheet_piece {
+    size_t size;
+    int32_t panel;
+    const char *name;
+    int32_t copies;
+    int32_t mirrored;
+    double turn[4];
+    double shift[2];
+    double box[4];
+};
+
+struct mus_sheet_line {
+    size_t size;
+    int32_t piece;
+    int32_t kind;
+    int32_t edge;
+    int32_t filled;
+    int32_t op_count;
+    int32_t point_count;
+    const uint8_t *ops;
+    const double *points;
+};
+
 struct mus_mesh_view {
     size_t size;
     const char *name;
@@ -974,22 +1005,40 @@ int32_t mus_sheet_columns(const mus_sheet *sheet);
 int32_t mus_sheet_rows(const mus_sheet *sheet);
 mus_status mus_sheet_extent(const mus_sheet *sheet, double *out);
 mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *out);
+void mus_sheet_piece_init(mus_sheet_piece *piece, size_t size);
+int32_t mus_sheet_piece_count(const mus_sheet *sheet);
+mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mus_sheet_piece *out);
+void mus_sheet_line_init(mus_sheet_line *line, size_t size);
+int32_t mus_sheet_line_count(const mus_sheet *sheet);
+mus_status mus_sheet_line_get(const mus_sheet *sheet, int32_t line, mus_sheet_line *out);
 mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
+mus_status mus_sheet_write_pdf_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path);
+mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
+mus_status mus_tape_read_from(mus_context *context, const char *text, size_t size, const char *name, const char *row, mus_tape **out);
 mus_status mus_tape_write(const mus_tape *tape, const char *path);
+mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
+mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
+mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);
+mus_status mus_fabric_save_bytes(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, char **bytes, size_t *size);
 void mus_mesh_view_init(mus_mesh_view *view, size_t size);
 mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+mus_status mus_mesh_write_obj_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes, size_t *size);
 mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+mus_status mus_mesh_write_glb_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes, size_t *size);
 void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size);
 mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes, int32_t keys, const double *times, const mus_mesh_motion *motion);
+mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, int32_t keys, const double *times, const mus_mesh_motion *motion, char **bytes, size_t *size);
 mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out);
+mus_status mus_mesh_read_obj_from(mus_context *context, const char *text, size_t size, const char *name, mus_mesh **out);
 void mus_mesh_destroy(mus_mesh *mesh);
 int32_t mus_mesh_vertex_count(const mus_mesh *mesh);
 int32_t mus_mesh_triangle_count(const mus_mesh *mesh);

@@ -49,6 +49,9 @@ double mus__cubic_step(double t)
 
 mus_status mus__body_limbs(mus_body *body, int32_t count)
 {
+    if (body->kept == NULL) body->kept = mus__new(body->context, 1, sizeof *body->kept);
+    if (body->kept == NULL) return mus__fail_memory(body->context, "a body");
+    body->kept->users++;
     body->limb = mus__new(body->context, count, sizeof *body->limb);
     if (body->limb == NULL) return mus__fail_memory(body->context, "the limbs of a body");
     body->limb_count = count;
@@ -107,6 +110,10 @@ mus_status mus__body_fields(mus_body *body, double spacing)
 void mus_body_destroy(mus_body *body)
 {
     if (body == NULL) return;
+    if (body->kept != NULL && --body->kept->users <= 0) {
+        if (body->kept->data != NULL) body->kept->destroy(body->kept->data);
+        mus__free(body->context, body->kept);
+    }
     for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
     mus__free(body->context, body->field);
     mus__free(body->context, body->frame);

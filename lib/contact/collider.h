@@ -10,6 +10,7 @@
  * The files of this folder in the order of use:
  *
  *   collider.[ch]             surfaces: made from a body, depth of a point, surfaces near a point
+ *   offset_surface.[ch]       radius fields of the surface that cloth rests on, made once a body and shared
  *   collider_motion.c         moves parts and planes; motion of each surface in the last step
  *   contact.h, contact_f32.c, contact_f64.c   the passes that a drape calls after a step, in float and in double:
  *     contact_kernel.h          the exact pass, chunk by chunk: boxes, queries, response
@@ -93,9 +94,8 @@ typedef struct mus__collider {
     double speed_max;               /* bound of every surface's speed relative to the drift [m/s] */
     double plane_speed_max;         /* the same of the planes alone [m/s] */
     int32_t nplane;
-    mus__collider_plane *plane; /* (MUS__PLANES_MAX), NULL without planes */
-    float *table32;             /* radii, centres and maxima of all parts' fields */
-    double *table64;
+    mus__collider_plane *plane;          /* (MUS__PLANES_MAX), NULL without planes */
+    struct mus__offset_surface *surface; /* tables of the fields, shared by the body's colliders; NULL without a body */
 } mus__collider;
 
 /* makes the surfaces of `body` (NULL: none) in coordinates relative to `origin` (3), as the state is: float keeps its

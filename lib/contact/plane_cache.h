@@ -22,8 +22,8 @@
  * squared radius below 0: query at the next call */
 #define MUS__CACHE_PLANES 8
 
-/* answers the contacts of `nodes` (without `before`) with their planes (MUS__CACHE_PLANES x n, of the state's type). All
- * surfaces must be at rest */
+/* answers the contacts of `nodes` (without `before`) with their planes (MUS__CACHE_PLANES x n, of the state's type).
+ * All surfaces must be at rest */
 void mus__plane_cache_pass_f32(const mus__collider *collider, const mus__contact_rule *rule,
                                const mus__contact_nodes *nodes, void *planes, mus__contact_tally *tally);
 void mus__plane_cache_pass_f64(const mus__collider *collider, const mus__contact_rule *rule,

@@ -1,5 +1,5 @@
 /*
- * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals, forces.
+ * report.c: the report of a drape: counters, gaps, depth, strain, energy, hash, normals, forces.
  */
 #include <math.h>
 #include <string.h>

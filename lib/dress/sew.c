@@ -52,7 +52,7 @@
 #define CARRY_GAP 0.5   /* spacings: a narrower gap of a coarse cut is left to the finer cut */
 #define CARRY_SHARE 0.5 /* of a short budget that the finer cut skips, having the coarse cut's places */
 
-/* the way of the pull: straight; round what is between; round it, with straps pulled first */
+/* the way of the pull: straight; round the body; round the body, with straps pulled first */
 enum { SEW_STRAIGHT, SEW_ROUND, SEW_HUNG };
 
 

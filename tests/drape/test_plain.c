@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "muslin/bench_plain.h"
+#include "bench/plain.h"
 #include "scenes.h"
 
 Suite *mus_suite_plain(void);

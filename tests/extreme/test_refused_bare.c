@@ -1,6 +1,6 @@
 /*
  * test_refused_bare.c: numbers that are not finite, and masses that are none, at the doors of cloths without a pattern
- * (numerics.md X8, X23): refused by name, nothing kept.
+ * (cases X8, X23): refused by name, nothing kept.
  */
 #include <stdio.h>
 

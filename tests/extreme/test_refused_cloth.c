@@ -1,6 +1,6 @@
 /*
  * test_refused_cloth.c: numbers that are not finite, and masses that are none, at every door of fabric, cloth and drape
- * (numerics.md X8, X23): refused by name, and the state is as it was, to the bit.
+ * (cases X8, X23): refused by name, and the state is as it was, to the bit.
  */
 #include <stdlib.h>
 

@@ -381,3 +381,19 @@ def test_a_body_from_a_mesh(context, tmp_path):
     turned = [(-z, x, y) for x, y, z in vertices]
     with pytest.raises(muslin.MuslinError, match="one axis"):
         muslin.scan(turned, triangles, context=context, up="z", front="-z")
+
+
+def test_bytes_are_the_files_and_read_back(tmp_path):
+    """What a writer gives as bytes is what its file holds, and reads back to the same."""
+    tape = muslin.Tape.size("W40")
+    pattern = muslin.draft("tshirt", tape)
+    pattern.write(tmp_path / "p.json")
+    assert pattern.to_bytes() == (tmp_path / "p.json").read_bytes()
+    assert muslin.Pattern.parse(pattern.to_bytes()).to_bytes() == pattern.to_bytes()
+    assert muslin.Tape.parse(tape.to_bytes()).to_bytes() == tape.to_bytes()
+    sheet = muslin.Sheet(pattern)
+    sheet.write_svg(tmp_path / "s.svg")
+    assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()
+    assert sheet.pdf_bytes().startswith(b"%PDF")
+    sewn = [line for line in sheet.lines if line[1] == 1]
+    assert len(sewn) == len({line[2] for line in sewn}) and len(sheet.pieces) == 3

@@ -202,6 +202,12 @@ MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
 MUS_PAPER_A0 = 3
 MUS_PAPER_ROLL = 4
+MUS_LINE_CUT = 0
+MUS_LINE_SEW = 1
+MUS_LINE_NOTCH = 2
+MUS_LINE_GRAIN = 3
+MUS_LINE_MARK = 4
+MUS_LINE_LABEL = 5
 MUS_CATALOGUE_READ = 0
 MUS_CATALOGUE_WRITE = 1
 MUS_DISTANCE_PIECES = 0
@@ -392,6 +398,14 @@ class mus_sheet_def(Structure):
     pass
 
 
+class mus_sheet_piece(Structure):
+    pass
+
+
+class mus_sheet_line(Structure):
+    pass
+
+
 class mus_mesh_view(Structure):
     pass
 
@@ -501,6 +515,12 @@ mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_in
                           ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
+mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
+                            ("mirrored", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
+                            ("box", c_double * 4)]
+mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
+                           ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
+                           ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
 mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32),
                           ("triangle_count", c_int32), ("positions", POINTER(c_double)),
                           ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
@@ -877,23 +897,50 @@ FUNCTIONS = {
     "mus_sheet_rows": ("print", c_int32, [POINTER(mus_sheet)]),
     "mus_sheet_extent": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_double)]),
     "mus_sheet_page": ("print", c_int32, [POINTER(mus_sheet), c_int32, POINTER(c_double)]),
+    "mus_sheet_piece_init": ("print", None, [POINTER(mus_sheet_piece), c_size_t]),
+    "mus_sheet_piece_count": ("print", c_int32, [POINTER(mus_sheet)]),
+    "mus_sheet_piece_get": ("print", c_int32, [POINTER(mus_sheet), c_int32, POINTER(mus_sheet_piece)]),
+    "mus_sheet_line_init": ("print", None, [POINTER(mus_sheet_line), c_size_t]),
+    "mus_sheet_line_count": ("print", c_int32, [POINTER(mus_sheet)]),
+    "mus_sheet_line_get": ("print", c_int32, [POINTER(mus_sheet), c_int32, POINTER(mus_sheet_line)]),
     "mus_sheet_write_pdf": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
+    "mus_sheet_write_pdf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_sheet_write_svg": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
+    "mus_sheet_write_svg_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
+    "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,
+                                                 POINTER(POINTER(mus_tape))]),
     "mus_tape_write": ("exchange", c_int32, [POINTER(mus_tape), c_char_p]),
+    "mus_tape_write_bytes": ("exchange", c_int32, [POINTER(mus_tape), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_pattern_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
+                                                    POINTER(POINTER(mus_pattern))]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),
+    "mus_fabric_load_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
+                                                   POINTER(mus_fabric)]),
     "mus_fabric_save": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_fabric), c_char_p,
                                               POINTER(c_char_p), c_char_p]),
+    "mus_fabric_save_bytes": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_fabric), c_char_p,
+                                                    POINTER(c_char_p), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_mesh_view_init": ("exchange", None, [POINTER(mus_mesh_view), c_size_t]),
     "mus_mesh_write_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
+    "mus_mesh_write_obj_bytes": ("exchange", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_mesh_view),
+                                                       POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_mesh_write_glb": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(mus_mesh_view)]),
+    "mus_mesh_write_glb_bytes": ("exchange", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_mesh_view),
+                                                       POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_mesh_motion_init": ("exchange", None, [POINTER(mus_mesh_motion), c_size_t]),
     "mus_mesh_write_glb_motion": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_int32,
                                                         POINTER(mus_mesh_view), c_int32, POINTER(c_double),
                                                         POINTER(mus_mesh_motion)]),
+    "mus_mesh_write_glb_motion_bytes": ("exchange", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_mesh_view),
+                                                              c_int32, POINTER(c_double), POINTER(mus_mesh_motion),
+                                                              POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_mesh_read_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_mesh))]),
+    "mus_mesh_read_obj_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
+                                                     POINTER(POINTER(mus_mesh))]),
     "mus_mesh_destroy": ("exchange", None, [POINTER(mus_mesh)]),
     "mus_mesh_vertex_count": ("exchange", c_int32, [POINTER(mus_mesh)]),
     "mus_mesh_triangle_count": ("exchange", c_int32, [POINTER(mus_mesh)]),

@@ -43,7 +43,7 @@ typedef struct mus__board_side {
     int32_t panel; /* MUS_NONE: removed */
     int32_t prev, next;
     int32_t centre;   /* MUS__CENTRE_*; not kept in a pattern */
-    int32_t knot;     /* corners (starts of sides) with the same knot and place are one point of the panel; or MUS_NONE */
+    int32_t knot;     /* corners (starts of sides) of equal knot and place are one point of the panel; or MUS_NONE */
     bool backward;    /* the edge of the pattern runs against the outline */
     mus__edge_attributes attr; /* kept by reading, splits, doubling and writing */
     mus__board_chain chain;

@@ -52,8 +52,8 @@ bool mus__edit_panel(mus__editing *e, int32_t panel);
  * the latter at the end */
 void mus__edit_cut_begin(mus__editing *e, int32_t panel);
 void mus__edit_cut_check(mus__editing *e, int32_t panel, int32_t made);
-/* the points of a chain from `start` to `end` with nxy inner points xy between them: a block to free, NULL when the board
- * fails. npiece 0 is a straight line */
+/* the points of a chain from `start` to `end` with nxy inner points xy between them: a block to free, NULL when the
+ * board fails. npiece 0 is a straight line */
 double *mus__edit_chain(mus__editing *e, const double *start, const double *end, int32_t npiece, const int32_t *kinds,
                         int32_t nxy, const double *xy);
 /* a caller's def of a cut as `own`. Errors: MUS_ERR_ARG (pattern or def NULL), MUS_ERR_VERSION */

@@ -25,7 +25,7 @@ OUT ?= $(if $(filter release,$(config)),build,build/$(config))
 
 # the version stands in base.h and nowhere else
 VERSION := $(shell sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
-MAJOR := $(firstword $(subst ., ,$(VERSION)))
+ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 
 # ---- flags ----
 OPTIMISE_release = -O2 -g
@@ -73,8 +73,10 @@ PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 
 room = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-SRC_muslin := $(call room,$(filter-out $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
+# lib/file writes the files of two libraries, and is in both
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file))))
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 # what test files share; an archive, since one of them may be a program of its own
@@ -147,9 +149,9 @@ $(filter-out $(call library,muslin).so.%,$(SHARED)): $(call library,muslin).so.$
 $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(MAJOR) -Wl,--version-script=$< $(filter %.o,$^) \
+	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(ABI) -Wl,--version-script=$< $(filter %.o,$^) \
 	  $(if $(filter-out muslin,$*),-L$(LIB) -lmuslin $(call pkg,--libs,$(PKG_$(*:muslin-%=%)))) -lm -o $@
-	@ln -sf $(@F) $(LIB)/lib$*.so.$(MAJOR) && ln -sf lib$*.so.$(MAJOR) $(LIB)/lib$*.so
+	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
@@ -233,7 +235,7 @@ $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROG
 
 # ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
-install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build
 help:; @sed -n '/^$$/q; s/^# \{0,1\}//p' Makefile; echo "Studies: $(sort $(STUDIES))"
 

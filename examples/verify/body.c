@@ -1,5 +1,5 @@
 /*
- * body.c: contours and solids of bodies against formulas (numerics.md K1-K4).
+ * body.c: contours and solids of bodies against formulas (cases K1-K4).
  *
  * K1 is the error of the founding paper's eq. 6, p = pi (3 (a + b) - sqrt((3a + b)(a + 3b))), on ellipses that the
  * library made: their perimeter is that of a polygon of 200000 corners, right to 4e-11. K2 is its inverse, held against

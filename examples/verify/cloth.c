@@ -1,5 +1,5 @@
 /*
- * cloth.c: springs, shear and membrane of a cloth against the moduli of its fabric (numerics.md M1-M8).
+ * cloth.c: springs, shear and membrane of a cloth against the moduli of its fabric (cases M1-M8).
  *
  * Patches are energies of a drape without gravity whose nodes are set to a uniform strain; the mean over +e and -e has
  * no cubic part. Frequencies come from the phase of a mode after a quarter of its period.
@@ -24,7 +24,7 @@ static mus_status grid(verify *v, int32_t rows, int32_t columns, double x, doubl
     mus_cloth_def def;
     mus_cloth *cloth = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     *out = NULL;
     const mus_status status = mus_cloth_create_grid(v->context, rows, columns, cell, &def, &cloth);
@@ -42,7 +42,10 @@ static mus_status hang_strip(verify *v, int32_t cells, int32_t columns, int32_t 
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    rest_fabric(&def.fabric, 0.15, 1000.0, 0.0, 0.0);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    rest_fabric(&fabric, 0.15, 1000.0, 0.0, 0.0);
     def.coarser = 0;
     mus_status status = mus_cloth_create_grid(v->context, cells + 1, columns, cell, &def, &cloth);
     if (status == MUS_OK) status = rest_hang(v, cloth, precision, 250.0, gravity, &drape);

@@ -1,6 +1,6 @@
 /*
  * collide.c: collisions and bodies that glide: bullets, the sphere of contours, a body out of reach, a scene in
- * motion, a body pushed up under a cloth (numerics.md C1, C3, C5, V2, V3; C4 is in contour.c).
+ * motion, a body pushed up under a cloth (cases C1, C3, C5, V2, V3; C4 is in contour.c).
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /*
- * contact.c: friction and impulses on limbs: capstans, a point that slides off, one collision (numerics.md F3,
+ * contact.c: friction and impulses on limbs: capstans, a point that slides off, one collision (cases F3,
  * F4, F7, F8).
  *
  * Clearance is 0: nodes lie on the skin itself. A capstan is a chain of nodes without weight round half of a convex

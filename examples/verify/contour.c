@@ -1,5 +1,5 @@
 /*
- * contour.c: inside and outside of contours that lie beside and over each other (numerics.md C4).
+ * contour.c: inside and outside of contours that lie beside and over each other (case C4).
  *
  * Two questions are asked apart. Whether contact answers rightly: the curve that it asks at a height is known in closed
  * form (curve.h), and a point is inside where the winding number of a limb's curve is not 0; half of the points

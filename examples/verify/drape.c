@@ -1,6 +1,6 @@
 /*
  * drape.c: whole pieces: crumpled and turned; cut finer and finer, a strip that hangs and the drape disc
- * (numerics.md M9, M10, B8).
+ * (cases M9, M10, B8).
  *
  * The drape coefficient is that of the standards: a disc of 30 cm on a support of 18 cm, the part of the ring that the
  * shadow of the draped cloth still covers.
@@ -146,7 +146,7 @@ static mus_status disc_cloth(verify *v, double spacing, const mus_fabric *fabric
     memcpy(place.rotation, level, sizeof level);
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = spacing;
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     mus_status status = mus_pattern_create(v->context, "disc", &pattern);
     if (status == MUS_OK) status = mus_pattern_add_panel(pattern, "disc", &panel);

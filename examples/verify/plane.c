@@ -1,5 +1,5 @@
 /*
- * plane.c: cloth and points on planes: incline, stop, belt, shaken table, turntable, weight (numerics.md F1, F2,
+ * plane.c: cloth and points on planes: incline, stop, belt, shaken table, turntable, weight (cases F1, F2,
  * F5, F6, V1, C2).
  *
  * All in double without drag; clearance 0 but for cloths. Thresholds of sticking are halved in from 10 % below to 10 %
@@ -227,8 +227,11 @@ static mus_status weigh(verify *v, const mus_body *body, double height, double c
     mus_drape_report_init(&after, sizeof after);
     mus_drape_def_init(&def, sizeof def);
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.weight = 0.15;
-    cut.fabric.damping = 0.1;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
+    fabric.weight = 0.15;
+    fabric.damping = 0.1;
     def.precision = 64;
     def.drag = 0.0;
     def.settle_residual = 1e-3;

@@ -1,5 +1,5 @@
 /*
- * spline.c: natural and periodic cubic splines (numerics.md N1-N3).
+ * spline.c: natural and periodic cubic splines (cases N1-N3).
  *
  * A movement runs every number of its poses on such a spline, so the place of a root is any function of time that we
  * want sampled; the contours of a limb run on the same splines along its axis.

@@ -1,5 +1,5 @@
 /*
- * step.c: the integrators alone, on motions with exact answers (numerics.md I1-I7).
+ * step.c: the integrators alone, on motions with exact answers (cases I1-I7).
  *
  * Everything runs through mus_integrate(); a float row through mus_integrate_f32().
  */

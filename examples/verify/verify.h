@@ -43,8 +43,7 @@ void verify_add_negative(verify *v, const char *id, const char *quantity, double
 /* A case that could not be run: a row that fails, and the context's sentence on standard error. */
 void verify_broken(verify *v, const char *id, const char *quantity, mus_status status);
 
-/* The families: numerics.md 1a and D of 1d; 1b; 1c; F, V, C of 1d. Each returns an exit code: EXIT_DONE also when rows
- * fail. */
+/* The families of cases. Each returns an exit code, which is EXIT_DONE also when rows fail. */
 int verify_step(verify *v);
 int verify_motion(verify *v);
 int verify_force(verify *v);

@@ -1,9 +1,36 @@
 /*
- * collider.c: a collider made and destroyed; depth of a point, and the surfaces near it.
+ * collider.c: start here to read lib/contact. A collider made and destroyed; depth of a point, and the surfaces near
+ * it.
  *
  * The fields of the parts are those of the body's offset surface (offset_surface.c), which colliders share; a collider
  * has a place for each. A part's box is that of the hull of its axis: the span of the axis widened by the reach of the
  * contours. A node outside every box pays six comparisons a part and nothing else.
+ *
+ * The files of this folder in the order of use:
+ *
+ *   collider.[ch]             surfaces: made from a body, depth of a point, surfaces near a point
+ *   offset_surface.[ch]       radius fields of the surface that cloth rests on, made once a body and shared
+ *   collider_motion.c         moves parts and planes; motion of each surface in the last step
+ *   contact.h, contact_f32.c, contact_f64.c   the passes that a drape calls after a step, in float and in double:
+ *     contact_kernel.h          the exact pass, chunk by chunk: boxes, queries, response
+ *     query_batch_kernel.h      many nodes asked of one part at once
+ *     response_batch_kernel.h   many nodes that touch one part answered at once
+ *     response_kernel.h         one node against all surfaces that it touches
+ *     manifold_kernel.h         several contacts of one node solved together
+ *     friction_kernel.h         friction (Coulomb)
+ *     pinch_kernel.h            a node between surfaces that face each other
+ *     sweep_kernel.h            a fast node swept along its path
+ *     surfaces_kernel.h         boxes, planes and motions in the pass's precision
+ *   plane_cache.h, plane_cache_kernel.h       the cheap pass for slow nodes: each remembers a plane
+ *   self_contact.[ch], self_contact_f32.c, self_contact_f64.c   cloth against cloth:
+ *     neighbour_list_kernel.h   pairs that may come near
+ *     pair_distance_kernel.h    distance of a pair
+ *     displacement_bound_kernel.h   how far a node may move until distances are measured again
+ *     self_response_kernel.h    impulses of pairs that touch
+ *     box_tree.[ch]             broad phase of the neighbour list
+ *   crossing_count.[ch]       exact count of edges through triangles; box_grid.[ch] is its broad phase
+ *
+ * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces.
  */
 #include <math.h>
 #include <string.h>
@@ -12,9 +39,9 @@
 #include "contact/offset_surface.h"
 
 #define COLLIDER_FAR 1e30 /* [m] depth of what is out of reach, with a minus; beyond every scene */
-#define COLLIDER_STEEP_MARGIN                                                                                          \
-    0.02 /* [m] added to a reach: near a cap the radius is far from a surface that is close;                           \
-          * chosen: above the cap's height of every part */
+/* [m] added to a reach: near a cap the radius is far from a surface that is close; chosen: above the cap's height
+ * of every part */
+#define COLLIDER_STEEP_MARGIN 0.02
 
 
 /* parts and memory of a collider whose offset surface is there */
@@ -70,7 +97,7 @@ mus_status mus__collider_create(mus_context *context, const mus_body *body, cons
         mus__collider_destroy(collider);
         return status;
     }
-    const mus__frame *frame = body != NULL ? mus__body_frames(body) : NULL;
+    const mus__frame *frame = body != NULL ? body->frame : NULL;
     mus__collider_move(collider, frame, collider->shift, collider->drift, 0.0);
     *out = collider;
     return MUS_OK;

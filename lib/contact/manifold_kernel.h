@@ -17,9 +17,8 @@
  * surfaces, projected Gauss-Seidel, has neither property).
  */
 
-#define MUS__WEDGE_MIN                                                                                                 \
-    1e-3 /* |n + m| below this: the surfaces face each other and there is no way out between them                      \
-          */
+/* |n + m| below this: the surfaces face each other and there is no way out between them */
+#define MUS__WEDGE_MIN 1e-3
 
 /* a contact of a node with a surface */
 typedef struct MUS__NAME(contact) {

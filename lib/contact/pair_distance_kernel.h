@@ -10,9 +10,8 @@
  */
 
 #define MUS__SELF_LANES MUS__TREE_LANES /* pairs of a packet: one or two vectors of floats */
-#define MUS__NORMAL_ROUND                                                                                              \
-    1e-5 /* [m] bound of the rounding of the vector between two things: float, some metres                             \
-          * from the origin */
+/* [m] bound of the rounding of the vector between two things: float, some metres from the origin */
+#define MUS__NORMAL_ROUND 1e-5
 
 /* a packet of pairs. Numbers of four nodes stand plane by plane: x, y, z of the first, then of the next */
 typedef struct MUS__NAME(self_packet) {

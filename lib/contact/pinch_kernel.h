@@ -7,12 +7,10 @@
  */
 
 #define MUS__PINCH_FACING -0.5 /* cosine of the normals of two surfaces that face each other: 120 degrees; chosen */
-#define MUS__PINCH_DEEP                                                                                                \
-    1e-5 /* [m] a node deeper by this than its path took it was inside before; chosen: above the                       \
-          * rounding of a float state */
-#define MUS__PINCH_NEAR                                                                                                \
-    3e-5                     /* [m] a node no further than this from where all surfaces allow it is put there; chosen  \
-                              */
+/* [m] a node deeper by this than its path took it was inside before; chosen */
+#define MUS__PINCH_DEEP 1e-5
+/* [m] a node no further than this from where all surfaces allow it is put there; chosen */
+#define MUS__PINCH_NEAR 3e-5
 #define MUS__PINCH_SPEED 0.2 /* of the speed of `push`: a pinched node is drawn out no faster; chosen */
 
 

@@ -11,12 +11,11 @@
 
 #include "contact/contact.h"
 
-#define MUS__CACHE_RADIUS                                                                                              \
-    2.5e-4 /* [m] radius of the ball near a surface; chosen: at its edge the plane of a limb of                        \
-            * 5 cm radius is off by 0.6 um (r^2 / 2R) */
-#define MUS__CACHE_DEEP                                                                                                \
-    1e-3 /* [m] deeper than this a node is put back faster, by rule.deep; chosen: half the default                     \
-          * clearance */
+/* [m] radius of the ball near a surface; chosen: at its edge the plane of a limb of 5 cm radius is off by 0.6 um
+ * (r^2 / 2R) */
+#define MUS__CACHE_RADIUS 2.5e-4
+/* [m] deeper than this a node is put back faster, by rule.deep; chosen: half the default clearance */
+#define MUS__CACHE_DEEP 1e-3
 
 /* a node's cache, in planes of n: outward normal (3), depth, place of the query (3), squared radius of the ball. A
  * squared radius below 0: query at the next call */

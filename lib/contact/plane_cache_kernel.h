@@ -6,10 +6,10 @@
  */
 
 #define MUS__CACHE_BAND 2e-6 /* [m] a node no further than this beyond the clearance touches: rounding of a float */
-#define MUS__CACHE_MARGIN                                                                                              \
-    0.04                     /* [m] a distance beyond the clearance is measured up to this; chosen: a node further off \
-                              * may move half of it until the next query */
-#define MUS__CACHE_CHUNK 256 /* nodes; chosen, as in contact_kernel.h */
+/* [m] a distance beyond the clearance is measured up to this; chosen: a node further off may move half of it until
+ * the next query */
+#define MUS__CACHE_MARGIN 0.04
+#define MUS__CACHE_CHUNK 256  /* nodes; chosen, as in contact_kernel.h */
 #define MUS__CACHE_CONTACTS 8 /* contacts of a node; more are left out */
 
 /* the rule in the pass's precision; deep: share of the depth beyond MUS__CACHE_DEEP put back in this call */

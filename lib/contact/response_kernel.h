@@ -10,7 +10,7 @@
  */
 
 #define MUS__CANDIDATES_MAX 16 /* surfaces near a node; of more, the furthest are left out */
-#define MUS__SQUEEZE_MAX 5.0   /* [m/s] speed at which a closing wedge drives a node out; chosen: a fast limb's */
+#define MUS__SQUEEZE_MAX 5.0   /* [m/s] speed at which a closing wedge drives a node out; chosen */
 
 /* how a node came to its place, relative to a surface */
 typedef struct MUS__NAME(path) {

@@ -7,29 +7,28 @@
  */
 
 #define MUS__BOUND_SHARE 0.45 /* bound over the distance of an active pair; below a half, see self_contact.h */
-#define MUS__BOUND_APPROACH                                                                                            \
-    0.45                      /* bound over the distance beyond the thickness of other pairs, which therefore do not   \
-                               * come to it unseen; below a half */
-#define MUS__BOUND_RENEW 0.64 /* of the squared bound: a node beyond it makes the bounds be made anew; chosen */
-#define MUS__BOUND_LONGER 2.0 /* drifting bounds are to last so many times as long as the last ones did; chosen */
+/* bound over the distance beyond the thickness of other pairs, which therefore do not come to it unseen; below a
+ * half */
+#define MUS__BOUND_APPROACH 0.45
+#define MUS__BOUND_RENEW 0.64      /* of the squared bound: a node beyond it makes the bounds be made anew; chosen */
+#define MUS__BOUND_LONGER 2.0      /* drifting bounds are to last so many times as long as the last ones did; chosen */
 #define MUS__BOUND_STEPS_MIN 2.0   /* steps that drifting bounds must hold for, or nothing drifts; chosen */
 #define MUS__BOUND_DRIFT_SHARE 0.5 /* of a pair's limit that drifts may use up; chosen */
 #define MUS__ACTIVE_DISTANCE 2.0   /* thicknesses: nearer pairs are active until the bounds are made anew; chosen */
-#define MUS__IDLE_SHARE                                                                                                \
-    0.99                    /* of the squared travel that leaves a pair apart; a pair whose nodes travelled less       \
-                             * is not asked. Below 1 by more than rounding */
+/* of the squared travel that leaves a pair apart; a pair whose nodes travelled less is not asked. Below 1 by more
+ * than rounding */
+#define MUS__IDLE_SHARE 0.99
 #define MUS__LIST_RENEW 0.3 /* of the margin: with less left for a node the list is made anew; chosen */
-#define MUS__REST_BAND                                                                                                 \
-    0.002                    /* of the thickness: cloth no further beyond it rests on cloth. Small, for beside an      \
-                              * edge cloth is that far off at an angle of the root of twice this (3.6 degrees) */
-#define MUS__PUSH_SHARE 0.05 /* of an overlap that is put apart in one call; chosen: more makes piles ripple */
-#define MUS__WARM_START                                                                                                \
-    0.9                        /* of the impulse of the last call that a pair gives at once (warm start, Catto 2006);  \
-                                * chosen, below 1 so that a load that has gone dies out in ten calls */
+/* of the thickness: cloth no further beyond it rests on cloth. Small, for beside an edge cloth is that far off at
+ * an angle of the root of twice this (3.6 degrees) */
+#define MUS__REST_BAND 0.002
+#define MUS__PUSH_SHARE 0.05 /* of an overlap that is put apart in one call; chosen */
+/* of the impulse of the last call that a pair gives at once (warm start, Catto 2006); chosen, below 1 so that a
+ * load that has gone falls to a third in ten calls */
+#define MUS__WARM_START 0.9
 #define MUS__WEIGHT_BEARS 0.05 /* a node with less weight in a pair does not bear on it; chosen */
-#define MUS__SUPPORT_FACING                                                                                            \
-    0.5 /* cosine of support against push from which on a node counts as supported: 60 degrees;                        \
-         * chosen */
+/* cosine of support against push from which on a node counts as supported: 60 degrees; chosen */
+#define MUS__SUPPORT_FACING 0.5
 
 #include "contact/pair_distance_kernel.h"
 #include "contact/neighbour_list_kernel.h"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # ports.sh OUT [NAME...]: libmuslin built for other machines and by other compilers, and the figures of figures.c held
-# against those of this machine's (numerics.md X37). Programs of other machines run under qemu-user.
+# against those of this machine's. Programs of other machines run under qemu-user.
 #
 # NAME: O0, O3, clang, clang-O3, i686, x87 (which must be refused), s390x (big-endian, 64 bit), mips (big-endian, 32 bit); all if none
 # is given. The last line counts them.

@@ -1,4 +1,4 @@
-"""conclude.py: what a reader should be able to conclude (numerics.md section 3, item 9), with figures."""
+"""conclude.py: what a reader should be able to conclude, with figures."""
 import math
 
 import plots

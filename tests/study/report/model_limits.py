@@ -1,4 +1,4 @@
-"""model_limits.py: what no step and no spacing cures: the model against figures of measured cloth (numerics.md, 4).
+"""model_limits.py: what no step and no spacing cures: the model against figures of measured cloth.
 
 Gaps that follow from the fabric's own numbers. A lattice of central springs ties the lateral contraction to shear, nu =
 G / C11; bending without hysteresis springs back from any crease, where measured cloth keeps a curvature of

@@ -132,7 +132,7 @@ def mesh_error(lengths=(0.03, 0.02), spacings=(0.02, 0.01, 0.005, 0.0025), start
 
 
 def model_error(spacings=(0.01, 0.005), seconds=4.0):
-    """Fabrics whose bending and drape coefficient were both measured by the same people (numerics.md section 4, a); the
+    """Fabrics whose bending and drape coefficient were both measured by the same people; the
     limper one needs the finer mesh for its folds."""
     return [at_rest(spacing, name, precision=64, error="model", exact=measured, seconds=seconds)
             for spacing, name, measured in ((spacings[0], "broadcloth", 82.9), (spacings[1], "polyester", 28.3))]

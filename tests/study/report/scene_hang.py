@@ -1,4 +1,4 @@
-"""scene_hang.py: 1 m square, 0.2 kg/m2, held at two corners, let go level (kernel.md D): settle beside RK4 and Verlet.
+"""scene_hang.py: 1 m square, 0.2 kg/m2, held at two corners, let go level: settle beside RK4 and Verlet.
 
 Its shapes at rest are found by Newton's method from where each of them ends, and from a sheet that no run of the
 library has seen: hung straight down, with 0.1 mm of noise across. Shapes that lie more than 1 mm apart are shapes of

@@ -1,7 +1,7 @@
 /*
- * json_read.c: mus_pattern_read, and a place in a JSON document that can say where it is.
+ * json_at.c: a place in a JSON document that can say where it is.
  *
- * The document is parsed by jansson (which gives line and column of a fault in the text). A mus_json_at is a value and
+ * The document is parsed by jansson (which gives line and column of a fault in the text). A mus__json_at is a value and
  * the chain of members and elements that leads to it, kept on the caller's stack: the path is written out only when
  * something fails, so reading costs nothing for it. jansson's tree grows linearly with the file.
  */
@@ -10,28 +10,28 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/json_at.h"
 
 #define PATH_BYTES 200
 #define SENTENCE_BYTES 512
 
 
-mus_json_at mus__json_member(const mus_json_at *parent, const char *key)
+mus__json_at mus__json_member(const mus__json_at *parent, const char *key)
 {
-    mus_json_at at = {parent->source, parent, key, 0, json_object_get(parent->json, key)};
+    mus__json_at at = {parent->source, parent, key, 0, json_object_get(parent->json, key)};
     return at;
 }
 
 
-mus_json_at mus__json_element(const mus_json_at *parent, size_t index)
+mus__json_at mus__json_element(const mus__json_at *parent, size_t index)
 {
-    mus_json_at at = {parent->source, parent, NULL, index, json_array_get(parent->json, index)};
+    mus__json_at at = {parent->source, parent, NULL, index, json_array_get(parent->json, index)};
     return at;
 }
 
 
 /* the path from the document down to a value, as "panels[3].name" */
-static void json_path(const mus_json_at *at, char *path, size_t bytes)
+static void json_path(const mus__json_at *at, char *path, size_t bytes)
 {
     if (at->parent == NULL) {
         path[0] = '\0';
@@ -46,7 +46,7 @@ static void json_path(const mus_json_at *at, char *path, size_t bytes)
 }
 
 
-mus_status mus__json_fail(const mus_json_at *at, mus_status status, const char *format, ...)
+mus_status mus__json_fail(const mus__json_at *at, mus_status status, const char *format, ...)
 {
     char path[PATH_BYTES], text[SENTENCE_BYTES];
     va_list list;
@@ -59,7 +59,7 @@ mus_status mus__json_fail(const mus_json_at *at, mus_status status, const char *
 }
 
 
-mus_status mus__json_wrap(const mus_json_at *at, mus_status status)
+mus_status mus__json_wrap(const mus__json_at *at, mus_status status)
 {
     char text[SENTENCE_BYTES];
     snprintf(text, sizeof text, "%s", mus_context_error(at->source->context));
@@ -83,7 +83,7 @@ static const char *json_type_name(int type)
 }
 
 
-mus_status mus__json_expect(const mus_json_at *at, int type)
+mus_status mus__json_expect(const mus__json_at *at, int type)
 {
     if (at->json != NULL && (int)json_typeof(at->json) == type) return MUS_OK;
     return mus__json_fail(at, MUS_ERR_FORMAT, "expected %s, got %s", json_type_name(type),
@@ -91,7 +91,7 @@ mus_status mus__json_expect(const mus_json_at *at, int type)
 }
 
 
-mus_status mus__json_array(const mus_json_at *at, size_t low, size_t high, size_t *count)
+mus_status mus__json_array(const mus__json_at *at, size_t low, size_t high, size_t *count)
 {
     mus_status status = mus__json_expect(at, JSON_ARRAY);
     if (status != MUS_OK) return status;
@@ -101,7 +101,7 @@ mus_status mus__json_array(const mus_json_at *at, size_t low, size_t high, size_
 }
 
 
-mus_status mus__json_integer(const mus_json_at *at, int32_t low, int32_t high, int32_t *out)
+mus_status mus__json_integer(const mus__json_at *at, int32_t low, int32_t high, int32_t *out)
 {
     mus_status status = mus__json_expect(at, JSON_INTEGER);
     if (status != MUS_OK) return status;
@@ -114,7 +114,7 @@ mus_status mus__json_integer(const mus_json_at *at, int32_t low, int32_t high, i
 }
 
 
-mus_status mus__json_number(const mus_json_at *at, double *out)
+mus_status mus__json_number(const mus__json_at *at, double *out)
 {
     if (!json_is_number(at->json)) return mus__json_expect(at, JSON_REAL);
     *out = json_number_value(at->json);
@@ -122,19 +122,19 @@ mus_status mus__json_number(const mus_json_at *at, double *out)
 }
 
 
-mus_status mus__json_numbers(const mus_json_at *at, size_t count, double *out)
+mus_status mus__json_numbers(const mus__json_at *at, size_t count, double *out)
 {
     size_t n;
     mus_status status = mus__json_array(at, count, count, &n);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        mus_json_at element = mus__json_element(at, i);
+        mus__json_at element = mus__json_element(at, i);
         status = mus__json_number(&element, &out[i]);
     }
     return status;
 }
 
 
-mus_status mus__json_text(const mus_json_at *at, const char **out)
+mus_status mus__json_text(const mus__json_at *at, const char **out)
 {
     mus_status status = mus__json_expect(at, JSON_STRING);
     if (status == MUS_OK) *out = json_string_value(at->json);
@@ -142,7 +142,7 @@ mus_status mus__json_text(const mus_json_at *at, const char **out)
 }
 
 
-json_t *mus__json_document(const mus_source *source, mus_status *status)
+json_t *mus__json_document(const mus__source *source, mus_status *status)
 {
     json_error_t error;
     json_t *json = json_loadb(source->text, source->size, JSON_REJECT_DUPLICATES, &error);
@@ -154,58 +154,4 @@ json_t *mus__json_document(const mus_source *source, mus_status *status)
         *status = mus__source_fail(source, error.line, MUS_ERR_FORMAT, "expected JSON: %s (column %d, byte %d)",
                                    error.text, error.column, error.position);
     return NULL;
-}
-
-
-static mus_status read_pattern(const mus_source *source, mus_pattern **out)
-{
-    /* the name, unless the file has one */
-    static const char *const endings[] = {"_specification.json", ".json", NULL};
-    char name[128];
-    mus__source_base(source->path, endings, name, sizeof name);
-
-    mus_status status;
-    json_t *json = mus__json_document(source, &status);
-    if (json == NULL) return status;
-    mus_json_at root = {source, NULL, NULL, 0, json};
-    bool own = json_object_get(json, "muslin_pattern") != NULL;
-    bool garmentcode = json_object_get(json, "pattern") != NULL;
-    const char *format = json_string_value(json_object_get(json, "format"));
-    bool freesewing = format != NULL && strcmp(format, "freesewing-dump-1") == 0;
-    if (!own && !garmentcode && !freesewing)
-        status = mus__json_fail(&root, MUS_ERR_FORMAT,
-                                "expected a pattern: an object with \"muslin_pattern\", with \"pattern\" "
-                                "(GarmentCode), or with \"format\" \"freesewing-dump-1\"");
-    if (status == MUS_OK) status = mus_pattern_create(source->context, name, out);
-    if (status == MUS_OK)
-        status = own          ? mus__pattern_read_json(&root, *out)
-                 : freesewing ? mus__pattern_read_freesewing(&root, *out)
-                              : mus__pattern_read_garmentcode(&root, *out);
-    json_decref(json);
-    return status;
-}
-
-
-mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out)
-{
-    if (out != NULL) *out = NULL;
-    if (context == NULL) return MUS_ERR_ARG;
-    if (path == NULL || out == NULL)
-        return mus_context_fail(context, MUS_ERR_ARG, "mus_pattern_read: path or out is NULL");
-    mus_locale locale;
-    mus_status status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-
-    mus_source source;
-    mus_pattern *pattern = NULL;
-    status = mus__source_open(context, path, &source);
-    if (status == MUS_OK) status = read_pattern(&source, &pattern);
-    mus__source_close(&source);
-    mus__locale_leave(&locale);
-    if (status != MUS_OK) {
-        mus_pattern_destroy(pattern);
-        return status;
-    }
-    *out = pattern;
-    return MUS_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * test_paper_file.c: PDF and SVG as files: the same bytes twice, whole or not at all, groups by name.
+ * test_sheet_file.c: PDF and SVG as files: the same bytes twice, whole or not at all, groups by name.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "print/sample_patterns.h"
 #include "support.h"
 
@@ -191,11 +191,11 @@ START_TEST(odd_names_stay_good_xml)
 END_TEST
 
 
-Suite *mus_suite_paper_file(void);
-Suite *mus_suite_paper_file(void)
+Suite *mus_suite_sheet_file(void);
+Suite *mus_suite_sheet_file(void)
 {
-    Suite *suite = suite_create("paper_file");
-    TCase *test = tcase_create("paper_file");
+    Suite *suite = suite_create("sheet_file");
+    TCase *test = tcase_create("sheet_file");
     tcase_add_checked_fixture(test, setup, teardown);
     tcase_add_test(test, the_same_sheet_gives_the_same_bytes);
     tcase_add_test(test, what_cannot_be_written_leaves_a_sentence_and_no_file);

@@ -1,5 +1,5 @@
 /*
- * test_file_write.c: an output file is whole or not at all, and nothing is left beside it.
+ * test_sink.c: an output file is whole or not at all, and nothing is left beside it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
@@ -212,12 +212,12 @@ START_TEST(a_dash_is_standard_output)
 END_TEST
 
 
-Suite *mus_suite_file_write(void);
+Suite *mus_suite_sink(void);
 
-Suite *mus_suite_file_write(void)
+Suite *mus_suite_sink(void)
 {
-    Suite *suite = suite_create("file_write");
-    TCase *tests = tcase_create("file_write");
+    Suite *suite = suite_create("sink");
+    TCase *tests = tcase_create("sink");
     tcase_add_test(tests, a_new_file_replaces_the_old_one_and_leaves_nothing_beside_it);
     tcase_add_test(tests, a_link_stays_a_link);
     tcase_add_test(tests, an_output_that_cannot_be_written_is_named_and_leaves_nothing);

@@ -155,10 +155,8 @@ double *mus__edit_chain(mus__editing *e, const double *start, const double *end,
 
 void mus_cut_def_init(mus_cut_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_cut_def own = {.size = size, .edge_a = MUS_NONE, .edge_b = MUS_NONE};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_cut_def own = {.edge_a = MUS_NONE, .edge_b = MUS_NONE};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

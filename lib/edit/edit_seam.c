@@ -20,9 +20,8 @@
 
 void mus_seam_walk_init(mus_seam_walk *walk, size_t size)
 {
-    if (walk == NULL || size < sizeof walk->size) return;
-    memset(walk, 0, size);
-    walk->size = size;
+    mus_seam_walk own = {0};
+    mus__def_init(walk, size, &own, sizeof own);
 }
 
 

@@ -141,10 +141,8 @@ static void cell_chain_fill(const mus_pattern *pattern, mus__edge *edge, const i
 
 void mus_edge_def_init(mus_edge_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_edge_def own = {.size = size, .start = MUS_NONE, .end = MUS_NONE};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_edge_def own = {.start = MUS_NONE, .end = MUS_NONE};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

@@ -111,10 +111,8 @@ void mus__panel_attributes_init(mus__panel_attributes *attr)
 
 void mus_placement_init(mus_placement *placement, size_t size)
 {
-    if (placement == NULL || size < sizeof placement->size) return;
-    mus_placement own = {.size = size, .rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
-    memset(placement, 0, size);
-    memcpy(placement, &own, size < sizeof own ? size : sizeof own);
+    mus_placement own = {.rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    mus__def_init(placement, size, &own, sizeof own);
 }
 
 

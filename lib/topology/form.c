@@ -29,10 +29,8 @@
 
 void mus_form_def_init(mus_form_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_form_def own = {.size = size, .mirror = 1, .labels = 1};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_form_def own = {.mirror = 1, .labels = 1};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

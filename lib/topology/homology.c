@@ -28,9 +28,8 @@ typedef struct chain {
 
 void mus_homology_init(mus_homology *homology, size_t size)
 {
-    if (homology == NULL || size < sizeof homology->size) return;
-    memset(homology, 0, size);
-    homology->size = size;
+    mus_homology own = {0};
+    mus__def_init(homology, size, &own, sizeof own);
 }
 
 

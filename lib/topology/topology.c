@@ -27,10 +27,8 @@
 
 void mus_topology_init(mus_topology *topology, size_t size)
 {
-    if (topology == NULL || size < sizeof topology->size) return;
-    mus_topology own = {.size = size, .genus = MUS_NONE};
-    memset(topology, 0, size);
-    memcpy(topology, &own, size < sizeof own ? size : sizeof own);
+    mus_topology own = {.genus = MUS_NONE};
+    mus__def_init(topology, size, &own, sizeof own);
 }
 
 

@@ -22,7 +22,7 @@ MUS_API const char *mus_design_name(int32_t design);
 MUS_API const char *mus_design_family(int32_t design);
 MUS_API const char *mus_design_title(int32_t design);
 
-/** Words of a named design ("top neck=v sleeve=puff"), "" of one that has a recipe of its own, NULL outside. */
+/** Words of a named design ("top neck=v sleeve=puff"); NULL outside. */
 MUS_API const char *mus_design_words(int32_t design);
 
 /* Whom a design is for. */

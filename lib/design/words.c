@@ -120,9 +120,11 @@ static mus_status words_read_word(mus_context *context, const char *word, size_t
 /* the i-th choice of an axis that nobody named; MUS_NONE after the last */
 static int32_t words_choice(const mus__style *style, int32_t axis, int32_t i)
 {
-    static const int32_t closures[2][4] = {
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_BACK, MUS__CLOSURE_FRONT, MUS__CLOSURE_SIDE},
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE},
+    static const int32_t closures[2][5] = {
+        {MUS__CLOSURE_NONE, MUS__CLOSURE_BACK, MUS__CLOSURE_FRONT, MUS__CLOSURE_SIDE,
+         MUS__CLOSURE_SEAMS},
+        {MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE,
+         MUS__CLOSURE_SEAMS},
     };
     if (mus__style_word(axis, i) == NULL) return MUS_NONE;
     if (axis == MUS__AXIS_CLOSURE) return closures[style->option[0] == MUS__GARMENT_TROUSERS][i];

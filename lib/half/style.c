@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 
-#define STYLE_MOST 17 /* options of an axis */
+#define STYLE_MOST 19 /* options of an axis */
 #define STYLE_BIT(x) (UINT32_C(1) << (x))
 
 static const struct {

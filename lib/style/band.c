@@ -141,6 +141,7 @@ void mus__band_attach(mus__half *half)
     mus__board *board = &half->board;
     int32_t waist[MUS__WAIST_SIDES];
     if (board->status != MUS_OK || mus__lower_has_top(half)) return;
+    if (half->style.option[MUS__AXIS_BAND] == MUS__BAND_NONE) return;
     const int32_t n = mus__lower_waist(half, 0, board->npanel, waist);
     if (board->status == MUS_OK && n == 0)
         mus__board_fail(board, MUS_ERR_DESIGN, "band: no waist to sew it to");

@@ -42,8 +42,10 @@ void mus__closure_set(mus__half *half)
         if (side->panel == MUS_NONE || strcmp(side->label, "centre") != 0) continue;
         const bool front = strncmp(board->panel[side->panel].name, "front", 5) == 0;
         const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
-        side->centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
+        const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
+        side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
         side->allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        if (seam) side->allowance = MUS__TOP_SEAM;
         if (opens && front) closure_buttons(half, i);
     }
 }

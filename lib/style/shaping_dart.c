@@ -12,7 +12,7 @@
 
 int32_t mus__shaping_side(const mus__half *half, const mus__top *top, int32_t which, const char *name)
 {
-    const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
+    const bool alone = mus__top_hem(half);
     return mus__board_find(&half->board, top->panel[which], strcmp(name, "low") == 0 ? alone ? "hem" : "waist" : name);
 }
 

@@ -41,14 +41,14 @@ static bool plan_flat(const mus__half *half)
 {
     const int32_t *option = half->style.option, sleeve = option[MUS__AXIS_SLEEVE];
     return option[MUS__AXIS_CLOTH] == MUS__CLOTH_KNIT || option[MUS__AXIS_SHAPE] == MUS__SHAPE_BOXY ||
-           sleeve == MUS__SLEEVE_RAGLAN || sleeve == MUS__SLEEVE_CAP;
+           sleeve == MUS__SLEEVE_RAGLAN || sleeve == MUS__SLEEVE_CAP || sleeve == MUS__SLEEVE_TEE;
 }
 
 
 /* breadth on the biceps line: the arm with 1.15 of its girth, or for a flat cap between 4 and 12 cm of room */
 static double plan_width(const mus__half *half, double cap, bool flat)
 {
-    static const double room[] = {1.15, 1.10, 1.24, 1.45}; /* regular, slim, loose, coat */
+    static const double room[] = {1.15, 1.10, 1.24, 1.45, 1.15}; /* regular, slim, loose, coat, block */
     const double arm = half->measures.v[MUS_MEASURE_UPPER_ARM], k = mus__measures_scale(&half->measures);
     const int32_t ease = half->style.option[MUS__AXIS_EASE];
     double width = room[ease] * arm;
@@ -65,6 +65,7 @@ static double plan_width(const mus__half *half, double cap, bool flat)
 static double plan_part(int32_t sleeve)
 {
     switch (sleeve) {
+    case MUS__SLEEVE_TEE:
     case MUS__SLEEVE_SHORT: return 0.36;
     case MUS__SLEEVE_PUFF: return 0.34;
     case MUS__SLEEVE_ELBOW: return 0.56;
@@ -100,6 +101,14 @@ static void plan_cuff(mus__half *half, double part, double hand, mus__sleeve_pla
 }
 
 
+/* hem [m] of a T-shirt's sleeve that is `part` of the arm long: it narrows from the biceps line towards the hand by the
+ * length, by 0.15 of the way at least */
+static double plan_tee_hem(double width, double hand, double part)
+{
+    return width + fmax(0.15, fmin(1.0, part - 0.25)) * (fmin(hand, width) - width);
+}
+
+
 /* block of the sleeve: the hem narrows from the biceps to the hand with the length */
 static void plan_block(mus__half *half, mus__sleeve_plan *plan)
 {
@@ -121,6 +130,7 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
     const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM) + over;
     const double taper = plan->reach < 0.6 ? 2.0 * k * MUS__CM : 0.0;
     def.hem = fmax(def.width + plan->reach * (fmin(hand, def.width) - def.width) - taper, hand);
+    if (sleeve == MUS__SLEEVE_TEE) def.hem = plan_tee_hem(def.width, hand, def.length / arm);
     plan_cuff(half, part, hand, plan, &def.hem);
     const double blouse = sleeve == MUS__SLEEVE_BISHOP ? 3.0 * k * MUS__CM : 0.0;
     def.length = fmax(def.length - plan->cuff_depth + blouse, least);

@@ -32,11 +32,11 @@ static void torso_shoulder(const mus__half *half, bool loose, mus__measures *mea
 }
 
 
-/* y of the lower edge: the waist of a dress or jumpsuit, else by the caller's wish or the word */
+/* y of the lower edge: the waist of a dress, a jumpsuit or a block, else by the caller's wish or the word */
 static double torso_hem(const mus__half *half, double scale)
 {
     const double hip = half->measures.v[MUS_MEASURE_WAIST_TO_HIP];
-    if (!mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP)) return 0.0;
+    if (!mus__top_hem(half)) return 0.0;
     if (!isnan(half->def.length)) return -half->def.length;
     switch (half->style.option[MUS__AXIS_TOP_LENGTH]) {
     case MUS__TOP_LENGTH_CROP: return fmin(4.0 * scale * MUS__CM, 0.25 * half->bodice.underarm);
@@ -55,8 +55,9 @@ static void torso_blocks(mus__half *half, mus__top *top)
     const double k = mus__measures_scale(&measures);
     const bool boxy = mus__style_is(half, MUS__AXIS_SHAPE, MUS__SHAPE_BOXY);
     const bool bare = mus__style_is(half, MUS__AXIS_SLEEVE, MUS__SLEEVE_NONE);
+    const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
     mus__bodice_def_init(&def, &measures);
-    torso_shoulder(half, boxy || bare, &measures);
+    if (!block) torso_shoulder(half, boxy || bare, &measures);
     if (mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_JUMPSUIT)) {
         measures.v[MUS_MEASURE_BACK_WAIST] += TORSO_BLOUSE * k;
         measures.v[MUS_MEASURE_FRONT_WAIST] += TORSO_BLOUSE * k;
@@ -67,7 +68,7 @@ static void torso_blocks(mus__half *half, mus__top *top)
         def.scye_ease = 1.5 * k * MUS__CM;
         def.balance = 0.4 * MUS__CM;
         def.darts = def.darts && mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_WOVEN);
-    } else if (bare) {
+    } else if (bare && !block) {
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
     if (mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_COAT)) {
@@ -107,7 +108,7 @@ static void torso_sides(mus__half *half, mus__top *top)
     top->side_in = bodice->side_in;
     if (boxy) {
         top->side_in = 0.0;
-    } else if (!top->darts) {
+    } else if (!top->darts && !mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK)) {
         top->side_in = top_alone ? fmax(0.0, fmin(0.35 * t, 2.5 * MUS__CM)) : fmin(t, 0.18 * bodice->underarm);
     }
 

@@ -46,6 +46,8 @@ void mus__top_under(const mus__half *half, const mus__top *top, bool front, doub
 void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__outline *outline);
 /* the lower edge from the centre to `end` at the side, with the waist darts of the block: w1, wd1, wd2, w2, ... */
 void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end, mus__outline *outline);
+/* whether the lower edge is a hem; else it is a waist line, labelled "waist": of a dress, a jumpsuit, a block */
+bool mus__top_hem(const mus__half *half);
 /* half a waist dart (inner mouth, point, outer mouth) from the lower edge to its point, on the side `turn` (-1 towards
  * the centre) of its upright axis */
 void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus__chain *out);

@@ -21,6 +21,8 @@
 #                   seams, darts, time (DESIGNS='--family blouse --list': each refusal of a family)
 #   make catalogue-bench  a catalogue of the named designs in five sizes, the GarmentCode specifications and 100,000
 #                   variants (COUNT=1000): time of searches, and whether the same design on another body is found first
+#   make same       digests of scenes, designs, paper and files against tests/same/*.table: says whether a result moved
+#                   (SAME='scenes tshirt': rows whose names have both; SAME='write ...' writes them into the tables)
 #   make check-omit the C tests once without each module, and once without all that can be left out
 #   make check-ports  figures of the library built by other compilers and for other machines, 32-bit and big-endian
 #                   ones under qemu-user, against this machine's (PORTS='clang s390x' picks some)
@@ -94,7 +96,7 @@ OMIT_design = block half style design
 OMIT_integrate = integrate
 OMIT_drape = drape contact
 OMIT_cloth = cloth drape contact exchange
-OMIT_pattern = pattern block half style design cloth drape contact print exchange catalogue
+OMIT_pattern = pattern topology board edit block half style design cloth drape contact print exchange catalogue
 OMIT_scan = scan
 OMIT_body = limb body pose scan block half style design exchange
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, catalogue, design, integrate, \
@@ -109,7 +111,7 @@ INTO := $(OUT)$(if $(OMIT),/omit-$(subst $(space),-,$(strip $(OMIT))))
 
 # files of the folders of lib/ that are not left out
 sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-CORE := $(call sources,base geom integrate tape limb body pose scan pattern block half style design cloth contact drape)
+CORE := $(call sources,base geom integrate tape limb body pose scan pattern topology board edit block half style design cloth contact drape)
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
 CATALOGUE := $(call sources,catalogue)
@@ -140,7 +142,7 @@ ALL := $(A_CORE) $(SO_CORE) $(if $(PRINT),$(A_PRINT) $(SO_PRINT)) $(if $(EXCHANG
        $(if $(CATALOGUE),$(A_CATALOGUE) $(SO_CATALOGUE)) \
        $(if $(OMIT),,$(PROGRAMS))
 
-.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now layers layers-now girths girths-now motion motion-now sheet sheet-now wear wear-now people people-now designs designs-now catalogue-bench catalogue-bench-now check-glb check-omit \
+.PHONY: all lib packages dress dress-now check check-now tests bench install corpus corpus-now page page-now layers layers-now girths girths-now motion motion-now sheet sheet-now wear wear-now people people-now designs designs-now catalogue-bench catalogue-bench-now same same-now check-glb check-omit \
         check-omit-now check-ports check-large check-self-off report report-now sizes clean FORCE \
         need-print need-exchange need-catalogue need-example need-test
 .DELETE_ON_ERROR:
@@ -226,7 +228,9 @@ $(BIN)/designs: OUTSIDE := -lm
 $(BIN)/catalogue-bench: $(call objects,tests/catalogue/bench.c) $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: ARCHIVES := $(A_EXCHANGE) $(A_CATALOGUE) $(A_CORE)
 $(BIN)/catalogue-bench: OUTSIDE := $(call pkg_libs,$(EXCHANGE_PKG) $(CATALOGUE_PKG)) -lm
-$(PROGRAMS) $(BIN)/tests $(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench:
+$(BIN)/same: $(call objects,$(wildcard tests/same/*.c)) $(ARCHIVES)
+$(BIN)/figures: $(call objects,tests/ports/figures.c) $(A_CORE)
+$(PROGRAMS) $(BIN)/tests $(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench $(BIN)/same $(BIN)/figures:
 	@mkdir -p $(@D)
 	$(LINK) $(filter %.o,$^) $(ARCHIVES) $(OUTSIDE) -o $@
 
@@ -335,6 +339,12 @@ catalogue-bench:
 catalogue-bench-now: $(BIN)/catalogue-bench
 	@mkdir -p $(OUT)/out
 	$(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
+
+same:
+	@sh tests/guard/packages.sh build test
+	@$(call again,same-now)
+same-now: $(BIN)/same $(BIN)/figures
+	@$(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
 
 check-glb: dress
 	@sh tests/guard/glb.sh $(OUT)/out/tshirt.glb

@@ -11,6 +11,7 @@
 #include "muslin/pose.h"
 #include "muslin/scan.h"
 #include "muslin/pattern.h"
+#include "muslin/topology.h"
 #include "muslin/edit.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "catalogue/catalogue_internal.h"
+#include "muslin/topology.h"
 
 #define PATH_BYTES 200 /* of a path in a message */
 /* another program may be writing: wait this long [ms] */

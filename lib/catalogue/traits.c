@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "catalogue/catalogue_internal.h"
+#include "muslin/topology.h"
 
 #define WEIGHT_PANEL 1.0
 #define WEIGHT_SEAM 0.05

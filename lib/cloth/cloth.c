@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cloth/mesh.h"
+#include "muslin/topology.h"
 
 
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)

@@ -3,6 +3,7 @@
  * first fault as the failure of its design.
  */
 #include "design/draft.h"
+#include "muslin/topology.h"
 
 #include <math.h>
 #include <string.h>

@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "board/board_chain.h"
 #include "design/draft.h"
-#include "pattern/board.h"
 
 #define GRADE_CHORDS 16
 #define GRADE_UPRIGHT 0.999  /* cosine between y of a panel and the vertical */

@@ -13,6 +13,7 @@
 #include "body/body_level.h"
 #include "drape/found.h"
 #include "geom/vec.h"
+#include "muslin/topology.h"
 
 #define SITE_WAYS 72
 #define SITE_WORD 0.02      /* [m2]: what a word against a way is worth */

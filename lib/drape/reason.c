@@ -10,6 +10,7 @@
 
 #include "drape/drape_internal.h"
 #include "geom/vec.h"
+#include "muslin/topology.h"
 
 static const char *const reason_names[MUS_REASON_COUNT] = {
     "nothing asked", "settled",  "twisted seam", "panel crosses itself", "seam cannot close", "start tangled",

@@ -27,10 +27,13 @@
 #define MUS_HALF_H
 
 #include "block/block_bodice.h"
-#include "limb/skeleton.h"
+#include "board/board_cut.h"
+#include "board/board_dart.h"
+#include "board/board_fullness.h"
+#include "board/board_sew.h"
 #include "half/style.h"
+#include "limb/skeleton.h"
 #include "muslin/design.h"
-#include "pattern/board.h"
 
 typedef struct mus__half {
     mus_context *context;

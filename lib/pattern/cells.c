@@ -17,20 +17,6 @@
 #define ARC_SLACK 1e-6
 
 
-double *mus__edge_block(mus_context *context, int32_t npiece, int32_t nxy)
-{
-    int64_t doubles = 2 * (int64_t)nxy + npiece + 1;
-    return mus__new(context, doubles * (int64_t)sizeof(double) + npiece * (int64_t)sizeof(int32_t), 1);
-}
-
-
-void mus__edge_views(mus__edge *edge)
-{
-    edge->run = edge->xy + 2 * (size_t)edge->nxy;
-    edge->kinds = (int32_t *)(void *)(edge->run + edge->npiece + 1);
-}
-
-
 mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out)
 {
     if (out != NULL) *out = MUS_NONE;
@@ -247,35 +233,6 @@ mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t 
 }
 
 
-mus_status mus_pattern_set_edge_label(mus_pattern *pattern, int32_t edge, const char *label)
-{
-    if (pattern == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__pattern_known(pattern, "edge", edge, pattern->nedge);
-    if (status == MUS_OK) status = mus__pattern_take_name(pattern, "edge label", label, pattern->edge[edge].label);
-    if (status == MUS_OK) mus__pattern_edited(pattern);
-    return status;
-}
-
-
-mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t edge, double allowance)
-{
-    if (pattern == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__pattern_known(pattern, "edge", edge, pattern->nedge);
-    if (status != MUS_OK) return status;
-
-    /* NaN leaves it to the sheet */
-    if (allowance < 0.0 || allowance > 0.2) {
-        char title[2 * MUS__NAME_BYTES];
-        mus__pattern_edge_title(pattern, edge, title);
-        return mus__fail(pattern->context, MUS_ERR_ARG, "edge %s: an allowance of %g m is outside 0 to 0.2 m", title,
-                         allowance);
-    }
-    pattern->edge[edge].allowance = allowance;
-    mus__pattern_edited(pattern);
-    return MUS_OK;
-}
-
-
 mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges,
                                const int32_t **directions)
 {
@@ -322,24 +279,6 @@ mus_status mus_pattern_edge_ends(const mus_pattern *pattern, int32_t edge, int32
     if (start != NULL) *start = pattern->edge[edge].start;
     if (end != NULL) *end = pattern->edge[edge].end;
     return MUS_OK;
-}
-
-
-const char *mus_pattern_edge_name(const mus_pattern *pattern, int32_t edge)
-{
-    return pattern != NULL && edge >= 0 && edge < pattern->nedge ? pattern->edge[edge].name : NULL;
-}
-
-
-const char *mus_pattern_edge_label(const mus_pattern *pattern, int32_t edge)
-{
-    return pattern != NULL && edge >= 0 && edge < pattern->nedge ? pattern->edge[edge].label : NULL;
-}
-
-
-double mus_pattern_edge_allowance(const mus_pattern *pattern, int32_t edge)
-{
-    return pattern != NULL && edge >= 0 && edge < pattern->nedge ? pattern->edge[edge].allowance : (double)NAN;
 }
 
 

@@ -10,6 +10,7 @@
 
 #include "geom/curve.h"
 #include "geom/predicate.h"
+#include "geom/union_find.h"
 #include "pattern/pattern_internal.h"
 
 /* chords of a curved piece: sag of a quarter circle is r / 5200, below a millimetre for anything worn */
@@ -110,7 +111,7 @@ static bool crossing_meet(const crossing_segment *s, const crossing_segment *t)
 static void crossing_corners(const mus__panel *panel, int32_t *corner, int32_t *sign, int32_t *place)
 {
     int32_t n = panel->noutline;
-    mus__link_start(n, corner, sign);
+    mus__union_start(n, corner, sign);
     for (int32_t k = 0; k < n; k++) {
         int32_t j = place[panel->outline[k]] - 1;
         if (j < 0) {
@@ -119,10 +120,10 @@ static void crossing_corners(const mus__panel *panel, int32_t *corner, int32_t *
         }
         int32_t j_end = j + 1 < n ? j + 1 : 0, k_end = k + 1 < n ? k + 1 : 0;
         bool against = panel->outline[n + j] != panel->outline[n + k];
-        mus__link_join(corner, sign, j, against ? k_end : k, 1);
-        mus__link_join(corner, sign, j_end, against ? k : k_end, 1);
+        mus__union_join(corner, sign, j, against ? k_end : k, 1);
+        mus__union_join(corner, sign, j_end, against ? k : k_end, 1);
     }
-    for (int32_t k = 0; k < n; k++) mus__link_find(corner, sign, k);
+    for (int32_t k = 0; k < n; k++) mus__union_find(corner, sign, k);
 }
 
 

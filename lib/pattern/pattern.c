@@ -1,8 +1,18 @@
 /*
- * pattern.c: a pattern as an object: create, copy, destroy; names and finding by name; the checks of arguments that
- * all editing shares.
+ * pattern.c: a pattern as an object: create, copy, destroy, find by name; and the helpers that all of lib/pattern share.
  *
- * A pattern holds some tens of panels and some hundreds of edges, so finding by name walks the list.
+ * The room, in the order of use:
+ *   pattern.c                               the object, its memory, names
+ *   cells.c                                 panels, points, edges, outlines
+ *   edge_attributes.c, panel_attributes.c   what is said of an edge and of a panel
+ *   seam.c                                  seams, closures, declared openings
+ *   marks.c                                 notches and marks
+ *   join.c                                  garments over one another as one pattern
+ *   measure.c, cut_outline.c, crossing.c    lengths and areas; what is cut; an outline that crosses itself
+ *
+ * A pattern only grows here: no call removes a cell. lib/edit cuts, joins and removes, by way of the cutting table of
+ * lib/board. lib/topology glues the seams and checks the pattern. A pattern has some tens of panels and some hundreds
+ * of edges, so finding by name walks the list.
  */
 #include <stdio.h>
 #include <string.h>
@@ -54,6 +64,44 @@ mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, 
 bool mus__pattern_near(double x, double y)
 {
     return x >= -MUS__FARTHEST && x <= MUS__FARTHEST && y >= -MUS__FARTHEST && y <= MUS__FARTHEST;
+}
+
+
+double *mus__edge_block(mus_context *context, int32_t npiece, int32_t nxy)
+{
+    int64_t doubles = 2 * (int64_t)nxy + npiece + 1;
+    return mus__new(context, doubles * (int64_t)sizeof(double) + npiece * (int64_t)sizeof(int32_t), 1);
+}
+
+
+void mus__edge_views(mus__edge *edge)
+{
+    edge->run = edge->xy + 2 * (size_t)edge->nxy;
+    edge->kinds = (int32_t *)(void *)(edge->run + edge->npiece + 1);
+}
+
+
+static void history_clear(mus_pattern **list, int32_t *count)
+{
+    for (int32_t i = 0; i < *count; i++) mus_pattern_destroy(list[i]);
+    *count = 0;
+}
+
+
+void mus__history_forget_undone(mus_pattern *pattern)
+{
+    if (pattern->history != NULL) history_clear(pattern->history->undone, &pattern->history->nundone);
+}
+
+
+void mus__history_end(mus_pattern *pattern)
+{
+    mus__history *history = pattern->history;
+    if (history == NULL) return;
+    history_clear(history->done, &history->ndone);
+    history_clear(history->undone, &history->nundone);
+    mus__free(pattern->context, history);
+    pattern->history = NULL;
 }
 
 

@@ -111,3 +111,32 @@ int32_t mus_pattern_edge_seam(const mus_pattern *pattern, int32_t edge)
 {
     return pattern != NULL && edge >= 0 && edge < pattern->nedge ? pattern->edge[edge].seam : MUS_NONE;
 }
+
+
+mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus__opening own;
+    mus_status status = mus__pattern_take_name(pattern, "opening", label, own.label);
+    if (status != MUS_OK) return status;
+    if (own.label[0] == '\0') return mus__fail(pattern->context, MUS_ERR_ARG, "opening: its label is empty");
+    status = mus__reserve(pattern->context, &pattern->opening, &pattern->opening_room, (int64_t)pattern->nopening + 1,
+                          sizeof own);
+    if (status != MUS_OK) return status;
+    pattern->opening[pattern->nopening++] = own;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+int32_t mus_pattern_opening_count(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->nopening : 0;
+}
+
+
+const char *mus_pattern_opening(const mus_pattern *pattern, int32_t opening)
+{
+    if (pattern == NULL || opening < 0 || opening >= pattern->nopening) return NULL;
+    return pattern->opening[opening].label;
+}

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "muslin/topology.h"
 #include "print/print_internal.h"
 
 #define ALLOWANCE_MOST 0.1 /* [m] */

@@ -14,8 +14,8 @@
 #include <unistd.h>
 
 #include "muslin/catalogue.h"
-#include "pattern/garments.h"
-#include "pattern/gluing.h"
+#include "topology/garments.h"
+#include "topology/gluing.h"
 
 #define TOGETHER 10 /* additions in one transaction of the child that is killed */
 

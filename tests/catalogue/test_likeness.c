@@ -4,6 +4,7 @@
  */
 #include "catalogue/variants.h"
 #include "muslin/catalogue.h"
+#include "muslin/topology.h"
 #include "support.h"
 
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "catalogue/catalogue_internal.h"
-#include "pattern/garments.h"
-#include "pattern/gluing.h"
+#include "topology/garments.h"
+#include "topology/gluing.h"
 
 
 /* does `whole` contain `part`? Through a catalogue of one */

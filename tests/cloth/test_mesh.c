@@ -2,6 +2,7 @@
  * test_mesh.c: a panel is covered exactly once by triangles that wind as its outline, with the weight of its area.
  */
 #include "cut.h"
+#include "muslin/topology.h"
 
 #include "geom/polygon.h"
 

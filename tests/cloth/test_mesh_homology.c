@@ -10,7 +10,8 @@
 #include "muslin/cloth.h"
 #include "muslin/design.h"
 #include "muslin/exchange.h"
-#include "pattern/pattern_internal.h"
+#include "muslin/topology.h"
+#include "topology/homology.h"
 #include "support.h"
 
 

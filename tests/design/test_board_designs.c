@@ -2,7 +2,7 @@
  * test_board_designs.c: the designs of the house laid on the cutting table and written again, in three sizes.
  */
 #include "block/drafts.h"
-#include "pattern/table.h"
+#include "board/table.h"
 
 
 START_TEST(every_design_read_and_written_is_the_same)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "block/drafts.h"
+#include "muslin/topology.h"
 
 
 START_TEST(designs_have_names_and_are_found)

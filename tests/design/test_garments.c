@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "block/drafts.h"
+#include "muslin/topology.h"
 
 #define SIZES 28
 #define SEAM_MATCH (0.05 * CM)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "block/drafts.h"
+#include "muslin/topology.h"
 
 #define MOST 400
 

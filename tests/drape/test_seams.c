@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "muslin/exchange.h"
+#include "muslin/topology.h"
 #include "scenes.h"
 
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "muslin/exchange.h"
-#include "pattern/table.h"
+#include "board/table.h"
 
 
 START_TEST(all_real_specifications_read_and_written_are_the_same)

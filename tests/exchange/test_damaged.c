@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "muslin/exchange.h"
+#include "muslin/topology.h"
 #include "support.h"
 
 #define ROUNDS 300 /* of each kind of damage and reader: below two seconds under the sanitizers */

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "muslin/exchange.h"
+#include "muslin/topology.h"
 #include "support.h"
 
 Suite *mus_suite_freesewing(void);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "muslin/exchange.h"
+#include "muslin/topology.h"
 #include "support.h"
 
 #define PI 3.14159265358979323846

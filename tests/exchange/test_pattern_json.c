@@ -10,6 +10,7 @@
 
 #include "comma_locale.h"
 #include "muslin/exchange.h"
+#include "muslin/topology.h"
 #include "support.h"
 
 

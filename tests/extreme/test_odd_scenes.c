@@ -3,6 +3,7 @@
  * none, all held and not held at all (numerics.md X11, X16, X17, X18, X21, X22).
  */
 #include "drape/drape_internal.h"
+#include "muslin/topology.h"
 
 #include "bare.h"
 #include "drape/scenes.h"

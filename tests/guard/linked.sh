@@ -57,15 +57,15 @@ carries body "base geom tape limb body" 'pose|move|pattern|design|cloth|fabric|d
     mus_tape *tape; mus_body *body;
     status = mus_tape_create(context, &tape);
     if (status == MUS_OK) status = mus_body_create(context, tape, NULL, &body)'
-carries pattern "base geom pattern" 'tape|body|design|cloth|fabric|drape|sim|plan|collider|integrate' '
+carries pattern "base geom pattern topology" 'tape|body|design|cloth|fabric|drape|sim|plan|collider|integrate' '
     mus_pattern *pattern; int32_t count;
     status = mus_pattern_create(context, "x", &pattern);
     if (status == MUS_OK) status = mus_pattern_check(pattern, &count)'
-carries design "base geom tape limb pattern block half style design" 'cloth|fabric|drape|sim|plan|collider|integrate' '
+carries design "base geom tape limb pattern topology board block half style design" 'cloth|fabric|drape|sim|plan|collider|integrate' '
     mus_pattern *pattern; status = mus_design_draft(context, 0, NULL, NULL, &pattern)'
-carries cloth "base geom pattern cloth" 'tape|body|design|drape|sim|plan|collider|integrate' '
+carries cloth "base geom pattern topology cloth" 'tape|body|design|drape|sim|plan|collider|integrate' '
     mus_cloth *cloth; status = mus_cloth_create(context, NULL, NULL, &cloth)'
-carries drape "base geom tape limb body pose pattern cloth contact drape" 'design|tape_set|tape_complete' '
+carries drape "base geom tape limb body pose pattern topology cloth contact drape" 'design|tape_set|tape_complete' '
     mus_drape *drape; status = mus_drape_create(context, NULL, NULL, NULL, &drape)'
 
 # names that a program with one module may not need: an integrator of its own data stands on the ground alone

@@ -3,6 +3,7 @@
  */
 #include <math.h>
 
+#include "muslin/topology.h"
 #include "pattern/same.h"
 
 

@@ -10,6 +10,7 @@
 #include "block/drafts.h"
 #include "design/draft.h"
 #include "design/words.h"
+#include "muslin/topology.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "block/drafts.h"
+#include "muslin/topology.h"
 
 
 static mus_pattern *pocketed(mus_context *context, const char *design, const char *size)

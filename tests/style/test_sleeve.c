@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 
+#include "muslin/topology.h"
 #include "style/half_shirt.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};

@@ -2,8 +2,9 @@
  * test_top.c: the body of a top from words: every neckline with every length and closure in the sizes of a small, a
  * middle and a large woman, a man and a child: drafted, doubled, without fault, with the openings that are meant.
  */
-#include "style/halves.h"
+#include "muslin/topology.h"
 #include "people/ansur.h"
+#include "style/halves.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 

@@ -1,0 +1,534 @@
+/*
+ * board_dart.c: darts: moved about their point, added, shortened, given up to gathers, made part of a seam.
+ *
+ * Pivot: with the point O, mouth ends A1 and A2 and a place Q on another side, the panel is cut from O to Q; one of the
+ * two parts is turned about O by a fraction of the dart's angle t, so that the mouth closes by it and the same angle
+ * opens at Q: |OQ'| = |OQ''|, new mouth 2 |OQ| sin(t / 2). Nothing but that rigid turn moves, so area, lengths and the
+ * sum of the angles at O are kept, and the quotient stays what it was:
+ *
+ *          Q                       Q' Q''
+ *      ____|____               ____| /____
+ *     |    |    |             |    |/     |
+ *     |    O    |     ->      |    O      |
+ *     |   / \   |             |    |      |
+ *     |__/   \__|             |____|_____.
+ *       A1    A2                 A1=A2
+ *
+ * When Q is the mouth of a dart with the same point, the panel is cut there already and the two become one.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "board/board_cut.h"
+#include "board/board_dart.h"
+#include "board/board_part.h"
+#include "board/board_sew.h"
+#include "geom/vec.h"
+
+/* places that are one place [m]: points of two darts that meet, a cut at the end of a side */
+#define DART_SAME 1e-6
+/* legs whose lengths differ by more [m] do not close */
+#define DART_LEGS 2e-3
+/* mouth sides that meet at a sharper corner than this (cosine of 45 degrees) are not one side */
+#define DART_CORNER 0.70710678
+/* legs that cross by less [rad] lie on each other */
+#define DART_SLIT 1e-9
+/* a dart is no shorter [m] */
+#define DART_SHORTEST 5e-3
+
+/* a dart as it lies on the board */
+typedef struct dart_view {
+    int32_t leg, back, panel;    /* back: the leg from the point to the mouth */
+    double point[2], a[2], b[2]; /* b: end of the other leg */
+    double angle;                /* from a to b about the point, > 0 when the word runs counter-clockwise */
+} dart_view;
+
+
+/* is `leg` sewn to the side that follows it, point to point? */
+static bool dart_is(const mus__board *board, int32_t leg)
+{
+    int32_t seam = mus__board_seam_of(board, leg), next = board->side[leg].next;
+    return seam != MUS_NONE && next != leg && mus__board_partner(board, leg) == next &&
+           board->seam[seam].direction == MUS_SEAM_REVERSED;
+}
+
+
+/* the angle from u = a - o to v = b - o, in the sense of the word (turn +1 or -1), 0 to 2 pi: a dart of more than half
+ * a turn is one too. What is a little below 0 is a slit whose legs lie on each other */
+static double dart_between(const double *a, const double *o, const double *b, double turn)
+{
+    const double u[2] = {a[0] - o[0], a[1] - o[1]}, v[2] = {b[0] - o[0], b[1] - o[1]};
+    const double angle = turn * atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    return angle >= 0.0 ? angle : angle > -DART_SLIT ? 0.0 : angle + 2.0 * MUS_PI;
+}
+
+
+static double dart_sense(const mus__board *board, int32_t panel)
+{
+    return mus__board_area(board, panel) < 0.0 ? -1.0 : 1.0;
+}
+
+
+static bool dart_read(mus__board *board, int32_t leg, dart_view *dart)
+{
+    if (!mus__board_has_side(board, leg)) return false;
+    const mus__board_side *side = &board->side[leg];
+    if (!dart_is(board, leg)) {
+        mus__board_fail(board, MUS_ERR_ARG,
+                        "side %s of panel %s: it is not the leg of a dart: it is not sewn to the next", side->name,
+                        board->panel[side->panel].name);
+        return false;
+    }
+    dart->leg = leg, dart->back = side->next, dart->panel = side->panel;
+    memcpy(dart->a, mus__board_start(board, leg), sizeof dart->a);
+    memcpy(dart->point, mus__board_end(board, leg), sizeof dart->point);
+    memcpy(dart->b, mus__board_end(board, dart->back), sizeof dart->b);
+    const double turn = dart_sense(board, dart->panel);
+    dart->angle = turn * dart_between(dart->a, dart->point, dart->b, turn);
+    return true;
+}
+
+
+double mus__board_dart_angle(const mus__board *board, int32_t leg)
+{
+    if (board->status != MUS_OK || leg < 0 || leg >= board->nside || board->side[leg].panel == MUS_NONE) return 0.0;
+    if (!dart_is(board, leg)) return 0.0;
+    return dart_between(mus__board_start(board, leg), mus__board_end(board, leg),
+                        mus__board_end(board, board->side[leg].next), dart_sense(board, board->side[leg].panel));
+}
+
+
+/* ---- legs and mouths ---- */
+
+/* "name_d1" and "name_d2", or the next pair that is free in the panel; a long name loses its end, not half a letter */
+static void dart_names(const mus__board *board, int32_t panel, const char *name, char (*out)[MUS__NAME_BYTES])
+{
+    size_t n = strlen(name);
+    if (n > MUS__NAME_BYTES - 16) n = MUS__NAME_BYTES - 16;
+    while (n > 0 && ((unsigned char)name[n] & 0xC0) == 0x80) n--;
+    for (int32_t k = 1;; k += 2) {
+        for (int32_t i = 0; i < 2; i++)
+            snprintf(out[i], MUS__NAME_BYTES, "%.*s_d%d", (int)n, n > 0 ? name : "", (int)(k + i));
+        if (mus__board_find(board, panel, out[0]) == MUS_NONE && mus__board_find(board, panel, out[1]) == MUS_NONE)
+            return;
+    }
+}
+
+
+/* a straight side after `side` in the ring, to `end` */
+static int32_t dart_line_after(mus__board *board, int32_t side, const char *name, const double *end)
+{
+    if (board->status != MUS_OK) return MUS_NONE;
+    const int32_t kind = MUS_PIECE_LINE, panel = board->side[side].panel, next = board->side[side].next;
+    const double *start = mus__board_end(board, side), xy[4] = {start[0], start[1], end[0], end[1]};
+    mus__board_chain chain;
+    mus__board_chain_make(board, 1, &kind, 2, xy, &chain);
+    int32_t line = mus__board_side_new(board, panel, &chain);
+    if (board->status != MUS_OK) return MUS_NONE;
+    mus__board_rename(board, line, name, "");
+    mus__board_follow(board, side, line);
+    mus__board_follow(board, line, next);
+    return line;
+}
+
+
+/* legs of a new dart between two sides whose ends are its mouth, sewn, which is cut `allowance` beside them; gives back
+ * the leg from the mouth */
+static int32_t dart_legs(mus__board *board, int32_t before, const double *point, const char *name, double allowance)
+{
+    if (board->status != MUS_OK) return MUS_NONE;
+    char names[2][MUS__NAME_BYTES];
+    double mouth[2];
+    memcpy(mouth, mus__board_start(board, board->side[before].next), sizeof mouth);
+    dart_names(board, board->side[before].panel, name, names);
+    int32_t leg = dart_line_after(board, before, names[0], point);
+    int32_t back = dart_line_after(board, leg, names[1], mouth);
+    mus__board_seam_add(board, leg, back, MUS_SEAM_REVERSED, 0.0);
+    if (board->status != MUS_OK) return MUS_NONE;
+    board->side[leg].allowance = board->side[back].allowance = allowance;
+    return leg;
+}
+
+
+/* length of a name without the number at its end ("side1", "waist_2"), so that parts of one side are known */
+static size_t dart_stem(const char *name)
+{
+    size_t n = strlen(name);
+    while (n > 0 && name[n - 1] >= '0' && name[n - 1] <= '9') n--;
+    while (n > 0 && name[n - 1] == '_') n--;
+    return n;
+}
+
+
+/* are `side` and the next parts of one: alike in name, label and all that is set, and without a corner between them? */
+static bool dart_were_one(const mus__board *board, int32_t side)
+{
+    const mus__board_side *a = &board->side[side], *b = &board->side[a->next];
+    if (a->next == side || !mus__board_mergeable(board, side) || strcmp(a->label, b->label) != 0) return false;
+    size_t n = dart_stem(a->name);
+    bool alike = n == dart_stem(b->name) && memcmp(a->name, b->name, n) == 0;
+    bool allowance = a->allowance == b->allowance || (isnan(a->allowance) && isnan(b->allowance));
+    double u[2], v[2];
+    mus__board_at(board, side, a->length, u, v);
+    double before[2] = {v[0], v[1]};
+    mus__board_at(board, a->next, 0.0, u, v);
+    const mus__edge_stay *x = &a->stay, *y = &b->stay;
+    const bool stays =
+        x->hold == y->hold && x->below == y->below && x->ratio == y->ratio && x->stiffness == y->stiffness;
+    return alike && allowance && stays && a->centre == b->centre && before[0] * v[0] + before[1] * v[1] > DART_CORNER;
+}
+
+
+/* the mouth of a dart that is closed: `before` and the side that now follows it */
+static void dart_mouth_close(mus__board *board, int32_t before)
+{
+    if (board->status == MUS_OK && dart_were_one(board, before)) mus__board_merge(board, before);
+}
+
+
+/* take both legs out: what was before the dart is followed by what was after it */
+static int32_t dart_remove(mus__board *board, const dart_view *dart)
+{
+    if (board->status != MUS_OK) return MUS_NONE;
+    int32_t before = board->side[dart->leg].prev, after = board->side[dart->back].next;
+    mus__board_panel *panel = &board->panel[dart->panel];
+    if (panel->first == dart->leg || panel->first == dart->back) panel->first = after;
+    mus__board_side_remove(board, dart->leg);
+    mus__board_side_remove(board, dart->back);
+    mus__board_follow(board, before, after);
+    return before;
+}
+
+
+/* ---- pivot ---- */
+
+/* the two parts of the panel: sides p0..p1 from the dart's second leg on, r0..r1 up to its first */
+typedef struct dart_cut {
+    int32_t p0, p1, r0, r1;
+    int32_t other; /* leg of the dart at Q that has the same point, or MUS_NONE */
+} dart_cut;
+
+
+static bool dart_same_point(const mus__board *board, int32_t leg, const dart_view *dart)
+{
+    return leg != dart->leg && dart_is(board, leg) && mus__dist2(mus__board_end(board, leg), dart->point) <= DART_SAME;
+}
+
+
+/* divide the panel at arc length s of `target` and the dart's point */
+static bool dart_cut_at(mus__board *board, const dart_view *dart, int32_t target, double s, dart_cut *cut)
+{
+    const mus__board_side *side = &board->side[target];
+    double length = side->length;
+    int32_t before = side->prev, after = side->next;
+    bool at_start = s <= DART_SAME, at_end = s >= length - DART_SAME;
+    cut->p0 = dart->back, cut->r1 = dart->leg, cut->other = MUS_NONE;
+
+    /* the mouth of the same dart is no place to go to */
+    if ((at_end && after == dart->leg) || (at_start && before == dart->back)) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m along side %s is its own mouth",
+                        board->side[dart->leg].name, board->panel[dart->panel].name, s, side->name);
+        return false;
+    }
+    if (at_end && dart_same_point(board, after, dart)) cut->other = after;
+    if (at_start && dart_same_point(board, board->side[before].prev, dart)) cut->other = board->side[before].prev;
+    if (cut->other != MUS_NONE) {
+        cut->p1 = cut->other, cut->r0 = board->side[cut->other].next;
+        return true;
+    }
+
+    double q[2];
+    mus__board_at(board, target, s, q, NULL);
+    mus__board_part_clear(board, dart->panel, "dart", dart->point, q);
+    if (board->status != MUS_OK) return false;
+    if (!at_start && !at_end) {
+        mus__board_rim_side(board, target, "dart");
+        cut->p1 = target;
+        cut->r0 = mus__board_split(board, target, s, NULL);
+    } else {
+        cut->r0 = mus__board_rim_corner(board, at_start ? target : after, dart->point, "dart");
+        cut->p1 = cut->r0 != MUS_NONE ? board->side[cut->r0].prev : MUS_NONE;
+    }
+    return board->status == MUS_OK;
+}
+
+
+static bool dart_run_has(const mus__board *board, int32_t first, int32_t last, int32_t side)
+{
+    for (int32_t i = first;; i = board->side[i].next) {
+        if (i == side) return true;
+        if (i == last) return false;
+    }
+}
+
+
+/* turn the part that does not hold `keep`, so that the dart closes by `fraction`. Closed whole it is turned by the
+ * quotient of the legs as complex numbers, whose angle is exact; legs of two lengths meet half way */
+static void dart_turn(mus__board *board, const dart_view *dart, const dart_cut *cut, bool still, double fraction)
+{
+    mus__board_motion motion = {.centre = {dart->point[0], dart->point[1]}};
+    double sign = still ? 1.0 : -1.0;
+    if (fraction < 1.0) {
+        motion.cosine = cos(fraction * dart->angle), motion.sine = sign * sin(fraction * dart->angle);
+    } else {
+        const double *o = dart->point;
+        double u[2] = {dart->a[0] - o[0], dart->a[1] - o[1]}, v[2] = {dart->b[0] - o[0], dart->b[1] - o[1]};
+        double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0], norm = hypot(dot, cross);
+        motion.cosine = dot / norm, motion.sine = sign * cross / norm;
+    }
+
+    mus__board_part p = {0}, r = {0};
+    mus__board_part_run(board, &p, cut->p0, cut->p1);
+    mus__board_part_run(board, &r, cut->r0, cut->r1);
+    mus__board_part_marks(board, dart->panel, still ? &r : &p, still ? &p : &r, &motion);
+    mus__board_part_turn(board, still ? cut->r0 : cut->p0, still ? cut->r1 : cut->p1, &motion);
+    mus__board_part_end(board, &p);
+    mus__board_part_end(board, &r);
+}
+
+
+int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, double s, int32_t keep, double fraction)
+{
+    dart_view dart;
+    dart_cut cut;
+    if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, target) || !mus__board_has_side(board, keep))
+        return MUS_NONE;
+    const char *name = board->panel[dart.panel].name, *title = board->side[leg].name;
+    double a = mus__dist2(dart.a, dart.point), b = mus__dist2(dart.b, dart.point);
+    if (board->side[target].panel != dart.panel || board->side[keep].panel != dart.panel)
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: side %s is of another panel", title, name,
+                        board->side[board->side[target].panel != dart.panel ? target : keep].name);
+    else if (target == dart.leg || target == dart.back)
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it cannot be moved to its own leg", title, name);
+    else if (!(fraction > 0.0 && fraction <= 1.0))
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: a fraction of %g is outside 0 to 1", title, name,
+                        fraction);
+    else if (!(s >= -DART_SAME && s <= board->side[target].length + DART_SAME))
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m is outside side %s, which is %g m long",
+                        title, name, s, board->side[target].name, board->side[target].length);
+    else if (!(fabs(a - b) <= DART_LEGS) || !(fmin(a, b) > DART_SAME))
+        mus__board_fail(board, MUS_ERR_ARG,
+                        "dart at %s of panel %s: its legs reach %g m and %g m, they may differ by %g m", title, name, a,
+                        b, DART_LEGS);
+    else if (mus__board_partner(board, board->side[leg].prev) == board->side[dart.back].next)
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it is the inner part of one that goes on to %s",
+                        title, name, board->side[board->side[leg].prev].name);
+    if (board->status != MUS_OK || !dart_cut_at(board, &dart, target, s, &cut)) return MUS_NONE;
+
+    bool still = dart_run_has(board, cut.p0, cut.p1, keep);
+    mus__board_part_twins(board, dart.panel);
+    dart_turn(board, &dart, &cut, still, fraction);
+
+    /* what opens at Q, and what closes at the old mouth */
+    int32_t made = cut.other;
+    if (made != MUS_NONE)
+        mus__board_part_move_end(board, made, true, dart.point);
+    else
+        made = dart_legs(board, cut.p1, dart.point, board->side[target].name, board->side[leg].allowance);
+    if (board->status == MUS_OK && made == cut.other) mus__board_follow(board, made, board->side[made].next);
+    if (fraction == 1.0) dart_mouth_close(board, dart_remove(board, &dart));
+    return board->status == MUS_OK ? made : MUS_NONE;
+}
+
+
+/* ---- adding, shortening, giving up ---- */
+
+/* cut the end (or the start) of a side off: `less` of its length. Notches there come to stand at the new end */
+static void dart_trim(mus__board *board, int32_t side, bool end, double less)
+{
+    if (board->status != MUS_OK || !(less > 0.0)) return;
+    mus__board_side *own = &board->side[side];
+    double at = end ? own->length - less : less;
+    mus__board_chain before, after;
+    mus__board_chain_split(board, &own->chain, own->length, at, &before, &after);
+    if (board->status != MUS_OK) return;
+    mus__free(board->context, own->chain.xy);
+    mus__free(board->context, end ? after.xy : before.xy);
+    own->chain = end ? before : after;
+    own->length = mus__board_chain_length(&own->chain);
+    for (int32_t i = 0; i < board->nnotch; i++) {
+        mus__board_notch *notch = &board->notch[i];
+        if (notch->side == side) notch->s = fmin(fmax(end ? notch->s : notch->s - less, 0.0), own->length);
+    }
+}
+
+
+int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double width, const double *point)
+{
+    if (!mus__board_has_side(board, side)) return MUS_NONE;
+    const mus__board_side *own = &board->side[side];
+    int32_t panel = own->panel;
+    mus__board_rim_side(board, side, "dart");
+    if (!(width > 0.0) || !(s - 0.5 * width >= DART_SAME) || !(s + 0.5 * width <= own->length - DART_SAME)) {
+        mus__board_fail(board, MUS_ERR_ARG,
+                        "dart on side %s of panel %s: a mouth of %g m about %g m is not within its %g m", own->name,
+                        board->panel[panel].name, width, s, own->length);
+        return MUS_NONE;
+    }
+    if (!mus__pattern_near(point[0], point[1])) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart on side %s of panel %s: its point (%g, %g) is not within %g m",
+                        own->name, board->panel[panel].name, point[0], point[1], MUS__FARTHEST);
+        return MUS_NONE;
+    }
+    double a[2], b[2];
+    mus__board_at(board, side, s - 0.5 * width, a, NULL);
+    mus__board_at(board, side, s + 0.5 * width, b, NULL);
+    mus__board_part_clear(board, panel, "dart", point, a);
+    mus__board_part_clear(board, panel, "dart", point, b);
+
+    /* the mouth out of the side; a seam that it is in takes its width as ease */
+    mus__board_part_twins(board, panel);
+    int32_t after = mus__board_split(board, side, s, NULL);
+    dart_trim(board, side, true, 0.5 * width);
+    dart_trim(board, after, false, 0.5 * width);
+    mus__board_part_ease(board, side, -0.5 * width);
+    mus__board_part_ease(board, after, -0.5 * width);
+
+    /* legs that differ are trued: both mouth ends come to the mean distance from the point */
+    double to_a = mus__dist2(a, point), to_b = mus__dist2(b, point), mean = 0.5 * (to_a + to_b);
+    for (int i = 0; i < 2 && fabs(to_a - to_b) > 1e-12; i++) {
+        a[i] = point[i] + mean / to_a * (a[i] - point[i]);
+        b[i] = point[i] + mean / to_b * (b[i] - point[i]);
+    }
+    mus__board_part_move_end(board, side, true, a);
+    mus__board_part_move_end(board, after, false, b);
+    return board->status == MUS_OK ? dart_legs(board, side, point, board->side[side].name, 0.0) : MUS_NONE;
+}
+
+
+void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
+{
+    dart_view dart;
+    if (!dart_read(board, leg, &dart)) return;
+    double to[2] = {0.5 * (dart.a[0] + dart.b[0]) - dart.point[0], 0.5 * (dart.a[1] + dart.b[1]) - dart.point[1]};
+    double depth = hypot(to[0], to[1]), point[2];
+    if (!(back <= depth - DART_SHORTEST) || !(fabs(dart.angle) < MUS_PI)) {
+        mus__board_fail(board, MUS_ERR_ARG,
+                        "dart at %s of panel %s: %g m off its point leave less than %g m of its %g m",
+                        board->side[leg].name, board->panel[dart.panel].name, back, DART_SHORTEST, depth);
+        return;
+    }
+    for (int i = 0; i < 2; i++) point[i] = dart.point[i] + back / depth * to[i];
+    if (!mus__pattern_near(point[0], point[1])) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m off its point is no place on the table",
+                        board->side[leg].name, board->panel[dart.panel].name, back);
+        return;
+    }
+    /* one that is made longer may meet something */
+    if (back < 0.0) mus__board_part_clear(board, dart.panel, "dart", point, dart.a);
+    if (back < 0.0) mus__board_part_clear(board, dart.panel, "dart", point, dart.b);
+    mus__board_part_twins(board, dart.panel);
+    mus__board_part_move_end(board, dart.leg, true, point);
+    mus__board_part_move_end(board, dart.back, false, point);
+}
+
+
+int32_t mus__board_dart_release(mus__board *board, int32_t leg)
+{
+    dart_view dart;
+    if (!dart_read(board, leg, &dart)) return MUS_NONE;
+    double width = mus__dist2(dart.a, dart.b);
+    int32_t before = board->side[leg].prev, after = board->side[dart.back].next;
+    if (before == dart.back) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it is the whole outline", board->side[leg].name,
+                        board->panel[dart.panel].name);
+        return MUS_NONE;
+    }
+    mus__board_part_twins(board, dart.panel);
+    if (!(width > DART_SAME)) {
+        dart_mouth_close(board, dart_remove(board, &dart));
+        return board->status == MUS_OK ? before : MUS_NONE;
+    }
+
+    /* across the mouth: the side before it goes on straight to the side after it; notches say where the fullness is */
+    const int32_t kind = MUS_PIECE_LINE;
+    const double xy[4] = {dart.a[0], dart.a[1], dart.b[0], dart.b[1]};
+    mus__board_chain line, whole = {0};
+    mus__board_chain_make(board, 1, &kind, 2, xy, &line);
+    if (board->status == MUS_OK) mus__board_chain_join(board, &board->side[before].chain, &line, &whole);
+    mus__free(board->context, line.xy);
+    if (board->status != MUS_OK) return MUS_NONE;
+    double mouth = board->side[before].length;
+    mus__free(board->context, board->side[before].chain.xy);
+    board->side[before].chain = whole;
+    board->side[before].length = mouth + width;
+    mus__board_part_ease(board, before, width);
+    dart_remove(board, &dart);
+    mus__board_notch_add(board, before, mouth, MUS_NOTCH_SINGLE);
+    mus__board_notch_add(board, before, mouth + width, MUS_NOTCH_SINGLE);
+    if (after != before) dart_mouth_close(board, before);
+    return board->status == MUS_OK ? before : MUS_NONE;
+}
+
+
+/* ---- a dart as part of a seam ---- */
+
+/* the panel of the part `from`..just before `to`, which both start at one place; no side is made */
+static int32_t dart_part(mus__board *board, int32_t from, int32_t to, const char *name)
+{
+    if (board->status != MUS_OK) return MUS_NONE;
+    int32_t old = board->side[from].panel, last = board->side[to].prev, before = board->side[from].prev;
+    mus__board_part moving = {0}, still = {0};
+    int32_t made = mus__board_panel_add(board, name, board->panel[old].label);
+    mus__board_part_run(board, &moving, from, last);
+    mus__board_part_run(board, &still, to, before);
+    mus__board_part_marks_to(board, old, &moving, &still, made);
+    mus__board_part_end(board, &moving);
+    mus__board_part_end(board, &still);
+    if (board->status != MUS_OK) return MUS_NONE;
+
+    mus__board_panel *a = &board->panel[old], *b = &board->panel[made];
+    b->cut_count = a->cut_count, b->single = a->single, b->placement = a->placement;
+    memcpy(b->grain, a->grain, sizeof b->grain);
+    for (int32_t side = from;; side = board->side[side].next) {
+        board->side[side].panel = made;
+        if (side == last) break;
+    }
+    a->first = to, b->first = from;
+    mus__board_follow(board, before, to);
+    mus__board_follow(board, last, from);
+    return made;
+}
+
+
+/* one seam of all that joins the two panels from `side` on */
+static void dart_seam(mus__board *board, int32_t side, const char *name)
+{
+    while (board->status == MUS_OK && mus__board_mergeable(board, side) && mus__board_partner(board, side) != MUS_NONE)
+        mus__board_merge(board, side);
+    if (board->status != MUS_OK) return;
+    mus__board_rename(board, side, name, NULL);
+    mus__board_rename(board, mus__board_partner(board, side), name, NULL);
+}
+
+
+int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int32_t npiece, const int32_t *kinds,
+                                int32_t nxy, const double *xy, const char *name, const char *seam_name)
+{
+    dart_view dart;
+    if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, to)) return MUS_NONE;
+    const char *panel = board->panel[dart.panel].name;
+    if (board->side[to].panel != dart.panel || to == dart.leg || to == dart.back) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: side %s is no place for its seam to end",
+                        board->side[leg].name, panel, board->side[to].name);
+        return MUS_NONE;
+    }
+    if (npiece > 0) {
+        int32_t made = mus__board_cut(board, dart.back, to, npiece, kinds, nxy, xy, name, seam_name);
+        dart_seam(board, leg, seam_name);
+        return board->status == MUS_OK ? made : MUS_NONE;
+    }
+
+    /* nothing to cut: the seam goes on in a dart whose point is this one's */
+    double gap = mus__dist2(dart.point, mus__board_start(board, to));
+    if (!(gap <= DART_SAME)) {
+        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: its point is %g m from the start of side %s",
+                        board->side[leg].name, panel, gap, board->side[to].name);
+        return MUS_NONE;
+    }
+    mus__board_part_twins(board, dart.panel);
+    int32_t made = dart_part(board, dart.back, to, name);
+    dart_seam(board, leg, seam_name);
+    return board->status == MUS_OK ? made : MUS_NONE;
+}

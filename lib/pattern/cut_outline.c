@@ -1,0 +1,57 @@
+/*
+ * cut_outline.c: lines inside a panel: edges that its outline passes once each way.
+ *
+ * An outline may leave its rim along a bridge, pass a line inside the panel and come back over both. Seen as a surface
+ * nothing was cut: the line has the panel on both sides, two sheets of one edge. A patch pocket is sewn to such a line
+ * and is the third sheet there. What is left of the word when an edge and the same edge back, one after the other, are
+ * taken out until none is left (free reduction of a cyclic word), is the rim: what is cut on the table.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "pattern/pattern_internal.h"
+
+
+/* the places of the rim in the word of a panel, in order, into kept (noutline): how many. They are kept[*first] ..,
+ * since what cancels over the start of the word stands before */
+static int32_t inner_reduce(const mus__panel *panel, int32_t *kept, int32_t *first)
+{
+    const int32_t n = panel->noutline, *edge = panel->outline, *turn = panel->outline + n;
+    int32_t top = 0, low = 0;
+    for (int32_t k = 0; k < n; k++) {
+        const bool back = top > 0 && edge[kept[top - 1]] == edge[k] && turn[kept[top - 1]] != turn[k];
+        if (back) top--;
+        else kept[top++] = k;
+    }
+    while (top - low >= 2 && edge[kept[low]] == edge[kept[top - 1]] && turn[kept[low]] != turn[kept[top - 1]])
+        low++, top--;
+    *first = low;
+    return top - low;
+}
+
+
+mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions,
+                           int32_t capacity, int32_t *count)
+{
+    if (count != NULL) *count = 0;
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = pattern->context;
+    const mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    const mus__panel *own = &pattern->panel[panel];
+    if (capacity < 0)
+        return mus__fail(context, MUS_ERR_ARG, "rim of panel %s: room for %d edges", own->name, (int)capacity);
+    if (own->noutline == 0) return mus__fail(context, MUS_ERR_PATTERN, "panel %s has no outline", own->name);
+
+    int32_t first, *kept = mus__room(context, own->noutline, sizeof *kept);
+    if (kept == NULL) return mus__fail_memory(context, "the rim of a panel");
+    const int32_t n = inner_reduce(own, kept, &first);
+    for (int32_t i = 0; i < n && i < capacity; i++) {
+        const int32_t k = kept[first + i];
+        if (edges != NULL) edges[i] = own->outline[k];
+        if (directions != NULL) directions[i] = own->outline[own->noutline + k];
+    }
+    mus__free(context, kept);
+    if (count != NULL) *count = n;
+    return MUS_OK;
+}

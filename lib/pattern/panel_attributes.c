@@ -1,0 +1,198 @@
+/*
+ * panel_attributes.c: what is said of a panel: its label, grain, cut and layer, and where it stands before sewing.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "pattern/pattern_internal.h"
+
+/* how far the matrix of a placement may be from a rotation: files give angles and entries to 6 digits or more */
+#define ROTATION_SLACK 1e-6
+/* a panel rolled tighter than this is no garment, and the roll would be divided by almost nothing */
+#define SMALLEST_BEND 0.001
+
+
+const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t panel)
+{
+    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].name : NULL;
+}
+
+
+mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status == MUS_OK) status = mus__pattern_take_name(pattern, "panel label", label, pattern->panel[panel].label);
+    if (status == MUS_OK) mus__pattern_edited(pattern);
+    return status;
+}
+
+
+const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel)
+{
+    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].label : NULL;
+}
+
+
+mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    double length = hypot(x, y);
+    if (!mus__finite(length) || length == 0.0)
+        return mus__fail(pattern->context, MUS_ERR_ARG, "grain of panel %s: (%g, %g) is no direction",
+                         pattern->panel[panel].name, x, y);
+
+    /* kept as given when it is a unit vector already, so that writing and reading changes no bit */
+    bool unit = fabs(length - 1.0) < 4.0e-16;
+    pattern->panel[panel].grain[0] = unit ? x : x / length;
+    pattern->panel[panel].grain[1] = unit ? y : y / length;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "grain: out is NULL");
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status == MUS_OK) memcpy(out, pattern->panel[panel].grain, 2 * sizeof *out);
+    return status;
+}
+
+
+mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = pattern->context;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status == MUS_OK && mirror_of != MUS_NONE)
+        status = mus__pattern_known(pattern, "panel", mirror_of, pattern->npanel);
+    if (status != MUS_OK) return status;
+
+    mus__panel *own = &pattern->panel[panel];
+    if (count < 0 || count > 1000)
+        return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to 1000", own->name,
+                         (int)count);
+
+    /* a mirror of a mirror would leave both unprinted */
+    if (mirror_of == panel || (mirror_of != MUS_NONE && pattern->panel[mirror_of].mirror_of != MUS_NONE))
+        return mus__fail(context, MUS_ERR_ARG, "panel %s: it cannot mirror panel %s, which %s", own->name,
+                         pattern->panel[mirror_of].name, mirror_of == panel ? "is itself" : "mirrors another");
+    own->cut_count = count;
+    own->mirror_of = mirror_of;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of)
+{
+    if (count != NULL) *count = 0;
+    if (mirror_of != NULL) *mirror_of = MUS_NONE;
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    if (count != NULL) *count = pattern->panel[panel].cut_count;
+    if (mirror_of != NULL) *mirror_of = pattern->panel[panel].mirror_of;
+    return MUS_OK;
+}
+
+
+void mus_placement_init(mus_placement *placement, size_t size)
+{
+    if (placement == NULL || size < sizeof placement->size) return;
+    mus_placement own = {.size = size, .rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    memset(placement, 0, size);
+    memcpy(placement, &own, size < sizeof own ? size : sizeof own);
+}
+
+
+/* is every number finite, and R^T R = 1 with det R = +1? */
+static mus_status placement_check(mus_context *context, const char *name, const mus_placement *p)
+{
+    bool finite = mus__finite(p->bend) && mus__finite(p->bend_x) && mus__finite(p->fold);
+    for (int32_t i = 0; i < 3; i++) finite = finite && mus__finite(p->origin[i]);
+    for (int32_t i = 0; i < 9; i++) finite = finite && mus__finite(p->rotation[i]);
+    if (!finite) return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a number is not finite", name);
+    if (p->bend != 0.0 && fabs(p->bend) < SMALLEST_BEND)
+        return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a bend of %g m is tighter than %g m", name,
+                         p->bend, SMALLEST_BEND);
+
+    if (!(p->fold >= 0.0 && p->fold <= 1.0))
+        return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: pleats folded to %g of their depth, not 0 to 1",
+                         name, p->fold);
+
+    const double *r = p->rotation;
+    double worst = 0.0;
+    for (int32_t i = 0; i < 3; i++) {
+        for (int32_t j = 0; j < 3; j++) {
+            double dot = r[i] * r[j] + r[3 + i] * r[3 + j] + r[6 + i] * r[6 + j];
+            worst = fmax(worst, fabs(dot - (i == j ? 1.0 : 0.0)));
+        }
+    }
+    double det =
+        r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
+    if (worst > ROTATION_SLACK || det < 0.0)
+        return mus__fail(context, MUS_ERR_ARG,
+                         "placement of panel %s: the matrix is no rotation (determinant %g, off by %g, limit %g)", name,
+                         det, worst, ROTATION_SLACK);
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = pattern->context;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    if (placement == NULL)
+        return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: it is NULL", pattern->panel[panel].name);
+
+    mus_placement own;
+    mus_placement_init(&own, sizeof own);
+    status = mus__def_read(context, &own, sizeof own, sizeof own, placement, "placement");
+    if (status == MUS_OK) status = placement_check(context, pattern->panel[panel].name, &own);
+    if (status != MUS_OK) return status;
+    pattern->panel[panel].placement = own;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t panel, mus_placement *out)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "placement: out is NULL");
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    return mus__pattern_give(pattern, out, &pattern->panel[panel].placement, sizeof *out, "placement");
+}
+
+
+mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer)
+{
+    if (layer >= 0 && layer < MUS_LAYERS_MOST) return MUS_OK;
+    return mus__fail(pattern->context, MUS_ERR_ARG, "layer is %d, expected 0 to %d", (int)layer, MUS_LAYERS_MOST - 1);
+}
+
+
+mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t layer)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status == MUS_OK) status = mus__layer_check(pattern, layer);
+    if (status != MUS_OK) return status;
+    pattern->panel[panel].layer = layer;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+int32_t mus_pattern_layer(const mus_pattern *pattern, int32_t panel)
+{
+    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].layer : MUS_NONE;
+}

@@ -1,0 +1,99 @@
+/*
+ * pattern_data.h: the data of a pattern and its invariants.
+ *
+ * Cells stand in growing arrays, index = name of the cell for good: nothing is removed. What has no fixed size (the
+ * chain of an edge, the word of a panel, the points of a mark) is a block of its own, so that views handed out stay
+ * put while other cells are added. Texts are inside their cell.
+ *
+ * Invariants: coordinates are within MUS__FARTHEST; every outline is a closed word of edges of its own panel; every
+ * edge is longer than 0; all numbers are finite (but for the allowance that is NaN: left to the sheet); every index
+ * points at something.
+ */
+#ifndef MUS_PATTERN_DATA_H
+#define MUS_PATTERN_DATA_H
+
+#include "base/base_internal.h"
+#include "muslin/pattern.h"
+
+#define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
+/* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
+#define MUS__FARTHEST 1e6
+#define MUS__FAULT_BYTES 768 /* five names and a sentence round them */
+
+typedef struct mus__panel {
+    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
+    int32_t noutline, cut_count, mirror_of, layer;
+    int32_t *outline; /* (noutline) edges, then (noutline) directions +1, -1; NULL without an outline */
+    double grain[2];  /* unit vector along the warp */
+    mus_placement placement;
+} mus__panel;
+
+typedef struct mus__point {
+    double xy[2];
+    int32_t panel;
+} mus__point;
+
+/* what keeps an edge up: a hold on the body and how far below it, an elastic (stiffness 0: none) */
+typedef struct mus__edge_stay {
+    int32_t hold; /* MUS_HOLD_* */
+    double below, ratio, stiffness;
+} mus__edge_stay;
+
+typedef struct mus__edge {
+    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
+    int32_t panel, start, end;
+    int32_t seam, nseam; /* the first seam that it is in or MUS_NONE, and how many there are */
+    int32_t npiece, nxy; /* nxy counts both ends */
+    double allowance;
+    mus__edge_stay stay;
+    double *xy;     /* (nxy x 2), the block that holds the next two as well */
+    double *run;    /* (npiece + 1) arc length at the start of each piece; the last is the edge's length */
+    int32_t *kinds; /* (npiece) */
+} mus__edge;
+
+typedef struct mus__notch {
+    double s;
+    int32_t edge, kind;
+} mus__notch;
+
+typedef struct mus__mark {
+    char name[MUS__NAME_BYTES];
+    int32_t panel, n;
+    double *xy; /* (n x 2) */
+} mus__mark;
+
+/* an opening that the sewn garment is to have */
+typedef struct mus__opening {
+    char label[MUS__NAME_BYTES];
+} mus__opening;
+
+typedef struct mus__fault {
+    int32_t kind, panel, edge, seam;
+    char text[MUS__FAULT_BYTES];
+} mus__fault;
+
+/* what a pattern was before its last edits, and after those that were undone: patterns without a history of their own.
+ * The last of each list is next */
+typedef struct mus__history {
+    int32_t depth, ndone, nundone;
+    mus_pattern **done, **undone; /* (depth) each, one block */
+} mus__history;
+
+struct mus_pattern {
+    mus_context *context;
+    char name[MUS__NAME_BYTES];
+    int32_t npanel, npoint, nedge, nseam, nnotch, nmark, nfault;
+    int32_t panel_room, point_room, edge_room, seam_room, notch_room, mark_room;
+    int32_t nopening, opening_room;
+    mus__panel *panel;     /* (npanel) */
+    mus__point *point;     /* (npoint) */
+    mus__edge *edge;       /* (nedge) */
+    mus_seam_def *seam;    /* (nseam) */
+    mus__notch *notch;     /* (nnotch) */
+    mus__mark *mark;       /* (nmark) */
+    mus__opening *opening; /* (nopening) */
+    mus__fault *fault;     /* (nfault) of the last check; dropped by every edit */
+    mus__history *history; /* what it was before edits, NULL unless it is kept */
+};
+
+#endif

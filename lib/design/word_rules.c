@@ -1,11 +1,11 @@
 /*
- * word_rules.c: what goes with what. A rule is up to four conditions and a reason; a style that meets all of them is
- * refused with the reason. A condition is an axis with options that meet it ("neck=halter,strapless") or with those
- * that do not ("sleeve!=none"); on a garment without that axis it is never met.
+ * word_rules.c: the rules of which words go together. A rule is up to four conditions and a reason; a style that meets
+ * all of them is refused with the reason. A condition lists the options of an axis that meet it
+ * ("neck=halter,strapless") or that do not ("sleeve!=none"). A garment without that axis never meets it.
  *
- * Source: the constraints of the project's drafting reference, section 5, with their counts: 1617 tops (4068 with
- * closures), 70 skirts (234 with bands), 27 trousers (95), 98896 dresses, 38583 jumpsuits, which a test enumerates.
- * Rules about collars, cuffs, yokes and eases that the reference does not count come after them.
+ * The first rules leave 1617 tops (4068 with closures), 70 skirts (234 with bands), 27 trousers (95), 98896 dresses and
+ * 38583 jumpsuits, as counted by an independent script; a test enumerates them. Rules about collars, cuffs, yokes and
+ * eases, which are not counted, come after them.
  */
 #include <stdio.h>
 #include <string.h>
@@ -57,7 +57,7 @@ static const struct {
     {{"leg=jogger,harem", "leg_length=short,bermuda,capri"}, "its rib holds at the ankle"},
     {{"band=elastic", "leg=tapered,bootcut,flare,culotte"}, "the top edge does not pass the hips"},
 
-    /* not counted in the reference */
+    /* not counted */
     {{"closure=none", "band!=elastic,none", "garment=skirt,trousers", "cloth=woven"}, "a fitted band needs an opening"},
     {{"closure!=none", "band=elastic"}, "it passes the hips without an opening"},
     {{"garment=jumpsuit", "closure=none", "cloth=woven"}, "one steps into it through its opening"},
@@ -102,7 +102,7 @@ static const struct {
 #define WORD_RULES ((int32_t)(sizeof rules_list / sizeof rules_list[0]))
 
 
-/* the axis that a condition begins with */
+/* the axis that a condition names */
 static int32_t rules_condition_axis(const char *condition)
 {
     const size_t n = strcspn(condition, "!=");

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* axis, its word, its options in the order of their enum. The first is the default */
+/* axis, its word, its options in the order of their enum. The first option is the default */
 #define MUS__AXES(X)                                                                                                   \
     X(GARMENT, "garment", "top", "skirt", "trousers", "dress", "jumpsuit", "cape")                                     \
     X(NECK, "neck", "jewel", "scoop", "v", "deep_v", "square", "boat", "sweetheart", "keyhole", "halter", "strapless") \
@@ -74,9 +74,9 @@ typedef struct mus__style {
     int32_t option[MUS__AXIS_COUNT];
 } mus__style;
 
-/* a garment has an axis: a skirt has no sleeve */
+/* Whether a garment has an axis: a skirt has no sleeve. */
 bool mus__style_has(int32_t garment, int32_t axis);
-/* the word of an option ("puff"), of an axis ("sleeve"); NULL outside */
+/* The word of an option ("puff"), of an axis ("sleeve"); NULL outside. */
 const char *mus__style_word(int32_t axis, int32_t option);
 const char *mus__style_axis(int32_t axis);
 

@@ -1,9 +1,8 @@
 /*
- * skirt.c: the half of a skirt by its word: which of the skirts is drawn, and the straight one with its kin.
+ * skirt.c: the half of a skirt by its word; the straight skirts are drawn here.
  *
- * Each draws front and back (or gores, or sectors) on the cutting table with its top edge labelled "waist", sews what
- * belongs together, and stands it round the hips. Under a bodice the top edge is sewn to its waist.
- * Source: drafting.md sections 3.4, 3.5; formulas in the man page mus_design(3).
+ * Each skirt draws its panels on the cutting table with the top edge labelled "waist", sews them to one another and
+ * places them round the hips. Under a bodice the top edge is sewn to its waist. Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -15,7 +14,7 @@
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
 
 
-/* the block for this half: its waist under a bodice as long as that one's, its darts below that one's */
+/* figures of the skirt block: under a bodice its waist has the length of the bodice's and its darts lie below them */
 static mus__skirt_def skirt_block(const mus__half *half, double flare)
 {
     const double *m = half->measures.v, level = mus__lower_level(half);
@@ -81,7 +80,7 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
 
-    /* the hip: the front's side is walked up, the back's down */
+    /* notch at the hip level: the outline runs up the side of a front and down that of a back */
     const double hip = front ? block->side_length - block->side_high_length : block->side_high_length;
     mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"), hip,
                          front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
@@ -89,7 +88,7 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
 }
 
 
-/* slits of front and back (2) from the hem up; the front's panel */
+/* draws and sews front and back; slit (2): heights of their slits above the hem; returns the panel of the front */
 static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, const double *slit, bool whole)
 {
     mus__skirt block;
@@ -107,8 +106,8 @@ static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, c
 }
 
 
-/* straight; pencil: the hem 2.5 cm in a half; a-line: out by an eighth of what is below the hip, the waist taken in by
- * the side and the darts. A narrow hem that reaches the knee has a slit at the centre back */
+/* straight; pencil: the hem is 2.5 cm narrower, a half; a_line: it is wider by 0.18 of the length below the hip, a
+ * half. A narrow hem that reaches the knee has a slit at the centre back */
 void mus__skirt_straight(mus__half *half)
 {
     const int32_t kind = half->style.option[MUS__AXIS_SKIRT];
@@ -147,8 +146,8 @@ static void skirt_block_alone(mus__half *half)
 }
 
 
-/* what laps over from the left front to the right one, from the end of the centre seam down: a sector about that end,
- * so that it hangs no lower than the hem; one for a hem that falls is shorter at its edge. It is cut once */
+/* the part of the left front that laps over the right one, below the end of the centre seam: a sector about that
+ * end, so that it does not hang below the hem; shorter at its edge for a high-low hem. It is cut once */
 static void skirt_lap(mus__half *half, int32_t front, double top, double bottom, double width)
 {
     const double height = top - bottom, angle = fmin(width / height, 0.6);
@@ -170,15 +169,15 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
     half->board.panel[lap].single = 1;
     mus__half_sew(half, front, "slit", lap, "join", 0.0);
 
-    /* as the front, and 2 cm before it */
+    /* placed as the front and 2 cm before it */
     half->board.panel[lap].placement = half->board.panel[front].placement;
     half->board.panel[lap].placement.origin[2] += 0.02;
     half->board.panel[lap].placement.bend += 0.02;
 }
 
 
-/* a front that laps over: the fronts are sewn together at the centre half way to the hip, and from there on the left
- * one goes on over the right */
+/* a wrap skirt: the fronts are sewn together at the centre half way to the hip; below, the left one laps over the
+ * right */
 void mus__skirt_wrap(mus__half *half)
 {
     mus__skirt_def def = skirt_block(half, 0.0);

@@ -1,6 +1,6 @@
 /*
  * drafts.h: what the tests of the designs share: tapes and measures of the table sizes, drafts by name, edges by panel
- * and name. Lengths in the tables of golden numbers are centimetres, as in the drafting reference.
+ * and name. Lengths in the tables of golden numbers are centimetres.
  */
 #ifndef MUS_TESTS_DRAFTS_H
 #define MUS_TESTS_DRAFTS_H

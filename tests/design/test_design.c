@@ -51,8 +51,8 @@ START_TEST(options_take_effect)
     ck_assert_int_eq(design_with(context, "tshirt", "W40", &def, &plain), MUS_OK);
     ck_assert_double_eq(drafts_length(own, "front", "side"), drafts_length(plain, "front", "side"));
 
-    /* an ease of 24 cm on the bust is 16 cm more than the design's own, so that of the hip is 20 cm; the hem clears both.
-     * The length is that of the caller */
+    /* an ease of 24 cm on the bust is 16 cm more than the design's own, so that of the hip is 20 cm; the hem clears
+     * both. The length is that of the caller */
     def.ease = 0.24, def.length = 0.35, def.sleeve = 0.30;
     ck_assert_int_eq(design_with(context, "tshirt", "W40", &def, &wide), MUS_OK);
     const mus__measures measures = drafts_measures(context, "W40");

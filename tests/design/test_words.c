@@ -114,7 +114,7 @@ static void count_lowers(int32_t garment, int32_t shape, int32_t length, int32_t
 }
 
 
-/* the counts of the drafting reference, section 5 (design_count.py) */
+/* the counts of an independent script that enumerates the rules */
 START_TEST(combinations_are_as_many_as_the_reference_counts)
 {
     int32_t closures, tops, fitted, empire, bands, skirts, narrow, leg_bands, legs, none;

@@ -1,7 +1,7 @@
 /*
  * test_shaping.c: what shapes, necks and closures of a top promise, on the half garment that they are worked on.
  *
- * Figures: drafting reference 4.1 (a bust dart turned into the waist), 3.9 (T-shirt), 3.10 (waist lines that meet).
+ * Figures by hand: a bust dart rotated into the waist, the T-shirt, waist lines that meet.
  */
 #include <stdio.h>
 

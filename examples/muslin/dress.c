@@ -52,7 +52,7 @@ static mus_status prepare(dress *d)
 
     start = seconds();
     d->found = d->body != NULL && (d->place != NULL ? strcmp(d->place, "found") == 0 : !has_place(d->s.pattern));
-    if (d->found) status = mus_pattern_place(d->s.pattern, d->body);
+    if (d->found) status = mus_arrange_pattern(d->s.pattern, d->body);
     d->place_seconds = seconds() - start;
     return status;
 }
@@ -193,7 +193,7 @@ static void attempts(dress *d)
     mus_pattern *found = NULL;
     const double start = seconds();
     mus_status status = mus_pattern_copy(d->s.pattern, &found);
-    if (status == MUS_OK) status = mus_pattern_place(found, d->body);
+    if (status == MUS_OK) status = mus_arrange_pattern(found, d->body);
     d->place_seconds += seconds() - start;
     if (status == MUS_OK) end = attempt_again(d, found, true);
     d->found = d->outcome == MUS_OK;

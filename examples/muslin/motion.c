@@ -27,7 +27,7 @@ typedef struct lead {
     const dressed *d;
     motion *m;
     mus_move *move;
-    mus_drape_forecast plan;
+    mus_estimate plan;
     double *last; /* (nodes x 3) of the frame before */
     track cloth, body;
     double *times;
@@ -75,7 +75,7 @@ static mus_status height_on_body(const dressed *d, double *out)
 
 
 /* one frame of stepping, while the body goes into `pose`; what it shows is kept */
-static mus_status step_frame(const dressed *d, motion *m, const mus_drape_forecast *plan, const mus_pose *pose,
+static mus_status step_frame(const dressed *d, motion *m, const mus_estimate *plan, const mus_pose *pose,
                              double *last)
 {
     const double frame = 1.0 / MOTION_RATE, start = seconds();
@@ -107,7 +107,7 @@ static mus_status step_frame(const dressed *d, motion *m, const mus_drape_foreca
 
 
 /* ease all angles from how the body stands to `target`: 3 u^2 - 2 u^3 of the way */
-static mus_status ease(const dressed *d, motion *m, const mus_drape_forecast *plan, const mus_pose *target,
+static mus_status ease(const dressed *d, motion *m, const mus_estimate *plan, const mus_pose *target,
                        double *last)
 {
     mus_pose from, now;
@@ -128,20 +128,20 @@ static mus_status ease(const dressed *d, motion *m, const mus_drape_forecast *pl
 }
 
 
-static mus_status begin(const dressed *d, mus_drape_forecast *plan, double **last)
+static mus_status begin(const dressed *d, mus_estimate *plan, double **last)
 {
     const size_t bytes = (size_t)mus_drape_node_count(d->drape) * 3 * sizeof **last;
     *last = malloc(bytes + 1);
     if (*last == NULL) return MUS_ERR_MEMORY;
     memcpy(*last, mus_drape_positions(d->drape), bytes);
-    mus_drape_forecast_init(plan, sizeof *plan);
-    return mus_drape_plan(d->drape, 1.0 / MOTION_RATE, plan);
+    mus_estimate_init(plan, sizeof *plan);
+    return mus_drape_estimate(d->drape, 1.0 / MOTION_RATE, plan);
 }
 
 
 mus_status motion_into(const dressed *d, motion *m, const char *pose)
 {
-    mus_drape_forecast plan;
+    mus_estimate plan;
     mus_pose target;
     double *last = NULL;
     mus_pose_init(&target, sizeof target);

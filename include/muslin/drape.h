@@ -12,6 +12,7 @@
 #ifndef MUSLIN_DRAPE_H
 #define MUSLIN_DRAPE_H
 
+#include "muslin/arrange.h"
 #include "muslin/base.h"
 #include "muslin/body.h"
 #include "muslin/cloth.h"
@@ -65,18 +66,6 @@ MUS_API mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth
                                     const mus_drape_def *def, mus_drape **out);
 
 MUS_API void mus_drape_destroy(mus_drape *drape);
-
-/**
- * Find where the panels of a pattern start round a body, and write it as their placement: partner edges face each
- * other, right sides off the body, no panel in the body.
- *
- * Panels that lie side by side make tubes, which go round the trunk, the neck, the arms; front, back, left, right,
- * sleeve, collar, hood, cuff and leg in names and labels count, seams count more. The body is taken as it was made.
- * Errors:  MUS_ERR_ARG; MUS_ERR_BODY (a body that was not made of a tape); MUS_ERR_PATTERN (a panel without outline);
- *          MUS_ERR_MEMORY; the pattern is as it was
- * Cost:    a few milliseconds
- */
-MUS_API mus_status mus_pattern_place(mus_pattern *pattern, const mus_body *body);
 
 /** Put the nodes where the pattern's placement says, at rest, and open all seams again. */
 MUS_API mus_status mus_drape_place(mus_drape *drape);
@@ -135,7 +124,7 @@ MUS_API mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity
  *   RK4:     h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
  *   Verlet:  h = 4 / (D + sqrt(D^2 + 4 O^2)),  D = G - drag; without dashpots 2 / O. Any drag is stable
  *
- * Source: every root lies in a half disc or on the real axis (proof: lib/drape/stiffness.c); Runge-Kutta is stable in
+ * Source: every root lies in a half disc or on the real axis (proof: lib/sim/step_bound.c); Runge-Kutta is stable in
  * the half disc of radius 2.62 and from -2.785 to 0.
  */
 MUS_API double mus_drape_step_bound(const mus_drape *drape);
@@ -230,7 +219,7 @@ MUS_API mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane,
 MUS_API mus_status mus_drape_move_plane(mus_drape *drape, int32_t index, const double *velocity, double spin);
 
 /** What a run will cost, told before it. */
-typedef struct mus_drape_forecast {
+typedef struct mus_estimate {
     size_t size;
     double step;             /* to be used: 0.9 of the bound, or the frame where that is shorter [s] */
     double step_bound;       /* [s] */
@@ -241,9 +230,9 @@ typedef struct mus_drape_forecast {
     double bend_share;       /* part of it that bending, seams and tacks are, the rest is stretch and shear */
     double seconds;          /* CPU seconds for a frame, from a trial of a few steps, which it takes back */
     int64_t node_evaluations; /* a frame */
-} mus_drape_forecast;
+} mus_estimate;
 
-MUS_API void mus_drape_forecast_init(mus_drape_forecast *forecast, size_t size);
+MUS_API void mus_estimate_init(mus_estimate *estimate, size_t size);
 
 /**
  * Step, steps a frame, and CPU time of mus_drape_step, and which node is the reason.
@@ -252,7 +241,7 @@ MUS_API void mus_drape_forecast_init(mus_drape_forecast *forecast, size_t size);
  * Errors: MUS_ERR_ARG, MUS_ERR_VERSION
  * Cost:   8 steps; the state is as before
  */
-MUS_API mus_status mus_drape_plan(mus_drape *drape, double frame, mus_drape_forecast *out);
+MUS_API mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estimate *out);
 
 /**
  * Force of springs, tacks, bending and gravity on each node: out (nodes x 3) [N], without contact, damping and open
@@ -314,38 +303,6 @@ MUS_API int32_t mus_drape_node_count(const mus_drape *drape);
 /** Cloth time since place [s]. */
 MUS_API double mus_drape_time(const mus_drape *drape);
 
-/* Why a garment is on, or is not: the whole list. */
-#define MUS_REASON_NONE 0          /* nothing was asked of it yet, or a caller stopped it */
-#define MUS_REASON_SETTLED 1
-#define MUS_REASON_TWISTED_SEAM 2  /* seam: it makes the garment one-sided */
-#define MUS_REASON_PANEL_CROSSES 3 /* panel: its outline crosses itself */
-#define MUS_REASON_SEAM_OPEN 4     /* seam, place, value: its gap [m] */
-#define MUS_REASON_START_TANGLED 5 /* panel or seam: it begins inside the body, twisted, or with its sides exchanged */
-#define MUS_REASON_SLID_OFF 6      /* panel that was uppermost, value: when [s] */
-#define MUS_REASON_TANGLED 7       /* count: crossings of cloth with cloth */
-#define MUS_REASON_NOT_SETTLED 8   /* panel, node and place that are farthest from rest, value: the residual */
-#define MUS_REASON_UNSTABLE 9      /* the motion diverged */
-#define MUS_REASON_BAD_INPUT 10    /* any other fault of what was given */
-#define MUS_REASON_COUNT 11
-
-/** A reason with its place. */
-typedef struct mus_reason {
-    size_t size;
-    int32_t kind;    /* MUS_REASON_* */
-    int32_t panel;   /* or MUS_NONE */
-    int32_t seam;    /* or MUS_NONE */
-    int32_t node;    /* of the cloth, or MUS_NONE */
-    int32_t count;   /* of a tangle */
-    double value;    /* see the list */
-    double place[3]; /* [m], 0 without one */
-    char text[256];  /* one sentence, UTF-8, names cut where it is full */
-} mus_reason;
-
-MUS_API void mus_reason_init(mus_reason *reason, size_t size);
-
-/** A kind in words ("slid off"); NULL outside the list. */
-MUS_API const char *mus_reason_name(int32_t kind);
-
 /**
  * What is wrong with how the cloth lies now, before it is sewn: MUS_REASON_START_TANGLED with panel or seam and a
  * sentence, or MUS_REASON_NONE.
@@ -359,10 +316,6 @@ MUS_API mus_status mus_drape_start(const mus_drape *drape, mus_reason *out);
 
 /** Why the last sew or settle ended as it did. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out);
-
-/** What a check says against a pattern, MUS_REASON_NONE if nothing: the reason that no cloth can be cut of it. The
- * pattern is checked on a copy. Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY. */
-MUS_API mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out);
 
 /** What a drape did and how it stands. */
 typedef struct mus_drape_report {

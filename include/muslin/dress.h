@@ -70,7 +70,7 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
 /**
  * Dress a body in a pattern: place, cut, sew and settle, from up to two placements, each tried up to twice.
  *
- * The pattern's own placement comes first when it has one, else the one of mus_pattern_place(). A start fails when
+ * The pattern's own placement comes first when it has one, else the one of mus_arrange_pattern(). A start fails when
  * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off or finds no
  * rest. Then, with MUS_DRESS_PLACE_BOTH and `retry`, the found placement has its turn. Because sewing with patience
  * is slow, both placements are first sewn in one way only, and with all ways after that. The first success ends the

@@ -15,6 +15,7 @@
 #include "muslin/edit.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"
+#include "muslin/arrange.h"
 #include "muslin/integrate.h"
 #include "muslin/drape.h"
 #include "muslin/dress.h"

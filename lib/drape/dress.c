@@ -235,7 +235,7 @@ static void dress_starts(dress_call *call, const mus_pattern *pattern, bool othe
     int32_t end = MUS_REASON_NONE;
     const double start = dress_time();
     mus_status status = mus_pattern_copy(pattern, &call->found);
-    if (status == MUS_OK) status = mus_pattern_place(call->found, call->body);
+    if (status == MUS_OK) status = mus_arrange_pattern(call->found, call->body);
     call->report.place_seconds += dress_time() - start;
     if (status == MUS_OK) end = dress_again(call, call->found, MUS_DRESS_PLACE_FOUND, false, false, kept);
     if (kept->status != MUS_OK && open && !call->stopped)
@@ -258,7 +258,7 @@ static mus_status dress_prepare(dress_call *call, const mus_pattern **pattern)
     if (status == MUS_OK && def->open_closures) status = mus_pattern_open_closures(call->own, 1, NULL);
     if (status == MUS_OK && find) {
         const double start = dress_time();
-        status = mus_pattern_place(call->own, call->body);
+        status = mus_arrange_pattern(call->own, call->body);
         call->report.place_seconds = dress_time() - start;
     }
     call->report.found = find;

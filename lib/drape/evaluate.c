@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 
 
 mus_status mus_drape_evaluate(mus_drape *drape, int32_t times)
@@ -16,7 +16,7 @@ mus_status mus_drape_evaluate(mus_drape *drape, int32_t times)
     const size_t bytes = 3 * (size_t)sim->n * sim->ops->real;
     const int32_t fresh = sim->fresh;
     memcpy(sim->second, sim->f, bytes);
-    sim->dashpots = drape->plan.dashpots;
+    sim->dashpots = drape->program.dashpots;
     for (int32_t i = 0; i < times; i++) sim->ops->force(sim);
     memcpy(sim->f, sim->second, bytes);
     sim->fresh = fresh;

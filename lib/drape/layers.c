@@ -14,14 +14,17 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "arrange/arrange_nodes.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
+#include "drape/sew.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"
 
-#define LAYERS_TRIALS 24   /* of starts, each farther out */
-#define LAYERS_REACH 0.3   /* [m]: the body is looked for so far from a panel */
-#define LAYERS_STEP 0.004  /* [m] in again */
-#define WAY_MOST 8         /* sheets between the nodes of a pair */
+#define LAYERS_TRIALS 24  /* of starts, each farther out */
+#define LAYERS_REACH 0.3  /* [m]: the body is looked for so far from a panel */
+#define LAYERS_STEP 0.004 /* [m] in again */
+#define WAY_MOST 8        /* sheets between the nodes of a pair */
 
 
 /* the first layer from `from` on that any panel is in, 0 when there is none */
@@ -39,12 +42,12 @@ static int32_t layers_next(const mus_cloth *cloth, int32_t from)
 /* panels from layer `from` on wait, 0: none do */
 static void layers_wait(mus_drape *drape, int32_t from)
 {
-    drape->plan.wait_from = from;
+    drape->program.wait_from = from;
     for (int32_t i = 0; i < drape->n; i++) {
         const int32_t waits = from > 0 && mus__cloth_layer(drape->cloth, i) >= from;
         drape->pinned[i] = (drape->pinned[i] & ~MUS__WAITS) | (waits ? MUS__WAITS : 0);
     }
-    mus__plan_weld(drape->cloth, drape->welded ? drape->rep : NULL, &drape->plan);
+    mus__program_weld(drape->cloth, drape->welded ? drape->rep : NULL, &drape->program);
     mus__drape_self_weld(drape);
     mus__drape_push(drape);
 }
@@ -84,8 +87,10 @@ static void layers_note(void *user, int32_t p, int32_t q, int32_t of, int32_t me
     const int32_t i = triangle[3 * (int64_t)of], k = triangle[3 * (int64_t)met];
     const int32_t a = mus__cloth_layer(found->cloth, i), b = mus__cloth_layer(found->cloth, k);
     if (a > found->layer || b > found->layer) return;
-    if (found->panel == MUS_NONE) found->count += a != b && (a == found->layer || b == found->layer);
-    else found->count += found->cloth->node_panel[i] == found->panel || found->cloth->node_panel[k] == found->panel;
+    if (found->panel == MUS_NONE)
+        found->count += a != b && (a == found->layer || b == found->layer);
+    else
+        found->count += found->cloth->node_panel[i] == found->panel || found->cloth->node_panel[k] == found->panel;
 }
 
 
@@ -108,8 +113,8 @@ static double layers_side(mus_drape *drape, int32_t panel)
 {
     const mus__panel_mesh *mesh = &drape->cloth->panel[panel];
     double away = 0.0;
-    if (drape->collider == NULL) return 1.0;
-    mus__cloth_place_out(drape->cloth, panel, 0.0, drape->x);
+    if (drape->scene.collider == NULL) return 1.0;
+    mus__arrange_panel(drape->cloth, panel, 0.0, drape->x);
     for (int32_t t = mesh->first_triangle; t < mesh->first_triangle + mesh->triangle_count; t++) {
         const int32_t *corner = drape->cloth->triangle + 3 * (int64_t)t;
         const double *a = drape->x + 3 * (int64_t)corner[0], *b = drape->x + 3 * (int64_t)corner[1];
@@ -118,7 +123,7 @@ static double layers_side(mus_drape *drape, int32_t panel)
         for (int32_t d = 0; d < 3; d++)
             ab[d] = b[d] - a[d], ac[d] = c[d] - a[d], middle[d] = (a[d] + b[d] + c[d]) / 3.0;
         mus__cross3(ab, ac, normal);
-        mus__collider_depth(drape->collider, middle, LAYERS_REACH, out);
+        mus__collider_depth(drape->scene.collider, middle, LAYERS_REACH, out);
         away += mus__dot3(normal, out);
     }
     return away < 0.0 ? -1.0 : 1.0;
@@ -138,11 +143,11 @@ static void layers_come_in(mus_drape *drape, int32_t panel, double out)
     double in = out;
     for (double next = out; next > 0.0;) {
         next = fmax(next - LAYERS_STEP, 0.0);
-        mus__cloth_place_out(drape->cloth, panel, side * next, drape->x);
+        mus__arrange_panel(drape->cloth, panel, side * next, drape->x);
         if (layers_count(drape, layer, panel) > met) break;
         in = next;
     }
-    mus__cloth_place_out(drape->cloth, panel, side * fmin(in + LAYERS_STEP, out), drape->x);
+    mus__arrange_panel(drape->cloth, panel, side * fmin(in + LAYERS_STEP, out), drape->x);
 }
 
 
@@ -155,8 +160,7 @@ static void layers_start(mus_drape *drape, int32_t layer)
     for (int32_t k = 0; k < LAYERS_TRIALS; k++) {
         out = MUS__LAYER_OUT * (layer + k);
         for (int32_t p = 0; p < cloth->npanel; p++)
-            if (cloth->panel[p].layer == layer)
-                mus__cloth_place_out(cloth, p, layers_side(drape, p) * out, drape->x);
+            if (cloth->panel[p].layer == layer) mus__arrange_panel(cloth, p, layers_side(drape, p) * out, drape->x);
         if (layers_count(drape, layer, MUS_NONE) == 0) break;
     }
     for (int32_t p = 0; p < cloth->npanel; p++)
@@ -167,7 +171,7 @@ static void layers_start(mus_drape *drape, int32_t layer)
 }
 
 
-int32_t mus__drape_layered(const mus_drape *drape)
+int32_t mus__layers_needed(const mus_drape *drape)
 {
     const int32_t first = drape->cloth->npanel > 0 ? drape->cloth->panel[0].layer : 0;
     for (int32_t p = 1; p < drape->cloth->npanel; p++)
@@ -239,14 +243,14 @@ static void layers_pass(const mus_drape *drape, layers_way *way, int32_t t, bool
 
 /* A seam under the arm of what is worn is a ridge: a straight way over it goes in and out again, and a pair so near is
  * on one side of the cloth all the same */
-int32_t mus__drape_worn_between(const mus_drape *drape, int32_t i, int32_t k)
+int32_t mus__layers_between(const mus_drape *drape, int32_t i, int32_t k)
 {
     const mus_cloth *cloth = drape->cloth;
     const double *x = drape->x, *p = x + 3 * (int64_t)i, *q = x + 3 * (int64_t)k;
     layers_way way = {.count = 0};
     for (int32_t panel = 0; panel < cloth->npanel; panel++) {
         const mus__panel_mesh *mesh = &cloth->panel[panel];
-        if (mesh->layer >= drape->plan.open_from) continue;
+        if (mesh->layer >= drape->program.open_from) continue;
         for (int32_t t = mesh->first_triangle; t < mesh->first_triangle + mesh->triangle_count; t++) {
             const int32_t *corner = cloth->triangle + 3 * (int64_t)t;
             const double *a = x + 3 * (int64_t)corner[0], *b = x + 3 * (int64_t)corner[1];
@@ -261,13 +265,13 @@ int32_t mus__drape_worn_between(const mus_drape *drape, int32_t i, int32_t k)
 }
 
 
-int64_t mus__drape_worn_crossings(const mus_drape *drape, int32_t layer)
+int64_t mus__layers_crossings(const mus_drape *drape, int32_t layer)
 {
     return layers_count(drape, layer, MUS_NONE);
 }
 
 
-mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew_fn all, mus__drape_sew_fn here)
+mus_status mus__layers_sew(mus_drape *drape, mus__progress *run, mus__sew_fn all, mus__sew_fn here)
 {
     const mus_cloth *cloth = drape->cloth;
     int32_t layer = cloth->panel[0].layer;
@@ -282,12 +286,12 @@ mus_status mus__drape_sew_layers(mus_drape *drape, mus__run *run, mus__drape_sew
         status = first ? all(drape, run) : here(drape, run);
         run->sleeved = 0;
         if (status != MUS_OK || run->stop) break;
-        if (next == 0 || !layers_sleeved(cloth, next, INT32_MAX)) status = mus__drape_let_down(drape, run);
+        if (next == 0 || !layers_sleeved(cloth, next, INT32_MAX)) status = mus__settle_let_down(drape, run);
         if (next == 0) break;
         layer = next;
     }
     layers_wait(drape, 0);
     mus__drape_publish(drape);
-    drape->cold = status != MUS_OK;
+    drape->relax.far = status != MUS_OK;
     return status;
 }

@@ -1,169 +1,35 @@
 /*
- * place.c: panels to where the pattern says they start: flat or rolled, turned, moved (mus_placement). Bare nodes know
- * their places themselves.
- *
- * A panel with pleats may start folded: seen along its folds it runs out to an outer fold, back to an inner one and on,
- * each turn shallower than the pleat by the part that the placement says, about the same middle:
- *
- *            ___-o        ___-o        o outer fold, at height 0
- *      ___---  /    ___---  /          i inner fold, PLACE_DEEP below it, and PLACE_DEEP / 2 at both ends
- *     -       i----        i----
- *
- * so no layer begins in another, and the layers lie in their order. What is farther out, or higher, is so on the
- * panel's right side: along its plane's normal, or against it where the outline runs clockwise.
+ * place.c: where the nodes of a drape are put: at the pattern's placement, where another drape lies, where the caller
+ * says, or pinned.
  */
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
-
-#define PLACE_DEEP 0.012 /* [m] */
-
-
-/* place of the panel's point (x, y), `height` above its plane, in the body frame */
-static void place_point(const mus_placement *place, double x, double y, double height, double *out)
-{
-    double p[3] = {x, y, height};
-    if (place->bend != 0.0) {
-        const double angle = (x - place->bend_x) / place->bend;
-        p[0] = place->bend_x + place->bend * sin(angle) + height * sin(angle);
-        p[2] = place->bend * (cos(angle) - 1.0) + height * cos(angle);
-    }
-    for (int32_t i = 0; i < 3; i++)
-        out[i] = place->origin[i] + place->rotation[3 * i] * p[0] + place->rotation[3 * i + 1] * p[1] +
-                 place->rotation[3 * i + 2] * p[2];
-}
-
-
-/* 1 where the panel's right side is that of its plane's normal, -1 where it is the other: triangles run as outlines do
- */
-static double place_side(const mus_cloth *cloth, int32_t panel)
-{
-    const mus__panel_mesh *mesh = &cloth->panel[panel];
-    if (mesh->triangle_count == 0) return 1.0;
-    const int32_t *corner = cloth->triangle + 3 * (int64_t)mesh->first_triangle;
-    const double *a = cloth->rest + 2 * (int64_t)corner[0], *b = cloth->rest + 2 * (int64_t)corner[1];
-    const double *c = cloth->rest + 2 * (int64_t)corner[2];
-    return (b[0] - a[0]) * (c[1] - a[1]) < (c[0] - a[0]) * (b[1] - a[1]) ? -1.0 : 1.0;
-}
-
-
-/* how a panel starts, `out` farther off on its right side; a panel that is rolled round what it goes away from is
- * rolled that much wider */
-static mus_placement place_panel(const mus_cloth *cloth, int32_t panel, double out)
-{
-    mus_placement place = cloth->panel[panel].placement;
-    if (out != 0.0) {
-        const double along = place_side(cloth, panel) * out;
-        for (int32_t d = 0; d < 3; d++) place.origin[d] += along * place.rotation[3 * d + 2];
-        if (along * place.bend > 0.0) place.bend += along;
-    }
-    return place;
-}
-
-
-/* how far along its pleats a panel reaches, flat: range (2) */
-static void place_range(const mus_cloth *cloth, const mus__pleat *pleat, double *range)
-{
-    const mus__panel_mesh *panel = &cloth->panel[pleat->panel];
-    range[0] = INFINITY, range[1] = -INFINITY;
-    for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++) {
-        const double *rest = cloth->rest + 2 * (int64_t)i, t = rest[0] * pleat->along[0] + rest[1] * pleat->along[1];
-        range[0] = fmin(range[0], t), range[1] = fmax(range[1], t);
-    }
-}
-
-
-/* the folded line through n pleats from range[0] to t: how far it came from range[0], and its height there */
-static double place_folded(const mus__pleat *pleat, int32_t n, double fold, const double *range, double t,
-                           double *height)
-{
-    double at = range[0], far = 0.0, low = -0.5 * PLACE_DEEP;
-    for (int32_t i = 0; i < 2 * n; i++) {
-        const mus__pleat *own = &pleat[i / 2];
-        const bool out = own->outer < own->inner ? i % 2 == 0 : i % 2 == 1;
-        const double middle = 0.5 * (own->outer + own->inner), half = 0.5 * fold * fabs(own->inner - own->outer);
-        const double next = middle + (i % 2 == 0 ? -half : half), level = out ? 0.0 : -PLACE_DEEP;
-        const double step = i % 2 == 0 ? 1.0 : -1.0, part = fmin(t, next) - at;
-        if (t <= next) {
-            *height = low + (next > at ? part / (next - at) : 0.0) * (level - low);
-            return far + step * part;
-        }
-        far += step * part;
-        at = next, low = level;
-    }
-    *height = low + (range[1] > at ? (t - at) / (range[1] - at) : 0.0) * (-0.5 * PLACE_DEEP - low);
-    return far + t - at;
-}
-
-
-/* the nodes of a panel that starts folded, its `n` pleats given, `out` farther off on its right side */
-static void place_pleats(const mus_cloth *cloth, const mus__pleat *pleat, int32_t n, double out, double *x)
-{
-    const mus__panel_mesh *panel = &cloth->panel[pleat->panel];
-    const mus_placement place = place_panel(cloth, pleat->panel, out);
-    const double fold = place.fold, side = place_side(cloth, pleat->panel), *along = pleat->along;
-    double range[2], height;
-    place_range(cloth, pleat, range);
-    const double width = place_folded(pleat, n, fold, range, range[1], &height);
-    const double start = 0.5 * (range[0] + range[1]) - 0.5 * width;
-    for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++) {
-        const double *rest = cloth->rest + 2 * (int64_t)i, t = rest[0] * along[0] + rest[1] * along[1];
-        const double by = start + place_folded(pleat, n, fold, range, t, &height) - t;
-        place_point(&place, rest[0] + by * along[0], rest[1] + by * along[1], side * height, x + 3 * (int64_t)i);
-    }
-}
-
-
-void mus__cloth_place_out(const mus_cloth *cloth, int32_t index, double out, double *x)
-{
-    const mus__panel_mesh *panel = &cloth->panel[index];
-    const mus_placement place = place_panel(cloth, index, out);
-    int32_t first = 0, last;
-    while (first < cloth->npleat && cloth->pleat[first].panel != index) first++;
-    for (last = first; last < cloth->npleat && cloth->pleat[last].panel == index;) last++;
-    if (last > first && place.fold > 0.0) {
-        place_pleats(cloth, cloth->pleat + first, last - first, out, x);
-        return;
-    }
-    for (int32_t i = panel->first_node; i < panel->first_node + panel->node_count; i++)
-        place_point(&place, cloth->rest[2 * (int64_t)i], cloth->rest[2 * (int64_t)i + 1], 0.0, x + 3 * (int64_t)i);
-}
-
-
-void mus__cloth_place(const mus_cloth *cloth, double *x)
-{
-    if (cloth->place != NULL) {
-        memcpy(x, cloth->place, 3 * (size_t)cloth->nnode * sizeof *x);
-        return;
-    }
-    for (int32_t p = 0; p < cloth->npanel; p++)
-        if (cloth->panel[p].node_count > 0)
-            mus__cloth_place_out(cloth, p, MUS__LAYER_OUT * mus__cloth_layer(cloth, cloth->panel[p].first_node), x);
-}
+#include "arrange/arrange_nodes.h"
+#include "drape/drape_state.h"
 
 
 mus_status mus_drape_place(mus_drape *drape)
 {
     if (drape == NULL) return MUS_ERR_ARG;
-    mus__cloth_place(drape->cloth, drape->x);
+    mus__arrange_nodes(drape->cloth, drape->x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
-    drape->plan.open_from = 0;
-    mus__drape_open(drape);
+    drape->program.open_from = 0;
+    mus__weld_open(drape);
     mus__drape_push(drape);
     mus__drape_publish(drape);
-    drape->time0 = 0.0;
-    drape->count = 0;
-    drape->settled = 0;
-    drape->cold = 1;
-    drape->sewn_so = 0;
-    mus__drape_stand_back(drape);
+    drape->clock.time0 = 0.0;
+    drape->clock.count = 0;
+    drape->relax.settled = 0;
+    drape->relax.far = 1;
+    drape->coarse.as_sewn = 0;
+    mus__scene_reset(drape);
     return MUS_OK;
 }
 
 
-/* where the nodes of `drape` lie in the cloth of `from`; bare nodes have no panels and correspond one by one */
-static mus_status find_places(mus_drape *drape, const mus_drape *from)
+/* places x (n x 3) of the nodes of `drape` in the cloth of `from`; bare nodes have no panels and correspond by index */
+static mus_status find_places(const mus_drape *drape, const mus_drape *from, double *x)
 {
     const mus_cloth *cloth = drape->cloth;
     if (cloth->npanel != from->cloth->npanel)
@@ -174,9 +40,9 @@ static mus_status find_places(mus_drape *drape, const mus_drape *from)
                          (int)from->n);
     mus__transfer transfer;
     const mus_status status = mus__transfer_build(drape->context, from->cloth, cloth, &transfer);
-    if (status == MUS_OK) mus__transfer_apply(&transfer, from->x, drape->force);
+    if (status == MUS_OK) mus__transfer_apply(&transfer, from->x, x);
     mus__transfer_clear(drape->context, &transfer);
-    if (cloth->npanel == 0) memcpy(drape->force, from->x, 3 * (size_t)drape->n * sizeof *drape->force);
+    if (cloth->npanel == 0) memcpy(x, from->x, 3 * (size_t)drape->n * sizeof *x);
     return status;
 }
 
@@ -185,20 +51,69 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (from == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: the drape to start from is NULL");
-    const mus_status status = find_places(drape, from);
-    if (status != MUS_OK) return status;
-    drape->plan.open_from = 0;
-    mus__drape_open(drape);
-    memcpy(drape->x, drape->force, 3 * (size_t)drape->n * sizeof *drape->x);
+    double *x = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof *x);
+    if (x == NULL) return mus__fail_memory(drape->context, "the places of another drape");
+    const mus_status status = find_places(drape, from, x);
+    if (status != MUS_OK) {
+        mus__free(drape->context, x);
+        return status;
+    }
+    drape->program.open_from = 0;
+    mus__weld_open(drape);
+    memcpy(drape->x, x, 3 * (size_t)drape->n * sizeof *drape->x);
+    mus__free(drape->context, x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
-    if (from->welded) mus__drape_weld(drape);
+    if (from->welded) mus__weld(drape);
     mus__drape_publish(drape);
-    drape->time0 = 0.0;
-    drape->count = 0;
-    drape->settled = 0;
-    drape->cold = 0;
-    drape->sewn_so = 0;
-    mus__drape_stand_back(drape);
+    drape->clock.time0 = 0.0;
+    drape->clock.count = 0;
+    drape->relax.settled = 0;
+    drape->relax.far = 0;
+    drape->coarse.as_sewn = 0;
+    mus__scene_reset(drape);
+    return MUS_OK;
+}
+
+
+mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (positions == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: positions is NULL");
+    for (int64_t i = 0; i < 3 * (int64_t)drape->n; i++)
+        if (!mus__finite(positions[i]) || (velocities != NULL && !mus__finite(velocities[i])))
+            return mus__fail(drape->context, MUS_ERR_ARG, "drape: the state of node %d is not finite", (int)(i / 3));
+    const mus_status status = mus__drape_check_reach(drape, positions);
+    if (status != MUS_OK) return status;
+
+    const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;
+    memcpy(drape->x, positions, bytes);
+    if (velocities != NULL)
+        memcpy(drape->v, velocities, bytes);
+    else
+        memset(drape->v, 0, bytes);
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->pinned[i]) memset(drape->v + 3 * i, 0, 3 * sizeof *drape->v);
+    mus__drape_push(drape);
+    mus__drape_publish(drape);
+    drape->relax.far = 1;
+    drape->coarse.as_sewn = 0;
+    return MUS_OK;
+}
+
+
+mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (node < 0 || node >= drape->n)
+        return mus__fail(drape->context, MUS_ERR_ARG, "drape: node %d, expected 0 to %d", (int)node, (int)drape->n - 1);
+    drape->pinned[drape->rep[node]] = fixed != 0 ? MUS__PINNED : 0;
+    drape->coarse.as_sewn = 0;
+    if (fixed) {
+        memset(drape->v + 3 * (int64_t)drape->rep[node], 0, 3 * sizeof *drape->v);
+        mus__drape_push(drape);
+        mus__drape_publish(drape);
+    }
+    mus__drape_stale(drape);
     return MUS_OK;
 }

@@ -4,8 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
 #include "geom/vec.h"
+#include "sim/force_reference.h"
 
 
 void mus_drape_report_init(mus_drape_report *report, size_t size)
@@ -20,9 +22,9 @@ void mus_drape_report_init(mus_drape_report *report, size_t size)
 static double deepest(const mus_drape *drape)
 {
     double most = 0.0;
-    if (drape->collider == NULL) return most;
+    if (drape->scene.collider == NULL) return most;
     for (int32_t i = 0; i < drape->n; i++) {
-        const double depth = mus__collider_depth(drape->collider, drape->x + 3 * (int64_t)i, 0.0, NULL);
+        const double depth = mus__collider_depth(drape->scene.collider, drape->x + 3 * (int64_t)i, 0.0, NULL);
         if (depth > most) most = depth;
     }
     return most;
@@ -35,14 +37,17 @@ mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *poin
     if (drape == NULL) return MUS_ERR_ARG;
     if (n < 0 || points == NULL || depth == NULL)
         return mus__fail(drape->context, MUS_ERR_ARG, "drape: depth of %d points, %s", (int)n,
-                         points == NULL ? "points are NULL" : depth == NULL ? "depth is NULL" : "expected 0 or more");
+                         points == NULL  ? "points are NULL"
+                         : depth == NULL ? "depth is NULL"
+                                         : "expected 0 or more");
     for (int64_t i = 0; i < 3 * (int64_t)n; i++)
         if (!isfinite(points[i]))
             return mus__fail(drape->context, MUS_ERR_ARG, "drape: point %d is not finite", (int)(i / 3));
     for (int32_t i = 0; i < n; i++) {
         double out[3] = {0.0, 0.0, 0.0};
-        depth[i] = drape->collider == NULL ? -1e30
-                                           : mus__collider_depth(drape->collider, points + 3 * (int64_t)i, far, out);
+        depth[i] = drape->scene.collider == NULL
+                       ? -1e30
+                       : mus__collider_depth(drape->scene.collider, points + 3 * (int64_t)i, far, out);
         if (normal != NULL) memcpy(normal + 3 * (int64_t)i, out, sizeof out);
     }
     return MUS_OK;
@@ -79,32 +84,32 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.seams = cloth->nseam;
     report.seams_closed = closed_seams(drape);
     report.welded = drape->welded;
-    report.settled = drape->settled;
-    report.max_seam_gap = mus__drape_gap(drape, &report.worst_seam);
+    report.settled = drape->relax.settled;
+    report.max_seam_gap = mus__weld_gap(drape, &report.worst_seam);
     report.max_penetration = deepest(drape);
-    report.max_strain = mus__plan_strain(&drape->plan, drape->x);
-    report.residual = isnan(drape->residual) ? mus__drape_residual(drape, drape->x, NULL) : drape->residual;
+    report.max_strain = mus__program_strain(&drape->program, drape->x);
+    report.residual = isnan(drape->relax.residual) ? mus__residual(drape, drape->x, NULL) : drape->relax.residual;
 
-    report.energy = mus__plan_force(&drape->plan, drape->n, drape->x, NULL);
+    report.energy = mus__program_force(&drape->program, drape->n, drape->x, NULL);
     for (int32_t i = 0; i < drape->n; i++) {
         const double *x = drape->x + 3 * (int64_t)i, *v = drape->v + 3 * (int64_t)i;
         const double speed2 = mus__dot3(v, v);
         report.energy += drape->mass[i] * (0.5 * speed2 - mus__dot3(drape->def.gravity, x));
         if (speed2 > report.max_speed * report.max_speed) report.max_speed = sqrt(speed2);
     }
-    report.step = drape->dt;
+    report.step = drape->clock.dt;
     report.step_bound = mus_drape_step_bound(drape);
-    report.steps = drape->steps;
-    report.spring_evaluations = drape->spring_evaluations;
-    report.contact_queries = drape->contact_queries;
+    report.steps = drape->counters.steps;
+    report.spring_evaluations = drape->counters.spring_evaluations;
+    report.contact_queries = drape->counters.contact_queries;
     for (int32_t part = 0; part < 64; part++) {
         report.contact_queries += drape->sim.part_tally[part].queries;
         for (int32_t d = 0; d < 3; d++) report.contact_impulse[d] += drape->sim.part_tally[part].impulse[d];
     }
-    report.sew_time = drape->sew_time;
-    report.settle_time = drape->settle_time;
-    report.step_parts = drape->parts;
-    report.rest_distance = drape->distance;
+    report.sew_time = drape->counters.sew_time;
+    report.settle_time = drape->counters.settle_time;
+    report.step_parts = drape->stepping.parts;
+    report.rest_distance = drape->relax.rest_distance;
     mus__drape_self_report(drape, &report);
     *out = report;
     return MUS_OK;
@@ -147,27 +152,24 @@ mus_status mus_drape_gaps(const mus_drape *drape, double *out)
 }
 
 
+mus_status mus_drape_forces(const mus_drape *drape, double *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+    mus__program_force(&drape->program, drape->n, drape->x, out);
+    for (int32_t i = 0; i < drape->n; i++)
+        for (int32_t d = 0; d < 3; d++) out[3 * (int64_t)i + d] += drape->mass[i] * drape->def.gravity[d];
+    for (int32_t i = 0; i < drape->n; i++)
+        if (drape->rep[i] != i) memcpy(out + 3 * (int64_t)i, out + 3 * (int64_t)drape->rep[i], 3 * sizeof *out);
+    return MUS_OK;
+}
+
+
 mus_status mus_drape_normals(const mus_drape *drape, double *out)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
-
-    /* area-weighted sum at the node that stands for each, then spread to its class */
-    const mus_cloth *cloth = drape->cloth;
-    memset(out, 0, 3 * (size_t)drape->n * sizeof *out);
-    for (int32_t t = 0; t < cloth->ntriangle; t++) {
-        const int32_t *i = cloth->triangle + 3 * (int64_t)t;
-        const double *a = drape->x + 3 * (int64_t)i[0], *b = drape->x + 3 * (int64_t)i[1];
-        const double *c = drape->x + 3 * (int64_t)i[2];
-        const double ab[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ac[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-        double normal[3];
-        mus__cross3(ab, ac, normal);
-        for (int32_t k = 0; k < 3; k++)
-            for (int32_t d = 0; d < 3; d++) out[3 * (int64_t)drape->rep[i[k]] + d] += normal[d];
-    }
-    for (int32_t i = 0; i < drape->n; i++)
-        if (drape->rep[i] == i) mus__unit3(out + 3 * (int64_t)i);
-    for (int32_t i = 0; i < drape->n; i++)
-        if (drape->rep[i] != i) memcpy(out + 3 * (int64_t)i, out + 3 * (int64_t)drape->rep[i], 3 * sizeof *out);
+    const mus__placed_cloth placed = mus__drape_placed(drape);
+    mus__placed_normals(&placed, out);
     return MUS_OK;
 }

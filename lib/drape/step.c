@@ -8,7 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
+#include "sim/force_reference.h"
+#include "sim/step_bound.h"
 
 #define LEAST_STEP 1e-30  /* [s]: far below what moves a float */
 #define PUSH_SPEED 1.0    /* [m/s]: what starts inside the body leaves it no faster */
@@ -23,19 +26,19 @@
 
 double mus__drape_bound(const mus_drape *drape, int32_t *tightest)
 {
-    double rate2 = 0.0, gamma = 0.0, ratio = 0.0, *dashpots = drape->work;
-    mus__plan_stiffness_at(&drape->plan, drape->n, drape->x, drape->stiffness, drape->work);
-    if (drape->plan.dashpots) mus__plan_dashpots(&drape->plan, drape->n, dashpots, &ratio);
+    double rate2 = 0.0, gamma = 0.0, ratio = 0.0, *dashpots = drape->stepping.dashpot;
+    mus__program_stiffness_at(&drape->program, drape->n, drape->x, drape->stepping.stiffness, drape->stepping.tangent);
+    if (drape->program.dashpots) mus__program_damping(&drape->program, drape->n, dashpots, &ratio);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        if (drape->stiffness[i] > rate2 * drape->mass[i]) {
-            rate2 = drape->stiffness[i] / drape->mass[i];
+        if (drape->stepping.stiffness[i] > rate2 * drape->mass[i]) {
+            rate2 = drape->stepping.stiffness[i] / drape->mass[i];
             if (tightest != NULL) *tightest = i;
         }
-        if (drape->plan.dashpots && dashpots[i] > gamma * drape->mass[i]) gamma = dashpots[i] / drape->mass[i];
+        if (drape->program.dashpots && dashpots[i] > gamma * drape->mass[i]) gamma = dashpots[i] / drape->mass[i];
     }
-    if (drape->def.integrator == MUS_METHOD_VERLET) return mus__plan_step_verlet(rate2, gamma);
-    return mus__plan_step(rate2, gamma + drape->def.drag, ratio, drape->def.drag);
+    if (drape->def.integrator == MUS_METHOD_VERLET) return mus__step_bound_verlet(rate2, gamma);
+    return mus__step_bound_rk4(rate2, gamma + drape->def.drag, ratio, drape->def.drag);
 }
 
 
@@ -45,18 +48,12 @@ double mus_drape_step_bound(const mus_drape *drape)
 }
 
 
-void mus__drape_stale(mus_drape *drape)
-{
-    drape->bound = 0.0;
-}
-
-
 /* kinetic and elastic energy into *active, all with that in gravity returned; of drape->x and drape->v */
 static double energy_now(const mus_drape *drape, double *active)
 {
     const double *g = drape->def.gravity;
     double place = 0.0;
-    *active = mus__plan_force(&drape->plan, drape->n, drape->x, NULL);
+    *active = mus__program_force(&drape->program, drape->n, drape->x, NULL);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         const double *x = drape->x + 3 * (int64_t)i, *v = drape->v + 3 * (int64_t)i;
@@ -70,10 +67,10 @@ static double energy_now(const mus_drape *drape, double *active)
 /* bound and energy of the pose as published */
 static void look(mus_drape *drape)
 {
-    drape->bound = mus__drape_bound(drape, NULL);
-    drape->energy = energy_now(drape, &drape->active);
-    drape->since_look = 0;
-    drape->way = 0.0;
+    drape->stepping.bound = mus__drape_bound(drape, NULL);
+    drape->stepping.energy = energy_now(drape, &drape->stepping.active);
+    drape->stepping.since_look = 0;
+    drape->stepping.way = 0.0;
 }
 
 
@@ -83,7 +80,7 @@ static double rounding_energy(const mus_drape *drape)
     const double ulp = drape->def.precision == 32 ? 1e-6 : 1e-14;
     double stiffness = 0.0;
     for (int32_t i = 0; i < drape->n; i++)
-        if (drape->stiffness[i] > stiffness) stiffness = drape->stiffness[i];
+        if (drape->stepping.stiffness[i] > stiffness) stiffness = drape->stepping.stiffness[i];
     return 0.5 * drape->n * stiffness * ulp * ulp;
 }
 
@@ -95,13 +92,13 @@ static double rounding_energy(const mus_drape *drape)
  */
 static mus_status guard_energy(mus_drape *drape)
 {
-    const double last = drape->energy, active = drape->active, *g = drape->def.gravity;
+    const double last = drape->stepping.energy, active = drape->stepping.active, *g = drape->def.gravity;
     const double weight = mus_cloth_mass(drape->cloth) * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     const double most = last + ENERGY_GROWTH * active + ENERGY_FALL * weight + rounding_energy(drape);
     mus__drape_publish(drape);
     look(drape);
-    if (drape->collider != NULL || drape->plan.npair > 0 || drape->energy <= most) return MUS_OK;
-    const double energy = drape->energy;
+    if (drape->scene.collider != NULL || drape->program.npair > 0 || drape->stepping.energy <= most) return MUS_OK;
+    const double energy = drape->stepping.energy;
     drape->sim.ops->restore(&drape->sim);
     mus__drape_stale(drape);
     return mus__fail(drape->context, MUS_ERR_DIVERGED,
@@ -119,14 +116,14 @@ static mus_status check_step(mus_drape *drape, int32_t steps, double dt)
         return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or at least %g", dt, LEAST_STEP);
 
     /* true masses and the bound, if anything changed since they were taken */
-    if (drape->bound <= 0.0) {
+    if (drape->stepping.bound <= 0.0) {
         mus__drape_inertia(drape, 0);
         look(drape);
         drape->sim.ops->snapshot(&drape->sim);
     }
-    if (dt > drape->bound)
+    if (dt > drape->stepping.bound)
         return mus__fail(context, MUS_ERR_STEP, "drape: step %.9g s is above the stability bound %.9g s", dt,
-                         drape->bound);
+                         drape->stepping.bound);
     return MUS_OK;
 }
 
@@ -142,23 +139,27 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     mus__sim *sim = &drape->sim;
     memcpy(sim->gravity, drape->def.gravity, sizeof sim->gravity);
     sim->drag = drape->def.drag;
-    sim->dashpots = drape->plan.dashpots;
-    memset(sim->aside, 0, (size_t)drape->n * sizeof *sim->aside);
-    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
-                                    .push = PUSH_SPEED * dt, .step = dt, .cache_radius = drape->def.contact_ball};
-    if (drape->stance == NULL || !drape->stance->posed) sim->rule.pull = PINCH_PULL;
-    mus__drape_meet_first(drape);
-    if (drape->moved && drape->skin != NULL) mus__drape_near(drape); /* has its memory; forgets what was asked */
-    drape->moved = 0;
+    sim->dashpots = drape->program.dashpots;
+    memset(sim->distance_cache, 0, (size_t)drape->n * sizeof *sim->distance_cache);
+    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance,
+                                    .friction = drape->scene.friction,
+                                    .push = PUSH_SPEED * dt,
+                                    .step = dt,
+                                    .cache_radius = drape->def.contact_ball};
+    if (drape->scene.body == NULL || !drape->scene.body->posed) sim->rule.pull = PINCH_PULL;
+    mus__scene_before_steps(drape);
+    if (drape->scene.moved && drape->plane_cache != NULL)
+        mus__drape_plane_cache(drape); /* has its memory; forgets what was asked */
+    drape->scene.moved = 0;
     mus__drape_self_forget(drape);
-    sim->near = drape->def.contact_ball > 0.0 && !mus__drape_moves(drape, 0, dt) ? drape->skin : NULL;
+    sim->plane_cache = drape->def.contact_ball > 0.0 && !mus__scene_moves(drape, 0, dt) ? drape->plane_cache : NULL;
 }
 
 
 void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double dt)
 {
     mus__sim *sim = &drape->sim;
-    const double need = dt / drape->bound;
+    const double need = dt / drape->stepping.bound;
     const int32_t parts = need > 1.0 ? (int32_t)fmin(ceil(need), MOST_PARTS) : 1;
     const int32_t verlet = drape->def.integrator == MUS_METHOD_VERLET, count = steps * parts;
     const double h = dt / parts;
@@ -168,16 +169,18 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
     mus__drape_self_rule(drape, h);
 
     /* what moves is moved before each step */
-    const int32_t alone = !verlet || mus__drape_moves(drape, (int64_t)ahead * parts, h) ? 1 : count;
+    const int32_t alone = !verlet || mus__scene_moves(drape, (int64_t)ahead * parts, h) ? 1 : count;
     for (int32_t i = 0; i < count; i += alone) {
-        mus__drape_meet(drape, (int64_t)ahead * parts + i + alone, h);
-        if (verlet) sim->ops->verlet(sim, h, alone);
-        else sim->ops->rk4(sim, h);
+        mus__scene_before_step(drape, (int64_t)ahead * parts + i + alone, h);
+        if (verlet)
+            sim->ops->verlet(sim, h, alone);
+        else
+            sim->ops->rk4(sim, h);
     }
-    drape->steps += count - steps; /* the clock counts the rest */
+    drape->counters.steps += count - steps; /* the clock counts the rest */
     const int64_t more = (int64_t)(count - steps) * mus__drape_evaluations(drape);
-    drape->spring_evaluations += more * drape->plan.spring_evaluations;
-    if (parts > drape->parts) drape->parts = parts;
+    drape->counters.spring_evaluations += more * drape->program.spring_evaluations;
+    if (parts > drape->stepping.parts) drape->stepping.parts = parts;
 }
 
 
@@ -199,14 +202,14 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     /* held everywhere: time goes on, nothing else */
     if (!any_free(drape)) {
         mus__drape_tick(drape, steps, dt, 0);
-        mus__drape_stand(drape, 0, dt, 0.0);
+        mus__scene_update(drape, 0, dt, 0.0);
         return MUS_OK;
     }
 
     mus__sim *sim = &drape->sim;
     mus__drape_prepare(drape, dt);
     status = mus__drape_self_ready(drape, dt);
-    drape->parts = 1;
+    drape->stepping.parts = 1;
 
     /* time goes on when a state was found good: at a look, and at the end */
     int32_t good = 0;
@@ -214,17 +217,18 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;
         mus__drape_advance(drape, done - good, batch, dt);
         done += batch;
-        drape->since_look += batch;
+        drape->stepping.since_look += batch;
         status = mus__drape_check_motion(drape);
         if (status == MUS_OK) status = mus__drape_self_fits(drape);
         if (status == MUS_OK && drape->self != NULL && drape->self->ncrossed > 0)
             status = mus__drape_self_ready(drape, dt);
-        drape->way += batch * dt * drape->speed;
-        const int32_t due = drape->since_look >= LOOK_STEPS;
-        if (status == MUS_OK && !due && drape->way > LOOK_WAY * drape->cloth->spacing && drape->cloth->spacing > 0.0) {
+        drape->stepping.way += batch * dt * drape->stepping.speed;
+        const int32_t due = drape->stepping.since_look >= LOOK_STEPS;
+        if (status == MUS_OK && !due && drape->stepping.way > LOOK_WAY * drape->cloth->spacing &&
+            drape->cloth->spacing > 0.0) {
             mus__drape_publish(drape);
-            drape->bound = mus__drape_bound(drape, NULL);
-            drape->way = 0.0;
+            drape->stepping.bound = mus__drape_bound(drape, NULL);
+            drape->stepping.way = 0.0;
         }
         if (status == MUS_OK && due) status = guard_energy(drape);
         if (status != MUS_OK || (!due && done < steps)) continue;
@@ -232,10 +236,10 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
         mus__drape_tick(drape, done - good, dt, mus__drape_evaluations(drape));
         good = done;
     }
-    mus__drape_stand(drape, 0, dt, 0.0);
-    sim->near = NULL;
-    drape->settled = drape->sewn_so = 0;
-    drape->residual = NAN;
+    mus__scene_update(drape, 0, dt, 0.0);
+    sim->plane_cache = NULL;
+    drape->relax.settled = drape->coarse.as_sewn = 0;
+    drape->relax.residual = NAN;
     mus__drape_publish(drape);
     return status;
 }

@@ -1,57 +1,20 @@
 /*
  * tack.c: tacks, single stitches of thread between two nodes, put in and taken out of a drape that runs.
  *
- * A tack is a spring without length, E = k |x_b - x_a|^2 / 2, and one more irregular spring of the plan, behind those
- * of the cloth: the pass that has these steps it, every other sum keeps its order, and forces, energies, residuals and
- * the step bound know of it. The list has nodes of the cloth as it was cut; welding and opening seams rename them. The
- * plan grows here, between steps; when a tack is taken out its memory stays for the next.
+ * A tack is a spring without length, E = k |x_b - x_a|^2 / 2, and one more irregular spring of the program, behind
+ * those of the cloth: the pass that has these steps it, every other sum keeps its order, and forces, energies,
+ * residuals and the step bound know of it. The list has nodes of the cloth as it was cut; welding and opening seams
+ * rename them. The program grows here, between steps; when a tack is taken out its memory stays for the next.
  *
  * Coarser doubles have each tack between the nodes nearest to its ends, as they have pins.
  */
 #include <math.h>
 #include <string.h>
 
-#include "drape/level.h"
+#include "drape/coarse_drape.h"
+#include "drape/drape_state.h"
 
-#define TACK_MOST 1e9  /* [N/m]: a metre of cloth as stiff as steel */
-#define TACKS_FIRST 16 /* room that the first one makes */
-#define TACKS_MOST (1 << 24)
-
-
-/* what has room for springs */
-static void room_free(mus_context *context, mus__plan *plan)
-{
-    void *blocks[] = {plan->tack, plan->spring, plan->spring_dashpot, plan->half_other, plan->half_constant};
-    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
-    mus__plan_lists_clear(context, plan);
-}
-
-
-mus_status mus__plan_tack_room(mus_context *context, const mus_cloth *cloth, int32_t need, mus__plan *plan)
-{
-    if (need <= plan->tack_capacity) return MUS_OK;
-    if (need > TACKS_MOST)
-        return mus__fail(context, MUS_ERR_LIMIT, "drape: %d tacks, at most %d", (int)need, (int)TACKS_MOST);
-    mus__plan grown = *plan;
-    grown.tack_capacity = plan->tack_capacity > 0 ? plan->tack_capacity : TACKS_FIRST;
-    while (grown.tack_capacity < need) grown.tack_capacity *= 2;
-    grown.spring = NULL, grown.spring_dashpot = NULL;
-    grown.half_other = NULL, grown.half_constant = NULL;
-    memset(&grown.list, 0, sizeof grown.list);
-    grown.tack = mus__new(context, grown.tack_capacity, sizeof *grown.tack);
-    mus_status status = grown.tack != NULL ? MUS_OK : mus__fail_memory(context, "tacks");
-    if (status == MUS_OK) status = mus__plan_springs_new(context, cloth, &grown);
-    if (status == MUS_OK) status = mus__plan_halves_new(context, &grown);
-    if (status == MUS_OK) status = mus__plan_lists_new(context, cloth, &grown);
-    if (status != MUS_OK) {
-        room_free(context, &grown);
-        return status;
-    }
-    if (plan->ntack > 0) memcpy(grown.tack, plan->tack, (size_t)plan->ntack * sizeof *plan->tack);
-    room_free(context, plan);
-    *plan = grown;
-    return MUS_OK;
-}
+#define TACK_MOST 1e9 /* [N/m]: a metre of cloth as stiff as steel */
 
 
 /* whether a node of the cloth cannot move */
@@ -92,10 +55,10 @@ static mus_status check_tack(const mus_drape *drape, int32_t a, int32_t b, doubl
 /* a tack has come or gone: forces, bound and rest are others, places are not */
 static void tacks_changed(mus_drape *drape)
 {
-    mus__plan_tacked(drape->cloth, drape->welded ? drape->rep : NULL, &drape->plan);
+    mus__program_tacks_changed(drape->cloth, drape->welded ? drape->rep : NULL, &drape->program);
     drape->sim.fresh = 0;
-    drape->settled = drape->sewn_so = 0;
-    drape->residual = NAN;
+    drape->relax.settled = drape->coarse.as_sewn = 0;
+    drape->relax.residual = NAN;
     mus__drape_stale(drape);
 }
 
@@ -103,14 +66,14 @@ static void tacks_changed(mus_drape *drape)
 mus_status mus_drape_tack(mus_drape *drape, int32_t a, int32_t b, double stiffness, int32_t *index)
 {
     if (drape == NULL) return MUS_ERR_ARG;
-    mus__plan *plan = &drape->plan;
+    mus__program *program = &drape->program;
     int32_t k = 0;
-    while (k < plan->ntack && plan->tack[k].a != MUS_NONE) k++;
+    while (k < program->ntack && program->tack[k].a != MUS_NONE) k++;
     mus_status status = check_tack(drape, a, b, stiffness);
-    if (status == MUS_OK) status = mus__plan_tack_room(drape->context, drape->cloth, k + 1, plan);
+    if (status == MUS_OK) status = mus__program_tack_room(drape->context, drape->cloth, k + 1, program);
     if (status != MUS_OK) return status;
-    plan->tack[k] = (mus__tack){a, b, stiffness};
-    if (k == plan->ntack) plan->ntack++;
+    program->tack[k] = (mus__tack){a, b, stiffness};
+    if (k == program->ntack) program->ntack++;
     tacks_changed(drape);
     if (index != NULL) *index = k;
     return MUS_OK;
@@ -120,26 +83,26 @@ mus_status mus_drape_tack(mus_drape *drape, int32_t a, int32_t b, double stiffne
 mus_status mus_drape_untack(mus_drape *drape, int32_t index)
 {
     if (drape == NULL) return MUS_ERR_ARG;
-    mus__plan *plan = &drape->plan;
-    if (index < 0 || index >= plan->ntack || plan->tack[index].a == MUS_NONE)
+    mus__program *program = &drape->program;
+    if (index < 0 || index >= program->ntack || program->tack[index].a == MUS_NONE)
         return mus__fail(drape->context, MUS_ERR_ARG, "drape: there is no tack %d", (int)index);
-    plan->tack[index].a = plan->tack[index].b = MUS_NONE;
-    while (plan->ntack > 0 && plan->tack[plan->ntack - 1].a == MUS_NONE) plan->ntack--;
+    program->tack[index].a = program->tack[index].b = MUS_NONE;
+    while (program->ntack > 0 && program->tack[program->ntack - 1].a == MUS_NONE) program->ntack--;
     tacks_changed(drape);
     return MUS_OK;
 }
 
 
-void mus__drape_restrict_tacks(mus_drape *drape)
+void mus__tack_restrict(mus_drape *drape)
 {
-    mus__plan *coarse = &drape->coarse->plan;
-    coarse->ntack = drape->plan.ntack;
+    mus__program *coarse = &drape->coarse.drape->program;
+    coarse->ntack = drape->program.ntack;
     for (int32_t t = 0; t < coarse->ntack; t++) {
-        const mus__tack *tack = &drape->plan.tack[t];
+        const mus__tack *tack = &drape->program.tack[t];
         mus__tack own = {MUS_NONE, MUS_NONE, tack->k};
         if (tack->a != MUS_NONE) {
-            own.a = mus__transfer_nearest(&drape->up, tack->a);
-            own.b = mus__transfer_nearest(&drape->up, tack->b);
+            own.a = mus__transfer_nearest(&drape->coarse.up, tack->a);
+            own.b = mus__transfer_nearest(&drape->coarse.up, tack->b);
         }
         coarse->tack[t] = own;
     }

@@ -89,8 +89,10 @@ static mus_status buckets_build(mus_context *context, const mus_cloth *cloth, co
             for (int32_t r = range[2]; r <= range[3]; r++)
                 for (int32_t c = range[0]; c <= range[1]; c++) {
                     int32_t *at = &grid->start[(int64_t)r * grid->columns + c];
-                    if (pass == 0) at[1]++;
-                    else grid->item[(*at)++] = t;
+                    if (pass == 0)
+                        at[1]++;
+                    else
+                        grid->item[(*at)++] = t;
                 }
         }
         if (pass == 1) break;

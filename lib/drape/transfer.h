@@ -12,8 +12,8 @@
 
 typedef struct mus__transfer {
     int32_t n;
-    int32_t *node;  /* (n x 3) of the source */
-    float *weight;  /* (n x 3) not negative, sum 1 */
+    int32_t *node; /* (n x 3) of the source */
+    float *weight; /* (n x 3) not negative, sum 1 */
 } mus__transfer;
 
 /* for each node of `to`, its place in `from`; both have the same number of panels. Frees nothing on failure. */

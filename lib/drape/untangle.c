@@ -17,19 +17,20 @@
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
 #include "geom/vec.h"
 
 #define UNTANGLE_ROUNDS 80
-#define UNTANGLE_PLAIN 50       /* of them without steps */
+#define UNTANGLE_PLAIN 50 /* of them without steps */
 #define UNTANGLE_STEPS 12
-#define UNTANGLE_DRAG 40.0    /* [1/s] */
-#define UNTANGLE_SPEED 1.0    /* [m/s] */
-#define UNTANGLE_MOVE 0.5     /* of the thickness, in a round */
-#define UNTANGLE_LEAST 0.05   /* of the thickness */
+#define UNTANGLE_DRAG 40.0  /* [1/s] */
+#define UNTANGLE_SPEED 1.0  /* [m/s] */
+#define UNTANGLE_MOVE 0.5   /* of the thickness, in a round */
+#define UNTANGLE_LEAST 0.05 /* of the thickness */
 #define UNTANGLE_PARTS 12
-#define UNTANGLE_STEEP 0.1    /* E.N of an edge that runs along the triangle counts as this */
-#define UNTANGLE_SAFETY 0.7   /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define UNTANGLE_STEEP 0.1  /* E.N of an edge that runs along the triangle counts as this */
+#define UNTANGLE_SAFETY 0.7 /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
 
 typedef struct untangle {
     const mus_drape *drape;
@@ -131,13 +132,17 @@ static mus_status untangle_ease(mus_drape *drape)
     sim->drag = UNTANGLE_DRAG;
     sim->speed_limit = UNTANGLE_SPEED;
     sim->dashpots = 0;
-    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance, .friction = drape->friction,
-                                    .push = 2.0 * travel, .travel = travel, .slip = h, .step = h,
+    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance,
+                                    .friction = drape->scene.friction,
+                                    .push = 2.0 * travel,
+                                    .travel = travel,
+                                    .slip = h,
+                                    .step = h,
                                     .cache_radius = MUS__CACHE_RADIUS};
     mus_status status = mus__drape_self_ready(drape, h);
     if (status != MUS_OK) return status;
     for (int32_t i = 0; i < UNTANGLE_STEPS; i++) sim->ops->euler(sim, h);
-    status = mus__drape_guard(drape);
+    status = mus__drape_keep_good(drape);
     if (status == MUS_OK) status = mus__drape_self_fits(drape);
     mus__drape_tick(drape, UNTANGLE_STEPS, h, 1);
     mus__drape_publish(drape);
@@ -146,33 +151,38 @@ static mus_status untangle_ease(mus_drape *drape)
 
 
 /* as they lie, without a crossing where there was none: pairs that are nearer than that to UNTANGLE_LEAST */
-mus_status mus__drape_part(mus_drape *drape)
+mus_status mus__untangle_part(mus_drape *drape)
 {
     const double least = UNTANGLE_LEAST * drape->def.thickness;
-    double *was = drape->work;
-    for (int32_t k = 0; k < UNTANGLE_PARTS; k++) {
+    double *was = mus__new(drape->context, 3 * (int64_t)drape->n, sizeof *was);
+    mus_status status = was != NULL ? MUS_OK : mus__fail_memory(drape->context, "what untangling takes back");
+    for (int32_t k = 0; k < UNTANGLE_PARTS && status == MUS_OK; k++) {
         mus__drape_push(drape);
         drape->self->invalid = 1;
-        const mus_status status = mus__drape_self_ready(drape, drape->sim.rule.slip);
-        if (status != MUS_OK) return status;
+        status = mus__drape_self_ready(drape, drape->sim.rule.slip);
+        if (status != MUS_OK) break;
         memcpy(was, drape->x, 3 * (size_t)drape->n * sizeof *was);
         if (mus__self_contact_separate(drape->self, least, drape->pinned, drape->x) == 0) break;
         if (mus__self_contact_mark_crossings(drape->self, drape->x, NULL, NULL) == 0) continue;
         memcpy(drape->x, was, 3 * (size_t)drape->n * sizeof *was);
         break;
     }
-    return MUS_OK;
+    mus__free(drape->context, was);
+    return status;
 }
 
 
 static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
 {
-    untangle u = {drape, drape->work, drape->work + 3 * (int64_t)drape->n};
+    untangle u = {.drape = drape};
     bool moved = false;
-    mus_status status = mus__drape_near(drape);
+    u.move = mus__new(drape->context, 4 * (int64_t)drape->n, sizeof *u.move);
+    if (u.move == NULL) return mus__fail_memory(drape->context, "the moves of untangling");
+    u.weight = u.move + 3 * (int64_t)drape->n;
+    mus_status status = mus__drape_plane_cache(drape);
     mus__drape_publish(drape);
     for (int32_t k = 0; status == MUS_OK; k++) {
-        memset(drape->work, 0, 4 * (size_t)drape->n * sizeof *drape->work);
+        memset(u.move, 0, 4 * (size_t)drape->n * sizeof *u.move);
         *left = mus__self_contact_mark_crossings(drape->self, drape->x, untangle_note, &u);
         if (*left == 0 || k == UNTANGLE_ROUNDS) break;
         untangle_move(drape, &u);
@@ -182,8 +192,9 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
     }
 
     /* what no longer crosses may still lie closer than numbers of a float state tell apart, and could not move */
-    if (status == MUS_OK && *left == 0 && moved) status = mus__drape_part(drape);
-    drape->sim.near = NULL;
+    if (status == MUS_OK && *left == 0 && moved) status = mus__untangle_part(drape);
+    mus__free(drape->context, u.move);
+    drape->sim.plane_cache = NULL;
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
     mus__drape_publish(drape);
@@ -191,7 +202,7 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
 }
 
 
-mus_status mus__drape_untangle(mus_drape *drape)
+mus_status mus__untangle(mus_drape *drape)
 {
     int64_t left;
     return drape->self != NULL ? untangle_rounds(drape, &left) : MUS_OK;
@@ -205,7 +216,7 @@ mus_status mus_drape_untangle(mus_drape *drape, int64_t *left)
     if (left == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: left is NULL");
     if (drape->self == NULL)
         return mus__fail(drape->context, MUS_ERR_STATE, "drape: cloth is untangled with self_contact alone");
-    mus_status status = mus__drape_still(drape, "untangle");
+    mus_status status = mus__scene_require_rest(drape, "untangle");
     if (status != MUS_OK) return status;
     status = untangle_rounds(drape, left);
     mus__drape_publish(drape);

@@ -6,29 +6,30 @@
  */
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
 
 
-double mus__drape_pair_stiffness(const mus_drape *drape)
+double mus__weld_pair_stiffness(const mus_drape *drape)
 {
     const double *stretch = drape->cloth->fabric.stretch;
     return 8.0 * (stretch[0] > stretch[1] ? stretch[0] : stretch[1]);
 }
 
 
-void mus__drape_open(mus_drape *drape)
+void mus__weld_open(mus_drape *drape)
 {
     drape->welded = 0;
     for (int32_t i = 0; i < drape->n; i++) {
         drape->rep[i] = i;
         drape->mass[i] = drape->cloth->mass[i];
     }
-    mus__plan_weld(drape->cloth, NULL, &drape->plan);
+    mus__program_weld(drape->cloth, NULL, &drape->program);
     mus__drape_self_weld(drape);
 
-    const double k = mus__drape_pair_stiffness(drape);
-    for (int32_t p = 0; p < drape->plan.npair; p++) drape->plan.pair[p].k = k;
-    drape->plan.seam_pull = drape->def.seam_pull;
+    const double k = mus__weld_pair_stiffness(drape);
+    for (int32_t p = 0; p < drape->program.npair; p++) drape->program.pair[p].k = k;
+    drape->program.seam_pull = drape->def.seam_pull;
 }
 
 
@@ -53,8 +54,10 @@ static void weld_below(mus_drape *drape, int32_t waits)
                           mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
             continue;
         const int32_t a = find_root(rep, cloth->pair[2 * p]), b = find_root(rep, cloth->pair[2 * p + 1]);
-        if (a < b) rep[b] = a;
-        else rep[a] = b;
+        if (a < b)
+            rep[b] = a;
+        else
+            rep[a] = b;
     }
 
     /* mass, momentum and centre of each class, summed in ascending order */
@@ -75,8 +78,8 @@ static void weld_below(mus_drape *drape, int32_t waits)
     for (int32_t i = 0; i < drape->n; i++)
         if (drape->pinned[rep[i]]) memset(v + 3 * (int64_t)rep[i], 0, 3 * sizeof *v);
 
-    drape->plan.open_from = waits;
-    mus__plan_weld(cloth, rep, &drape->plan);
+    drape->program.open_from = waits;
+    mus__program_weld(cloth, rep, &drape->program);
     drape->welded = 1;
     mus__drape_self_weld(drape);
     memset(drape->sim.f, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);
@@ -85,19 +88,39 @@ static void weld_below(mus_drape *drape, int32_t waits)
 }
 
 
-void mus__drape_weld(mus_drape *drape)
+void mus__weld(mus_drape *drape)
 {
-    weld_below(drape, drape->plan.wait_from);
+    weld_below(drape, drape->program.wait_from);
 }
 
 
-void mus__drape_reopen(mus_drape *drape, const double *x)
+void mus__weld_reopen(mus_drape *drape, const double *x)
 {
-    const int32_t below = drape->welded ? drape->plan.open_from : 0;
-    mus__drape_open(drape);
+    const int32_t below = drape->welded ? drape->program.open_from : 0;
+    mus__weld_open(drape);
     memcpy(drape->x, x, 3 * (size_t)drape->n * sizeof *x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *x);
     mus__drape_push(drape);
     if (below > 0) weld_below(drape, below);
     mus__drape_publish(drape);
+}
+
+
+double mus__weld_gap(const mus_drape *drape, int32_t *seam)
+{
+    const mus_cloth *cloth = drape->cloth;
+    const int32_t waits = drape->program.wait_from;
+    double most = 0.0;
+    if (seam != NULL) *seam = MUS_NONE;
+    for (int32_t p = 0; p < cloth->npair; p++) {
+        if (waits > 0 && mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits) continue;
+        const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
+                     *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const double gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        if (gap <= most && p > 0) continue;
+        most = gap;
+        if (seam != NULL) *seam = cloth->pair_seam[p];
+    }
+    return most;
 }

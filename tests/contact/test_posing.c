@@ -7,7 +7,7 @@
 
 #include "body/people.h"
 #include "contact/contact_template.h"
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "geom/vec.h"
 #include "support.h"
 
@@ -267,7 +267,7 @@ START_TEST(a_pose_there_and_back_returns)
     ck_assert_int_eq(mus_drape_body_pose(p.drape, &told), MUS_OK);
     ck_assert_mem_eq(&told, &rest, sizeof rest);
     posing_to(&p, &low, 0.0);
-    const mus__collider *collider = p.drape->collider;
+    const mus__collider *collider = p.drape->scene.collider;
     memcpy(first, collider->field64, (size_t)collider->nparts * sizeof *first);
     posing_to(&p, &high, 0.05);
     posing_steps(&p, 25, 1e-3);
@@ -302,18 +302,18 @@ START_TEST(a_posed_copy_and_a_posed_drape_are_the_same)
     ck_assert_mem_eq(&told, &high, sizeof high);
     posing_drape(&p);
     posing_to(&p, &high, 0.0);
-    for (int32_t l = 0; l < p.drape->collider->nparts; l++) {
-        const mus__field_f64 *a = &p.drape->collider->field64[l], *b = &other->collider->field64[l];
+    for (int32_t l = 0; l < p.drape->scene.collider->nparts; l++) {
+        const mus__field_f64 *a = &p.drape->scene.collider->field64[l], *b = &other->scene.collider->field64[l];
         ck_assert_mem_eq(a->origin, b->origin, sizeof a->origin);
         ck_assert_mem_eq(a->axis, b->axis, sizeof a->axis);
         ck_assert_mem_eq(a->radius, b->radius, sizeof *a->radius * (size_t)(a->nring * a->nangle));
-        ck_assert_mem_eq(p.drape->collider->box + 6 * l, other->collider->box + 6 * l, 6 * sizeof(double));
+        ck_assert_mem_eq(p.drape->scene.collider->box + 6 * l, other->scene.collider->box + 6 * l, 6 * sizeof(double));
     }
     const mus_pose low = arm_ahead(0.0);
     ck_assert_int_eq(mus_drape_pose_body(other, &low, 0.0), MUS_OK);
     ck_assert_int_eq(mus_drape_place(other), MUS_OK);
-    for (int32_t l = 0; l < p.drape->collider->nparts; l++)
-        ck_assert_mem_eq(p.drape->collider->field64[l].origin, other->collider->field64[l].origin, 24);
+    for (int32_t l = 0; l < p.drape->scene.collider->nparts; l++)
+        ck_assert_mem_eq(p.drape->scene.collider->field64[l].origin, other->scene.collider->field64[l].origin, 24);
     mus_drape_destroy(other);
     mus_body_destroy(posed);
     posing_end(&p);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "extreme/bare.h"
 #include "scenes.h"
 

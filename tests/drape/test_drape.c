@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "scenes.h"
 
 Suite *mus_suite_drape(void);
@@ -165,7 +165,7 @@ START_TEST(sewing_moves_no_centre)
     for (int k = 0; k < 3000; k++) sim->ops->euler(sim, h);
     mus__drape_publish(drape);
     centre_of_inertia(drape, after);
-    ck_assert_double_lt(mus__drape_gap(drape, NULL), 0.05);
+    ck_assert_double_lt(mus__weld_gap(drape, NULL), 0.05);
     for (int d = 0; d < 3; d++) ck_assert_double_eq_tol(after[d], before[d], 1e-12);
     mus_drape_destroy(drape);
     mus_cloth_destroy(cloth);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "scenes.h"
 
 
@@ -65,10 +65,10 @@ START_TEST(strong_shear_lowers_the_bound)
     ck_assert_int_eq(mus_drape_step(drape, 10, 0.99 * flat), MUS_ERR_STEP);
     ck_assert(mus_drape_hash(drape) == hash);
 
-    drape->bound = 0.0; /* as if the pose had come about within a run */
+    drape->stepping.bound = 0.0; /* as if the pose had come about within a run */
     ck_assert_int_eq(mus_drape_step(drape, 0, 0.5 * sheared), MUS_OK);
-    drape->bound = flat;
-    drape->since_look = 512;
+    drape->stepping.bound = flat;
+    drape->stepping.since_look = 512;
     ck_assert_int_eq(mus_drape_step(drape, 200, 0.99 * flat), MUS_OK);
     mus_drape_report report;
     mus_drape_report_init(&report, sizeof report);
@@ -97,7 +97,7 @@ START_TEST(energy_that_rises_ends_the_run_at_the_last_good_state)
     mus_drape_report_init(&report, sizeof report);
     ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
     const double start = report.energy;
-    drape->bound = 2.0 * h;
+    drape->stepping.bound = 2.0 * h;
     ck_assert_int_eq(mus_drape_step(drape, 5000, h), MUS_ERR_DIVERGED);
     ck_assert_int_eq(mus_drape_report_get(drape, &report), MUS_OK);
     ck_assert(isfinite(report.energy));
@@ -112,33 +112,33 @@ START_TEST(energy_that_rises_ends_the_run_at_the_last_good_state)
 END_TEST
 
 
-/* a plan changes nothing: the run after it is the run without it, bit for bit */
+/* a program changes nothing: the run after it is the run without it, bit for bit */
 START_TEST(a_plan_says_what_a_frame_costs_and_changes_nothing)
 {
     mus_context *context = support_context();
     mus_cloth *cloth;
     mus_drape *drape = grid_scene(context, &cloth, 32), *twin = scene_drape(context, cloth, 32, 1);
     for (int32_t i = 0; i < 12; i++) ck_assert_int_eq(mus_drape_pin(twin, i, 1), MUS_OK);
-    mus_drape_forecast plan;
-    mus_drape_forecast_init(&plan, sizeof plan);
-    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_OK);
-    ck_assert_double_le(plan.step, 0.9 * plan.step_bound * (1 + 1e-12));
-    ck_assert_double_eq_tol(plan.step * plan.steps_per_frame, 0.02, 1e-15);
-    ck_assert_int_eq(plan.node_evaluations, (int64_t)plan.steps_per_frame * 144 * 4);
-    ck_assert_double_eq_tol(plan.step_bound, 2.62 / sqrt(plan.node_stiffness / plan.node_mass), 1e-9);
-    ck_assert(plan.node >= 12 && plan.node < 144 && plan.bend_share >= 0.0 && plan.bend_share < 0.2);
-    ck_assert(plan.seconds >= 0.0);
+    mus_estimate program;
+    mus_estimate_init(&program, sizeof program);
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &program), MUS_OK);
+    ck_assert_double_le(program.step, 0.9 * program.step_bound * (1 + 1e-12));
+    ck_assert_double_eq_tol(program.step * program.steps_per_frame, 0.02, 1e-15);
+    ck_assert_int_eq(program.node_evaluations, (int64_t)program.steps_per_frame * 144 * 4);
+    ck_assert_double_eq_tol(program.step_bound, 2.62 / sqrt(program.node_stiffness / program.node_mass), 1e-9);
+    ck_assert(program.node >= 12 && program.node < 144 && program.bend_share >= 0.0 && program.bend_share < 0.2);
+    ck_assert(program.seconds >= 0.0);
     for (int32_t k = 0; k < 2; k++) {
-        ck_assert_int_eq(mus_drape_step(drape, plan.steps_per_frame, plan.step), MUS_OK);
-        ck_assert_int_eq(mus_drape_step(twin, plan.steps_per_frame, plan.step), MUS_OK);
+        ck_assert_int_eq(mus_drape_step(drape, program.steps_per_frame, program.step), MUS_OK);
+        ck_assert_int_eq(mus_drape_step(twin, program.steps_per_frame, program.step), MUS_OK);
         ck_assert(mus_drape_hash(drape) == mus_drape_hash(twin));
-        ck_assert_int_eq(mus_drape_plan(drape, 0.01, &plan), MUS_OK);
-        ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_OK);
+        ck_assert_int_eq(mus_drape_estimate(drape, 0.01, &program), MUS_OK);
+        ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &program), MUS_OK);
     }
-    ck_assert_int_eq(mus_drape_plan(drape, 0.0, &plan), MUS_ERR_ARG);
-    ck_assert_int_eq(mus_drape_plan(drape, NAN, &plan), MUS_ERR_ARG);
-    plan.size--;
-    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &plan), MUS_ERR_VERSION);
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.0, &program), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_drape_estimate(drape, NAN, &program), MUS_ERR_ARG);
+    program.size--;
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &program), MUS_ERR_VERSION);
     mus_drape_destroy(drape);
     mus_drape_destroy(twin);
     mus_cloth_destroy(cloth);

@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 
+#include "sim/force_reference.h"
 #include "tacked.h"
 
 Suite *mus_suite_tack(void);
@@ -74,15 +75,15 @@ START_TEST(the_bound_is_that_with_the_tack_at_once)
 
     mus_drape *drape = swung_grid(context, 64, def.integrator, 1, 0.0);
     const double before = mus_drape_step_bound(drape), stiff = 3e4;
-    mus_drape_forecast was, is;
-    mus_drape_forecast_init(&was, sizeof was);
-    mus_drape_forecast_init(&is, sizeof is);
-    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &was), MUS_OK);
+    mus_estimate was, is;
+    mus_estimate_init(&was, sizeof was);
+    mus_estimate_init(&is, sizeof is);
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &was), MUS_OK);
     run(drape, 1, 0.9 * before);
-    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &was), MUS_OK);
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &was), MUS_OK);
     const uint64_t hash = mus_drape_hash(drape);
     const int32_t index = tack(drape, was.node, was.node < 300 ? 420 : 150, stiff);
-    ck_assert_int_eq(mus_drape_plan(drape, 0.02, &is), MUS_OK);
+    ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &is), MUS_OK);
     ck_assert_int_eq(is.node, was.node);
     ck_assert_double_eq_tol(is.node_stiffness - was.node_stiffness, 2.0 * stiff, 1e-9 * stiff);
     const double bound = mus_drape_step_bound(drape);
@@ -144,7 +145,7 @@ START_TEST(a_tack_pulls_its_two_nodes_and_no_other)
     mus_pattern *pattern = scene_strips(context, 1.2);
     mus_cloth *cloth = scene_cut(context, pattern, 0.01, 0.1);
     mus_drape *drape = scene_drape(context, cloth, precision, 1);
-    if (welded) mus__drape_weld(drape);
+    if (welded) mus__weld(drape);
     const int32_t n = mus_drape_node_count(drape);
     double *f = kernel_forces(drape), most = 0.0;
     const double *x = mus_drape_positions(drape);
@@ -268,7 +269,7 @@ START_TEST(any_order_in_and_out_gives_the_same_plan)
     free(f);
     drape->sim.dashpots = 0;
     f = kernel_forces(drape);
-    mus__plan_force(&drape->plan, NODES, mus_drape_positions(drape), plain);
+    mus__program_force(&drape->program, NODES, mus_drape_positions(drape), plain);
     for (int i = 0; i < 3 * NODES; i++) ck_assert_double_eq_tol(f[i], plain[i], 1e-11);
     free(f);
     free(g);

@@ -123,7 +123,7 @@ START_TEST(coarser_cuts_have_the_tacks_too)
         tack(drape, corner[1], corner[2], 300.0);
         const mus_status status = mus_drape_settle(drape, NULL, NULL);
         ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
-        if (levels) ck_assert_int_eq(drape->coarse->plan.ntack, 2);
+        if (levels) ck_assert_int_eq(drape->coarse.drape->program.ntack, 2);
         low[levels] = 1e9;
         for (int32_t i = 0; i < drape->n; i++) low[levels] = fmin(low[levels], drape->x[3 * i + 1]);
         for (int i = 0; i < 2; i++) gap[levels] = fmax(gap[levels], gap_of(drape, corner[i], corner[3 - i]));
@@ -180,19 +180,19 @@ START_TEST(a_tack_to_a_layer_that_waits_is_slack)
     ck_assert_int_eq(mus_pattern_set_layer(pattern, 1, 1), MUS_OK);
     mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
     mus_drape *drape = scene_drape(context, cloth, 64, 1);
-    const int32_t own = drape->plan.nspring, *pair = mus_cloth_pairs(cloth);
+    const int32_t own = drape->program.nspring, *pair = mus_cloth_pairs(cloth);
     ck_assert_int_ne(mus__cloth_layer(cloth, pair[2]), mus__cloth_layer(cloth, pair[3]));
     tack(drape, pair[2], pair[3], 10.0);
     const int32_t inner = mus__cloth_layer(cloth, pair[2]) == 0 ? 2 : 3;
     tack(drape, pair[inner], pair[inner + 2], 10.0);
-    ck_assert_int_eq(drape->plan.nspring, own + 2);
-    drape->plan.wait_from = 1;
-    mus__plan_weld(cloth, NULL, &drape->plan);
-    ck_assert_int_eq(drape->plan.nspring, own + 1);
-    ck_assert_int_eq(drape->plan.spring[own].a, pair[inner]);
-    drape->plan.wait_from = 0;
-    mus__plan_weld(cloth, NULL, &drape->plan);
-    ck_assert_int_eq(drape->plan.nspring, own + 2);
+    ck_assert_int_eq(drape->program.nspring, own + 2);
+    drape->program.wait_from = 1;
+    mus__program_weld(cloth, NULL, &drape->program);
+    ck_assert_int_eq(drape->program.nspring, own + 1);
+    ck_assert_int_eq(drape->program.spring[own].a, pair[inner]);
+    drape->program.wait_from = 0;
+    mus__program_weld(cloth, NULL, &drape->program);
+    ck_assert_int_eq(drape->program.nspring, own + 2);
     mus_drape_destroy(drape);
     mus_cloth_destroy(cloth);
     mus_pattern_destroy(pattern);
@@ -210,22 +210,22 @@ START_TEST(a_tack_stays_through_sewing_and_placing)
     mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
     mus_drape *drape = scene_drape(context, cloth, 64, 1), *other = scene_drape(context, cloth, 64, 1);
     const int32_t *pair = mus_cloth_pairs(cloth);
-    const int32_t own = drape->plan.nspring, far = 0;
+    const int32_t own = drape->program.nspring, far = 0;
     const double open = extreme_report(drape).energy, k = 2.0;
     tack(drape, pair[0], pair[1], k);
     tack(drape, pair[2], far, k);
     const double first = gap_of(drape, pair[0], pair[1]), second = gap_of(drape, pair[2], far);
-    ck_assert_int_eq(drape->plan.nspring, own + 2);
+    ck_assert_int_eq(drape->program.nspring, own + 2);
     ck_assert_double_eq_tol(extreme_report(drape).energy - open, 0.5 * k * (first * first + second * second), 1e-13);
     ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
-    ck_assert_int_eq(drape->plan.nspring, own + 1);
-    const mus__spring *last = &drape->plan.spring[own];
+    ck_assert_int_eq(drape->program.nspring, own + 1);
+    const mus__spring *last = &drape->program.spring[own];
     ck_assert(last->kind == MUS__SPRING_TACK && last->a == drape->rep[pair[2]] && last->b == drape->rep[far]);
     const double sewn = extreme_report(drape).energy, gap = gap_of(drape, pair[2], far);
     ck_assert_int_eq(mus_drape_untack(drape, 1), MUS_OK);
     ck_assert_double_eq_tol(sewn - extreme_report(drape).energy, 0.5 * k * gap * gap, 1e-13);
     ck_assert_int_eq(mus_drape_warm(other, drape), MUS_OK);
-    ck_assert_int_eq(other->plan.ntack, 0);
+    ck_assert_int_eq(other->program.ntack, 0);
 
     /* opened, the first pulls again; the bound is that of a drape that has it from the start */
     ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
@@ -237,7 +237,7 @@ START_TEST(a_tack_stays_through_sewing_and_placing)
     run(other, 20, 0.9 * mus_drape_step_bound(other));
     ck_assert_mem_eq(mus_drape_positions(drape), mus_drape_positions(other), 3 * (size_t)drape->n * sizeof(double));
     ck_assert_int_eq(mus_drape_warm(drape, other), MUS_OK);
-    ck_assert_int_eq(drape->plan.ntack, 1);
+    ck_assert_int_eq(drape->program.ntack, 1);
     mus_drape_destroy(drape);
     mus_drape_destroy(other);
     mus_cloth_destroy(cloth);
@@ -291,7 +291,7 @@ START_TEST(settle_without_memory_for_tacks_leaves_the_drape_as_it_was)
         ck_assert_uint_eq(mus_drape_hash(drape), hash);
     }
     ck_assert_int_gt((int)refused, 20);
-    ck_assert_int_eq(drape->coarse->plan.ntack, 1);
+    ck_assert_int_eq(drape->coarse.drape->program.ntack, 1);
     mus_drape_destroy(drape);
     mus_cloth_destroy(cloth);
     mus_pattern_destroy(pattern);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "scenes.h"
 
 

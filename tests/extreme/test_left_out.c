@@ -5,7 +5,7 @@
  */
 #include <stdio.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 
 #include "bare.h"
 #include "drape/scenes.h"
@@ -151,9 +151,9 @@ static uint64_t hash_with(feature f, int32_t precision, int32_t integrator)
         for (int32_t fixed = 1; fixed >= 0; fixed--) ck_assert_int_eq(mus_drape_pin(drape, 3, fixed), MUS_OK);
     if (f == SAME_GRAVITY) ck_assert_int_eq(mus_drape_set_gravity(drape, down), MUS_OK);
     if (f == QUESTIONS) {
-        mus_drape_forecast forecast;
-        mus_drape_forecast_init(&forecast, sizeof forecast);
-        ck_assert_int_eq(mus_drape_plan(drape, 0.02, &forecast), MUS_OK);
+        mus_estimate forecast;
+        mus_estimate_init(&forecast, sizeof forecast);
+        ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &forecast), MUS_OK);
         ck_assert_int_eq(mus_drape_forces(drape, out), MUS_OK);
         ck_assert_int_eq(mus_drape_normals(drape, out), MUS_OK);
         ck_assert_int_eq(mus_drape_gaps(drape, out), MUS_OK);

@@ -2,11 +2,12 @@
  * test_odd_scenes.c: cloth folded, flattened and turned inside out; gravity from every side; cloths of one node, of
  * none, all held and not held at all (numerics.md X11, X16, X17, X18, X21, X22).
  */
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 #include "muslin/topology.h"
 
 #include "bare.h"
 #include "drape/scenes.h"
+#include "sim/force_reference.h"
 
 Suite *mus_suite_odd_scenes(void);
 
@@ -41,7 +42,7 @@ START_TEST(force_is_the_gradient_of_the_energy_however_cloth_is_folded)
     fold(_i, SIDE, 0.01, mus_cloth_rest(cloth), x);
     mus_drape *drape = extreme_drape(context, cloth, 64, weightless);
     ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_OK);
-    const double energy = mus__plan_force(&drape->plan, N, x, f);
+    const double energy = mus__program_force(&drape->program, N, x, f);
     ck_assert_double_eq_tol(extreme_report(drape).energy, energy, 1e-12 * energy + 1e-25);
 
     drape->sim.ops->force(&drape->sim);
@@ -51,9 +52,9 @@ START_TEST(force_is_the_gradient_of_the_energy_however_cloth_is_folded)
     for (int32_t i = 0; i < 3 * N; i++) {
         const double was = x[i], d = 1e-7;
         x[i] = was + d;
-        const double above = mus__plan_force(&drape->plan, N, x, NULL);
+        const double above = mus__program_force(&drape->program, N, x, NULL);
         x[i] = was - d;
-        const double below = mus__plan_force(&drape->plan, N, x, NULL);
+        const double below = mus__program_force(&drape->program, N, x, NULL);
         x[i] = was;
         ck_assert(isfinite(f[i]));
         ck_assert_double_eq_tol(f[i], (below - above) / (2.0 * d), 2e-6 * most);

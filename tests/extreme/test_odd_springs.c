@@ -19,9 +19,9 @@ START_TEST(a_node_of_any_mass_swings_under_its_announced_bound)
         mus_drape *drape = extreme_drape(context, extreme_chain(context, 2, place, mass, 1.0, k, true), 64, weightless);
         const double bound = mus_drape_step_bound(drape), h = 0.9 * bound, z2 = h * h * k / masses[m];
         ck_assert_double_eq_tol(bound / (2.62 * sqrt(masses[m] / (2.0 * k))), 1.0, 1e-14);
-        mus_drape_forecast forecast;
-        mus_drape_forecast_init(&forecast, sizeof forecast);
-        ck_assert_int_eq(mus_drape_plan(drape, 0.02, &forecast), MUS_OK);
+        mus_estimate forecast;
+        mus_estimate_init(&forecast, sizeof forecast);
+        ck_assert_int_eq(mus_drape_estimate(drape, 0.02, &forecast), MUS_OK);
         ck_assert_int_eq(forecast.steps_per_frame, (int32_t)ceil(0.02 / (0.9 * bound)));
         ck_assert_int_eq(forecast.node, 1);
         ck_assert_double_eq(forecast.node_mass, masses[m]);

@@ -300,7 +300,7 @@ START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
-/* X23: mus_drape_set_gravity mus_drape_plan mus_drape_tack */
+/* X23: mus_drape_set_gravity mus_drape_estimate mus_drape_tack */
 START_TEST(gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was)
 {
     mus_context *context = support_context();
@@ -314,9 +314,9 @@ START_TEST(gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was)
             ck_assert_int_eq(mus_drape_set_gravity(drape[0], gravity), MUS_ERR_ARG);
             ck_assert_ptr_nonnull(strstr(mus_context_error(context), "gravity"));
         }
-        mus_drape_forecast forecast;
-        mus_drape_forecast_init(&forecast, sizeof forecast);
-        ck_assert_int_eq(mus_drape_plan(drape[0], refused_values[value], &forecast), MUS_ERR_ARG);
+        mus_estimate forecast;
+        mus_estimate_init(&forecast, sizeof forecast);
+        ck_assert_int_eq(mus_drape_estimate(drape[0], refused_values[value], &forecast), MUS_ERR_ARG);
         ck_assert_ptr_nonnull(strstr(mus_context_error(context), "frame"));
         ck_assert_int_eq(mus_drape_tack(drape[0], 0, 9, refused_values[value], NULL), MUS_ERR_ARG);
         ck_assert_ptr_nonnull(strstr(mus_context_error(context), "stiffness of a tack"));

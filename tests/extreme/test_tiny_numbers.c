@@ -4,7 +4,7 @@
  */
 #include <float.h>
 
-#include "drape/drape_internal.h"
+#include "drape/drape_state.h"
 
 #include "bare.h"
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # self_off.sh OUT [ROUNDS]: what cloth on cloth costs a drape that does not ask for it: nothing.
 #
-# The steps of lib/drape are compiled again with -DMUS_WITHOUT_SELF, which leaves every mention of it out of them, and
+# The steps of lib/sim are compiled again with -DMUS_WITHOUT_SELF, which leaves every mention of it out of them, and
 # tests/guard/self_off.c is linked to both libraries. The two run in turns, ROUNDS times (9): states must be the same
 # to the bit, and the medians of CPU time within 1 %.
 set -u
@@ -13,12 +13,12 @@ into=$out/self-off
 mkdir -p "$into"
 flags='-std=c11 -Iinclude -Ilib -fPIC -pthread -ffunction-sections -fdata-sections -O2 -ffp-contract=off'
 for kernel in f32 f64; do
-    $CC $flags -O3 -fno-math-errno -DMUS_WITHOUT_SELF -c "lib/drape/kernel_$kernel.c" -o "$into/kernel_$kernel.o" || exit 1
-    $CC $flags -O3 -fno-math-errno -c "lib/drape/kernel_$kernel.c" -o "$into/with_$kernel.o" || exit 1
+    $CC $flags -O3 -fno-math-errno -DMUS_WITHOUT_SELF -c "lib/sim/sim_$kernel.c" -o "$into/sim_$kernel.o" || exit 1
+    $CC $flags -O3 -fno-math-errno -c "lib/sim/sim_$kernel.c" -o "$into/with_$kernel.o" || exit 1
 done
 $CC $flags -c tests/guard/self_off.c -o "$into/main.o" || exit 1
 $CC -pthread "$into/main.o" "$into/with_f32.o" "$into/with_f64.o" "$out/lib/libmuslin.a" -lm -o "$into/with" || exit 1
-$CC -pthread "$into/main.o" "$into/kernel_f32.o" "$into/kernel_f64.o" "$out/lib/libmuslin.a" -lm -o "$into/without" ||
+$CC -pthread "$into/main.o" "$into/sim_f32.o" "$into/sim_f64.o" "$out/lib/libmuslin.a" -lm -o "$into/without" ||
     exit 1
 : > "$into/with.txt"
 : > "$into/without.txt"

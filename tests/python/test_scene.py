@@ -53,7 +53,8 @@ def test_the_draft_is_the_commands(scene, tmp_path):
 def test_a_start_is_found_and_looked_at(scene):
     pattern, tape, _ = scene
     body, pattern = muslin.Body(muslin.Tape.read(tape)), muslin.Pattern.read(pattern)
-    pattern.place(body)
+    assert muslin.pattern_reason(pattern)["kind"] == 0
+    muslin.arrange(pattern, body)
     good = muslin.Drape(muslin.Cloth(pattern, spacing=0.05), body)
     good.place()
     assert good.start["kind"] == 0 and good.start["text"] == ""

@@ -101,7 +101,7 @@ same_dressed same_place(const same_run *run, const same_scene *scene)
     out.pattern = same_garment(run, scene->garment, out.tape);
     if (scene->flags & SCENE_OPEN)
         same_must(run, mus_pattern_open_closures(out.pattern, 1, NULL), "mus_pattern_open_closures");
-    if (scene->flags & SCENE_FOUND) same_must(run, mus_pattern_place(out.pattern, out.body), "mus_pattern_place");
+    if (scene->flags & SCENE_FOUND) same_must(run, mus_arrange_pattern(out.pattern, out.body), "mus_arrange_pattern");
     same_cut_out(run, scene, &out);
     return out;
 }

@@ -90,7 +90,7 @@ static void digest_measures(same_run *run, mus_pattern *pattern, const mus_body 
             same_ints(run, directions, count < 256 ? count : 256);
         }
     }
-    if (same_status(run, mus_pattern_place(pattern, body))) same_pattern(run, pattern);
+    if (same_status(run, mus_arrange_pattern(pattern, body))) same_pattern(run, pattern);
 }
 
 

@@ -94,9 +94,9 @@ static void gliding(same_run *run, const same_dressed *d)
 /* what a run will cost, but for seconds; and what an evaluation leaves as it is */
 static void forecast(same_run *run, const same_dressed *d)
 {
-    mus_drape_forecast plan;
-    mus_drape_forecast_init(&plan, sizeof plan);
-    if (same_status(run, mus_drape_plan(d->drape, 1.0 / 60.0, &plan))) {
+    mus_estimate plan;
+    mus_estimate_init(&plan, sizeof plan);
+    if (same_status(run, mus_drape_estimate(d->drape, 1.0 / 60.0, &plan))) {
         const double values[] = {plan.step, plan.step_bound, plan.node_mass, plan.node_stiffness, plan.bend_share};
         same_reals(run, values, sizeof values / sizeof *values);
         same_int(run, plan.steps_per_frame);

@@ -15,6 +15,7 @@ it is installed, memoryviews when it is not.
 """
 from ._abi import VERSION as __version__
 from ._library import version
+from .arrange import arrange, pattern_reason
 from .body import Body
 from .catalogue import Catalogue
 from .cloth import Cloth, Fabric, fabrics
@@ -33,6 +34,6 @@ from .scan import scan
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "Fabric", "Fit", "Mesh", "Move", "MuslinError",
-           "Pattern", "Pose", "Sheet", "Tape", "axes", "designs", "draft", "dress", "ease", "fabrics", "grade",
-           "integrate", "joint_limits", "measures", "moves", "poses", "read_obj", "scan", "sizes", "spell", "version",
+           "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs", "draft", "dress", "ease", "fabrics", "grade",
+           "integrate", "joint_limits", "measures", "moves", "pattern_reason", "poses", "read_obj", "scan", "sizes", "spell", "version",
            "write_glb", "write_glb_motion", "write_obj", "__version__"]

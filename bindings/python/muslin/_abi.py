@@ -377,6 +377,11 @@ class mus_integrate_def(Structure):
                 ("user", c_void_p)]
 
 
+class mus_reason(Structure):
+    _fields_ = [("size", c_size_t), ("kind", c_int32), ("panel", c_int32), ("seam", c_int32), ("node", c_int32),
+                ("count", c_int32), ("value", c_double), ("place", c_double * 3), ("text", c_char * 256)]
+
+
 class mus_drape_def(Structure):
     _fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
                 ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
@@ -390,15 +395,10 @@ class mus_plane(Structure):
                 ("spin", c_double), ("friction", c_double), ("reach", c_double)]
 
 
-class mus_drape_forecast(Structure):
+class mus_estimate(Structure):
     _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
                 ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
                 ("seconds", c_double), ("node_evaluations", c_int64)]
-
-
-class mus_reason(Structure):
-    _fields_ = [("size", c_size_t), ("kind", c_int32), ("panel", c_int32), ("seam", c_int32), ("node", c_int32),
-                ("count", c_int32), ("value", c_double), ("place", c_double * 3), ("text", c_char * 256)]
 
 
 class mus_drape_report(Structure):
@@ -742,11 +742,14 @@ FUNCTIONS = {
                                         POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_int64)]),
     "mus_integrate_f32": ("core", c_int32, [POINTER(mus_context), POINTER(mus_integrate_def), c_int64,
                                             POINTER(c_float), c_int64, POINTER(c_float), POINTER(c_int64)]),
+    "mus_arrange_pattern": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_body)]),
+    "mus_reason_init": ("core", None, [POINTER(mus_reason), c_size_t]),
+    "mus_reason_name": ("core", c_char_p, [c_int32]),
+    "mus_pattern_reason": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_reason)]),
     "mus_drape_def_init": ("core", None, [POINTER(mus_drape_def), c_size_t]),
     "mus_drape_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_body),
                                            POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),
     "mus_drape_destroy": ("core", None, [POINTER(mus_drape)]),
-    "mus_pattern_place": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_body)]),
     "mus_drape_place": ("core", c_int32, [POINTER(mus_drape)]),
     "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),
     "mus_drape_set_state": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double), POINTER(c_double)]),
@@ -763,8 +766,8 @@ FUNCTIONS = {
     "mus_plane_init": ("core", None, [POINTER(mus_plane), c_size_t]),
     "mus_drape_add_plane": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_plane), POINTER(c_int32)]),
     "mus_drape_move_plane": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_double), c_double]),
-    "mus_drape_forecast_init": ("core", None, [POINTER(mus_drape_forecast), c_size_t]),
-    "mus_drape_plan": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_drape_forecast)]),
+    "mus_estimate_init": ("core", None, [POINTER(mus_estimate), c_size_t]),
+    "mus_drape_estimate": ("core", c_int32, [POINTER(mus_drape), c_double, POINTER(mus_estimate)]),
     "mus_drape_forces": ("core", c_int32, [POINTER(mus_drape), POINTER(c_double)]),
     "mus_drape_depth": ("core", c_int32, [POINTER(mus_drape), c_int32, POINTER(c_double), POINTER(c_double),
                                           POINTER(c_double)]),
@@ -774,11 +777,8 @@ FUNCTIONS = {
     "mus_drape_velocities": ("core", POINTER(c_double), [POINTER(mus_drape)]),
     "mus_drape_node_count": ("core", c_int32, [POINTER(mus_drape)]),
     "mus_drape_time": ("core", c_double, [POINTER(mus_drape)]),
-    "mus_reason_init": ("core", None, [POINTER(mus_reason), c_size_t]),
-    "mus_reason_name": ("core", c_char_p, [c_int32]),
     "mus_drape_start": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_reason)]),
     "mus_drape_reason": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_reason)]),
-    "mus_pattern_reason": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_reason)]),
     "mus_drape_report_init": ("core", None, [POINTER(mus_drape_report), c_size_t]),
     "mus_drape_report_get": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape_report)]),
     "mus_drape_skipped": ("core", c_char_p, [POINTER(mus_drape)]),

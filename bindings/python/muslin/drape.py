@@ -3,6 +3,7 @@ import ctypes
 
 from . import _abi
 from ._library import lib
+from .arrange import read_reason
 from .arrays import doubles, result, view
 from .context import Object, create, make_def, read_struct
 from .integrate import METHODS
@@ -21,12 +22,6 @@ def progress_hook(progress, raised):
             return 1
 
     return _abi.mus_progress_fn(hook)
-
-
-def reason_dict(reason):
-    """A mus_reason as a dict; kind in words too, as name."""
-    return {**read_struct(reason), "name": lib.mus_reason_name(reason.kind).decode(),
-            "text": reason.text.decode("utf-8", "replace")}
 
 
 class Drape(Object):
@@ -109,11 +104,11 @@ class Drape(Object):
         """Change gravity (3) [m/s2] from now on."""
         self.do("set_gravity", (ctypes.c_double * 3)(*gravity))
 
-    def plan(self, frame):
-        """What steps of mus_drape_step will cost for a frame [s], as a dict (mus_drape_forecast)."""
-        forecast = make_def(_abi.mus_drape_forecast, lib.mus_drape_forecast_init)
-        self.do("plan", frame, ctypes.byref(forecast))
-        return read_struct(forecast)
+    def estimate(self, frame):
+        """What step() will cost for a frame of `frame` seconds of cloth time, as a dict (mus_estimate)."""
+        estimate = make_def(_abi.mus_estimate, lib.mus_estimate_init)
+        self.do("estimate", frame, ctypes.byref(estimate))
+        return read_struct(estimate)
 
     def set_state(self, positions, velocities=None):
         """Positions (n x 3) [m] and velocities (n x 3) [m/s]."""
@@ -206,7 +201,7 @@ class Drape(Object):
     def _reason(self, which):
         reason = make_def(_abi.mus_reason, lib.mus_reason_init)
         self.do(which, ctypes.byref(reason))
-        return reason_dict(reason)
+        return read_reason(reason)
 
     @property
     def start(self):

@@ -3,11 +3,12 @@ import ctypes
 
 from . import _abi
 from ._library import lib
+from .arrange import read_reason
 from .body import Body
 from .cloth import Cloth, Fabric
 from .context import make_def
 from .design import draft
-from .drape import Drape, progress_hook, reason_dict
+from .drape import Drape, progress_hook
 from .errors import MuslinError
 from .pattern import Pattern
 
@@ -69,7 +70,7 @@ def dress(garment, wearer, fabric=None, strict=True, progress=None, draft_option
     except MuslinError as error:
         failure = error
     dressed = Dressed(pattern, body, Cloth._owned(context, cloth), Drape._owned(context, drape), report,
-                      reason_dict(reason), "MUS_OK" if failure is None else failure.name)
+                      read_reason(reason), "MUS_OK" if failure is None else failure.name)
     if raised:
         raise raised[0]
     if failure is not None and strict:

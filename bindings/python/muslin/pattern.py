@@ -133,12 +133,6 @@ class Pattern(Topology, Edits, Object):
         placement = make_def(_abi.mus_placement, lib.mus_placement_init, options)
         self.do("set_placement", panel, ctypes.byref(placement))
 
-    def place(self, body):
-        """Find where the panels start round a body, and write it as their placement."""
-        if body.context is not self.context:
-            raise ValueError("pattern and body are of two contexts")
-        self.do("place", body.handle)
-
     def placement(self, panel):
         placement = make_def(_abi.mus_placement, lib.mus_placement_init)
         self.do("placement", panel, ctypes.byref(placement))

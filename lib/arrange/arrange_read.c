@@ -1,0 +1,248 @@
+/*
+ * found_read.c: what a pattern says of where its panels belong: outlines as seen from outside, seams, and words in
+ * names and labels.
+ *
+ * Which way is up: as drawn, but on an arm the way from the hand to what the sleeve is sewn to, by quarter turns: a
+ * sleeve may be drawn along the arm or across it.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "arrange/arrange_internal.h"
+#include "geom/vec.h"
+
+#define READ_SIDE 0.5 /* an edge whose way out is so far to a side is one */
+
+
+static bool read_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+
+/* whether `word` (lower case) is in a name: whole, or anywhere when `part` is set */
+static bool read_word(const char *name, const char *word, bool part)
+{
+    const size_t n = strlen(word), all = strlen(name);
+    for (size_t i = 0; i + n <= all; i++) {
+        size_t k = 0;
+        while (k < n && (name[i + k] | 32) == word[k]) k++;
+        if (k < n) continue;
+        if (part || ((i == 0 || !read_letter(name[i - 1])) && (i + n == all || !read_letter(name[i + n])))) return true;
+    }
+    return false;
+}
+
+
+/* front, back, left, right; and what it goes round */
+static void read_says(const mus_pattern *pattern, int32_t p, mus__arranged_panel *panel)
+{
+    const char *name = mus_pattern_panel_name(pattern, p), *label = mus_pattern_panel_label(pattern, p);
+    static const struct {
+        const char *word;
+        int32_t part, says;
+    } words[] = {{"front", 1, MUS__ARRANGE_FRONT}, {"ftorso", 1, MUS__ARRANGE_FRONT}, {"f", 0, MUS__ARRANGE_FRONT},
+                 {"back", 1, MUS__ARRANGE_BACK},   {"btorso", 1, MUS__ARRANGE_BACK},  {"b", 0, MUS__ARRANGE_BACK},
+                 {"left", 1, MUS__ARRANGE_LEFT},   {"l", 0, MUS__ARRANGE_LEFT},       {"right", 1, MUS__ARRANGE_RIGHT},
+                 {"r", 0, MUS__ARRANGE_RIGHT}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (read_word(name, words[i].word, words[i].part)) panel->says |= words[i].says;
+    const int32_t both = MUS__ARRANGE_FRONT | MUS__ARRANGE_BACK, sides = MUS__ARRANGE_LEFT | MUS__ARRANGE_RIGHT;
+    if ((panel->says & both) == both) panel->says &= ~both;
+    if ((panel->says & sides) == sides) panel->says &= ~sides;
+
+    const bool leg = strcmp(label, "leg") == 0 || read_word(name, "pant", true) || read_word(name, "leg", false);
+    panel->limb = MUS__ARRANGE_TRUNK;
+    if (read_word(name, "collar", true) || read_word(name, "hood", true) || read_word(name, "neck", true) ||
+        read_word(label, "collar", true) || read_word(label, "hood", true))
+        panel->limb = MUS__ARRANGE_NECK;
+    else if (strcmp(label, "arm") == 0 || read_word(name, "sleeve", true) || read_word(name, "sl", false) ||
+             (read_word(name, "cuff", true) && !leg))
+        panel->limb = MUS__ARRANGE_ARM;
+}
+
+
+/* the outline's edges: dots as drawn, lengths; the signed area of the outline */
+static mus_status read_panel(mus__arrangement *arrangement, int32_t p)
+{
+    mus__arranged_panel *panel = &arrangement->panel[p];
+    double twice = 0.0, t[MUS__ARRANGE_DOTS];
+    for (int32_t i = 0; i < MUS__ARRANGE_DOTS; i++) t[i] = i / (MUS__ARRANGE_DOTS - 1.0);
+    mus_status status = mus_pattern_outline(arrangement->pattern, p, &panel->nedge, &panel->edge, &panel->direction);
+    for (int32_t i = 0; i < panel->nedge && status == MUS_OK; i++) {
+        mus__arranged_edge *edge = &arrangement->edge[panel->edge[i]];
+        edge->panel = p;
+        edge->length = mus_pattern_edge_length(arrangement->pattern, panel->edge[i]);
+        status = mus_pattern_edge_at(arrangement->pattern, panel->edge[i], MUS__ARRANGE_DOTS, t, edge->dot);
+        for (int32_t k = 0; k + 1 < MUS__ARRANGE_DOTS; k++) {
+            const double *a = edge->dot + 2 * k, *b = a + 2;
+            twice += panel->direction[i] * (a[0] * b[1] - a[1] * b[0]);
+        }
+    }
+    panel->sign = twice < 0.0 ? -1.0 : 1.0;
+    panel->area = 0.5 * fabs(twice);
+    panel->turn[0] = 1.0;
+    panel->ring = MUS_NONE;
+    read_says(arrangement->pattern, p, panel);
+    panel->turned = panel->limb != MUS__ARRANGE_ARM;
+    return status;
+}
+
+
+/* dots of a panel to (h, v); its box, and the way out at each edge */
+static void read_turn(mus__arrangement *arrangement, mus__arranged_panel *panel)
+{
+    const double c = panel->turn[0], s = panel->turn[1];
+    for (int32_t k = 0; k < 2; k++) panel->low[k] = 1e30, panel->high[k] = -1e30;
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        mus__arranged_edge *edge = &arrangement->edge[panel->edge[i]];
+        for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++) {
+            double *dot = edge->dot + 2 * k;
+            const double w = panel->sign * dot[0], y = dot[1];
+            dot[0] = c * w + s * y, dot[1] = c * y - s * w;
+            for (int32_t d = 0; d < 2; d++) {
+                panel->low[d] = fmin(panel->low[d], dot[d]);
+                panel->high[d] = fmax(panel->high[d], dot[d]);
+            }
+        }
+        const double *a = edge->dot, *b = edge->dot + 2 * (MUS__ARRANGE_DOTS - 1), chord = mus__dist2(a, b);
+        const double along = panel->direction[i] / (chord > 0.0 ? chord : 1.0);
+        edge->outward[0] = along * (b[1] - a[1]), edge->outward[1] = along * (a[0] - b[0]);
+    }
+}
+
+
+/* the way from the edges of `panel` that are sewn to panels whose way up is known, or which are no arm's, to its
+ * middle, as drawn but seen from outside; false without such edges */
+static bool read_down(const mus__arrangement *arrangement, int32_t p, double *out)
+{
+    const mus__arranged_panel *panel = &arrangement->panel[p];
+    double sum[2] = {0.0, 0.0}, all = 0.0, low[2] = {1e30, 1e30}, high[2] = {-1e30, -1e30};
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        const mus__arranged_edge *edge = &arrangement->edge[panel->edge[i]];
+        const int32_t seam = edge->seam;
+        int32_t other = MUS_NONE;
+        if (seam != MUS_NONE) {
+            const mus__arranged_seam *own = &arrangement->seam[seam];
+            other = arrangement->edge[own->a == panel->edge[i] ? own->b : own->a].panel;
+        }
+        const bool anchor = other != MUS_NONE && other != p && arrangement->panel[other].turned;
+        for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++)
+            for (int32_t d = 0; d < 2; d++) {
+                const double x = (d == 0 ? panel->sign : 1.0) * edge->dot[2 * k + d];
+                low[d] = fmin(low[d], x), high[d] = fmax(high[d], x);
+                if (anchor) sum[d] += edge->length * x;
+            }
+        if (anchor) all += MUS__ARRANGE_DOTS * edge->length;
+    }
+    for (int32_t d = 0; d < 2; d++) out[d] = 0.5 * (low[d] + high[d]) - (all > 0.0 ? sum[d] / all : 0.0);
+    return all > 0.0;
+}
+
+
+/* arms: v against the way to the hand, from the panels that are sewn to the rest on, one round after the other */
+static void read_arms(mus__arrangement *arrangement)
+{
+    int32_t *now = arrangement->work, n;
+    do {
+        n = 0;
+        for (int32_t p = 0; p < arrangement->npanel; p++) {
+            double down[2];
+            mus__arranged_panel *panel = &arrangement->panel[p];
+            if (panel->turned || !read_down(arrangement, p, down)) continue;
+
+            /* v = cos y - sin w points against `down` */
+            const bool across = fabs(down[0]) > fabs(down[1]);
+            panel->turn[0] = across ? 0.0 : down[1] > 0.0 ? -1.0 : 1.0;
+            panel->turn[1] = across ? (down[0] > 0.0 ? 1.0 : -1.0) : 0.0;
+            now[n++] = p;
+        }
+        for (int32_t i = 0; i < n; i++) arrangement->panel[now[i]].turned = 1;
+    } while (n > 0);
+}
+
+
+int32_t mus__arrange_partner(const mus__arrangement *arrangement, const mus__arranged_seam *seam, int32_t i)
+{
+    mus_seam_def def;
+    mus_seam_def_init(&def, sizeof def);
+    mus_pattern_seam(arrangement->pattern, (int32_t)(seam - arrangement->seam), &def);
+    return def.direction == MUS_SEAM_DIRECT ? i : MUS__ARRANGE_DOTS - 1 - i;
+}
+
+
+/* the sides that face right lie to the left of those that face left: a fan of more than half a circle */
+static void read_fan(mus__arrangement *arrangement, int32_t p)
+{
+    mus__arranged_panel *panel = &arrangement->panel[p];
+    double place[2] = {0.0, 0.0}, length[2] = {0.0, 0.0};
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        const mus__arranged_edge *edge = &arrangement->edge[panel->edge[i]];
+        if (edge->seam == MUS_NONE || !(fabs(edge->outward[0]) > READ_SIDE)) continue;
+        const mus__arranged_seam *seam = &arrangement->seam[edge->seam];
+        const int32_t other = arrangement->edge[seam->a == panel->edge[i] ? seam->b : seam->a].panel;
+        if (other == p || arrangement->panel[other].limb != panel->limb) continue;
+        const int32_t right = edge->outward[0] > 0.0;
+        place[right] += edge->length * edge->dot[2 * (MUS__ARRANGE_DOTS / 2)];
+        length[right] += edge->length;
+    }
+    if (length[0] > 0.0 && length[1] > 0.0) panel->fan = place[1] / length[1] < place[0] / length[0];
+}
+
+
+/* sides of a ring meet: one faces right, the other left */
+static void read_seam(mus__arrangement *arrangement, mus__arranged_seam *seam)
+{
+    const mus__arranged_edge *a = &arrangement->edge[seam->a], *b = &arrangement->edge[seam->b];
+    const mus__arranged_panel *p = &arrangement->panel[a->panel], *q = &arrangement->panel[b->panel];
+    double low = 0.0;
+    seam->length = 0.5 * (a->length + b->length);
+    for (int32_t i = 0; i < MUS__ARRANGE_DOTS; i++) {
+        const int32_t k = mus__arrange_partner(arrangement, seam, i);
+        for (int32_t d = 0; d < 2; d++) seam->step[d] += (a->dot[2 * i + d] - b->dot[2 * k + d]) / MUS__ARRANGE_DOTS;
+        low += 0.5 * (a->dot[2 * i + 1] - p->high[1] + b->dot[2 * k + 1] - q->high[1]) / MUS__ARRANGE_DOTS;
+    }
+    seam->high = low;
+    if (p->limb != q->limb || p->fan || q->fan) return;
+    if (a->outward[0] > READ_SIDE && b->outward[0] < -READ_SIDE) seam->beside = 1;
+    if (a->outward[0] < -READ_SIDE && b->outward[0] > READ_SIDE) seam->beside = -1;
+}
+
+
+mus_status mus__arrange_read(mus__arrangement *arrangement)
+{
+    mus_status status = MUS_OK;
+    mus_seam_def def;
+    mus_seam_def_init(&def, sizeof def);
+    for (int32_t i = 0; i < arrangement->nedge; i++) arrangement->edge[i].panel = arrangement->edge[i].seam = MUS_NONE;
+    for (int32_t p = 0; p < arrangement->npanel && status == MUS_OK; p++) {
+        status = read_panel(arrangement, p);
+        if (status == MUS_OK && arrangement->panel[p].nedge == 0)
+            status = mus__fail(arrangement->context, MUS_ERR_PATTERN, "place: panel %s has no outline",
+                               mus_pattern_panel_name(arrangement->pattern, p));
+    }
+    for (int32_t i = 0; i < arrangement->nseam && status == MUS_OK; i++) {
+        status = mus_pattern_seam(arrangement->pattern, i, &def);
+        arrangement->seam[i].a = def.edge_a, arrangement->seam[i].b = def.edge_b;
+        if (arrangement->edge[def.edge_a].panel == MUS_NONE || arrangement->edge[def.edge_b].panel == MUS_NONE)
+            return mus__fail(arrangement->context, MUS_ERR_PATTERN, "place: seam %d has an edge of no outline", (int)i);
+        arrangement->edge[def.edge_a].seam = arrangement->edge[def.edge_b].seam = i;
+    }
+    if (status != MUS_OK) return status;
+    read_arms(arrangement);
+    for (int32_t p = 0; p < arrangement->npanel; p++) read_turn(arrangement, &arrangement->panel[p]);
+    for (int32_t p = 0; p < arrangement->npanel; p++) read_fan(arrangement, p);
+    for (int32_t i = 0; i < arrangement->nseam; i++) read_seam(arrangement, &arrangement->seam[i]);
+    return MUS_OK;
+}
+
+
+void mus__arrange_point(const mus__arranged_panel *panel, double h, double v, double *out)
+{
+    double x = h - panel->line, z = 0.0;
+    if (panel->bend > 0.0) {
+        const double angle = x / panel->bend;
+        x = panel->bend * sin(angle), z = panel->bend * (cos(angle) - 1.0);
+    }
+    for (int32_t d = 0; d < 3; d++) out[d] = panel->at[d] + x * panel->along[d] + v * panel->up[d] + z * panel->out[d];
+}

@@ -1,0 +1,122 @@
+/*
+ * mus__arranged_ring.c: panels side by side make a ring; round it, each has its place.
+ *
+ * Seams between a right and a left side are taken from the top down, each once as long as it joins a new panel: what is
+ * highest goes right round the trunk, what is lower down may go round one leg only. The seam that closes the ring
+ * misses by the girth. A ring that nothing closes (an open front, half of a circle skirt) is as wide as its panels.
+ */
+#include <math.h>
+
+#include "arrange/arrange_internal.h"
+
+#define RING_DART 0.6   /* of the widest panel: what misses by less is a dart */
+#define RING_LEG 0.3    /* of the most: what misses by a part between this and the rest closes a leg */
+#define RING_CLOSES 0.5 /* of the most that a seam misses by: what misses by less does not close the ring */
+
+
+static int32_t ring_root(int32_t *link, int32_t i)
+{
+    while (link[i] != i) i = link[i] = link[link[i]];
+    return i;
+}
+
+
+/* what hangs together by any seam: ring->component of each ring */
+static void ring_components(mus__arrangement *arrangement)
+{
+    int32_t *link = arrangement->work;
+    for (int32_t p = 0; p < arrangement->npanel; p++) link[p] = p;
+    for (int32_t i = 0; i < arrangement->nseam; i++) {
+        const int32_t a = ring_root(link, arrangement->edge[arrangement->seam[i].a].panel);
+        const int32_t b = ring_root(link, arrangement->edge[arrangement->seam[i].b].panel);
+        link[a > b ? a : b] = a > b ? b : a;
+    }
+    for (int32_t p = 0; p < arrangement->npanel; p++)
+        arrangement->ring[arrangement->panel[p].ring].component = ring_root(link, p);
+}
+
+
+/* the highest seam that joins a panel of the ring to one of none; NULL without */
+static const mus__arranged_seam *ring_next(const mus__arrangement *arrangement, int32_t ring)
+{
+    const mus__arranged_seam *best = NULL;
+    for (int32_t i = 0; i < arrangement->nseam; i++) {
+        const mus__arranged_seam *seam = &arrangement->seam[i];
+        const int32_t a = arrangement->panel[arrangement->edge[seam->a].panel].ring;
+        const int32_t b = arrangement->panel[arrangement->edge[seam->b].panel].ring;
+        if (seam->beside == 0 || !((a == ring && b == MUS_NONE) || (b == ring && a == MUS_NONE))) continue;
+        if (best == NULL || seam->high > best->high) best = seam;
+    }
+    return best;
+}
+
+
+static void ring_grow(mus__arrangement *arrangement, int32_t ring)
+{
+    const mus__arranged_seam *seam;
+    while ((seam = ring_next(arrangement, ring)) != NULL) {
+        mus__arranged_panel *a = &arrangement->panel[arrangement->edge[seam->a].panel],
+                            *b = &arrangement->panel[arrangement->edge[seam->b].panel];
+        if (a->ring == ring)
+            b->u = a->u + seam->step[0], b->v = a->v + seam->step[1], b->ring = ring;
+        else
+            a->u = b->u - seam->step[0], a->v = b->v - seam->step[1], a->ring = ring;
+        arrangement->ring[ring].panels++;
+    }
+}
+
+
+/* how much a seam of two sides of ring t misses by when its panels have their places; 0 for other seams */
+static double ring_miss(const mus__arrangement *arrangement, int32_t t, const mus__arranged_seam *seam)
+{
+    const mus__arranged_panel *a = &arrangement->panel[arrangement->edge[seam->a].panel],
+                              *b = &arrangement->panel[arrangement->edge[seam->b].panel];
+    if (a->ring != t || b->ring != t) return 0.0;
+    return seam->beside * (a->u - b->u + seam->step[0]);
+}
+
+
+/* once round: what the highest of the seams misses by that close the ring; else from its first side to its last */
+static void ring_girth(mus__arrangement *arrangement, int32_t t)
+{
+    mus__arranged_ring *ring = &arrangement->ring[t];
+    double first = 1e30, last = -1e30, widest = 0.0, sum = 0.0, most = 0.0, high = -1e30;
+    for (int32_t p = 0; p < arrangement->npanel; p++) {
+        const mus__arranged_panel *panel = &arrangement->panel[p];
+        if (panel->ring != t) continue;
+        first = fmin(first, panel->u + panel->low[0]), last = fmax(last, panel->u + panel->high[0]);
+        widest = fmax(widest, panel->high[0] - panel->low[0]);
+        sum += panel->high[0] - panel->low[0];
+    }
+    for (int32_t i = 0; i < arrangement->nseam; i++)
+        most = fmax(most, ring_miss(arrangement, t, &arrangement->seam[i]));
+    for (int32_t i = 0; i < arrangement->nseam && most > RING_DART * widest; i++) {
+        const double miss = ring_miss(arrangement, t, &arrangement->seam[i]);
+        if (miss > RING_CLOSES * most && arrangement->seam[i].high > high)
+            high = arrangement->seam[i].high, ring->girth = miss, ring->closed = 1;
+    }
+    for (int32_t i = 0; i < arrangement->nseam && ring->closed; i++) {
+        const double part = ring_miss(arrangement, t, &arrangement->seam[i]) / most;
+        if (part > RING_LEG && part < 1.0 - RING_LEG) ring->fork = 1;
+    }
+    ring->wide = ring->closed ? fmax(sum, ring->girth) : last - first;
+    if (!ring->closed) ring->girth = last - first;
+}
+
+
+mus_status mus__arrange_rings(mus__arrangement *arrangement)
+{
+    for (int32_t p = 0; p < arrangement->npanel; p++) {
+        mus__arranged_panel *panel = &arrangement->panel[p];
+        if (panel->ring != MUS_NONE) continue;
+        const int32_t t = arrangement->nring++;
+        panel->ring = t;
+        arrangement->ring[t].limb = panel->limb;
+        arrangement->ring[t].panels = 1;
+        arrangement->ring[t].fan = panel->fan;
+        ring_grow(arrangement, t);
+        ring_girth(arrangement, t);
+    }
+    ring_components(arrangement);
+    return MUS_OK;
+}

@@ -1,0 +1,102 @@
+/*
+ * residual.c: the force that springs, gravity, contact and friction leave at each node, over the node's weight.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
+#include "sim/force_reference.h"
+
+#define LEFT_MUCH 0.02 /* of a node's weight: with more force left the surfaces beside the node are asked too */
+#define CREASE 0.0005  /* [m] how far to each side they are asked; chosen: below the radius of any crease of a skin */
+#define SIDES_MAX (3 * MUS__TOUCHING_MAX)
+#define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
+
+
+static double length3(const double *r)
+{
+    return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+}
+
+
+/*
+ * What skin in contact carries of the force r at a node: pushes p_k >= 0 along the outward normals n_k that leave the
+ * least (projected Gauss-Seidel on |r + sum p_k n_k|), then friction against what is left, up to mu sum p_k. The rest
+ * stays in r. Surfaces without a friction of their own (below 0) have `friction`.
+ */
+static void carry(double *r, const double *normals, const double *own, int32_t count, double friction)
+{
+    double push[SIDES_MAX] = {0.0}, all = 0.0, grip = 0.0;
+    for (int32_t sweep = 0; sweep < (count > 1 ? 32 : 1); sweep++)
+        for (int32_t k = 0; k < count; k++) {
+            const double *n = normals + 3 * k;
+            const double more = -(r[0] * n[0] + r[1] * n[1] + r[2] * n[2]);
+            const double now = push[k] + more > 0.0 ? push[k] + more : 0.0, change = now - push[k];
+            push[k] = now;
+            for (int32_t i = 0; i < 3; i++) r[i] += change * n[i];
+        }
+    for (int32_t k = 0; k < count; k++) {
+        if (own[k] < 0.0)
+            all += push[k];
+        else if (push[k] > 0.0)
+            grip += own[k] * push[k];
+    }
+    if (all > 0.0) grip += friction * all;
+    const double left = length3(r);
+    const double part = left > grip ? (left - grip) / left : 0.0;
+    for (int32_t i = 0; i < 3; i++) r[i] *= part;
+}
+
+
+/*
+ * What the skin carries of the force r at a node; nonzero when it touches skin. A node on an edge or in a crease of the
+ * skin (between two rings of a shoulder) is held by both sides, of which it touches one: where much of the force is
+ * left, the skin a little way along it and against it is asked too.
+ */
+static int32_t carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
+{
+    double normal[3 * SIDES_MAX], friction[SIDES_MAX], all[3];
+    const double reach = drape->def.clearance + TOUCH_SLACK;
+    const int32_t count = mus__collider_touching(drape->scene.collider, x, reach, normal, friction);
+    if (count == 0) return 0;
+    memcpy(all, r, sizeof all);
+    carry(r, normal, friction, count, drape->scene.friction);
+    const double left = length3(r);
+    if (left <= LEFT_MUCH * weight) return 1;
+    int32_t sides = count;
+    for (int32_t side = -1; side <= 1; side += 2) {
+        double beside[3];
+        for (int32_t d = 0; d < 3; d++) beside[d] = x[d] + side * CREASE * r[d] / left;
+        sides +=
+            mus__collider_touching(drape->scene.collider, beside, reach, normal + 3 * (int64_t)sides, friction + sides);
+    }
+    memcpy(r, all, sizeof all);
+    carry(r, normal, friction, sides, drape->scene.friction);
+    return 1;
+}
+
+
+double mus__residual(const mus_drape *drape, const double *x, double *unheld)
+{
+    const double *gravity = drape->def.gravity;
+    const double g = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+    double *f = drape->relax.force, sum = 0.0, free2 = 0.0;
+    int64_t count = 0, nfree = 0;
+    mus__program_force(&drape->program, drape->n, x, f);
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        double *r = f + 3 * (int64_t)i;
+        const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
+        for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
+        int32_t touches = mus__drape_self_force(drape, i, r);
+        if (drape->scene.collider != NULL) touches |= carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
+        const double left2 = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
+        sum += left2;
+        count++;
+        free2 += touches ? 0.0 : left2;
+        nfree += !touches;
+    }
+    if (unheld != NULL) *unheld = nfree > 0 ? sqrt(free2 / (double)nfree) : 0.0;
+    return count > 0 ? sqrt(sum / (double)count) : 0.0;
+}

@@ -1,0 +1,169 @@
+/*
+ * glide.c: what contact is told of motion: a body that glides, moved as a whole with a constant velocity while the
+ * cloth steps, and changes its pose (stance.c), planes that move (plane.c), and nodes so fast that it must sweep them.
+ *
+ * The body's place is a product, shift0 + velocity (t - t0), never a running sum, so that a long glide keeps its place.
+ * Contact works relative to what it touches (contact_kernel.h); nothing else of a drape knows that it moves.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "drape/drape_state.h"
+
+#define SPEED_OF_BODY_MAX 1e3 /* [m/s] */
+#define MOVEMENT_MAX 1e6      /* [s] */
+
+
+mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (velocity == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: velocity is NULL");
+    for (int32_t d = 0; d < 3; d++)
+        if (!(fabs(velocity[d]) <= SPEED_OF_BODY_MAX))
+            return mus__fail(drape->context, MUS_ERR_ARG, "drape: velocity of the body is %g m/s, expected %g to %g",
+                             velocity[d], -SPEED_OF_BODY_MAX, SPEED_OF_BODY_MAX);
+    if (drape->scene.collider == NULL || drape->scene.collider->nparts == 0)
+        return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body to move");
+    memcpy(drape->scene.from, drape->scene.collider->shift, sizeof drape->scene.from);
+    memcpy(drape->scene.velocity, velocity, sizeof drape->scene.velocity);
+    drape->scene.time = mus_drape_time(drape);
+    return MUS_OK;
+}
+
+
+static int32_t body_glides(const mus_drape *drape)
+{
+    return drape->scene.velocity[0] != 0.0 || drape->scene.velocity[1] != 0.0 || drape->scene.velocity[2] != 0.0;
+}
+
+
+int32_t mus__scene_moves(const mus_drape *drape, int64_t steps, double h)
+{
+    return body_glides(drape) || mus__scene_plane_moves(drape) || mus__scene_body_poses(drape, steps, h);
+}
+
+
+void mus__scene_update(mus_drape *drape, int64_t steps, double h, double came)
+{
+    if (drape->scene.collider == NULL) return;
+    const double since = mus__clock_since(drape, drape->scene.time, steps, h);
+    double shift[3];
+    for (int32_t d = 0; d < 3; d++) shift[d] = drape->scene.from[d] + drape->scene.velocity[d] * since;
+    mus__collider_move(drape->scene.collider, mus__scene_body_frames(drape, steps, h), shift, drape->scene.velocity,
+                       came);
+    mus__scene_levels_update(drape);
+    mus__scene_planes_update(drape, steps, h, came);
+    mus__collider_update_speed(drape->scene.collider);
+    drape->scene.moving = came > 0.0;
+    drape->scene.moved |= drape->scene.moving;
+}
+
+
+void mus__scene_reset(mus_drape *drape)
+{
+    memset(drape->scene.from, 0, sizeof drape->scene.from);
+    memset(drape->scene.velocity, 0, sizeof drape->scene.velocity);
+    drape->scene.time = mus_drape_time(drape);
+    mus__scene_body_reset(drape);
+    for (int32_t k = 0; drape->scene.plane != NULL && k < drape->scene.collider->nplane; k++) {
+        mus__scene_plane *plane = &drape->scene.plane[k];
+        memcpy(plane->from, plane->added.point, sizeof plane->from);
+        memcpy(plane->velocity, plane->added.velocity, sizeof plane->velocity);
+        plane->spin = plane->added.spin;
+        plane->time = drape->scene.time;
+    }
+    mus__scene_update(drape, 0, drape->clock.dt, 0.0);
+    drape->scene.moved = 1;
+}
+
+
+mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double duration)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    mus_context *context = drape->context;
+    mus__scene_body *stance = drape->scene.body;
+    if (stance == NULL) return mus__fail(context, MUS_ERR_STATE, "drape: there is no body to pose");
+    if (!(duration >= 0.0 && duration <= MOVEMENT_MAX))
+        return mus__fail(context, MUS_ERR_ARG, "drape: duration of a movement is %g s, expected 0 to %g", duration,
+                         MOVEMENT_MAX);
+    mus__joint_local end[MUS_JOINT_COUNT];
+    mus_status status = mus_pose_check(context, pose);
+    if (status == MUS_OK) status = mus__pose_locals(context, &stance->rig, pose, end);
+    if (status != MUS_OK) return status;
+
+    /* from how it stands now */
+    const double part = mus__scene_body_part(drape, 0, drape->clock.dt);
+    mus_pose now;
+    mus__scene_body_pose(drape, &now);
+    mus__pose_blend(stance->start, stance->end, part, stance->start);
+    if (!(part < 1.0)) memcpy(stance->start, stance->end, sizeof stance->start);
+    stance->from = now;
+    stance->to = *pose;
+    memcpy(stance->end, end, sizeof end);
+    stance->posed = 1;
+    stance->time = mus_drape_time(drape);
+    stance->duration = duration;
+    if (duration > 0.0) return MUS_OK;
+    mus__scene_update(drape, 0, drape->clock.dt, 0.0);
+    drape->scene.moved = 1;
+    drape->relax.settled = 0;
+    drape->relax.residual = NAN;
+    memset(drape->sim.distance_cache, 0, (size_t)drape->n * sizeof *drape->sim.distance_cache);
+    return MUS_OK;
+}
+
+
+mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+    if (drape->scene.body == NULL) return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body");
+    mus__scene_body_pose(drape, out);
+    for (int32_t i = 0; i < 3; i++) out->place[i] += drape->scene.collider->shift[i];
+    return MUS_OK;
+}
+
+
+mus_status mus__scene_require_rest(const mus_drape *drape, const char *what)
+{
+    if (body_glides(drape))
+        return mus__fail(drape->context, MUS_ERR_STATE,
+                         "drape: the body glides at %g, %g, %g m/s; %s needs it at rest (mus_drape_move_body)",
+                         drape->scene.velocity[0], drape->scene.velocity[1], drape->scene.velocity[2], what);
+    if (mus__scene_body_poses(drape, 0, drape->clock.dt))
+        return mus__fail(drape->context, MUS_ERR_STATE,
+                         "drape: the body is on its way to another pose; %s needs it at rest (mus_drape_pose_body)",
+                         what);
+    if (mus__scene_plane_moves(drape))
+        return mus__fail(drape->context, MUS_ERR_STATE,
+                         "drape: a plane moves; %s needs all at rest (mus_drape_move_plane)", what);
+    return MUS_OK;
+}
+
+
+void mus__scene_before_steps(mus_drape *drape)
+{
+    mus__sim *sim = &drape->sim;
+    if (sim->collider == NULL) return;
+    double glide2 = 0.0;
+    for (int32_t d = 0; d < 3; d++) glide2 += drape->scene.velocity[d] * drape->scene.velocity[d];
+    const double speed = sqrt(sim->ops->speed2(sim)) + sqrt(glide2), h = sim->rule.step;
+    sim->part_tally[0].fast = speed > mus__contact_fast_speed(sim->collider, &sim->rule) ||
+                              mus__scene_plane_moves(drape) || mus__scene_body_poses(drape, 0, h);
+}
+
+
+void mus__scene_before_step(mus_drape *drape, int64_t steps, double h)
+{
+    mus__sim *sim = &drape->sim;
+    if (sim->collider == NULL) return;
+    if (mus__scene_moves(drape, steps - 1, h))
+        mus__scene_update(drape, steps, h, h);
+    else if (drape->scene.moving)
+        mus__scene_update(drape, steps, h, 0.0);
+    sim->sweeps = 0;
+    for (int32_t part = 0; part < 64; part++) {
+        sim->sweeps |= sim->part_tally[part].fast;
+        sim->part_tally[part].fast = 0;
+    }
+}

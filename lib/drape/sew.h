@@ -1,0 +1,60 @@
+/*
+ * sew.h: sewing: the pull on seam pairs, welding, layers one after the other.
+ *
+ * Files, in the order of use: sew.c (mus_drape_sew), layers.c (several layers), seam_route.c (the way of a pair's pull
+ * round a limb), weld.c (nodes of closed pairs become one).
+ */
+#ifndef MUS_DRAPE_SEW_H
+#define MUS_DRAPE_SEW_H
+
+#include "drape/progress.h"
+
+/* memory of sewing: one block, NULL before the first sew that needs it */
+typedef struct mus__sewing {
+    double *start_x;    /* (n x 3) where the first try began */
+    double *unwelded_x; /* (n x 3) before a weld that may be taken back */
+    double *outward;    /* (n x 3) unit at each node: out of its panel, away from its triangles */
+} mus__sewing;
+
+/* take the memory of sewing, if need be; it is kept until the drape is destroyed. Errors: MUS_ERR_MEMORY */
+mus_status mus__sew_create(mus_drape *drape);
+
+/* ---- weld.c ---- */
+
+/* open all seams */
+void mus__weld_open(mus_drape *drape);
+/* weld the seams of the layers that do not wait */
+void mus__weld(mus_drape *drape);
+/* open the seams again that were open when the sewing of this layer began, with the nodes at x (n x 3) */
+void mus__weld_reopen(mus_drape *drape, const double *x);
+/* stiffness of a seam pair near the end [N/m]: more than the cloth that it joins, so that a tight seam closes */
+double mus__weld_pair_stiffness(const mus_drape *drape);
+/* largest gap [m] of the seam pairs of layers that do not wait, and its seam (may be NULL); 0 without seams */
+double mus__weld_gap(const mus_drape *drape, int32_t *seam);
+
+/* ---- seam_route.c ---- */
+
+typedef enum mus__straps { MUS__STRAPS_NONE, MUS__STRAPS_ON, MUS__STRAPS_OFF } mus__straps;
+
+/* find which pairs close over the shoulders, which under the arms, and which are straps'. Needs sewing.outward */
+void mus__seam_route_start(mus_drape *drape);
+/* set the detours of open pairs round the body; `check` counts the calls. hang: straps pull in full, all else less */
+void mus__seam_route(mus_drape *drape, bool hang, int32_t check);
+/* before welding: whether all straps are on the shoulders; *off (may be NULL) gets the seam of one that is not */
+mus__straps mus__seam_route_straps(const mus_drape *drape, int32_t *off);
+
+/* ---- layers.c ---- */
+
+typedef mus_status (*mus__sew_fn)(mus_drape *drape, mus__progress *run);
+
+/* nonzero: panels are in several layers, and the drape has self-contact */
+int32_t mus__layers_needed(const mus_drape *drape);
+/* sew layer after layer and let each down; `all` sews on every cut, `here` on this one */
+mus_status mus__layers_sew(mus_drape *drape, mus__progress *run, mus__sew_fn all, mus__sew_fn here);
+/* nonzero: the straight line between two nodes ends on the other side of a worn layer. A line that goes into a fold and
+ * out of it again does not count, nor do triangles with either node. Cost: a box test a worn triangle */
+int32_t mus__layers_between(const mus_drape *drape, int32_t i, int32_t k);
+/* crossings of a layer's triangles with those of the layers below it */
+int64_t mus__layers_crossings(const mus_drape *drape, int32_t layer);
+
+#endif

@@ -1,0 +1,23 @@
+/*
+ * fit_internal.h: the data of a fit.
+ */
+#ifndef MUS_DRAPE_FIT_INTERNAL_H
+#define MUS_DRAPE_FIT_INTERNAL_H
+
+#include "drape/drape_state.h"
+#include "muslin/fit.h"
+
+#define MUS__FIT_LEVELS 10
+
+struct mus_fit {
+    mus_context *context;
+    int32_t n, nlevel;
+    double *warp; /* (n) and the next three, one block */
+    double *weft, *pressure, *gap;
+    mus_fit_level level[MUS__FIT_LEVELS];
+};
+
+/* the levels that the garment goes round; needs gap (fit_level.c) */
+mus_status mus__fit_levels(mus_fit *fit, const mus_drape *drape, const mus_body *body);
+
+#endif

@@ -1,0 +1,116 @@
+/*
+ * sim.h: the moving state of a cloth and its steps, the same in float and double.
+ *
+ * The state is planes: y = [x0 | x1 | x2 | v0 | v1 | v2], n numbers each. A step is one to four phases. In each phase a
+ * thread takes its share of the program's chunks: it computes the forces of a chunk into its scratch and uses them at
+ * once. A phase never writes what it reads of neighbours: it writes to another plane (a stage), and the two change
+ * places.
+ *
+ * mus__sim_ops is the table of what a sim can do in one precision. It is chosen once, at create; no loop reads an
+ * option. A sim knows no drape: its owner sets the fields below "what the steps use" between steps.
+ */
+#ifndef MUS_SIM_SIM_H
+#define MUS_SIM_SIM_H
+
+#include "base/pool.h"
+#include "contact/self_contact.h"
+#include "contact/plane_cache.h"
+#include "sim/program.h"
+
+typedef struct mus__sim mus__sim;
+
+/* what a phase does with the forces of a chunk: keeps them; a stage of RK4; a step of Euler; of Verlet the last kick, a
+ * whole step, the first kick and move */
+enum { MUS__PHASE_FORCE, MUS__PHASE_RK1, MUS__PHASE_RK2, MUS__PHASE_RK3, MUS__PHASE_RK4, MUS__PHASE_EULER };
+enum { MUS__PHASE_KICK = MUS__PHASE_EULER + 1, MUS__PHASE_VERLET, MUS__PHASE_START };
+
+typedef struct mus__sim_ops {
+    size_t real; /* bytes of a number */
+    /* f = forces at the places of y (springs, bending, pairs, attachments; no gravity) */
+    void (*force)(mus__sim *sim);
+    /* one step of symplectic Euler with drag and speed limit, then contact and stitching of pairs */
+    void (*euler)(mus__sim *sim, double h);
+    /* one step of RK4, then contact */
+    void (*rk4)(mus__sim *sim, double h);
+    /* `steps` of velocity Verlet with contact after each move: one evaluation a step, one more if f is not fresh */
+    void (*verlet)(mus__sim *sim, double h, int32_t steps);
+    /* copy between the planes and (n x 3) arrays of doubles */
+    void (*put)(mus__sim *sim, const double *x, const double *v);
+    void (*get)(const mus__sim *sim, double *x, double *v);
+    /* add the places, relative to the sim's origin, to sum (n x 3) */
+    void (*add)(const mus__sim *sim, double *sum);
+    /* the forces of the last `force`, (n x 3) */
+    void (*get_force)(const mus__sim *sim, double *f);
+    void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);
+    /* set numbers to 0 whose square is not a normal number: denormal numbers cost ten times as much */
+    void (*flush)(mus__sim *sim);
+    /* largest speed squared [m2/s2]; NaN when any number is not finite */
+    double (*speed2)(const mus__sim *sim);
+    void (*snapshot)(mus__sim *sim);
+    void (*restore)(mus__sim *sim);
+    /* find the pairs of cloth near cloth, and their displacement bounds, after places were changed from outside */
+    void (*find_pairs)(mus__sim *sim);
+} mus__sim_ops;
+
+struct mus__sim {
+    const mus__sim_ops *ops;
+    mus__program *program;
+    mus__pool *pool;
+    const mus__collider *collider; /* NULL: there is no contact pass */
+    int32_t nodes;
+    int32_t n;        /* numbers of a plane: the nodes, and zeros up to whole packets */
+    double origin[3]; /* of the state in the body frame, so that float keeps its digits near it; 0 in double */
+
+    void *memory;    /* one block with all arrays down to last_good */
+    void *y;         /* (6 n) places and velocities */
+    void *next;      /* (6 n) stage; Euler and Verlet write here, and y and next change places */
+    void *stage;     /* (3 n) second stage of RK4; (6 n) with dashpots, which read the velocities of neighbours */
+    void *f;         /* (3 n) forces; during a step of RK4 its first acceleration, then the places before the step */
+    void *second;    /* (3 n) second acceleration of RK4; between steps nobody's */
+    void *inverse;   /* (n) 1/inertia, 0 for fixed or welded nodes */
+    void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
+    void *last_good; /* (6 n) the last state that was found good */
+    mus__distance_cache *distance_cache; /* (n) contact need not query a node for a while */
+    mus__self_contact *self;      /* NULL: no self-contact */
+    void *plane_cache; /* (8 n) contact planes of nodes, while sew or settle run; NULL: every node is queried in
+                        * every step */
+
+    /* what the steps use; set between steps, never inside one */
+    double gravity[3];  /* [m/s2] */
+    double drag;        /* [1/s] */
+    double speed_limit; /* [m/s], of euler */
+    int32_t dashpots;
+    int32_t fresh;             /* nonzero: f holds the forces at y */
+    double collision_distance; /* [m] pairs this close are stitched */
+    mus__contact_rule rule;
+    mus__self_rule self_rule;
+    double self_time; /* [s] over which self->force was summed */
+    int32_t sweeps;   /* nonzero: nodes are so fast that contact sweeps them */
+    mus__contact_tally part_tally[64];
+    int64_t force_evaluations;
+
+    /* arguments of the phase that is running */
+    int32_t phase;
+    const void *phase_y;  /* where forces are taken */
+    void *phase_touch;    /* the state that meets the colliders after the phase; NULL: none does */
+    const void *x_before; /* (3 n) places before the step */
+    double phase_h;       /* [s] */
+};
+
+/* self-contact of a sim: a build with MUS_WITHOUT_SELF has none, to measure what asking for it costs
+ * (tests/guard/self_off.sh) */
+#ifdef MUS_WITHOUT_SELF
+#define MUS__SELF_OF(sim) ((mus__self_contact *)NULL)
+#else
+#define MUS__SELF_OF(sim) ((sim)->self)
+#endif
+
+extern const mus__sim_ops mus__sim_f32;
+extern const mus__sim_ops mus__sim_f64;
+
+/* memory of the sim of `program`; program, n, nodes and ops are set. Keeps nothing on failure. Errors: MUS_ERR_MEMORY
+ */
+mus_status mus__sim_create(mus_context *context, mus__sim *sim);
+void mus__sim_destroy(mus_context *context, mus__sim *sim);
+
+#endif

@@ -94,9 +94,9 @@ OMIT_exchange = exchange
 OMIT_catalogue = catalogue
 OMIT_design = block half style design
 OMIT_integrate = integrate
-OMIT_drape = arrange sim drape fit contact
-OMIT_cloth = cloth arrange sim drape fit contact exchange
-OMIT_pattern = pattern topology board edit block half style design cloth arrange sim drape fit contact print exchange catalogue
+OMIT_drape = arrange sim drape dress fit contact
+OMIT_cloth = cloth arrange sim drape dress fit contact exchange
+OMIT_pattern = pattern topology board edit block half style design cloth arrange sim drape dress fit contact print exchange catalogue
 OMIT_scan = scan
 OMIT_body = limb body pose scan block half style design exchange
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): it is none of print, exchange, catalogue, design, integrate, \
@@ -111,7 +111,7 @@ INTO := $(OUT)$(if $(OMIT),/omit-$(subst $(space),-,$(strip $(OMIT))))
 
 # files of the folders of lib/ that are not left out
 sources = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
-CORE := $(call sources,base geom integrate tape limb body pose scan pattern topology board edit block half style design cloth contact arrange sim drape fit)
+CORE := $(call sources,base geom integrate tape limb body pose scan pattern topology board edit block half style design cloth contact arrange sim drape dress fit)
 PRINT := $(call sources,print)
 EXCHANGE := $(call sources,exchange)
 CATALOGUE := $(call sources,catalogue)

@@ -311,7 +311,7 @@ static void directions(verify *v)
 /* two halves of a heptagon of radius 0.1, cut apart along a line 20 degrees off the weft and sewn where they lie */
 static mus_status sewn_halves(verify *v, double spacing, mus_cloth **out)
 {
-    const int32_t line = MUS_PIECE_LINE, forward[5] = {1, 1, 1, 1, 1},
+    const int32_t forward[5] = {1, 1, 1, 1, 1},
                   corner[2][5] = {{0, 1, 2, 3, 7}, {0, 7, 4, 5, 6}};
     int32_t seam = 0, joined[2] = {0, 0};
     double xy[16];
@@ -332,7 +332,9 @@ static mus_status sewn_halves(verify *v, double spacing, mus_cloth **out)
             status = mus_pattern_add_point(pattern, panel, at[0], at[1], &points[k]);
         }
         for (int k = 0; k < 5 && status == MUS_OK; k++)
-            status = mus_pattern_add_edge(pattern, NULL, points[k], points[(k + 1) % 5], 1, &line, 0, NULL, &edges[k]);
+            status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                   .start = points[k], .end = points[(k + 1) % 5]},
+                                          &edges[k]);
         if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, 5, edges, forward);
         joined[half] = edges[half == 0 ? 4 : 0];
     }

@@ -153,9 +153,13 @@ static mus_status disc_cloth(verify *v, double spacing, const mus_fabric *fabric
     if (status == MUS_OK) status = mus_pattern_add_point(pattern, panel, DISC, 0.0, &points[0]);
     if (status == MUS_OK) status = mus_pattern_add_point(pattern, panel, -DISC, 0.0, &points[1]);
     if (status == MUS_OK)
-        status = mus_pattern_add_edge(pattern, NULL, points[0], points[1], 1, &arc, 1, top, &edges[0]);
+        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = points[0],
+                                                               .end = points[1], .npiece = 1, .kinds = &arc,
+                                                               .nxy = 1, .xy = top}, &edges[0]);
     if (status == MUS_OK)
-        status = mus_pattern_add_edge(pattern, NULL, points[1], points[0], 1, &arc, 1, bottom, &edges[1]);
+        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = points[1],
+                                                               .end = points[0], .npiece = 1, .kinds = &arc,
+                                                               .nxy = 1, .xy = bottom}, &edges[1]);
     if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, 2, edges, forward);
     if (status == MUS_OK) status = mus_pattern_set_placement(pattern, panel, &place);
     if (status == MUS_OK) status = mus_cloth_create(v->context, pattern, &def, out);

@@ -25,7 +25,6 @@ mus_status rest_panel(verify *v, int32_t n, const double *corners, double gx, do
                       const mus_fabric *fabric, mus_cloth **out)
 {
     int32_t panel = 0, points[16], edges[16], forward[16];
-    const int32_t line = MUS_PIECE_LINE;
     mus_pattern *pattern = NULL;
     mus_cloth_def def;
     mus_status status = mus_pattern_create(v->context, "piece", &pattern);
@@ -33,7 +32,8 @@ mus_status rest_panel(verify *v, int32_t n, const double *corners, double gx, do
     for (int32_t i = 0; i < n && status == MUS_OK; i++)
         status = mus_pattern_add_point(pattern, panel, corners[2 * i], corners[2 * i + 1], &points[i]);
     for (int32_t i = 0; i < n && status == MUS_OK; i++) {
-        status = mus_pattern_add_edge(pattern, NULL, points[i], points[(i + 1) % n], 1, &line, 0, NULL, &edges[i]);
+        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = points[i],
+                                                               .end = points[(i + 1) % n]}, &edges[i]);
         forward[i] = 1;
     }
     if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, n, edges, forward);

@@ -1,11 +1,12 @@
 /*
  * muslin/drape.h: cloth in time: placed round a body, sewn, stepped, settled.
  *
- * create, then place (positions from the pattern's placement), then sew (seams pulled shut by elastic force until
- * all pairs are within the collision distance, then welded), then settle (to rest under gravity), or step by hand.
- * Fixed-step classical RK4 is the stepper of mus_drape_step (paper eq. 5), or velocity Verlet; sew and settle use
- * symplectic Euler on the same force passes. Contact: node, its limb's axial coordinate, in-between contour at that
- * height (paper 4.1), with inelastic response, Coulomb friction and position correction (4.2, as impulses).
+ * Create a drape, then place it (nodes go where the pattern's placement says), then sew it (seams are pulled shut by
+ * elastic force until all pairs are within the collision distance, then welded), then settle it (to rest under
+ * gravity), or step it by hand. mus_drape_step() uses fixed-step classical RK4 (paper eq. 5) or velocity Verlet; sew
+ * and settle use symplectic Euler on the same force passes. Contact: node, axial coordinate on its limb, in-between
+ * contour at that height, with inelastic response, Coulomb friction and position correction, as impulses. Source:
+ * Metaaphanon, Kanongchaiyos, Real-time Cloth Simulation for Garment CAD, 2005, sections 2 and 4 ("paper").
  *
  * The state is bit-identical for any number of threads. A step allocates nothing and logs nothing.
  */
@@ -33,38 +34,51 @@ typedef struct mus_drape_def {
     int32_t precision;         /* 32 (float, default) or 64 (double) */
     int32_t threads;           /* 1 (default) .. 64; the result does not depend on it */
     double collision_distance; /* sewing ends when all pairs are this close [m], default 0.001, at most the spacing */
-    double clearance;          /* cloth is kept this far off the skin [m], default 0.002 */
-    double friction;           /* on skin; NaN (default): the fabric's; infinite: what touches, sticks */
+    double clearance;          /* distance at which cloth is kept off the skin [m], default 0.002 */
+    double friction;           /* on skin; NaN (default): the fabric's; infinite: cloth that touches sticks */
     double drag;               /* air drag per mass in mus_drape_step [1/s], default 0.5 */
     double seam_pull;          /* tension that pulls a seam shut [N per m of seam], default 50 */
     double sew_seconds;        /* give up sewing after this much cloth time [s], default 6 */
     double settle_seconds;     /* give up settling after this much cloth time on the finest cut at the latest [s],
-                                * default 10; what hangs on a hook is told sooner */
+                                * default 10; cloth caught on a hook is given up sooner */
     double settle_residual;    /* rest: rms residual force over node weight below this, default 0.02 */
     int32_t integrator;        /* of mus_drape_step: MUS_METHOD_RK4 (default) or MUS_METHOD_VERLET */
-    double contact_ball;       /* of mus_drape_step: a node near the skin takes it for a plane while it stays in a ball
-                                * of this radius [m], 0 (default) .. 0.001. At 0.00025 contact is some micrometres off
-                                * and several times as cheap; contact_impulse of the report then leaves out what planes
-                                * gave */
+    double contact_ball;       /* of mus_drape_step: a node near the skin remembers its contact plane while it stays in
+                                * a ball of this radius [m], 0 (default) .. 0.001. At 0.00025 contact is micrometres
+                                * off and several times as cheap; contact_impulse of the report then leaves out the
+                                * impulses of remembered planes */
     int32_t self_contact;      /* nonzero: cloth meets cloth in stepping, sewing and settling; 0 (default) */
-    double thickness;          /* cloth is kept this far from cloth [m], default 0.002, at most half the spacing */
-    double self_friction;      /* of cloth on cloth; NaN (default): the fabric's; infinite: what touches, sticks */
-    int32_t sew_once;          /* nonzero: sewing gives up where its first try does not close the coarsest cut, for a
-                                * caller that has another start; 0 (default): straight pulls and finer cuts come then */
+    double thickness;     /* distance at which cloth is kept off cloth [m], default 0.002, at most half the spacing */
+    double self_friction; /* of cloth on cloth; NaN (default): the fabric's; infinite: cloth that touches sticks */
+    int32_t sew_once;     /* nonzero: sewing gives up when its first try does not close the coarsest cut, for a
+                           * caller that has another start; 0 (default): it goes on with straight pulls and finer
+                           * cuts */
 } mus_drape_def;
 
+/** Zero `def`, write the defaults and its size. `size` is sizeof(mus_drape_def) of the caller. */
 MUS_API void mus_drape_def_init(mus_drape_def *def, size_t size);
 
 /**
  * Make a drape of a cloth, round a body or (body NULL) in empty space. Nodes start flat in their panels' planes.
  *
- * Both are copied as far as needed; the caller may destroy them. `def` may be NULL.
+ * Cloth and body are copied as far as needed; the caller may destroy them. `def` may be NULL.
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY
  * Memory:  all that stepping will ever need
  */
 MUS_API mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
                                     const mus_drape_def *def, mus_drape **out);
 
+/**
+ * Make a plain drape: a cloth in empty space, in float, without self-contact. All else is as by mus_drape_create().
+ *
+ * A program that makes its drapes by this call alone links no code of bodies, contact, self-contact and double
+ * precision, but what other calls name (mus_drape_add_plane).
+ * Errors:  MUS_ERR_ARG (also: precision 64, self_contact), MUS_ERR_VERSION, MUS_ERR_MEMORY
+ */
+MUS_API mus_status mus_drape_create_plain(mus_context *context, const mus_cloth *cloth, const mus_drape_def *def,
+                                          mus_drape **out);
+
+/** Destroy a drape; NULL is accepted. */
 MUS_API void mus_drape_destroy(mus_drape *drape);
 
 /** Put the nodes where the pattern's placement says, at rest, and open all seams again. */
@@ -84,29 +98,30 @@ MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
  * with precision 32 more than 10 km from the middle of the cloth as placed). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
-/** Hold a node where it is (fixed nonzero) or let it go. Errors: MUS_ERR_ARG. */
+/** Fix a node at its place (fixed nonzero), or free it. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 
 /**
- * Put a tack in, a stitch of thread between two nodes: a spring of no length, which draws them together from now on.
+ * Put a tack in: a stitch of thread between two nodes, a spring of no length that draws them together from now on.
  *
- * E = 1/2 stiffness |x_b - x_a|^2, damped as the fabric's springs are. By the call nothing moves and the energy gains
- * E; mus_drape_step_bound is at once that with the tack, and mus_drape_step refuses a step above it. It stays until it
- * is taken out, through place, warm, set_state, sew and settle; it joins what welding makes of its nodes, and is slack
- * where that is one node or a layer that waits to be sewn. With self_contact the two stay a thickness apart, and it
- * pulls with stiffness * thickness: above some newtons the cloth may not come to rest.
+ * E = 1/2 stiffness |x_b - x_a|^2, damped as the fabric's springs. The call moves nothing, and the energy grows by E.
+ * mus_drape_step_bound includes the tack at once, and mus_drape_step refuses a step above it. The tack stays through
+ * place, warm, set_state, sew and settle, until it is taken out. After welding it connects the merged nodes. It exerts
+ * no force while both ends are one node, or while an end belongs to a layer that is not sewn yet. With self_contact its
+ * two nodes stay a thickness apart and it pulls with stiffness * thickness; above some newtons the cloth may not come
+ * to rest.
  *
- * `index` (may be NULL) gets its number, the lowest that is free.
+ * `index` (may be NULL) gets the number of the tack, the lowest that is free.
  * Units:   stiffness [N/m], 0 (slack) to 1e9
  * Errors:  MUS_ERR_ARG (no such node, a = b, a stiffness not finite or not in its range); MUS_ERR_STATE (both nodes are
- *          held, and more than the collision distance apart); MUS_ERR_LIMIT (2^24 tacks); MUS_ERR_MEMORY; the drape is
+ *          fixed, and more than the collision distance apart); MUS_ERR_LIMIT (2^24 tacks); MUS_ERR_MEMORY; the drape is
  *          as it was
- * Memory:  room for 16 by the first, twice as much when they are full, kept until the drape is destroyed
- * Cost:    about half a microsecond a node; of a step that of a spring off the lattice, and nothing without tacks
+ * Memory:  capacity for 16 with the first, doubled when it is full, kept until the drape is destroyed
+ * Cost:    about half a microsecond a node; in a step that of an irregular spring, and nothing without tacks
  */
 MUS_API mus_status mus_drape_tack(mus_drape *drape, int32_t a, int32_t b, double stiffness, int32_t *index);
 
-/** Take a tack out; its number is free again. Bound and forces are those without it. Errors: MUS_ERR_ARG (no such
+/** Take a tack out; its number is free again, and bound and forces are without it. Errors: MUS_ERR_ARG (no such
  * tack). */
 MUS_API mus_status mus_drape_untack(mus_drape *drape, int32_t index);
 
@@ -132,9 +147,9 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
 /**
  * Advance by `steps` steps of `dt` of the def's integrator, with contact after each.
  *
- * The bound is looked at anew every 512 steps, or when a node may have gone as far as its neighbour. Where the pose has
- * lowered it below dt, steps are made in equal parts until it is above dt again; the report's step_parts says how many
- * at most.
+ * The bound is taken anew every 512 steps, or when a node may have gone as far as its neighbour. Where the pose has
+ * lowered it below dt, steps are made in equal parts until it is above dt again; step_parts of the report tells the
+ * largest number of parts.
  * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
  *          bound: both in the message);
  *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
@@ -145,7 +160,7 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
 MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
 
 /**
- * Evaluate the forces of the state as it is `times` times, as a step does, and throw them away: what benchmarks time.
+ * Evaluate the forces of the present state `times` times, as a step does, and throw them away. Benchmarks time it.
  *
  * Errors: MUS_ERR_ARG (times < 0)
  * Memory: allocates nothing; the state stays as it is
@@ -153,23 +168,23 @@ MUS_API mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt);
 MUS_API mus_status mus_drape_evaluate(mus_drape *drape, int32_t times);
 
 /**
- * Let the body glide: from now on it moves as a whole with a constant velocity, in mus_drape_step.
+ * Move the body as a whole with a constant velocity from now on, in mus_drape_step.
  *
- * `velocity` (3) [m/s], 0 stops it where it is. Contact and friction act relative to the body; report and
- * penetration are of where it stands. mus_drape_place puts it back, at rest. Sewing and settling need it at rest
+ * `velocity` (3) [m/s]; 0 stops the body where it is. Contact and friction act relative to the body; the report tells
+ * penetration at its present place. mus_drape_place puts it back, at rest. Sewing and settling need it at rest
  * (MUS_ERR_STATE).
  * Errors:  MUS_ERR_ARG (not finite, above 1000 m/s); MUS_ERR_STATE (no body)
  */
 MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity);
 
 /**
- * Let the body move to a pose: in the next `duration` seconds of mus_drape_step it goes from how it stands to `pose`,
- * every joint by itself along the shortest rotation, and then stands there; 0: it stands there at once, at rest.
+ * Move the body to a pose: in the next `duration` seconds of mus_drape_step it goes from its present pose to `pose`,
+ * each joint along its shortest rotation, and then stands there. Duration 0: it stands there at once, at rest.
  *
- * `pose` is that of the body as made (mus_body_pose); its place counts beside what the body glides. Contact and
- * friction are relative to each part's own motion, and fast nodes are swept against it. A new call starts from how the
- * body stands then: keyed movements are one call a frame. mus_drape_place puts the body back as it was given to create.
- * Sewing and settling work round a body in any pose, at rest (MUS_ERR_STATE on the way).
+ * `pose` is relative to the body as made (mus_body_pose); its place is added to the motion of the body as a whole.
+ * Contact and friction act relative to the motion of each part, and fast nodes are swept against it. A new call starts
+ * from the pose at that time, so a keyed movement is one call a frame. mus_drape_place puts the body back as it was
+ * given to create. Sewing and settling work round a body in any pose, at rest (MUS_ERR_STATE during a movement).
  * Units:   duration [s], 0 to 1e6
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION; MUS_ERR_STATE (no body); MUS_ERR_BODY (an angle beyond its joint's limits)
  * Cost:    on the way about a microsecond a step
@@ -177,9 +192,9 @@ MUS_API mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
 MUS_API mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double duration);
 
 /**
- * How the body stands now, with what it has glided in `place`.
+ * The pose of the body now; `place` includes its motion as a whole.
  *
- * Exact where it rests; on the way from one pose to another angles are taken between the two evenly.
+ * Exact at rest; during a movement the angles are interpolated evenly between the two poses.
  * Errors:  MUS_ERR_ARG; MUS_ERR_STATE (no body)
  */
 MUS_API mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out);
@@ -195,16 +210,17 @@ typedef struct mus_plane {
     double reach;       /* radius of a disc [m]; 0 (default): no end */
 } mus_plane;
 
+/** Zero `plane`, write the defaults and its size. */
 MUS_API void mus_plane_init(mus_plane *plane, size_t size);
 
 /**
- * One more plane in the scene, from now on; cloth is kept off it, and slides or sticks, as on skin. Sewing and settling
- * meet it too.
+ * Add a plane to the scene, from now on. Cloth is kept off it, and slides or sticks as on skin, in sewing and settling
+ * too.
  *
- * `plane` NULL: the ground, y = 0. `index` (may be NULL) gets its number, from 0 on. Nothing passes a plane without an
- * end; a disc is 1 cm thick, and what is farther below it is under the table. The report takes depth below planes and
- * impulses of planes as those of the body. A moving plane moves in mus_drape_step; mus_drape_place puts it back as it
- * was added. Sewing and settling need it at rest (MUS_ERR_STATE).
+ * `plane` NULL: the ground, y = 0. `index` (may be NULL) gets its number, from 0 on. Nothing passes an endless plane. A
+ * disc is 1 cm thick, and a node farther below it is under the table. The report counts depth below planes and impulses
+ * of planes as those of the body. A moving plane moves in mus_drape_step; mus_drape_place puts it back as it was added.
+ * Sewing and settling need it at rest (MUS_ERR_STATE).
  * Errors:  MUS_ERR_ARG (not finite, beyond 10 km, 1000 m/s or 1000 rad/s, normal of no length), MUS_ERR_VERSION;
  *          MUS_ERR_LIMIT (32 planes are there), MUS_ERR_MEMORY
  * Cost:    a few multiplications a node and plane, many nodes at once
@@ -212,33 +228,34 @@ MUS_API void mus_plane_init(mus_plane *plane, size_t size);
 MUS_API mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t *index);
 
 /**
- * From now on the plane moves with `velocity` (3) [m/s] and `spin` [rad/s], from where it is.
+ * Move a plane with `velocity` (3) [m/s] and `spin` [rad/s] from now on, from its present place.
  *
  * Errors:  MUS_ERR_ARG (no such plane, not finite, above 1000)
  */
 MUS_API mus_status mus_drape_move_plane(mus_drape *drape, int32_t index, const double *velocity, double spin);
 
-/** What a run will cost, told before it. */
+/** The cost of a run of steps, told before it. */
 typedef struct mus_estimate {
     size_t size;
-    double step;             /* to be used: 0.9 of the bound, or the frame where that is shorter [s] */
+    double step;             /* to use: at most 0.9 of the bound, a whole part of the frame [s] */
     double step_bound;       /* [s] */
-    int32_t steps_per_frame; /* of `step` at most each */
+    int32_t steps_per_frame; /* of `step` each */
     int32_t node;            /* that sets the bound, MUS_NONE without springs */
     double node_mass;        /* [kg] */
     double node_stiffness;   /* lambda_max(T) of it [N/m] */
-    double bend_share;       /* part of it that bending, seams and tacks are, the rest is stretch and shear */
-    double seconds;          /* CPU seconds for a frame, from a trial of a few steps, which it takes back */
+    double bend_share;       /* share of it from bending, seams, tacks and attachments; the rest is stretch and shear */
+    double seconds;          /* CPU seconds for a frame, from a trial of a few steps, which are taken back */
     int64_t node_evaluations; /* a frame */
 } mus_estimate;
 
+/** Zero `estimate` and write its size. */
 MUS_API void mus_estimate_init(mus_estimate *estimate, size_t size);
 
 /**
- * Step, steps a frame, and CPU time of mus_drape_step, and which node is the reason.
+ * Estimate step, steps a frame and CPU time of mus_drape_step, and name the node that sets the bound.
  *
  * Units:  frame [s], above 0
- * Errors: MUS_ERR_ARG, MUS_ERR_VERSION
+ * Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY
  * Cost:   8 steps; the state is as before
  */
 MUS_API mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estimate *out);
@@ -247,15 +264,15 @@ MUS_API mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estima
  * Force of springs, tacks, bending and gravity on each node: out (nodes x 3) [N], without contact, damping and open
  * seams.
  *
- * Of a held node it is minus the reaction of what holds it; of a free one at rest it is minus what the skin carries.
- * Welded nodes all have the force on their one node.
+ * At a fixed node it is minus the reaction of the fixing; at a free node at rest it is minus the force that the skin
+ * carries. Welded nodes all have the force on their one node.
  */
 MUS_API mus_status mus_drape_forces(const mus_drape *drape, double *out);
 
 /**
- * Depth of points in what the cloth collides with, body and planes as they stand now: positive inside.
+ * Depth of points in the body and the planes as they stand now: positive inside.
  *
- * It is what contact itself sees: a node is held where depth > -clearance, along this normal. (mus_body_depth() asks
+ * Contact uses the same depth: a node is kept out where depth > -clearance, along this normal. (mus_body_depth() takes
  * the body as it was made; at a shoulder the two differ by some tenths of a millimetre.)
  * Shapes:  points (n x 3) [m], depth (n) [m], normal (n x 3) outward or NULL
  * depth is -1e30, and the normal 0, for a point that is farther than 4 cm from everything.
@@ -272,40 +289,41 @@ typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progres
  * Pull all seams shut and weld them. Gravity is off meanwhile.
  *
  * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser). With self_contact, panels that begin over each
- * other in one plane are moved apart first: one below the other goes down, of two side by side each goes half of the
- * way. Some sheets of cloth between the last pairs of a seam are no bar: it is welded so, and drawn apart by the moves
- * of mus_drape_untangle(). Sheets of worn layers are one: a seam that would go through them stays open, and its error
- * says so. What crosses after all is counted by mus_drape_crossings().
- * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED,
- *         MUS_ERR_MEMORY
+ * other in one plane are moved apart first: the lower one goes down; of two side by side, each goes half of the way. A
+ * few sheets of cloth between the last pairs of a seam do not keep it open: the pairs are welded, and crossings are
+ * drawn apart as by mus_drape_untangle(). Worn layers do keep it open: a seam that would go through them stays open,
+ * and the error tells so. Crossings that are left are counted by mus_drape_crossings(). Errors: MUS_ERR_SEW (the
+ * message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED, MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
 
 /**
  * Let the cloth come to rest under gravity, on coarser cuts first when it is far from rest.
  *
- * At rest: at the mean place of the last steps (where cloth lies on cloth, of the last 0.05 s) the force left is below
- * settle_residual, and no node's mean place goes faster than 2 mm/s. Or: for half a second no node has gone 0.1 mm or
- * been so far from its mean place, and of the nodes that touch neither skin nor plane nor cloth the force left is below
- * settle_residual: what surfaces that wedge a node carry is not known from its place, but it does not move.
- * Where cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
+ * At rest: at the mean place of the last steps (where cloth lies on cloth, of the last 0.05 s) the residual is below
+ * settle_residual, and no node's mean place moves faster than 2 mm/s. Or: for half a second no node has moved 0.1 mm or
+ * been so far from its mean place, and the residual of the nodes that touch neither skin nor plane nor cloth is below
+ * settle_residual. (The contact forces on a node wedged between surfaces cannot be recovered from its place.) Where
+ * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
  * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED, MUS_ERR_MEMORY
- * Memory:  the first sew or settle makes the coarser doubles, a third of the drape, kept until it is destroyed
+ * Memory:  the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed
  */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 
 /** Positions and velocities (nodes x 3): the drape's own output arrays, written anew at the end of place, set_state,
  * step, sew and settle; the addresses stay the same until the drape is destroyed. Welded nodes share their place. */
 MUS_API const double *mus_drape_positions(const mus_drape *drape);
+/** See mus_drape_positions(). */
 MUS_API const double *mus_drape_velocities(const mus_drape *drape);
+/** Number of nodes: the length of the arrays. */
 MUS_API int32_t mus_drape_node_count(const mus_drape *drape);
 
 /** Cloth time since place [s]. */
 MUS_API double mus_drape_time(const mus_drape *drape);
 
 /**
- * What is wrong with how the cloth lies now, before it is sewn: MUS_REASON_START_TANGLED with panel or seam and a
- * sentence, or MUS_REASON_NONE.
+ * Check the cloth as it lies now, before it is sewn: MUS_REASON_START_TANGLED with panel or seam and a sentence, or
+ * MUS_REASON_NONE.
  *
  * A panel inside the body; a seam whose sides lie the wrong way round; panels in each other's place or turned round;
  * panels through one another; layers whose order is not the same all round.
@@ -317,7 +335,7 @@ MUS_API mus_status mus_drape_start(const mus_drape *drape, mus_reason *out);
 /** Why the last sew or settle ended as it did. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_drape_reason(const mus_drape *drape, mus_reason *out);
 
-/** What a drape did and how it stands. */
+/** What a drape did, and its present state. */
 typedef struct mus_drape_report {
     size_t size;
     int32_t nodes;
@@ -348,10 +366,13 @@ typedef struct mus_drape_report {
     int64_t self_queries;       /* node against triangle or edge against edge, since create */
 } mus_drape_report;
 
+/** Zero `report` and write its size. */
 MUS_API void mus_drape_report_init(mus_drape_report *report, size_t size);
+/** Take the report. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out);
 
-/** What this scene did without: comma-separated names ("contact,seams,dashpots"), "" if nothing. Borrowed. */
+/** The passes that this scene has no work for: comma-separated names ("contact,seams,dashpots"), "" if nothing.
+ * Borrowed. */
 MUS_API const char *mus_drape_skipped(const mus_drape *drape);
 
 /** 64-bit hash of positions, velocities and time (FNV-1a over the bytes of the state in little-endian order). */
@@ -371,11 +392,11 @@ MUS_API mus_status mus_drape_gaps(const mus_drape *drape, double *out);
 MUS_API mus_status mus_drape_crossings(const mus_drape *drape, int32_t most, int32_t *pairs, int64_t *count);
 
 /**
- * Draw cloth that crosses cloth apart, by shortening the contours of crossings, in at most 80 rounds; needs
+ * Draw cloth that crosses cloth apart, by shortening the contours of crossings, in at most 80 rounds. Needs
  * self_contact.
  *
  * MUS_OK with *left 0 is a certificate as that of mus_drape_crossings; from then on nothing crosses. Shallow crossings
- * go; of a sheet that is halfway through another nothing says which side is right. At rest after it.
+ * go; for a sheet halfway through another nothing tells which side is right. The cloth is at rest after the call.
  * Errors: MUS_ERR_TANGLED (*left pairs of triangles still cross; the state is as far as it got); MUS_ERR_ARG;
  *         MUS_ERR_STATE (without self_contact, or a surface moves); MUS_ERR_DIVERGED; MUS_ERR_LIMIT; MUS_ERR_MEMORY
  * Cost:   a count a round, from the 51st round on 12 steps and two counts

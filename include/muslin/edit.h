@@ -85,29 +85,47 @@ MUS_API mus_status mus_pattern_shorten_dart(mus_pattern *pattern, int32_t leg, d
  * ease by the width of the mouth, two notches say where. *out (may be NULL) is the edge that has the mouth now. */
 MUS_API mus_status mus_pattern_release_dart(mus_pattern *pattern, int32_t leg, int32_t *out);
 
-/** Make a dart part of a seam that goes on from its point to a place, along a chain as in mus_pattern_separate(); when
- * the place is the point of another dart, that becomes part of the seam too (and no chain is asked when it is the same
- * point). What the outline passes from the dart to the place is panel `name`, given back in *panel, and *seam the seam
- * (both may be NULL). */
-MUS_API mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, int32_t leg, int32_t target, double s, int32_t npiece,
-                                            const int32_t *kinds, int32_t nxy, const double *xy, const char *name,
-                                            const char *seam_name, int32_t *panel, int32_t *seam);
-
 /* ---- panels ---- */
 
+/** A line along which a panel is cut in two: from place a to place b of its outline. */
+typedef struct mus_cut_def {
+    size_t size;
+    const char *name;      /* of the new panel */
+    const char *seam_name; /* of both new edges */
+    int32_t edge_a;        /* place a: arc length s_a [m] of edge_a */
+    int32_t edge_b;        /* place b */
+    double s_a;
+    double s_b;
+    int32_t npiece;        /* pieces of the line as in mus_edge_def; 0 (default): straight from a to b */
+    int32_t nxy;           /* points in xy, default 0 */
+    const int32_t *kinds;  /* (npiece) of MUS_PIECE_* */
+    const double *xy;      /* (nxy x 2) [m], without the two ends */
+} mus_cut_def;
+
+/** Write the defaults: no names, both edges MUS_NONE, a straight line. */
+MUS_API void mus_cut_def_init(mus_cut_def *def, size_t size);
+
 /**
- * Separate a panel along a chain from place a to place b of its outline.
+ * Separate a panel along a line from place a to place b of its outline.
  *
- * Shapes:  kinds (npiece), xy (nxy x 2) without the two ends, as in mus_pattern_add_edge(); npiece 0 is a straight line
- * What the outline passes from a to b becomes panel `name`; both new edges are called `seam_name` and are sewn
- * together. *panel and *seam (may be NULL) are the new ones. The sewn topology stays; a face, a seam and two corners
- * are added. A line inside the panel goes with the part that it lies in, from whichever edge a corner is counted.
+ * What the outline passes from a to b becomes the new panel; both new edges are sewn together. *panel and *seam (may be
+ * NULL) are the new ones. The sewn topology stays; a face, a seam and two corners are added. A line inside the panel
+ * goes with the part that it lies in, from whichever edge a corner is counted.
  * Errors:  MUS_ERR_ARG (places of two panels or on a line inside one, a name that is taken, a line that crosses the
- *          outline)
+ *          outline), MUS_ERR_VERSION
  */
-MUS_API mus_status mus_pattern_separate(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b,
-                                        int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
-                                        const char *name, const char *seam_name, int32_t *panel, int32_t *seam);
+MUS_API mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam);
+
+/**
+ * Make a dart part of a seam that goes on from its point to a place of the outline.
+ *
+ * The dart is the place a of the cut: edge_a is a leg of it, s_a is not read; b is where the seam ends. When b is the
+ * point of another dart, that dart becomes part of the seam too, and no chain is read when both points are one. What the
+ * outline passes from the dart to b is the new panel, given back in *panel, and *seam is the seam; both may be NULL.
+ * Errors:  as mus_pattern_separate()
+ */
+MUS_API mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel,
+                                            int32_t *seam);
 
 /** Make one panel of the two that a seam joins: that of edge_b is moved so that the edges lie on each other, and is
  * taken in. Errors: MUS_ERR_PATTERN (one panel, a twist, edges that differ by more than 1e-6 m). */

@@ -54,19 +54,30 @@ MUS_API mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name,
 /** Add a point to the plane of a panel. Errors: MUS_ERR_ARG (panel unknown, x or y beyond 1e6 m), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
 
+/** An edge to be added: a chain of pieces between two points of one panel. */
+typedef struct mus_edge_def {
+    size_t size;
+    const char *name;     /* within its panel ("hem", "shoulder_left"), default NULL: none */
+    int32_t start;        /* a point */
+    int32_t end;          /* another point of the panel, or the same for a loop */
+    int32_t npiece;       /* pieces of the chain; 0 (default): one straight line */
+    int32_t nxy;          /* points in xy, default 0 */
+    const int32_t *kinds; /* (npiece) of MUS_PIECE_* */
+    const double *xy;     /* (nxy x 2) the control points and inner joints of the chain in order [m], without the first
+                           * and last point: for each piece its control points, then, but for the last piece, its end
+                           * (so a line has none, a cubic 2, a line then a cubic 1 + 2) */
+} mus_edge_def;
+
+/** Write the defaults: no name, start and end MUS_NONE, a straight line. */
+MUS_API void mus_edge_def_init(mus_edge_def *def, size_t size);
+
 /**
- * Add an edge between two points of one panel: a chain of `npiece` pieces.
+ * Add an edge to the panel of its two points. *out (may be NULL) is its index.
  *
- * Shapes:  kinds (npiece) of MUS_PIECE_*; xy: the control points and inner joints of the chain in order, without the
- *          first and last point: for each piece its control points, then (but for the last piece) its end
- *          (so a single line has none, a single cubic 2, a line then a cubic 1 + 2)
- * `name` may be NULL; it names the edge within its panel ("hem", "shoulder_left").
- * Errors:  MUS_ERR_ARG (unknown points, points of two panels, wrong count `nxy` of xy points, one not within 1e6 m, an
- *          arc whose middle point is nearer to one end, an edge of length 0); MUS_ERR_MEMORY
+ * Errors:  MUS_ERR_ARG (unknown points, points of two panels, a wrong count of xy points, one not within 1e6 m, an arc
+ *          whose middle point is nearer to one end, an edge of length 0); MUS_ERR_VERSION; MUS_ERR_MEMORY
  */
-MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t start, int32_t end,
-                                        int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy,
-                                        int32_t *out);
+MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def *def, int32_t *out);
 
 /**
  * Give a panel its attaching map: `n` edges in order, direction[i] +1 along or -1 against the edge.

@@ -1,11 +1,13 @@
 /*
  * muslin/tape.h: the tailor's measures of one person.
  *
- * A tape holds up to MUS_MEASURE_COUNT measures, each unset, given or derived. Set what the tape measure said, then
- * mus_tape_complete() derives what is missing and checks that the sheet makes sense. Sources: ISO 8559-1 terms;
- * defaults by regression on ANSUR II and clothing tables, as listed in man page mus_tape(3).
+ * A tape holds up to MUS_MEASURE_COUNT measures; each is unset, given or derived. Set the measures that were taken,
+ * then mus_tape_complete() derives the others and checks that they can belong to one body. Bodies and patterns are made
+ * from a completed tape.
  *
- * Units: metre; the three angles in radian.
+ * Units:   metre; shoulder_slope and arm_angle in radian
+ * Source:  terms of ISO 8559-1:2017; derivations by regression on ANSUR II (Gordon and others 2014) and on size tables
+ *          (formulas in man page mus_tape(3))
  */
 #ifndef MUSLIN_TAPE_H
 #define MUSLIN_TAPE_H
@@ -17,8 +19,9 @@ extern "C" {
 #endif
 
 /*
- * The measures. X(NAME, "name", unit, low, high): unit 'm' length or 'r' angle; low and high bound the plausible
- * adult (girths: child) value; a value outside half of low to twice high is an error.
+ * The measures. X(NAME, "name", unit, low, high): unit 'm' for a length [m], 'r' for an angle [rad]. From low to high
+ * is the range of plausible bodies, from an infant to the tallest adult; mus_tape_set() refuses a value below half of
+ * low or above twice high.
  */
 #define MUS_MEASURE_LIST(X)                                                                             \
     X(STATURE, "stature", 'm', 0.45, 2.15)           /* floor to crown, no shoes */                     \
@@ -62,97 +65,110 @@ extern "C" {
 enum { MUS_MEASURE_LIST(MUS_MEASURE_ENUM) MUS_MEASURE_COUNT };
 #undef MUS_MEASURE_ENUM
 
-/* Whose body it is: picks the derivations. UNSET takes the mean of female and male. */
+/* The sex of the person, which selects the derivations. UNSET takes the mean of female and male. */
 #define MUS_SEX_UNSET 0
 #define MUS_SEX_FEMALE 1
 #define MUS_SEX_MALE 2
 #define MUS_SEX_CHILD 3
 
-/* Where a measure came from. */
+/* The source of a measure: unset, given by the caller, or derived from others. */
 #define MUS_SOURCE_NONE 0
 #define MUS_SOURCE_GIVEN 1
 #define MUS_SOURCE_DERIVED 2
 
+/** The measures of one person. One thread at a time may use a tape and its context. */
 typedef struct mus_tape mus_tape;
 
-/** Number of measures of this release. */
+/** Number of measures of this release: MUS_MEASURE_COUNT at run time. */
 MUS_API int32_t mus_measure_count(void);
 
-/** Name of a measure ("waist"), or NULL outside 0 .. count-1. Static text. */
+/** Name of a measure ("waist"); NULL for an index outside 0 to mus_measure_count() - 1. Static text. */
 MUS_API const char *mus_measure_name(int32_t measure);
 
-/** 'm' for a length, 'r' for an angle, 0 outside the range. */
+/** Unit of a measure: 'm' for a length [m], 'r' for an angle [rad]; 0 for an unknown index. */
 MUS_API int32_t mus_measure_unit(int32_t measure);
 
-/** Index of a measure by name; the aliases of man page mus_tape(3) count ("chest", "seat"); MUS_NONE if unknown. */
+/** Index of a measure by its name or by an alias of mus_tape(3) ("chest", "seat"); MUS_NONE for an unknown name. */
 MUS_API int32_t mus_measure_find(const char *name);
 
-/** Make an empty tape. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY. */
+/** Make an empty tape: no measure set, sex unset, no name. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY. */
 MUS_API mus_status mus_tape_create(mus_context *context, mus_tape **out);
 
-/** Make a copy. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY. */
+/** Copy a tape with its measures, sources, name and warnings. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY. */
 MUS_API mus_status mus_tape_copy(const mus_tape *tape, mus_tape **out);
 
 /** Free a tape; NULL is accepted. */
 MUS_API void mus_tape_destroy(mus_tape *tape);
 
-/** The context that the tape was made from. */
+/** The context that a tape was made from; NULL for NULL. */
 MUS_API mus_context *mus_tape_context(const mus_tape *tape);
 
-/** Set whose tape it is (MUS_SEX_*). Errors: MUS_ERR_ARG. */
+/** Set the sex of the person (MUS_SEX_*). The tape is then no longer complete. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_tape_set_sex(mus_tape *tape, int32_t sex);
 
-/** MUS_SEX_* of the tape. */
+/** Sex of the person: MUS_SEX_*; MUS_SEX_UNSET for NULL. */
 MUS_API int32_t mus_tape_sex(const mus_tape *tape);
 
-/** Give the tape a name for reports and labels ("Ada", "W40"). Copied; at most 63 bytes. Errors: MUS_ERR_ARG. */
+/** Give a tape a name for reports and labels ("Ada", "W40"), at most 63 bytes; it is copied. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_tape_set_name(mus_tape *tape, const char *name);
 
-/** Name of the tape, "" if none. */
+/** Name of a tape; "" without a name. Borrowed until the name is set again or the tape destroyed. */
 MUS_API const char *mus_tape_name(const mus_tape *tape);
 
 /**
- * Set one measure.
+ * Set one measure, or unset it.
+ *
+ * The tape is then no longer complete. A measure that was set stays as it is when the others are derived.
  *
  * Units:   value [m] or [rad]; NaN unsets the measure
- * Errors:  MUS_ERR_ARG (measure unknown, value infinite, source not GIVEN or DERIVED);
- *          MUS_ERR_TAPE (value <= 0, or outside half to twice the plausible range). The tape is as before
+ * Errors:  MUS_ERR_ARG (unknown measure, infinite value, source neither MUS_SOURCE_GIVEN nor MUS_SOURCE_DERIVED);
+ *          MUS_ERR_TAPE (value below half the plausible range or above twice of it). The tape is as before the call
  */
 MUS_API mus_status mus_tape_set(mus_tape *tape, int32_t measure, double value, int32_t source);
 
-/** Value of a measure [m or rad]; NaN when unset or unknown. */
+/** Value of a measure [m] or [rad]; NaN for a measure that is unset or unknown. */
 MUS_API double mus_tape_value(const mus_tape *tape, int32_t measure);
 
-/** MUS_SOURCE_* of a measure. */
+/** Source of a measure: MUS_SOURCE_*; MUS_SOURCE_NONE for a measure that is unset or unknown. */
 MUS_API int32_t mus_tape_source(const mus_tape *tape, int32_t measure);
 
 /**
- * Fill a tape with a standard table size: "W34".."W52", "M46".."M60" or "C56".."C164" (children by stature in cm).
+ * Fill a tape with a table size: "W34" to "W52", "M46" to "M60", or "C56" to "C164" (children, by stature in cm).
  *
- * Sets sex and the given measures of the size (the rest is derived), and clears what was there.
- * Errors: MUS_ERR_ARG (unknown size; the message lists them). Source: EN 13402-like steps.
+ * Replaces all measures and the name: sets the sex, stature, bust, waist and hip of the size (of a child too).
+ *
+ * Errors:  MUS_ERR_ARG (unknown size; the message lists the sizes)
+ * Source:  steps of bust, waist and hip as in EN 13402-3
  */
 MUS_API mus_status mus_tape_set_size(mus_tape *tape, const char *size);
 
-/** Number of table sizes, and the name of one ("W40"), or NULL. */
+/** Number of table sizes. */
 MUS_API int32_t mus_tape_size_count(void);
+
+/** Name of a table size ("W40"); NULL for an index outside 0 to mus_tape_size_count() - 1. Static text. */
 MUS_API const char *mus_tape_size_name(int32_t index);
 
 /**
- * Derive every missing measure and check the sheet.
+ * Derive every measure that is not set, and check the tape.
  *
- * Needs stature, bust, waist and hip; a child's tape needs stature alone. Derived values are marked so and are
- * derived anew at each call. Checks that fail are errors with both names in the message; doubtful ones are warnings.
- * Errors:  MUS_ERR_TAPE (missing or contradictory). The tape is as before
- * Source:  derivations and checks as listed in mus_tape(3)
+ * Needs stature, bust, waist and hip; a child's tape needs stature alone. Derived values have the source
+ * MUS_SOURCE_DERIVED and are derived anew at each call. Two measures that no body has together are an error; two that
+ * hardly any body has together, and a value far from its prediction, are warnings (mus_tape_warning()).
+ *
+ * Errors:  MUS_ERR_TAPE (a needed measure is missing, or two contradict each other: the message names both);
+ *          MUS_ERR_MEMORY. The tape is as before the call
+ * Cost:    some microseconds
+ * Source:  regressions on ANSUR II; formulas and checks are listed in mus_tape(3)
  */
 MUS_API mus_status mus_tape_complete(mus_tape *tape);
 
-/** Nonzero after a mus_tape_complete() that succeeded and no change since. */
+/** Nonzero when mus_tape_complete() succeeded and nothing was set since. */
 MUS_API int32_t mus_tape_is_complete(const mus_tape *tape);
 
-/** Warnings of the last mus_tape_complete(): count, and text (NULL outside the range). */
+/** Number of warnings of the last mus_tape_complete(). */
 MUS_API int32_t mus_tape_warning_count(const mus_tape *tape);
+
+/** Text of a warning; NULL for an index outside 0 to mus_tape_warning_count() - 1. Borrowed until the tape changes. */
 MUS_API const char *mus_tape_warning(const mus_tape *tape, int32_t index);
 
 #ifdef __cplusplus

@@ -123,13 +123,34 @@ MUS_API mus_status mus_pattern_form(const mus_pattern *pattern, const mus_form_d
 #define MUS_FAULT_OPENING 11       /* an opening that is not declared, or declared and not there */
 #define MUS_FAULT_CLOSED 12        /* a bag without a way in */
 
-/** Check a pattern. *count gets the number of faults (0: fit to cut and sew). Faults are kept until the next check or
- * edit. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY: a faulty pattern is not an error of the call. */
-MUS_API mus_status mus_pattern_check(mus_pattern *pattern, int32_t *count);
+/** The faults that a check found: an object of its own, which may outlive the pattern. One context, and all made from
+ * it, on one thread at a time. */
+typedef struct mus_faults mus_faults;
 
-/** One fault of the last check: kind, and panel, edge, seam or MUS_NONE, and a sentence. Any out may be NULL. */
-MUS_API mus_status mus_pattern_fault(const mus_pattern *pattern, int32_t index, int32_t *kind, int32_t *panel,
-                                     int32_t *edge, int32_t *seam, const char **text);
+/**
+ * Is a pattern fit to cut and sew? *count gets the number of faults (0: it is), *out the faults.
+ *
+ * Either may be NULL; without `out` faults are counted only. The pattern stays as it is. A faulty pattern is not an
+ * error of the call.
+ * Errors:  MUS_ERR_ARG (pattern NULL, count and out both NULL), MUS_ERR_LIMIT, MUS_ERR_MEMORY; *out is NULL then
+ * Memory:  *out is the caller's: mus_faults_destroy()
+ */
+MUS_API mus_status mus_pattern_check(const mus_pattern *pattern, int32_t *count, mus_faults **out);
+
+/** Free the faults of a check; NULL is accepted. */
+MUS_API void mus_faults_destroy(mus_faults *faults);
+
+/** How many faults there are, in the order of panels, edges, seams, garment; 0 for NULL. */
+MUS_API int32_t mus_faults_count(const mus_faults *faults);
+
+/** One fault: its MUS_FAULT_* kind, and the panel, edge and seam that it is at, MUS_NONE where there is none. Any out may
+ * be NULL. Errors: MUS_ERR_ARG (faults NULL, index outside 0 to count - 1). */
+MUS_API mus_status mus_faults_item(const mus_faults *faults, int32_t index, int32_t *kind, int32_t *panel,
+                                   int32_t *edge, int32_t *seam);
+
+/** The sentence of a fault, which names the cells, the value and the limit; borrowed until the faults are destroyed.
+ * NULL outside the range. */
+MUS_API const char *mus_faults_text(const mus_faults *faults, int32_t index);
 
 #ifdef __cplusplus
 }

@@ -1,9 +1,15 @@
 /*
- * arrangement.c: where panels start when nobody said: mus_arrange_pattern().
+ * arrange.c: mus_arrange_pattern(): finds where the panels of a pattern start round a body.
  *
- * Seams make tubes of panels that lie side by side: a torso, a skirt, sleeves, a collar (mus__arranged_ring.c). Each
- * ring goes round its limb, the way round at which its edges are nearest to their partners (arrange_site.c); panels
- * that then touch the body go off it (arrange_push.c).
+ * Where a stranger starts in this room. Three things are done with panels before they are sewn:
+ *
+ *   - their placement is found, here: arrange_read.c reads outlines, seams and words; arrange_ring.c puts panels side
+ * by side into rings (a torso, a skirt, sleeves, a collar); arrange_limb.c puts each ring round its limb, at the
+ * azimuth at which its edges are nearest to their partners; arrange_clear.c moves panels clear of the body
+ *   - nodes are put where the placement says: arrange_nodes.c, called by mus_drape_place()
+ *   - an arrangement is checked (arrange_check.c, arrange_check_layers.c) and changed where cloth would begin in cloth
+ *     (arrange_fan.c, arrange_separate.c), called by mus_drape_start() and mus_drape_sew(). These take a cloth with the
+ *     places of its nodes (placed_cloth.h), not a drape. A fault is told as a reason (reason.c)
  */
 #include <string.h>
 
@@ -11,7 +17,7 @@
 #include "muslin/arrange.h"
 
 
-/* to the pattern: a place of a panel is (sign x, y) turned */
+/* writes the placements to the pattern: the point (x, y) of a panel is (sign x, y), turned */
 static mus_status arrange_write(const mus__arrangement *arrangement, mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
@@ -21,7 +27,7 @@ static mus_status arrange_write(const mus__arrangement *arrangement, mus_pattern
         mus_placement place;
         mus_placement_init(&place, sizeof place);
 
-        /* (line, 0) as drawn: w = c h - s v, y = s h + c v */
+        /* the point (line, 0) as drawn: w = c h - s v, y = s h + c v */
         const double x0 = panel->sign * c * panel->line, y0 = s * panel->line;
         for (int32_t d = 0; d < 3; d++) {
             place.rotation[3 * d] = panel->sign * (c * panel->along[d] - s * panel->up[d]);

@@ -1,10 +1,11 @@
 /*
- * start.c: a bad start is found before the run, and named: panels inside the body, seams whose sides lie the wrong way
- * round, panels that begin turned round or in one another's place; and what check_layer.c finds.
+ * arrange_check.c: finds and names a bad start before the run: panels inside the body, seams whose sides lie the wrong
+ * way round, panels that begin turned round or in one another's place. arrange_check_layers.c finds the rest.
  *
  * For a panel in the wrong place: the rigid motion that brings its seam nodes nearest to their partners, while the
- * others stay (Horn, Closed-form solution of absolute orientation using unit quaternions, 1987; its quaternion is the
- * eigenvector to the largest eigenvalue of a symmetric 4 x 4 matrix, here by powers of it).
+ * other panels stay. Its unit quaternion is the eigenvector to the largest eigenvalue of a symmetric 4 x 4 matrix,
+ * found by powers of the matrix. Source: Horn, Closed-form solution of absolute orientation using unit quaternions, J.
+ * Opt. Soc. Am. A 4 (1987).
  */
 #include <math.h>
 #include <stdio.h>
@@ -14,19 +15,20 @@
 #include "arrange/reason.h"
 #include "geom/vec.h"
 
-#define CHECK_INSIDE_DEEP 0.02 /* [m]: a node so far inside the body does not merely touch it */
-#define CHECK_INSIDE_PART 0.25 /* of a panel's nodes: less is pushed out while sewing */
-#define CHECK_INSIDE_AREA 0.01 /* [m2]: and smaller pieces are */
-#define CHECK_CROSSWISE 0.5    /* a seam whose ends are this much nearer the other way round lies twisted */
-#define CHECK_LEAST 0.05       /* [m]: shorter seams may lie as they like */
-#define CHECK_STAY 0.02        /* weight of staying where it is: a single straight seam is an axis to turn about */
-#define CHECK_POWERS 400
-#define CHECK_FAR 0.12     /* [m] mean distance: a panel that is nearer to its partners is well placed */
-#define CHECK_BETTER 0.5   /* of it: what a motion must leave at most to be worth a word */
-#define CHECK_ROUND -0.8   /* cosine: that motion turns it round */
-#define CHECK_FLAT 0.1     /* square of a facing: that of a roll is less */
-#define CHECK_AGAINST -0.3 /* of facings: those of a roll are short */
-#define CHECK_PLACE 0.5    /* of the way that its middle goes: so near it comes to where the other panel is */
+#define CHECK_INSIDE_DEEP 0.02 /* [m] depth of a node that is inside the body and does not merely touch it */
+#define CHECK_INSIDE_PART 0.25 /* of a panel's nodes: fewer are pushed out while sewing */
+#define CHECK_INSIDE_AREA 0.01 /* [m2] of a panel inside: a smaller part is pushed out too */
+#define CHECK_CROSSWISE                                                                                                \
+    0.5                  /* of the distance of its sides: a seam that is nearer with one side turned round is twisted */
+#define CHECK_LEAST 0.05 /* [m] shorter seams are not checked */
+#define CHECK_STAY 0.02  /* weight of staying: without it a panel could turn about a single straight seam */
+#define CHECK_POWERS 400 /* of the matrix: enough for a ratio of eigenvalues of 0.95 */
+#define CHECK_FAR 0.12   /* [m] mean distance to its partners from which on a panel may be misplaced */
+#define CHECK_BETTER 0.5 /* of that distance: a misplaced panel has less left at its best place */
+#define CHECK_ROUND -0.8 /* cosine of the rotation of a panel that is turned round */
+#define CHECK_FLAT 0.1   /* squared length of the mean normal of a flat panel, at least; a rolled panel has less */
+#define CHECK_AGAINST -0.3 /* dot product of two mean normals that face apart */
+#define CHECK_PLACE 0.5    /* of the motion of its middle: how near it comes to the place of the other panel */
 
 
 /* where a panel would lie best among those that it is sewn to */
@@ -52,7 +54,7 @@ static bool check_pair(const mus_cloth *cloth, int32_t p, int32_t panel, int32_t
 }
 
 
-/* add weight w of x going to y to the sums: weight, means, products */
+/* adds a pair of points x and y of weight w to the sums: weight, means, products */
 static void check_sum(double w, const double *x, const double *y, double *sum)
 {
     sum[0] += w;
@@ -63,7 +65,7 @@ static void check_sum(double w, const double *x, const double *y, double *sum)
 }
 
 
-/* the unit quaternion of the best rotation of such sums */
+/* the unit quaternion q (4) of the best rotation of these sums */
 static void check_rotation(const double *sum, double *q)
 {
     double s[3][3], n[4][4], shift = 0.0;
@@ -95,7 +97,7 @@ static void check_rotation(const double *sum, double *q)
 }
 
 
-/* d + 2 w (v x d) + 2 v x (v x d), q = (w, v) */
+/* rotates a vector: d + 2 w (v x d) + 2 v x (v x d), q = (w, v) */
 static void check_turn(const double *q, const double *d, double *out)
 {
     double t[3], u[3];
@@ -155,7 +157,7 @@ static void check_fit(const mus__placed_cloth *placed, int32_t panel, int32_t ex
 }
 
 
-/* a panel much of which begins inside the body */
+/* finds a panel of which a large part begins inside the body */
 static void check_inside(const mus__placed_cloth *placed, mus_reason *out)
 {
     const mus_cloth *cloth = placed->cloth;
@@ -175,7 +177,7 @@ static void check_inside(const mus__placed_cloth *placed, mus_reason *out)
 }
 
 
-/* a seam that would lie much better with one side turned round: sewn the wrong way */
+/* finds a seam whose sides lie nearer to each other with one of them turned round: it is sewn the wrong way */
 static void check_crosswise(const mus__placed_cloth *placed, mus_reason *out)
 {
     const mus_cloth *cloth = placed->cloth;
@@ -216,7 +218,8 @@ static double check_apart(const double *a, const double *b)
 }
 
 
-/* the same without what is along the facing of a flat panel: fronts are drawn to their backs that way, no farther */
+/* the distance of two points without its component along the facing of a flat panel: along that, fronts are drawn to
+ * their backs */
 static double check_aside(const double *a, const double *b, const double *facing)
 {
     const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, flat = mus__dot3(facing, facing);
@@ -225,8 +228,8 @@ static double check_aside(const double *a, const double *b, const double *facing
 }
 
 
-/* whether each of two panels, what joins them left out, would lie best where the other is, and face as that does: the
- * best place of a front is near the back that it is sewn to, but that faces the other way */
+/* whether each of two panels, seams between them left out, would lie best where the other is and face as that does. The
+ * best place of a front is near the back that it is sewn to, but the back faces the other way */
 static bool check_exchanged(const mus__placed_cloth *placed, int32_t p, int32_t q)
 {
     panel_fit a, b;
@@ -243,7 +246,7 @@ static bool check_exchanged(const mus__placed_cloth *placed, int32_t p, int32_t 
 }
 
 
-/* whether a word in a panel's name contradicts where it lies */
+/* whether a word in a panel's name contradicts its place */
 static bool check_belied(const mus__placed_cloth *placed, int32_t panel)
 {
     static const struct {
@@ -261,7 +264,7 @@ static bool check_belied(const mus__placed_cloth *placed, int32_t panel)
 }
 
 
-/* the panel that p has changed places with: lies best where p is, and p where it is; MUS_NONE without */
+/* the panel that p has changed places with; MUS_NONE without any */
 static int32_t check_other(const mus__placed_cloth *placed, int32_t p, const panel_fit *fit)
 {
     for (int32_t q = 0; q < placed->cloth->npanel; q++) {
@@ -283,7 +286,7 @@ static void check_name_two(const mus__placed_cloth *placed, int32_t p, int32_t q
 }
 
 
-/* two panels that no name contradicts are exchanged: so are the first two that their names contradict, if any */
+/* prefers the first two panels whose names contradict their places, if there are two, over the two that were found */
 static void check_name_belied(const mus__placed_cloth *placed, mus_reason *out)
 {
     int32_t first = MUS_NONE;

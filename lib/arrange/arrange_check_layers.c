@@ -1,12 +1,12 @@
 /*
- * start_layer.c: panels that begin through one another, and layers whose order is not the same all round.
+ * arrange_check_layers.c: finds panels that begin through one another, and layers whose order is not the same all
+ * round.
  *
- * What the pattern says to be worn over one another is none of this: sewing starts each layer clear of those below it.
+ * Layers that the pattern tells are left out: sewing starts each of them clear of those below it.
  *
- * Panels that are sewn to each other may cross near their seam, and sheets that lie in one plane may lie through each
- * other: sewing draws them apart. A panel that stands across another which it is not sewn to does not come free. Layers
- * are pieces that no seam joins: nothing of one may go through the other at all, and one of them lies outside the other
- * everywhere.
+ * Panels that are sewn to each other may cross near their seam, and sheets in one plane may lie through each other:
+ * sewing draws them apart. A panel that stands across another one, to which it is not sewn, does not come free. Layers
+ * are components here: no panel of one may go through the other, and one of them lies outside the other everywhere.
  */
 #include <math.h>
 #include <stdio.h>
@@ -17,13 +17,15 @@
 #include "arrange/reason.h"
 #include "geom/vec.h"
 
-#define ORDER_ACROSS 0.7  /* cosine: sheets at a steeper angle stand across each other */
-#define ORDER_LENGTH 0.1  /* [m] of crossing that is too much of it */
-#define ORDER_NEAR 0.08   /* [m]: farther off one does not lie over the other */
-#define ORDER_SQUARE 0.7  /* of the distance: the other is over the node, not beside it */
-#define ORDER_PART 0.2    /* of the nodes that have the other layer over or under them */
-#define ORDER_SAMPLES 400 /* nodes of a layer that are asked */
-#define ORDER_MOST 65536  /* crossings that are looked at */
+#define ORDER_ACROSS 0.7 /* cosine of the angle of two sheets: steeper ones stand across each other */
+#define ORDER_LENGTH 0.1 /* [m] length of a crossing that is a fault */
+#define ORDER_NEAR 0.08  /* [m] distance within which one sheet lies over the other */
+#define ORDER_SQUARE                                                                                                   \
+    0.7 /* of the distance: its component along the normal, for a sheet that is over the node and not beside it */
+#define ORDER_PART                                                                                                     \
+    0.2 /* of the nodes that have the other layer over or under them: the smaller side of a mixed order has more */
+#define ORDER_SAMPLES 400 /* nodes of a layer that are sampled */
+#define ORDER_MOST 65536  /* crossings that are looked at, at most */
 
 typedef struct order_look {
     const mus__placed_cloth *placed;
@@ -76,14 +78,14 @@ static void order_triangle_normal(const mus__placed_cloth *placed, int32_t trian
 }
 
 
-/* whether the pattern says which of two panels lies over the other, and the drape knows layers */
+/* whether the pattern tells which of two panels lies over the other, and layers are sewn one by one */
 static bool order_told(const mus__placed_cloth *placed, int32_t p, int32_t q)
 {
     return placed->layered && placed->cloth->panel[p].layer != placed->cloth->panel[q].layer;
 }
 
 
-/* the panels of the two triangles of a crossing as one number, the lower one first; -1 when they may cross so */
+/* the two panels of a crossing as one number, the lower one first; -1 for panels that may cross so */
 static int64_t order_crossing(const order_look *look, int32_t i)
 {
     const mus_cloth *cloth = look->placed->cloth;
@@ -106,7 +108,7 @@ static int order_by_number(const void *a, const void *b)
 }
 
 
-/* two panels that cross too far and are not sewn together; number (count) is work */
+/* finds two panels that cross too far and are not sewn together; number (count) is scratch */
 static void order_through(const order_look *look, int32_t count, int64_t *number, mus_reason *out)
 {
     const mus_cloth *cloth = look->placed->cloth;
@@ -128,7 +130,7 @@ static void order_through(const order_look *look, int32_t count, int64_t *number
 }
 
 
-/* a node of another piece nearest to node i; MUS_NONE when none is near */
+/* the node of a component that is nearest to node i; MUS_NONE when none is near */
 static int32_t order_nearest(const order_look *look, int32_t i, int32_t piece)
 {
     const mus_cloth *cloth = look->placed->cloth;
@@ -148,7 +150,7 @@ static int32_t order_nearest(const order_look *look, int32_t i, int32_t piece)
 }
 
 
-/* whether piece b lies over a at some nodes of a and under it at others */
+/* finds components of mixed order: b lies over a at some nodes of a and under it at others */
 static void order_mixed(const order_look *look, int32_t a, int32_t b, mus_reason *out)
 {
     const mus_cloth *cloth = look->placed->cloth;

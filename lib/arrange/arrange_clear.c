@@ -1,19 +1,19 @@
 /*
- * found_push.c: panels off the body along their outer normals, and the two sides of a fork off each other.
+ * arrange_clear.c: moves panels clear of the body along their outer normals.
  */
 #include <math.h>
 
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
 
-#define CLEAR_GRID 8     /* places across a panel and up it */
-#define CLEAR_STEP 0.005 /* [m] */
-#define CLEAR_STEPS 40
-#define CLEAR_CLEAR 0.004 /* [m] off the skin */
-#define CLEAR_PART 0.02   /* of a panel's places: less is left to contact */
+#define CLEAR_GRID 8      /* sample points across a panel, and up it */
+#define CLEAR_STEP 0.005  /* [m] of a move */
+#define CLEAR_STEPS 40    /* moves at most: 20 cm */
+#define CLEAR_CLEAR 0.004 /* [m] off the skin a sample point is clear; chosen: twice the clearance of cloth */
+#define CLEAR_PART 0.02   /* of a panel's sample points: fewer that are too deep are left to contact */
 
 
-/* whether (h, v) is in the outline, by the dots of its edges */
+/* whether (h, v) is inside the outline of a panel, taken as the polygon of its dots */
 static bool clear_within(const mus__arrangement *arrangement, const mus__arranged_panel *panel, double h, double v)
 {
     bool within = false;
@@ -28,7 +28,7 @@ static bool clear_within(const mus__arrangement *arrangement, const mus__arrange
 }
 
 
-/* places of a panel that are too deep, and of how many */
+/* number of sample points of a panel that are too deep, and of all in its outline */
 static mus_status clear_deep(const mus__arrangement *arrangement, const mus__arranged_panel *panel, int32_t *deep,
                              int32_t *all)
 {
@@ -48,6 +48,7 @@ static mus_status clear_deep(const mus__arrangement *arrangement, const mus__arr
 }
 
 
+/* moves one panel until it is clear */
 static mus_status clear_off(const mus__arrangement *arrangement, mus__arranged_panel *panel)
 {
     for (int32_t i = 0; i < CLEAR_STEPS; i++) {

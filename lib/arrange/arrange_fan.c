@@ -1,15 +1,15 @@
 /*
- * flare.c: panels that fan out wide start folded, where cloth is to meet cloth.
+ * arrange_fan.c: folds panels that fan out wide before they are sewn with self-contact.
  *
- * Half of a circle skirt stands up to the waist on both sides when it starts flat: its seams are drawn shut across the
- * arms, and what lies on a hand stays there. Hung as it will hang, its sides go down below the arms. Every curve on the
- * unit sphere that is as long as the fan's angle makes a cone of the fan without strain, rays staying straight; here
+ * Half a circle skirt that starts flat stands up to the waist on both sides: its seams would be drawn shut across the
+ * arms, and cloth that lies on a hand stays there. Folded as it will hang, its sides go down below the arms. Every
+ * curve on the unit sphere as long as the fan's angle makes a cone of the fan without strain, with straight rays; here
  *
  *     a(s) = A (s - 1/2),   b(s) = B (1 - cos(2 pi n s)) / 2,   0 <= s <= 1,
  *
- * a the angle in the panel's plane and b that out of it, on the right side; B is such that the length is right. The
- * apex is where the sides meet, which are the two straight seams that hold the panel between them. The hem is free: a
- * front with its sleeves is wide between its shoulder seams too, and is no fan.
+ * with a the angle in the plane of the panel and b the angle out of it, on the right side. B is such that the length is
+ * right. The apex is the point where the two sides meet, the straight seams that hold the panel between them. The hem
+ * is free: a front with its sleeves is wide between its shoulder seams too, and is no fan.
  */
 #include <math.h>
 #include <string.h>
@@ -17,20 +17,20 @@
 #include "arrange/arrange_check.h"
 #include "geom/vec.h"
 
-#define PANEL_FAN_WIDE 1.9      /* radians: wider fans are folded, */
-#define PANEL_FAN_TO 1.75       /* to so much from side to side */
-#define PANEL_FAN_FOLD 0.8      /* radians of the fan to a fold */
-#define PANEL_FAN_FLAT 0.98     /* mean normal of a panel that starts flat */
-#define PANEL_FAN_SIDE 0.1      /* [m]: a side is as long at least */
-#define PANEL_FAN_STRAIGHT 0.99 /* its chord over its way */
-#define PANEL_FAN_MEET 0.1      /* of the longest side: how far the sides may miss the apex, */
-#define PANEL_FAN_BESIDE 0.15   /* radians: how far nodes may be beyond them */
-#define PANEL_FAN_LONG 0.5      /* of the way from the apex to the hem: its sides are as long; a band is no fan */
-#define PANEL_FAN_SEWN 0.5      /* of the sides, from their inner ends: farther out nothing else is sewn */
-#define PANEL_FAN_SEAMS 32      /* of a panel that are looked at */
-#define PANEL_FAN_STEPS 512     /* of the curve */
+#define PANEL_FAN_WIDE 1.9      /* [rad] wider fans are folded, chosen: as all below, `make corpus` shows what moves */
+#define PANEL_FAN_TO 1.75       /* [rad] from side to side after folding */
+#define PANEL_FAN_FOLD 0.8      /* [rad] of the fan to a fold */
+#define PANEL_FAN_FLAT 0.98     /* length of the mean normal: that of a flat panel is 1 */
+#define PANEL_FAN_SIDE 0.1      /* [m] shortest side */
+#define PANEL_FAN_STRAIGHT 0.99 /* of a side: its chord over its arc length */
+#define PANEL_FAN_MEET 0.1      /* of the longest side: how far the sides may miss the apex */
+#define PANEL_FAN_BESIDE 0.15   /* [rad] how far nodes may be beyond the sides */
+#define PANEL_FAN_LONG 0.5      /* of the distance from apex to hem: the sides are longer; a band is no fan */
+#define PANEL_FAN_SEWN 0.5      /* of the sides, from their inner ends: other seams are nearer to the apex */
+#define PANEL_FAN_SEAMS 32      /* seams of a panel that are looked at */
+#define PANEL_FAN_STEPS 512     /* steps of the curve's arc length */
 
-/* a seam of a panel to another one: its ends on the panel, and the way between them */
+/* a seam of a panel to another panel: its ends on the panel, and its arc length */
 typedef struct fan_side {
     int32_t seam;
     double from[3], to[3], way;
@@ -50,7 +50,7 @@ static double fan_apart(const double *a, const double *b)
 }
 
 
-/* straight seams of panel p to others; returns how many, at most PANEL_FAN_SEAMS */
+/* straight seams of panel p to other panels; returns their number */
 static int32_t fan_sides(const mus__placed_cloth *placed, int32_t p, fan_side *side)
 {
     const mus_cloth *cloth = placed->cloth;
@@ -78,7 +78,7 @@ static int32_t fan_sides(const mus__placed_cloth *placed, int32_t p, fan_side *s
 }
 
 
-/* angle of a place from the middle of the fan, and how far it is from the apex */
+/* angle [rad] of a point from the middle of the fan; *far gets its distance from the apex [m] */
 static double fan_angle(const fan_shape *fan, const double *x, double *far)
 {
     const double d[3] = {x[0] - fan->apex[0], x[1] - fan->apex[1], x[2] - fan->apex[2]};
@@ -181,7 +181,8 @@ static bool fan_find(const mus__placed_cloth *placed, int32_t p, fan_shape *fan)
 }
 
 
-/* the curve of n folds of height `fold`, in equal steps of s: way (PANEL_FAN_STEPS + 1) from its start; all of it */
+/* arc length of the curve of n folds of height `fold` at equal steps of s: way (PANEL_FAN_STEPS + 1); returns its end
+ */
 static double fan_curve(int32_t n, double fold, double *way)
 {
     const double step = 1.0 / PANEL_FAN_STEPS;

@@ -13,8 +13,9 @@
 #include "muslin/body.h"
 #include "muslin/pattern.h"
 
-#define MUS__ARRANGE_DOTS 9 /* points on an edge at equal parts of its length; chosen: odd, so that one is the middle  \
-                             */
+#define MUS__ARRANGE_DOTS                                                                                              \
+    9 /* points on an edge at equal parts of its length; chosen: odd, so that one is the middle                        \
+       */
 
 /* what a ring goes round */
 enum { MUS__ARRANGE_TRUNK, MUS__ARRANGE_NECK, MUS__ARRANGE_ARM };

@@ -1,11 +1,11 @@
 /*
- * found_site.c: each ring round its limb: at which height, and which way round.
+ * arrange_limb.c: puts each ring round its limb: the height, and the azimuth.
  *
- * One ring of each piece is hung first: on the shoulders, or where the pattern holds it, or from the waist down. From
- * there on the ring that is sewn longest to what has its place comes next: of 72 ways round the one whose edges come
- * nearest to their partners, moved along the limb by the mean of what is left. Words in names count as much as a small
- * distance does: they say which is the front of a skirt that is alike all round, and do not outweigh seams. Edges that
- * both point up are those of shoulders: they face each other from front and back.
+ * One ring of each component is hung first: on the shoulders, or where the pattern attaches it, or from the waist down.
+ * After it comes, again and again, the ring that is sewn longest to rings that have their place. Of 72 azimuths it
+ * takes the one at which its edges are nearest to their partners, and moves along the limb by the mean of the distance
+ * left. Words in names count as much as a small distance: they tell the front of a skirt that is alike all round, and
+ * do not outweigh seams. Edges that both point up are those of shoulders, which face each other from front and back.
  */
 #include <math.h>
 #include <string.h>
@@ -15,26 +15,29 @@
 #include "geom/vec.h"
 #include "muslin/topology.h"
 
-#define AROUND_WAYS 72
-#define AROUND_WORD 0.02       /* [m2]: what a word against a way is worth */
-#define AROUND_SHOULDER 0.02   /* [m2] */
-#define AROUND_UP 0.5          /* edges whose way out is so far up belong to a shoulder */
-#define AROUND_RADIUS 0.32     /* [m] no ring of the trunk starts wider */
-#define AROUND_WAIST_PART 0.92 /* of the waist: no skirt has a smaller opening */
-#define AROUND_SLOPE 0.15 /* [m]: the middle of a shoulder is not lower below the top, of a cape's not twice that */
-#define AROUND_WIDE 2.0   /* of its distance: half a sheet so wide starts flat, clear of the arms */
-#define AROUND_APART_LEGS 0.01 /* [m] off the middle */
-#define AROUND_FORK 0.05       /* [m] that a leg starts farther out at most */
-#define AROUND_OVER 0.4        /* of a leg's panel: what reaches over the middle is its fork */
-#define AROUND_SIDE 0.5        /* cosine: panels that face more to the side than this make a ring */
-#define AROUND_ROOM 0.012      /* [m] that a sleeve starts wider than it is */
-#define AROUND_LAYER 0.03      /* [m] between pieces that lie over one another */
-#define AROUND_BEND 0.375      /* of the girth: how a front of the torso is rolled */
+/* All numbers below are chosen; the table of `make wear` (garments that come on) shows what they change. */
+
+#define AROUND_WAYS 72         /* azimuths that are tried */
+#define AROUND_WORD 0.02       /* [m2] cost of a word against an azimuth, in squared distances of edges */
+#define AROUND_SHOULDER 0.02   /* [m2] cost of shoulder edges on the same side of the body */
+#define AROUND_UP 0.5          /* vertical component of the unit normal from which on an edge points up */
+#define AROUND_RADIUS 0.32     /* [m] largest radius of a ring of the trunk */
+#define AROUND_WAIST_PART 0.92 /* of the waist girth: the smallest opening of a skirt */
+#define AROUND_SLOPE                                                                                                   \
+    0.15 /* [m] the middle of a shoulder seam is no lower below the top; that of a cape no lower than twice this */
+#define AROUND_WIDE 2.0 /* of its distance from the axis: half a sheet that is wider starts flat, clear of the arms */
+#define AROUND_APART_LEGS 0.01 /* [m] from a leg's panel to the middle plane */
+#define AROUND_FORK 0.05       /* [m] largest distance by which a leg is moved out */
+#define AROUND_OVER 0.4        /* of the width of a leg's panel: a part over the middle that is narrower is its fork */
+#define AROUND_SIDE 0.5        /* cosine: panels that face more to the side make a round ring, not a front and a back */
+#define AROUND_ROOM 0.012      /* [m] added to the radius of a sleeve */
+#define AROUND_LAYER 0.03      /* [m] between components that lie over one another */
+#define AROUND_BEND 0.375      /* of the girth: the radius with which a front of the torso is rolled */
 
 enum { AROUND_NECK, AROUND_ARMPIT, AROUND_WAIST, AROUND_HIP, AROUND_CROTCH };
 
 
-/* the body's own measures: heights, and how thick it is */
+/* takes heights and thickness of the body. Errors: MUS_ERR_BODY */
 static mus_status around_body(mus__arrangement *arrangement)
 {
     static const int32_t levels[] = {MUS__LEVEL_NECK, MUS__LEVEL_ARMPIT, MUS__LEVEL_WAIST, MUS__LEVEL_HIP,
@@ -89,7 +92,7 @@ static double around_partners(const mus__arrangement *arrangement, int32_t t, do
 }
 
 
-/* the arm on that side */
+/* the frame of a ring round the arm on that side */
 static void around_arm(const mus__arrangement *arrangement, mus__arranged_ring *ring, bool right)
 {
     mus__body_level biceps;
@@ -107,7 +110,7 @@ static void around_arm(const mus__arrangement *arrangement, mus__arranged_ring *
 }
 
 
-/* what the ring goes round: axis, frame, radii */
+/* sets axis, frame and radii of a ring by its limb */
 static void around_site(const mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];
@@ -135,14 +138,14 @@ static void around_site(const mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* azimuth of a panel's middle */
+/* azimuth of the middle of a panel [rad] */
 static double around_azimuth(const mus__arranged_ring *ring, const mus__arranged_panel *panel)
 {
     return ring->phase + 2.0 * MUS_PI * (panel->u + 0.5 * (panel->low[0] + panel->high[0])) / ring->girth;
 }
 
 
-/* a place of a panel on the round ring */
+/* the place out (3) [m] and the azimuth of a point of a panel on the round ring */
 static void around_round(const mus__arranged_ring *ring, const mus__arranged_panel *panel, const double *dot,
                          double *out, double *angle)
 {
@@ -154,7 +157,7 @@ static void around_round(const mus__arranged_ring *ring, const mus__arranged_pan
 }
 
 
-/* what words say against this way round, 0 to 2 */
+/* how much the words of its panels contradict the azimuth of a ring, 0 to 2 */
 static double around_words(const mus__arrangement *arrangement, int32_t t)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
@@ -173,8 +176,8 @@ static double around_words(const mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* how far the ring's edges are from their partners that have a place, on the way round that it has [m2]; shift: along
- * the limb, of the mean */
+/* cost [m2] of a ring at its azimuth: mean squared distance of its edges from their partners that have a place, with
+ * words and shoulders; *shift gets the mean distance along the limb [m] */
 static double around_cost(const mus__arrangement *arrangement, int32_t t, double *shift)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
@@ -214,7 +217,7 @@ static double around_cost(const mus__arrangement *arrangement, int32_t t, double
 }
 
 
-/* the best way round: of AROUND_WAYS, then finer by halves */
+/* finds the best azimuth of a ring: among AROUND_WAYS, then finer by halves */
 static void around_turn(mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];
@@ -235,7 +238,8 @@ static void around_turn(mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* radius at which half a width goes round and its sides stay this side of the middle */
+/* radius [m] with which a panel of half width `half`, `off` before the axis, is rolled so that its sides stay on this
+ * side of the axis */
 static double around_bend(double off, double half)
 {
     double low = fmax(off, 2.0 * half / MUS_PI), high = 100.0;
@@ -251,7 +255,7 @@ static double around_bend(double off, double half)
 }
 
 
-/* a panel of a ring with a front and a back */
+/* places a panel of a ring that has a front and a back */
 static void around_half(const mus__arrangement *arrangement, const mus__arranged_ring *ring, mus__arranged_panel *panel)
 {
     const bool front = cos(around_azimuth(ring, panel)) >= 0.0;
@@ -289,7 +293,7 @@ static void around_half(const mus__arrangement *arrangement, const mus__arranged
 }
 
 
-/* a panel of a ring: on the round ring, rolled if its own y runs along the limb */
+/* places a panel on a round ring, rolled if its own y runs along the limb */
 static void around_ring(const mus__arranged_ring *ring, mus__arranged_panel *panel)
 {
     const double a = around_azimuth(ring, panel), c = cos(a), s = sin(a);
@@ -304,7 +308,7 @@ static void around_ring(const mus__arranged_ring *ring, mus__arranged_panel *pan
 }
 
 
-/* its panels to where it is */
+/* places the panels of a ring */
 static void around_set(mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];
@@ -328,7 +332,7 @@ static void around_set(mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* height of the highest place of a ring, with how far off the middle it is */
+/* height [m] of the highest point of a ring; *aside gets its distance from the middle plane [m] */
 static double around_top(const mus__arrangement *arrangement, int32_t t, double *aside)
 {
     double top = -1e30;
@@ -347,7 +351,7 @@ static double around_top(const mus__arrangement *arrangement, int32_t t, double 
 }
 
 
-/* where edges are held: the shift that this asks for, of the edge that is held highest; false without */
+/* *shift gets the shift [m] that puts the edge attached highest at its level; false without attached edges */
 static bool around_held(const mus__arrangement *arrangement, int32_t t, double *shift)
 {
     double highest = -1e30;
@@ -369,7 +373,8 @@ static bool around_held(const mus__arrangement *arrangement, int32_t t, double *
 }
 
 
-/* the first ring of a piece: turned by words and shoulders, hung by the shoulders, by what is held, or at the waist */
+/* places the first ring of a component: turned by words and shoulders, hung by the shoulders, by attached edges, or at
+ * the waist */
 static void around_hang(mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];
@@ -388,7 +393,7 @@ static void around_hang(mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* the shortest way round an opening of the sewn pattern [m], 0 without */
+/* length [m] of the shortest opening of the sewn pattern; 0 without any */
 static double around_opening(const mus__arrangement *arrangement)
 {
     double least = 0.0, length = 0.0;
@@ -403,9 +408,9 @@ static double around_opening(const mus__arrangement *arrangement)
 }
 
 
-/* whether a ring lies on the shoulders: two of its edges that both point up are sewn, or a sleeve is sewn to it; with
- * `apart`, an opening being too small for a waist, or with a collar, also one of its edges and another ring's, when
- * nothing is above */
+/* whether a ring lies on the shoulders: a sleeve is sewn to it, or two of its edges that both point up are sewn. Where
+ * an opening is too small for a waist (`apart`), or with a collar, an edge of another ring counts too if nothing is
+ * above */
 static bool around_hangs(const mus__arrangement *arrangement, int32_t t, bool apart)
 {
     bool level = false, below = false, neck = false;
@@ -427,7 +432,7 @@ static bool around_hangs(const mus__arrangement *arrangement, int32_t t, bool ap
 }
 
 
-/* what comes first in a piece: what hangs, then the longest way round the trunk */
+/* the ring of a component that is placed first: one that hangs, then the one of the largest girth round the trunk */
 static int32_t around_first(const mus__arrangement *arrangement, int32_t piece)
 {
     int32_t best = MUS_NONE;
@@ -444,7 +449,7 @@ static int32_t around_first(const mus__arrangement *arrangement, int32_t piece)
 }
 
 
-/* the ring that is sewn longest to what has its place; MUS_NONE without */
+/* the ring that is sewn longest to rings that have their place; MUS_NONE without any */
 static int32_t around_next(const mus__arrangement *arrangement)
 {
     int32_t best = MUS_NONE;

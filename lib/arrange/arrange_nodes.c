@@ -1,23 +1,23 @@
 /*
- * place.c: panels to where the pattern says they start: flat or rolled, turned, moved (mus_placement). Bare nodes know
- * their places themselves.
+ * arrange_nodes.c: places of nodes where the placements of their panels put them: flat or rolled, turned, moved
+ * (mus_placement). Nodes of a mass-spring network have places of their own.
  *
- * A panel with pleats may start folded: seen along its folds it runs out to an outer fold, back to an inner one and on,
- * each turn shallower than the pleat by the part that the placement says, about the same middle:
+ * A panel with pleats may start folded. Seen along its folds it runs out to an outer fold, back to an inner one and on.
+ * Each turn is shallower than the pleat by the share that the placement says, about the same middle:
  *
  *            ___-o        ___-o        o outer fold, at height 0
- *      ___---  /    ___---  /          i inner fold, PLACE_DEEP below it, and PLACE_DEEP / 2 at both ends
+ *      ___---  /    ___---  /          i inner fold, PLEAT_DEEP below it, and PLEAT_DEEP / 2 at both ends
  *     -       i----        i----
  *
- * so no layer begins in another, and the layers lie in their order. What is farther out, or higher, is so on the
- * panel's right side: along its plane's normal, or against it where the outline runs clockwise.
+ * so no layer begins in another, and the layers lie in their order. Farther out, or higher, is on the right side of the
+ * panel: along the normal of its plane, or against it where the outline runs clockwise.
  */
 #include <math.h>
 #include <string.h>
 
 #include "arrange/arrange_nodes.h"
 
-#define PLACE_DEEP 0.012 /* [m] */
+#define PLEAT_DEEP 0.012 /* [m] between the folds of a pleat; chosen: more than the thickness of cloth on cloth */
 
 
 /* place of the panel's point (x, y), `height` above its plane, in the body frame */
@@ -48,8 +48,8 @@ static double place_side(const mus_cloth *cloth, int32_t panel)
 }
 
 
-/* how a panel starts, `out` farther off on its right side; a panel that is rolled round what it goes away from is
- * rolled that much wider */
+/* the placement of a panel, moved `out` [m] off on its right side; a panel that is rolled round the body is rolled that
+ * much wider */
 static mus_placement place_panel(const mus_cloth *cloth, int32_t panel, double out)
 {
     mus_placement place = cloth->panel[panel].placement;
@@ -62,7 +62,7 @@ static mus_placement place_panel(const mus_cloth *cloth, int32_t panel, double o
 }
 
 
-/* how far along its pleats a panel reaches, flat: range (2) */
+/* extent of a flat panel along the direction of its pleats: range (2) [m] */
 static void place_range(const mus_cloth *cloth, const mus__pleat *pleat, double *range)
 {
     const mus__panel_mesh *panel = &cloth->panel[pleat->panel];
@@ -74,16 +74,16 @@ static void place_range(const mus_cloth *cloth, const mus__pleat *pleat, double 
 }
 
 
-/* the folded line through n pleats from range[0] to t: how far it came from range[0], and its height there */
+/* the folded line through n pleats from range[0] to t: returns how far it came from range[0] [m]; *height there */
 static double place_folded(const mus__pleat *pleat, int32_t n, double fold, const double *range, double t,
                            double *height)
 {
-    double at = range[0], far = 0.0, low = -0.5 * PLACE_DEEP;
+    double at = range[0], far = 0.0, low = -0.5 * PLEAT_DEEP;
     for (int32_t i = 0; i < 2 * n; i++) {
         const mus__pleat *own = &pleat[i / 2];
         const bool out = own->outer < own->inner ? i % 2 == 0 : i % 2 == 1;
         const double middle = 0.5 * (own->outer + own->inner), half = 0.5 * fold * fabs(own->inner - own->outer);
-        const double next = middle + (i % 2 == 0 ? -half : half), level = out ? 0.0 : -PLACE_DEEP;
+        const double next = middle + (i % 2 == 0 ? -half : half), level = out ? 0.0 : -PLEAT_DEEP;
         const double step = i % 2 == 0 ? 1.0 : -1.0, part = fmin(t, next) - at;
         if (t <= next) {
             *height = low + (next > at ? part / (next - at) : 0.0) * (level - low);
@@ -92,12 +92,12 @@ static double place_folded(const mus__pleat *pleat, int32_t n, double fold, cons
         far += step * part;
         at = next, low = level;
     }
-    *height = low + (range[1] > at ? (t - at) / (range[1] - at) : 0.0) * (-0.5 * PLACE_DEEP - low);
+    *height = low + (range[1] > at ? (t - at) / (range[1] - at) : 0.0) * (-0.5 * PLEAT_DEEP - low);
     return far + t - at;
 }
 
 
-/* the nodes of a panel that starts folded, its `n` pleats given, `out` farther off on its right side */
+/* places of the nodes of a panel that starts folded in its `n` pleats, `out` [m] off on its right side */
 static void place_pleats(const mus_cloth *cloth, const mus__pleat *pleat, int32_t n, double out, double *x)
 {
     const mus__panel_mesh *panel = &cloth->panel[pleat->panel];

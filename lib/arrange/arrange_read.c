@@ -1,9 +1,9 @@
 /*
- * found_read.c: what a pattern says of where its panels belong: outlines as seen from outside, seams, and words in
- * names and labels.
+ * arrange_read.c: reads what a pattern tells of its panels: outlines as seen from outside, seams, and words in names
+ * and labels.
  *
- * Which way is up: as drawn, but on an arm the way from the hand to what the sleeve is sewn to, by quarter turns: a
- * sleeve may be drawn along the arm or across it.
+ * Up is as drawn, except on an arm, where it is the direction from the hand to the panel that the sleeve is sewn to, by
+ * quarter turns: a sleeve may be drawn along the arm or across it.
  */
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
 
-#define READ_SIDE 0.5 /* an edge whose way out is so far to a side is one */
+#define READ_SIDE 0.5 /* horizontal component of the unit normal from which on an edge is a side */
 
 
 static bool read_letter(char c)
@@ -34,7 +34,7 @@ static bool read_word(const char *name, const char *word, bool part)
 }
 
 
-/* front, back, left, right; and what it goes round */
+/* takes front, back, left and right from the words of a panel, and the limb that it goes round */
 static void read_says(const mus_pattern *pattern, int32_t p, mus__arranged_panel *panel)
 {
     const char *name = mus_pattern_panel_name(pattern, p), *label = mus_pattern_panel_label(pattern, p);
@@ -62,7 +62,7 @@ static void read_says(const mus_pattern *pattern, int32_t p, mus__arranged_panel
 }
 
 
-/* the outline's edges: dots as drawn, lengths; the signed area of the outline */
+/* takes the edges of an outline: dots as drawn, lengths; and the signed area */
 static mus_status read_panel(mus__arrangement *arrangement, int32_t p)
 {
     mus__arranged_panel *panel = &arrangement->panel[p];
@@ -89,7 +89,7 @@ static mus_status read_panel(mus__arrangement *arrangement, int32_t p)
 }
 
 
-/* dots of a panel to (h, v); its box, and the way out at each edge */
+/* turns the dots of a panel to (h, v); takes its box, and the outward normal of each edge */
 static void read_turn(mus__arrangement *arrangement, mus__arranged_panel *panel)
 {
     const double c = panel->turn[0], s = panel->turn[1];
@@ -112,8 +112,8 @@ static void read_turn(mus__arrangement *arrangement, mus__arranged_panel *panel)
 }
 
 
-/* the way from the edges of `panel` that are sewn to panels whose way up is known, or which are no arm's, to its
- * middle, as drawn but seen from outside; false without such edges */
+/* out (2) gets the vector from the edges of a panel that are sewn to panels with a known up to its middle, as drawn but
+ * seen from outside; false without such edges */
 static bool read_down(const mus__arrangement *arrangement, int32_t p, double *out)
 {
     const mus__arranged_panel *panel = &arrangement->panel[p];
@@ -140,7 +140,7 @@ static bool read_down(const mus__arrangement *arrangement, int32_t p, double *ou
 }
 
 
-/* arms: v against the way to the hand, from the panels that are sewn to the rest on, one round after the other */
+/* turns the panels of arms so that v points away from the hand, beginning with those that are sewn to other panels */
 static void read_arms(mus__arrangement *arrangement)
 {
     int32_t *now = arrangement->work, n;
@@ -171,7 +171,7 @@ int32_t mus__arrange_partner(const mus__arrangement *arrangement, const mus__arr
 }
 
 
-/* the sides that face right lie to the left of those that face left: a fan of more than half a circle */
+/* marks a fan of more than half a circle: sides that face right lie to the left of those that face left */
 static void read_fan(mus__arrangement *arrangement, int32_t p)
 {
     mus__arranged_panel *panel = &arrangement->panel[p];
@@ -190,7 +190,7 @@ static void read_fan(mus__arrangement *arrangement, int32_t p)
 }
 
 
-/* sides of a ring meet: one faces right, the other left */
+/* takes the step of a seam, and whether it joins two panels side by side: one edge faces right, the other left */
 static void read_seam(mus__arrangement *arrangement, mus__arranged_seam *seam)
 {
     const mus__arranged_edge *a = &arrangement->edge[seam->a], *b = &arrangement->edge[seam->b];

@@ -1,17 +1,18 @@
 /*
- * mus__arranged_ring.c: panels side by side make a ring; round it, each has its place.
+ * arrange_ring.c: panels that seams join side by side make a ring; each gets its place along the girth.
  *
- * Seams between a right and a left side are taken from the top down, each once as long as it joins a new panel: what is
- * highest goes right round the trunk, what is lower down may go round one leg only. The seam that closes the ring
- * misses by the girth. A ring that nothing closes (an open front, half of a circle skirt) is as wide as its panels.
+ * Seams between a right and a left side are taken from the top down, each once, if it joins a new panel. The highest
+ * seam goes right round the trunk, a lower one may go round one leg only. The distance by which the closing seam misses
+ * is the girth. A ring that nothing closes (an open front, half a circle skirt) is as wide as its panels.
  */
 #include <math.h>
 
 #include "arrange/arrange_internal.h"
 
-#define RING_DART 0.6   /* of the widest panel: what misses by less is a dart */
-#define RING_LEG 0.3    /* of the most: what misses by a part between this and the rest closes a leg */
-#define RING_CLOSES 0.5 /* of the most that a seam misses by: what misses by less does not close the ring */
+#define RING_DART 0.6 /* of the widest panel: a seam that misses by less is a dart's */
+#define RING_LEG 0.3  /* of the largest miss: a seam that misses by a share between this and 1 less this closes a leg  \
+                       */
+#define RING_CLOSES 0.5 /* of the largest miss: a seam that misses by less does not close the ring */
 
 
 static int32_t ring_root(int32_t *link, int32_t i)
@@ -21,7 +22,7 @@ static int32_t ring_root(int32_t *link, int32_t i)
 }
 
 
-/* what hangs together by any seam: ring->component of each ring */
+/* components: panels that hang together by any seam; sets ring->component of each ring */
 static void ring_components(mus__arrangement *arrangement)
 {
     int32_t *link = arrangement->work;
@@ -36,7 +37,7 @@ static void ring_components(mus__arrangement *arrangement)
 }
 
 
-/* the highest seam that joins a panel of the ring to one of none; NULL without */
+/* the highest seam that joins a panel of the ring to a panel without a ring; NULL without any */
 static const mus__arranged_seam *ring_next(const mus__arrangement *arrangement, int32_t ring)
 {
     const mus__arranged_seam *best = NULL;
@@ -51,6 +52,7 @@ static const mus__arranged_seam *ring_next(const mus__arrangement *arrangement, 
 }
 
 
+/* adds panels to a ring until no seam joins another */
 static void ring_grow(mus__arrangement *arrangement, int32_t ring)
 {
     const mus__arranged_seam *seam;
@@ -66,7 +68,7 @@ static void ring_grow(mus__arrangement *arrangement, int32_t ring)
 }
 
 
-/* how much a seam of two sides of ring t misses by when its panels have their places; 0 for other seams */
+/* distance [m] by which a seam of two sides of ring t misses, its panels having their places; 0 for other seams */
 static double ring_miss(const mus__arrangement *arrangement, int32_t t, const mus__arranged_seam *seam)
 {
     const mus__arranged_panel *a = &arrangement->panel[arrangement->edge[seam->a].panel],
@@ -76,7 +78,7 @@ static double ring_miss(const mus__arrangement *arrangement, int32_t t, const mu
 }
 
 
-/* once round: what the highest of the seams misses by that close the ring; else from its first side to its last */
+/* the girth of a ring: the miss of the highest seam that closes it; without one, the width from first to last side */
 static void ring_girth(mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];

@@ -1,10 +1,10 @@
 /*
- * apart.c: panels that begin in the same place are moved apart before they are sewn, where cloth is to meet cloth.
+ * arrange_separate.c: moves panels apart that begin in the same place, before they are sewn with self-contact.
  *
- * Patterns made for programs that let cloth through cloth have panels that lie in one plane over each other: flounces
- * of two legs, a circle skirt and the sleeves beside it. Two sheets at one place have no order, and no contact can find
- * one. Of two such panels, one below the other, the lower goes down until it is clear; of two beside each other each
- * goes half of the way. Seams draw them back, and what comes to lie on the other then does so from one side.
+ * Patterns made for programs that let cloth pass through cloth have panels that lie over each other in one plane:
+ * flounces of two legs, a circle skirt and the sleeves beside it. Two sheets in one place have no order, and no contact
+ * can find one. Of two such panels, one below the other, the lower one goes down until it is clear; of two beside each
+ * other, each goes half of the way. Seams draw them back, and each comes to lie on the other from one side.
  */
 #include <math.h>
 #include <string.h>
@@ -12,18 +12,19 @@
 #include "arrange/arrange_check.h"
 #include "geom/vec.h"
 
-#define SEPARATE_WITHIN 0.6 /* spacings: lattice nodes of two panels so near in their plane lie over each other */
-#define SEPARATE_FLAT 0.008 /* [m] out of it: farther off one lies on the other, and that is an order */
-#define SEPARATE_STEPS 96   /* of a spacing each */
-#define SEPARATE_ROUNDS 6
-#define SEPARATE_ASKED 256 /* nodes of a panel that are asked */
+#define SEPARATE_WITHIN                                                                                                \
+    0.6 /* spacings: lattice nodes of two panels that are nearer in their plane lie over each other */
+#define SEPARATE_FLAT 0.008 /* [m] out of the plane: a panel farther off lies on the other, which is an order */
+#define SEPARATE_STEPS 96   /* moves of one spacing at most */
+#define SEPARATE_ROUNDS 6   /* over all pairs of panels */
+#define SEPARATE_ASKED 256  /* nodes of a panel that are sampled */
 
 typedef struct separate_panel {
     double normal[3], middle[3], low[3], high[3], way[3]; /* way: how far it is moved */
 } separate_panel;
 
 
-/* facing, middle and box of each panel */
+/* takes facing, middle and box of each panel */
 static void separate_look(const mus__placed_cloth *placed, separate_panel *panel)
 {
     for (int32_t p = 0; p < placed->cloth->npanel; p++) {
@@ -43,7 +44,7 @@ static void separate_look(const mus__placed_cloth *placed, separate_panel *panel
 }
 
 
-/* whether p moved by its way and q by its own, and by `more` and `less` beside, lie over each other */
+/* whether panels p and q, moved by their ways and by `more` and `less` besides, lie over each other */
 static bool separate_meet(const mus__placed_cloth *placed, const separate_panel *panel, int32_t p, int32_t q,
                           const double *more, const double *less)
 {
@@ -73,7 +74,7 @@ static bool separate_meet(const mus__placed_cloth *placed, const separate_panel 
 }
 
 
-/* two panels that lie over each other apart; whether they do */
+/* moves two panels apart that lie over each other; returns whether they did */
 static bool separate_two(const mus__placed_cloth *placed, separate_panel *panel, int32_t p, int32_t q)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
@@ -82,7 +83,7 @@ static bool separate_two(const mus__placed_cloth *placed, separate_panel *panel,
     if (placed->cloth->panel[p].layer != placed->cloth->panel[q].layer) return false;
     if (!separate_meet(placed, panel, p, q, zero, zero)) return false;
 
-    /* from p to q: down along gravity, the lower one alone; or level, both */
+    /* from p to q: down along gravity, the lower one alone; or horizontally, both */
     mus__unit3(gravity);
     for (int32_t d = 0; d < 3; d++)
         along[d] = panel[q].middle[d] + panel[q].way[d] - panel[p].middle[d] - panel[p].way[d];

@@ -58,23 +58,21 @@ mus_status mus__reason_give(mus_context *context, const mus_reason *own, mus_rea
 mus_status mus_pattern_reason(const mus_pattern *pattern, mus_reason *out)
 {
     mus_reason own;
-    mus_pattern *copy = NULL;
+    mus_faults *faults = NULL;
     int32_t count = 0, kind, panel, seam;
-    const char *text = "";
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = mus_pattern_context(pattern);
     mus__reason_write(&own, MUS_REASON_NONE, "");
-    mus_status status = mus_pattern_copy(pattern, &copy);
-    if (status == MUS_OK) status = mus_pattern_check(copy, &count);
+    const mus_status status = mus_pattern_check(pattern, &count, &faults);
     if (status == MUS_OK && count > 0) {
-        mus_pattern_fault(copy, 0, &kind, &panel, NULL, &seam, &text);
+        mus_faults_item(faults, 0, &kind, &panel, NULL, &seam);
         mus__reason_write(&own,
                           kind == MUS_FAULT_CROSSING       ? MUS_REASON_PANEL_CROSSES
                           : kind == MUS_FAULT_TWISTED_SEAM ? MUS_REASON_TWISTED_SEAM
                                                            : MUS_REASON_BAD_INPUT,
-                          text);
+                          mus_faults_text(faults, 0));
         own.panel = panel, own.seam = seam;
     }
-    mus_pattern_destroy(copy);
+    mus_faults_destroy(faults);
     return status == MUS_OK ? mus__reason_give(context, &own, out) : status;
 }

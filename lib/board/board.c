@@ -173,7 +173,7 @@ void mus__board_part_twins(mus__board *board, int32_t panel)
         const int32_t of = board->panel[i].mirror_of;
         if (of == MUS_NONE || (i != panel && of != panel)) continue;
         board->panel[i].mirror_of = MUS_NONE;
-        board->panel[of].cut_count -= board->panel[i].cut_count;
-        if (board->panel[of].cut_count < 1) board->panel[of].cut_count = 1;
+        board->panel[of].attr.cut_count -= board->panel[i].attr.cut_count;
+        if (board->panel[of].attr.cut_count < 1) board->panel[of].attr.cut_count = 1;
     }
 }

@@ -57,9 +57,6 @@ void mus__board_panel_close(mus__board *board, int32_t panel);
 /* append a straight side */
 int32_t mus__board_line_add(mus__board *board, int32_t panel, const char *name, const char *label, const double *start,
                             const double *end);
-/* append one cubic (4 x 2) */
-int32_t mus__board_cubic_add(mus__board *board, int32_t panel, const char *name, const char *label,
-                             const double *cubic);
 /* set the name and the label of a side; NULL leaves either */
 void mus__board_rename(mus__board *board, int32_t side, const char *name, const char *label);
 

@@ -101,8 +101,8 @@ static void cut_sides(mus__board *board, int32_t panel, int32_t made, const int3
 }
 
 
-int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npiece, const int32_t *kinds, int32_t nxy,
-                       const double *xy, const char *name, const char *seam_name)
+int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, const mus__board_path *path, const char *name,
+                       const char *seam_name)
 {
     if (!mus__board_has_side(board, from) || !mus__board_has_side(board, to)) return MUS_NONE;
     const int32_t panel = board->side[from].panel, ends[2] = {from, to};
@@ -113,8 +113,8 @@ int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npie
         return MUS_NONE;
     }
     mus__board_chain chain;
-    mus__board_chain_make(board, npiece, kinds, nxy, xy, &chain);
-    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].label);
+    mus__board_chain_make(board, path->npiece, path->kinds, path->nxy, path->xy, &chain);
+    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].attr.label);
     if (made == MUS_NONE) {
         mus__free(board->context, chain.xy);
         return MUS_NONE;
@@ -130,10 +130,8 @@ int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, int32_t npie
     /* the panel that goes is made up as the one that it came from */
     mus__board_part_twins(board, panel);
     mus__board_panel *own = &board->panel[panel], *other = &board->panel[made];
-    other->cut_count = own->cut_count;
+    other->attr = own->attr;
     other->single = own->single;
-    other->placement = own->placement;
-    memcpy(other->grain, own->grain, sizeof other->grain);
     other->first = from;
 
     /* two rings */
@@ -163,7 +161,7 @@ static void cut_move(mus__board *board, int32_t panel, const double *map)
         mus__board_chain points = {.nxy = mark->n, .xy = mark->xy};
         mus__board_chain_move(&points, map);
     }
-    double *grain = board->panel[panel].grain;
+    double *grain = board->panel[panel].attr.grain;
     const double x = grain[0], y = grain[1], gx = map[0] * x + map[1] * y, gy = map[3] * x + map[4] * y;
     const double norm = hypot(gx, gy);
     grain[0] = gx / norm, grain[1] = gy / norm;
@@ -176,37 +174,6 @@ static void cut_map(const double *centre, double c, double s, const double *shif
     const double own[6] = {c, -s, shift[0] + (centre[0] - (c * centre[0] - s * centre[1])),
                            s, c,  shift[1] + (centre[1] - (s * centre[0] + c * centre[1]))};
     memcpy(map, own, sizeof own);
-}
-
-
-/* what was at (x, y) is at map (x, y): the placement that puts it where it was. With p' = R p + t,
- * origin' + Q' p' = origin + Q p  for  Q' = Q R^T (about the normal), origin' = origin - Q' t */
-static void cut_keep_place(mus_placement *place, const double *map, bool turned)
-{
-    if (place->bend != 0.0 && turned) return;
-    double *q = place->rotation;
-    for (int32_t i = 0; i < 3; i++) {
-        double *row = q + 3 * (size_t)i;
-        const double x = map[0] * row[0] + map[1] * row[1], y = map[3] * row[0] + map[4] * row[1];
-        if (turned) row[0] = x, row[1] = y;
-        place->origin[i] -= row[0] * map[2] + row[1] * map[5];
-    }
-    place->bend_x += place->bend != 0.0 ? map[2] : 0.0;
-}
-
-
-void mus__board_turn(mus__board *board, int32_t panel, const double *centre, double angle, const double *shift)
-{
-    if (!mus__board_has_panel(board, panel)) return;
-    if (!mus__finite(angle) || !mus__pattern_near(centre[0], centre[1]) || !mus__pattern_near(shift[0], shift[1])) {
-        mus__board_fail(board, MUS_ERR_ARG, "turn of panel %s: by %g about (%g, %g), then (%g, %g)",
-                        board->panel[panel].name, angle, centre[0], centre[1], shift[0], shift[1]);
-        return;
-    }
-    double map[6];
-    cut_map(centre, angle == 0.0 ? 1.0 : cos(angle), angle == 0.0 ? 0.0 : sin(angle), shift, map);
-    cut_move(board, panel, map);
-    cut_keep_place(&board->panel[panel].placement, map, angle != 0.0);
 }
 
 

@@ -146,7 +146,7 @@ static int32_t dart_legs(mus__board *board, int32_t before, const double *point,
     int32_t back = dart_line_after(board, leg, names[1], mouth);
     mus__board_seam_add(board, leg, back, MUS_SEAM_REVERSED, 0.0);
     if (board->status != MUS_OK) return MUS_NONE;
-    board->side[leg].allowance = board->side[back].allowance = allowance;
+    board->side[leg].attr.allowance = board->side[back].attr.allowance = allowance;
     return leg;
 }
 
@@ -161,22 +161,18 @@ static size_t dart_stem(const char *name)
 }
 
 
-/* are `side` and the next parts of one: alike in name, label and all that is set, and without a corner between them? */
+/* are `side` and the next parts of one: alike in name and attributes, and without a corner between them? */
 static bool dart_were_one(const mus__board *board, int32_t side)
 {
     const mus__board_side *a = &board->side[side], *b = &board->side[a->next];
-    if (a->next == side || !mus__board_mergeable(board, side) || strcmp(a->label, b->label) != 0) return false;
+    if (a->next == side || !mus__board_mergeable(board, side) || !mus__edge_attributes_equal(&a->attr, &b->attr))
+        return false;
     size_t n = dart_stem(a->name);
     bool alike = n == dart_stem(b->name) && memcmp(a->name, b->name, n) == 0;
-    bool allowance = a->allowance == b->allowance || (isnan(a->allowance) && isnan(b->allowance));
-    double u[2], v[2];
-    mus__board_at(board, side, a->length, u, v);
-    double before[2] = {v[0], v[1]};
-    mus__board_at(board, a->next, 0.0, u, v);
-    const mus__edge_stay *x = &a->stay, *y = &b->stay;
-    const bool stays =
-        x->hold == y->hold && x->below == y->below && x->ratio == y->ratio && x->stiffness == y->stiffness;
-    return alike && allowance && stays && a->centre == b->centre && before[0] * v[0] + before[1] * v[1] > DART_CORNER;
+    double before[2], after[2];
+    mus__board_at(board, side, a->length, NULL, before);
+    mus__board_at(board, a->next, 0.0, NULL, after);
+    return alike && a->centre == b->centre && before[0] * after[0] + before[1] * after[1] > DART_CORNER;
 }
 
 
@@ -325,7 +321,7 @@ int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, d
     if (made != MUS_NONE)
         mus__board_part_move_end(board, made, true, dart.point);
     else
-        made = dart_legs(board, cut.p1, dart.point, board->side[target].name, board->side[leg].allowance);
+        made = dart_legs(board, cut.p1, dart.point, board->side[target].name, board->side[leg].attr.allowance);
     if (board->status == MUS_OK && made == cut.other) mus__board_follow(board, made, board->side[made].next);
     if (fraction == 1.0) dart_mouth_close(board, dart_remove(board, &dart));
     return board->status == MUS_OK ? made : MUS_NONE;
@@ -470,7 +466,7 @@ static int32_t dart_part(mus__board *board, int32_t from, int32_t to, const char
     if (board->status != MUS_OK) return MUS_NONE;
     int32_t old = board->side[from].panel, last = board->side[to].prev, before = board->side[from].prev;
     mus__board_part moving = {0}, still = {0};
-    int32_t made = mus__board_panel_add(board, name, board->panel[old].label);
+    int32_t made = mus__board_panel_add(board, name, board->panel[old].attr.label);
     mus__board_part_run(board, &moving, from, last);
     mus__board_part_run(board, &still, to, before);
     mus__board_part_marks_to(board, old, &moving, &still, made);
@@ -479,8 +475,8 @@ static int32_t dart_part(mus__board *board, int32_t from, int32_t to, const char
     if (board->status != MUS_OK) return MUS_NONE;
 
     mus__board_panel *a = &board->panel[old], *b = &board->panel[made];
-    b->cut_count = a->cut_count, b->single = a->single, b->placement = a->placement;
-    memcpy(b->grain, a->grain, sizeof b->grain);
+    b->attr = a->attr;
+    b->single = a->single;
     for (int32_t side = from;; side = board->side[side].next) {
         board->side[side].panel = made;
         if (side == last) break;
@@ -503,8 +499,8 @@ static void dart_seam(mus__board *board, int32_t side, const char *name)
 }
 
 
-int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int32_t npiece, const int32_t *kinds,
-                                int32_t nxy, const double *xy, const char *name, const char *seam_name)
+int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, const mus__board_path *path,
+                                const char *name, const char *seam_name)
 {
     dart_view dart;
     if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, to)) return MUS_NONE;
@@ -514,8 +510,8 @@ int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int3
                         board->side[leg].name, panel, board->side[to].name);
         return MUS_NONE;
     }
-    if (npiece > 0) {
-        int32_t made = mus__board_cut(board, dart.back, to, npiece, kinds, nxy, xy, name, seam_name);
+    if (path != NULL) {
+        int32_t made = mus__board_cut(board, dart.back, to, path, name, seam_name);
         dart_seam(board, leg, seam_name);
         return board->status == MUS_OK ? made : MUS_NONE;
     }

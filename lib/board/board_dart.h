@@ -22,9 +22,9 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back);
 /* forget the dart: its mouth becomes one side with its neighbours (straight across); the cloth of it is gathered or
  * eased. Returns that side; the seam's ease grows by the width of the mouth */
 int32_t mus__board_dart_release(mus__board *board, int32_t leg);
-/* go on from the point of a dart to the start of side `to` along a chain: two panels, the dart part of their seam.
- * Returns the new panel (walked from the mouth's outer end to `to`) */
-int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, int32_t npiece, const int32_t *kinds,
-                                int32_t nxy, const double *xy, const char *name, const char *seam_name);
+/* go on from the point of a dart to the start of side `to` along a path: two panels, the dart part of their seam. path
+ * NULL: `to` starts at the point of the dart already. Returns the new panel (walked from the mouth's outer end to `to`) */
+int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, const mus__board_path *path,
+                                const char *name, const char *seam_name);
 
 #endif

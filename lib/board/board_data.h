@@ -30,26 +30,32 @@ typedef struct mus__board_chain {
     double *xy; /* the block that holds kinds too; owned */
 } mus__board_chain;
 
+/* the same where somebody else owns the points */
+typedef struct mus__board_path {
+    int32_t npiece;
+    const int32_t *kinds;
+    int32_t nxy;
+    const double *xy;
+} mus__board_path;
+
 typedef struct mus__board_side {
-    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
+    char name[MUS__NAME_BYTES];
     int32_t panel; /* MUS_NONE: removed */
     int32_t prev, next;
     int32_t centre;   /* MUS__CENTRE_*; not kept in a pattern */
     int32_t knot;     /* corners (starts of sides) of one knot and one place are one point of the panel; or MUS_NONE */
     bool backward;    /* the edge of the pattern runs against the outline */
-    double allowance; /* NaN: left to the sheet */
-    mus__edge_stay stay; /* hold and elastic, as the edge's: kept by reading, splits, doubling and writing */
+    mus__edge_attributes attr; /* kept by reading, splits, doubling and writing */
     mus__board_chain chain;
     double length;
 } mus__board_side;
 
 typedef struct mus__board_panel {
-    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
+    char name[MUS__NAME_BYTES];
     int32_t first; /* a side of it, where its word begins; MUS_NONE: removed */
-    int32_t cut_count, mirror_of, layer;
+    int32_t mirror_of;
     int32_t single; /* 1: on one half of a garment only, mus__board_double() leaves it alone */
-    double grain[2];
-    mus_placement placement;
+    mus__panel_attributes attr;
 } mus__board_panel;
 
 typedef struct mus__board_seam {

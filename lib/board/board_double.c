@@ -83,10 +83,8 @@ static int32_t double_side(mus__board *board, double_mirror *mirror, int32_t sid
     const mus__board_side *own = &board->side[side];
     mus__board_side *image = &board->side[made];
     memcpy(image->name, own->name, sizeof image->name);
-    memcpy(image->label, own->label, sizeof image->label);
     image->backward = own->backward;
-    image->allowance = own->allowance;
-    image->stay = own->stay;
+    image->attr = own->attr;
     image->knot = board->side[own->next].knot;
     image->length = own->length;
     mirror->image[side] = made;
@@ -179,7 +177,7 @@ static int32_t double_panel(mus__board *board, double_mirror *mirror, int32_t pa
         mus__board_fail(board, MUS_ERR_PATTERN, "panel %s is not closed", board->panel[panel].name);
         return MUS_NONE;
     }
-    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].label);
+    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].attr.label);
     int32_t ends[2];
     if (made == MUS_NONE) return MUS_NONE;
     double_ring(board, mirror, board->side[first].prev, first, made, ends);
@@ -189,11 +187,10 @@ static int32_t double_panel(mus__board *board, double_mirror *mirror, int32_t pa
 
     mus__board_panel *own = &board->panel[panel], *image = &board->panel[made];
     image->first = ends[0];
-    image->cut_count = own->cut_count;
     image->single = own->single;
-    image->grain[0] = 0.0 - own->grain[0];
-    image->grain[1] = own->grain[1];
-    double_place(&own->placement, &image->placement);
+    image->attr = own->attr;
+    image->attr.grain[0] = 0.0 - own->attr.grain[0];
+    double_place(&own->attr.placement, &image->attr.placement);
     return made;
 }
 
@@ -203,7 +200,7 @@ static void double_twins(mus__board *board, int32_t panel, int32_t twin)
 {
     if (board->panel[panel].mirror_of != MUS_NONE) return;
     board->panel[twin].mirror_of = panel;
-    board->panel[panel].cut_count += board->panel[twin].cut_count;
+    board->panel[panel].attr.cut_count += board->panel[twin].attr.cut_count;
 }
 
 

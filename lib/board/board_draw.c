@@ -36,9 +36,9 @@ static bool board_name(mus__board *board, const char *name, char *out)
 
 int32_t mus__board_panel_add(mus__board *board, const char *name, const char *label)
 {
-    mus__board_panel panel = {.first = MUS_NONE, .cut_count = 1, .mirror_of = MUS_NONE, .grain = {0.0, 1.0}};
-    mus_placement_init(&panel.placement, sizeof panel.placement);
-    if (board->status != MUS_OK || !board_name(board, name, panel.name) || !board_name(board, label, panel.label))
+    mus__board_panel panel = {.first = MUS_NONE, .mirror_of = MUS_NONE};
+    mus__panel_attributes_init(&panel.attr);
+    if (board->status != MUS_OK || !board_name(board, name, panel.name) || !board_name(board, label, panel.attr.label))
         return MUS_NONE;
     if (panel.name[0] == '\0' || mus__board_find_panel(board, panel.name) != MUS_NONE) {
         mus__board_fail(board, MUS_ERR_ARG, "panel %s: %s", panel.name,
@@ -54,8 +54,7 @@ int32_t mus__board_panel_add(mus__board *board, const char *name, const char *la
 int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *chain)
 {
     mus__board_side side = {.panel = panel, .prev = MUS_NONE, .next = MUS_NONE, .knot = MUS_NONE, .chain = *chain};
-    side.allowance = (double)NAN;
-    side.stay.ratio = 1.0;
+    mus__edge_attributes_init(&side.attr);
     *chain = (mus__board_chain){0};
     if (side.chain.xy != NULL && board_room(board, &board->side, &board->side_room, board->nside, sizeof side)) {
         side.length = mus__board_chain_length(&side.chain);
@@ -141,18 +140,11 @@ int32_t mus__board_line_add(mus__board *board, int32_t panel, const char *name, 
 }
 
 
-int32_t mus__board_cubic_add(mus__board *board, int32_t panel, const char *name, const char *label, const double *cubic)
-{
-    const int32_t kind = MUS_PIECE_CUBIC;
-    return mus__board_side_add(board, panel, name, label, 1, &kind, 4, cubic);
-}
-
-
 void mus__board_rename(mus__board *board, int32_t side, const char *name, const char *label)
 {
     if (!mus__board_has_side(board, side)) return;
     if (name != NULL) board_name(board, name, board->side[side].name);
-    if (label != NULL) board_name(board, label, board->side[side].label);
+    if (label != NULL) board_name(board, label, board->side[side].attr.label);
 }
 
 
@@ -237,7 +229,7 @@ static int32_t board_run_next(const mus__board *board, int32_t side, const char 
 {
     int32_t at = along ? board->side[side].next : board->side[side].prev;
     while (at != side && at != MUS_NONE) {
-        if (strcmp(board->side[at].label, label) == 0) return at;
+        if (strcmp(board->side[at].attr.label, label) == 0) return at;
         at = board_past_dart(board, at, along);
     }
     return MUS_NONE;
@@ -252,7 +244,7 @@ int32_t mus__board_run(const mus__board *board, int32_t panel, const char *label
 
     /* the first labelled side, then back to where its run begins */
     int32_t begin = first;
-    while (strcmp(board->side[begin].label, label) != 0) {
+    while (strcmp(board->side[begin].attr.label, label) != 0) {
         begin = board->side[begin].next;
         if (begin == first || begin == MUS_NONE) return 0;
     }

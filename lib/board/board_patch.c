@@ -140,8 +140,8 @@ static void patch_draw(mus__board *board, int32_t from, int32_t n, const double 
 /* outside the panel, along the normal of its right side (turn -1: of the other) */
 static void patch_place(mus__board *board, int32_t panel, int32_t made, double turn, double middle)
 {
-    const mus_placement *from = &board->panel[panel].placement;
-    mus_placement *to = &board->panel[made].placement;
+    const mus_placement *from = &board->panel[panel].attr.placement;
+    mus_placement *to = &board->panel[made].attr.placement;
     const double lift = turn * PATCH_LIFT;
     double shift = 0.0;
     *to = *from;
@@ -159,7 +159,7 @@ static void patch_place(mus__board *board, int32_t panel, int32_t made, double t
 static int32_t patch_piece(mus__board *board, int32_t panel, int32_t n, const double *line, const char *name,
                            int32_t *sides)
 {
-    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].label);
+    const int32_t made = mus__board_panel_add(board, name, board->panel[panel].attr.label);
     double low = INFINITY, high = -INFINITY;
     for (int32_t i = 0; i < n && made != MUS_NONE; i++) {
         const bool mouth = i == n - 1;
@@ -171,7 +171,7 @@ static int32_t patch_piece(mus__board *board, int32_t panel, int32_t n, const do
     }
     if (board->status != MUS_OK) return MUS_NONE;
     mus__board_panel_close(board, made);
-    memcpy(board->panel[made].grain, board->panel[panel].grain, sizeof board->panel[made].grain);
+    memcpy(board->panel[made].attr.grain, board->panel[panel].attr.grain, sizeof board->panel[made].attr.grain);
     board->panel[made].single = board->panel[panel].single;
     patch_place(board, panel, made, mus__polygon_area(n, line) < 0.0 ? -1.0 : 1.0, 0.5 * (low + high));
     return made;

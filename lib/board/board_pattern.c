@@ -35,12 +35,10 @@ static void board_read_side(mus__board *board, const mus_pattern *pattern, int32
                               .next = index + 1,
                               .backward = turn < 0,
                               .knot = turn < 0 ? from->end : from->start,
-                              .allowance = from->allowance,
+                              .attr = from->attr,
                               .chain = chain,
                               .length = from->run[from->npiece]};
     memcpy(side->name, from->name, sizeof side->name);
-    memcpy(side->label, from->label, sizeof side->label);
-    side->stay = from->stay;
     if (first[edge] == MUS_NONE) {
         first[edge] = index;
         return;
@@ -70,13 +68,9 @@ static void board_read_panel(mus__board *board, const mus_pattern *pattern, int3
 
     mus__board_panel *own = &board->panel[board->npanel++];
     *own = (mus__board_panel){.first = start,
-                              .cut_count = from->cut_count,
                               .mirror_of = from->mirror_of,
-                              .layer = from->layer,
-                              .grain = {from->grain[0], from->grain[1]},
-                              .placement = from->placement};
+                              .attr = from->attr};
     memcpy(own->name, from->name, sizeof own->name);
-    memcpy(own->label, from->label, sizeof own->label);
 }
 
 
@@ -213,12 +207,17 @@ static mus_status board_write_edge(board_writer *w, int32_t k)
         end = swap;
     }
     w->turn[index] = side->backward ? -1 : 1;
-    mus_status status = mus_pattern_add_edge(w->pattern, side->name, start, end, chain->npiece, chain->kinds,
-                                             chain->nxy - 2, chain->nxy > 2 ? chain->xy + 2 : NULL, &w->edge[index]);
+    mus_status status = mus_pattern_add_edge(w->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                         .name = side->name, .start = start,
+                                                                         .end = end, .npiece = chain->npiece,
+                                                                         .kinds = chain->kinds,
+                                                                         .nxy = chain->nxy - 2,
+                                                                         .xy = chain->nxy > 2 ? chain->xy + 2 : NULL},
+                                             &w->edge[index]);
     mus__free(board->context, turned.xy);
-    if (status == MUS_OK) status = mus_pattern_set_edge_label(w->pattern, w->edge[index], side->label);
-    if (status == MUS_OK) status = mus_pattern_set_edge_allowance(w->pattern, w->edge[index], side->allowance);
-    const mus__edge_stay *stay = &side->stay;
+    if (status == MUS_OK) status = mus_pattern_set_edge_label(w->pattern, w->edge[index], side->attr.label);
+    if (status == MUS_OK) status = mus_pattern_set_edge_allowance(w->pattern, w->edge[index], side->attr.allowance);
+    const mus__edge_attributes *stay = &side->attr;
     if (status == MUS_OK && stay->hold != MUS_HOLD_NONE)
         status = mus_pattern_set_edge_hold(w->pattern, w->edge[index], stay->hold, stay->below);
     if (status == MUS_OK && stay->stiffness != 0.0)
@@ -253,10 +252,10 @@ static mus_status board_write_panel(board_writer *w, int32_t index)
         w->word[n + k] = w->turn[side];
     }
     if (status == MUS_OK) status = mus_pattern_set_outline(w->pattern, panel, n, w->word, w->word + n);
-    if (status == MUS_OK) status = mus_pattern_set_panel_label(w->pattern, panel, from->label);
-    if (status == MUS_OK) status = mus_pattern_set_grain(w->pattern, panel, from->grain[0], from->grain[1]);
-    if (status == MUS_OK) status = mus_pattern_set_placement(w->pattern, panel, &from->placement);
-    if (status == MUS_OK) status = mus_pattern_set_layer(w->pattern, panel, from->layer);
+    if (status == MUS_OK) status = mus_pattern_set_panel_label(w->pattern, panel, from->attr.label);
+    if (status == MUS_OK) status = mus_pattern_set_grain(w->pattern, panel, from->attr.grain[0], from->attr.grain[1]);
+    if (status == MUS_OK) status = mus_pattern_set_placement(w->pattern, panel, &from->attr.placement);
+    if (status == MUS_OK) status = mus_pattern_set_layer(w->pattern, panel, from->attr.layer);
     return status;
 }
 
@@ -288,7 +287,7 @@ static mus_status board_write_rest(board_writer *w)
     for (int32_t i = 0; i < board->npanel && status == MUS_OK; i++) {
         const mus__board_panel *from = &board->panel[i];
         const int32_t of = from->mirror_of != MUS_NONE ? w->panel[from->mirror_of] : MUS_NONE;
-        if (w->panel[i] != MUS_NONE) status = mus_pattern_set_cut(w->pattern, w->panel[i], from->cut_count, of);
+        if (w->panel[i] != MUS_NONE) status = mus_pattern_set_cut(w->pattern, w->panel[i], from->attr.cut_count, of);
     }
     for (int32_t i = 0; i < board->nseam && status == MUS_OK; i++)
         if (board->seam[i].a != MUS_NONE) status = board_write_seam(w, &board->seam[i]);

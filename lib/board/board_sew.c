@@ -175,9 +175,7 @@ static void sew_split_one(mus__board *board, sew_place *list, int32_t index, con
     a->next = made;
     b->centre = a->centre;
     b->backward = a->backward;
-    b->allowance = a->allowance;
-    b->stay = a->stay;
-    memcpy(b->label, a->label, sizeof b->label);
+    b->attr = a->attr;
     char own[MUS__NAME_BYTES];
     if (name == NULL) mus__board_free_name(board, panel, a->name, own);
     mus__board_rename(board, made, name != NULL ? name : own, NULL);

@@ -1,8 +1,24 @@
 /*
- * body.c: from a tape to a body, and what can be asked of it.
+ * body.c: a body from a tape, and the getters of a body. A stranger starts here.
  *
- * Order of making: skeleton (heights and joints), contours of each limb, fit of each contour to its girth, stacks
- * between them, surface, measuring again, contact fields. Everything is made at create and does not change afterwards.
+ * A body is made once and does not change. Its files in the order of use:
+ *
+ *     body.c            mus_body_create(): the steps for a tape (this file); getters
+ *     body_posture.c    stoop, head and sway: contours moved forwards and backwards
+ *     body_follow.c     bust span and crotch length of the tape, where it gives them
+ *     body_without.c    limbs, or their ends, left out
+ *     body_given.c      limbs given by the caller, with body_outline.c for polygons
+ *     body_make.c       options, limbs to surface and contact fields, destruction; for every kind of body
+ *     body_surface.c    rings and triangles of the limbs, with ring_mesh.c
+ *     body_measure.c    girths and heights of the finished surface; body_length.c: lengths along it
+ *     bones.c, rig.c    joints; rigid parts and their frames in the rest pose (frame.c)
+ *     skin.c            the published skin: fillets where limbs meet; shape.c, digit.c and seat.c add details
+ *     body_landmark.c, body_level.c, body_volume.c   queries
+ *     body_copy.c       a copy whose parts stand elsewhere, for lib/pose
+ *
+ * lib/limb makes the contours of each limb and the radius fields; lib/pose turns joints; lib/scan makes a body from a
+ * mesh by mus__body_create_jointed(). lib/contact reads the fields.
+ *
  * Source: Metaaphanon and Kanongchaiyos, Real-time Cloth Simulation for Garment CAD, 2005, section 3.
  */
 #include <math.h>
@@ -11,19 +27,19 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-/* contact field: distance of rings in parts of the stature (3.7 mm at 1.68 m): depths of the surface then stay under
- * 0.5 mm even at the steep shoulders */
+/* distance of rings of the radius fields, in parts of the stature (3.7 mm at 1.68 m); measured: the depth of the
+ * surface in its own field then stays below 0.5 mm, also at the steep shoulders */
 #define BODY_FIELD_SPACING 0.0022
 
-/* width of a fillet of the skin: 25 mm at 1.68 m. In a right-angled crease it stands a quarter of it, 6 mm, off the
- * crease, and reaches 25 mm along both limbs */
+/* width of a fillet of the skin, in parts of the stature (25 mm at 1.68 m); chosen: in a right-angled crease the fillet
+ * lies 6 mm off the crease and reaches 25 mm along both limbs */
 #define BODY_FILLET 0.015
 
-/* least distance of two contours, as a part of the stature: 1 cm at 1.67 m */
+/* least distance of two contours, in parts of the stature (1 cm at 1.67 m); chosen */
 #define BODY_CONTOUR_GAP 0.006
 
 
-/* the limbs that the caller adds, behind those of the tape */
+/* append the limbs of mus_body_def.limb to those of the tape */
 static mus_status body_add(mus_body *body)
 {
     mus_status status = MUS_OK;
@@ -33,12 +49,12 @@ static mus_status body_add(mus_body *body)
         for (int32_t i = 0; body->def.ellipse && i < limb->count; i++) limb->contour[i].n = 2.0;
     }
     if (status == MUS_OK) status = mus__body_outlines(body, MUS__LIMB_COUNT, body->def.limbs, body->def.limb);
-    body->def.limb = NULL; /* the caller's */
+    body->def.limb = NULL; /* it belongs to the caller */
     return status;
 }
 
 
-/* check a limb's contours and scale each so that its sampled polygon has the girth it is for */
+/* check the contours of limb l and scale each to its target girth */
 static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double *xy, int32_t *work)
 {
     mus__limb *limb = &body->limb[l];
@@ -55,7 +71,7 @@ static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double
 }
 
 
-/* contours of all limbs from the tape; the legs stand under the outside of the fitted hip */
+/* contours of all limbs from the tape, fitted to their girths; the legs take their root from the fitted hip */
 static mus_status body_contours(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
 {
     mus__limb *limb = body->limb;
@@ -149,7 +165,7 @@ mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus
     return MUS_OK;
 
 fail:
-    /* the tape may have another context: its sentence is the caller's too */
+    /* the tape may have another context: its message is copied to the caller's context */
     if (copy != NULL && mus_tape_context(copy) != context)
         mus__fail(context, status, "%s", mus_context_error(mus_tape_context(copy)));
     mus_tape_destroy(copy);

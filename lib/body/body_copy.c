@@ -10,7 +10,7 @@
 #include "body/body_make.h"
 
 
-/* limbs, and the outlines that their contours point into */
+/* copy the limbs, and the outlines that their contours point to */
 static mus_status copy_limbs(const mus_body *from, mus_body *to)
 {
     mus_status status = mus__body_limbs(to, from->limb_count);
@@ -38,7 +38,7 @@ static mus_status copy_limbs(const mus_body *from, mus_body *to)
 }
 
 
-/* a copy of a field, carried from where its limb stands at rest */
+/* copy a field and carry it with its part from the rest pose */
 static mus_status copy_field(mus_context *context, const mus__field *from, const mus__limb *limb,
                               const mus__frame *frame, mus__field *to)
 {

@@ -1,15 +1,16 @@
 /*
- * body_follow.c: shapes that a sheet's lengths ask for: bust span and crotch length, where it names them.
+ * body_follow.c: bust span and crotch length of the finished torso made those of the tape, where the tape gives them.
  *
- * Girths and heights are a contour's own; these two lengths lie across contours, and what no girth holds is turned
- * until they are the sheet's. The breasts of the bust's contour go out and in, and rise where that is not enough; the
- * contour above the crotch, which has no girth of the tape's, grows deeper or flatter, and then the hip, each fitted to
- * its girth again. Within what bodies look like: a sheet that asks for more gets the nearest, and body->made tells it.
+ * Girths and heights belong to one contour; these two lengths depend on shapes that no girth fixes, and those are
+ * varied. The breasts of the bust contour move outwards or inwards, and rise where that is not enough. The contour
+ * above the crotch, which has no girth of the tape, becomes deeper or flatter, and then the hip, which is fitted to its
+ * girth again. The shapes stay within limits of real bodies; a tape beyond them gets the nearest length, which
+ * body->made has.
  *
- *     bust_span(angle, height)   = twice the X of the foremost place of the contour, on its samples' parabola
- *     crotch_length(depth)       = tape over the torso's middle line from waist to waist, on a stack of 16 directions
+ *     bust_span(angle, height)   = twice the X of the foremost point of the contour, by a parabola through its samples
+ *     crotch_length(depth)       = tape along the torso's middle line from waist to waist, on a stack of 16 directions
  *
- * Each is monotone; the root is taken by false position (Illinois) to 0.2 mm. A sheet without them pays nothing.
+ * Both are monotone; the root is found by false position (Illinois) to 0.2 mm. A tape without them costs nothing.
  */
 #include <math.h>
 #include <string.h>
@@ -17,30 +18,31 @@
 #include "body/body_make.h"
 #include "geom/polygon.h"
 
-#define FOLLOW_ROUNDS 24
-#define FOLLOW_CLOSE 2e-4    /* [m] */
-#define FOLLOW_ANGLE_LOW 0.15 /* of the breasts off the front [rad] */
-#define FOLLOW_ANGLE_HIGH 0.85
-#define FOLLOW_RISE 1.8      /* most that breasts rise by */
-#define FOLLOW_SEAT_LOW 0.50 /* depth of the contour above the crotch, in parts of the hip's */
-#define FOLLOW_SEAT_HIGH 0.90
-#define FOLLOW_HIP_LOW 0.84  /* depth to breadth of the hip, in parts of what it was: two deviations of ANSUR II */
-#define FOLLOW_HIP_HIGH 1.18
-#define FOLLOW_ANGLES 16
-#define FOLLOW_STEPS 40      /* of the middle line, front and back each */
+#define FOLLOW_ROUNDS 24       /* most rounds of a root: bounds the time */
+#define FOLLOW_CLOSE 2e-4      /* [m] a length that near its target is reached */
+#define FOLLOW_ANGLE_LOW 0.15  /* [rad] angle of the breasts off the front, least ... */
+#define FOLLOW_ANGLE_HIGH 0.85 /* ... and most; chosen */
+#define FOLLOW_RISE 1.8        /* most factor of the breasts' height; chosen */
+#define FOLLOW_SEAT_LOW 0.50   /* depth of the contour above the crotch, in parts of the hip's, least ... */
+#define FOLLOW_SEAT_HIGH 0.90  /* ... and most; chosen */
+#define FOLLOW_HIP_LOW 0.84    /* factor of the hip's depth to breadth, least ... */
+#define FOLLOW_HIP_HIGH 1.18   /* ... and most: two standard deviations of ANSUR II */
+#define FOLLOW_ANGLES 16       /* directions of the stack of the middle line */
+#define FOLLOW_STEPS 40        /* points of the middle line, front and back each */
 
-/* what a length is asked of */
+/* the state of the search for one length */
 typedef struct follow {
     mus_body *body;
-    const double *turn; /* of the samples */
-    double *xy;
+    const double *turn;          /* (samples x 2) directions of the contours */
+    double *xy;                  /* scratch of mus__contour_fit() */
     int32_t *work;
-    mus__contour base, *contour; /* as it was fitted, and where the trial goes */
-    mus__contour seat, *hip;
-    double waist, rise, depth;
+    mus__contour base, *contour; /* the contour as it was fitted, and the one that is varied */
+    mus__contour seat, *hip;     /* the hip as it was fitted, and the one that is varied */
+    double waist, rise, depth;   /* height [m]; factor of the breasts' height; depth over the hip's */
     mus_status status;
 } follow;
 
+/* a length [m] as a function of the varied shape x */
 typedef double follow_length(follow *at, double x);
 
 
@@ -52,7 +54,7 @@ double mus__span_side(const double *before, const double *at, const double *afte
 }
 
 
-/* where a length that grows with x is `target`, between low and high; the nearer end where it is nowhere */
+/* the x from low to high at which a length that grows with x is `target` [m]; an end, where it is not reached */
 static double follow_root(follow *at, follow_length *length, double target, double low, double high)
 {
     double f = length(at, low) - target, g = length(at, high) - target, x = low;
@@ -78,7 +80,7 @@ static double follow_root(follow *at, follow_length *length, double target, doub
 
 /* ---- bust span ---- */
 
-/* half the span with breasts that far off the front */
+/* half the bust span [m] with the breasts at `angle` [rad] off the front */
 static double follow_span(follow *at, double angle)
 {
     const int32_t n = at->body->def.samples, first = 3 * n / 4;
@@ -89,7 +91,7 @@ static double follow_span(follow *at, double angle)
     c->bump[0] *= at->rise;
     mus__contour_fit(c, c->target, n, at->turn, at->xy, at->work);
 
-    /* from one before the front to the side: X, and how far ahead */
+    /* samples from one before the front to the side: X and Z */
     mus__contour_radii(c, n, at->turn, radius);
     int32_t best = 1;
     for (int32_t k = 0; k <= n / 4; k++) {
@@ -101,7 +103,7 @@ static double follow_span(follow *at, double angle)
 }
 
 
-/* the farthest off the front that breasts may be set: where they are low the middle of the chest is soon foremost */
+/* largest angle of the breasts at which the span still grows: beyond it the middle of the chest is foremost */
 static double follow_outmost(follow *at)
 {
     double high = FOLLOW_ANGLE_HIGH;
@@ -110,6 +112,7 @@ static double follow_outmost(follow *at)
 }
 
 
+/* vary the breasts until the bust span is `span` [m] */
 static void follow_bust(follow *at, double span)
 {
     mus__limb *torso = &at->body->limb[MUS__LIMB_TORSO];
@@ -129,7 +132,7 @@ static void follow_bust(follow *at, double span)
 
 /* ---- crotch length ---- */
 
-/* the tape over the torso's middle line, from its contours as they are */
+/* length [m] of a tape along the torso's middle line, from the contours as they are */
 static double follow_middle(follow *at)
 {
     mus_body *body = at->body;
@@ -146,7 +149,7 @@ static double follow_middle(follow *at)
     mus__stack_limit(&stack, torso);
     memcpy(torso->limited, limited, sizeof limited);
 
-    /* steps close together near the pole, where the line turns */
+    /* points are closer near the pole, where the line turns */
     for (int32_t j = 0; j <= FOLLOW_STEPS; j++) {
         const double u = (double)j / FOLLOW_STEPS, s = torso->pole[0] + u * u * (at->waist - torso->pole[0]);
         mus__stack_ring(&stack, s, centre, radius);
@@ -161,7 +164,7 @@ static double follow_middle(follow *at)
 }
 
 
-/* with the contour above the crotch as deep as that part of the hip */
+/* crotch length with the contour above the crotch `part` of the hip deep */
 static double follow_crotch(follow *at, double part)
 {
     at->contour->b = part * at->hip->b;
@@ -169,7 +172,7 @@ static double follow_crotch(follow *at, double part)
 }
 
 
-/* with the hip deeper by that part, and that of the contour above the crotch with it */
+/* crotch length with the hip `part` of its depth, and the contour above the crotch in proportion */
 static double follow_hip(follow *at, double part)
 {
     mus__contour *hip = at->hip;
@@ -180,6 +183,7 @@ static double follow_hip(follow *at, double part)
 }
 
 
+/* vary the contour above the crotch, then the hip, until the crotch length is `length` [m] */
 static void follow_rise(follow *at, double length)
 {
     mus__limb *torso = &at->body->limb[MUS__LIMB_TORSO];

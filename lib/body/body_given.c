@@ -1,9 +1,9 @@
 /*
- * body_given.c: a body of limbs that the caller gives by their contours, without a tape.
+ * body_given.c: a body of limbs whose contours the caller gives, without a tape.
  *
- * Each limb is a stack of superellipses or outlines on a straight axis; frame, contours and closing points are
- * checked here and become the limbs that body_make.c turns into a surface and contact fields. Such a body has no
- * measures and no landmarks. For forms, dummies, single limbs, scans, and solids whose answers are known.
+ * Each limb is a stack of superellipses or outlines on a straight axis. Its frame, contours and poles are checked here;
+ * body_make.c makes surface and radius fields from them. Such a body has no measures and no landmarks. It is used for
+ * forms, dummies, single limbs and scans, and in tests for solids whose volume and depth are known.
  */
 #include <math.h>
 #include <string.h>
@@ -11,9 +11,9 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-#define GIVEN_LIMBS 64    /* most limbs */
-#define GIVEN_GAP 1e-5    /* least distance of two contours, and of an end from its closing point [m] */
-#define GIVEN_RINGS 400.0 /* rings of the contact field along a limb, at least */
+#define GIVEN_LIMBS 64    /* most limbs: MUS__PARTS_MOST */
+#define GIVEN_GAP 1e-5    /* least distance of two contours, and of an end contour from its pole [m]; chosen */
+#define GIVEN_RINGS 400.0 /* least number of rings of the radius field along a limb; chosen */
 
 
 void mus_limb_init(mus_limb *limb, size_t size)
@@ -26,7 +26,7 @@ void mus_limb_init(mus_limb *limb, size_t size)
 }
 
 
-/* one number of limb l: within low..high */
+/* check that a number of limb l is within low to high. Errors: MUS_ERR_ARG */
 static mus_status given_number(mus_context *context, int32_t l, const char *what, double value, double low, double high)
 {
     if (value >= low && value <= high) return MUS_OK;
@@ -34,7 +34,7 @@ static mus_status given_number(mus_context *context, int32_t l, const char *what
 }
 
 
-/* unit axis, side square to it, front = axis x side */
+/* read the frame of limb l: unit axis, side made square to it, front = axis x side. Errors: MUS_ERR_ARG */
 static mus_status given_frame(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
 {
     mus_status status = MUS_OK;
@@ -51,14 +51,14 @@ static mus_status given_frame(mus_context *context, int32_t l, const mus_limb *f
     double along = mus__dot3(to->side, to->axis);
     for (int i = 0; i < 3; i++) to->side[i] -= along * to->axis[i];
     if (mus__norm3(to->axis) < 0.5 || mus__norm3(to->side) < 1e-3)
-        return mus__fail(context, MUS_ERR_ARG, "limb %d: axis or side is zero, or both point the same way", (int)l);
+        return mus__fail(context, MUS_ERR_ARG, "limb %d: axis or side is zero, or they are parallel", (int)l);
     mus__unit3(to->side);
     mus__cross3(to->axis, to->side, to->front);
     return MUS_OK;
 }
 
 
-/* contours ascend and are neither points nor lines */
+/* read the contours and poles of limb l. Errors: MUS_ERR_ARG, MUS_ERR_BODY (they do not ascend) */
 static mus_status given_contours(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to)
 {
     static const struct {
@@ -95,7 +95,7 @@ static mus_status given_contours(mus_context *context, int32_t l, const mus_limb
     to->pole[0] = from->pole[0], to->pole[1] = from->pole[1];
     if (low >= GIVEN_GAP && high >= GIVEN_GAP) return MUS_OK;
     return mus__fail(context, MUS_ERR_BODY,
-                     "limb %d: it closes at s = %g and %g m, expected outside the contours, which are at %g to %g m",
+                     "limb %d: poles are at s = %g and %g m, expected outside the contours, which are at %g to %g m",
                      (int)l, from->pole[0], from->pole[1], to->contour[0].s, to->contour[to->count - 1].s);
 }
 
@@ -114,7 +114,7 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
     if (status == MUS_OK) status = given_contours(context, l, from, to);
     if (status != MUS_OK) return status;
 
-    /* the name is cut at the room there is */
+    /* a long name is cut */
     const char *name = from->name != NULL ? from->name : "limb";
     for (int i = 0; i + 1 < MUS__LIMB_NAME_BYTES && name[i] != '\0'; i++) to->own_name[i] = name[i];
     to->name = to->own_name;
@@ -124,7 +124,7 @@ mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb 
 }
 
 
-/* joints: the limbs that have them are cut there; a scanned form has none */
+/* set the bones of a scan, and the number of joints that cut each limb; a scanned form has none */
 static void given_bones(mus_body *body, const mus__bones *bones)
 {
     static const int32_t cuts[MUS__LIMB_COUNT] = {
@@ -140,7 +140,7 @@ static void given_bones(mus_body *body, const mus__bones *bones)
 }
 
 
-/* limbs, surface, fields; the fields as fine as the shortest limb needs */
+/* limbs, surface, fields and skin; rings of the fields as close as the shortest limb needs */
 static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb, const mus__bones *bones)
 {
     mus_status status = mus__body_limbs(body, limbs);
@@ -177,7 +177,7 @@ mus_status mus__body_create_jointed(mus_context *context, int32_t limbs, const m
     mus_status status = mus__body_read_def(context, def, &own);
     if (status != MUS_OK) return status;
     if (own.without != 0 || own.limbs != 0 || !mus__posture_none(&own))
-        return mus__fail(context, MUS_ERR_ARG, "without, limbs and posture of a def are for a body of a tape");
+        return mus__fail(context, MUS_ERR_ARG, "mus_body_def: without, limbs and posture are for a body of a tape");
 
     mus_body *body = mus__new(context, 1, sizeof *body);
     if (body == NULL) return mus__fail_memory(context, "a body");

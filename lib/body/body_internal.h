@@ -1,5 +1,5 @@
 /*
- * body_internal.h: the insides of a body: its limbs, the rig, the surface, the skin and the contact fields.
+ * body_internal.h: the struct of a body: its limbs, rig, surface, skin and radius fields.
  *
  * Read by lib/body, lib/pose and lib/contact. Everything is made once (body_make.h) and does not change afterwards.
  */
@@ -26,29 +26,29 @@ struct mus_body {
     double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
     int32_t source[MUS_MEASURE_COUNT];
     bool measured;   /* made from a tape: it has landmarks and measures */
-    bool scanned;    /* made from a mesh: what it has not cannot be posed */
-    bool jointed;    /* of a tape or a scan: it has bones, and can be posed */
+    bool scanned;    /* made from a mesh: limbs that it lacks cannot be posed */
+    bool jointed;    /* made from a tape or a mesh: it has bones and can be posed */
     mus__bones bones;
     mus__limb *limb; /* (limb_count) */
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;   /* (vertex_count x 3) of the rings: what measures and contact know */
-    double *normals;    /* (vertex_count x 3) */
-    int32_t *triangles; /* (triangle_count x 3) */
-    double *ring;         /* (rings of all limbs) s of each */
-    double fillet;        /* width of the skin's fillets where limbs meet [m], 0: limbs stay as they are */
-    double *skin;         /* (vertex_count + digit_vertices x 3) of the picture: limbs grown together where they meet */
+    double *vertices;     /* (vertex_count x 3) of the limbs' rings, which measures and contact agree with [m] */
+    double *normals;      /* (vertex_count x 3) */
+    int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
+    double *ring;         /* (rings of all limbs) s of each ring [m] */
+    double fillet;        /* width of the skin's fillets where limbs meet [m], 0: none */
+    double *skin;         /* (vertex_count + digit_vertices x 3) the published skin [m]; NULL: that of the limbs */
     double *skin_normals; /* (vertex_count + digit_vertices x 3) */
-    int32_t digit_vertices, digit_triangles; /* fingers and toes, of the picture alone; after all limbs */
+    int32_t digit_vertices, digit_triangles; /* fingers and toes, in the skin alone, after all limbs */
     mus__rig rig;
-    mus__frame *frame;  /* (parts) of a posed body, NULL: in the rest pose */
-    mus__stance stance; /* of a posed body */
-    mus__field *field;  /* (nfield), one a part, in the order of the rig's parts */
+    mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
+    mus__stance stance; /* pose of a posed body */
+    mus__field *field;  /* (nfield) one for each part of the rig, in that order */
     int32_t nfield;
 };
 
-/* a copy of a body whose parts stand at the frames (parts) of that stance. Errors: MUS_ERR_MEMORY */
+/* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * body_landmark.c: named points of a body, where it stands.
+ * body_landmark.c: named points of a body, in its pose.
  *
- * Of a body of a tape they lie at the contours of those names; of a scan at the levels and joints that were found in it
- * (a scan has no nape: no contour tells where the neck begins at the back).
+ * Of a body of a tape they are points of the contours of those names; of a scan they are at the levels and joints that
+ * were found in it. A scan has no nape: its contours do not tell where the neck begins at the back.
  */
 #include <math.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "body/body_internal.h"
 
 
-/* carry a point that lies in the ring at s of a limb to where the body stands */
+/* move a point x (3) of the ring at s of a limb from the rest pose to the body's pose */
 static void landmark_carry(const mus_body *body, int32_t limb, double s, double *x)
 {
     mus__frame frame;
@@ -21,7 +21,8 @@ static void landmark_carry(const mus_body *body, int32_t limb, double s, double 
 }
 
 
-/* point (a, b) off the centre of a named contour of a limb; without it the point `height` up on the middle */
+/* centre of a named contour of limb l, or with `skin` its point at the back; without such a contour the point `height`
+ * [m] above the origin */
 static void landmark_contour(const mus_body *body, int32_t l, const char *name, double height, bool skin, double *out)
 {
     const mus__limb *limb = &body->limb[l];
@@ -39,7 +40,7 @@ static void landmark_contour(const mus_body *body, int32_t l, const char *name, 
 }
 
 
-/* has the body that contour, or was it made without it (or without that limb)? */
+/* whether limb l of the body exists and has a contour of that name */
 static bool landmark_has(const mus_body *body, int32_t l, const char *name)
 {
     for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++)
@@ -48,7 +49,7 @@ static bool landmark_has(const mus_body *body, int32_t l, const char *name)
 }
 
 
-/* of a body of a tape */
+/* a landmark of a body of a tape */
 static mus_status landmark_measured(const mus_body *body, int32_t landmark, double *out)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -96,7 +97,7 @@ static mus_status landmark_measured(const mus_body *body, int32_t landmark, doub
 }
 
 
-/* a joint carried by the limb it lies in; false: the scan has no such limb */
+/* a joint of limb `which`, at s; false: the scan does not have that limb */
 static bool landmark_joint(const mus_body *body, int32_t which, int32_t joint, double s, double *out)
 {
     const int32_t l = body->bones.limb[which];
@@ -107,7 +108,7 @@ static bool landmark_joint(const mus_body *body, int32_t which, int32_t joint, d
 }
 
 
-/* the middle of the torso at a height; false: it is not known */
+/* the middle of the torso at a height [m]; false: the scan does not have that level */
 static bool landmark_level(const mus_body *body, double height, double *out)
 {
     const int32_t l = body->bones.limb[MUS__LIMB_TORSO];
@@ -118,7 +119,7 @@ static bool landmark_level(const mus_body *body, double height, double *out)
 }
 
 
-/* of a scan */
+/* a landmark of a scan */
 static mus_status landmark_scanned(const mus_body *body, int32_t landmark, double *out)
 {
     const mus__bones *bones = &body->bones;
@@ -148,11 +149,13 @@ static mus_status landmark_scanned(const mus_body *body, int32_t landmark, doubl
         break;
     case MUS_LANDMARK_WRIST_LEFT:
     case MUS_LANDMARK_WRIST_RIGHT:
-        there = landmark_joint(body, MUS__LIMB_ARM_LEFT + right, MUS_JOINT_WRIST_LEFT + right, bones->wrist[right], out);
+        there =
+            landmark_joint(body, MUS__LIMB_ARM_LEFT + right, MUS_JOINT_WRIST_LEFT + right, bones->wrist[right], out);
         break;
     case MUS_LANDMARK_ANKLE_LEFT:
     case MUS_LANDMARK_ANKLE_RIGHT:
-        there = landmark_joint(body, MUS__LIMB_LEG_LEFT + right, MUS_JOINT_ANKLE_LEFT + right, bones->ankle[right], out);
+        there =
+            landmark_joint(body, MUS__LIMB_LEG_LEFT + right, MUS_JOINT_ANKLE_LEFT + right, bones->ankle[right], out);
         break;
     default:
         break;

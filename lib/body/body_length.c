@@ -1,20 +1,20 @@
 /*
- * body_length.c: the made body under the tape again: lengths along its skin.
+ * body_length.c: lengths along the finished surface, for mus_body_made().
  *
- * A length is that of a tape from one place to another along a row of vertices, in the plane of that row: it lies on
- * what bulges and spans what is hollow, as the convex hull does. Lines, in the rest pose, on the limbs' own rings:
+ * A length is that of a tape between two points along a row of vertices, in the plane of that row: the tape lies on
+ * bulges and spans hollows, as the convex hull does. The rows, in the rest pose, on the rings of the limbs:
  *
- *     shoulder        ridge of the torso from the side of the neck to the shoulder point, which lies inside the edge of
- *                     the shoulder bone by what surveys and tailors differ in (skeleton.c)
- *     arm             outer line of the arm from the edge of the shoulder bone to the wrist, and 5 % for the bend
- *     elbow           the same to the elbow; the bend's part of the whole arm lies before the tip of the elbow
+ *     shoulder        ridge of the torso from the side neck point to the shoulder point, which lies inside the acromion
+ *                     by the difference between surveys and tailors (skeleton.c)
+ *     arm             outer line of the arm from the acromion to the wrist, plus 5 % for the bend
+ *     elbow           the same to the elbow; all of the bend's 5 % of the arm lies above the tip of the elbow
  *     back_waist      middle line of the back from nape to waist
  *     crotch_length   middle line from the waist in front, under the crotch, to the waist behind
- *     across_back     half way down the armhole from arm to arm, where the arms' skin meets the torso's
+ *     across_back     half way down the armhole, between the places where the skin of the arms meets that of the torso
  *     across_front    the same in front
- *     bust_span       between the foremost places of both sides at the height of the bust
+ *     bust_span       between the foremost points of both sides at the height of the bust
  *
- * Called once when a body is made, after the contact fields, which know where an arm begins.
+ * Called once when a body is made, after its radius fields, which tell where an arm begins.
  */
 #include <math.h>
 
@@ -22,18 +22,19 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-/* a bent arm's tape is so much longer than the straight arm's, in parts of it */
+/* the tape of a bent arm is longer than that of the straight arm by this part; as in skeleton.c */
 #define LENGTH_BEND 0.05
 
-/* points of a row in a plane, and room for their hull */
+/* points of a row in a plane, and scratch for their hull */
 typedef struct length_row {
     int32_t count;
     double *xy;    /* (count x 2) */
     int32_t *work; /* (count x 2) */
-    double u[3], v[3];
+    double u[3], v[3]; /* the directions of the plane's two axes */
 } length_row;
 
 
+/* append a point x (3) to a row */
 static void length_put(length_row *row, const double *x)
 {
     row->xy[2 * row->count] = mus__dot3(x, row->u);
@@ -42,8 +43,8 @@ static void length_put(length_row *row, const double *x)
 }
 
 
-/* length of a tape from the first to the last point; the skin looks to the left of that way (side 1) or to its right
- * (-1). What lies on the other side of the straight way is spanned, the rest held by its hull */
+/* length [m] of a tape from the first to the last point of a row whose skin faces to the left (side 1) or to the right
+ * (-1) of that way: the hull of the points on that side of the chord. Changes the row */
 static double length_tape(length_row *row, double side)
 {
     double *xy = row->xy, end[2] = {xy[2 * row->count - 2], xy[2 * row->count - 1]};
@@ -61,13 +62,14 @@ static double length_tape(length_row *row, double side)
 }
 
 
+/* vertex k (3) of a ring of a limb */
 static const double *length_vertex(const mus_body *body, const mus__limb *limb, int32_t ring, int32_t k)
 {
     return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples + k);
 }
 
 
-/* first ring of a limb at s or above, the last one beyond all */
+/* first ring of a limb at s or above; beyond all rings the last one */
 static int32_t length_ring(const mus_body *body, const mus__limb *limb, double s)
 {
     int32_t ring = 0;
@@ -76,7 +78,7 @@ static int32_t length_ring(const mus_body *body, const mus__limb *limb, double s
 }
 
 
-/* the place at s on line k of a limb, between two rings */
+/* the point (3) at s on line k of a limb, linear between two rings */
 static void length_at(const mus_body *body, const mus__limb *limb, double s, int32_t k, double *out)
 {
     const double *at = body->ring + limb->first_ring;
@@ -88,7 +90,7 @@ static void length_at(const mus_body *body, const mus__limb *limb, double s, int
 }
 
 
-/* line k of a limb from s = low up to s = high, or down */
+/* append line k of a limb from s = low to s = high, or the other way round (down) */
 static void length_line(const mus_body *body, const mus__limb *limb, int32_t k, double low, double high, bool down,
                         length_row *row)
 {
@@ -106,7 +108,7 @@ static void length_line(const mus_body *body, const mus__limb *limb, int32_t k, 
 }
 
 
-/* a row in the plane of two directions */
+/* begin a row in the plane of directions u and v */
 static void length_begin(length_row *row, const double *u, const double *v)
 {
     row->count = 0;
@@ -114,7 +116,7 @@ static void length_begin(length_row *row, const double *u, const double *v)
 }
 
 
-/* the middle line of the torso, in its plane (backwards, up) */
+/* back_waist and crotch_length, on the middle line of the torso, in the plane (backwards, up) */
 static void length_middle(mus_body *body, length_row *row)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -134,8 +136,8 @@ static void length_middle(mus_body *body, length_row *row)
 }
 
 
-/* height at which the left ridge of the shoulder, coming down from the neck, is as far out as the shoulder point; that
- * of the shoulder bone's edge where it nowhere is */
+/* height [m] at which the left ridge of the shoulder, down from the neck, is as far out as the shoulder point; where it
+ * is nowhere, the height of the acromion */
 static double length_shoulder_end(const mus_body *body)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -151,7 +153,7 @@ static double length_shoulder_end(const mus_body *body)
 }
 
 
-/* the shoulder, in the upright plane from the side of the neck to the shoulder point */
+/* shoulder and shoulder_slope, in the vertical plane through side neck point and shoulder point */
 static void length_shoulder(mus_body *body, length_row *row)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -168,7 +170,7 @@ static void length_shoulder(mus_body *body, length_row *row)
 }
 
 
-/* an arm with its wrist: its outer line from the level of the shoulder bone's edge */
+/* arm and elbow, on the outer line of an arm from the height of the acromion */
 static void length_arm(mus_body *body, const mus__limb *arm, length_row *row)
 {
     const mus__skeleton *bone = &body->skeleton;
@@ -185,7 +187,7 @@ static void length_arm(mus_body *body, const mus__limb *arm, length_row *row)
 }
 
 
-/* how deep a point, or its mirror image, lies in an arm: there may be one arm alone */
+/* depth [m] in the arms of a point x (3) or its mirror image, since the body may have one arm alone */
 static double length_in_arms(const mus_body *body, const double *x)
 {
     const double mirror[3] = {-x[0], x[1], x[2]};
@@ -200,7 +202,7 @@ static double length_in_arms(const mus_body *body, const double *x)
 }
 
 
-/* from arm to arm over line `middle` of the ring half way down the armhole: on both sides to where the arm begins */
+/* across_back or across_front [m]: from arm to arm over line `middle` of the ring half way down the armhole */
 static double length_across(const mus_body *body, int32_t middle, length_row *row)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -210,7 +212,8 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     double x[3], last[3], depth = 0.0, before = -1.0;
     length_begin(row, left, front);
 
-    /* how far to the side that goes on in k; the other side is the same, mirrored */
+    /* number of samples to one side, and the part of the next step, until the arm begins; the other side is its
+     * mirror */
     int32_t reach = 0;
     double part = 1.0;
     for (; reach < quarter; reach++) {
@@ -236,7 +239,7 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
 }
 
 
-/* breasts: the foremost places of the bust's ring, left and right */
+/* bust_span [m]: twice the X of the foremost point of the bust's ring; NaN without breasts */
 static double length_span(const mus_body *body)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];

@@ -1,5 +1,5 @@
 /*
- * body_level.c: levels of a body: of the torso by the heights of the skeleton, of arms and legs by their contours.
+ * body_level.c: levels of a body: on the torso from the heights of the skeleton, on arms and legs from their contours.
  */
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "body/body_level.h"
 
 
-/* height of a level of the torso, below 0 for those of limbs */
+/* height [m] of a level of the torso; -1 for a level of arms or legs */
 static double level_height(const mus__skeleton *bone, int32_t level)
 {
     switch (level) {
@@ -22,7 +22,7 @@ static double level_height(const mus__skeleton *bone, int32_t level)
 }
 
 
-/* the contour that a level of a limb lies at, and one nearer to the root */
+/* name of the contour at a level of arms or legs; "" for the torso */
 static const char *level_contour(int32_t level)
 {
     switch (level) {
@@ -36,7 +36,7 @@ static const char *level_contour(int32_t level)
 }
 
 
-/* the part of a limb that s lies in, MUS_NONE without */
+/* the part of a limb that contains s; MUS_NONE: the limb has no part */
 static int32_t level_part(const mus__rig *rig, int32_t limb, double s)
 {
     int32_t found = MUS_NONE;
@@ -68,7 +68,7 @@ void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mu
     out->part = level_part(&body->rig, l, s);
     if (out->part == MUS_NONE) out->there = 0;
 
-    /* arms run from the shoulder down, torso and legs upwards */
+    /* the axis of an arm points away from the shoulder, those of torso and legs point up */
     for (int i = 0; i < 3; i++) {
         out->point[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
         out->side[i] = limb->side[i];

@@ -1,5 +1,5 @@
 /*
- * body_level.h: the levels of a body that a garment is held at and its ease is told at: planes across a limb.
+ * body_level.h: levels of a body: planes across a limb, at which girths are taken and edges of a garment are attached.
  */
 #ifndef MUS_BODY_BODY_LEVEL_H
 #define MUS_BODY_BODY_LEVEL_H
@@ -7,7 +7,7 @@
 #include "muslin/body.h"
 
 enum {
-    MUS__LEVEL_NECK = 1, /* as MUS_HOLD_* of muslin/pattern.h */
+    MUS__LEVEL_NECK = 1, /* the numbers of MUS_HOLD_* of muslin/pattern.h */
     MUS__LEVEL_ARMPIT,
     MUS__LEVEL_BUST,
     MUS__LEVEL_WAIST,
@@ -21,18 +21,18 @@ enum {
     MUS__LEVEL_COUNT
 };
 
-/* where a level lies as the body was made: a point on it, the unit directions towards the root of the limb and to the
- * limb's left, the part of the rig that it moves with */
+/* a level in the rest pose: a point of it, the unit directions towards the root of the limb (up) and to the limb's left
+ * (side), and the part of the rig that carries it */
 typedef struct mus__body_level {
-    int32_t there; /* 0: the body has it not */
+    int32_t there; /* 0: the body does not have the level */
     int32_t limb, part;
     double point[3], up[3], side[3];
 } mus__body_level;
 
-/* right: 0 the left limb, 1 the right one, of levels on limbs */
+/* find a level (MUS__LEVEL_*); of a level on arms or legs `right` selects the left (0) or the right limb (1) */
 void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out);
 
-/* half the breadth over the ends of the shoulder lines, and at the neck where they begin; 0: a body without measures */
+/* half breadth at the shoulder points, and *neck at the side neck points [m]; 0 for a body without a tape */
 double mus__body_shoulder(const mus_body *body, double *neck);
 
 #endif

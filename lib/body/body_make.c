@@ -1,8 +1,7 @@
 /*
- * body_make.c: limbs with contours to a body: the second half of making, whoever gave the contours.
+ * body_make.c: the steps that all kinds of body share: options, limbs to surface and radius fields, destruction.
  *
- * Stacks between the contours, the surface from the stacks, the contact fields. Called by body.c for the limbs of a
- * tape and by body_given.c for limbs that the caller gives.
+ * Called by body.c for the limbs of a tape, by body_given.c for limbs of the caller and by body_copy.c for copies.
  */
 #include <math.h>
 #include <string.h>
@@ -10,7 +9,7 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-/* most limbs added to those of a tape: with its 15 parts no more than a rig has room for */
+/* most limbs added to those of a tape: with its 15 parts they fit MUS__PARTS_MOST */
 #define MAKE_ADDED 48
 
 
@@ -36,11 +35,18 @@ mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus
     if (!(own->ring_spacing >= 0.001 && own->ring_spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "ring_spacing %g m is outside 0.001 to 0.1 m", own->ring_spacing);
     if (own->without < 0 || own->without > MUS_WITHOUT_ALL)
-        return mus__fail(context, MUS_ERR_ARG, "without %d has bits that are no MUS_WITHOUT_*", (int)own->without);
+        return mus__fail(context, MUS_ERR_ARG, "without is %d, expected a sum of MUS_WITHOUT_*", (int)own->without);
     if (own->limbs < 0 || own->limbs > MAKE_ADDED || (own->limbs > 0 && own->limb == NULL))
-        return mus__fail(context, MUS_ERR_ARG, "%d limbs are added, expected 0 to %d and theirs", (int)own->limbs,
-                         MAKE_ADDED);
+        return mus__fail(context, MUS_ERR_ARG, "%d limbs are added, expected 0 to %d, with mus_body_def.limb",
+                         (int)own->limbs, MAKE_ADDED);
     return MUS_OK;
+}
+
+
+double mus__cubic_step(double t)
+{
+    t = fmin(fmax(t, 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 
@@ -70,7 +76,7 @@ mus_status mus__body_surface_of(mus_body *body, const double *turn)
 }
 
 
-/* fields of the parts of limb l, which follow those made so far */
+/* append the fields of the parts of limb l; rings about `spacing` [m] apart */
 static mus_status make_fields(mus_body *body, int32_t l, const double *turn, double spacing)
 {
     mus__stack stack;

@@ -9,66 +9,77 @@
 
 /* ---- body_make.c: options, limbs, surface, fields, for whoever gave the contours ---- */
 
+/* read and check the options of a body. Errors: MUS_ERR_ARG, MUS_ERR_VERSION */
 mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own);
-/* room for `count` limbs, empty */
+/* allocate `count` empty limbs. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_limbs(mus_body *body, int32_t count);
-/* stacks of all limbs to the surface; turn (def.samples x 2) */
+/* the surface of all limbs, sampled in the directions `turn` (def.samples x 2). Errors: MUS_ERR_MEMORY */
 mus_status mus__body_surface_of(mus_body *body, const double *turn);
-/* the rig, and the contact fields of all its parts, rings about `spacing` apart */
+/* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
-/* ---- body_posture.c: how a person holds back and head ---- */
+/* cubic step: 0 for t <= 0, 1 for t >= 1 */
+double mus__cubic_step(double t);
 
+/* ---- body_posture.c ---- */
+
+/* whether the options ask for the upright posture */
 bool mus__posture_none(const mus_body_def *def);
+/* check the posture against its ranges for a stature [m]. Errors: MUS_ERR_ARG */
 mus_status mus__posture_check(mus_context *context, const mus_body_def *def, double stature);
-/* shoulder joints, and where shoulders and bust stand */
+/* move shoulder joints, shoulders and bust of the skeleton forwards or backwards */
 void mus__posture_bones(const mus_body_def *def, mus__skeleton *bone);
-/* the fitted contours of the torso */
+/* move the fitted contours of the torso */
 void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus__limb *torso);
 
 /* ---- body_follow.c ---- */
 
-/* the fitted contours of the torso follow the bust span and the crotch length that a sheet gives */
+/* change the fitted contours of the torso so that bust span and crotch length are the tape's, where it gives them.
+ * Scratch as mus__contour_fit(). Errors: MUS_ERR_MEMORY */
 mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work);
-/* X of the foremost place by the parabola through three: (x, how far ahead) each */
+/* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
 /* ---- body_without.c, body_given.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
-/* cut the fitted limbs to what body->def.without leaves */
+/* mark or cut the fitted limbs that body->def.without names */
 void mus__body_without(mus_body *body);
-/* read a given limb, the l-th of a list, and its outlines' places */
+/* read a given limb, number l of its list, without the corners of outlines. Errors: MUS_ERR_ARG, MUS_ERR_VERSION,
+ * MUS_ERR_BODY */
 mus_status mus__body_given_limb(mus_context *context, int32_t l, const mus_limb *from, mus__limb *to);
-/* read the outlines of given limbs, which stand in the body from limb `first` on, into body->outline, after their
- * centres; refuses what is not star-shaped */
+/* read the outlines of given limbs, which are limbs `first` ... of the body, into body->outline, relative to the
+ * centres of their contours. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY, MUS_ERR_BODY (an outline that is not star-shaped) */
 mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, const mus_limb *limb);
 
 /* ---- body_surface.c, ring_mesh.c ---- */
 
-/* triangulate all limbs; stack (limb_count) sampled at def.samples equal angles */
+/* rings, vertices, normals and triangles of all limbs; stack (limb_count) sampled at def.samples equal angles. Errors:
+ * MUS_ERR_MEMORY */
 mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
-/* normals (rings n + 2 x 3) of an end point, rings of n and an end point, from ring `from` on */
+/* normals (rings n + 2 x 3) of the closed surface of an end point, rings of n vertices, and an end point, from ring
+ * `from` on */
 void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals);
-/* triangles (2 rings n x 3) of the same, the first end point being `vertex` */
+/* triangles (2 rings n x 3) of such a surface whose first end point has the index `vertex` */
 void mus__ring_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out);
 
 /* ---- body_measure.c, body_length.c ---- */
 
-/* fill body->made from the vertices */
+/* girths and heights in body->made, from the vertices. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_remeasure(mus_body *body);
-/* the lengths in body->made: along the skin; needs the fields */
+/* lengths in body->made, along the surface; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_lengths(mus_body *body);
 
 /* ---- skin.c, digit.c, seat.c, shape.c: the published skin ---- */
 
-/* the skin from the surface of the limbs; needs the fields */
+/* the skin from the surface of the limbs; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_skin(mus_body *body);
-/* fingers and toes: how much they are, and their vertices, normals and triangles after those of the limbs */
+/* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
+/* write vertices, normals and triangles of fingers and toes after those of the limbs */
 void mus__digit_make(mus_body *body);
-/* the cleft of the seat, in the finished skin */
+/* the cleft of the seat and the groin of a child, in the finished skin */
 void mus__skin_seat(mus_body *body);
-/* face, palms and feet: vertices of the skin and their normals */
+/* face, palms and feet, in the vertices and normals of the skin */
 void mus__skin_shape(mus_body *body);
 
 #endif

@@ -1,8 +1,7 @@
 /*
- * body_measure.c: the made body under the tape again: girths and heights from its vertices.
+ * body_measure.c: girths and heights of the finished surface, from its vertices, for mus_body_made().
  *
- * A girth is the perimeter of the convex hull of a ring of the surface, as the tape lies. Heights are those of the
- * rings and of the end points.
+ * A girth is the perimeter of the convex hull of a ring, as a tape lies. Heights are those of rings and of end points.
  */
 #include <math.h>
 
@@ -11,13 +10,14 @@
 #include "geom/vec.h"
 
 
+/* the first vertex of a ring of a limb */
 static const double *measure_ring(const mus_body *body, const mus__limb *limb, int32_t ring)
 {
     return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
 }
 
 
-/* girth of a ring as the tape lies, from its vertices in the plane of the ring */
+/* girth of a ring as a tape lies [m], from its vertices in the plane of the ring. Scratch: xy (2n), work (2n) */
 static double measure_girth(const mus_body *body, const mus__limb *limb, int32_t ring, double *xy, int32_t *work)
 {
     const double *x = measure_ring(body, limb, ring);
@@ -32,7 +32,7 @@ static double measure_girth(const mus_body *body, const mus__limb *limb, int32_t
 }
 
 
-/* mean height of the vertices of a named contour of the torso; NaN without it */
+/* mean height [m] of the vertices of a named contour of the torso; NaN: it has none of that name */
 static double measure_height(const mus_body *body, const char *name)
 {
     const mus__limb *limb = &body->limb[MUS__LIMB_TORSO];
@@ -61,7 +61,7 @@ mus_status mus__body_remeasure(mus_body *body)
         return mus__fail_memory(body->context, "measuring a body");
     }
 
-    /* girths: of two sides the one further from what was asked */
+    /* girths: of left and right the one that differs more from the tape */
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++) body->made[m] = NAN;
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
         for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
@@ -74,7 +74,7 @@ mus_status mus__body_remeasure(mus_body *body)
     mus__free(body->context, xy);
     mus__free(body->context, work);
 
-    /* heights: end points and rings of the torso, length of the foot */
+    /* heights of end points and rings of the torso; length of the foot */
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO], *foot = &body->limb[MUS__LIMB_FOOT_LEFT];
     const double *x = body->vertices + 3 * (ptrdiff_t)torso->first_vertex;
     double waist = measure_height(body, "waist");

@@ -1,13 +1,10 @@
 /*
- * body_outline.c: contours given by their corners in place of a superellipse: sections of a scan, traced forms.
+ * body_outline.c: reads contours that are given as polygons: sections of a scan, traced forms.
  *
- * An outline is a closed polygon about the contour's centre. It is star-shaped: seen from the centre the corners come
- * at angles that ascend once round, so that each direction meets one side. Corners are kept by their angle, from -pi
- * on; the radius in a direction d is that of the side from p to q which the ray meets,
- *
- *     R = (p x q) / (d x (q - p))
- *
- * Asked a few hundred times a contour when a body is made, never by contact.
+ * An outline is a closed polygon round the contour's centre. It must be star-shaped: seen from the centre, the angles
+ * of its corners ascend once round, so that each direction meets one side. Corners are stored with their angles, from
+ * -pi on; lib/limb/contour.c computes the radius in a direction from them when a body is made. Contact reads the radius
+ * fields only.
  */
 #include <math.h>
 
@@ -15,7 +12,7 @@
 #include "geom/vec.h"
 
 #define OUTLINE_CORNERS 1024 /* most corners of an outline */
-#define OUTLINE_LEAST 1e-4   /* a corner is no nearer to the centre [m] */
+#define OUTLINE_LEAST 1e-4   /* least distance of a corner from the centre [m]; chosen */
 
 
 static double outline_cross(const double *p, const double *q)
@@ -24,7 +21,7 @@ static double outline_cross(const double *p, const double *q)
 }
 
 
-/* corners of contour i of limb l, counted from the one of the least angle */
+/* read the corners of contour i of limb l into `corner` (corners x 3), from the least angle on */
 static mus_status outline_read(mus_context *context, int32_t l, int32_t i, const mus_limb *from, mus__contour *to,
                                double *corner)
 {
@@ -50,7 +47,7 @@ static mus_status outline_read(mus_context *context, int32_t l, int32_t i, const
         to->a = fmax(to->a, fabs(corner[3 * k + 1])), to->b = fmax(to->b, fabs(corner[3 * k + 2]));
     }
 
-    /* each side goes on round the centre, and all of them once: then no two angles are out of order */
+    /* star-shaped: each side turns counter-clockwise about the centre, and the angles ascend up to the last corner */
     for (int32_t k = 0; k < n; k++) {
         const double *p = corner + 3 * (ptrdiff_t)k, *q = corner + 3 * (ptrdiff_t)((k + 1) % n);
         if (outline_cross(p + 1, q + 1) > 0.0 && (k + 1 == n || q[0] > p[0])) continue;

@@ -1,34 +1,27 @@
 /*
- * body_posture.c: how a person holds the back and the head: contours moved forwards and backwards.
+ * body_posture.c: the posture of back and head: contours of the torso moved forwards and backwards.
  *
- * A contour moves as it is, within its plane, so every girth and height of the tape stays what it was to the last bit;
- * a body of no posture is the same body. With Z of the contours' centres as a sum of three parts,
+ * A contour is translated within its plane, so the girths and heights of the tape do not change. Its shift forwards is
+ * the sum of three parts, each an amount of mus_body_def times a function of the height:
  *
- *     stoop          t^2 (5 t - 3) / 2,  t from 0 at the waist to 1 at the nape and above: the shoulder blades go
- *                    backwards by 0.08 of what the nape comes forwards, and the head goes with the nape
- *     head_forward   u^2 (3 - 2 u),  u from 0 at the neck base to 1 at the jaw and above
- *     sway           1 at the waist, down to -0.3 at the hip and below, up to 0 at the armpit, both as v^2 (3 - 2 v)
+ *     stoop          t^2 (5 t - 3) / 2,  t from 0 at the waist to 1 at the nape and above: the shoulder blades move
+ *                    backwards by 0.08 of the shift of the nape, and the head moves with the nape
+ *     head_forward   u^2 (3 - 2 u),  u from 0 at the base of the neck to 1 at the jaw and above
+ *     sway           1 at the waist, down to -0.3 at the hip and below, and to 0 at the armpit, both as v^2 (3 - 2 v)
  *
- * Shoulder joints, and with them the arms, go with the torso at the height of the shoulder points; the roots of the
- * legs go with the hip. Names as in posture classes of tailoring: stooping and erect, head forward, hollow back.
+ * The shoulder joints, and with them the arms, move with the torso at the height of the shoulder points; the roots of
+ * the legs move with the hip. The names are those of tailors' posture classes: stooping, erect, head forward, hollow
+ * back.
  */
 #include <math.h>
 
 #include "body/body_make.h"
 
-/* least and most of each, in parts of the stature: an upright back to that of old age */
+/* range of each amount, in parts of the stature; chosen: from an erect back to that of old age */
 static const struct {
     const char *name;
     double low, high;
 } posture_range[] = {{"stoop", -0.02, 0.04}, {"head_forward", -0.01, 0.03}, {"sway", -0.015, 0.03}};
-
-
-/* 0 below 0, 1 above 1, smooth between */
-static double posture_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 
 bool mus__posture_none(const mus_body_def *def)
@@ -50,14 +43,14 @@ mus_status mus__posture_check(mus_context *context, const mus_body_def *def, dou
 }
 
 
-/* how far the centre at height y goes forwards */
+/* shift forwards of the centre at height y [m] */
 static double posture_shift(const mus_body_def *def, const mus__skeleton *bone, double y)
 {
     const double t = fmin(fmax((y - bone->waist) / (bone->nape - bone->waist), 0.0), 1.0);
     const double stoop = 0.5 * t * t * (5.0 * t - 3.0);
-    const double head = posture_step((y - bone->neck_side) / (bone->jaw - bone->neck_side));
-    const double sway = y < bone->waist ? 1.0 - 1.3 * posture_step((bone->waist - y) / (bone->waist - bone->hip))
-                                        : 1.0 - posture_step((y - bone->waist) / (bone->armpit - bone->waist));
+    const double head = mus__cubic_step((y - bone->neck_side) / (bone->jaw - bone->neck_side));
+    const double sway = y < bone->waist ? 1.0 - 1.3 * mus__cubic_step((bone->waist - y) / (bone->waist - bone->hip))
+                                        : 1.0 - mus__cubic_step((y - bone->waist) / (bone->armpit - bone->waist));
     return def->stoop * stoop + def->head_forward * head + def->sway * sway;
 }
 

@@ -1,11 +1,11 @@
 /*
- * body_surface.c: stacks to triangles.
+ * body_surface.c: the surface of the limbs: rings, vertices, triangles and normals from the stacks.
  *
- * A limb is a point below, rings of `samples` vertices, a point above. Rings stand at every contour and between them so
- * close that no sample moves more than ring_spacing; caps take a few rings at equal angles of their ellipse. Between
- * two rings run quads cut in two, and fans to the end points, so that no triangle has more than two vertices on one
- * contour and those are neighbours (the two conditions of paper 3.3). All triangles wind outwards. Normals are the mean
- * of the triangles around a vertex, weighted by area.
+ * The surface of a limb is an end point, rings of `samples` vertices, and an end point. There is a ring at every
+ * contour, and between contours so many that no sample moves more than ring_spacing from one ring to the next; a cap
+ * has a few rings at equal angles of its ellipse. Two rings are joined by quads cut in two, the ends by fans, so that
+ * no triangle has more than two vertices on one contour, and those are neighbours (the two conditions of Metaaphanon
+ * and Kanongchaiyos 2005, section 3.3). All triangles wind outwards.
  */
 #include <math.h>
 #include <string.h>
@@ -13,11 +13,11 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-/* rings of a cap at equal angles of the quarter ellipse */
+/* rings of a cap, at equal angles of the quarter of an ellipse; chosen */
 #define SURFACE_CAP_RINGS 6
 
 
-/* rings in the interval above contour i: no sample moves further than `spacing` between two */
+/* number of steps in the interval above contour i, 1 to 200, so that no sample moves more than `spacing` [m] in one */
 static int32_t surface_steps(const mus__stack *stack, int32_t i, double spacing)
 {
     const mus__contour *p = &stack->limb->contour[i];
@@ -32,12 +32,12 @@ static int32_t surface_steps(const mus__stack *stack, int32_t i, double spacing)
 }
 
 
-/* s of all rings of a limb (out may be NULL); notes which ring each contour is. Returns their number */
+/* s of all rings of a limb into `out`, which may be NULL, and the ring of each contour; returns the number of rings */
 static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double spacing, double *out)
 {
     int32_t count = 0, last = limb->count - 1;
 
-    /* the lower cap from its point upwards, the contours, the upper cap */
+    /* the lower cap from its pole upwards, the contours and the rings between them, the upper cap */
     for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++, count++) {
         double middle = stack->cap[0][0], axis = stack->cap[0][1];
         double end = acos((middle - limb->contour[0].s) / axis);
@@ -62,12 +62,14 @@ static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double sp
 }
 
 
+/* the point (3) of a limb at (a, b, s) */
 static void surface_point(const mus__limb *limb, double a, double b, double s, double *out)
 {
     for (int i = 0; i < 3; i++) out[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
 }
 
 
+/* vertices (rings n + 2 x 3) of a limb in the rest pose. Scratch: radius (n) */
 static void surface_vertices(const mus__stack *stack, const mus__limb *limb, const double *s, double *radius,
                              double *out)
 {
@@ -87,7 +89,7 @@ static void surface_vertices(const mus__stack *stack, const mus__limb *limb, con
 }
 
 
-/* carry rings, end points and all, to where the body stands */
+/* move the rings and end points of limb l to the body's pose */
 static void surface_carry(const mus_body *body, int32_t l, const double *s, double *x)
 {
     const mus__limb *limb = &body->limb[l];

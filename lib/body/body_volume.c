@@ -1,27 +1,28 @@
 /*
- * body_volume.c: the volume of a body in its rest pose, from the contact fields.
+ * body_volume.c: the volume of a body in its rest pose, from the radius fields.
  *
- * The fields are tables of radii, so a part's volume is a sum over its rings: the squared radius is linear between
- * rings, and so is the area of the section. The round caps at joints lie within the limb and do not count; the caps at
- * a limb's ends are quarters of ellipses, in closed form. What a limb shares with the limbs before it is taken off by
- * a quadrature of the rings that come near those: where limbs do not meet nothing is asked.
+ * The volume of a part is a sum over the rings of its field: the squared radius is linear between rings, and so is the
+ * area of the section. The round caps at joints lie within the limb and do not count; the caps at the ends of a limb
+ * are quarters of ellipses, in closed form. The region that a limb shares with earlier limbs is subtracted, by a
+ * quadrature over the rings that come near those limbs.
  *
  *     V = sum of  integral A(s) ds - (part of it within earlier limbs),   A = 1/2 integral R^2 dt
  *
- * A millisecond for a body of a tape, most of it at the shoulders; the overlaps are right to 0.02 % of the body.
+ * Cost: 3 ms for a body of a tape, most of it at the shoulders. Error of the overlaps: 0.02 % of the body's volume.
  */
 #include <math.h>
 
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
-#define VOLUME_SKIP 4    /* directions of the quadrature: each 4th of the field's, */
-#define VOLUME_DEEP 4    /* four radii that cut the section in equal parts, */
-#define VOLUME_STEP 2    /* each second ring */
-#define VOLUME_SOFT 0.01 /* a point counts by part while its depth is within half of this [m]: the size of its cell */
+/* the quadrature of an overlap; chosen for the error and the cost named above */
+#define VOLUME_SKIP 4    /* it takes one of so many directions of the field, */
+#define VOLUME_DEEP 4    /* points at so many radii, which divide the section in equal areas, */
+#define VOLUME_STEP 2    /* and one of so many rings */
+#define VOLUME_SOFT 0.01 /* [m] a point counts in part while its depth is within half of this: the size of its cell */
 
 
-/* weights of the squared radii in the area: half the angle between the neighbours' middles, halved */
+/* weight (n) of each squared radius in the area: a quarter of the angle between the two neighbouring directions */
 static void volume_weights(int32_t n, const double *turn, double *weight)
 {
     for (int32_t k = 0; k < n; k++) weight[k] = 0.0;
@@ -34,6 +35,7 @@ static void volume_weights(int32_t n, const double *turn, double *weight)
 }
 
 
+/* area of a ring [m2] */
 static double volume_area(const mus__field *field, int32_t ring, const double *weight)
 {
     const double *radius = field->radius + (ptrdiff_t)ring * field->nangle;
@@ -43,7 +45,8 @@ static double volume_area(const mus__field *field, int32_t ring, const double *w
 }
 
 
-/* of the limb's cap at an end: integral of A (1 - u^2) / (1 - v^2) from the last ring, u = v, to the pole, u = 1 */
+/* volume [m3] of the cap that ends a limb: integral of A (1 - u^2) / (1 - v^2) from the last ring, u = v, to the
+ * pole */
 static double volume_cap(const mus__field *field, int end, const double *weight)
 {
     const double s = end == 0 ? field->s0 : field->s0 + field->ds * (field->nring - 1);
@@ -53,7 +56,7 @@ static double volume_cap(const mus__field *field, int end, const double *weight)
 }
 
 
-/* of the rings between the part's ends, and of the caps that end the limb */
+/* volume [m3] of a part between its ends, and of the caps that end the limb */
 static double volume_part(const mus__field *field, const mus__part *part, const double *weight)
 {
     double volume = 0.0, low = volume_area(field, 0, weight);
@@ -69,7 +72,8 @@ static double volume_part(const mus__field *field, const mus__part *part, const 
 }
 
 
-/* does a ball come near a field? In the field's frame, with its rings' own middles where the axes are parallel */
+/* whether a ball may touch the body of a field; `axis` is that of the part the ball belongs to: for parallel axes the
+ * bound is that of the ring at its height, else that of the whole field */
 static bool volume_near(const mus__field *field, const double *middle, double radius, const double *axis)
 {
     double d[3];
@@ -87,7 +91,7 @@ static bool volume_near(const mus__field *field, const double *middle, double ra
 }
 
 
-/* how much of a point is within the listed fields: 0, 1, or between them within half a cell of a skin */
+/* the share of a point's cell that lies within the listed fields, 0 to 1 */
 static double volume_within(const mus__field *const *near, int32_t count, const double *x)
 {
     double most = 0.0, normal[3];
@@ -99,7 +103,7 @@ static double volume_within(const mus__field *const *near, int32_t count, const 
 }
 
 
-/* area of a ring of part p that lies within limbs before its own */
+/* area [m2] of a ring of part p that lies within earlier limbs */
 static double volume_shared(const mus_body *body, int32_t p, int32_t ring, const double *turn, const double *weight)
 {
     const mus__field *field = &body->field[p], *near[MUS__PARTS_MOST];
@@ -129,7 +133,7 @@ static double volume_shared(const mus_body *body, int32_t p, int32_t ring, const
 }
 
 
-/* volume of a part within limbs before its own; the caps at its ends count as rings of their own half height */
+/* volume [m3] of part p within earlier limbs; a cap shares as much as the ring it stands on */
 static double volume_overlap(const mus_body *body, int32_t p, const double *turn, const double *weight)
 {
     const mus__field *field = &body->field[p];
@@ -153,7 +157,7 @@ static double volume_overlap(const mus_body *body, int32_t p, const double *turn
 }
 
 
-/* of a posed body: its fields back where they were made, borrowing their tables */
+/* volume of a posed body: that of its fields in the rest pose, with borrowed tables */
 static double volume_at_rest(const mus_body *body)
 {
     mus_body rest = *body;

@@ -1,25 +1,26 @@
 /*
- * body_without.c: a body of a tape less some of its limbs.
+ * body_without.c: limbs of a body of a tape left out, or cut at a joint.
  *
- * A body is a list of limbs, so any subset of it builds. A limb that is left out keeps its place in the list and its
- * contours, which the joints are found by, and has neither part nor surface. One that ends at a joint loses the
- * contours beyond it and closes there in a round stump. Called once when a body is made, after the girths are fitted.
+ * A limb that is left out keeps its place in the list and its contours, from which joints are found; it has no part and
+ * no surface. A limb that is cut at a joint loses the contours beyond it and closes there with a round stump. Called
+ * once when a body is made, after the girths are fitted.
  */
 #include <string.h>
 
 #include "body/body_make.h"
 
-/* length of a stump beyond the joint, in parts of its radius */
+/* length of a stump beyond the joint, in parts of its radius; chosen */
 #define WITHOUT_ROUND 0.7
 
 
+/* length of the stump beyond a contour [m] */
 static double without_stump(const mus__contour *last)
 {
     return WITHOUT_ROUND * 0.5 * (last->a + last->b);
 }
 
 
-/* an arm ends at s: contours ascend to the hand */
+/* end an arm at s, with `cuts` joints left: its contours ascend towards the hand */
 static void without_above(mus__limb *limb, double s, int32_t cuts)
 {
     while (limb->count > 2 && limb->contour[limb->count - 1].s > s + 1e-9) limb->count--;
@@ -29,7 +30,7 @@ static void without_above(mus__limb *limb, double s, int32_t cuts)
 }
 
 
-/* a leg ends at s: contours ascend from the foot */
+/* end a leg at s, with `cuts` joints left: its contours ascend from the foot */
 static void without_below(mus__limb *limb, double s, int32_t cuts)
 {
     int32_t first = 0;

@@ -1,9 +1,9 @@
 /*
  * bones.c: the joints of a body of a tape, from its skeleton.
  *
- * The lumbar joint is at the waist, the neck's at the neck base; hips lie four hundredths of the stature above the
- * crotch (no higher than the seat), ankles 0.3 foot lengths above the floor; shoulders, elbows, wrists and knees are
- * the skeleton's. Source: ANSUR II and the mean bodies of GarmentCode.
+ * The lumbar joint is at the waist, the neck joint at the base of the neck; the hip joints lie 0.04 of the stature
+ * above the crotch, at most at the hip level; the ankles 0.3 foot lengths above the floor. Shoulders, elbows, wrists
+ * and knees are those of the skeleton. Source: ANSUR II and the mean bodies of GarmentCode.
  */
 #include <math.h>
 #include <string.h>

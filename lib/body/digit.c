@@ -1,15 +1,15 @@
 /*
- * digit.c: fingers, thumbs and toes of the picture.
+ * digit.c: fingers, thumbs and toes of the published skin.
  *
- * Contact, girths and volume know a hand as a mitten and a foot as a last; in the picture the palm and the ball of the
- * foot end early (shape.c), and from them come tubes that bend towards the palm along an arc and close round. They
- * stand in the frame of their hand or foot,
+ * For contact, girths and volume a hand is a mitten and a foot is one closed shape. In the skin, palm and ball of the
+ * foot are shorter (shape.c), and digits are tubes that bend along an arc towards the palm and close round. They are
+ * described in a frame of their hand or foot,
  *
  *     u along the limb, v towards the thumb or the big toe, w towards the palm or the floor,
  *
- * and move with its part. Each is a shell of its own after the shells of the limbs, laid out as a limb is: an end
- * point, rings, an end point. Lengths are parts of the hand (wrist to tip) or of the foot; proportions of hands are
- * those of Garrett, The Adult Human Hand, 1971.
+ * and move with its part. Each is a closed surface of an end point, rings, and an end point, after those of the limbs.
+ * Lengths are in parts of the hand (wrist to tip) or of the foot; proportions of hands are those of Garrett, The Adult
+ * Human Hand, 1971.
  */
 #include <math.h>
 #include <string.h>
@@ -17,15 +17,15 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-#define DIGIT_ROUND 12 /* samples round a digit */
-#define DIGIT_RINGS 9
+#define DIGIT_ROUND 12 /* samples round a digit; chosen */
+#define DIGIT_RINGS 9  /* rings of a digit; chosen */
 
-/* a digit: root, direction, length, radii at root and tip, bend from root to tip [rad] */
+/* a digit: root, direction (way), length, radii at root and tip (thick), bend from root to tip [rad] */
 typedef struct digit_row {
     double root[3], way[3], length, thick[2], bend;
 } digit_row;
 
-/* u and lengths in hands, v in half breadths of the hand, w in half thicknesses; thicknesses in half breadths */
+/* u and lengths in hands, v and radii in half breadths of the hand, w in its half thicknesses */
 static const digit_row digit_fingers[] = {
     {{0.12, 0.46, 0.30}, {0.78, 0.58, 0.28}, 0.40, {0.38, 0.21}, -0.30}, /* thumb */
     {{0.42, 0.67, -0.10}, {1.0, 0.05, 0.06}, 0.52, {0.285, 0.185}, 0.35},
@@ -34,7 +34,7 @@ static const digit_row digit_fingers[] = {
     {{0.40, -0.66, -0.05}, {1.0, -0.06, 0.08}, 0.43, {0.25, 0.16}, 0.45},
 };
 
-/* all in feet: u from the heel, v from the middle of the ball, w up from the floor is the thickness at the tip */
+/* in lengths of the foot: u from the heel, v from the middle of the ball; w is set so that the tip lies on the floor */
 static const digit_row digit_toes[] = {
     {{0.70, 0.110, 0.0}, {1.0, -0.05, 0.16}, 0.288, {0.056, 0.042}, -0.10},
     {{0.72, 0.040, 0.0}, {1.0, 0.00, 0.19}, 0.262, {0.037, 0.029}, -0.10},
@@ -43,7 +43,8 @@ static const digit_row digit_toes[] = {
     {{0.66, -0.114, 0.0}, {1.0, 0.10, 0.14}, 0.195, {0.033, 0.027}, -0.10},
 };
 
-/* where hand or foot stands: origin, the directions u, v, w, and what the rows are measured in along each */
+/* the frame of a hand or foot: origin, directions u, v, w, the unit of the rows along each, the unit of radii, the part
+ */
 typedef struct digit_base {
     double origin[3], u[3], v[3], w[3], unit[3], thick;
     int32_t part;
@@ -52,7 +53,7 @@ typedef struct digit_base {
 enum { DIGIT_A_SIDE = 5, DIGIT_LIMBS = 4 };
 
 
-/* hands left and right, feet left and right: whether the body has it */
+/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
 static bool digit_has(const mus_body *body, int32_t which)
 {
     const mus__limb *limb = &body->limb[(which < 2 ? MUS__LIMB_ARM_LEFT : MUS__LIMB_FOOT_LEFT - 2) + which];
@@ -82,6 +83,7 @@ static int32_t digit_part(const mus_body *body, int32_t l)
 }
 
 
+/* frame of a hand */
 static void digit_hand(const mus_body *body, int32_t right, digit_base *out)
 {
     const int32_t l = MUS__LIMB_ARM_LEFT + right;
@@ -99,6 +101,7 @@ static void digit_hand(const mus_body *body, int32_t right, digit_base *out)
 }
 
 
+/* frame of a foot */
 static void digit_foot(const mus_body *body, int32_t right, digit_base *out)
 {
     const int32_t l = MUS__LIMB_FOOT_LEFT + right;
@@ -117,7 +120,7 @@ static void digit_foot(const mus_body *body, int32_t right, digit_base *out)
 }
 
 
-/* one digit in the rest pose: centre on an arc, rings across it, round at the tip */
+/* vertices of one digit in the rest pose: rings across an arc, closed round at the tip */
 static void digit_tube(const digit_base *base, const digit_row *row, bool toe, double *x)
 {
     double root[3], way[3], palm[3], across[3];
@@ -130,7 +133,7 @@ static void digit_tube(const digit_base *base, const digit_row *row, bool toe, d
     }
     mus__unit3(way);
 
-    /* a toe ends on the floor, a little flat: its root stands as high as it goes down */
+    /* a toe ends on the floor, where it is flattened: the height of its root is its fall plus 0.75 of its radius */
     const double length = row->length * base->unit[0];
     if (toe)
         for (int i = 0; i < 3; i++) root[i] -= (0.75 * thick[1] + length * mus__dot3(way, palm)) * palm[i];
@@ -140,7 +143,7 @@ static void digit_tube(const digit_base *base, const digit_row *row, bool toe, d
     mus__cross3(way, palm, across);
 
     for (int32_t j = -1; j <= DIGIT_RINGS; j++) {
-        /* rings close up towards the tip; the last quarter of the tip's diameter is a cap */
+        /* rings are closer towards the tip; the last 1.3 radii are a round cap */
         const double t = j < 0 ? 0.0 : 1.0 - pow(1.0 - (double)j / DIGIT_RINGS, 1.6), angle = row->bend * t;
         const double bend = row->bend, go = length * sin(angle) / bend, aside = length * (1.0 - cos(angle)) / bend;
         const double rest = (1.0 - t) * length / (1.3 * thick[1]), cap = rest < 1.0 ? sqrt(rest * (2.0 - rest)) : 1.0;

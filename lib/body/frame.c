@@ -86,3 +86,19 @@ void mus__frame_turn(const mus__frame *frame, const double *x, double *out)
 {
     mus__matrix_point(frame->turn, x, out);
 }
+
+
+void mus__frame_turn_back(const mus__frame *frame, const double *x, double *out)
+{
+    double y[3];
+    for (int i = 0; i < 3; i++)
+        y[i] = frame->turn[i] * x[0] + frame->turn[3 + i] * x[1] + frame->turn[6 + i] * x[2];
+    memcpy(out, y, sizeof y);
+}
+
+
+void mus__frame_back(const mus__frame *frame, const double *x, double *out)
+{
+    const double d[3] = {x[0] - frame->place[0], x[1] - frame->place[1], x[2] - frame->place[2]};
+    mus__frame_turn_back(frame, d, out);
+}

@@ -30,5 +30,9 @@ void mus__matrix_product(const double *a, const double *b, double *out);
 void mus__frame_point(const mus__frame *frame, const double *x, double *out);
 /* out (3) = turn * x for a direction */
 void mus__frame_turn(const mus__frame *frame, const double *x, double *out);
+/* the opposite motion of a point: out (3) = transpose of turn * (x - place) */
+void mus__frame_back(const mus__frame *frame, const double *x, double *out);
+/* the opposite rotation of a direction: out (3) = transpose of turn * x */
+void mus__frame_turn_back(const mus__frame *frame, const double *x, double *out);
 
 #endif

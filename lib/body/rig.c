@@ -1,21 +1,22 @@
 /*
  * rig.c: parts and joints of a body from its bones and contours; the frame of a ring near a joint.
  *
- * Pivots stand in the middle of the contour at the joint (bones.c; of a scan scan/scan_joint.c); shoulders are the
- * skeleton's. Legs as they were made are the zero of hips, knees and ankles.
+ * A pivot is the middle of the contour at the joint (bones.c, for a scan scan/scan_joint.c); shoulder pivots are those
+ * of the skeleton. The angles of hips, knees and ankles are 0 in the rest pose.
  */
 #include <math.h>
 #include <string.h>
 
 #include "body/body_internal.h"
 
-#define RIG_LEVEL 0.3          /* part of its length that an arm hangs: below this it is level */
-#define RIG_SCAPULA 0.02       /* way of the shoulder joint, in parts of the stature */
-#define RIG_CAP_ROOM 0.8       /* a cap is no longer than this part of the next part */
+#define RIG_HORIZONTAL 0.3 /* an arm whose axis falls by less than this part of its length counts as horizontal; chosen
+                              */
+#define RIG_SCAPULA 0.02   /* rise of the shoulder joint with the arm, in parts of the stature; chosen */
+#define RIG_CAP_MOST 0.8   /* a round cap is at most this part of the next part's length, so that it ends within it */
 
 
-/* each joint: its parent, the axis (0 X, 1 Y, 2 Z) and sense of flexion, abduction and rotation on the left side;
- * turns about Y and Z have the other sense on the right */
+/* each joint: its parent, and axis (0 X, 1 Y, 2 Z) and sign of flexion, abduction and rotation on the left side; on the
+ * right side turns about Y and Z have the opposite sign */
 static const struct {
     int32_t parent;
     int32_t axis[3];
@@ -56,7 +57,7 @@ void mus__joint_turn(int32_t joint, const double *angle, double *out)
 
 /* ---- making ---- */
 
-/* centre and half axes of a limb at s, linear between its contours: out (4) ca, cb, a, b */
+/* centre and half axes of a limb at s [m], linear between its contours: out (4) ca, cb, a, b */
 static void rig_section(const mus__limb *limb, double s, double *out)
 {
     int32_t i = 0;
@@ -77,7 +78,8 @@ void mus__rig_middle(const mus__limb *limb, double s, double *out)
 }
 
 
-/* cut a limb at `cuts` joints (s ascending) into parts that move with joint[0 .. cuts]; nothing of one left out */
+/* cut limb l at `cuts` joints s (cuts) [m], ascending, into parts that move with joint (cuts + 1), and append them; a
+ * limb that was left out has no parts */
 static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double *s, const int32_t *joint, mus__rig *out)
 {
     const mus__limb *limb = &body->limb[l];
@@ -89,19 +91,19 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
         part[k].end[1] = k == cuts ? limb->contour[limb->count - 1].s : s[k];
     }
 
-    /* a cap is a radius long: of the torso its half depth, about which it bends */
+    /* a cap is one radius long; of the torso the radius is the half depth, across which it bends */
     for (int32_t k = 0; k < cuts; k++) {
         double at[4];
         rig_section(limb, s[k], at);
         double radius = l == body->bones.limb[MUS__LIMB_TORSO] ? at[3] : 0.5 * (at[2] + at[3]);
-        part[k].round[1] = fmin(radius, RIG_CAP_ROOM * (part[k + 1].end[1] - s[k]));
-        part[k + 1].round[0] = fmin(radius, RIG_CAP_ROOM * (s[k] - part[k].end[0]));
+        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - s[k]));
+        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (s[k] - part[k].end[0]));
     }
     out->parts += cuts + 1;
 }
 
 
-/* the limb that a name stands for, NULL: the body has none, also not for the joints' sake */
+/* limb MUS__LIMB_... of a body; NULL: the body does not have it */
 static const mus__limb *rig_limb(const mus_body *body, int32_t which)
 {
     const int32_t l = body->bones.limb[which];
@@ -109,7 +111,7 @@ static const mus__limb *rig_limb(const mus_body *body, int32_t which)
 }
 
 
-/* pivots of an arm, right or left, and how it hangs at rest */
+/* pivots of an arm, and the angles of its shoulder in the rest pose */
 static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, mus__rig *out)
 {
     const mus__skeleton *bone = &body->skeleton;
@@ -122,13 +124,14 @@ static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, m
     double *rest = out->rest[MUS_JOINT_SHOULDER_LEFT + right];
     const double down = sqrt(axis[1] * axis[1] + axis[2] * axis[2]), out_by = right ? -axis[0] : axis[0];
 
-    /* of an arm that is all but level the flexion says nothing */
-    const bool level = down < RIG_LEVEL;
-    rest[MUS__FLEXION] = level ? 0.0 : atan2(axis[2], -axis[1]);
-    rest[MUS__ABDUCTION] = atan2(out_by, level ? -axis[1] : down);
+    /* the flexion of a nearly horizontal arm is not determined and set to 0 */
+    const bool horizontal = down < RIG_HORIZONTAL;
+    rest[MUS__FLEXION] = horizontal ? 0.0 : atan2(axis[2], -axis[1]);
+    rest[MUS__ABDUCTION] = atan2(out_by, horizontal ? -axis[1] : down);
 }
 
 
+/* pivots of a leg */
 static void rig_leg(const mus_body *body, const mus__limb *leg, int32_t right, mus__rig *out)
 {
     mus__rig_middle(leg, body->bones.hip[right], out->pivot[MUS_JOINT_HIP_LEFT + right]);
@@ -137,7 +140,7 @@ static void rig_leg(const mus_body *body, const mus__limb *leg, int32_t right, m
 }
 
 
-/* joints of a scanned body that move nothing, since it has no such limb: of the limb, and of what hangs on it */
+/* mark the joints of limbs that a scanned body lacks, and those of the limbs that they carry */
 static void rig_missing(const mus_body *body, mus__rig *out)
 {
     static const int32_t joint[MUS__LIMB_COUNT][3] = {
@@ -152,6 +155,7 @@ static void rig_missing(const mus_body *body, mus__rig *out)
 }
 
 
+/* cut all limbs into parts */
 static void rig_parts(const mus_body *body, mus__rig *out)
 {
     const mus__bones *bones = &body->bones;
@@ -162,7 +166,7 @@ static void rig_parts(const mus_body *body, mus__rig *out)
         const mus__limb *arm = rig_limb(body, MUS__LIMB_ARM_LEFT + r);
         if (arm == NULL) continue;
 
-        /* what a scanned arm has behind the shoulder joint is the chest's: its round end covers the ball of the arm */
+        /* the part of a scanned arm before the shoulder joint moves with the chest; its round cap covers the ball */
         const int32_t behind = body->scanned ? 0 : 1;
         const double at[3] = {bones->shoulder[r], bones->elbow[r], bones->wrist[r]};
         const int32_t joint[4] = {MUS_JOINT_LUMBAR, MUS_JOINT_SHOULDER_LEFT + r, MUS_JOINT_ELBOW_LEFT + r,
@@ -173,7 +177,8 @@ static void rig_parts(const mus_body *body, mus__rig *out)
         const mus__limb *leg = rig_limb(body, MUS__LIMB_LEG_LEFT + r);
         if (leg == NULL) continue;
 
-        /* what a scanned leg has above the hip is the pelvis's; one of a tape that ends at the knee is a thigh alone */
+        /* the part of a scanned leg above the hip joint moves with the pelvis; a leg of a tape cut at the knee is a
+         * thigh alone */
         const int32_t first = !body->scanned && leg->cuts == 0;
         const int32_t joint[3] = {MUS_JOINT_KNEE_LEFT + r, MUS_JOINT_HIP_LEFT + r, MUS_JOINT_ROOT};
         rig_cut(body, limb[MUS__LIMB_LEG_LEFT + r], leg->cuts, (double[]){bones->knee[r], bones->hip[r]}, joint + first,
@@ -216,7 +221,7 @@ void mus__rig_make(const mus_body *body, mus__rig *out)
     out->scapula = RIG_SCAPULA * body->skeleton.crown;
     rig_parts(body, out);
 
-    /* rotations of the rest pose, down the tree */
+    /* rotations of the rest pose, parents first */
     double stand[MUS_JOINT_COUNT][4];
     for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
         if (out->parent[j] != MUS_NONE) memcpy(out->parent_stand[j], stand[out->parent[j]], sizeof stand[j]);
@@ -247,7 +252,7 @@ void mus__part_carry(const mus__limb *limb, const mus__frame *frame, mus__field 
 }
 
 
-/* u of the way from frame a to frame b, which meet at the point `at` */
+/* the part u of the way from frame a to frame b, which agree at the point `at` (3) */
 static void rig_between(const mus__frame *a, const mus__frame *b, double u, const double *at, mus__frame *out)
 {
     double back[9], rest[3], q[4], from[3], to[3];
@@ -272,7 +277,7 @@ static void rig_between(const mus__frame *a, const mus__frame *b, double u, cons
 
 void mus__rig_ring(const mus__rig *rig, const mus__frame *frames, int32_t limb, double s, mus__frame *out)
 {
-    /* the parts of the limb ascend: the last that begins below s */
+    /* the last part of the limb that begins below s */
     int32_t p = 0;
     while (p < rig->parts && rig->part[p].limb != limb) p++;
     while (p + 1 < rig->parts && rig->part[p + 1].limb == limb && s >= rig->part[p + 1].end[0]) p++;

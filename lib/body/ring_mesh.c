@@ -30,7 +30,8 @@ void mus__ring_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out)
 }
 
 
-/* the area of the hexagon of a vertex's neighbours q0 .. q5, which is that of the triangles around the vertex */
+/* unit normal (3): direction of the vector area of the hexagon q0 .. q5 of a vertex's neighbours, which is the sum of
+ * the vector areas of the triangles round the vertex */
 static void ring_hexagon(const double *q0, const double *q1, const double *q2, const double *q3, const double *q4,
                             const double *q5, double *out)
 {
@@ -47,8 +48,7 @@ static void ring_hexagon(const double *q0, const double *q1, const double *q2, c
 }
 
 
-/* a normal has the direction of the sum of the triangles' areas around it; below the first ring and above the last the
- * end point stands for all neighbours */
+/* below the first ring and above the last one the end point stands for all neighbours */
 void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals)
 {
     const ptrdiff_t row = 3 * (ptrdiff_t)n;
@@ -65,7 +65,7 @@ void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, 
         }
     }
 
-    /* an end point: the area of its ring */
+    /* an end point: the vector area of its ring */
     for (int end = 0; end < 2; end++) {
         const double *p = x + 3 + (end == 0 ? 0 : (rings - 1) * row);
         double *out = normals + (end == 0 ? 0 : 3 + rings * row), cross[3];

@@ -1,14 +1,15 @@
 /*
- * seat.c: cleft of the seat and a child's groin in the picture: what contours that are one closed curve cannot have.
+ * seat.c: the cleft of the seat and a child's groin in the published skin.
  *
- * Works on the finished skin of torso and legs, as one map of space in the rest pose, so that their sheets stay on each
- * other: a place behind the middle of the hip goes forwards, from the crotch up to the small of the back, by
+ * A contour is one star-shaped curve and cannot have them. They are one map of space in the rest pose, applied to the
+ * finished skin of torso and legs, so that the sheets of two limbs stay on each other. A point behind the middle of the
+ * hip, from the crotch up to the small of the back, moves forwards by
  *
  *     F(x, y, z) = depth exp(-(x / wide)^2) step(y) step(z)
  *
- * and one before it backwards by a like bell, wider and from the hip down, where the torso reaches as far as the
- * thighs. Normals go by the inverse transpose of its Jacobian. Tapes span both; measures, volume and contact do not see
- * them, and the skin only goes inwards.
+ * and a point before it, from the hip down, moves backwards by a wider bell, where the torso reaches as far forwards as
+ * the thighs. Normals are transformed by the inverse transpose of the Jacobian. The skin moves inwards only: a tape
+ * spans both hollows, and measures, volume and contact are not changed.
  */
 #include <math.h>
 #include <string.h>
@@ -16,60 +17,54 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-/* in parts of the stature */
-#define SEAT_DEPTH 0.011
-#define SEAT_WIDE 0.0085
-#define SEAT_BELOW 0.010  /* of the crotch: it begins, and is whole so far above */
-#define SEAT_UP 0.050     /* above the hip: it ends, */
-#define SEAT_FADE 0.060   /* after so much */
-#define SEAT_BEHIND 0.035 /* behind the middle of the hip, or before it, it is whole */
-#define SEAT_GROIN 0.008  /* in front the torso is to be so far behind the thighs */
-#define SEAT_GROIN_WIDE 0.028
-#define SEAT_DIFFERENCE 1e-5 /* [m] */
+/* in parts of the stature; chosen: they shape the picture alone */
+#define SEAT_DEPTH 0.011      /* depth of the cleft: 18 mm at 1.68 m */
+#define SEAT_WIDE 0.0085      /* half width of its bell at 1/e */
+#define SEAT_BELOW 0.010      /* it begins so far below the crotch, and has its depth so far above */
+#define SEAT_UP 0.050         /* it ends so far above the hip level */
+#define SEAT_FADE 0.060       /* and loses its depth over this height */
+#define SEAT_BEHIND 0.035     /* it has its depth so far behind the middle of the hip; the groin so far before it */
+#define SEAT_GROIN 0.008      /* in front the torso is put so far behind the thighs */
+#define SEAT_GROIN_WIDE 0.028 /* half width of that bell at 1/e */
+
+#define SEAT_DIFFERENCE 1e-5 /* [m] step of the central differences of the Jacobian */
 
 typedef struct seat_place {
-    double h, crotch, hip, middle; /* middle: Z of the hip's centre */
-    double groin;                  /* how far the groin goes back */
+    double h, crotch, hip; /* stature and heights [m] */
+    double middle;         /* Z of the hip's centre [m] */
+    double groin;          /* shift of the groin backwards [m]; at most 0: none */
 } seat_place;
 
 
-/* 0 below 0, 1 above 1, smooth between */
-static double seat_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-
-/* how far (x, y, z) goes forwards */
+/* shift forwards of the point (x, y, z) by the cleft [m] */
 static double seat_in(const seat_place *seat, double x, double y, double z)
 {
     const double h = seat->h, u = x / (SEAT_WIDE * h);
     if (u * u > 30.0) return 0.0;
-    const double low = seat_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
-    const double high = seat_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
-    return SEAT_DEPTH * h * exp(-u * u) * low * high * seat_step((seat->middle - z) / (SEAT_BEHIND * h));
+    const double low = mus__cubic_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
+    const double high = mus__cubic_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
+    return SEAT_DEPTH * h * exp(-u * u) * low * high * mus__cubic_step((seat->middle - z) / (SEAT_BEHIND * h));
 }
 
 
-/* how far it goes backwards: the groin of one whose torso reaches as far forwards as the thighs, a child's */
+/* shift backwards by the groin [m]: of a body whose torso reaches as far forwards as its thighs, as a child's does */
 static double seat_groin(const seat_place *seat, double x, double y, double z)
 {
     const double h = seat->h, u = x / (SEAT_GROIN_WIDE * h);
     if (u * u > 30.0 || seat->groin <= 0.0) return 0.0;
-    const double high = seat_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
-    return seat->groin * exp(-u * u) * high * seat_step((z - seat->middle) / (SEAT_BEHIND * h));
+    const double high = mus__cubic_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
+    return seat->groin * exp(-u * u) * high * mus__cubic_step((z - seat->middle) / (SEAT_BEHIND * h));
 }
 
 
-/* both */
+/* the sum of both, forwards [m] */
 static double seat_way(const seat_place *seat, const double *x)
 {
     return seat_in(seat, x[0], x[1], x[2]) - seat_groin(seat, x[0], x[1], x[2]);
 }
 
 
-/* a place and its normal in the rest pose */
+/* move a point and its normal, in the rest pose */
 static void seat_move(const seat_place *seat, double *x, double *normal)
 {
     const double in = seat_way(seat, x), e = SEAT_DIFFERENCE;
@@ -88,21 +83,12 @@ static void seat_move(const seat_place *seat, double *x, double *normal)
 }
 
 
-/* from where the body stands to the rest pose: the transpose of the turn */
-static void seat_back(const mus__frame *frame, const double *from, double *to)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = frame->turn[i] * from[0] + frame->turn[3 + i] * from[1] + frame->turn[6 + i] * from[2];
-}
-
-
-/* the same where the body stands */
+/* move a point and its normal, in the body's pose */
 static void seat_posed(const seat_place *seat, const mus__frame *frame, double *x, double *normal)
 {
-    const double d[3] = {x[0] - frame->place[0], x[1] - frame->place[1], x[2] - frame->place[2]};
     double rest[3], n[3], before[3];
-    seat_back(frame, d, rest);
-    seat_back(frame, normal, n);
+    mus__frame_back(frame, x, rest);
+    mus__frame_turn_back(frame, normal, n);
     memcpy(before, rest, sizeof before);
     seat_move(seat, rest, n);
     if (memcmp(before, rest, sizeof before) == 0) return;
@@ -111,7 +97,7 @@ static void seat_posed(const seat_place *seat, const mus__frame *frame, double *
 }
 
 
-/* how far the contour of a measure reaches forwards; MUS_NONE: the lowest of the limb */
+/* Z of the front of the contour that has a girth, or with MUS_NONE of the lowest contour [m] */
 static double seat_front(const mus__limb *limb, int32_t girth)
 {
     const mus__contour *c = &limb->contour[0];

@@ -1,11 +1,11 @@
 /*
- * shape.c: face, palms and feet of the picture: what the contours of a stack do not say.
+ * shape.c: face, palms and feet of the published skin.
  *
- * Works on the skin's rings in the rest pose, carried there and back by the frame of the ring. A face is relief along
- * the radius of the head: sums of bell curves in the distance from the middle plane and the height between chin (0)
- * and brow (1); its rings are sampled closer in front. The palm and the ball of the foot are drawn together in length,
- * where fingers and toes begin (digit.c); the foot has an arch on its inner side. Girths, volume and contact do not see
- * any of this. Proportions of the face: Farkas, Anthropometry of the Head and Face, 1994, softened.
+ * Works on the rings of the skin in the rest pose; rings of a posed body are moved there and back by their frames. The
+ * face is a relief along the radius of the head: a sum of bell curves over the distance from the middle plane and the
+ * height between chin (0) and brow (1); its rings are sampled closer in front. Palm and ball of the foot are shortened,
+ * since fingers and toes begin there (digit.c); the foot has an arch on its inner side. Girths, volume and contact are
+ * not changed. Proportions of the face: Farkas, Anthropometry of the Head and Face, 1994, in lower relief.
  */
 #include <math.h>
 #include <string.h>
@@ -13,15 +13,16 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-#define SHAPE_PALM 0.38  /* of its length from the knuckles on that the mitten keeps */
-#define SHAPE_BALL 0.45  /* of its length from the ball on that the foot keeps */
-#define SHAPE_SKULL 0.018 /* of a newborn's stature that its brow is lower than its contour, */
-#define SHAPE_CHIN 0.032 /* and its chin */
-#define SHAPE_GROWN 1.28 /* stature of a child whose head is drawn as its contours have it */
-#define SHAPE_FRONT 0.45 /* how much closer samples stand at the nose, 0 to 1 */
+/* chosen: they shape the picture alone */
+#define SHAPE_PALM 0.38   /* share of its length that the hand keeps beyond the knuckles */
+#define SHAPE_BALL 0.45   /* share of its length that the foot keeps beyond the ball */
+#define SHAPE_SKULL 0.018 /* lowering of a newborn's brow against its contour, in parts of its stature */
+#define SHAPE_CHIN 0.032  /* lowering of its chin */
+#define SHAPE_GROWN 1.28  /* [m] stature from which on a head keeps the heights of its contours */
+#define SHAPE_FRONT 0.45  /* concentration of the samples at the nose: 0 none, below 1 */
 
-/* relief of a face: height and how far from the middle, widths of the bell in both, how far out; in parts of chin to
- * brow, of the half breadth at the brow, and of the head's depth */
+/* relief of a face: height and distance from the middle plane of a bell, its half widths in both at 1/e, its height
+ * outwards; in parts of chin to brow, of the half breadth at the brow, and of the head's half depth */
 static const struct {
     double high, aside, tall, wide, out;
 } shape_face[] = {
@@ -35,21 +36,14 @@ static const struct {
 };
 
 
+/* exp(-x^2), and 0 where that is below 1e-13 */
 static double shape_bell(double x)
 {
     return x * x < 30.0 ? exp(-x * x) : 0.0;
 }
 
 
-/* 0 below 0, 1 above 1, smooth between */
-static double shape_step(double t)
-{
-    t = fmin(fmax(t, 0.0), 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-
-/* contour of a limb by name; NULL without it */
+/* contour of a limb by name; NULL: it has none */
 static const mus__contour *shape_contour(const mus__limb *limb, const char *name)
 {
     for (int32_t i = 0; i < limb->count; i++)
@@ -58,7 +52,7 @@ static const mus__contour *shape_contour(const mus__limb *limb, const char *name
 }
 
 
-/* relief of the face at a height q and off the middle by x, in half breadths */
+/* relief of the face at height q (chin 0, brow 1) and x half breadths off the middle plane, in half depths */
 static double shape_relief(double q, double x)
 {
     double sum = 0.0;
@@ -67,14 +61,14 @@ static double shape_relief(double q, double x)
         sum += shape_face[i].out * up * shape_bell((fabs(x) - shape_face[i].aside) / shape_face[i].wide);
     }
 
-    /* the nose rises from between the eyes to its tip, and falls back to the lip */
-    const double ridge = shape_step((0.86 - q) / 0.40) * shape_step((q - 0.38) / 0.09);
-    return sum + 0.085 * ridge * shape_bell(x / (0.10 + 0.05 * shape_step((0.62 - q) / 0.2)));
+    /* the nose rises from between the eyes to its tip and falls to the lip */
+    const double ridge = mus__cubic_step((0.86 - q) / 0.40) * mus__cubic_step((q - 0.38) / 0.09);
+    return sum + 0.085 * ridge * shape_bell(x / (0.10 + 0.05 * mus__cubic_step((0.62 - q) / 0.2)));
 }
 
 
-/* samples of a ring slide towards the front, on the line between their neighbours' places: index k to
- * k - front n sin(2 pi (k - nose)/n) / 2 pi */
+/* concentrate the n samples of a ring at its front: sample k is taken at the index k - front n sin(2 pi (k - nose)/n) /
+ * 2 pi of `ring`, by a cubic through its neighbours. out (n x 3) */
 static void shape_gather(int32_t n, double front, const double *ring, double *out)
 {
     for (int32_t k = 0; k < n; k++) {
@@ -84,7 +78,7 @@ static void shape_gather(int32_t n, double front, const double *ring, double *ou
         const double *p = ring + 3 * (ptrdiff_t)((i + n - 1) % n), *q = ring + 3 * (ptrdiff_t)i;
         const double *r = ring + 3 * (ptrdiff_t)((i + 1) % n), *s = ring + 3 * (ptrdiff_t)((i + 2) % n);
 
-        /* Catmull and Rom's cubic through the four */
+        /* the cubic of Catmull and Rom 1974 through four samples */
         for (int c = 0; c < 3; c++)
             out[3 * (ptrdiff_t)k + c] =
                 q[c] + 0.5 * t *
@@ -94,19 +88,19 @@ static void shape_gather(int32_t n, double front, const double *ring, double *ou
 }
 
 
-/* how far a place of a small child's head goes down, `front` from -1 at the back of the head to 1 at the nose: the brow
- * all round, so that the skull is as high above it as it is broad, and the chin in front, before the neck */
+/* lowering [m] of a point of a small child's head at height s, `front` from -1 at the back to 1 at the nose. The brow
+ * is lowered all round, so that the skull is as high above it as it is broad, the chin in front only */
 static double shape_child(const mus__skeleton *bone, double chin, double brow, double s, double front)
 {
-    const double h = bone->crown, young = h * shape_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
-    const double low = SHAPE_CHIN * young * shape_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
-    if (s < chin) return low * shape_step((s - bone->nape) / (chin - bone->nape));
-    return s < brow ? low + shape_step((s - chin) / (brow - chin)) * (high - low)
-                    : high * shape_step((h - s) / (h - brow));
+    const double h = bone->crown, young = h * mus__cubic_step((SHAPE_GROWN - h) / (SHAPE_GROWN - 0.56));
+    const double low = SHAPE_CHIN * young * mus__cubic_step((front + 0.3) / 1.1), high = SHAPE_SKULL * young;
+    if (s < chin) return low * mus__cubic_step((s - bone->nape) / (chin - bone->nape));
+    return s < brow ? low + mus__cubic_step((s - chin) / (brow - chin)) * (high - low)
+                    : high * mus__cubic_step((h - s) / (h - brow));
 }
 
 
-/* a ring of the head at rest */
+/* shape a ring of the head in the rest pose, n vertices at height s */
 static void shape_head(const mus_body *body, double s, int32_t n, double *x)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -115,13 +109,13 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
     const double q = (s - chin->s) / (brow->s - chin->s), z0 = -brow->cb;
     double ring[3 * MUS__CONTOUR_SAMPLES];
     memcpy(ring, x, 3 * (size_t)n * sizeof *x);
-    shape_gather(n, SHAPE_FRONT * shape_step((q + 0.4) / 0.4) * shape_step((1.8 - q) / 0.5), ring, x);
+    shape_gather(n, SHAPE_FRONT * mus__cubic_step((q + 0.4) / 0.4) * mus__cubic_step((1.8 - q) / 0.5), ring, x);
     for (int32_t k = 0; k < n; k++) {
         double *p = x + 3 * (ptrdiff_t)k;
         const double side = p[0] / brow->a, front = (p[2] - z0) / brow->b;
         if (front > 0.0) {
-            /* out along the way from the axis, a nose forwards */
-            const double out = shape_relief(q, side) * brow->b * shape_step(front / 0.5);
+            /* outwards along the radius, with less of it to the sides so that a nose points forwards */
+            const double out = shape_relief(q, side) * brow->b * mus__cubic_step(front / 0.5);
             const double length = sqrt(p[0] * p[0] + (p[2] - z0) * (p[2] - z0));
             p[0] += 0.5 * out * p[0] / length;
             p[2] += out * (p[2] - z0) / length;
@@ -129,8 +123,8 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
 
         p[1] -= shape_child(&body->skeleton, chin->s, brow->s, s, front);
 
-        /* ears, a little behind the middle */
-        const double flank = shape_bell((front + 0.08) / 0.13) * shape_step(4.0 * fabs(side) - 2.4);
+        /* ears, behind the middle */
+        const double flank = shape_bell((front + 0.08) / 0.13) * mus__cubic_step(4.0 * fabs(side) - 2.4);
         const double ear = shape_bell((q - 0.66) / 0.20) * flank;
         p[0] += (p[0] > 0.0 ? 0.13 : -0.13) * ear * brow->a;
         p[2] -= 0.10 * ear * brow->a;
@@ -138,24 +132,25 @@ static void shape_head(const mus_body *body, double s, int32_t n, double *x)
 }
 
 
-/* a place of the foot at rest: the ball drawn together, an arch on the inner side */
+/* shape a point of a foot in the rest pose: an arch on the inner side (`inward` -1 left, 1 right), a round heel, and
+ * the shortened ball */
 static void shape_foot(const mus__limb *limb, double inward, double *p)
 {
     const double foot = limb->pole[1] - limb->pole[0], f = (p[2] - limb->origin[2] - limb->pole[0]) / foot;
     const double middle = limb->contour[limb->count / 2].ca;
-    const double in = shape_step(0.1 + inward * (p[0] - middle) / (0.16 * foot)), high = p[1] / (0.20 * foot);
-    const double arch = shape_bell((f - 0.43) / 0.17) * in * shape_step(1.0 - high);
+    const double in = mus__cubic_step(0.1 + inward * (p[0] - middle) / (0.16 * foot)), high = p[1] / (0.20 * foot);
+    const double arch = shape_bell((f - 0.43) / 0.17) * in * mus__cubic_step(1.0 - high);
     p[1] += 0.055 * foot * arch;
     p[0] -= inward * 0.035 * foot * arch;
 
-    /* the back of the heel is round from above, and lower than the tendon */
-    const double heel = shape_step((0.10 - f) / 0.12);
+    /* the back of the heel is rounded in height */
+    const double heel = mus__cubic_step((0.10 - f) / 0.12);
     p[2] += 0.045 * foot * heel * (high - 0.45) * (high - 0.45) / 0.3;
     if (f > 0.70) p[2] -= (1.0 - SHAPE_BALL) * (f - 0.70) * foot;
 }
 
 
-/* rings of a limb that have a shape of their own begin here */
+/* s [m] from which on the rings of limb l are shaped; infinite: none */
 static double shape_from(const mus_body *body, int32_t l)
 {
     const mus__limb *limb = &body->limb[l];
@@ -167,7 +162,7 @@ static double shape_from(const mus_body *body, int32_t l)
 }
 
 
-/* n vertices at s of a limb, in the rest pose */
+/* shape n vertices at s of limb l, in the rest pose */
 static void shape_ring(const mus_body *body, int32_t l, double s, int32_t n, double *x)
 {
     const mus__limb *limb = &body->limb[l];
@@ -183,7 +178,7 @@ static void shape_ring(const mus_body *body, int32_t l, double s, int32_t n, dou
 }
 
 
-/* the same where the body stands: to the rest pose and back */
+/* shape n vertices at s of limb l in the body's pose: to the rest pose and back */
 static void shape_posed(const mus_body *body, int32_t l, double s, int32_t n, double *x)
 {
     if (body->frame == NULL) {
@@ -192,11 +187,7 @@ static void shape_posed(const mus_body *body, int32_t l, double s, int32_t n, do
     }
     mus__frame frame;
     mus__rig_ring(&body->rig, body->frame, l, s, &frame);
-    for (int32_t k = 0; k < n; k++) {
-        double *p = x + 3 * (ptrdiff_t)k, d[3];
-        for (int i = 0; i < 3; i++) d[i] = p[i] - frame.place[i];
-        for (int i = 0; i < 3; i++) p[i] = frame.turn[i] * d[0] + frame.turn[3 + i] * d[1] + frame.turn[6 + i] * d[2];
-    }
+    for (int32_t k = 0; k < n; k++) mus__frame_back(&frame, x + 3 * (ptrdiff_t)k, x + 3 * (ptrdiff_t)k);
     shape_ring(body, l, s, n, x);
     for (int32_t k = 0; k < n; k++) mus__frame_point(&frame, x + 3 * (ptrdiff_t)k, x + 3 * (ptrdiff_t)k);
 }

@@ -1,23 +1,25 @@
 /*
- * skin.c: one skin over all limbs: where two limbs meet, the vertices of both move onto a smooth union.
+ * skin.c: the published skin: where two limbs meet, the vertices of both move onto a smooth union (a fillet).
  *
- * A vertex x0 with normal n0 stands for its own limb by its tangent plane; the other limbs are asked by their contact
- * fields. With depths d positive inside, the smooth union of two is
+ * A vertex x0 with normal n0 represents its own limb by its tangent plane; the depth in the other limbs is that of
+ * their radius fields. With depths d, positive inside, the smooth union of two is
  *
  *     D = max(d1, d2) + k/4 (1 - |d1 - d2|/k)^2   where |d1 - d2| < k,  else max(d1, d2)
  *     k = reach * sqrt(sin^2(angle between the normals) - 2 |d1 - d2|/(1.8 reach))
  *
- * which adds material in a crease only. Two surfaces that run along each other have k = 0, and so have two that face
- * each other (thighs side by side), which would else grow together. Where one parts from the other in a curve (a cap
- * within its limb, the seat over a thigh) there is no crease: with radius r of the curve the angle is sin^2 = 2 |d1 -
- * d2|/r, so that curves of r > 1.8 reach have k = 0 as well. A
- * vertex moves to D = 0 along the gradient by Newton's rule. Vertices of both limbs do so up to `margin` beyond the
- * crease, so that the two sheets lie on each other there and no notch opens between their triangles; deeper ones go
- * back to where they were. Normals are those of the union: the two sheets have the same and no seam shows.
+ * It adds material in creases only. Two parallel surfaces have k = 0, and so have two that face each other (thighs side
+ * by side), which would otherwise grow together. Where one surface leaves the other along a curve of radius r (a cap
+ * within its limb, the seat over a thigh) sin^2 = 2 |d1 - d2|/r, so that curves with r > 1.8 reach have k = 0 too: they
+ * are no crease.
  *
- * Rings far from all other limbs are not touched: boxes of rings against boxes of limbs, then of vertices.
- * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; a width that follows the angle of the
- * gradients is from Gourmel and others, A Gradient-Based Implicit Blend, 2013.
+ * A vertex moves to D = 0 along the gradient by Newton's method. Vertices of both limbs do so up to a margin beyond the
+ * crease, so that the two sheets lie on each other there and no gap opens between their triangles; deeper vertices keep
+ * their place. Normals are those of the union, equal on both sheets, so that no seam is visible.
+ *
+ * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts.
+ *
+ * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; the width that depends on the angle of
+ * the gradients follows Gourmel and others, A Gradient-Based Implicit Blend, 2013.
  */
 #include <math.h>
 #include <string.h>
@@ -25,55 +27,56 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-/* how deep both sheets lie on the union, in parts of a fillet: 5 mm of 25, about half a ring's distance */
+/* margin beyond the crease up to which both sheets lie on the union, in parts of the reach (5 mm of 25): half the
+ * default distance of rings */
 #define SKIN_MARGIN 0.2
 
-/* a surface that parts from another in a curve of more than so many reaches is no crease: 45 mm of 25, about the radius
- * of an arm, whose cap lies within the next part of the limb */
+/* radius from which on a curve between two surfaces is no crease, in reaches (45 mm for 25): about the radius of an
+ * arm, whose cap lies within the next part of the limb */
 #define SKIN_ROUND 1.8
 
-/* normals of two surfaces that lie within so much of a reach of each other are evened out, 4 mm of 25 */
+/* distance up to which the normals of two surfaces are blended, in parts of the reach (4 mm of 25); chosen */
 #define SKIN_EVEN 0.16
 
-/* fillet between torso and leg, in parts of the others; whole where the hip is bent so much that an entry of the
- * rotation is SKIN_FOLD */
+/* reach of the fillet between torso and leg, in parts of the others', in the rest pose; it grows to 1 until the entries
+ * of the rotations of pelvis and thigh differ by SKIN_FOLD. Chosen: legs leave the torso along its surface */
 #define SKIN_LEG 0.4
 #define SKIN_FOLD 0.4
 
-/* no vertex moves further than so much of a reach, 12 mm of 25: deep in a narrow wedge the union is far */
+/* most displacement of a vertex, in parts of the reach (12 mm of 25): deep in a narrow wedge the union is far away */
 #define SKIN_MOST 0.5
 
-#define SKIN_SETTLE 3    /* rounds in which a place comes to the skin */
-#define SKIN_LOOSE 0.001  /* and how far off it may stay [m] */
+#define SKIN_SETTLE 3    /* rounds that bring a vertex of a posed scan to its parts */
+#define SKIN_LOOSE 0.001 /* [m] depth up to which it may stay outside them */
 
-/* the thigh is measured so far below the crotch, in parts of its height */
+/* the girth of the thigh is taken so far below the crotch, in parts of the crotch's height (arms_legs.c) */
 #define SKIN_THIGH 0.02
 
-/* cosine of the normals of two surfaces that face each other */
+/* two surfaces face each other when the cosine of their normals is below this; chosen */
 #define SKIN_FACING (-0.5)
 
-/* a joint is bent when an entry of the rotation between its parts is larger */
+/* a joint is bent when an entry of the rotations of its two parts differs by more; chosen: about one degree */
 #define SKIN_BENT 0.02
 
-/* Newton steps: the third moves less than 0.01 mm; what is nearer than this [m] is there */
+/* most Newton steps: the third one moves less than 0.01 mm; it ends where the depth is below SKIN_NEAR [m] */
 #define SKIN_STEPS 3
 #define SKIN_NEAR 1e-5
 
-/* what a place of the surface may meet */
+/* the surfaces that a vertex of a limb may be blended with */
 typedef struct skin_union {
     const mus_body *body;
-    int32_t limb;                 /* the limb whose surface it is */
-    double reach;                 /* width of a fillet along both surfaces of a right-angled crease [m] */
-    double groin[2];              /* of the fillets between torso and legs, left and right, in parts of the reach */
-    double most;                  /* no vertex of the ring moves further [m] */
-    double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach */
+    int32_t limb;                   /* the limb of the vertex */
+    double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
+    double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
+    double most;                    /* most displacement of a vertex of the ring [m] */
+    double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
-    int32_t count;                /* parts that may be near */
-    int32_t part[MUS__PARTS_MOST];
+    int32_t count;                  /* number of parts near the ring */
+    int32_t part[MUS__PARTS_MOST];  /* and their indices */
 } skin_union;
 
 
-/* merge depth d with normal n into (depth, gradient) so far; the gradient is outward and not of unit length */
+/* blend depth d with normal n into (depth, gradient); the gradient is outward and not of unit length */
 static void skin_merge(double reach, double d, const double *n, double *depth, double *gradient)
 {
     double length = mus__norm3(gradient), cosine = mus__dot3(gradient, n) / (length > 0.0 ? length : 1.0);
@@ -84,15 +87,16 @@ static void skin_merge(double reach, double d, const double *n, double *depth, d
     double h = apart < k ? 1.0 - apart / k : 0.0;
     *depth = fmax(*depth, d) + 0.25 * k * h * h;
 
-    /* weight of the shallower one: h/2; the gradient turns over a width of its own where there is no fillet */
+    /* weight of the shallower one: h/2; without a fillet the gradient is blended over the width SKIN_EVEN */
     double even = SKIN_EVEN * reach, soft = apart < even ? 1.0 - apart / even : 0.0, low = 0.5 * fmax(h, soft * soft);
     double fresh = d > before ? 1.0 - low : low;
     for (int i = 0; i < 3; i++) gradient[i] += fresh * (n[i] - gradient[i]);
 }
 
 
-/* the depth of a field that a fillet goes by. Beside a flat cap (the bottom of the torso is ten times as broad as it is
- * high) the first-order distance is much too short; it is no less than the way to the end contour in its plane */
+/* depth [m] and normal of point p in a field, for fillets. Beside a flat cap (the bottom of the torso is ten times as
+ * broad as it is high) the first-order distance is much too short, so it is at least the distance to the end contour in
+ * its plane */
 static double skin_field(const mus__field *field, const double *p, double *normal)
 {
     double depth = mus__field_depth(field, p, normal), d[3];
@@ -113,8 +117,7 @@ static double skin_field(const mus__field *field, const double *p, double *norma
 }
 
 
-/* reach of a fillet with another limb: legs grow out of the torso along its surface, and what crease there is needs
- * little */
+/* reach of the fillet with limb `other` [m] */
 static double skin_reach(const skin_union *at, int32_t other)
 {
     const bool groin = at->body->measured && (at->limb == MUS__LIMB_TORSO || other == MUS__LIMB_TORSO) &&
@@ -123,8 +126,8 @@ static double skin_reach(const skin_union *at, int32_t other)
 }
 
 
-/* depth and outward gradient of the union at p; own plane (x0, n0). *other: the largest depth in the other parts, 1e30
- * in the slot between two thighs, where there is no way out */
+/* depth [m] and outward gradient of the union at point p, for the vertex with the tangent plane (x0, n0). *other:
+ * largest depth in the other parts; 1e30 between two surfaces that face each other */
 static double skin_depth(const skin_union *at, const double *p, const double *x0, const double *n0,
                          double *gradient, double *other)
 {
@@ -153,7 +156,7 @@ static double skin_depth(const skin_union *at, const double *p, const double *x0
 }
 
 
-/* move a vertex onto the union and turn its normal; false: it is not near another part and stays */
+/* move a vertex onto the union and set its normal; false: it is not near another part and keeps its place */
 static bool skin_move(const skin_union *at, double *x, double *normal)
 {
     const double margin = SKIN_MARGIN * at->reach;
@@ -162,7 +165,7 @@ static bool skin_move(const skin_union *at, double *x, double *normal)
     double depth = skin_depth(at, p, x, normal, gradient, &other);
     if (other <= -at->reach || other >= 3.0 * margin) return false;
 
-    /* onto the union; beyond the margin less and less of the way */
+    /* the share of the displacement falls to 0 from one to three margins beyond the crease */
     double u = fmin(fmax(0.5 * (other - margin) / margin, 0.0), 1.0), share = 1.0 - u * u * (3.0 - 2.0 * u);
     for (int step = 0; step < SKIN_STEPS && (step == 0 || fabs(depth) > SKIN_NEAR); step++) {
         double square = mus__dot3(gradient, gradient);
@@ -195,7 +198,7 @@ static void skin_box(const double *x, int32_t n, double *low, double *high)
 }
 
 
-/* box of a field, grown by `more`: of discs as wide as its rings, and its poles */
+/* box of the poles of a field and of discs as wide as its rings, grown by `more` [m] */
 static void skin_field_box(const mus__field *field, double more, double *low, double *high)
 {
     for (int i = 0; i < 3; i++) low[i] = 1e30, high[i] = -1e30;
@@ -214,7 +217,7 @@ static void skin_field_box(const mus__field *field, double more, double *low, do
 }
 
 
-/* how far a part of a posed body is turned against another: the largest difference of their rotations' entries */
+/* largest difference of the entries of the rotations of parts p and q of a posed body */
 static double skin_turned(const mus_body *body, int32_t p, int32_t q)
 {
     double most = 0.0;
@@ -223,14 +226,14 @@ static double skin_turned(const mus_body *body, int32_t p, int32_t q)
 }
 
 
-/* true when a joint of a posed body is bent */
+/* whether the joint between parts p and q of a posed body is bent */
 static bool skin_bent(const mus_body *body, int32_t p, int32_t q)
 {
     return skin_turned(body, p, q) > SKIN_BENT;
 }
 
 
-/* fillets of the groins: the torso's first part is the pelvis, a leg's last one the thigh */
+/* reaches between torso and legs; the first part of the torso is the pelvis, the last part of a leg the thigh */
 static void skin_groins(skin_union *at)
 {
     const mus_body *body = at->body;
@@ -245,8 +248,8 @@ static void skin_groins(skin_union *at)
 }
 
 
-/* whether a ring at s of its own limb may meet part q of that limb: not in the rest pose; in a pose parts beyond a bent
- * joint, and near one both its parts, since there the rings stand between them */
+/* whether a ring at s is blended with part q of its own limb: never in the rest pose; in a pose with the part beyond a
+ * bent joint, and near that joint with both its parts, since the rings there stand between them */
 static bool skin_own(const mus_body *body, int32_t q, double s)
 {
     if (body->frame == NULL) return false;
@@ -264,8 +267,8 @@ static bool skin_own(const mus_body *body, int32_t q, double s)
 }
 
 
-/* how far vertices of a ring at s may move: in the rest pose not past the contour of the thigh, which keeps its
- * girth */
+/* most displacement of the vertices of a ring at s [m]; in the rest pose it falls to 0 towards the contour of the
+ * thigh, so that the thigh keeps its girth */
 static double skin_most(const skin_union *at, double s)
 {
     const mus__skeleton *bone = &at->body->skeleton;
@@ -276,7 +279,7 @@ static double skin_most(const skin_union *at, double s)
 }
 
 
-/* the parts that the box of a ring touches */
+/* find the parts whose boxes overlap that of a ring at s */
 static void skin_parts(skin_union *at, double s, const double *low, const double *high)
 {
     at->most = skin_most(at, s);
@@ -289,7 +292,7 @@ static void skin_parts(skin_union *at, double s, const double *low, const double
 }
 
 
-/* all vertices of a limb: its two end points as rings of one; of the torso the left half alone where that is enough */
+/* move all vertices of limb l, its end points as rings of one vertex; with `half` the left half of each ring alone */
 static void skin_limb(skin_union *at, mus_body *body, int32_t l, bool half)
 {
     const mus__limb *limb = &body->limb[l];
@@ -311,14 +314,15 @@ static void skin_limb(skin_union *at, mus_body *body, int32_t l, bool half)
 }
 
 
-/* a body of a tape with all its limbs, as made, is the same on both sides: sample k on the left, X > 0, is n/2 - k on
- * the right */
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Sample k on the left, X > 0,
+ * mirrors sample n/2 - k on the right */
 static bool skin_is_even(const mus_body *body)
 {
     return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
 }
 
 
+/* mirror a ring of n vertices */
 static void skin_mirror_row(const double *from, int32_t n, double *to)
 {
     for (int32_t k = 0; k < n; k++) {
@@ -329,7 +333,7 @@ static void skin_mirror_row(const double *from, int32_t n, double *to)
 }
 
 
-/* the right side after the left one */
+/* set the right side of a symmetric body from the left one; x: vertices or normals */
 static void skin_mirror(mus_body *body, double *x)
 {
     const int32_t n = body->def.samples;
@@ -355,7 +359,7 @@ static void skin_mirror(mus_body *body, double *x)
 }
 
 
-/* how far a part's blend of rings with its neighbours reaches to s */
+/* whether the ring at s of limb l stands between two parts */
 static bool skin_blended(const mus_body *body, int32_t l, double s)
 {
     for (int32_t p = 0; p + 1 < body->rig.parts; p++) {
@@ -367,7 +371,7 @@ static bool skin_blended(const mus_body *body, int32_t l, double s)
 }
 
 
-/* a place outside all parts, brought to the nearest */
+/* move a point x outside all parts onto the nearest part */
 static void skin_settle(const mus_body *body, double *x)
 {
     for (int round = 0; round < SKIN_SETTLE; round++) {
@@ -382,8 +386,8 @@ static void skin_settle(const mus_body *body, double *x)
 }
 
 
-/* a posed scan: rings of arms and legs that stand between two parts bulge where a joint is bent, by centimetres, and
- * cloth is held by the parts */
+/* a posed scan: the rings of arms and legs between two parts bulge by centimetres at a bent joint, while contact knows
+ * the parts; their vertices are moved onto the parts */
 static void skin_scanned(mus_body *body)
 {
     for (int32_t l = 0; l < body->limb_count; l++) {

@@ -49,18 +49,15 @@ mus_cloth *mus__cloth_new(mus_context *context)
 /* a faulty pattern is refused with the text of its first fault */
 static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 {
-    mus_pattern *copy = NULL;
+    mus_faults *faults = NULL;
     int32_t count = 0;
-    const char *text = NULL;
-    mus_status status = mus_pattern_copy(pattern, &copy);
-    if (status == MUS_OK) status = mus_pattern_check(copy, &count);
+    mus_status status = mus_pattern_check(pattern, &count, &faults);
     if (status == MUS_OK && count > 0) {
-        mus_pattern_fault(copy, 0, NULL, NULL, NULL, NULL, &text);
-        status = mus__fail(context, MUS_ERR_PATTERN, "%s", text != NULL ? text : mus_status_text(MUS_ERR_PATTERN));
+        status = mus__fail(context, MUS_ERR_PATTERN, "%s", mus_faults_text(faults, 0));
     } else if (status != MUS_OK && context != mus_pattern_context(pattern)) {
         mus__fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
     }
-    mus_pattern_destroy(copy);
+    mus_faults_destroy(faults);
     return status;
 }
 

@@ -337,7 +337,7 @@ static mus_status mesh_fill(mus__mesh *mesh, int32_t index, int32_t all, const d
     mus__free(mesh->context, side);
     if (status == MUS_OK) status = mesh_collect(mesh, lattice, index, border, &strip);
     if (status == MUS_OK)
-        status = mus__triangulate_sides(mesh->context, strip.n, strip.xy, strip.nborder, strip.nside, strip.side,
+        status = mus__triangulate(mesh->context, strip.n, strip.xy, strip.nborder, strip.nside, strip.side,
                                         &strip.triangle, &strip.count);
     if (status == MUS_ERR_MESH)
         status =

@@ -27,6 +27,14 @@ typedef struct mus__contact_rule {
     double pull;         /* a pinched node is drawn out with this acceleration [m/s2]; 0: it is put out by `push` */
 } mus__contact_rule;
 
+/* nodes first .. last-1 of a state in planes of n numbers, of the type that the pass is of. inverse (n): 1/mass, 0 for
+ * nodes that are held; before (3 x n): places before the step; x, v (3 x n): changed in place */
+typedef struct mus__contact_nodes {
+    int32_t n, first, last;
+    const void *inverse, *before;
+    void *x, *v;
+} mus__contact_nodes;
+
 /* distance cache of a node: surfaces that need no query until the node and the surfaces have travelled `slack` [m] */
 typedef struct mus__distance_cache {
     float slack;
@@ -60,20 +68,19 @@ static inline double mus__contact_surface_travel(const mus__collider *collider, 
     return 1.001 * rule->step * (speed + drift) + 1e-9;
 }
 
-/* nonzero when one of the nodes first .. last-1 is fast; v planes (3 x n) */
-int32_t mus__contact_any_fast_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
-                                  int32_t first, int32_t last, const float *v);
-int32_t mus__contact_any_fast_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
-                                  int32_t first, int32_t last, const double *v);
+/* nonzero when one of the nodes is fast */
+int32_t mus__contact_any_fast_f32(const mus__collider *collider, const mus__contact_rule *rule,
+                                  const mus__contact_nodes *nodes);
+int32_t mus__contact_any_fast_f64(const mus__collider *collider, const mus__contact_rule *rule,
+                                  const mus__contact_nodes *nodes);
 
-/* answers the contacts of nodes first .. last-1 of n: x, v planes (3 x n) are changed in place; inverse (n) 1/mass, 0
- * for nodes that are held; before (3 x n) places before the step; `sweeps` nonzero: fast nodes are swept; cache (n) is
- * all zeros at first, and again when surfaces jump */
-void mus__contact_pass_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                           int32_t last, const float *inverse, const float *before, int32_t sweeps,
-                           mus__distance_cache *cache, float *x, float *v, mus__contact_tally *tally);
-void mus__contact_pass_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                           int32_t last, const double *inverse, const double *before, int32_t sweeps,
-                           mus__distance_cache *cache, double *x, double *v, mus__contact_tally *tally);
+/* answers the contacts of `nodes`. `sweeps` nonzero: fast nodes are swept; cache (n) is all zeros at first, and again
+ * when surfaces jump */
+void mus__contact_pass_f32(const mus__collider *collider, const mus__contact_rule *rule,
+                           const mus__contact_nodes *nodes, int32_t sweeps, mus__distance_cache *cache,
+                           mus__contact_tally *tally);
+void mus__contact_pass_f64(const mus__collider *collider, const mus__contact_rule *rule,
+                           const mus__contact_nodes *nodes, int32_t sweeps, mus__distance_cache *cache,
+                           mus__contact_tally *tally);
 
 #endif

@@ -1,44 +1,64 @@
 /*
- * contact_kernel.h: the contact pass, as a template on the floating type (MUS__REAL, MUS__NAME, MUS_CONTACT, MUS_RUSH).
+ * contact_kernel.h: the contact pass (contact.h) as a template on the floating type: MUS__REAL, MUS__NAME(name) and
+ * MUS__PART_FIELDS, the collider's fields of that type.
  *
- * The fields stand `skin` off the body already (contact.c), so depths are taken from there and are small where a node
- * rests: a depth of first order jumps a little from ring to ring, but not at zero. Planes are taken as much off.
+ * The radius fields are those of the surface `offset` off the skin (collider.c), so depths are counted from there and
+ * are small where a node rests: a depth of first order jumps a little from ring to ring, but not at zero. Planes are
+ * offset by as much.
  *
- * A node nearer than the clearance is put back along the outward normal, loses its velocity into the skin, and its
- * sliding velocity shrinks by the friction impulse mu |v_n|. The step that led here moved the node along the skin with
- * the velocity it had before the impulse; friction takes back `slip` mu |v_n| of that way too, and no more than all of
- * it, so that what sticks does not creep, and in float not even by rounding. All is relative to the surface: places to
- * where it has carried the node from, velocities to its own there. What touches several surfaces is in meet_kernel.h.
+ * Nodes go through in chunks:
  *
- * Nodes are first held against the boxes of the parts, a block at a time and many nodes at once; only what is in a box
- * is asked of its part. An answer is a distance: until a node has gone an eighth of it, or the surfaces have, that
- * part need not be asked again. An eighth, since the distance is of first order: beside the caps of parts it was found
- * up to five times too far. What a node goes is measured.
+ *   1. boxes    every node of a chunk against the boxes of the parts, and against the planes
+ *   2. caches   a query's answer is a distance; until node and surfaces have travelled an eighth of it, that part is
+ *               left out. An eighth, since the distance is of first order: beside the caps of parts it was measured up
+ *               to five times too large
+ *   3. queries  what is left is asked of its parts, many nodes of one part at once (query_batch_kernel.h)
+ *   4. response nodes that touch one part many at once (response_batch_kernel.h), all others one by one
+ *               (response_kernel.h)
  *
- * What a node is pushed out of may push it into what it did not touch before, so that counts as touched too: between an
- * arm and a candidate a tight cloth would else be thrown from one to the other.
- *
- * What is fast is swept (sweep_kernel.h). Whether paths are measured at all is decided by the speeds after the step
- * before (`fast`).
+ * A chunk in which a node travelled further than the thinnest part allows is not batched: its fast nodes are swept
+ * (sweep_kernel.h). Whether travel is measured at all is decided by the speeds after the step before (`fast` of the
+ * tally).
  */
 
-/* [m] a node this near to the clearance is still on the skin: a float state rounds by as much */
-#define MUS__TOUCH_BAND 2e-6
+#define MUS__CHUNK 256 /* nodes looked at together; chosen: a chunk's arrays stay in the second-level cache */
 
-#define MUS__STICK_BAND (sizeof(MUS__REAL) == sizeof(float) ? 1e-7 : 1e-15) /* [m]: as far off the skin as before */
+#define MUS__MANIFOLD_MAX 8 /* contacts of a node, and query results; more are left out */
+#define MUS__TOUCH_BAND 2e-6 /* [m] a node no further than this beyond the clearance touches: the rounding of a float
+                              * state some metres from the origin */
+#define MUS__STICK_BAND (sizeof(MUS__REAL) == sizeof(float) ? 1e-7 : 1e-15) /* [m] a sticking node whose height over the
+                              * surface changed by no more goes back to its old place, to the last bit: rounding */
 
-#define MUS__QUERY_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
-#define MUS__CACHE_GAP 2e-3    /* [m]: a part this far beyond the clearance is not asked for a while */
-#define MUS__CACHE_DIVISOR 8   /* part of the distance that a node may go until then: one in so many */
+#define MUS__QUERY_MARGIN 0.04 /* [m] a distance beyond the clearance is measured up to this; chosen: what is further off
+                                * needs no query for a while anyway */
+#define MUS__CACHE_GAP 2e-3    /* [m] a part this far beyond the clearance goes into the cache; chosen */
+#define MUS__CACHE_DIVISOR 8   /* travel until the next query is the distance over this; five would be the measured
+                                * error of the distance */
+#define MUS__PUSH_FAR (MUS__CACHE_GAP * (MUS__CACHE_DIVISOR - 1) / MUS__CACHE_DIVISOR) /* [m] a node that is pushed
+                                * further than this may come to a part that its cache leaves out */
+#define MUS__SAFE_FRACTION 0.999 /* of the safe travel, for the rounding of distances: more is swept */
 
-/* [m]: a node that is pushed farther than this may come to a part that it is not asked of */
-#define MUS__PUSH_FAR (MUS__CACHE_GAP * (MUS__CACHE_DIVISOR - 1) / MUS__CACHE_DIVISOR)
+/* a pass: what it works on, and the surfaces in its precision */
+typedef struct MUS__NAME(pass) {
+    const mus__collider *collider;
+    const mus__contact_rule *rule;
+    const mus__contact_nodes *nodes;
+    const MUS__NAME(field) * field; /* of the parts */
+    mus__distance_cache *cache;
+    mus__contact_tally *tally;
+    MUS__REAL clearance; /* from the offset surfaces [m] */
+    MUS__NAME(surfaces) surfaces;
+} MUS__NAME(pass);
 
-#define MUS__SAFE_FRACTION 0.999 /* part of the safe length: for the rounding of ways */
+/* a chunk of nodes: a bit for each part whose box the node is in; for each part that it is to be asked of; for each
+ * plane near it. skip: nothing is to be done with it */
+typedef struct MUS__NAME(chunk) {
+    int32_t start, count;
+    uint64_t boxes[MUS__CHUNK], parts[MUS__CHUNK];
+    uint32_t planes[MUS__CHUNK];
+    uint8_t skip[MUS__CHUNK];
+} MUS__NAME(chunk);
 
-#define MUS__SQUEEZE_MAX 5.0   /* [m/s] out of a wedge that closes */
-#define MUS__MANIFOLD_MAX 8    /* surfaces that a node touches at once; more are left out */
-#define MUS__CANDIDATES_MAX 16 /* that it is near; of more, those that are farthest are left out */
 
 /* nonzero when p is in the box (6) */
 static inline int32_t MUS__NAME(in_box)(const MUS__REAL *box, const MUS__REAL *p)
@@ -48,34 +68,35 @@ static inline int32_t MUS__NAME(in_box)(const MUS__REAL *box, const MUS__REAL *p
 
 
 /* the parts whose box p is in, a bit each */
-static uint64_t MUS__NAME(boxes_around)(int32_t nparts, const MUS__REAL *box, const MUS__REAL *p)
+static uint64_t MUS__NAME(boxes_around)(const MUS__NAME(pass) * pass, const MUS__REAL *p)
 {
     uint64_t in = 0;
-    for (int32_t l = 0; l < nparts; l++) in |= (uint64_t)MUS__NAME(in_box)(box + 6 * l, p) << l;
+    for (int32_t l = 0; l < pass->collider->nparts; l++)
+        in |= (uint64_t)MUS__NAME(in_box)(pass->surfaces.box + 6 * l, p) << l;
     return in;
 }
 
 
-#include "contact/friction_kernel.h"
 #include "contact/query_batch_kernel.h"
 #include "contact/response_kernel.h"
 #include "contact/sweep_kernel.h"
+#include "contact/response_batch_kernel.h"
 
 
-/* ---- the pass ---- */
+/* ---- boxes and travel of a chunk ---- */
 
-/* parts first .. last-1, at most 32: a bit in in (count) for each whose box a node is in; far (count) gets the largest
- * of carried (last) of those, if it is larger */
+/* a bit in in (count) for each of `parts` boxes (at most 32, x 6) that a node is in; far (count) becomes the largest of
+ * travel (parts) of those, if that is larger; x planes (3 x n) from the chunk's first node on */
 MUS_CLONES
-static void MUS__NAME(chunk_boxes)(const MUS__NAME(surfaces) * surfaces, int32_t first, int32_t last,
-                                   const MUS__REAL *carried, int64_t n, int32_t count, const MUS__REAL *restrict x,
-                                   uint32_t *restrict in, MUS__REAL *restrict far)
+static void MUS__NAME(chunk_boxes)(const MUS__REAL *boxes, const MUS__REAL *travel, int32_t parts, int64_t n,
+                                   int32_t count, const MUS__REAL *restrict x, uint32_t *restrict in,
+                                   MUS__REAL *restrict far)
 {
     for (int32_t i = 0; i < count; i++) in[i] = 0;
-    for (int32_t l = first; l < last; l++) {
-        const MUS__REAL *b = surfaces->box + 6 * l, b0 = b[0], b1 = b[1], b2 = b[2], b3 = b[3], b4 = b[4], b5 = b[5];
-        const uint32_t bit = (uint32_t)1 << (l - first);
-        const MUS__REAL own = carried[l];
+    for (int32_t l = 0; l < parts; l++) {
+        const MUS__REAL *b = boxes + 6 * l, b0 = b[0], b1 = b[1], b2 = b[2], b3 = b[3], b4 = b[4], b5 = b[5];
+        const uint32_t bit = (uint32_t)1 << l;
+        const MUS__REAL own = travel[l];
         MUS_IVDEP
         for (int32_t i = 0; i < count; i++) {
             const MUS__REAL p0 = x[i], p1 = x[n + i], p2 = x[2 * n + i];
@@ -88,7 +109,7 @@ static void MUS__NAME(chunk_boxes)(const MUS__NAME(surfaces) * surfaces, int32_t
 }
 
 
-/* planes: a bit in on (count) for each that a node is not farther above than the margin */
+/* a bit in on (count) for each plane that a node is no further above than the margin */
 MUS_CLONES
 static void MUS__NAME(chunk_planes)(const MUS__NAME(surfaces) * surfaces, int64_t n, int32_t count,
                                     const MUS__REAL *restrict x, uint32_t *restrict on)
@@ -107,7 +128,7 @@ static void MUS__NAME(chunk_planes)(const MUS__NAME(surfaces) * surfaces, int64_
 }
 
 
-/* nonzero when a speed relative to drift (3) is above the root of fast2 */
+/* nonzero when the square of a speed relative to drift (3) is above fast2 */
 MUS_CLONES
 static uint32_t MUS__NAME(chunk_fast)(const MUS__REAL *drift, MUS__REAL fast2, int64_t n, int32_t count,
                                       const MUS__REAL *restrict v)
@@ -122,183 +143,177 @@ static uint32_t MUS__NAME(chunk_fast)(const MUS__REAL *drift, MUS__REAL fast2, i
 }
 
 
-int32_t MUS__NAME(contact_any_fast)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n,
-                                    int32_t first, int32_t last, const MUS__REAL *v)
+int32_t MUS__NAME(contact_any_fast)(const mus__collider *collider, const mus__contact_rule *rule,
+                                    const mus__contact_nodes *nodes)
 {
-    const MUS__REAL fast = (MUS__REAL)mus__contact_fast_speed(collider, rule);
+    const MUS__REAL fast = (MUS__REAL)mus__contact_fast_speed(collider, rule), *v = nodes->v;
     MUS__REAL drift[3];
     for (int32_t d = 0; d < 3; d++) drift[d] = (MUS__REAL)collider->drift[d];
-    return MUS__NAME(chunk_fast)(drift, fast * fast, n, last - first, v + first) != 0;
+    return MUS__NAME(chunk_fast)(drift, fast * fast, nodes->n, nodes->last - nodes->first, v + nodes->first) != 0;
 }
 
 
-/* how far surfaces may have gone since the last call: all of them, and of a body that turns each part beyond that. Of
- * parts a node counts those in whose boxes it is: others are farther off than what it may go until it is asked again */
+/* bounds of what surfaces have travelled since the last call [m]: the drift and the planes, and of a body that turns
+ * each part beyond that. A node counts the parts in whose boxes it is: all others are further off than its slack */
 typedef struct MUS__NAME(surface_travel) {
     MUS__REAL rest, part[MUS__PARTS_MAX], most;
 } MUS__NAME(surface_travel);
 
 
 static void MUS__NAME(fill_surface_travel)(const mus__collider *collider, const mus__contact_rule *rule,
-                                           MUS__NAME(surface_travel) * carries)
+                                           MUS__NAME(surface_travel) * to)
 {
     const double rest = mus__contact_surface_travel(collider, rule, collider->plane_speed_max);
-    carries->rest = (MUS__REAL)rest;
-    carries->most = 0;
+    to->rest = (MUS__REAL)rest;
+    to->most = 0;
     for (int32_t l = 0; l < collider->nparts; l++) {
-        carries->part[l] =
-            (MUS__REAL)fmax(mus__contact_surface_travel(collider, rule, collider->part[l].speed_max) - rest, 0.0);
-        if (carries->part[l] > carries->most) carries->most = carries->part[l];
+        const double part = mus__contact_surface_travel(collider, rule, collider->part[l].speed_max);
+        to->part[l] = (MUS__REAL)fmax(part - rest, 0.0);
+        if (to->part[l] > to->most) to->most = to->part[l];
     }
 }
 
 
-/* to gone (count), which has how far the part went that did farthest beyond the rest, how far the node and the rest
- * have gone since the last call */
+/* adds to gone (count), which has the travel of the nearby parts beyond the rest, that of the rest and of the node */
 MUS_CLONES
-static void MUS__NAME(chunk_travel)(MUS__REAL carried, int64_t n, int32_t count, const MUS__REAL *restrict before,
+static void MUS__NAME(chunk_travel)(MUS__REAL rest, int64_t n, int32_t count, const MUS__REAL *restrict before,
                                     const MUS__REAL *restrict x, MUS__REAL *restrict gone)
 {
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS__REAL d0 = x[i] - before[i], d1 = x[n + i] - before[n + i], d2 = x[2 * n + i] - before[2 * n + i];
-        gone[i] = gone[i] + carried + (MUS__REAL)MUS__NAME(sqrt)(d0 * d0 + d1 * d1 + d2 * d2);
+        gone[i] = gone[i] + rest + (MUS__REAL)MUS__NAME(sqrt)(d0 * d0 + d1 * d1 + d2 * d2);
     }
 }
 
 
-#include "contact/response_batch_kernel.h"
+/* ---- the pass ---- */
 
-
-/* node i, which is in the boxes `boxes`, of which `in` are to be asked, and near the planes `on`, or may have to be
- * swept; `batch` and `head` as of touch */
-static void MUS__NAME(pass_node)(const mus__collider *collider, const mus__contact_rule *rule,
-                                 const MUS__NAME(surfaces) * surfaces, int32_t n, int32_t i, uint64_t boxes,
-                                 uint64_t in, uint32_t on, int32_t sweeps, const MUS__NAME(query_batch) * batch,
-                                 int32_t head, const MUS__REAL *inverse, const MUS__REAL *before,
-                                 mus__distance_cache *cache, MUS__REAL *x, MUS__REAL *v, mus__contact_tally *tally)
+/* node i of a chunk, alone; batch: answers for it, or NULL: it may have to be swept */
+static void MUS__NAME(pass_node)(const MUS__NAME(pass) * pass, const MUS__NAME(chunk) * chunk, int32_t i,
+                                 const MUS__NAME(query_batch) * batch)
 {
-    const int64_t at[3] = {i, n + i, 2 * (int64_t)n + i};
-    const MUS__REAL gap = surfaces->margin - (MUS__REAL)(rule->clearance - collider->offset);
-    MUS__REAL p[3], w[3], from[3], moved = 0;
+    const mus__contact_nodes *nodes = pass->nodes;
+    const int64_t n = nodes->n, k = chunk->start + i, at[3] = {k, n + k, 2 * n + k};
+    const MUS__REAL gap = pass->surfaces.margin - pass->clearance, *before = nodes->before, *inverse = nodes->inverse;
+    MUS__REAL *x = nodes->x, *v = nodes->v, p[3], w[3], from[3], moved = 0;
+    mus__distance_cache *cache = &pass->cache[k];
+    const uint64_t boxes = chunk->boxes[i], parts = chunk->parts[i];
+    const uint32_t planes = chunk->planes[i];
+    MUS__NAME(query) query = {parts, boxes & ~parts, planes, 0, batch, batch != NULL ? batch->head[i] : 0};
     int32_t touched = 0;
     for (int32_t d = 0; d < 3; d++) p[d] = x[at[d]], w[d] = v[at[d]], from[d] = before[at[d]];
-    const uint64_t parts = in;
-    const uint32_t planes = on;
-    if (sweeps) touched = MUS__NAME(sweep_all)(collider, rule, surfaces, &in, &on, from, p, w, &tally->queries);
-    const int32_t swept = in != parts || on != planes;
+    if (batch == NULL) touched = MUS__NAME(sweep_all)(pass, &query.parts, &query.planes, from, p, w);
+    const int32_t swept = query.parts != parts || query.planes != planes;
 
-    /* parts that were asked already and are not near are as far as a distance is taken */
-    MUS__NAME(gaps) gaps = {gap, gap, boxes & ~in & (((uint64_t)1 << MUS__CACHE_PARTS) - 1)};
+    /* parts that were asked already and are not near are as far as a distance is measured */
+    MUS__NAME(gaps) gaps = {gap, gap, boxes & ~query.parts & (((uint64_t)1 << MUS__CACHE_PARTS) - 1)};
 
-    /* what a sweep took out of one part may be in another */
-    if (swept && touched) in = MUS__NAME(boxes_around)(collider->nparts, surfaces->box, p);
-    if (in != 0 || on != 0) {
-        const MUS__NAME(path) path = {from, (MUS__REAL)rule->step, (MUS__REAL)(swept ? 0.0 : rule->slip)};
-        touched |= MUS__NAME(respond_node)(collider, rule, surfaces, in, swept ? 0 : boxes & ~in, on, 0, batch, head,
-                                           &path, &gaps, p, w, &tally->queries);
+    /* a sweep may have moved the node out of one part into another */
+    if (swept && touched) query.parts = MUS__NAME(boxes_around)(pass, p);
+    query.others = swept ? 0 : boxes & ~query.parts;
+    if (query.parts != 0 || query.planes != 0) {
+        const MUS__NAME(path) path = {from, (MUS__REAL)pass->rule->step, (MUS__REAL)(swept ? 0.0 : pass->rule->slip)};
+        touched |= MUS__NAME(respond_node)(pass, &query, &path, &gaps, p, w);
     }
     for (int32_t d = 0; touched && d < 3; d++) moved += (p[d] - x[at[d]]) * (p[d] - x[at[d]]);
     if (cache->slack <= 0 && !swept) MUS__NAME(distance_cache_set)(&gaps, moved, cache);
     if (!touched) return;
-    const double mass = 1.0 / (double)inverse[i];
+    const double mass = 1.0 / (double)inverse[k];
     for (int32_t d = 0; d < 3; d++) {
-        tally->impulse[d] += ((double)w[d] - (double)v[at[d]]) * mass;
+        pass->tally->impulse[d] += ((double)w[d] - (double)v[at[d]]) * mass;
         x[at[d]] = p[d];
         v[at[d]] = w[d];
     }
 }
 
 
-/* a block of nodes that are not swept: boxes (count) and in (count) a bit for each part whose box a node is in, and
- * that is to be asked; on (count) of the planes */
-static void MUS__NAME(pass_chunk)(const mus__collider *collider, const mus__contact_rule *rule,
-                                  const MUS__NAME(surfaces) * surfaces, int32_t n, int32_t start, int32_t count,
-                                  const uint64_t *boxes, uint64_t *in, const uint32_t *on, const uint8_t *skip,
-                                  const MUS__REAL *inverse, const MUS__REAL *before, mus__distance_cache *cache,
-                                  MUS__REAL *x, MUS__REAL *v, mus__contact_tally *tally)
+/* a chunk of which no node is swept */
+static void MUS__NAME(pass_chunk)(const MUS__NAME(pass) * pass, MUS__NAME(chunk) * chunk)
 {
-    const MUS__REAL clearance = (MUS__REAL)(rule->clearance - collider->offset);
     MUS__NAME(query_batch) batch;
     MUS__NAME(single_contacts) single;
-    MUS__NAME(query_batch_chunk)(collider, surfaces->margin, n, count, x + start, in, &batch, &tally->queries);
+    MUS__NAME(query_batch_chunk)(pass, chunk, &batch);
     single.count = 0;
-    for (int32_t i = 0; i < count; i++) {
-        mus__distance_cache *own = &cache[start + i];
+    for (int32_t i = 0; i < chunk->count; i++) {
+        const uint32_t planes = chunk->planes[i];
+        const int32_t idle = chunk->parts[i] == 0 && pass->cache[chunk->start + i].slack > 0;
         single.kind[i] = MUS__TOUCH_NONE;
-        if (skip[i] || (on[i] == 0 && (boxes[i] == 0 || (in[i] == 0 && own->slack > 0)))) continue;
-        single.kind[i] = on[i] != 0
-                             ? MUS__TOUCH_OTHER
-                             : (uint8_t)MUS__NAME(classify_node)(rule, surfaces, clearance, n, start, i, boxes[i],
-                                                                 in[i], &batch, before, x, v, own, &single);
+        if (chunk->skip[i] || (planes == 0 && (chunk->boxes[i] == 0 || idle))) continue;
+        single.kind[i] =
+            planes != 0 ? MUS__TOUCH_OTHER : (uint8_t)MUS__NAME(classify_node)(pass, chunk, i, &batch, &single);
     }
-    MUS__NAME(respond_batch)
-    ((MUS__REAL)rule->friction, (MUS__REAL)rule->push, (MUS__REAL)rule->step, (MUS__REAL)rule->slip, single.count,
-     single.overlap, single.normal, single.from, single.x, single.v, single.moved);
-    for (int32_t i = 0, m = 0; i < count; i++) {
-        mus__distance_cache *own = &cache[start + i];
-        if (single.kind[i] == MUS__TOUCH_ONE_PART)
-            MUS__NAME(store_single)(&single, m++, surfaces->moving, n, start + i, inverse[start + i], own, x, v, tally);
-        if (single.kind[i] == MUS__TOUCH_OTHER) MUS__NAME(pass_node)
-        (collider, rule, surfaces, n, start + i, boxes[i], in[i], on[i], 0, &batch, batch.head[i], inverse, before, own,
-         x, v, tally);
+    MUS__NAME(respond_batch)(pass->rule, &single);
+    for (int32_t i = 0, m = 0; i < chunk->count; i++) {
+        if (single.kind[i] == MUS__TOUCH_ONE_PART) MUS__NAME(store_single)(pass, &single, m++, chunk->start + i);
+        if (single.kind[i] == MUS__TOUCH_OTHER) MUS__NAME(pass_node)(pass, chunk, i, &batch);
     }
 }
 
 
-void MUS__NAME(contact_pass)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                             int32_t last, const MUS__REAL *inverse, const MUS__REAL *before, int32_t sweeps,
-                             mus__distance_cache *cache, MUS__REAL *x, MUS__REAL *v, mus__contact_tally *tally)
+/* boxes, planes and caches of a chunk that is started and counted; way: largest travel of a node relative to a surface.
+ * Nonzero when a node is to be asked of any surface */
+static int32_t MUS__NAME(chunk_fill)(const MUS__NAME(pass) * pass, const MUS__NAME(surface_travel) * travel,
+                                     MUS__NAME(chunk) * chunk, MUS__REAL *way)
 {
-    MUS__NAME(surfaces) surfaces;
-    const int32_t nparts = collider->nparts;
-    const MUS__REAL margin =
-        (MUS__REAL)(rule->clearance - collider->offset) + (MUS__REAL)MUS__TOUCH_BAND + (MUS__REAL)MUS__QUERY_MARGIN;
-    MUS__NAME(fill_surfaces)(collider, rule, margin, &surfaces);
-
-    if (MUS__NAME(contact_any_fast)(collider, rule, n, first, last, v)) tally->fast = 1;
-    MUS__NAME(surface_travel) carries;
-    MUS__NAME(fill_surface_travel)(collider, rule, &carries);
-    uint32_t low[MUS__CHUNK], high[MUS__CHUNK] = {0}, on[MUS__CHUNK] = {0};
-    uint64_t boxes[MUS__CHUNK], in[MUS__CHUNK];
+    const mus__contact_nodes *nodes = pass->nodes;
+    const int32_t nparts = pass->collider->nparts, start = chunk->start, count = chunk->count;
+    const int64_t n = nodes->n;
+    const MUS__REAL *x = (const MUS__REAL *)nodes->x + start, *before = (const MUS__REAL *)nodes->before + start;
+    const MUS__REAL *inverse = (const MUS__REAL *)nodes->inverse + start, *box = pass->surfaces.box;
+    uint32_t low[MUS__CHUNK], high[MUS__CHUNK] = {0};
     MUS__REAL gone[MUS__CHUNK];
-    uint8_t skip[MUS__CHUNK];
-    for (int32_t start = first; start < last; start += MUS__CHUNK) {
-        const int32_t count = last - start < MUS__CHUNK ? last - start : MUS__CHUNK;
-        uint64_t any = 0;
-        MUS__REAL way = 0;
-        for (int32_t i = 0; i < count; i++) gone[i] = 0;
-        MUS__NAME(chunk_boxes)(&surfaces, 0, nparts < 32 ? nparts : 32, carries.part, n, count, x + start, low, gone);
-        if (nparts > 32) MUS__NAME(chunk_boxes)(&surfaces, 32, nparts, carries.part, n, count, x + start, high, gone);
-        if (surfaces.nplane > 0) MUS__NAME(chunk_planes)(&surfaces, n, count, x + start, on);
-        MUS__NAME(chunk_travel)(carries.rest, n, count, before + start, x + start, gone);
-        for (int32_t i = 0; i < count; i++) {
-            mus__distance_cache *own = &cache[start + i];
-            boxes[i] = in[i] = low[i] | (uint64_t)high[i] << 32;
-            own->slack -= (float)gone[i];
-            if (!(gone[i] <= way)) way = gone[i];
-            skip[i] = inverse[start + i] == 0;
+    uint64_t any = 0;
+    for (int32_t i = 0; i < count; i++) gone[i] = 0;
+    MUS__NAME(chunk_boxes)(box, travel->part, nparts < 32 ? nparts : 32, n, count, x, low, gone);
+    if (nparts > 32) MUS__NAME(chunk_boxes)(box + 6 * 32, travel->part + 32, nparts - 32, n, count, x, high, gone);
+    if (pass->surfaces.nplane > 0) MUS__NAME(chunk_planes)(&pass->surfaces, n, count, x, chunk->planes);
+    MUS__NAME(chunk_travel)(travel->rest, n, count, before, x, gone);
+    *way = 0;
+    for (int32_t i = 0; i < count; i++) {
+        mus__distance_cache *cache = &pass->cache[start + i];
+        chunk->boxes[i] = chunk->parts[i] = low[i] | (uint64_t)high[i] << 32;
+        cache->slack -= (float)gone[i];
+        if (!(gone[i] <= *way)) *way = gone[i];
+        chunk->skip[i] = inverse[i] == 0;
+        if (cache->slack > 0 && cache->parts == MUS__CACHE_ALL) chunk->skip[i] = 1;
+        else if (cache->slack > 0) chunk->parts[i] &= ~(uint64_t)cache->parts;
+        if (chunk->skip[i]) chunk->parts[i] = 0;
+        any |= chunk->parts[i] | (chunk->skip[i] ? 0 : chunk->planes[i]);
+    }
+    return any != 0;
+}
 
-            /* what it is too far from to have come to is not asked */
-            if (own->slack > 0 && own->parts == MUS__CACHE_ALL)
-                skip[i] = 1;
-            else if (own->slack > 0)
-                in[i] &= ~(uint64_t)own->parts;
-            if (skip[i]) in[i] = 0;
-            any |= in[i] | (skip[i] ? 0 : on[i]);
-        }
 
-        /* a block of which no node went so far against any surface is not swept */
-        const int32_t swept = sweeps != 0 && !(way + carries.most <= (MUS__REAL)(MUS__SAFE_FRACTION * collider->safe));
-        if (any == 0 && !swept) continue;
-        if (!swept) {
-            MUS__NAME(pass_chunk)
-            (collider, rule, &surfaces, n, start, count, boxes, in, on, skip, inverse, before, cache, x, v, tally);
-            continue;
+void MUS__NAME(contact_pass)(const mus__collider *collider, const mus__contact_rule *rule,
+                             const mus__contact_nodes *nodes, int32_t sweeps, mus__distance_cache *cache,
+                             mus__contact_tally *tally)
+{
+    const MUS__REAL clearance = (MUS__REAL)(rule->clearance - collider->offset);
+    MUS__NAME(pass) pass;
+    pass.collider = collider, pass.rule = rule, pass.nodes = nodes, pass.field = collider->MUS__PART_FIELDS;
+    pass.cache = cache, pass.tally = tally, pass.clearance = clearance;
+    const MUS__REAL margin = clearance + (MUS__REAL)MUS__TOUCH_BAND + (MUS__REAL)MUS__QUERY_MARGIN;
+    MUS__NAME(fill_surfaces)(collider, rule, margin, &pass.surfaces);
+
+    if (MUS__NAME(contact_any_fast)(collider, rule, nodes)) tally->fast = 1;
+    MUS__NAME(surface_travel) travel;
+    MUS__NAME(chunk) chunk;
+    MUS__NAME(fill_surface_travel)(collider, rule, &travel);
+    memset(chunk.planes, 0, sizeof chunk.planes);
+    for (int32_t start = nodes->first; start < nodes->last; start += MUS__CHUNK) {
+        MUS__REAL way;
+        chunk.start = start;
+        chunk.count = nodes->last - start < MUS__CHUNK ? nodes->last - start : MUS__CHUNK;
+        const int32_t any = MUS__NAME(chunk_fill)(&pass, &travel, &chunk, &way);
+
+        /* a chunk of which no node went so far against any surface is not swept */
+        const int32_t swept = sweeps != 0 && !(way + travel.most <= (MUS__REAL)(MUS__SAFE_FRACTION * collider->safe));
+        if (swept) {
+            for (int32_t i = 0; i < chunk.count; i++)
+                if (!chunk.skip[i]) MUS__NAME(pass_node)(&pass, &chunk, i, NULL);
+        } else if (any) {
+            MUS__NAME(pass_chunk)(&pass, &chunk);
         }
-        for (int32_t i = 0; i < count; i++)
-            if (!skip[i]) MUS__NAME(pass_node)
-        (collider, rule, &surfaces, n, start + i, boxes[i], in[i], on[i], sweeps, NULL, 0, inverse, before,
-         &cache[start + i], x, v, tally);
     }
 }

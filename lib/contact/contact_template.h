@@ -9,7 +9,9 @@
 #define MUS_CONTACT_CONTACT_TEMPLATE_H
 
 #include <math.h>
+#include <string.h>
 
+#include "base/clones.h"
 #include "contact/contact.h"
 
 /* number of the lowest bit that is set, of a number that is not 0 */
@@ -31,6 +33,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 #define MUS__NAME(name) mus__##name##_f32
 #include "limb/field_kernel.h"
 #include "contact/manifold_kernel.h"
+#include "contact/friction_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME
@@ -39,6 +42,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 #define MUS__NAME(name) mus__##name##_f64
 #include "limb/field_kernel.h"
 #include "contact/manifold_kernel.h"
+#include "contact/friction_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME

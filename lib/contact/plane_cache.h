@@ -22,13 +22,11 @@
  * squared radius below 0: query at the next call */
 #define MUS__CACHE_PLANES 8
 
-/* answers the contacts of nodes first .. last-1 of n: cache (MUS__CACHE_PLANES x n); x, v planes (3 x n); inverse (n)
- * 1/mass, 0 for nodes that are held. All surfaces must be at rest */
-void mus__plane_cache_pass_f32(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                               int32_t last, const float *inverse, float *cache, float *x, float *v,
-                               mus__contact_tally *tally);
-void mus__plane_cache_pass_f64(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                               int32_t last, const double *inverse, double *cache, double *x, double *v,
-                               mus__contact_tally *tally);
+/* answers the contacts of `nodes` (without `before`) with their planes (MUS__CACHE_PLANES x n, of the state's type). All
+ * surfaces must be at rest */
+void mus__plane_cache_pass_f32(const mus__collider *collider, const mus__contact_rule *rule,
+                               const mus__contact_nodes *nodes, void *planes, mus__contact_tally *tally);
+void mus__plane_cache_pass_f64(const mus__collider *collider, const mus__contact_rule *rule,
+                               const mus__contact_nodes *nodes, void *planes, mus__contact_tally *tally);
 
 #endif

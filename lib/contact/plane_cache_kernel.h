@@ -1,23 +1,23 @@
 /*
- * plane_cache_kernel.h: cache.h as a template on the floating type (MUS__REAL, MUS__NAME, MUS__PART_FIELDS, MUS_NEAR,
- * MUS_RUSH, MUS_SQRT).
+ * plane_cache_kernel.h: plane_cache.h as a template on the floating type (MUS__REAL, MUS__NAME, MUS__PART_FIELDS).
  *
- * A block of nodes is first taken as planes, all alike and without a branch; those that left their ball are marked and
- * then asked one by one.
+ * A chunk of nodes is first answered by the cached planes, all alike and without a branch; nodes that left their ball
+ * are marked and then asked one by one.
  */
 
-#define MUS__CACHE_BAND 2e-6   /* [m] a node this cache to the clearance is still on the skin: float rounds by as much \
-                                */
-#define MUS__CACHE_MARGIN 0.04 /* [m]: how far off the body a distance is still taken */
-#define MUS__CACHE_CHUNK 256
-#define MUS__CACHE_MANIFOLD_MAX 8 /* surfaces that a node touches at once; more are left out */
+#define MUS__CACHE_BAND 2e-6   /* [m] a node no further than this beyond the clearance touches: rounding of a float */
+#define MUS__CACHE_MARGIN 0.04 /* [m] a distance beyond the clearance is measured up to this; chosen: a node further off
+                                * may move half of it until the next query */
+#define MUS__CACHE_CHUNK 256   /* nodes; chosen, as in contact_kernel.h */
+#define MUS__CACHE_CONTACTS 8  /* contacts of a node; more are left out */
 
+/* the rule in the pass's precision; deep: share of the depth beyond MUS__CACHE_DEEP put back in this call */
 typedef struct MUS__NAME(cache_rule) {
-    MUS__REAL clearance, friction, push, deep, time, slip, ball;
+    MUS__REAL clearance, friction, push, deep, time, slip, radius;
 } MUS__NAME(cache_rule);
 
 
-/* how far something that is `overlap` inside comes out in a call */
+/* how far a node that overlaps by `overlap` is put back in a call */
 static MUS_INLINE MUS__REAL MUS__NAME(cache_push)(MUS__NAME(cache_rule) rule, MUS__REAL overlap)
 {
     const MUS__REAL over = overlap - (MUS__REAL)MUS__CACHE_DEEP;
@@ -26,9 +26,9 @@ static MUS_INLINE MUS__REAL MUS__NAME(cache_push)(MUS__NAME(cache_rule) rule, MU
 
 
 /*
- * What a touch makes of place and velocity, `touch` 1 or 0. Put back by `overlap`, whole if the last step brought it
- * in, else by `push`; the velocity into the skin is lost, the sliding shrinks by mu |v_n|, and the way slid is taken
- * back.
+ * The response to one surface, `touch` 1 or 0: put back by `overlap`, whole if the last step brought the node in, else by
+ * the push; the velocity into the surface is lost, friction takes of the sliding. The way slid is not known, since the
+ * place before the step is not: it is taken from the velocity that friction took.
  */
 static MUS_INLINE void MUS__NAME(cache_respond)(MUS__NAME(cache_rule) rule, MUS__REAL touch, MUS__REAL overlap,
                                                 const MUS__REAL *normal, MUS__REAL *x, MUS__REAL *v)
@@ -41,8 +41,7 @@ static MUS_INLINE void MUS__NAME(cache_respond)(MUS__NAME(cache_rule) rule, MUS_
 
     const MUS__REAL t0 = v[0] + inward * normal[0], t1 = v[1] + inward * normal[1], t2 = v[2] + inward * normal[2];
     const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(t0 * t0 + t1 * t1 + t2 * t2 + (MUS__REAL)1e-30);
-    const MUS__REAL less = speed - rule.friction * inward;
-    const MUS__REAL stop = touch * (vn < 0 ? 1 : 0), keep = less > 0 ? less / speed : 0;
+    const MUS__REAL stop = touch * (vn < 0 ? 1 : 0), keep = MUS__NAME(friction_keep)(speed, rule.friction * inward);
     const MUS__REAL lost = stop * (1 - keep), back = rule.slip * lost;
     x[0] += move * normal[0] - back * t0, x[1] += move * normal[1] - back * t1, x[2] += move * normal[2] - back * t2;
     const MUS__REAL into = stop * inward;
@@ -50,11 +49,11 @@ static MUS_INLINE void MUS__NAME(cache_respond)(MUS__NAME(cache_rule) rule, MUS_
 }
 
 
-/* a block as planes; stale (count) gets 1 where a node left its ball */
+/* a chunk answered by its planes; left (count) gets 1 where a node left its ball */
 MUS_CLONES
 static void MUS__NAME(cache_chunk)(MUS__NAME(cache_rule) rule, int64_t n, int32_t count,
                                    const MUS__REAL *restrict inverse, const MUS__REAL *restrict cache,
-                                   MUS__REAL *restrict x, MUS__REAL *restrict v, MUS__REAL *restrict stale)
+                                   MUS__REAL *restrict x, MUS__REAL *restrict v, MUS__REAL *restrict left)
 {
     const MUS__REAL band = rule.clearance + (MUS__REAL)MUS__CACHE_BAND;
     MUS_IVDEP
@@ -69,22 +68,19 @@ static void MUS__NAME(cache_chunk)(MUS__NAME(cache_rule) rule, int64_t n, int32_
         MUS__NAME(cache_respond)(rule, touch, depth + rule.clearance, normal, p, w);
         x[i] = p[0], x[n + i] = p[1], x[2 * n + i] = p[2];
         v[i] = w[0], v[n + i] = w[1], v[2 * n + i] = w[2];
-        stale[i] = moves * away;
+        left[i] = moves * away;
     }
 }
 
 
-/* one node against the several surfaces that it touches, in place: as respond_all of contact_kernel.h, the way slid
- * being taken from the velocity as cache_respond() takes it */
+/* the response to several surfaces, as respond_manifold(), the way slid being taken as by cache_respond() */
 static void MUS__NAME(cache_respond_manifold)(MUS__NAME(cache_rule) rule, const MUS__NAME(contact) * list,
                                               int32_t count, MUS__REAL *x, MUS__REAL *v)
 {
-    MUS__REAL target[MUS__CACHE_MANIFOLD_MAX], multiplier[MUS__CACHE_MANIFOLD_MAX], move[3], deepest = 0;
-    for (int32_t i = 0; i < count; i++)
-        target[i] = list[i].overlap, deepest = target[i] > deepest ? target[i] : deepest;
-    const MUS__REAL fast = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(v, v)),
-                    push = MUS__NAME(cache_push)(rule, deepest);
-    const MUS__REAL most = push + fast * rule.slip;
+    MUS__REAL target[MUS__CACHE_CONTACTS], multiplier[MUS__CACHE_CONTACTS], move[3], deepest = 0;
+    for (int32_t i = 0; i < count; i++) target[i] = list[i].overlap, deepest = target[i] > deepest ? target[i] : deepest;
+    const MUS__REAL fast = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(v, v));
+    const MUS__REAL push = MUS__NAME(cache_push)(rule, deepest), most = push + fast * rule.slip;
     MUS__NAME(manifold_solve)(list, count, target, most, move, multiplier);
     const MUS__REAL far = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(move, move));
     const MUS__REAL scale = far <= push + fast * rule.time ? 1 : most / far;
@@ -98,18 +94,17 @@ static void MUS__NAME(cache_respond_manifold)(MUS__NAME(cache_rule) rule, const 
         const MUS__REAL out = MUS__NAME(dot)(v, list[i].normal);
         MUS__REAL t[3];
         for (int32_t d = 0; d < 3; d++) t[d] = v[d] - out * list[i].normal[d];
-        const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(t, t)),
-                        loss = list[i].friction * multiplier[i];
-        const MUS__REAL lost = speed > loss ? loss / speed : 1;
+        const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(t, t));
+        const MUS__REAL lost = MUS__NAME(friction_take)(speed, list[i].friction * multiplier[i]);
         for (int32_t d = 0; d < 3; d++) v[d] -= lost * t[d], x[d] -= rule.slip * lost * t[d];
     }
 }
 
 
-/* what asks a node of the surfaces finds: those that it touches, and the two nearest of all */
+/* surfaces near a node: contacts, and the depths of the two nearest surfaces with the normal of the nearest */
 typedef struct MUS__NAME(cache_found) {
-    MUS__NAME(contact) list[MUS__CACHE_MANIFOLD_MAX];
-    int32_t count, strange; /* strange: it touches a cache with a friction of its own */
+    MUS__NAME(contact) list[MUS__CACHE_CONTACTS];
+    int32_t count, slippery; /* slippery: it is near a plane with a friction of its own */
     MUS__REAL first, second, normal[3];
 } MUS__NAME(cache_found);
 
@@ -123,59 +118,70 @@ static inline void MUS__NAME(cache_note)(MUS__NAME(cache_found) * found, MUS__RE
     } else if (depth > found->second) {
         found->second = depth;
     }
-    if (!(overlap > -(MUS__REAL)MUS__CACHE_BAND) || found->count == MUS__CACHE_MANIFOLD_MAX) return;
+    if (!(overlap > -(MUS__REAL)MUS__CACHE_BAND) || found->count == MUS__CACHE_CONTACTS) return;
     MUS__NAME(contact) *m = &found->list[found->count++];
     m->overlap = overlap, m->friction = friction;
     for (int32_t d = 0; d < 3; d++) m->normal[d] = normal[d];
 }
 
 
-/* one node asked of all surfaces, in place; what it is to remember goes to cache (8, a stride of n) */
-static void MUS__NAME(cache_renew)(const mus__collider *collider, MUS__NAME(cache_rule) rule,
-                                   const MUS__NAME(surfaces) * surfaces, int64_t n, MUS__REAL *cache, MUS__REAL *p,
-                                   MUS__REAL *w, int64_t *queries)
+/* all surfaces asked of a node at p */
+static inline void MUS__NAME(cache_query)(const mus__collider *collider, const MUS__NAME(cache_rule) * rule,
+                                          const MUS__NAME(surfaces) * surfaces, const MUS__REAL *p,
+                                          MUS__NAME(cache_found) * found, int64_t *queries)
 {
-    const MUS__REAL ball = rule.ball, margin = surfaces->margin, *box = surfaces->box;
-    MUS__NAME(cache_found) found;
+    const MUS__REAL margin = surfaces->margin, *box = surfaces->box;
     int32_t near;
-    found.count = found.strange = 0;
-    found.first = found.second = -margin;
-    for (int32_t d = 0; d < 3; d++) found.normal[d] = 0, cache[(4 + d) * n] = p[d];
+    found->count = found->slippery = 0;
+    found->first = found->second = -margin;
+    for (int32_t d = 0; d < 3; d++) found->normal[d] = 0;
     for (int32_t l = 0; l < collider->nparts; l++, box += 6) {
         if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
             continue;
         MUS__REAL normal[3];
         const MUS__REAL depth = MUS__NAME(field_query)(&collider->MUS__PART_FIELDS[l], p, margin, normal, &near);
         (*queries)++;
-        if (near) MUS__NAME(cache_note)(&found, depth + rule.clearance, rule.friction, depth, normal);
+        if (near) MUS__NAME(cache_note)(found, depth + rule->clearance, rule->friction, depth, normal);
     }
     for (int32_t k = 0; k < surfaces->nplane; k++) {
         const MUS__NAME(plane) *plane = &surfaces->plane[k];
         const MUS__REAL depth = MUS__NAME(plane_depth)(plane, p, margin, &near);
         (*queries)++;
-        MUS__NAME(cache_note)(&found, near ? depth + rule.clearance : -1, plane->friction, depth, plane->normal);
-        if (depth > -4 * ball && plane->friction != rule.friction) found.strange = 1;
+        MUS__NAME(cache_note)(found, near ? depth + rule->clearance : -1, plane->friction, depth, plane->normal);
+        if (depth > -4 * rule->radius && plane->friction != rule->friction) found->slippery = 1;
     }
-    if (found.count == 1) {
-        MUS__NAME(cache_rule) own = rule;
-        own.friction = found.list[0].friction;
-        MUS__NAME(cache_respond)(own, 1, found.list[0].overlap, found.list[0].normal, p, w);
-    } else if (found.count > 1) {
-        MUS__NAME(cache_respond_manifold)(rule, found.list, found.count, p, w);
-    }
-
-    /* far off: no cache, half the distance. Near one surface: its cache. Near two, or deep inside: asked every time */
-    const MUS__REAL off = -found.first - rule.clearance, other = -found.second - rule.clearance, half = off / 2;
-    const int32_t far = off > 2 * ball, plain = off > -4 * ball && other > 2 * ball && !found.strange;
-    for (int32_t d = 0; d < 3; d++) cache[d * n] = far ? 0 : found.normal[d];
-    cache[3 * n] = far ? -1 : found.first;
-    cache[7 * n] = far ? half * half : plain ? ball * ball : -1;
 }
 
 
-void MUS__NAME(plane_cache_pass)(const mus__collider *collider, const mus__contact_rule *rule, int32_t n, int32_t first,
-                                 int32_t last, const MUS__REAL *inverse, MUS__REAL *cache, MUS__REAL *x, MUS__REAL *v,
-                                 mus__contact_tally *tally)
+/* one node asked and answered, in place; its new cache (8, a stride of n) */
+static void MUS__NAME(cache_renew)(const mus__collider *collider, const MUS__NAME(cache_rule) * rule,
+                                   const MUS__NAME(surfaces) * surfaces, int64_t n, MUS__REAL *cache, MUS__REAL *p,
+                                   MUS__REAL *w, int64_t *queries)
+{
+    const MUS__REAL radius = rule->radius;
+    MUS__NAME(cache_found) found;
+    for (int32_t d = 0; d < 3; d++) cache[(4 + d) * n] = p[d];
+    MUS__NAME(cache_query)(collider, rule, surfaces, p, &found, queries);
+    if (found.count == 1) {
+        MUS__NAME(cache_rule) own = *rule;
+        own.friction = found.list[0].friction;
+        MUS__NAME(cache_respond)(own, 1, found.list[0].overlap, found.list[0].normal, p, w);
+    } else if (found.count > 1) {
+        MUS__NAME(cache_respond_manifold)(*rule, found.list, found.count, p, w);
+    }
+
+    /* far off: no plane, a ball of half the distance. Near one surface: its plane. Near two, or deep inside: no ball, so
+     * it is asked at every call */
+    const MUS__REAL off = -found.first - rule->clearance, other = -found.second - rule->clearance, half = off / 2;
+    const int32_t far = off > 2 * radius, plain = off > -4 * radius && other > 2 * radius && !found.slippery;
+    for (int32_t d = 0; d < 3; d++) cache[d * n] = far ? 0 : found.normal[d];
+    cache[3 * n] = far ? -1 : found.first;
+    cache[7 * n] = far ? half * half : plain ? radius * radius : -1;
+}
+
+
+void MUS__NAME(plane_cache_pass)(const mus__collider *collider, const mus__contact_rule *rule,
+                                 const mus__contact_nodes *nodes, void *planes, mus__contact_tally *tally)
 {
     const MUS__NAME(cache_rule) own = {(MUS__REAL)(rule->clearance - collider->offset),
                                        (MUS__REAL)rule->friction,
@@ -184,19 +190,21 @@ void MUS__NAME(plane_cache_pass)(const mus__collider *collider, const mus__conta
                                        (MUS__REAL)rule->step,
                                        (MUS__REAL)rule->slip,
                                        (MUS__REAL)rule->cache_radius};
+    const int64_t n = nodes->n;
+    const MUS__REAL *inverse = nodes->inverse;
+    MUS__REAL *x = nodes->x, *v = nodes->v, *cache = planes, left[MUS__CACHE_CHUNK];
     MUS__NAME(surfaces) surfaces;
-    MUS__REAL stale[MUS__CACHE_CHUNK];
     MUS__NAME(fill_surfaces)(collider, rule, own.clearance + (MUS__REAL)MUS__CACHE_MARGIN, &surfaces);
 
-    if (MUS__NAME(contact_any_fast)(collider, rule, n, first, last, v)) tally->fast = 1;
-    for (int32_t start = first; start < last; start += MUS__CACHE_CHUNK) {
-        const int32_t count = last - start < MUS__CACHE_CHUNK ? last - start : MUS__CACHE_CHUNK;
-        MUS__NAME(cache_chunk)(own, n, count, inverse + start, cache + start, x + start, v + start, stale);
+    if (MUS__NAME(contact_any_fast)(collider, rule, nodes)) tally->fast = 1;
+    for (int32_t start = nodes->first; start < nodes->last; start += MUS__CACHE_CHUNK) {
+        const int32_t count = nodes->last - start < MUS__CACHE_CHUNK ? nodes->last - start : MUS__CACHE_CHUNK;
+        MUS__NAME(cache_chunk)(own, n, count, inverse + start, cache + start, x + start, v + start, left);
         for (int32_t i = start; i < start + count; i++) {
-            if (stale[i - start] == 0) continue;
+            if (left[i - start] == 0) continue;
             MUS__REAL p[3], w[3];
             for (int64_t d = 0; d < 3; d++) p[d] = x[d * n + i], w[d] = v[d * n + i];
-            MUS__NAME(cache_renew)(collider, own, &surfaces, n, cache + i, p, w, &tally->queries);
+            MUS__NAME(cache_renew)(collider, &own, &surfaces, n, cache + i, p, w, &tally->queries);
             for (int64_t d = 0; d < 3; d++) x[d * n + i] = p[d], v[d * n + i] = w[d];
         }
     }

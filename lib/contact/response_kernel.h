@@ -1,37 +1,120 @@
 /*
- * response_kernel.h: one node against all surfaces that it touches, a part of contact_kernel.h.
+ * response_kernel.h: the response of one node to the surfaces that it touches, a part of contact_kernel.h.
+ *
+ * A node nearer than the clearance is put back along the outward normal, loses its velocity into the surface, and
+ * friction takes of its sliding (friction_kernel.h). Several surfaces are solved together (manifold_kernel.h). All is
+ * relative to the surface: places to where it carried the node from, velocities to its own there.
+ *
+ * Pushing a node out of one surface may push it into another. Surfaces within the push distance are therefore solved in
+ * the same manifold: between an arm and a side a tight cloth would otherwise be thrown from one to the other.
  */
 
-/* one node against one surface that it touches: x, v (3) are corrected in place. If its path is what brought it in, it
- * is put back whole; else it was inside before, and comes out by `push` beyond what springs just pulled it in */
-static inline void MUS__NAME(respond_one)(MUS__REAL overlap, MUS__REAL friction, const mus__contact_rule *rule,
-                                          const MUS__NAME(path) * path, const MUS__REAL *normal, MUS__REAL *x,
-                                          MUS__REAL *v)
+#define MUS__CANDIDATES_MAX 16 /* surfaces near a node; of more, the furthest are left out */
+#define MUS__SQUEEZE_MAX 5.0   /* [m/s] speed at which a closing wedge drives a node out; chosen: a fast limb's */
+
+/* how a node came to its place, relative to a surface */
+typedef struct MUS__NAME(path) {
+    const MUS__REAL *from; /* (3) where it was */
+    MUS__REAL time;        /* how long it moved [s] */
+    MUS__REAL slip;        /* the part of that for which it moved with the velocity before the impulse [s] */
+} MUS__NAME(path);
+
+/* what a node is to be asked of */
+typedef struct MUS__NAME(query) {
+    uint64_t parts;  /* parts, a bit each */
+    uint64_t others; /* parts in whose boxes it is, but too far off to touch; they may stop it when it is pushed */
+    uint32_t planes;
+    int32_t still;                       /* nonzero: as if all surfaces were at rest */
+    const MUS__NAME(query_batch) * batch; /* results that are known, from `head` on; may be NULL */
+    int32_t head;
+} MUS__NAME(query);
+
+/* a surface near a node */
+typedef struct MUS__NAME(candidate) {
+    MUS__REAL overlap; /* how far the node is inside the clearance; negative: beyond [m] */
+    MUS__REAL friction, normal[3];
+    const MUS__NAME(motion) * motion; /* NULL: at rest */
+} MUS__NAME(candidate);
+
+typedef struct MUS__NAME(candidates) {
+    int32_t count;
+    MUS__NAME(candidate) list[MUS__CANDIDATES_MAX];
+} MUS__NAME(candidates);
+
+/* distances of a node beyond the clearance: the least of all surfaces; parts further than MUS__CACHE_GAP, and the least
+ * of these */
+typedef struct MUS__NAME(gaps) {
+    MUS__REAL all, some;
+    uint64_t far;
+} MUS__NAME(gaps);
+
+
+/* ---- one surface ---- */
+
+/* what part of the rule a response to one surface needs: how far it may put back a node that was inside before [m], and
+ * the times of the node's path [s] */
+typedef struct MUS__NAME(response) {
+    MUS__REAL push, time, slip;
+} MUS__NAME(response);
+
+
+/* one node and one surface that it touches: x, v (3) are changed in place. A node that its path brought in is put back
+ * whole; else it was inside before, and comes out by `push` beyond what springs just pulled it in. No branch, for the
+ * batch; `from` may be x */
+static MUS_INLINE void MUS__NAME(respond_one)(MUS__REAL overlap, MUS__REAL friction, MUS__NAME(response) rule,
+                                              const MUS__REAL *normal, const MUS__REAL *from, MUS__REAL *x,
+                                              MUS__REAL *v)
 {
-    const MUS__REAL vn = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
-    const MUS__REAL push = (MUS__REAL)rule->push, inward = vn < 0 ? -vn : 0;
-    const MUS__REAL go = path->time * (MUS__REAL)MUS__NAME(sqrt)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    const MUS__REAL move = overlap < 0 ? 0 : overlap <= push + go ? overlap : push + inward * path->slip;
-    for (int32_t i = 0; i < 3; i++) x[i] += move * normal[i];
-    if (vn < 0) MUS__NAME(friction)(friction, path, inward, normal, x, v);
+    const MUS__REAL vn = MUS__NAME(dot)(v, normal), inward = vn < 0 ? -vn : 0;
+    const MUS__REAL go = rule.time * (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(v, v));
+    const MUS__REAL partly = rule.push + inward * rule.slip, whole = overlap <= rule.push + go ? overlap : partly;
+    const MUS__REAL move = overlap < 0 ? 0 : whole;
+    for (int32_t d = 0; d < 3; d++) x[d] += move * normal[d];
+
+    MUS__NAME(sliding) sliding;
+    MUS__NAME(friction)(friction, inward, rule.slip, normal, from, x, v, &sliding);
+    const MUS__REAL off = sliding.along < 0 ? -sliding.along : sliding.along;
+    const int32_t rubs = vn < 0, sticks = (sliding.take == 1) & (off <= (MUS__REAL)MUS__STICK_BAND);
+    for (int32_t d = 0; d < 3; d++) {
+        const MUS__REAL slid = sticks ? from[d] : x[d] - sliding.take * sliding.way[d];
+        x[d] = rubs ? slid : x[d];
+        v[d] = rubs ? sliding.keep * sliding.t[d] : v[d];
+    }
 }
+
+
+/* ---- a manifold ---- */
+
+/* friction of one of several surfaces, under its part `impulse` of the normal impulse. Nonzero when all of the way along
+ * it was taken back */
+static int32_t MUS__NAME(friction_of_one)(const MUS__NAME(contact) * m, MUS__REAL impulse, MUS__REAL slip,
+                                          MUS__REAL *x, MUS__REAL *v)
+{
+    MUS__REAL w[3];
+    MUS__NAME(sliding) sliding;
+    for (int32_t d = 0; d < 3; d++) w[d] = v[d] - m->velocity[d];
+    MUS__NAME(friction)(m->friction, impulse, slip, m->normal, m->from, x, w, &sliding);
+    for (int32_t d = 0; d < 3; d++) v[d] -= (1 - sliding.keep) * sliding.t[d], x[d] -= sliding.take * sliding.way[d];
+    return sliding.take == 1;
+}
+
 
 #include "contact/pinch_kernel.h"
 
 
-/* one node against the several surfaces that it touches, in place */
+/* one node and the several surfaces that it touches, in place */
 static void MUS__NAME(respond_manifold)(const mus__contact_rule *rule, const MUS__NAME(path) * path,
                                         const MUS__NAME(contact) * list, int32_t count, MUS__REAL *x, MUS__REAL *v)
 {
     const MUS__REAL start[3] = {x[0], x[1], x[2]};
     MUS__REAL target[MUS__MANIFOLD_MAX], multiplier[MUS__MANIFOLD_MAX], move[3], way[3], fast2 = 0, off2 = 0;
-    int32_t rubbed = 0, all = 0;
+    int32_t rubbed = 0, stuck = 0;
     const int32_t pinched = rule->pull > 0.0 && MUS__NAME(pinched)(list, count, x);
 
     /* velocities, with no more than the node has; then friction, which takes of the way too */
     for (int32_t i = 0; i < count; i++) {
         MUS__REAL w[3];
-        for (int32_t d = 0; d < 3; d++) w[d] = v[d] - list[i].speed[d];
+        for (int32_t d = 0; d < 3; d++) w[d] = v[d] - list[i].velocity[d];
         const MUS__REAL w2 = MUS__NAME(dot)(w, w);
         target[i] = -MUS__NAME(dot)(w, list[i].normal);
         if (w2 > fast2) fast2 = w2;
@@ -44,11 +127,11 @@ static void MUS__NAME(respond_manifold)(const mus__contact_rule *rule, const MUS
     for (int32_t i = 0; i < count; i++) {
         if (!(multiplier[i] > 0) || pinched) continue;
         rubbed++;
-        all += MUS__NAME(friction_of_one)(&list[i], multiplier[i], path->slip, x, v);
+        stuck += MUS__NAME(friction_of_one)(&list[i], multiplier[i], path->slip, x, v);
     }
 
     /* places: out at once when the path of the step brought the node in, else by `push` beyond what springs did and
-     * what a wedge that closes drives out */
+     * what a closing wedge drives out */
     const MUS__REAL most = (MUS__REAL)rule->push + fast * path->slip + squeeze * path->time;
     for (int32_t d = 0; d < 3; d++) way[d] = x[d] - start[d];
     for (int32_t i = 0; i < count; i++) target[i] = list[i].overlap - MUS__NAME(dot)(way, list[i].normal);
@@ -59,26 +142,14 @@ static void MUS__NAME(respond_manifold)(const mus__contact_rule *rule, const MUS
     if (out) MUS__NAME(pinch_release)(rule, path->time, move, far, v);
     for (int32_t d = 0; d < 3 && !out; d++) x[d] += scale * move[d];
 
-    /* one that sticks and is where it was is put back to the last bit */
+    /* a node that sticks and is where it was is put back to the last bit */
     for (int32_t d = 0; d < 3; d++) off2 += (x[d] - list->from[d]) * (x[d] - list->from[d]);
-    if (rubbed == 0 || all < rubbed || off2 > (MUS__REAL)(MUS__STICK_BAND * MUS__STICK_BAND)) return;
+    if (rubbed == 0 || stuck < rubbed || off2 > (MUS__REAL)(MUS__STICK_BAND * MUS__STICK_BAND)) return;
     for (int32_t d = 0; d < 3; d++) x[d] = list->from[d];
 }
 
-/* a surface that a node was asked of: `overlap` above 0 where it is nearer than the clearance */
-typedef struct MUS__NAME(candidate) {
-    MUS__REAL overlap, friction, normal[3];
-    const MUS__NAME(motion) * motion;
-} MUS__NAME(candidate);
 
-
-/* how far surfaces are beyond the clearance: the nearest of all, and of the parts that are farther than MUS__CACHE_GAP
- * which they are and the nearest */
-typedef struct MUS__NAME(gaps) {
-    MUS__REAL all, some;
-    uint64_t far;
-} MUS__NAME(gaps);
-
+/* ---- candidates ---- */
 
 static inline void MUS__NAME(gaps_note)(MUS__NAME(gaps) * gaps, int32_t part, MUS__REAL gap)
 {
@@ -89,69 +160,65 @@ static inline void MUS__NAME(gaps_note)(MUS__NAME(gaps) * gaps, int32_t part, MU
 }
 
 
-/* room for one more candidate: on the list of MUS__CANDIDATES_MAX, or where the farthest is, if that is beyond
- * `overlap`, or NULL */
-static inline MUS__NAME(candidate) *
-    MUS__NAME(candidate_add)(MUS__NAME(candidate) * candidates, int32_t *count, MUS__REAL overlap)
+/* place for one more candidate: at the end, or that of the furthest one if it is further than `overlap`; or NULL */
+static inline MUS__NAME(candidate) * MUS__NAME(candidate_add)(MUS__NAME(candidates) * near, MUS__REAL overlap)
 {
-    if (*count < MUS__CANDIDATES_MAX) return &candidates[(*count)++];
+    if (near->count < MUS__CANDIDATES_MAX) return &near->list[near->count++];
     int32_t least = 0;
     for (int32_t i = 1; i < MUS__CANDIDATES_MAX; i++)
-        if (candidates[i].overlap < candidates[least].overlap) least = i;
-    return candidates[least].overlap < overlap ? &candidates[least] : NULL;
+        if (near->list[i].overlap < near->list[least].overlap) least = i;
+    return near->list[least].overlap < overlap ? &near->list[least] : NULL;
 }
 
 
-/* part l asked of a node, or the answer that it has: on the list of candidates when it is near */
-static inline void MUS__NAME(query_part)(const mus__collider *collider, const mus__contact_rule *rule,
-                                         const MUS__NAME(surfaces) * surfaces, int32_t l, const MUS__NAME(motion) * way,
-                                         const MUS__NAME(query_result) * answer, const MUS__REAL *p,
-                                         MUS__NAME(gaps) * gaps, MUS__NAME(candidate) * candidates, int32_t *count,
-                                         int64_t *queries)
+/* part l, with its motion, asked of a node at p, or its known result (may be NULL): a candidate when it is near */
+static inline void MUS__NAME(query_part)(const MUS__NAME(pass) * pass, int32_t l, const MUS__NAME(motion) * motion,
+                                         const MUS__NAME(query_result) * result, const MUS__REAL *p,
+                                         MUS__NAME(gaps) * gaps, MUS__NAME(candidates) * list)
 {
-    const MUS__REAL clearance = (MUS__REAL)(rule->clearance - collider->offset);
+    const MUS__REAL clearance = pass->clearance, margin = pass->surfaces.margin;
     int32_t near = 1;
     MUS__REAL depth, normal[3];
-    if (answer != NULL) {
-        depth = answer->depth;
+    if (result != NULL) {
+        depth = result->depth;
     } else {
-        depth = MUS__NAME(field_query)(&collider->MUS__PART_FIELDS[l], p, surfaces->margin, normal, &near);
-        (*queries)++;
+        depth = MUS__NAME(field_query)(&pass->field[l], p, margin, normal, &near);
+        pass->tally->queries++;
     }
-    MUS__NAME(gaps_note)(gaps, l, (near != 0 ? -depth : surfaces->margin) - clearance);
-    MUS__NAME(candidate) *candidate = near != 0 ? MUS__NAME(candidate_add)(candidates, count, depth + clearance) : NULL;
+    MUS__NAME(gaps_note)(gaps, l, (near != 0 ? -depth : margin) - clearance);
+    MUS__NAME(candidate) *candidate = near != 0 ? MUS__NAME(candidate_add)(list, depth + clearance) : NULL;
     if (candidate == NULL) return;
     candidate->overlap = depth + clearance;
-    candidate->friction = (MUS__REAL)rule->friction;
-    for (int32_t d = 0; d < 3; d++) candidate->normal[d] = answer != NULL ? answer->normal[d] : normal[d];
-    candidate->motion = way;
+    candidate->friction = (MUS__REAL)pass->rule->friction;
+    for (int32_t d = 0; d < 3; d++) candidate->normal[d] = result != NULL ? result->normal[d] : normal[d];
+    candidate->motion = motion;
 }
 
 
-/* the planes `on` asked of a node, as parts are */
-static inline void MUS__NAME(query_planes)(MUS__REAL clearance, const MUS__NAME(surfaces) * surfaces, uint32_t on,
-                                           int32_t still, const MUS__REAL *p, MUS__NAME(gaps) * gaps,
-                                           MUS__NAME(candidate) * candidates, int32_t *count, int64_t *queries)
+/* the planes of a query, likewise */
+static inline void MUS__NAME(query_planes)(const MUS__NAME(pass) * pass, const MUS__NAME(query) * query,
+                                           const MUS__REAL *p, MUS__NAME(gaps) * gaps, MUS__NAME(candidates) * list)
 {
-    for (int32_t k = 0; on != 0; k++, on >>= 1) {
-        if ((on & 1) == 0) continue;
+    const MUS__REAL clearance = pass->clearance;
+    uint32_t left = query->planes;
+    for (int32_t k = 0; left != 0; k++, left >>= 1) {
+        if ((left & 1) == 0) continue;
         int32_t near;
-        const MUS__NAME(plane) *plane = &surfaces->plane[k];
-        const MUS__REAL depth = MUS__NAME(plane_depth)(plane, p, surfaces->margin, &near);
-        (*queries)++;
+        const MUS__NAME(plane) *plane = &pass->surfaces.plane[k];
+        const MUS__REAL depth = MUS__NAME(plane_depth)(plane, p, pass->surfaces.margin, &near);
+        pass->tally->queries++;
         if (-depth - clearance < gaps->all) gaps->all = -depth - clearance;
-        MUS__NAME(candidate) *candidate = near ? MUS__NAME(candidate_add)(candidates, count, depth + clearance) : NULL;
+        MUS__NAME(candidate) *candidate = near ? MUS__NAME(candidate_add)(list, depth + clearance) : NULL;
         if (candidate == NULL) continue;
         candidate->overlap = depth + clearance;
         candidate->friction = plane->friction;
         for (int32_t d = 0; d < 3; d++) candidate->normal[d] = plane->normal[d];
-        candidate->motion = still || !plane->moving ? NULL : &plane->motion;
+        candidate->motion = query->still || !plane->moving ? NULL : &plane->motion;
     }
 }
 
 
-/* how far respond() moves a node at most that goes with w (3) against the surface, which is to overlap it by `overlap`
- */
+/* bound of how far respond_one() moves a node with velocity w (3) against a surface that it overlaps by `overlap` */
 static inline MUS__REAL MUS__NAME(push_length)(const mus__contact_rule *rule, MUS__REAL overlap, const MUS__REAL *w)
 {
     const MUS__REAL fast = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(w, w)), push = (MUS__REAL)rule->push;
@@ -159,68 +226,79 @@ static inline MUS__REAL MUS__NAME(push_length)(const mus__contact_rule *rule, MU
 }
 
 
-/* one node against the parts `in` and the planes `on`, in place; `still`: as if all were at rest. `rest`: parts whose
- * boxes it is in and that are too far off to touch it, but not too far to stop it when it is pushed. `batch` (may be
- * NULL) has answers for it from `head` on; gaps (which the caller starts) gets lower bounds of the node's distance to
- * them. Nonzero when it touched */
-static inline int32_t MUS__NAME(respond_node)(const mus__collider *collider, const mus__contact_rule *rule,
-                                              const MUS__NAME(surfaces) * surfaces, uint64_t in, uint64_t rest,
-                                              uint32_t on, int32_t still, const MUS__NAME(query_batch) * batch,
-                                              int32_t head, const MUS__NAME(path) * path, MUS__NAME(gaps) * gaps,
-                                              MUS__REAL *p, MUS__REAL *w, int64_t *queries)
-{
-    const MUS__REAL clearance = (MUS__REAL)(rule->clearance - collider->offset);
-    MUS__NAME(candidate) candidates[MUS__CANDIDATES_MAX];
-    MUS__NAME(gaps) none = {0, 0, 0};
-    int32_t count = 0, first = 0, hits = 0;
-    for (; in != 0; in &= in - 1) {
-        const int32_t l = mus__lowest_bit(in);
-        const MUS__NAME(query_result) *answer = head > 0 && batch->answer[head].part == l ? &batch->answer[head] : NULL;
-        if (answer != NULL) head = answer->next;
-        MUS__NAME(query_part)
-        (collider, rule, surfaces, l, still ? NULL : MUS__NAME(motion_of)(surfaces, l), answer, p, gaps, candidates,
-         &count, queries);
-    }
-    MUS__NAME(query_planes)(clearance, surfaces, on, still, p, gaps, candidates, &count, queries);
-    for (int32_t i = 1; i < count; i++)
-        if (candidates[i].overlap > candidates[first].overlap) first = i;
-    if (count == 0 || !(candidates[first].overlap > -(MUS__REAL)MUS__TOUCH_BAND)) return 0;
+/* ---- a node ---- */
 
-    /* what it is pushed out of may push it into another surface: that one counts too */
-    MUS__REAL from[3], speed[3];
-    MUS__NAME(carry_node)(candidates[first].motion, path->from, p, from, speed);
-    for (int32_t d = 0; d < 3; d++) speed[d] = w[d] - speed[d];
-    const MUS__REAL push = MUS__NAME(push_length)(rule, candidates[first].overlap, speed);
-    if (push > (MUS__REAL)MUS__PUSH_FAR)
-        for (; rest != 0; rest &= rest - 1) {
-            const int32_t l = mus__lowest_bit(rest);
-            MUS__NAME(query_part)
-            (collider, rule, surfaces, l, still ? NULL : MUS__NAME(motion_of)(surfaces, l), NULL, p, &none, candidates,
-             &count, queries);
-        }
-    MUS__NAME(contact) list[MUS__MANIFOLD_MAX];
-    const MUS__NAME(candidate) *only = NULL;
-    for (int32_t i = 0; i < count; i++) {
-        const MUS__NAME(candidate) *candidate = &candidates[i];
-        const MUS__REAL into = push > 0 ? -push * MUS__NAME(dot)(candidate->normal, candidates[first].normal) : 0;
+/* the candidates (the deepest is `first`) that a node touches, or would when it is pushed out by `push`: contacts
+ * (MUS__MANIFOLD_MAX). *only: the last of them. Returns their number */
+static inline int32_t MUS__NAME(touching)(const MUS__NAME(candidates) * near, int32_t first, MUS__REAL push,
+                                          const MUS__NAME(path) * path, const MUS__REAL *p,
+                                          MUS__NAME(contact) * contacts, const MUS__NAME(candidate) * *only)
+{
+    int32_t hits = 0;
+    *only = NULL;
+    for (int32_t i = 0; i < near->count; i++) {
+        const MUS__NAME(candidate) *candidate = &near->list[i];
+        const MUS__REAL into = push > 0 ? -push * MUS__NAME(dot)(candidate->normal, near->list[first].normal) : 0;
         const int32_t touches =
             candidate->overlap > -(MUS__REAL)MUS__TOUCH_BAND || (i != first && candidate->overlap + into > 0);
         if (!touches || hits == MUS__MANIFOLD_MAX) continue;
-        MUS__NAME(contact) *m = &list[hits++];
+        MUS__NAME(contact) *m = &contacts[hits++];
         m->overlap = candidate->overlap, m->friction = candidate->friction;
         for (int32_t d = 0; d < 3; d++) m->normal[d] = candidate->normal[d];
-        only = candidate;
-        MUS__NAME(carry_node)(candidate->motion, path->from, p, m->from, m->speed);
+        MUS__NAME(carry_node)(candidate->motion, path->from, p, m->from, m->velocity);
+        *only = candidate;
     }
+    return hits;
+}
+
+
+/* the surfaces of a query answered for a node with place p and velocity w (3), in place. gaps, which the caller starts,
+ * gets lower bounds of its distances. Nonzero when it touched */
+static inline int32_t MUS__NAME(respond_node)(const MUS__NAME(pass) * pass, const MUS__NAME(query) * query,
+                                              const MUS__NAME(path) * path, MUS__NAME(gaps) * gaps, MUS__REAL *p,
+                                              MUS__REAL *w)
+{
+    const MUS__NAME(surfaces) *surfaces = &pass->surfaces;
+    MUS__NAME(candidates) near;
+    MUS__NAME(gaps) none = {0, 0, 0};
+    int32_t first = 0, head = query->head;
+    near.count = 0;
+    for (uint64_t left = query->parts; left != 0; left &= left - 1) {
+        const int32_t l = mus__lowest_bit(left);
+        const MUS__NAME(motion) *motion = query->still ? NULL : MUS__NAME(motion_of)(surfaces, l);
+        const MUS__NAME(query_result) *result = head > 0 ? &query->batch->result[head] : NULL;
+        if (result != NULL && result->part != l) result = NULL;
+        if (result != NULL) head = result->next;
+        MUS__NAME(query_part)(pass, l, motion, result, p, gaps, &near);
+    }
+    MUS__NAME(query_planes)(pass, query, p, gaps, &near);
+    for (int32_t i = 1; i < near.count; i++)
+        if (near.list[i].overlap > near.list[first].overlap) first = i;
+    if (near.count == 0 || !(near.list[first].overlap > -(MUS__REAL)MUS__TOUCH_BAND)) return 0;
+
+    /* a far push may bring it to parts that its cache left out */
+    MUS__REAL from[3], speed[3];
+    MUS__NAME(carry_node)(near.list[first].motion, path->from, p, from, speed);
+    for (int32_t d = 0; d < 3; d++) speed[d] = w[d] - speed[d];
+    const MUS__REAL push = MUS__NAME(push_length)(pass->rule, near.list[first].overlap, speed);
+    for (uint64_t left = push > (MUS__REAL)MUS__PUSH_FAR ? query->others : 0; left != 0; left &= left - 1) {
+        const int32_t l = mus__lowest_bit(left);
+        const MUS__NAME(motion) *motion = query->still ? NULL : MUS__NAME(motion_of)(surfaces, l);
+        MUS__NAME(query_part)(pass, l, motion, NULL, p, &none, &near);
+    }
+
+    MUS__NAME(contact) list[MUS__MANIFOLD_MAX];
+    const MUS__NAME(candidate) *only;
+    const int32_t hits = MUS__NAME(touching)(&near, first, push, path, p, list, &only);
+    const MUS__NAME(response) response = {(MUS__REAL)pass->rule->push, path->time, path->slip};
     if (hits > 1) {
-        MUS__NAME(respond_manifold)(rule, path, list, hits, p, w);
+        MUS__NAME(respond_manifold)(pass->rule, path, list, hits, p, w);
     } else if (only != NULL && only->motion == NULL) {
-        MUS__NAME(respond_one)(only->overlap, only->friction, rule, path, only->normal, p, w);
+        MUS__NAME(respond_one)(only->overlap, only->friction, response, only->normal, path->from, p, w);
     } else if (only != NULL) {
-        const MUS__NAME(path) own = {list->from, path->time, path->slip};
-        for (int32_t d = 0; d < 3; d++) w[d] -= list->speed[d];
-        MUS__NAME(respond_one)(only->overlap, only->friction, rule, &own, only->normal, p, w);
-        for (int32_t d = 0; d < 3; d++) w[d] += list->speed[d];
+        for (int32_t d = 0; d < 3; d++) w[d] -= list->velocity[d];
+        MUS__NAME(respond_one)(only->overlap, only->friction, response, only->normal, list->from, p, w);
+        for (int32_t d = 0; d < 3; d++) w[d] += list->velocity[d];
     }
     return 1;
 }

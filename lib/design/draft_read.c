@@ -58,10 +58,12 @@ mus_status mus__design_read(mus_context *context, const mus_tape *tape, const mu
 
 mus_status mus__design_check(mus_context *context, mus_pattern *pattern)
 {
-    int32_t faults;
-    const char *text;
-    const mus_status status = mus_pattern_check(pattern, &faults);
-    if (status != MUS_OK || faults == 0) return status;
-    mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
-    return mus__fail(context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(pattern), text);
+    int32_t count;
+    mus_faults *faults;
+    mus_status status = mus_pattern_check(pattern, &count, &faults);
+    if (status == MUS_OK && count > 0)
+        status = mus__fail(context, MUS_ERR_DESIGN, "draft of %s: %s", mus_pattern_name(pattern),
+                           mus_faults_text(faults, 0));
+    mus_faults_destroy(faults);
+    return status;
 }

@@ -145,7 +145,7 @@ static double grade_girth(const mus_pattern *pattern, double height)
 {
     double girth = 0.0;
     for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++) {
-        const mus_placement *place = &pattern->panel[p].placement;
+        const mus_placement *place = &pattern->panel[p].attr.placement;
         double cuts[GRADE_CUTS];
         if (place->rotation[4] < GRADE_UPRIGHT) continue;
         const int32_t n = grade_cuts(pattern, p, height - place->origin[1], cuts);

@@ -1,15 +1,17 @@
 /*
- * level.c: between a drape and its coarser double.
+ * coarse_drape.c: the coarse drape, and places carried between it and its drape.
  *
- * A cloth finds its place in few large steps on a coarse cut: at four times the spacing a second of cloth time costs a
- * sixty-fourth. What is left for the fine cut are folds of its own size.
+ * A cloth finds its place in few large steps on a coarse cut: at four times the spacing, a second of cloth time costs a
+ * sixty-fourth. Only folds of its own size are left for the fine cut.
  */
 #include <string.h>
 
 #include "drape/coarse_drape.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 
+/* frees the coarse drape; mus_drape_destroy reaches it through coarse.destroy */
 static void coarse_destroy(mus_drape *drape)
 {
     mus__transfer_clear(drape->context, &drape->coarse.up);
@@ -22,10 +24,12 @@ static void coarse_destroy(mus_drape *drape)
 }
 
 
+/* makes the coarse drape and the transfers between both. Errors: MUS_ERR_MEMORY */
 static mus_status make_coarse(mus_drape *drape)
 {
     mus_drape *coarse;
-    mus_status status = mus__drape_make(drape->context, drape->cloth->coarse, NULL, drape, &drape->def, &coarse);
+    mus_status status =
+        mus__drape_make(drape->context, drape->cloth->coarse, NULL, drape, &drape->def, drape->kit, &coarse);
     if (status != MUS_OK) return status;
     status = mus__transfer_build(drape->context, coarse->cloth, drape->cloth, &drape->coarse.up);
     if (status == MUS_OK)
@@ -51,16 +55,16 @@ mus_status mus__coarse_create(mus_drape *drape, mus_drape **out)
 }
 
 
-/* each held node holds the nearest node of the coarse cut */
+/* pins the coarse node that is nearest to each pinned node, at its place */
 static void restrict_pins(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse.drape;
     for (int32_t i = 0; i < drape->n; i++) {
         if (!(drape->pinned[i] & MUS__PINNED)) continue;
-        const int32_t held = coarse->rep[mus__transfer_nearest(&drape->coarse.up, i)];
-        if (coarse->pinned[held]) continue;
-        coarse->pinned[held] = MUS__PINNED;
-        memcpy(coarse->x + 3 * (int64_t)held, drape->x + 3 * (int64_t)i, 3 * sizeof *coarse->x);
+        const int32_t pinned = coarse->rep[mus__transfer_nearest(&drape->coarse.up, i)];
+        if (coarse->pinned[pinned]) continue;
+        coarse->pinned[pinned] = MUS__PINNED;
+        memcpy(coarse->x + 3 * (int64_t)pinned, drape->x + 3 * (int64_t)i, 3 * sizeof *coarse->x);
     }
 }
 
@@ -68,7 +72,8 @@ static void restrict_pins(mus_drape *drape)
 void mus__coarse_restrict(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse.drape;
-    memcpy(coarse->def.gravity, drape->def.gravity, sizeof coarse->def.gravity); /* it may have changed since */
+    memcpy(coarse->def.gravity, drape->def.gravity,
+           sizeof coarse->def.gravity); /* it may have changed since the coarse drape was made */
     mus__scene_levels_update(coarse);
     const int32_t waits = drape->program.open_from > 0 ? drape->program.open_from : drape->program.wait_from;
     coarse->program.open_from = 0;
@@ -90,14 +95,14 @@ void mus__coarse_restrict(mus_drape *drape)
 void mus__coarse_prolong(mus_drape *drape)
 {
     mus_drape *coarse = drape->coarse.drape;
-    double *held = drape->coarse.pinned_x;
-    memcpy(held, drape->x, 3 * (size_t)drape->n * sizeof *held);
+    double *pinned = drape->coarse.pinned_x;
+    memcpy(pinned, drape->x, 3 * (size_t)drape->n * sizeof *pinned);
     mus__transfer_apply(&drape->coarse.up, coarse->x, drape->x);
     mus__transfer_apply(&drape->coarse.up, coarse->v, drape->v);
     for (int32_t i = 0; i < drape->n; i++) {
         if (!drape->pinned[drape->rep[i]]) continue;
-        memcpy(drape->x + 3 * (int64_t)i, held + 3 * (int64_t)i, 3 * sizeof *held);
-        memset(drape->v + 3 * (int64_t)i, 0, 3 * sizeof *held);
+        memcpy(drape->x + 3 * (int64_t)i, pinned + 3 * (int64_t)i, 3 * sizeof *pinned);
+        memset(drape->v + 3 * (int64_t)i, 0, 3 * sizeof *pinned);
     }
     mus__drape_push(drape);
     if (coarse->welded && !drape->welded)

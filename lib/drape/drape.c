@@ -1,7 +1,13 @@
 /*
- * drape.c: create, destroy, the state as callers see it, and its bookkeeping.
+ * drape.c: the life of a drape: its def, create, destroy.
  *
- * All memory that stepping needs is taken here. The number of steps, evaluations and the clock are kept here too.
+ * Where a stranger starts. A drape is a cloth in time; its data is in drape_state.h and the parts that this includes.
+ * mus_drape_create() (here) makes the force program and the sim (lib/sim), the scene (scene.c) and self-contact
+ * (drape_self.c). mus_drape_place() (place.c) puts the nodes where the panels start (lib/arrange). mus_drape_step()
+ * (step.c) steps by hand; estimate.c tells the cost before. Sewing and settling are runs over these (lib/dress); they
+ * use weld.c, coarse_drape.c and residual.c. report.c tells what was done.
+ *
+ * All memory that stepping needs is taken here.
  */
 #include <math.h>
 #include <string.h>
@@ -9,9 +15,10 @@
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
-#define LEAST_THICKNESS 1e-5 /* [m]: floats round a metre off by a hundredth of it */
-#define MOST_GRAVITY 1e4     /* [m/s2]: a thousand g and no more */
+#define LEAST_THICKNESS 1e-5 /* [m] a hundred times the rounding of a metre in float */
+#define MOST_GRAVITY 1e4     /* [m/s2] a thousand g */
 
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
@@ -37,7 +44,7 @@ void mus_drape_def_init(mus_drape_def *def, size_t size)
 }
 
 
-/* one number of a def: finite and within low..high */
+/* MUS_ERR_ARG when a number of a def is not within low..high */
 static mus_status check_number(mus_context *context, const char *name, double value, double low, double high)
 {
     if (value >= low && value <= high) return MUS_OK;
@@ -74,7 +81,7 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
 }
 
 
-/* the arrays of the drape and of its sim */
+/* takes the arrays of the drape and of its sim */
 static mus_status take_memory(mus_drape *drape)
 {
     mus_context *context = drape->context;
@@ -100,7 +107,7 @@ static mus_status take_memory(mus_drape *drape)
 }
 
 
-/* float: the mean place of the nodes before sewing, to the centimetre */
+/* the origin of a float state: the mean place of the nodes before sewing, to the centimetre */
 static mus_status choose_origin(mus_drape *drape)
 {
     if (drape->def.precision != 32 || drape->n == 0) return MUS_OK;
@@ -114,7 +121,7 @@ static mus_status choose_origin(mus_drape *drape)
 }
 
 
-/* collider and threads: those of the parent, or new ones */
+/* takes collider and threads of the parent, or makes new ones */
 static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
 {
     const mus_drape *parent = drape->coarse.parent;
@@ -122,21 +129,20 @@ static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
         memcpy(drape->sim.origin, parent->sim.origin, sizeof drape->sim.origin);
         drape->pool = parent->pool;
         drape->scene.collider = parent->scene.collider;
+        drape->sim.collider = parent->scene.collider;
+        drape->sim.contact_pass = parent->sim.contact_pass;
+        drape->sim.plane_cache_pass = parent->sim.plane_cache_pass;
         return MUS_OK;
     }
     mus_status status = mus__pool_create(drape->context, drape->def.threads, &drape->pool);
     if (status == MUS_OK) status = choose_origin(drape);
-    if (status == MUS_OK && body != NULL)
-        status =
-            mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->scene.collider);
-    if (status == MUS_OK && body != NULL) status = mus__scene_body_create(drape, body);
-    if (status == MUS_OK && body != NULL) mus__scene_levels_create(drape, body);
+    if (status == MUS_OK && body != NULL) status = drape->kit->add_body(drape, body);
     return status;
 }
 
 
 mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
-                           const mus_drape_def *def, mus_drape **out)
+                           const mus_drape_def *def, const struct mus__drape_kit *kit, mus_drape **out)
 {
     *out = NULL;
     mus_drape *drape = mus__new(context, 1, sizeof *drape);
@@ -145,14 +151,15 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     drape->def = *def;
     drape->n = cloth->nnode;
     drape->coarse.parent = parent;
+    drape->kit = kit;
     drape->cloth = mus__cloth_retain(cloth);
     drape->scene.friction = isnan(def->friction) ? cloth->fabric.friction : def->friction;
-    drape->sim.ops = def->precision == 64 ? &mus__sim_f64 : &mus__sim_f32;
+    drape->sim.ops = def->precision == 64 ? kit->doubles : kit->single;
     mus_status status = mus__program_build(context, cloth, drape->sim.ops->real, &drape->program);
     if (status == MUS_OK) status = take_memory(drape);
     if (status == MUS_OK) status = take_surroundings(drape, body);
     if (status == MUS_OK && def->contact_ball > 0.0) status = mus__drape_plane_cache(drape);
-    if (status == MUS_OK) status = mus__drape_self_create(drape);
+    if (status == MUS_OK && def->self_contact) status = kit->add_self(drape);
     drape->sim.plane_cache = NULL;
     if (status != MUS_OK) {
         mus_drape_destroy(drape);
@@ -161,11 +168,10 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
 
     mus__sim *sim = &drape->sim;
     sim->pool = drape->pool;
-    sim->collider = drape->scene.collider;
     sim->collision_distance = def->collision_distance;
     mus__drape_name_skipped(drape);
 
-    /* flat in the panels' planes until placed; bare nodes at their place, their pins held */
+    /* flat in the panels' planes until placed; nodes of a mass-spring network at their place, their pins fixed */
     for (int32_t i = 0; i < drape->n; i++) {
         double *x = drape->x + 3 * (int64_t)i;
         x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
@@ -184,8 +190,9 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
 }
 
 
-mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
-                            const mus_drape_def *def, mus_drape **out)
+/* a drape made with the parts of a kit */
+static mus_status create_with(mus_context *context, const mus_cloth *cloth, const mus_body *body,
+                              const mus_drape_def *def, const struct mus__drape_kit *kit, mus_drape **out)
 {
     if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
@@ -198,7 +205,28 @@ mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const 
         status =
             mus__fail(context, MUS_ERR_ARG, "drape: collision_distance is %g m, expected at most the spacing, %g m",
                       own.collision_distance, cloth->spacing);
-    return status == MUS_OK ? mus__drape_make(context, cloth, body, NULL, &own, out) : status;
+    if (status == MUS_OK && own.precision == 64 && kit->doubles == NULL)
+        status = mus__fail(context, MUS_ERR_ARG, "drape: precision 64 needs mus_drape_create");
+    if (status == MUS_OK && own.self_contact && kit->add_self == NULL)
+        status = mus__fail(context, MUS_ERR_ARG, "drape: self_contact needs mus_drape_create");
+    return status == MUS_OK ? mus__drape_make(context, cloth, body, NULL, &own, kit, out) : status;
+}
+
+
+mus_status mus_drape_create(mus_context *context, const mus_cloth *cloth, const mus_body *body,
+                            const mus_drape_def *def, mus_drape **out)
+{
+    static const struct mus__drape_kit all = {&mus__sim_f32, &mus__sim_f64, mus__scene_add_body,
+                                              mus__drape_self_create};
+    return create_with(context, cloth, body, def, &all, out);
+}
+
+
+mus_status mus_drape_create_plain(mus_context *context, const mus_cloth *cloth, const mus_drape_def *def,
+                                  mus_drape **out)
+{
+    static const struct mus__drape_kit plain = {&mus__sim_f32, NULL, NULL, NULL};
+    return create_with(context, cloth, NULL, def, &plain, out);
 }
 
 
@@ -211,7 +239,7 @@ void mus_drape_destroy(mus_drape *drape)
         mus__pool_destroy(drape->pool);
         mus__collider_destroy(drape->scene.collider);
     }
-    mus__self_contact_destroy(drape->self);
+    if (drape->self != NULL) drape->self_ops->destroy(drape->self);
     mus__program_clear(context, &drape->program);
     mus_cloth_destroy(drape->cloth);
     mus__sim_destroy(context, &drape->sim);

@@ -1,8 +1,10 @@
 /*
- * self.c: cloth against cloth as a drape uses it: made when the def asks for it, told of welds, asked for its forces.
+ * drape_self.c: self-contact (cloth against cloth) as a drape uses it: made when the def asks for it, told of welds,
+ * asked for its forces.
  *
- * Contact acts by impulses after each step, so forces know nothing of it. What it gave a node over some steps, by their
- * time, is the mean force that a residual takes: at rest it carries what springs, weight and skin leave.
+ * Contact acts by impulses after each step, so the force program knows nothing of it. The impulses that it gave a node
+ * over some steps, divided by their time, are the mean force that a residual includes: at rest it carries what springs,
+ * weight and skin leave.
  */
 #include <math.h>
 #include <string.h>
@@ -13,11 +15,55 @@
 #include "geom/vec.h"
 #include "sim/program_number.h"
 
-#define SELF_PUSH_SPEED 0.5 /* [m/s]: what overlaps leaves each other no faster */
-#define SELF_THICKEST 0.5   /* of the spacing */
-#define SELF_DEEP 0.7e-3    /* [m] in the body: cloth on cloth gives way for what is deeper, */
-#define SELF_FROZEN 1e-6    /* [m]: a node with a smaller ball goes nowhere */
-#define SELF_LINGERS 1e-3   /* [m]: and went no farther from check to check: most of what is faster comes out */
+#define SELF_PUSH_SPEED 0.5 /* [m/s] overlapping pairs part no faster; chosen: below the speed of falling cloth */
+#define SELF_THICKEST 0.5   /* of the spacing: the largest thickness */
+#define SELF_DEEP 0.7e-3    /* [m] depth in the body from which on thickness yields */
+#define SELF_FROZEN 1e-6    /* [m] a node with a smaller displacement bound cannot move */
+#define SELF_LINGERS 1e-3   /* [m] between two checks: a deep node that moves farther mostly comes out by itself */
+
+
+/* takes the triangles of the open or welded cloth */
+static void self_weld(mus_drape *drape)
+{
+    mus__self_contact_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
+}
+
+
+/* the rule of steps of `h`; finds the pairs anew where displacement bounds do not hold so long */
+static void self_rule(mus_drape *drape, double h)
+{
+    mus__sim *sim = &drape->sim;
+    sim->self_rule = (mus__self_rule){
+        .step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h, .body = drape->scene.collider != NULL};
+    if (sim->self == NULL || sim->self->invalid || !mus__self_contact_expires(sim->self, h)) return;
+    sim->self->invalid = 1;
+    sim->ops->find_pairs(sim);
+}
+
+
+/* lets self-contact act from now on: finds the pairs, and takes capacity for them */
+static mus_status self_ready(mus_drape *drape, double h)
+{
+    mus__self_contact *self = drape->self;
+    if (drape->sim.self == NULL) self->invalid = 1;
+    drape->sim.self = self;
+    self_rule(drape, h);
+    if (self->invalid || self->ncrossed > 0) {
+        mus__drape_publish(drape);
+        mus__self_contact_mark_crossings(self, drape->x, NULL, NULL);
+    }
+
+    /* capacity for the pairs that there are, and as many again */
+    mus_status status = MUS_OK;
+    do {
+        drape->sim.ops->find_pairs(&drape->sim);
+        status = mus__self_contact_grow(self);
+    } while (status == MUS_OK && self->invalid);
+    return status;
+}
+
+
+static const struct mus__self_ops self_ops = {mus__self_contact_destroy, self_weld, self_ready, self_rule};
 
 
 mus_status mus__drape_self_create(mus_drape *drape)
@@ -31,49 +77,16 @@ mus_status mus__drape_self_create(mus_drape *drape)
                          SELF_THICKEST * cloth->spacing);
     const double friction = isnan(def->self_friction) ? cloth->fabric.friction : fmin(def->self_friction, 1e15);
     const mus__self_mesh flat = {drape->n,    cloth->ntriangle,  cloth->npair, cloth->triangle,
-                                  cloth->rest, cloth->node_panel, cloth->pair};
-    return mus__self_contact_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat, def->thickness, friction,
-                                  &drape->self);
-}
-
-
-void mus__drape_self_weld(mus_drape *drape)
-{
-    if (drape->self == NULL) return;
-    mus__self_contact_weld(drape->self, drape->welded ? drape->rep : NULL, drape->pinned, MUS__WAITS);
-}
-
-
-void mus__drape_self_rule(mus_drape *drape, double h)
-{
-    mus__sim *sim = &drape->sim;
-    sim->self_rule = (mus__self_rule){
-        .step = h, .slip = sim->rule.slip, .push = SELF_PUSH_SPEED * h, .body = drape->scene.collider != NULL};
-    if (sim->self == NULL || sim->self->invalid || !mus__self_contact_expires(sim->self, h)) return;
-    sim->self->invalid = 1;
-    sim->ops->find_pairs(sim);
-}
-
-
-mus_status mus__drape_self_ready(mus_drape *drape, double h)
-{
-    mus__self_contact *self = drape->self;
-    if (self == NULL) return MUS_OK;
-    if (drape->sim.self == NULL) self->invalid = 1;
-    drape->sim.self = self;
-    mus__drape_self_rule(drape, h);
-    if (self->invalid || self->ncrossed > 0) {
-        mus__drape_publish(drape);
-        mus__self_contact_mark_crossings(self, drape->x, NULL, NULL);
-    }
-
-    /* room for the pairs that there are, and as many again */
-    mus_status status = MUS_OK;
-    do {
-        drape->sim.ops->find_pairs(&drape->sim);
-        status = mus__self_contact_grow(self);
-    } while (status == MUS_OK && self->invalid);
-    return status;
+                                 cloth->rest, cloth->node_panel, cloth->pair};
+    const mus_status status = mus__self_contact_create(drape->context, drape->sim.ops->real, drape->sim.n, &flat,
+                                                       def->thickness, friction, &drape->self);
+    if (status != MUS_OK) return status;
+    const bool single = drape->sim.ops->real == sizeof(float);
+    drape->self_ops = &self_ops;
+    drape->sim.self_pass = single ? (mus__self_fn)mus__self_contact_pass_f32 : (mus__self_fn)mus__self_contact_pass_f64;
+    drape->sim.self_prepare =
+        single ? (mus__self_fn)mus__self_contact_prepare_f32 : (mus__self_fn)mus__self_contact_prepare_f64;
+    return MUS_OK;
 }
 
 
@@ -118,8 +131,8 @@ int32_t mus__drape_self_give_way(mus_drape *drape)
         const double way[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
         double force[3] = {0.0};
         self->stale[i] = drape->mass[i] > 0.0 && mus__norm3(way) < SELF_LINGERS &&
-                        mus__drape_self_force(drape, i, force) &&
-                        mus__collider_depth(drape->scene.collider, x, 0.0, NULL) > SELF_DEEP;
+                         mus__drape_self_force(drape, i, force) &&
+                         mus__collider_depth(drape->scene.collider, x, 0.0, NULL) > SELF_DEEP;
     }
     return mus__self_contact_yield(self, self->stale);
 }

@@ -80,7 +80,6 @@ void mus__drape_publish(mus_drape *drape)
 }
 
 
-/* places that the state can hold: float rounds to a millimetre 10 km from its origin, and farther off it is no cloth */
 mus_status mus__drape_check_reach(const mus_drape *drape, const double *x)
 {
     if (drape->def.precision != 32) return MUS_OK;

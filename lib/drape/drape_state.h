@@ -9,9 +9,9 @@
 
 #include "arrange/placed_cloth.h"
 #include "drape/coarse_drape.h"
-#include "drape/relax.h"
+#include "drape/drape_parts.h"
 #include "drape/scene.h"
-#include "drape/sew.h"
+#include "drape/step.h"
 #include "muslin/drape.h"
 #include "sim/program.h"
 #include "sim/sim.h"
@@ -33,18 +33,6 @@ typedef struct mus__counters {
     double sew_time, settle_time; /* of cloth [s] */
 } mus__counters;
 
-/* what mus_drape_step knows of the state, as of its last look; bound 0: something changed since */
-typedef struct mus__stepping {
-    double bound;          /* [s] */
-    double energy, active; /* [J] all of it; kinetic and elastic */
-    double speed, way;  /* of the fastest node at the last check [m/s]; how far it may have gone since the look [m] */
-    int32_t since_look; /* steps */
-    int32_t parts;      /* in which a step was divided, at most, in the last call */
-    double *stiffness;  /* (n) bound of the stiffness at each node [N/m] */
-    double *tangent;    /* (n x 6) scratch of the stiffness at a pose */
-    double *dashpot;    /* (n) bound of the damping at each node [N s/m] */
-} mus__stepping;
-
 struct mus_drape {
     mus_context *context;
     mus_drape_def def;
@@ -60,8 +48,10 @@ struct mus_drape {
 
     mus__program program;
     mus__sim sim;
-    mus__self_contact *self; /* self-contact; NULL unless the def asks for it */
-    void *plane_cache;     /* (8 n) contact planes of nodes in the sim's precision; NULL before the first use */
+    mus__self_contact *self;              /* self-contact; NULL unless the def asks for it */
+    const struct mus__self_ops *self_ops; /* its calls (drape_self.h), set with it */
+    const struct mus__drape_kit *kit;     /* what the drape was made with; its coarse drape is made with the same */
+    void *plane_cache; /* (8 n) contact planes of nodes in the sim's precision; NULL before the first use */
 
     mus__scene scene;
     mus__clock clock;
@@ -75,9 +65,16 @@ struct mus_drape {
     char skipped[96];
 };
 
+/* the parts that a drape is made with, by pointers: a program links those alone that its kit names (drape.c) */
+struct mus__drape_kit {
+    const mus__sim_ops *single, *doubles;                           /* the sim in float, and in double; NULL: refused */
+    mus_status (*add_body)(mus_drape *drape, const mus_body *body); /* NULL: refused */
+    mus_status (*add_self)(mus_drape *drape);                       /* self-contact; NULL: refused */
+};
+
 /* make a drape round a body, or the coarse drape of `parent` (drape.c) */
 mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
-                           const mus_drape_def *def, mus_drape **out);
+                           const mus_drape_def *def, const struct mus__drape_kit *kit, mus_drape **out);
 
 /* the cloth with the drape's places, as the rooms below see it; borrowed */
 mus__placed_cloth mus__drape_placed(const mus_drape *drape);
@@ -107,16 +104,5 @@ mus_status mus__drape_keep_good(mus_drape *drape);
 void mus__drape_tick(mus_drape *drape, int64_t steps, double h, int32_t evaluations);
 /* seconds from `then` to `steps` steps of `h` from now */
 double mus__clock_since(const mus_drape *drape, double then, int64_t steps, double h);
-
-/* ---- step.c ---- */
-
-/* bound of a step [s] of the def's integrator at the pose x, and the node that sets it (tightest may be NULL) */
-double mus__drape_bound(const mus_drape *drape, int32_t *tightest);
-/* force evaluations of a step of the def's integrator */
-int32_t mus__drape_evaluations(const mus_drape *drape);
-/* set up the passes of mus_drape_step, once before it */
-void mus__drape_prepare(mus_drape *drape, double dt);
-/* `steps` steps of dt, in equal parts where the bound asks for them; the clock is `ahead` steps behind */
-void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double dt);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * estimate.c: what stepping will cost, told before a run: the step under the bound, steps a frame, CPU seconds, and the
- * node that is the reason.
+ * estimate.c: mus_drape_estimate(): the cost of stepping, told before a run: the step under the bound, steps of a
+ * frame, CPU seconds, and the node that sets the bound.
  *
- * The seconds are those of a trial: a few steps on the present state, which is then put back as it was.
+ * The seconds are those of a trial: some steps on the present state, which is then put back as it was.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <math.h>
@@ -13,9 +13,9 @@
 #include "drape/scene.h"
 #include "sim/step_bound.h"
 
-#define TRIAL_STEPS 8
-#define PLAN_SAFETY 0.9
-#define FRAME_MOST 1e4 /* [s] */
+#define TRIAL_STEPS 8       /* timed; chosen: some milliseconds for 10,000 nodes */
+#define ESTIMATE_SAFETY 0.9 /* the step, as a share of the bound: the pose may lower the bound a little */
+#define FRAME_MOST 1e4      /* [s] longest frame */
 
 
 void mus_estimate_init(mus_estimate *estimate, size_t size)
@@ -34,7 +34,7 @@ static double cpu_seconds(void)
 }
 
 
-/* CPU seconds of a step of h; state, clock and counters are as before */
+/* CPU seconds of a step of h [s]; state, clock and counters are as before */
 static double time_steps(mus_drape *drape, double h)
 {
     mus__sim *sim = &drape->sim;
@@ -93,7 +93,7 @@ mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estimate *out)
         const mus_status shared = bend_share(drape, own.node, &own.bend_share);
         if (shared != MUS_OK) return shared;
     }
-    const double steps = ceil(frame / (PLAN_SAFETY * own.step_bound));
+    const double steps = ceil(frame / (ESTIMATE_SAFETY * own.step_bound));
     if (!(steps <= INT32_MAX))
         return mus__fail(context, MUS_ERR_LIMIT, "drape: a frame of %g s needs %g steps, at most %d", frame, steps,
                          INT32_MAX);

@@ -1,5 +1,5 @@
 /*
- * evaluate.c: forces for their own sake, by the kernels that a step uses: what a benchmark times.
+ * evaluate.c: mus_drape_evaluate(): force evaluations by the kernels of a step, which benchmarks time.
  */
 #include <string.h>
 
@@ -11,7 +11,7 @@ mus_status mus_drape_evaluate(mus_drape *drape, int32_t times)
     if (drape == NULL) return MUS_ERR_ARG;
     if (times < 0) return mus__fail(drape->context, MUS_ERR_ARG, "drape: times is %d, expected 0 or more", (int)times);
 
-    /* forces that a step of Verlet keeps for the next are put back */
+    /* the forces that Verlet keeps for its next step are saved in `second`, which no step uses between steps */
     mus__sim *sim = &drape->sim;
     const size_t bytes = 3 * (size_t)sim->n * sim->ops->real;
     const int32_t fresh = sim->fresh;

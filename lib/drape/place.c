@@ -7,6 +7,7 @@
 
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 
 mus_status mus_drape_place(mus_drape *drape)

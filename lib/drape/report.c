@@ -1,11 +1,13 @@
 /*
- * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals.
+ * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals, forces.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
+#include "drape/weld.h"
 #include "geom/vec.h"
 #include "sim/force_reference.h"
 
@@ -18,7 +20,7 @@ void mus_drape_report_init(mus_drape_report *report, size_t size)
 }
 
 
-/* deepest node below the skin */
+/* depth of the deepest node below the skin [m]; 0 if none is */
 static double deepest(const mus_drape *drape)
 {
     double most = 0.0;
@@ -54,7 +56,7 @@ mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *poin
 }
 
 
-/* seams whose pairs are all within the collision distance */
+/* number of seams whose pairs are all within the collision distance */
 static int32_t closed_seams(const mus_drape *drape)
 {
     const mus_cloth *cloth = drape->cloth;

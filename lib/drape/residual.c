@@ -6,6 +6,7 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "sim/force_reference.h"
 
 #define LEFT_MUCH 0.02 /* of a node's weight: with more force left the surfaces beside the node are asked too */
@@ -14,6 +15,7 @@
 #define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
 
 
+/* length of a vector (3) */
 static double length3(const double *r)
 {
     return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
@@ -21,9 +23,9 @@ static double length3(const double *r)
 
 
 /*
- * What skin in contact carries of the force r at a node: pushes p_k >= 0 along the outward normals n_k that leave the
- * least (projected Gauss-Seidel on |r + sum p_k n_k|), then friction against what is left, up to mu sum p_k. The rest
- * stays in r. Surfaces without a friction of their own (below 0) have `friction`.
+ * Takes from the force r (3) [N] at a node what the surfaces that it touches carry; the rest stays in r. First pushes
+ * p_k >= 0 along the outward normals n_k (count x 3), by projected Gauss-Seidel on |r + sum p_k n_k|; then friction
+ * against the force that is left, at most mu sum p_k. A surface whose own friction is below 0 has `friction`.
  */
 static void carry(double *r, const double *normals, const double *own, int32_t count, double friction)
 {
@@ -50,9 +52,9 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
 
 
 /*
- * What the skin carries of the force r at a node; nonzero when it touches skin. A node on an edge or in a crease of the
- * skin (between two rings of a shoulder) is held by both sides, of which it touches one: where much of the force is
- * left, the skin a little way along it and against it is asked too.
+ * Takes from the force r (3) at a node at x what the skin carries; returns nonzero when the node touches skin. A node
+ * on an edge or in a crease of the skin (between two rings of a shoulder) is carried by both sides and touches one. So
+ * where much force is left, the surfaces a little way along the force and against it are included.
  */
 static int32_t carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
 {

@@ -1,17 +1,18 @@
 /*
- * glide.c: what contact is told of motion: a body that glides, moved as a whole with a constant velocity while the
- * cloth steps, and changes its pose (stance.c), planes that move (plane.c), and nodes so fast that it must sweep them.
+ * scene.c: the scene of a drape at a time: a body that moves as a whole or to another pose, planes that move, and
+ * whether nodes are so fast that contact must sweep them.
  *
- * The body's place is a product, shift0 + velocity (t - t0), never a running sum, so that a long glide keeps its place.
- * Contact works relative to what it touches (contact_kernel.h); nothing else of a drape knows that it moves.
+ * The public calls set a motion from now on. Before each step the scene is put where it will be at its end
+ * (mus__scene_before_step). The place of the body is a product, from + velocity (t - t0), never a running sum, so that
+ * a long motion keeps its place.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/drape_state.h"
 
-#define SPEED_OF_BODY_MAX 1e3 /* [m/s] */
-#define MOVEMENT_MAX 1e6      /* [s] */
+#define SPEED_OF_BODY_MAX 1e3 /* [m/s] largest velocity of the body as a whole */
+#define MOVEMENT_MAX 1e6      /* [s] longest movement from one pose to another */
 
 
 mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
@@ -31,7 +32,8 @@ mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
 }
 
 
-static int32_t body_glides(const mus_drape *drape)
+/* whether the body moves as a whole */
+static int32_t body_translates(const mus_drape *drape)
 {
     return drape->scene.velocity[0] != 0.0 || drape->scene.velocity[1] != 0.0 || drape->scene.velocity[2] != 0.0;
 }
@@ -39,7 +41,7 @@ static int32_t body_glides(const mus_drape *drape)
 
 int32_t mus__scene_moves(const mus_drape *drape, int64_t steps, double h)
 {
-    return body_glides(drape) || mus__scene_plane_moves(drape) || mus__scene_body_poses(drape, steps, h);
+    return body_translates(drape) || mus__scene_plane_moves(drape) || mus__scene_body_poses(drape, steps, h);
 }
 
 
@@ -91,7 +93,7 @@ mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double du
     if (status == MUS_OK) status = mus__pose_locals(context, &stance->rig, pose, end);
     if (status != MUS_OK) return status;
 
-    /* from how it stands now */
+    /* the movement starts from the pose as it is now */
     const double part = mus__scene_body_part(drape, 0, drape->clock.dt);
     mus_pose now;
     mus__scene_body_pose(drape, &now);
@@ -126,7 +128,7 @@ mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out)
 
 mus_status mus__scene_require_rest(const mus_drape *drape, const char *what)
 {
-    if (body_glides(drape))
+    if (body_translates(drape))
         return mus__fail(drape->context, MUS_ERR_STATE,
                          "drape: the body glides at %g, %g, %g m/s; %s needs it at rest (mus_drape_move_body)",
                          drape->scene.velocity[0], drape->scene.velocity[1], drape->scene.velocity[2], what);

@@ -27,7 +27,7 @@ typedef struct mus__scene_body {
     mus__rig rig;
     mus_pose made, from, to;
     mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
-    mus__frame frame[MUS__PARTS_MOST];         /* where the parts were last put */
+    mus__frame frame[MUS__PARTS_MOST];        /* where the parts were last put */
     double time, duration;                    /* when the movement began, how long it takes [s] */
     int32_t posed;                            /* nonzero: not as the limbs were made */
     int32_t came_posed;                       /* nonzero: the body was posed when the drape was made */
@@ -53,6 +53,11 @@ int32_t mus__scene_plane_moves(const mus_drape *drape);
 int32_t mus__scene_body_poses(const mus_drape *drape, int64_t steps, double h);
 /* MUS_ERR_STATE when a surface moves: `what` needs it at rest */
 mus_status mus__scene_require_rest(const mus_drape *drape, const char *what);
+
+/* put the body into the scene of a new drape: collider, pose, level planes. Errors: MUS_ERR_MEMORY */
+mus_status mus__scene_add_body(mus_drape *drape, const mus_body *body);
+/* let the sim meet the collider, with the passes of its precision (scene_contact.c) */
+void mus__scene_contact(mus_drape *drape);
 
 /* the pose of the body as it came; the same again after movements */
 mus_status mus__scene_body_create(mus_drape *drape, const mus_body *body);

@@ -1,9 +1,9 @@
 /*
- * hold.c: the levels of the body that edges are held at, as planes that move with its parts.
+ * scene_attachment.c: the level planes of the body that edges are attached to, moving with the parts of the body.
  *
- * A held node below its level is pulled up towards the root of its limb and nowhere else, so it slides along the skin
- * as it likes and never far down. Levels are found once, on the body as made (body/body_level.h); wherever the body is
- * put, the planes of the program follow. Coarser doubles ask the drape that they belong to.
+ * An attached node below its level plane is pulled up towards the root of its limb and in no other direction, so it
+ * slides along the skin and never far down. Level planes are found once, on the body as made (body/body_level.h). When
+ * the body moves, the planes of the force program follow. Coarse drapes take those of their parent.
  */
 #include <string.h>
 

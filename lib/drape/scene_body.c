@@ -1,9 +1,9 @@
 /*
- * stance.c: a body that changes its pose while the cloth steps.
+ * scene_body.c: the pose of a body that moves while the cloth steps.
  *
- * A pose becomes rotations of joints at the door, with sines and cosines. Between two poses a step blends these, and
- * frames of the parts follow, by + - * / and sqrt alone (body/rig.h). The body comes to stand exactly as asked: at the
- * end of a movement, and ever after, the frames are those of the pose itself.
+ * A pose becomes rotations of joints once, with sines and cosines. Between two poses a step blends these rotations, and
+ * the frames of the parts follow, by + - * / and sqrt alone (pose/pose_frame.h). The body stands exactly as asked at
+ * the end of a movement: from there on the frames are those of the pose itself.
  */
 #include <math.h>
 #include <string.h>
@@ -38,7 +38,6 @@ void mus__scene_body_reset(mus_drape *drape)
 }
 
 
-/* part of the way to the pose, `steps` steps of h from now */
 double mus__scene_body_part(const mus_drape *drape, int64_t steps, double h)
 {
     const mus__scene_body *stance = drape->scene.body;
@@ -65,7 +64,6 @@ const mus__frame *mus__scene_body_frames(mus_drape *drape, int64_t steps, double
 }
 
 
-/* the pose now, between the two poses angle by angle, without what the body has glided */
 void mus__scene_body_pose(const mus_drape *drape, mus_pose *out)
 {
     const mus__scene_body *stance = drape->scene.body;

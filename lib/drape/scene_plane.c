@@ -1,8 +1,8 @@
 /*
- * plane.c: planes beside the body: ground, incline, table, belt, turntable, shaken table.
+ * scene_plane.c: planes beside the body: ground, incline, table, belt, turntable, shaken table.
  *
- * A plane's place is a product, as the body's: point0 + velocity (t - t0). It has one collider with the body, which is
- * made when the first plane comes to a drape without one. Coarser doubles borrow it.
+ * The place of a plane is a product, point0 + velocity (t - t0), as that of the body. Planes share a collider with the
+ * body; a drape without a body gets one with its first plane. Coarse drapes borrow it.
  */
 #include <math.h>
 #include <string.h>
@@ -10,8 +10,8 @@
 #include "drape/drape_state.h"
 #include "geom/vec.h"
 
-#define PLANE_FAR 1e4  /* [m] */
-#define PLANE_FAST 1e3 /* [m/s], [rad/s] */
+#define PLANE_FAR 1e4  /* [m] largest coordinate: the reach of a float state */
+#define PLANE_FAST 1e3 /* [m/s], [rad/s] largest velocity and spin */
 
 
 void mus_plane_init(mus_plane *plane, size_t size)
@@ -24,7 +24,7 @@ void mus_plane_init(mus_plane *plane, size_t size)
 }
 
 
-/* numbers of a plane: each within least..most */
+/* MUS_ERR_ARG when one of `count` numbers of a plane is not within least..most */
 static mus_status plane_numbers(mus_context *context, const char *what, int32_t count, const double *value,
                                 double least, double most)
 {
@@ -53,7 +53,7 @@ static mus_status check_plane(mus_context *context, mus_plane *plane)
 }
 
 
-/* memory that the first plane needs: the list, a collider, and what nodes remember of the skin */
+/* takes the memory that the first plane needs: the list, a collider, and the plane cache */
 static mus_status first_plane(mus_drape *drape)
 {
     mus_context *context = drape->context;
@@ -84,7 +84,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     mus__collider *collider = drape->scene.collider;
     status = mus__collider_add_plane(collider, own.point, own.normal, own.friction, own.reach);
     if (status != MUS_OK) {
-        /* a collider without anything in it is none */
+        /* a collider without a body and planes is destroyed */
         if (collider->nparts + collider->nplane > 0) return status;
         mus__collider_destroy(collider);
         drape->scene.collider = NULL;
@@ -103,7 +103,7 @@ mus_status mus_drape_add_plane(mus_drape *drape, const mus_plane *plane, int32_t
     memset(drape->sim.distance_cache, 0, (size_t)drape->n * sizeof *drape->sim.distance_cache);
     for (mus_drape *each = drape; each != NULL; each = each->coarse.drape) {
         each->scene.collider = collider;
-        each->sim.collider = collider;
+        mus__scene_contact(each);
         mus__drape_name_skipped(each);
     }
     if (index != NULL) *index = k;
@@ -131,7 +131,7 @@ mus_status mus_drape_move_plane(mus_drape *drape, int32_t index, const double *v
 }
 
 
-/* whether a plane moves by itself */
+/* whether a plane moves */
 static int32_t plane_moves(const mus__scene_plane *plane)
 {
     const double *v = plane->velocity;

@@ -1,9 +1,10 @@
 /*
- * step.c: stepping by hand: the bound, the steps, the guard on energy.
+ * step.c: mus_drape_step(): stepping by hand, with its bound and the guard on energy.
  *
- * The bound is of the pose: it is taken when a step begins after a change from outside, and again every LOOK_STEPS
- * steps, or when a node may have gone as far as its neighbour. A step above it is refused at the door. When the pose
- * tightens during a run (strong shear lines threads up), steps are divided until it has passed, and the report says so.
+ * The step bound belongs to a pose. It is taken when a step begins after a change from outside, again every LOOK_STEPS
+ * steps, and when a node may have gone as far as its neighbour. A step above the bound is refused at the call. When the
+ * pose lowers the bound during a run (strong shear lines threads up), steps are divided until it has risen again, and
+ * the report tells in how many parts.
  */
 #include <math.h>
 #include <string.h>
@@ -13,15 +14,16 @@
 #include "sim/force_reference.h"
 #include "sim/step_bound.h"
 
-#define LEAST_STEP 1e-30  /* [s]: far below what moves a float */
-#define PUSH_SPEED 1.0    /* [m/s]: what starts inside the body leaves it no faster */
-#define PINCH_PULL 100.0  /* [m/s2]: what is pinched by a body that never moved leaves it so */
-#define GUARD_STEPS 64    /* between looks at the state */
-#define LOOK_WAY 1.0      /* of the spacing: no node goes farther between looks at the bound */
-#define LOOK_STEPS 512    /* between looks at bound and energy: about 1 % of the time */
-#define MOST_PARTS 64     /* of a divided step */
-#define ENERGY_GROWTH 0.5 /* of kinetic and elastic energy: steps below the bound lose energy */
-#define ENERGY_FALL 0.01  /* [m] of the weight: what rounding and the body may add */
+#define LEAST_STEP 1e-30 /* [s] far below a step that moves a float */
+#define PUSH_SPEED 1.0   /* [m/s] a node that starts inside the body leaves it no faster; chosen: walking speed */
+#define PINCH_PULL 100.0 /* [m/s2] acceleration of a pinched node out of a body that never moved; chosen: ten g */
+#define GUARD_STEPS 64   /* steps between two checks of the motion */
+#define LOOK_WAY 1.0     /* of the spacing: how far a node may go between two looks at the bound */
+#define LOOK_STEPS 512   /* steps between two looks at bound and energy, which take about 1 % of the time */
+#define MOST_PARTS 64    /* of a divided step at most */
+#define ENERGY_GROWTH                                                                                                  \
+    0.5 /* of kinetic and elastic energy: a larger rise is divergence, since stable steps lose energy */
+#define ENERGY_FALL 0.01 /* [m] times the weight: a rise that rounding and the body may cause */
 
 
 double mus__drape_bound(const mus_drape *drape, int32_t *tightest)
@@ -48,7 +50,7 @@ double mus_drape_step_bound(const mus_drape *drape)
 }
 
 
-/* kinetic and elastic energy into *active, all with that in gravity returned; of drape->x and drape->v */
+/* energy [J] at drape->x and drape->v: *active gets kinetic and elastic; returns all, with that in gravity */
 static double energy_now(const mus_drape *drape, double *active)
 {
     const double *g = drape->def.gravity;
@@ -64,7 +66,7 @@ static double energy_now(const mus_drape *drape, double *active)
 }
 
 
-/* bound and energy of the pose as published */
+/* takes bound and energy of the published pose */
 static void look(mus_drape *drape)
 {
     drape->stepping.bound = mus__drape_bound(drape, NULL);
@@ -74,7 +76,7 @@ static void look(mus_drape *drape)
 }
 
 
-/* what springs hold by the rounding of places alone, with room [J]: 0.5 k (ulp of a metre)^2 at each node */
+/* energy [J] that the rounding of places gives the springs, with room: 0.5 k (ulp of a metre)^2 at each node */
 static double rounding_energy(const mus_drape *drape)
 {
     const double ulp = drape->def.precision == 32 ? 1e-6 : 1e-14;
@@ -86,9 +88,9 @@ static double rounding_energy(const mus_drape *drape)
 
 
 /*
- * Nothing but a body or an open seam drives a cloth, so without them its energy falls. A rise since the last look by
- * more than half of what was in motion and in springs, and a centimetre's worth of weight, is divergence. With them,
- * which may do work, the limit of speed alone holds.
+ * Only a body or an open seam does work on a cloth, so without them its energy falls. A rise since the last look by
+ * more than half of the kinetic and elastic energy, and by the weight times a centimetre, is divergence. With a body or
+ * an open seam the speed limit alone holds.
  */
 static mus_status guard_energy(mus_drape *drape)
 {
@@ -168,7 +170,7 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
     sim->rule.step = h;
     mus__drape_self_rule(drape, h);
 
-    /* what moves is moved before each step */
+    /* surfaces are moved before each step */
     const int32_t alone = !verlet || mus__scene_moves(drape, (int64_t)ahead * parts, h) ? 1 : count;
     for (int32_t i = 0; i < count; i += alone) {
         mus__scene_before_step(drape, (int64_t)ahead * parts + i + alone, h);
@@ -184,7 +186,7 @@ void mus__drape_advance(mus_drape *drape, int32_t ahead, int32_t steps, double d
 }
 
 
-/* whether any node can move */
+/* whether any node is free */
 static int32_t any_free(const mus_drape *drape)
 {
     for (int32_t i = 0; i < drape->n; i++)
@@ -199,7 +201,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     mus_status status = check_step(drape, steps, dt);
     if (status != MUS_OK || steps == 0 || dt == 0.0) return status;
 
-    /* held everywhere: time goes on, nothing else */
+    /* all nodes are fixed: time goes on, nothing else */
     if (!any_free(drape)) {
         mus__drape_tick(drape, steps, dt, 0);
         mus__scene_update(drape, 0, dt, 0.0);
@@ -211,7 +213,7 @@ mus_status mus_drape_step(mus_drape *drape, int32_t steps, double dt)
     status = mus__drape_self_ready(drape, dt);
     drape->stepping.parts = 1;
 
-    /* time goes on when a state was found good: at a look, and at the end */
+    /* the clock is set when a state was found good: at a look, and at the end */
     int32_t good = 0;
     for (int32_t done = 0; done < steps && status == MUS_OK;) {
         const int32_t batch = steps - done < GUARD_STEPS ? steps - done : GUARD_STEPS;

@@ -1,12 +1,12 @@
 /*
- * tack.c: tacks, single stitches of thread between two nodes, put in and taken out of a drape that runs.
+ * tack.c: tacks, single stitches of thread between two nodes, put in and taken out of a running drape.
  *
- * A tack is a spring without length, E = k |x_b - x_a|^2 / 2, and one more irregular spring of the program, behind
- * those of the cloth: the pass that has these steps it, every other sum keeps its order, and forces, energies,
- * residuals and the step bound know of it. The list has nodes of the cloth as it was cut; welding and opening seams
- * rename them. The program grows here, between steps; when a tack is taken out its memory stays for the next.
+ * A tack is a spring of no length, E = k |x_b - x_a|^2 / 2: one more irregular spring of the force program, behind
+ * those of the cloth. The pass over irregular springs steps it, every other sum keeps its order, and forces, energies,
+ * residuals and the step bound include it. The list names nodes of the cloth as it was cut; welding and opening seams
+ * rename them. The program grows here, between steps; the memory of a tack that is taken out stays for the next.
  *
- * Coarser doubles have each tack between the nodes nearest to its ends, as they have pins.
+ * A coarse drape has each tack between the nodes that are nearest to its ends, as it has pins.
  */
 #include <math.h>
 #include <string.h>
@@ -14,10 +14,10 @@
 #include "drape/coarse_drape.h"
 #include "drape/drape_state.h"
 
-#define TACK_MOST 1e9 /* [N/m]: a metre of cloth as stiff as steel */
+#define TACK_MOST 1e9 /* [N/m] largest stiffness: that of steel of the size of a metre of cloth */
 
 
-/* whether a node of the cloth cannot move */
+/* whether a node of the cloth is fixed */
 static int32_t is_held(const mus_drape *drape, int32_t node)
 {
     const int32_t r = drape->rep[node];
@@ -38,7 +38,7 @@ static mus_status check_tack(const mus_drape *drape, int32_t a, int32_t b, doubl
         return mus__fail(context, MUS_ERR_ARG, "drape: stiffness of a tack is %g N/m, expected 0 to %g", stiffness,
                          TACK_MOST);
 
-    /* closed is what sewing calls so */
+    /* two fixed nodes cannot be drawn within the collision distance */
     double gap2 = 0.0;
     for (int32_t d = 0; d < 3; d++) {
         const double way = drape->x[3 * (int64_t)b + d] - drape->x[3 * (int64_t)a + d];
@@ -52,7 +52,7 @@ static mus_status check_tack(const mus_drape *drape, int32_t a, int32_t b, doubl
 }
 
 
-/* a tack has come or gone: forces, bound and rest are others, places are not */
+/* takes a changed list of tacks over: forces, bound and rest change, places do not */
 static void tacks_changed(mus_drape *drape)
 {
     mus__program_tacks_changed(drape->cloth, drape->welded ? drape->rep : NULL, &drape->program);

@@ -1,17 +1,17 @@
 /*
- * transfer.c: point location in the flat by buckets, then barycentric weights.
+ * transfer.c: for each node of one cut, its triangle and barycentric weights in another cut of the same pattern.
  *
- * Buckets are squares of the source's spacing; each lists the triangles whose box touches it. A point asks its own
- * bucket, then rings round it, until a triangle holds it or the nearest one is nearer than the next ring. Cost: about
- * ten triangles a node.
+ * Points are located in the flat by buckets: squares of the source's spacing, each with the triangles whose box touches
+ * it. A point asks its own bucket, then rings of buckets round it, until a triangle holds it or the nearest triangle is
+ * nearer than the next ring. Cost: about ten triangles a node.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/transfer.h"
 
-#define HOLDS 1e-9 /* [m2] a point this near counts as inside */
-#define BUCKETS_MOST 4194304
+#define HOLDS 1e-9           /* [m] a point this near to a triangle counts as inside */
+#define BUCKETS_MOST 4194304 /* of a panel: bounds the memory at 16 MB; larger panels get larger buckets */
 
 typedef struct bucket_grid {
     double low[2], size;

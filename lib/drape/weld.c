@@ -1,13 +1,14 @@
 /*
- * weld.c: the quotient made real: nodes that seams join become one node.
+ * weld.c: welding: the nodes that seam pairs join become one node, and the quotient of the pattern becomes real.
  *
- * Classes by union-find over the seam pairs; the smallest index stands for its class, with the class's whole mass.
- * Only border nodes are in pairs and only elements name border nodes, so no run changes.
+ * Classes are found by union-find over the seam pairs. The smallest index is the representative of its class, with the
+ * mass of the whole class. Only border nodes are in pairs, and only elements name border nodes, so no run changes.
  */
 #include <string.h>
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 
 
 double mus__weld_pair_stiffness(const mus_drape *drape)
@@ -33,6 +34,7 @@ void mus__weld_open(mus_drape *drape)
 }
 
 
+/* the root of a node, with path halving */
 static int32_t find_root(int32_t *rep, int32_t i)
 {
     while (rep[i] != i) {
@@ -43,7 +45,7 @@ static int32_t find_root(int32_t *rep, int32_t i)
 }
 
 
-/* the seams of panels below a layer, 0: all */
+/* welds the seams of panels below layer `waits`; 0: all seams */
 static void weld_below(mus_drape *drape, int32_t waits)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -60,7 +62,7 @@ static void weld_below(mus_drape *drape, int32_t waits)
             rep[a] = b;
     }
 
-    /* mass, momentum and centre of each class, summed in ascending order */
+    /* mass, momentum and centre of mass of each class, summed in ascending order */
     for (int32_t i = 0; i < drape->n; i++) rep[i] = find_root(rep, i);
     double *x = drape->x, *v = drape->v, *mass = drape->mass;
     for (int32_t i = 0; i < drape->n; i++) {

@@ -150,6 +150,35 @@ double *mus__edit_chain(mus__editing *e, const double *start, const double *end,
 }
 
 
+void mus_cut_def_init(mus_cut_def *def, size_t size)
+{
+    if (def == NULL || size < sizeof def->size) return;
+    mus_cut_def own = {.size = size, .edge_a = MUS_NONE, .edge_b = MUS_NONE};
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+}
+
+
+mus_status mus__edit_cut_def(const mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    if (def == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "cut: its def is NULL");
+    mus_cut_def_init(own, sizeof *own);
+    return mus__def_read(pattern->context, own, sizeof *own, sizeof *own, def, "cut def");
+}
+
+
+double *mus__edit_path(mus__editing *e, const double *start, const double *end, const mus_cut_def *cut,
+                       mus__board_path *path)
+{
+    static const int32_t line = MUS_PIECE_LINE;
+    const bool straight = cut->npiece == 0;
+    double *all = mus__edit_chain(e, start, end, cut->npiece, cut->kinds, cut->nxy, cut->xy);
+    *path = (mus__board_path){straight ? 1 : cut->npiece, straight ? &line : cut->kinds, cut->nxy + 2, all};
+    return all;
+}
+
+
 void mus__edit_cut_begin(mus__editing *e, int32_t panel)
 {
     int32_t a, b;

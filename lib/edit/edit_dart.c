@@ -218,33 +218,30 @@ mus_status mus_pattern_release_dart(mus_pattern *pattern, int32_t leg, int32_t *
 }
 
 
-mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, int32_t leg, int32_t target, double s, int32_t npiece,
-                                    const int32_t *kinds, int32_t nxy, const double *xy, const char *name,
-                                    const char *seam_name, int32_t *panel, int32_t *seam)
+mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam)
 {
     if (panel != NULL) *panel = MUS_NONE;
     if (seam != NULL) *seam = MUS_NONE;
     mus__editing e;
-    mus_status status = mus__edit_begin(&e, pattern);
+    mus_cut_def cut;
+    mus_status status = mus__edit_cut_def(pattern, def, &cut);
+    if (status == MUS_OK) status = mus__edit_begin(&e, pattern);
     if (status != MUS_OK) return status;
     mus__board *board = &e.board;
-    const int32_t from = mus__edit_leg(&e, leg), line = MUS_PIECE_LINE;
+    const int32_t from = mus__edit_leg(&e, cut.edge_a);
     int32_t to, again, made = MUS_NONE;
-    mus__edit_corners(&e, target, s, target, s, &to, &again);
+    mus__edit_corners(&e, cut.edge_b, cut.s_b, cut.edge_b, cut.s_b, &to, &again);
     if (board->status == MUS_OK) {
         const double *start = mus__board_end(board, from), *end = mus__board_start(board, to);
         const bool one =
             mus__dist2(start, end) <= EDIT_SAME && mus__board_dart_angle(board, board->side[to].prev) > 0.0;
         const int32_t old = board->side[from].panel;
-        double *all = mus__edit_chain(&e, start, end, npiece, kinds, nxy, xy);
-        if (all != NULL && !one) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)nxy, "cut");
+        mus__board_path path;
+        double *all = mus__edit_path(&e, start, end, &cut, &path);
+        if (all != NULL && !one) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)cut.nxy, "cut");
         mus__edit_cut_begin(&e, old);
         if (board->status == MUS_OK)
-            made = mus__board_dart_to_seam(board, from, to,
-                                           one          ? 0
-                                           : npiece > 0 ? npiece
-                                                        : 1,
-                                           npiece > 0 ? kinds : &line, nxy + 2, all, name, seam_name);
+            made = mus__board_dart_to_seam(board, from, to, one ? NULL : &path, cut.name, cut.seam_name);
         mus__free(board->context, all);
         mus__edit_cut_check(&e, old, made);
     }

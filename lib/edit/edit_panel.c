@@ -24,29 +24,27 @@
 #define FACING_BEHIND 0.005 /* [m] */
 
 
-mus_status mus_pattern_separate(mus_pattern *pattern, int32_t edge_a, double s_a, int32_t edge_b, double s_b,
-                                int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy, const char *name,
-                                const char *seam_name, int32_t *panel, int32_t *seam)
+mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam)
 {
     if (panel != NULL) *panel = MUS_NONE;
     if (seam != NULL) *seam = MUS_NONE;
     mus__editing e;
-    mus_status status = mus__edit_begin(&e, pattern);
+    mus_cut_def cut;
+    mus_status status = mus__edit_cut_def(pattern, def, &cut);
+    if (status == MUS_OK) status = mus__edit_begin(&e, pattern);
     if (status != MUS_OK) return status;
     mus__board *board = &e.board;
-    const int32_t line = MUS_PIECE_LINE;
     int32_t from, to, made = MUS_NONE, goes = MUS_NONE;
-    mus__edit_corners(&e, edge_a, s_a, edge_b, s_b, &from, &to);
+    mus__edit_corners(&e, cut.edge_a, cut.s_a, cut.edge_b, cut.s_b, &from, &to);
     if (board->status == MUS_OK) {
         const double *start = mus__board_start(board, from), *end = mus__board_start(board, to);
         const int32_t old = board->side[from].panel;
-        double *all = mus__edit_chain(&e, start, end, npiece, kinds, nxy, xy);
+        mus__board_path path;
+        double *all = mus__edit_path(&e, start, end, &cut, &path);
         if (all != NULL) from = mus__board_rim_corner(board, from, all + 2, "cut");
-        if (all != NULL) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)nxy, "cut");
+        if (all != NULL) to = mus__board_rim_corner(board, to, all + 2 * (ptrdiff_t)cut.nxy, "cut");
         mus__edit_cut_begin(&e, old);
-        if (board->status == MUS_OK)
-            made = mus__board_cut(board, from, to, npiece > 0 ? npiece : 1, npiece > 0 ? kinds : &line, nxy + 2, all,
-                                  name, seam_name);
+        if (board->status == MUS_OK) made = mus__board_cut(board, from, to, &path, cut.name, cut.seam_name);
         mus__free(board->context, all);
         if (board->status == MUS_OK) goes = board->side[from].prev;
         mus__edit_cut_check(&e, old, made);
@@ -177,12 +175,12 @@ static void edit_strip(mus__editing *e, int32_t side, double width, const char *
         return;
     }
     for (int32_t i = 0; i < n; i++) kinds[i] = MUS_PIECE_CUBIC;
-    const int32_t made = mus__board_cut(board, from, to, n, kinds, 3 * n + 1, xy, name, "inner");
+    const int32_t made = mus__board_cut(board, from, to, &(mus__board_path){n, kinds, 3 * n + 1, xy}, name, "inner");
     if (board->status != MUS_OK) return;
     const int32_t inner = board->side[from].prev;
-    mus__board_rename(board, inner, NULL, board->side[side].label);
+    mus__board_rename(board, inner, NULL, board->side[side].attr.label);
     mus__board_remove_panel(board, rest);
-    board->panel[made].cut_count = 1;
+    board->panel[made].attr.cut_count = 1;
 }
 
 
@@ -203,8 +201,8 @@ static int32_t edit_image(const mus__board *board, int32_t mirror, int32_t side)
 static void edit_place_behind(mus__board *board, int32_t panel, int32_t made)
 {
     if (board->status != MUS_OK) return;
-    mus_placement *to = &board->panel[made].placement;
-    *to = board->panel[panel].placement;
+    mus_placement *to = &board->panel[made].attr.placement;
+    *to = board->panel[panel].attr.placement;
     to->bend = 0.0 - to->bend, to->bend_x = 0.0 - to->bend_x;
     for (int32_t i = 0; i < 3; i++) {
         double *row = to->rotation + 3 * (size_t)i;

@@ -52,8 +52,14 @@ bool mus__edit_panel(mus__editing *e, int32_t panel);
  * the latter at the end */
 void mus__edit_cut_begin(mus__editing *e, int32_t panel);
 void mus__edit_cut_check(mus__editing *e, int32_t panel, int32_t made);
-/* a chain between two corners from its inner points, npiece 0 a line; to be freed, NULL when the board fails */
+/* the points of a chain from `start` to `end` with nxy inner points xy between them: a block to free, NULL when the board
+ * fails. npiece 0 is a straight line */
 double *mus__edit_chain(mus__editing *e, const double *start, const double *end, int32_t npiece, const int32_t *kinds,
                         int32_t nxy, const double *xy);
+/* a caller's def of a cut as `own`. Errors: MUS_ERR_ARG (pattern or def NULL), MUS_ERR_VERSION */
+mus_status mus__edit_cut_def(const mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own);
+/* the path of a cut from `start` to `end`: the block that it points into, to be freed; NULL when the board fails */
+double *mus__edit_path(mus__editing *e, const double *start, const double *end, const mus_cut_def *cut,
+                       mus__board_path *path);
 
 #endif

@@ -320,8 +320,11 @@ static mus_status fs_edge(struct fs_part *part, int32_t first, int32_t count, in
     name[length] = '-';
     memcpy(name + length + 1, end, strlen(end) + 1);
     const bool named = length > 0 && end[0] != '\0';
-    mus_status status = mus_pattern_add_edge(part->pattern, named ? name : NULL, a, b, count, kinds, nxy,
-                                             nxy > 0 ? xy : NULL, out);
+    mus_status status = mus_pattern_add_edge(part->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                            .name = named ? name : NULL,
+                                                                            .start = a, .end = b, .npiece = count,
+                                                                            .kinds = kinds, .nxy = nxy,
+                                                                            .xy = nxy > 0 ? xy : NULL}, out);
     if (status != MUS_OK) status = mus__json_wrap(part->at, status);
     mus_context_alloc(context, xy, 0);
     return status;

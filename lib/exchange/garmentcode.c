@@ -190,8 +190,11 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at,
         return mus__json_fail(at, MUS_ERR_FORMAT, "an edge between two points at one place");
     status = gc_curve(reader, at, a, b, &kind, xy);
     if (status != MUS_OK) return status;
-    status = mus_pattern_add_edge(reader->pattern, NULL, first_point + end[0], first_point + end[1], 1, &kind,
-                                  controls[kind], controls[kind] > 0 ? xy : NULL, &edge);
+    status = mus_pattern_add_edge(reader->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                   .start = first_point + end[0],
+                                                                   .end = first_point + end[1], .npiece = 1,
+                                                                   .kinds = &kind, .nxy = controls[kind],
+                                                                   .xy = controls[kind] > 0 ? xy : NULL}, &edge);
     if (status != MUS_OK) return mus__json_wrap(at, status);
     *out = edge;
 

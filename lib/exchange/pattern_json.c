@@ -242,8 +242,12 @@ static mus_status read_chain(const mus_json_at *at, mus_pattern *pattern, const 
         status = chain_piece(&chain, &piece, (int32_t)i, i + 1 == count);
     }
     if (status == MUS_OK) {
-        status = mus_pattern_add_edge(pattern, name[0] != '\0' ? name : NULL, start, end, (int32_t)count, chain.kinds,
-                                      chain.nxy, chain.nxy > 0 ? chain.xy : NULL, edge);
+        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                               .name = name[0] != '\0' ? name : NULL,
+                                                               .start = start, .end = end,
+                                                               .npiece = (int32_t)count, .kinds = chain.kinds,
+                                                               .nxy = chain.nxy,
+                                                               .xy = chain.nxy > 0 ? chain.xy : NULL}, edge);
         if (status != MUS_OK) status = mus__json_wrap(at, status);
     }
     mus_context_alloc(context, block, 0);

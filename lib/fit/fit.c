@@ -1,14 +1,13 @@
 /*
  * fit.c: strain, pressure and gap at each node of a draped garment.
  *
- * Strain: in each triangle F takes places in the flat to places in space; |F w| - 1 along the warp w and the weft. A
- * node has the mean of its triangles by area in the flat.
+ * Strain: in each triangle F maps vectors in the flat to vectors in space; the strain is |F w| - 1 along the warp w,
+ * and the same along the weft. A node gets the mean over its triangles by area in the flat.
  *
- * Pressure: a sheet under tension T round a radius r presses with p = T / r (Laplace). In the mesh that is what the
- * springs at a node make together towards the skin, over the area that the node stands for, drawn out as it is: on a
- * cylinder of chords c two pulls T h make  2 T h sin(c / 2r) = T h c / r  to second order. Bending and what holds the
- * edges up are left out.
- * Source: Young-Laplace; limits of comfort in the manual page.
+ * Pressure: a sheet under tension T round a radius r presses with p = T / r (Laplace). In the mesh that is the sum of
+ * the spring forces at a node towards the skin, over the area of the node, stretched as it is: on a cylinder of chords
+ * c two pulls T h make  2 T h sin(c / 2r) = T h c / r  to second order. Bending and attachments are left out. Source:
+ * Young-Laplace; limits of comfort in the manual page.
  */
 #include <math.h>
 #include <string.h>
@@ -17,8 +16,8 @@
 #include "geom/vec.h"
 #include "sim/force_reference.h"
 
-#define FIT_FAR 0.3     /* [m]: the gap is looked for so far from the body */
-#define FIT_SLACK 0.001 /* [m] a node this much beyond the clearance still lies on the skin */
+#define FIT_FAR 0.3     /* [m] largest gap that is measured */
+#define FIT_SLACK 0.001 /* [m] beyond the clearance within which a node lies on the skin */
 
 
 void mus_fit_destroy(mus_fit *fit)
@@ -39,7 +38,7 @@ static double fit_strain(const double *a, const double *b, const double *p, cons
 }
 
 
-/* strains; area (n) is work */
+/* strains at the nodes; area (n) is scratch */
 static void fit_strains(mus_fit *fit, const mus_drape *drape, double *area)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -69,7 +68,7 @@ static void fit_strains(mus_fit *fit, const mus_drape *drape, double *area)
 }
 
 
-/* what the springs of stretch and shear press at nodes on the skin; force (3 n) is work */
+/* pressure of stretch and shear springs at nodes on the skin, and the gap; force (3 n) is scratch */
 static void fit_pressures(mus_fit *fit, const mus_drape *drape, double *force)
 {
     mus__program membrane = drape->program;
@@ -148,14 +147,6 @@ const double *mus_fit_pressure(const mus_fit *fit)
 const double *mus_fit_gap(const mus_fit *fit)
 {
     return fit != NULL ? fit->gap : NULL;
-}
-
-
-void mus_fit_level_init(mus_fit_level *level, size_t size)
-{
-    if (level == NULL || size < sizeof level->size) return;
-    memset(level, 0, size);
-    level->size = size;
 }
 
 

@@ -1,9 +1,9 @@
 /*
  * fit_level.c: the lengths of cloth round the body at its levels.
  *
- * A plane cuts each triangle in a segment or not at all; the cloth being oriented, segments run one way along a chain.
- * Chains are what hangs together over the edges of triangles (by the nodes that stand for welded ones). One that turns
- * about the limb's middle by nine tenths of a round goes round it (a front may stand open a little), unless it goes
+ * A plane cuts each triangle in a segment or not at all. The cloth being oriented, the segments of a chain run one way.
+ * A chain is connected over the edges of triangles (by the representatives of welded nodes). A chain that turns about
+ * the middle of the limb by nine tenths of a round goes round it (a front may stand open a little), unless it goes
  * round the other limb of the pair too: a skirt is no trouser leg. Layers are averaged: all lengths over all rounds.
  */
 #include <math.h>
@@ -37,7 +37,15 @@ typedef struct fit_end {
 } fit_end;
 
 
-/* where edge a b crosses the plane: place (3), place in the flat (2); false when it does not */
+void mus_fit_level_init(mus_fit_level *level, size_t size)
+{
+    if (level == NULL || size < sizeof level->size) return;
+    memset(level, 0, size);
+    level->size = size;
+}
+
+
+/* the crossing of edge a b and the plane: place (3), place in the flat (2), part of the edge; false without one */
 static bool fit_cross(const mus_drape *drape, const double *high, int32_t a, int32_t b, double *place, double *flat,
                       double *part)
 {
@@ -53,7 +61,8 @@ static bool fit_cross(const mus_drape *drape, const double *high, int32_t a, int
 }
 
 
-/* cut all triangles: how many segments; from the edge that goes down through the plane to the one that goes up */
+/* cuts all triangles; returns the number of segments, each from the edge that goes down through the plane to the one
+ * that goes up */
 static int32_t fit_cuts(const mus_fit *fit, const mus_drape *drape, const double *high, fit_cut *cut)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -97,7 +106,7 @@ static int32_t fit_root(fit_cut *cut, int32_t i)
 }
 
 
-/* segments that share an edge are of one chain: its number the least of them; end (2 n) is work */
+/* joins segments that share an edge to chains, numbered by their lowest segment; end (2 n) is scratch */
 static void fit_chains(fit_cut *cut, int32_t n, fit_end *end)
 {
     for (int32_t i = 0; i < 2 * n; i++) end[i] = (fit_end){cut[i / 2].edge[i % 2], i / 2};
@@ -111,7 +120,7 @@ static void fit_chains(fit_cut *cut, int32_t n, fit_end *end)
 }
 
 
-/* angle by which a segment turns about a point in the plane square to `up` */
+/* angle [rad] by which a segment turns about a point, in the plane square to `up` */
 static double fit_turn(const fit_cut *cut, const double *about, const double *up)
 {
     double p[3], q[3], cross[3];
@@ -121,7 +130,7 @@ static double fit_turn(const fit_cut *cut, const double *about, const double *up
 }
 
 
-/* the chains that go round `own` and not round `other` (NULL: none): lengths over rounds; false without any */
+/* lengths over rounds of the chains that go round `own` and not round `other` (NULL: none); false without any */
 static bool fit_round(const fit_cut *cut, int32_t n, double *turn, const mus__level_plane *own,
                       const mus__level_plane *other, mus_fit_level *out)
 {

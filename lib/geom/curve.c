@@ -312,20 +312,3 @@ void mus__curve_split(int32_t kind, const double *p, double t, double *left, dou
         for (int32_t i = 0; i < 2 * (n - 1 - level); i++) right[i] = (1.0 - t) * right[i] + t * right[i + 2];
     }
 }
-
-
-void mus__arc_from_radius(const double *start, const double *end, double radius, int32_t large, int32_t right,
-                          double *out)
-{
-    double dx = end[0] - start[0], dy = end[1] - start[1], half = 0.5 * hypot(dx, dy);
-    if (!(radius > half)) radius = half;
-
-    /* sagitta of the lesser arc R - root, written without cancellation; of the greater R + root */
-    double root = sqrt((radius - half) * (radius + half));
-    double sagitta = large ? radius + root : radius + root > 0.0 ? half * half / (radius + root) : 0.0;
-    double scale = half > 0.0 ? sagitta / (2.0 * half) * (right ? 1.0 : -1.0) : 0.0;
-    out[0] = start[0], out[1] = start[1];
-    out[2] = 0.5 * (start[0] + end[0]) + scale * dy;
-    out[3] = 0.5 * (start[1] + end[1]) - scale * dx;
-    out[4] = end[0], out[5] = end[1];
-}

@@ -25,9 +25,5 @@ double mus__curve_param(int32_t kind, const double *p, double s);
 double mus__curve_area(int32_t kind, const double *p);
 /* split at t: both parts of the same kind, `left` and `right` may not alias p */
 void mus__curve_split(int32_t kind, const double *p, double t, double *left, double *right);
-/* arc through start and end of given radius (clamped up to half the chord); `right`: bulges to the right of travel;
- * writes the 3 points of the piece */
-void mus__arc_from_radius(const double *start, const double *end, double radius, int32_t large, int32_t right,
-                          double *out);
 
 #endif

@@ -524,8 +524,8 @@ static mus_status tri_harvest(tri_mesh *mesh, int32_t nborder, int32_t **triangl
 }
 
 
-mus_status mus__triangulate_sides(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t nside,
-                                  const int32_t *sides, int32_t **triangles, int32_t *count)
+mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t nside,
+                            const int32_t *sides, int32_t **triangles, int32_t *count)
 {
     *triangles = NULL, *count = 0;
     if (nborder < 3 || n < nborder || n > TRIANGULATE_MOST)
@@ -544,11 +544,4 @@ mus_status mus__triangulate_sides(mus_context *context, int32_t n, const double 
     if (status == MUS_OK) status = tri_harvest(&mesh, nborder, triangles, count);
     tri_free(&mesh);
     return status;
-}
-
-
-mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t **triangles,
-                            int32_t *count)
-{
-    return mus__triangulate_sides(context, n, xy, nborder, 0, NULL, triangles, count);
 }

@@ -8,18 +8,14 @@
 
 /*
  * Points 0 .. nborder-1 are a simple closed polygon in order (either winding), the rest lie strictly inside it. Every
- * point becomes a vertex and every side of the polygon an edge; the inside is covered exactly once.
+ * point becomes a vertex; every side of the polygon and each of the segments `sides` becomes an edge; the inside is
+ * covered exactly once. Segments may not cross each other, the polygon or a point.
  *
- * Shapes:  xy (n x 2); *triangles (*count x 3), ccw in the plane, from mus__new (the caller frees)
+ * Shapes:  xy (n x 2); sides (nside x 2) pairs of points, NULL when nside is 0; *triangles (*count x 3), ccw in the plane, from mus__new (the caller frees)
  * Errors:  MUS_ERR_MESH (two equal points, a polygon that crosses itself, a point outside), MUS_ERR_MEMORY
  * Cost:    O(n log n) typical
  */
-mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t **triangles,
-                            int32_t *count);
-
-/* The same with `nside` segments (nside x 2, pairs of points) that must be edges too; they may not cross each other,
- * the polygon or a point. */
-mus_status mus__triangulate_sides(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t nside,
-                                  const int32_t *sides, int32_t **triangles, int32_t *count);
+mus_status mus__triangulate(mus_context *context, int32_t n, const double *xy, int32_t nborder, int32_t nside,
+                            const int32_t *sides, int32_t **triangles, int32_t *count);
 
 #endif

@@ -24,7 +24,7 @@
 static bool boundary_on(const mus__half *half, const char *panels, const char *label, int32_t side)
 {
     const mus__board_side *own = &half->board.side[side];
-    if (own->panel == MUS_NONE || strcmp(own->label, label) != 0) return false;
+    if (own->panel == MUS_NONE || strcmp(own->attr.label, label) != 0) return false;
     return strncmp(half->board.panel[own->panel].name, panels, strlen(panels)) == 0 &&
            mus__board_partner(&half->board, side) == MUS_NONE;
 }
@@ -148,7 +148,7 @@ int32_t mus__boundary_split(mus__board *board, mus__boundary *loop, double s)
 int32_t mus__boundary_over(const mus__board *board, const mus__boundary *loop, const char *label)
 {
     for (int32_t i = 0; i < loop->n; i++)
-        if (loop->over[i] != MUS_NONE && strcmp(board->side[loop->over[i]].label, label) == 0) return i;
+        if (loop->over[i] != MUS_NONE && strcmp(board->side[loop->over[i]].attr.label, label) == 0) return i;
     return MUS_NONE;
 }
 

@@ -48,6 +48,6 @@ int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, cons
 {
     const int32_t side =
         mus__board_side_add(board, panel, name, label, chain->npiece, chain->kinds, chain->nxy, chain->xy);
-    if (side != MUS_NONE) board->side[side].allowance = allowance;
+    if (side != MUS_NONE) board->side[side].attr.allowance = allowance;
     return side;
 }

@@ -45,7 +45,7 @@ int32_t mus__outline_panel(mus__half *half, const mus__outline *outline, const c
         if (mirror) mus__chain_mirror(&chain);
         const int32_t side = mus__board_side_add(board, panel, edge->name, edge->label, chain.npiece, chain.kinds,
                                                  chain.nxy, chain.xy);
-        if (side != MUS_NONE) board->side[side].allowance = edge->allowance;
+        if (side != MUS_NONE) board->side[side].attr.allowance = edge->allowance;
     }
     mus__board_panel_close(board, panel);
     return panel;

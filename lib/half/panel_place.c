@@ -18,7 +18,7 @@ static void panel_place_set(mus__half *half, int32_t panel, const double *x, con
                       const double *origin, double bend, double bend_x)
 {
     if (half->board.status != MUS_OK || panel == MUS_NONE) return;
-    mus_placement *place = &half->board.panel[panel].placement;
+    mus_placement *place = &half->board.panel[panel].attr.placement;
     mus_placement_init(place, sizeof *place);
     for (int i = 0; i < 3; i++) {
         place->rotation[3 * i] = x[i];
@@ -112,7 +112,7 @@ void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt
         place.origin[i] = origin[i];
     }
     place.bend = bend;
-    board->panel[panel].placement = place;
+    board->panel[panel].attr.placement = place;
 }
 
 
@@ -137,5 +137,5 @@ void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double cre
     const double turn = front ? 1.0 : -1.0;
     const double origin[3] = {x - crease, half->waist_level, -0.005 * half->skeleton.crown + turn * off};
     mus__lower_place(half, panel, front ? 0.0 : MUS_PI, 0.0, origin, radius);
-    if (half->board.status == MUS_OK) half->board.panel[panel].placement.bend_x = turn * crease;
+    if (half->board.status == MUS_OK) half->board.panel[panel].attr.placement.bend_x = turn * crease;
 }

@@ -1,10 +1,11 @@
 /*
- * body_limbs.c: the contours of arms, legs and feet.
+ * arms_legs.c: the contours of arms, legs and feet.
  *
- * Arms stand on a straight axis from the shoulder joint to the wrist, at the tape's angle below the horizontal; their
- * first contours are a ball inside the shoulder of the torso. Legs stand on a vertical axis; their centres move
- * outwards and back on the way down, and begin inside the torso above the crotch, where a wall keeps the two apart.
- * Feet lie along Z on the floor. The fractions of girth along a limb are those of the mean bodies of GarmentCode.
+ * An arm has a straight axis from the shoulder joint through the wrist, at the tape's angle below the horizontal; its
+ * first contours are a ball inside the shoulder of the torso. A leg has a vertical axis; on the way down the centres of
+ * its contours move outwards and backwards. Legs begin inside the torso above the crotch, where a wall separates them.
+ * Feet lie along Z on the floor. Girths between the measured ones are fractions of these, taken from the mean bodies of
+ * GarmentCode.
  *
  *      ___                 |  |
  *     (   \  ball          |  |  thigh
@@ -19,10 +20,11 @@
 #include "limb/limb.h"
 #include "geom/vec.h"
 
-/* the legs keep this far from the middle plane [m] */
+/* distance that each leg keeps from the middle plane [m]; chosen */
 #define LEG_WALL 0.004
 
 
+/* add a contour at s [m] to be fitted to a girth [m], with a ratio of depth to breadth and an exponent n */
 static mus__contour *limb_add(mus__limb *limb, const char *name, double s, double girth, double ratio, double n)
 {
     mus__contour *contour = &limb->contour[limb->count++];
@@ -38,7 +40,7 @@ static mus__contour *limb_add(mus__limb *limb, const char *name, double s, doubl
 }
 
 
-/* a contour with the tape's girth */
+/* add a contour that has a girth of the tape */
 static mus__contour *limb_add_measure(mus__limb *limb, const mus_tape *tape, const char *name, double s, int32_t girth,
                                       double ratio, double n)
 {
@@ -49,7 +51,7 @@ static mus__contour *limb_add_measure(mus__limb *limb, const mus_tape *tape, con
 }
 
 
-/* place of a contour that lies at part u of the mean body's arm, whose elbow is at 0.53 */
+/* s [m] of a contour that lies at the part u of the mean body's arm, whose elbow is at 0.53 */
 static double limb_arm_at(const mus__skeleton *skeleton, double u)
 {
     const double beyond = skeleton->arm_length - skeleton->elbow;
@@ -63,7 +65,7 @@ void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     double wrist = mus_tape_value(tape, MUS_MEASURE_WRIST), hand = mus_tape_value(tape, MUS_MEASURE_HAND);
     double length = skeleton->arm_length, ball = 1.10 * upper / (2.0 * MUS_PI), palm = 0.111 * h;
 
-    /* frame: front is backwards (-Z) square to the axis, side = front x axis */
+    /* frame: front is -Z made square to the axis (backwards), side = front x axis */
     memset(limb, 0, sizeof *limb);
     limb->name = right ? "arm_right" : "arm_left";
     limb->end[0] = MUS_MEASURE_UPPER_ARM, limb->end[1] = MUS_MEASURE_ARM;
@@ -74,14 +76,14 @@ void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     mus__unit3(limb->front);
     mus__cross3(limb->front, limb->axis, limb->side);
 
-    /* the ball of the shoulder: half a sphere before the joint */
+    /* the ball of the shoulder: half a sphere before the joint, 1.10 of the upper arm's girth */
     limb->pole[0] = -ball;
     limb_add(limb, "ball_inner", -0.70 * ball, 0.714 * 1.10 * upper, 1.0, 2.0);
     limb_add(limb, "ball", -0.35 * ball, 0.937 * 1.10 * upper, 1.0, 2.0);
     limb_add(limb, "shoulder", 0.0, 1.10 * upper, 1.0, 2.0);
     limb_add(limb, "deltoid", limb_arm_at(skeleton, 0.13), 1.10 * upper, 1.0, 2.0);
 
-    /* upper arm to wrist; the tape's ends taper into each other when a given wrist is nearly the upper arm */
+    /* upper arm to wrist; girths between them stay above the wrist's where a given wrist is nearly the upper arm */
     double elbow = fmax(0.84 * upper, 1.02 * wrist);
     double fore = fmax(fmin(0.42 * upper + 0.85 * wrist, 0.90 * upper), 1.02 * wrist);
     limb_add_measure(limb, tape, "upper_arm", limb_arm_at(skeleton, 0.30), MUS_MEASURE_UPPER_ARM, 0.97, 2.0);
@@ -92,7 +94,7 @@ void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
     limb_add(limb, "above_wrist", limb_arm_at(skeleton, 0.92), fmax(0.54 * upper, wrist), 1.12, 2.0);
     limb_add_measure(limb, tape, "wrist", length, MUS_MEASURE_WRIST, 1.25, 2.1);
 
-    /* a mitten, its breadth forwards */
+    /* the hand as a mitten, its breadth forwards */
     limb_add_measure(limb, tape, "hand", length + 0.40 * palm, MUS_MEASURE_HAND, 2.1, 2.3);
     limb_add(limb, "fingers", length + 0.68 * palm, 0.86 * hand, 2.3, 2.3);
     limb_add(limb, "finger_tips", length + 0.90 * palm, 0.62 * hand, 2.3, 2.2);
@@ -100,8 +102,8 @@ void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 }
 
 
-/* X of the middle of the leg, u of the way from the crotch to the floor: the joint line, but so far out that the
- * flesh of half breadth a clears the other leg, or is cut by at most a tenth */
+/* distance [m] of the leg's middle from the middle plane, at the part u of the way from the crotch to the floor: the
+ * line through the joints, at least so far out that the wall cuts at most a tenth of the half breadth a */
 static double limb_leg_x(double h, double u, double top, double a)
 {
     double knee = 0.058 * h, ankle = 0.063 * h;
@@ -110,8 +112,8 @@ static double limb_leg_x(double h, double u, double top, double a)
 }
 
 
-/* the root of the leg: from the thigh it widens to its half of the hip, with the buttock of its side, and goes on a
- * little inside the torso, so that the leg leaves the torso along its surface; the wall cuts it in the middle */
+/* the root of the leg: it widens from the thigh to its half of the hip, with the buttock of its side, and ends inside
+ * the torso, so that the leg leaves the torso along its surface; the wall cuts it at the middle plane */
 static void limb_leg_root(const mus__contour *hip, double crotch, double h, double side, mus__limb *limb)
 {
     const mus__contour thigh = limb->contour[limb->count - 1];
@@ -140,7 +142,7 @@ static void limb_leg_root(const mus__contour *hip, double crotch, double h, doub
         memcpy(contour->host, host, sizeof host);
     }
 
-    /* above the hip it closes as a ball, so that a bent hip has a round seat */
+    /* it closes above the hip as a ball, so that a bent hip has a round seat */
     limb->pole[1] = hip->s + fmax(0.06 * h, 0.5 * (thigh.a + thigh.b));
 }
 
@@ -161,8 +163,8 @@ void mus__limb_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 
     double deep = mus__contour_thigh_ratio(thigh, hip->a);
 
-    /* u from the crotch down, girth, depth to breadth of women and of men, Z / H; girths between thigh and knee keep
-     * the mean body's taper */
+    /* the part u from the crotch down, girth, ratio of depth to breadth of women and of men, Z in parts of the stature;
+     * girths between thigh and knee taper as on the mean body */
     double taper = thigh - knee;
     const struct {
         const char *name;
@@ -208,7 +210,7 @@ void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t
     limb->end[0] = limb->end[1] = MUS_MEASURE_FOOT;
     limb->side[0] = 1.0, limb->front[1] = 1.0, limb->axis[2] = 1.0;
 
-    /* part of the length from the heel; breadth and height in parts of the length; outwards shift */
+    /* part f of the length from the heel; breadth, height and shift outwards in parts of the length */
     static const struct {
         const char *name;
         double f, breadth, height, out;

@@ -1,13 +1,17 @@
 /*
- * body_contour.c: one contour: radius by direction, girth, and scaling to the tape.
+ * contour.c: one contour: radius by direction, girth, and scaling to the tape.
  *
- * A contour is a superellipse |a/A|^n + |b/B|^n = 1 about its centre (n = 2: the ellipse of paper eq. 6), with a pair
- * of soft bumps towards the front (breasts) and the back (buttocks), cut by a wall where the other leg begins:
+ * A contour is a superellipse |a/A|^n + |b/B|^n = 1 about its centre (n = 2 is the ellipse of Metaaphanon and
+ * Kanongchaiyos 2005, eq. 6), with a pair of smooth bumps at the front (breasts) and at the back (buttocks), and cut by
+ * a plane, the wall, where the other leg begins:
  *
  *     R(t) = (|cos t / A|^n + |sin t / B|^n)^(-1/n) + sum of h exp(-(angle to the bump / 0.35)^2)
  *
- * The sampled polygon, not the smooth curve, is scaled to the tape's girth: the polygon is short by pi^2 / 6N^2, which
- * at 32 samples is 1.4 mm on 90 cm. Its girth is that of the hull, as a tape lies over a hollow.
+ * Two other forms: an outline (polygon given by its corners), and a hosted contour, which has the shape of another
+ * contour of its plane seen from its own centre (the root of a leg has the shape of the hip).
+ *
+ * The sampled polygon is scaled to the tape's girth, not the smooth curve: with N samples the polygon is shorter by
+ * pi^2 / 6N^2, which for N = 32 is 1.4 mm on 90 cm. Its girth is that of the convex hull, since a tape spans hollows.
  */
 #include <math.h>
 
@@ -15,17 +19,17 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-/* half width of a bump [rad]; breasts of the mean body of GarmentCode */
+/* half width of a bump at 1/e of its height [rad]; fitted to the breasts of the mean body of GarmentCode */
 #define CONTOUR_BUMP_WIDTH 0.35
 
-/* exponent of the rounding of a hosted contour towards its wall: larger is a sharper corner */
+/* exponent with which a hosted contour is rounded towards its wall; chosen: a larger one makes a sharper corner */
 #define CONTOUR_ROUND 2.6
 
 
 void mus__contour_turns(int32_t n, double *turn)
 {
     for (int32_t k = 0; k < n; k++) {
-        /* cosines and sines of angles below 45 degrees, so that the quarters mirror each other to the last bit */
+        /* only cosines and sines of angles up to 45 degrees are computed, so that the quarters mirror each other */
         int32_t step = k % (n / 4), quarter = k / (n / 4);
         int32_t least = step < n / 4 - step ? step : n / 4 - step;
         double angle = 2.0 * MUS_PI * least / n, more = cos(angle), less = 2 * least == n / 4 ? more : sin(angle);
@@ -36,8 +40,8 @@ void mus__contour_turns(int32_t n, double *turn)
 }
 
 
-/* eq. 6 with b = q a is linear in a: p = pi a (3 (1 + q) - sqrt((1 + 3 q)(3 + q))); the factor for n > 2 is fitted to
- * quadratures at q = 0.6 to 0.8 */
+/* Ramanujan's perimeter of an ellipse with b = q a is linear in a: p = pi a (3 (1 + q) - sqrt((1 + 3 q)(3 + q))). The
+ * factor for n > 2 is fitted to perimeters by quadrature at q = 0.6 to 0.8 */
 double mus__contour_half_breadth(double girth, double ratio, double n)
 {
     double q = ratio, p = MUS_PI * (3.0 * (1.0 + q) - sqrt((1.0 + 3.0 * q) * (3.0 + q)));
@@ -45,14 +49,14 @@ double mus__contour_half_breadth(double girth, double ratio, double n)
 }
 
 
-/* a full thigh grows deep; p ~ pi (a + b) with a = 0.51 hip */
+/* from girth = pi (a + b) with a = 0.51 hip: a thicker thigh grows in depth alone */
 double mus__contour_thigh_ratio(double girth, double hip)
 {
     return fmin(fmax(girth / (MUS_PI * 0.51 * hip) - 1.0, 1.03), 1.40);
 }
 
 
-/* distance of two angles on the circle */
+/* distance of two angles on the circle, 0 to pi [rad] */
 static double contour_apart(double x, double y)
 {
     double d = fabs(x - y);
@@ -60,13 +64,13 @@ static double contour_apart(double x, double y)
 }
 
 
-/* pair of bumps of height h at +-angle off the direction `middle` */
+/* height at angle t of a pair of bumps of height h that stand `angle` to both sides of the direction `middle` */
 static double contour_bump(double h, double angle, double middle, double t)
 {
     double l = contour_apart(t, middle - angle) / CONTOUR_BUMP_WIDTH;
     double r = contour_apart(t, middle + angle) / CONTOUR_BUMP_WIDTH;
 
-    /* 6.5 widths off it is 4e-19 of h */
+    /* beyond 6.5 widths a bump is below 4e-19 of its height */
     return h * ((l < 6.5 ? exp(-l * l) : 0.0) + (r < 6.5 ? exp(-r * r) : 0.0));
 }
 
@@ -77,11 +81,12 @@ static double contour_cross(const double *p, const double *q)
 }
 
 
-/* radius of an outline in a direction d: along the ray to the chord between two corners p and q,
- * R = (p x q) / (d x (q - p)) */
+/* radius of an outline in a direction d: the ray meets the side from corner p to corner q at R = (p x q) / (d x (q -
+ * p))
+ */
 static double contour_outline(const mus__contour *contour, double cosine, double sine)
 {
-    /* the last corner at or before the angle; before the first it is the last one, a turn earlier */
+    /* by bisection: the last corner at or before the angle, and the next one; the corners are cyclic */
     const double angle = atan2(sine, cosine);
     const int32_t n = contour->corners;
     int32_t low = -1, high = n;
@@ -108,7 +113,7 @@ static double contour_oval(const mus__contour *contour, double cosine, double si
 }
 
 
-/* the bumps in a direction; the front is towards -b: the frame of the torso is (X, -Z, Y) */
+/* height of all bumps in a direction; the front is -b, since the frame of the torso is (X, -Z, Y) */
 static double contour_bumps(const mus__contour *contour, double cosine, double sine)
 {
     double t = atan2(sine, cosine), sum = 0.0;
@@ -118,8 +123,8 @@ static double contour_bumps(const mus__contour *contour, double cosine, double s
 }
 
 
-/* from the contour's own centre to the shape of its host: |p(R)| = radius of the host in the direction of p(R), by the
- * secant rule; rounded off towards the wall: 1/R^n = 1/host^n + (cos/way to the wall)^n */
+/* radius of a hosted contour: the R at which the point p(R) of the ray lies on the host's shape, by the secant method.
+ * Towards the wall it is rounded with the distance w to the wall along the ray: 1/R^n = 1/R_host^n + 1/w^n */
 static double contour_hosted(const mus__contour *contour, double cosine, double sine)
 {
     const double *host = contour->host, round = CONTOUR_ROUND;
@@ -140,7 +145,7 @@ static double contour_hosted(const mus__contour *contour, double cosine, double 
 }
 
 
-/* a radius held at the wall: (ca + R cos) * side >= wall */
+/* a radius cut by the wall: (ca + R cosine) * wall_side >= wall */
 static double contour_walled(const mus__contour *contour, double cosine, double radius)
 {
     double inward = -cosine * contour->wall_side;
@@ -165,8 +170,8 @@ double mus__contour_radius(const mus__contour *contour, double cosine, double si
 }
 
 
-/* radii without the wall: powers of a quarter of the directions, exponentials of a half, since both are symmetric; an
- * outline and a hosted contour are not */
+/* radii (n) without the wall. A superellipse is computed in a quarter of the directions and its bumps in a half, since
+ * they are symmetric; outlines and hosted contours are not */
 static void contour_free(const mus__contour *contour, int32_t n, const double *turn, double *radius)
 {
     if (contour->corners > 0 || contour->host[2] > 0.0) {
@@ -181,7 +186,7 @@ static void contour_free(const mus__contour *contour, int32_t n, const double *t
     }
     if (!contour_has_bumps(contour)) return;
     for (int32_t k = 0; k <= half; k++) {
-        /* quarter by quarter from the front: n - quarter, and on both its sides */
+        /* the direction of the front is n - quarter: k steps to its left and to its right */
         const int32_t left = (n - quarter + k) % n, right = (n - quarter - k + n) % n;
         const double bumps = contour_bumps(contour, turn[2 * left], turn[2 * left + 1]);
         radius[left] += bumps;
@@ -198,7 +203,7 @@ void mus__contour_radii(const mus__contour *contour, int32_t n, const double *tu
 }
 
 
-/* girth with the free radii times `scale` */
+/* girth [m] of the samples whose radii before the wall are `scale` times `radius` (n) */
 static double contour_girth(const mus__contour *contour, double scale, const double *radius, int32_t n,
                             const double *turn, double *xy, int32_t *work)
 {
@@ -212,17 +217,9 @@ static double contour_girth(const mus__contour *contour, double scale, const dou
 }
 
 
-double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work)
-{
-    double radius[MUS__CONTOUR_SAMPLES];
-    contour_free(contour, n, turn, radius);
-    return contour_girth(contour, 1.0, radius, n, turn, xy, work);
-}
-
-
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work)
 {
-    /* the girth is in proportion to the scale: one round; where the wall cuts it grows slower, so a few are needed */
+    /* without a wall the girth is proportional to the scale: one round; with one, the fixed point takes a few rounds */
     double radius[MUS__CONTOUR_SAMPLES], scale = 1.0;
     contour_free(contour, n, turn, radius);
     for (int round = 0; round < 60; round++) {

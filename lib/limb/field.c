@@ -1,10 +1,10 @@
 /*
- * field.c: a part of a limb's stack sampled into a table of radii, and the depth of a point in it.
+ * field.c: a part of a limb's stack sampled into a radius field, and the depth of a point in it.
  *
- * The table has rings a few millimetres apart from end to end and `nangle` equal steps of the diamond angle, whose
- * directions are on the square |x| + |y| = 1. It is made of the same splines as the surface, so the two agree to the
- * table's own rounding of curves (below 0.1 mm away from the caps at 4 mm and 128 steps). The query is the text of
- * field_kernel.h in double.
+ * The table has rings a few millimetres apart and `nangle` equal steps of the diamond angle, whose directions go to
+ * evenly spaced points of the square |x| + |y| = 1. It is sampled from the splines that the surface is made from, so
+ * the two differ only by the interpolation in the table: below 0.1 mm outside the caps, for 4 mm and 128 steps. The
+ * query is field_kernel.h in double.
  */
 #include <math.h>
 #include <string.h>
@@ -18,10 +18,10 @@
 #undef MUS__REAL
 #undef MUS__NAME
 
-/* further out than this the first-order distance means nothing [m] */
+/* [m] points farther outside are out of reach; chosen: the first-order distance has no meaning there */
 #define FIELD_MARGIN 0.05
 
-/* part of the way to the pole of a round cap that has rings of its own; from there, where it is steep, the form that is
+/* share of a round cap's length that has rings; chosen: beyond it R(s) is steep, and the query uses the form that is
  * smooth through the pole */
 #define FIELD_CAP 0.7
 
@@ -29,7 +29,7 @@
 void mus__field_turns(int32_t n, double *turn)
 {
     for (int32_t k = 0; k < n; k++) {
-        /* quarter and step within it; corner q of the square and the next */
+        /* corner floor(q) of the square, and the part t of the way to the next one */
         double q = 4.0 * k / n, t = q - floor(q);
         static const double corner[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
         const double *p = corner[(int)floor(q)], *r = corner[(int)floor(q) + 1];
@@ -39,8 +39,9 @@ void mus__field_turns(int32_t n, double *turn)
 }
 
 
-/* the ring at s: the limb's own, and beyond a joint, where a cap is `round` long, smaller. With u of the cap gone,
- * radius = min(R(s), R(joint)) sqrt(1 - u^2): within the limb in the rest pose, a ball where the joint is bent */
+/* centre (2) and radii (n) of the ring at s: the limb's own; in a round cap, at the part u of its length beyond the
+ * joint, min(R(s), R(joint)) sqrt(1 - u^2), which lies within the limb in the rest pose and is a ball where the joint
+ * is bent. joint (2 x n): radii at the two ends of the part */
 static void field_ring(const mus__stack *stack, const mus__part *part, double s, const double *joint, double *centre,
                        double *radius)
 {
@@ -93,7 +94,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
         if (j > 0) out->largest[j - 1] = fmax(out->largest[j - 1], most);
     }
 
-    /* the last rings close by the limb's cap, or by the rest of the quarter of an ellipse */
+    /* ellipses of the caps: that of the round cap, or the limb's own */
     for (int end = 0; end < 2; end++) {
         bool round = part->round[end] > 0.0;
         double outward = end == 0 ? -1.0 : 1.0;

@@ -32,23 +32,23 @@
 typedef struct mus__contour {
     const char *name;
     int32_t girth;        /* measure that is its girth, or MUS_NONE */
-    int32_t height;       /* measure that sets its place, or MUS_NONE */
-    bool hard;            /* the girth was given: the contour may not be left out */
-    bool flat;            /* narrowest or widest of its neighbours: the slope is held monotone, so 0, here */
-    bool fine;            /* rings stand twice as close above it */
-    double target;        /* girth to be fitted to [m], 0: a and b stand as they are */
+    int32_t height;       /* measure that sets its place on the axis, or MUS_NONE */
+    bool hard;            /* its girth was given: the contour may not be left out */
+    bool flat;            /* narrower or wider than both neighbours: the slope d radius / ds is set to 0 here */
+    bool fine;            /* the surface has rings at half the distance above it */
+    double target;        /* girth that mus__contour_fit() gives it [m], 0: a and b are not changed */
     double s;             /* place on the axis [m] */
     double ca, cb;        /* centre in the contour's plane [m] */
     double a, b, n;       /* half breadth along side, half depth along front [m], superellipse exponent */
     double bump[2];       /* height of the pair of bumps towards the front, and towards the back [m] */
     double bump_angle[2]; /* angle of the bumps off the front (off the back) [rad] */
-    double wall;          /* plane a = wall that the contour does not pass, on the side wall_side [m] */
+    double wall;          /* distance from the middle plane that the contour keeps [m] */
     double wall_side;     /* +1: a >= wall, -1: a <= -wall, 0: no wall */
-    int32_t corners;      /* of an outline in place of the superellipse, 0: none */
-    const double *corner; /* (corners x 3) angle -pi..pi ascending, a and b off the centre; owned by the body */
-    double host[7];       /* the shape of another contour of this plane in place of its own: centre a and b, half
-                             breadth, half depth, exponent, bump and angle of the back; host[2] = 0: its own */
-    int32_t ring;         /* its ring in the surface */
+    int32_t corners;      /* corners of an outline that replaces the superellipse, 0: none */
+    const double *corner; /* (corners x 3) angle -pi..pi ascending, a and b from the centre [m]; owned by the body */
+    double host[7];       /* shape of another contour of this plane that replaces its own: centre a and b, half breadth,
+                             half depth, exponent, height and angle of the bumps at the back; host[2] = 0: its own */
+    int32_t ring;         /* index of its ring in the surface */
 } mus__contour;
 
 typedef struct mus__limb {
@@ -57,40 +57,46 @@ typedef struct mus__limb {
     double origin[3], side[3], front[3], axis[3];
     int32_t count;
     mus__contour contour[MUS__LIMB_CONTOURS];
-    bool limited[MUS__LIMB_CONTOURS]; /* slopes held monotone here: the natural spline would overshoot */
-    double pole[2];                   /* s of the closing points below and above */
-    int32_t end[2];                   /* measures that set them, or MUS_NONE */
-    double wall, wall_side;           /* as the contours', for all in-between contours too */
-    bool gone;                        /* the body was made without it: no part, no surface; contours for the joints */
-    int32_t cuts;                     /* joints within it that it is cut at: one less than its parts */
+    bool limited[MUS__LIMB_CONTOURS]; /* slopes are held monotone here: the natural spline would overshoot */
+    double pole[2];                   /* s of the points that close it below and above [m] */
+    int32_t end[2];                   /* measures that set the poles, or MUS_NONE */
+    double wall, wall_side;           /* as the contours', for all in-between contours */
+    bool gone;                        /* the body was made without it: no part and no surface; its contours are kept,
+                                         since joints are found from them */
+    int32_t cuts;                     /* number of joints that cut it: one less than its parts */
     int32_t joint;                    /* joint (MUS_JOINT_*) that carries a limb added to a body of a tape */
     int32_t first_vertex, vertices, first_triangle, triangles, first_ring, rings; /* its ranges in the body's surface */
 } mus__limb;
 
 /* ---- contour.c ---- */
 
-/* n directions (n x 2) at equal angles, exact at the quarters; n a multiple of 4 */
+/* n directions (n x 2) at equal angles from +side on, mirrored in both axes to the last bit; n a multiple of 4 */
 void mus__contour_turns(int32_t n, double *turn);
-/* half breadth of a superellipse of that girth: exact for n = 2 (paper eq. 6), an estimate to 1 % up to n = 3 */
+/* half breadth [m] of a superellipse of a girth [m], a ratio of depth to breadth and an exponent n: Ramanujan's formula
+ * for n = 2, to 1 % up to n = 3 */
 double mus__contour_half_breadth(double girth, double ratio, double n);
-/* depth to breadth of a thigh of that girth which is to be no broader than half the hip of half breadth `hip` */
+/* ratio of depth to breadth of a thigh of a girth [m], 1.03 to 1.40: its breadth is about 0.51 of the hip's half
+ * breadth `hip` [m] on either side of its middle */
 double mus__contour_thigh_ratio(double girth, double hip);
-/* radius of a contour in the direction (cos, sin) */
+/* radius of a contour from its centre in the direction (cosine, sine) [m] */
 double mus__contour_radius(const mus__contour *contour, double cosine, double sine);
-/* radii in n directions that are symmetric about both axes, n a multiple of 4 and at most MUS__CONTOUR_SAMPLES */
+/* the same in n directions `turn` (n x 2) that mirror each other in both axes: radius (n); n a multiple of 4, at most
+ * MUS__CONTOUR_SAMPLES */
 void mus__contour_radii(const mus__contour *contour, int32_t n, const double *turn, double *radius);
-/* girth of the contour sampled at n equal angles, as a tape lies; xy (2n), work (2n) */
-double mus__contour_tape(const mus__contour *contour, int32_t n, const double *turn, double *xy, int32_t *work);
-/* scale a contour until that girth is `girth` */
+/* scale a contour until the convex hull of its n samples in the directions `turn` (n x 2) has the perimeter `girth`
+ * [m], as a tape lies; n at most MUS__CONTOUR_SAMPLES. Scratch: xy (2n), work (2n) */
 void mus__contour_fit(mus__contour *contour, double girth, int32_t n, const double *turn, double *xy, int32_t *work);
 
-/* ---- torso.c, arms_legs.c: the contours of each limb from the tape; shapes only, not yet fitted ---- */
+/* ---- torso.c, arms_legs.c: the contours of each limb from a completed tape, before their girths are fitted ---- */
 
+/* torso, neck and head */
 void mus__limb_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__limb *limb);
+/* left (right 0) or right arm with the hand */
 void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
-/* hip: the fitted contour of the torso that the legs grow out of */
+/* left or right leg; hip: the fitted hip contour of the torso, from which the root of the leg takes its shape */
 void mus__limb_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__contour *hip,
                    mus__limb *limb);
+/* left or right foot */
 void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
 
 #endif

@@ -1,9 +1,9 @@
 /*
- * skeleton.c: heights and joints of a body from a completed tape.
+ * skeleton.c: heights and joints of a person from a completed tape.
  *
- * Measured heights (waist, crotch, hip, nape, bust) stand; the rest hangs between them: shoulders below the nape by
- * the tape's own shoulder length and slope, the armpit by the scye depth, head and legs by fractions of the stature
- * (means of ANSUR II and of the GarmentCode mean bodies). The design places panels by the same figures.
+ * The heights of waist, crotch, hip, nape and bust are the tape's. The others follow from them: the shoulders lie below
+ * the nape by the tape's shoulder length and slope, the armpit by the scye depth; head and legs are fractions of the
+ * stature (means of ANSUR II and of the GarmentCode mean bodies).
  */
 #include "limb/skeleton.h"
 
@@ -14,14 +14,14 @@
 #include "geom/vec.h"
 
 
-/* women's or men's figure, the mean for an unset sex; children take the women's */
+/* women's or men's number, the mean for an unset sex; children take the women's */
 static double skeleton_mix(int32_t sex, double female, double male)
 {
     return sex == MUS_SEX_MALE ? male : sex == MUS_SEX_UNSET ? 0.5 * (female + male) : female;
 }
 
 
-/* from the end of the shoulder line to the acromion, in parts of the stature: shoulder breadths as in ANSUR II */
+/* distance from the shoulder point to the acromion, in parts of the stature: gives the shoulder breadths of ANSUR II */
 static double skeleton_wide(int32_t sex)
 {
     return sex == MUS_SEX_CHILD ? 0.0 : skeleton_mix(sex, 0.007, 0.0);
@@ -33,12 +33,12 @@ static void skeleton_head(const mus_tape *tape, mus__skeleton *out)
     double h = out->crown;
     bool child = mus_tape_sex(tape) == MUS_SEX_CHILD;
 
-    /* a child's head is a larger part of it: brow 0.93, jaw 0.86, growing to the adult's by 164 cm */
+    /* brow and jaw in parts of the stature: of a child up to 128 cm 0.93 and 0.86, of an adult 0.95 and 0.89 */
     double grown = child ? fmin(fmax((h - 1.28) / 0.36, 0.0), 1.0) : 1.0;
     out->brow = (0.930 + 0.020 * grown) * h;
     out->jaw = (0.860 + 0.030 * grown) * h;
 
-    /* a nape that was measured high pushes the jaw up, within the head */
+    /* a high nape raises the jaw, and with it the brow, within the head */
     out->jaw = fmax(out->jaw, out->nape + 0.022 * h);
     out->brow = fmax(out->brow, fmin(out->jaw + 0.03 * h, 0.985 * h));
 }
@@ -57,8 +57,8 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
     out->high_hip = 0.5 * (out->waist + out->hip);
     out->underbust = out->bust - 0.39 * (out->bust - out->waist);
 
-    /* the shoulder line leaves the neck 0.0165 H below the nape and falls by the tape's slope, to the shoulder point;
-     * the acromion is further out and lower still: the shoulder is round there */
+    /* the shoulder line begins at the neck 0.0165 H below the nape and falls by the tape's slope to the shoulder point;
+     * the acromion lies further out and lower, since the shoulder is round */
     const double wide = skeleton_wide(mus_tape_sex(tape)) * h;
     out->neck_side = out->nape - 0.0165 * h;
     out->shoulder = out->neck_side - sh * sin(slope) - 0.75 * wide;
@@ -68,7 +68,7 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
     out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.0125, -0.014) * h;
     out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.005, 0.0) * h;
 
-    /* the armpit: nine tenths of the scye depth (the tape hangs lower), clear of the bust and of the shoulder */
+    /* the armpit: 0.9 of the scye depth below the nape, since the tape hangs lower; between bust and shoulder */
     double armpit = out->nape - 0.9 * mus_tape_value(tape, MUS_MEASURE_SCYE_DEPTH);
     armpit = fmin(armpit, out->shoulder - 0.03 * h);
     out->armpit = fmax(armpit, out->bust + 0.12 * (out->nape - out->waist));
@@ -80,7 +80,7 @@ static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
     double h = out->crown;
     double down = mus_tape_value(tape, MUS_MEASURE_ARM_ANGLE);
 
-    /* the ball of the shoulder touches the shoulder line from below, a little inside its end */
+    /* the ball of the shoulder touches the shoulder line from below, inside its end */
     double ball = mus_tape_value(tape, MUS_MEASURE_UPPER_ARM) / (2.0 * MUS_PI) * 1.10;
     double x = out->shoulder_x - 0.33 * ball, y = out->shoulder - 0.78 * ball;
 
@@ -93,8 +93,8 @@ static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
         memcpy(out->arm_axis[i], axis, sizeof axis);
     }
 
-    /* the bent arm's tape is 5 % longer than the straight arm from acromion to wrist, and all of that lies before the
-     * tip of the elbow; it runs over the ball, and along the outside, which draws in towards the wrist */
+    /* the tape of the bent arm is 5 % longer than the straight arm from acromion to wrist, all of it above the tip of
+     * the elbow. It runs over the ball (arc `over`) and down the outer side, which approaches the axis by `slant` */
     const double arm = mus_tape_value(tape, MUS_MEASURE_ARM), over = ball * asin(out->arm_before / ball);
     const double straight = arm / 1.05 - over, slant = ball - mus_tape_value(tape, MUS_MEASURE_WRIST) / (2.0 * MUS_PI);
     out->arm_length = sqrt(fmax(straight * straight - slant * slant, 0.0));

@@ -1,16 +1,17 @@
 /*
- * body_stack.c: the contours between the contours.
+ * stack.c: the in-between contours of a limb, by splines along its axis.
  *
- * All contours of a limb are sampled in the same directions, so the closest-point map of the paper is the identity on
- * the sample's number. Sample k is centre(s) + R_k(s) (cos t_k, sin t_k); centre and R_k run along the axis as natural
- * cubic splines (paper eq. 7 to 11), which is the same as a spline of x_k and y_k, since the directions are fixed.
+ * All contours of a limb are sampled in the same directions. Sample k is centre(s) + R_k(s) (cos t_k, sin t_k); centre
+ * and R_k are natural cubic splines of s through the contours (Metaaphanon and Kanongchaiyos 2005, eq. 7 to 11, whose
+ * closest-point map is the identity on k here).
  *
  * A natural spline overshoots where girths jump (neck to shoulder, armpit to bust). Where an in-between girth leaves
- * the interval of its two neighbours by more than 3 %, the contours on both sides are marked, and there the slope of
- * every sample is held to that of a monotone curve: 0 at an extremum, else at most three times the smaller of the
- * neighbouring slopes (Fritsch and Carlson 1980). Elsewhere the curve is the natural spline to the last bit.
+ * the interval of its two neighbours by more than 3 %, the contours on both sides are marked, and the slope of every
+ * sample there is limited to that of a monotone curve: 0 at an extremum, else at most three times the smaller of the
+ * neighbouring slopes (Fritsch and Carlson, Monotone Piecewise Cubic Interpolation, 1980). Elsewhere the curve is the
+ * natural spline to the last bit.
  *
- * Beyond the end contours a cap closes the limb: a quarter of an ellipse in s that leaves with the slope of the stack,
+ * Beyond the end contours a cap closes the limb: a quarter of an ellipse in s whose slope continues that of the stack,
  * R(s) = R_end sqrt(1 - ((s - m) / L)^2) / sqrt(1 - ((s_end - m) / L)^2).
  */
 #include <math.h>
@@ -20,14 +21,19 @@
 #include "tape/tape_internal.h"
 #include "geom/polygon.h"
 
-/* steps in an interval at which the overshoot is looked for, and how far an in-between girth may go: between the steps
- * it then keeps to 3 % */
+/* overshoot: girths are compared at PROBES - 1 heights between two contours, and may leave the interval of the two
+ * girths by 2.6 %; the girths between these heights then keep to 3 % on all table sizes (tests/limb/test_stack.c) */
 #define STACK_PROBES 6
 #define STACK_LEAST 0.974
 #define STACK_MOST 1.026
 
+/* fall of the radius over a cap, -R' length / R: at 1/2 the quarter of an ellipse becomes a cone. Chosen: from
+ * FALL_MOST on, the end contour lies at CAP_MOST of the half axis */
+#define STACK_FALL_MOST 0.49
+#define STACK_CAP_MOST 0.96
 
-/* what a contour is called in a sentence: the measure that places it, or its own name */
+
+/* name of a contour in a message: the measure that sets its place or its girth, or its own name */
 static const char *stack_word(const mus__contour *contour)
 {
     const char *name = mus_measure_name(contour->height);
@@ -36,6 +42,7 @@ static const char *stack_word(const mus__contour *contour)
 }
 
 
+/* remove contour i */
 static void stack_leave_out(mus__limb *limb, int32_t i)
 {
     limb->count--;
@@ -64,7 +71,7 @@ mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
 
     for (int32_t i = 0; i < limb->count; i++) limb->limited[i] = limb->contour[i].flat;
 
-    /* the caps need room as well */
+    /* a cap needs room between the end contour and the pole */
     for (int end = 0; end < 2; end++) {
         const mus__contour *last = &limb->contour[end == 0 ? 0 : limb->count - 1];
         double room = end == 0 ? last->s - limb->pole[0] : limb->pole[1] - last->s;
@@ -79,7 +86,7 @@ mus_status mus__limb_check(mus_context *context, mus__limb *limb, double gap)
 }
 
 
-/* slope at knot i held to a monotone curve through the neighbours */
+/* `slope` limited to that of a monotone curve with the chord slopes `before` and `after` */
 static double stack_monotone(double before, double after, double slope)
 {
     if (before * after <= 0.0) return 0.0;
@@ -89,7 +96,8 @@ static double stack_monotone(double before, double after, double slope)
 }
 
 
-/* second derivatives of `width` natural splines at once, values (count x width); into m, without the last row's 0 */
+/* second derivatives m (count x width) of `width` natural splines through the values (count x width), by the Thomas
+ * algorithm; the last row, which is 0, is not written. Scratch: ratio (count) */
 static void stack_second(const mus__limb *limb, const double *values, int32_t width, double *ratio, double *m)
 {
     const int32_t n = limb->count;
@@ -112,14 +120,14 @@ static void stack_second(const mus__limb *limb, const double *values, int32_t wi
 }
 
 
-/* slopes of the natural splines through the values (count x width), monotone at the marked contours */
+/* slopes (count x width) of the natural splines through the values (count x width), limited at the marked contours */
 static void stack_slopes(const mus__stack *stack, const double *values, int32_t width, double *slopes)
 {
     const mus__limb *limb = stack->limb;
     const int32_t n = limb->count;
     stack_second(limb, values, width, stack->work, slopes);
 
-    /* in place: S' = dy/h - h (2 m_i + m_{i+1}) / 6 from the second derivatives; the last row first, its m is 0 */
+    /* in place of the second derivatives m: slope = dy/h - h (2 m_i + m_{i+1}) / 6; the last row first, whose m is 0 */
     double h = limb->contour[n - 1].s - limb->contour[n - 2].s;
     double *d = slopes + (ptrdiff_t)(n - 1) * width;
     const double *y = values + (ptrdiff_t)(n - 1) * width;
@@ -147,8 +155,8 @@ static void stack_slopes(const mus__stack *stack, const double *values, int32_t 
 }
 
 
-/* ellipse of the cap at an end that leaves with the mean slope of the stack: with k = -R' length / R,
- * the end lies at u = k / (1 - k) of the half axis L, and L = length / (1 - u) */
+/* ellipse of the cap at an end whose slope continues the mean slope of the stack: with k = -R' length / R the end
+ * contour lies at u = k / (1 - k) of the half axis L, and L = length / (1 - u) */
 static void stack_cap(mus__stack *stack, int end)
 {
     const mus__limb *limb = stack->limb;
@@ -159,7 +167,7 @@ static void stack_cap(mus__stack *stack, int end)
         slope += stack->slope[(ptrdiff_t)i * stack->n + k];
     }
     double fall = (end == 0 ? slope : -slope) * length / radius;
-    double u = fall <= 0.0 ? 0.0 : fall >= 0.49 ? 0.96 : fall / (1.0 - fall);
+    double u = fall <= 0.0 ? 0.0 : fall >= STACK_FALL_MOST ? STACK_CAP_MOST : fall / (1.0 - fall);
     double axis = length / (1.0 - u);
     stack->cap[end][0] = end == 0 ? limb->pole[0] + axis : limb->pole[1] - axis;
     stack->cap[end][1] = axis;
@@ -213,7 +221,7 @@ void mus__stack_free(mus_context *context, mus__stack *stack)
 }
 
 
-/* perimeter of the in-between contour at s; radius (n), xy (2n) */
+/* perimeter [m] of the in-between contour at s. Scratch: radius (n), xy (2n) */
 static double stack_girth(const mus__stack *stack, double s, double *radius, double *xy)
 {
     double centre[2];
@@ -226,7 +234,8 @@ static double stack_girth(const mus__stack *stack, double s, double *radius, dou
 }
 
 
-/* true when a girth between contours i and i + 1, of girths low and high, leaves their interval by more than 3 % */
+/* whether a girth between contours i and i + 1, whose girths are `low` and `high`, leaves their interval. Scratch: work
+ * (3n) */
 static bool stack_overshoots(const mus__stack *stack, int32_t i, double low, double high, double *work)
 {
     const mus__contour *p = &stack->limb->contour[i];
@@ -242,13 +251,13 @@ static bool stack_overshoots(const mus__stack *stack, int32_t i, double low, dou
 void mus__stack_limit(mus__stack *stack, mus__limb *limb)
 {
     double girth[MUS__LIMB_CONTOURS], *work = stack->work + limb->count;
-    bool fresh[MUS__LIMB_CONTOURS]; /* the curve between this contour and the next has not been looked at */
+    bool fresh[MUS__LIMB_CONTOURS]; /* the curve between this contour and the next changed since it was checked */
     for (int32_t i = 0; i < limb->count; i++) {
         girth[i] = stack_girth(stack, limb->contour[i].s, work, work + stack->n);
         fresh[i] = true;
     }
 
-    /* a mark moves the curve on both sides of its contour, so look again until no interval is new */
+    /* a mark changes the curve on both sides of its contour, so those intervals are checked again */
     for (int32_t round = 0; round < limb->count; round++) {
         bool more = false, next[MUS__LIMB_CONTOURS] = {false};
         for (int32_t i = 0; i + 1 < limb->count; i++) {
@@ -265,7 +274,7 @@ void mus__stack_limit(mus__stack *stack, mus__limb *limb)
 }
 
 
-/* Hermite basis at t in 0..1 of an interval h: values and slopes at both ends */
+/* cubic Hermite basis (4) at t in 0..1 of an interval h: factors of value and slope at its start, then at its end */
 static void stack_basis(double t, double h, double *basis)
 {
     double t2 = t * t, t3 = t2 * t;
@@ -276,7 +285,7 @@ static void stack_basis(double t, double h, double *basis)
 }
 
 
-/* in a cap the end contour shrinks about its centre */
+/* the contour at s of a cap: the end contour, scaled about its centre */
 static void stack_cap_ring(const mus__stack *stack, int end, double s, double *centre, double *radius)
 {
     const mus__limb *limb = stack->limb;
@@ -309,7 +318,7 @@ void mus__stack_ring(const mus__stack *stack, double s, double *centre, double *
     const double p0 = basis[0], d0 = basis[1], p1 = basis[2], d1 = basis[3];
     for (int32_t k = 0; k < n; k++) radius[k] = p0 * r[k] + d0 * dr[k] + p1 * r[k + n] + d1 * dr[k + n];
 
-    /* the wall holds between the contours as well */
+    /* the wall cuts in-between contours too */
     if (limb->wall_side == 0.0) return;
     for (int32_t k = 0; k < n; k++) {
         double inward = -stack->turn[2 * k] * limb->wall_side;

@@ -1,11 +1,11 @@
 /*
- * body_torso.c: the contours of torso, neck and head.
+ * torso.c: the contours of torso, neck and head.
  *
- * One vertical stack from the crotch to the crown. Each contour is a superellipse with the tape's girth where there is
- * one (bust, waist, hip ...), or with a breadth where the tape gives a breadth (shoulders, across back). The ratios of
- * depth to breadth, the exponents and the forward offsets of the centres are means of ANSUR II (breadths and depths of
- * 6068 people) and of the mean bodies of GarmentCode, sliced; women's and men's, the mean for an unset sex; a
- * child's ratios move with the stature from 56 to 164 cm.
+ * One vertical stack from the crotch to the crown. Each contour is a superellipse with a girth of the tape (bust,
+ * waist, hip ...) or, at the shoulders, with a breadth of the tape. The ratios of depth to breadth, the exponents and
+ * the forward offsets of the centres are means of ANSUR II (breadths and depths of 6068 people) and of sections of the
+ * mean bodies of GarmentCode. Women and men have their own; an unset sex has the mean. A child's ratios are linear in
+ * the stature from 56 to 164 cm.
  *
  *         ( )      crown, brow, jaw         ellipsoid over the brow
  *          |       nape, neck
@@ -21,7 +21,7 @@
 #include "limb/limb.h"
 #include "geom/vec.h"
 
-/* shape of a contour: depth to breadth, superellipse exponent, forward offset of the centre in parts of the stature */
+/* shape of a contour: ratio of depth to breadth, exponent, forward offset of the centre in parts of the stature */
 typedef struct torso_shape {
     const char *name;
     struct {
@@ -50,8 +50,8 @@ enum {
     TORSO_BROW
 };
 
-/* ratio and exponent: ANSUR II calipers and GarmentCode slices; offsets: the same, evened so that the profile of back
- * and front has no steps */
+/* ratio and exponent: calipers of ANSUR II and sections of GarmentCode's mean bodies; offsets: the same, smoothed so
+ * that the profile of back and front has no steps */
 static const torso_shape torso_shapes[] = {
     {"crotch", {1.0, 2.4, -0.0045}, {1.0, 2.4, -0.0045}, 1.0, 1.0},
     {"hip", {0.615, 3.2, -0.0080}, {0.675, 3.2, -0.0080}, 0.78, 0.70},
@@ -72,57 +72,56 @@ static const torso_shape torso_shapes[] = {
     {"brow", {1.29, 2.1, 0.0100}, {1.29, 2.1, 0.0100}, 1.29, 1.29},
 };
 
-/* what the contours of one torso are made from */
-typedef struct torso_plan {
+/* the inputs of one torso */
+typedef struct torso_input {
     const mus_tape *tape;
     const mus__skeleton *bone;
     mus__limb *limb;
     int32_t sex;
     double h;     /* stature */
     double grown; /* 0 for a child of 56 cm, 1 from 164 cm on and for adults */
-} torso_plan;
+} torso_input;
 
 
-/* women's or men's figure, the mean for an unset sex; children take the women's */
-static double torso_mix(const torso_plan *plan, double female, double male)
+/* women's or men's number, the mean for an unset sex; children take the women's */
+static double torso_mix(const torso_input *in, double female, double male)
 {
-    return plan->sex == MUS_SEX_MALE ? male : plan->sex == MUS_SEX_UNSET ? 0.5 * (female + male) : female;
+    return in->sex == MUS_SEX_MALE ? male : in->sex == MUS_SEX_UNSET ? 0.5 * (female + male) : female;
 }
 
 
-static double torso_value(const torso_plan *plan, int32_t measure)
+static double torso_value(const torso_input *in, int32_t measure)
 {
-    return mus_tape_value(plan->tape, measure);
+    return mus_tape_value(in->tape, measure);
 }
 
 
-/* put a contour of that shape on top of the others, its depth `more` of its breadth beyond the shape's, half breadth a
- */
-static mus__contour *torso_put(const torso_plan *plan, int32_t shape, double s, double a, double more)
+/* add a contour of a shape at height s [m] with half breadth a [m]; `more` is added to its ratio of depth to breadth */
+static mus__contour *torso_put(const torso_input *in, int32_t shape, double s, double a, double more)
 {
     const torso_shape *row = &torso_shapes[shape];
-    mus__contour *contour = &plan->limb->contour[plan->limb->count++];
+    mus__contour *contour = &in->limb->contour[in->limb->count++];
     memset(contour, 0, sizeof *contour);
     contour->name = row->name;
     contour->girth = contour->height = contour->ring = MUS_NONE;
     contour->s = s;
 
-    /* no section is thinner than 0.35 or much deeper than broad, whatever the sheet says; heads are deeper */
-    double ratio = torso_mix(plan, row->female.ratio, row->male.ratio) + more;
-    if (plan->sex == MUS_SEX_CHILD) ratio = row->small + plan->grown * (row->big - row->small);
+    /* chosen: the ratio of a torso stays within 0.35 to 1.05 for every tape; heads are deeper than broad */
+    double ratio = torso_mix(in, row->female.ratio, row->male.ratio) + more;
+    if (in->sex == MUS_SEX_CHILD) ratio = row->small + in->grown * (row->big - row->small);
     if (shape < TORSO_NECK) ratio = fmin(fmax(ratio, 0.35), 1.05);
-    contour->n = torso_mix(plan, row->female.n, row->male.n);
+    contour->n = torso_mix(in, row->female.n, row->male.n);
     contour->a = a;
     contour->b = ratio * a;
-    contour->cb = -torso_mix(plan, row->female.z, row->male.z) * plan->h;
+    contour->cb = -torso_mix(in, row->female.z, row->male.z) * in->h;
     return contour;
 }
 
 
-/* the same to be fitted to a girth; its size is an estimate until then */
-static mus__contour *torso_put_girth(const torso_plan *plan, int32_t shape, double s, double girth, double more)
+/* the same, to be fitted to a girth [m]; until then its size is an estimate */
+static mus__contour *torso_put_girth(const torso_input *in, int32_t shape, double s, double girth, double more)
 {
-    mus__contour *contour = torso_put(plan, shape, s, 1.0, more);
+    mus__contour *contour = torso_put(in, shape, s, 1.0, more);
     double a = mus__contour_half_breadth(girth, contour->b, contour->n);
     contour->b *= a;
     contour->a = a;
@@ -131,127 +130,128 @@ static mus__contour *torso_put_girth(const torso_plan *plan, int32_t shape, doub
 }
 
 
-/* the same with a girth of the tape, at a height of the tape */
-static mus__contour *torso_put_measure(const torso_plan *plan, int32_t shape, double s, int32_t girth, int32_t height,
+/* the same with a measure of the tape as its girth and a measure that sets its height */
+static mus__contour *torso_put_measure(const torso_input *in, int32_t shape, double s, int32_t girth, int32_t height,
                                        double more)
 {
-    mus__contour *contour = torso_put_girth(plan, shape, s, torso_value(plan, girth), more);
+    mus__contour *contour = torso_put_girth(in, shape, s, torso_value(in, girth), more);
     contour->girth = girth;
     contour->height = height;
-    contour->hard = mus_tape_source(plan->tape, girth) == MUS_SOURCE_GIVEN;
+    contour->hard = mus_tape_source(in->tape, girth) == MUS_SOURCE_GIVEN;
     return contour;
 }
 
 
-/* crotch to waist; rounder the fuller the figure is for its stature */
-static void torso_seat(const torso_plan *plan)
+/* crotch to waist; the ratio of depth to breadth grows with girth over stature */
+static void torso_seat(const torso_input *in)
 {
-    const mus__skeleton *bone = plan->bone;
-    double h = plan->h, hip = torso_value(plan, MUS_MEASURE_HIP), waist = torso_value(plan, MUS_MEASURE_WAIST);
+    const mus__skeleton *bone = in->bone;
+    double h = in->h, hip = torso_value(in, MUS_MEASURE_HIP), waist = torso_value(in, MUS_MEASURE_WAIST);
 
-    /* below the hip the torso draws in a little, within the roots of the legs, and closes to the crotch, where the
-     * inside leg ends */
-    mus__contour *crotch = torso_put(plan, TORSO_CROTCH, bone->crotch + 0.30 * (bone->hip - bone->crotch), 1.0, 0.0);
+    /* below the hip the torso narrows to 0.88, inside the roots of the legs, and closes at the crotch, where the inside
+     * leg ends */
+    mus__contour *crotch = torso_put(in, TORSO_CROTCH, bone->crotch + 0.30 * (bone->hip - bone->crotch), 1.0, 0.0);
     crotch->height = MUS_MEASURE_INLEG;
-    plan->limb->pole[0] = bone->crotch;
+    in->limb->pole[0] = bone->crotch;
 
-    /* buttocks: bumps 25 degrees off the back */
-    mus__contour *seat = torso_put_measure(plan, TORSO_HIP, bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP,
-                                           torso_mix(plan, 0.35 * (hip / h - 0.627), 0.6 * (hip / h - 0.581)));
-    seat->bump[1] = torso_mix(plan, 0.009, 0.006) * h, seat->bump_angle[1] = 0.44;
+    /* buttocks: bumps 25 degrees (0.44 rad) to both sides of the back */
+    mus__contour *seat = torso_put_measure(in, TORSO_HIP, bone->hip, MUS_MEASURE_HIP, MUS_MEASURE_WAIST_TO_HIP,
+                                           torso_mix(in, 0.35 * (hip / h - 0.627), 0.6 * (hip / h - 0.581)));
+    seat->bump[1] = torso_mix(in, 0.009, 0.006) * h, seat->bump_angle[1] = 0.44;
     seat->flat = true;
     crotch->a = 0.88 * seat->a;
     crotch->b = 0.88 * seat->b;
     crotch->cb = seat->cb;
 
-    torso_put_measure(plan, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP,
+    torso_put_measure(in, TORSO_HIGH_HIP, bone->high_hip, MUS_MEASURE_HIGH_HIP, MUS_MEASURE_WAIST_TO_HIP,
                       0.25 * (waist / h - 0.48));
-    if (plan->sex != MUS_SEX_CHILD)
-        torso_put_girth(plan, TORSO_NAVEL, bone->waist - torso_mix(plan, 0.167, 0.117) * (bone->waist - bone->hip),
-                        waist + torso_mix(plan, 0.24, 0.12) * (hip - waist), 0.4 * (waist / h - 0.48));
-    mus__contour *narrow = torso_put_measure(plan, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST,
+    if (in->sex != MUS_SEX_CHILD)
+        torso_put_girth(in, TORSO_NAVEL, bone->waist - torso_mix(in, 0.167, 0.117) * (bone->waist - bone->hip),
+                        waist + torso_mix(in, 0.24, 0.12) * (hip - waist), 0.4 * (waist / h - 0.48));
+    mus__contour *narrow = torso_put_measure(in, TORSO_WAIST, bone->waist, MUS_MEASURE_WAIST,
                                              MUS_MEASURE_WAIST_HEIGHT, 0.4 * (waist / h - 0.48));
     narrow->flat = true;
 }
 
 
-/* above the waist to the armpit; breasts are bumps at the bust span, high enough for bust less high bust */
-static void torso_chest(const torso_plan *plan)
+/* from above the waist to the armpit; breasts are bumps at half the bust span to both sides, whose height follows from
+ * bust less high bust */
+static void torso_chest(const torso_input *in)
 {
-    const mus__skeleton *bone = plan->bone;
-    double h = plan->h, bust = torso_value(plan, MUS_MEASURE_BUST), high = torso_value(plan, MUS_MEASURE_HIGH_BUST);
-    double waist = torso_value(plan, MUS_MEASURE_WAIST), under = torso_value(plan, MUS_MEASURE_UNDERBUST);
+    const mus__skeleton *bone = in->bone;
+    double h = in->h, bust = torso_value(in, MUS_MEASURE_BUST), high = torso_value(in, MUS_MEASURE_HIGH_BUST);
+    double waist = torso_value(in, MUS_MEASURE_WAIST), under = torso_value(in, MUS_MEASURE_UNDERBUST);
 
-    torso_put_girth(plan, TORSO_MIDRIFF, 0.5 * (bone->waist + bone->underbust), 0.60 * waist + 0.40 * under,
+    torso_put_girth(in, TORSO_MIDRIFF, 0.5 * (bone->waist + bone->underbust), 0.60 * waist + 0.40 * under,
                     0.3 * (waist / h - 0.48));
-    torso_put_measure(plan, TORSO_UNDERBUST, bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT,
+    torso_put_measure(in, TORSO_UNDERBUST, bone->underbust, MUS_MEASURE_UNDERBUST, MUS_MEASURE_BUST_HEIGHT,
                       0.2 * (waist / h - 0.48));
-    mus__contour *chest = torso_put_measure(plan, TORSO_BUST, bone->bust, MUS_MEASURE_BUST, MUS_MEASURE_BUST_HEIGHT,
-                                            torso_mix(plan, 0.33, 0.20) * (bust / h - 0.57));
-    if (plan->sex != MUS_SEX_MALE && plan->sex != MUS_SEX_CHILD && bust > high) {
+    mus__contour *chest = torso_put_measure(in, TORSO_BUST, bone->bust, MUS_MEASURE_BUST, MUS_MEASURE_BUST_HEIGHT,
+                                            torso_mix(in, 0.33, 0.20) * (bust / h - 0.57));
+    if (in->sex != MUS_SEX_MALE && in->sex != MUS_SEX_CHILD && bust > high) {
         chest->bump[0] = fmin((bust - high) / 1.8, 0.25 * chest->b);
-        chest->bump_angle[0] = atan2(0.5 * torso_value(plan, MUS_MEASURE_BUST_SPAN), chest->b);
+        chest->bump_angle[0] = atan2(0.5 * torso_value(in, MUS_MEASURE_BUST_SPAN), chest->b);
     }
-    torso_put_measure(plan, TORSO_ARMPIT, bone->armpit, MUS_MEASURE_HIGH_BUST, MUS_MEASURE_SCYE_DEPTH, 0.0);
+    torso_put_measure(in, TORSO_ARMPIT, bone->armpit, MUS_MEASURE_HIGH_BUST, MUS_MEASURE_SCYE_DEPTH, 0.0);
 }
 
 
-/* mid armhole to nape: breadths at the shoulders, girths at the neck */
-static void torso_shoulders(const torso_plan *plan)
+/* from the middle of the armhole to the nape: breadths at the shoulders, girths at the neck */
+static void torso_shoulders(const torso_input *in)
 {
-    const mus__skeleton *bone = plan->bone;
-    double neck = torso_value(plan, MUS_MEASURE_NECK), across = torso_value(plan, MUS_MEASURE_ACROSS_BACK);
+    const mus__skeleton *bone = in->bone;
+    double neck = torso_value(in, MUS_MEASURE_NECK), across = torso_value(in, MUS_MEASURE_ACROSS_BACK);
     double slope_x = bone->neck_side_x + 0.42 * (bone->shoulder_x - bone->neck_side_x);
 
-    torso_put(plan, TORSO_ARMHOLE, 0.5 * (bone->armpit + bone->shoulder), fmax(0.49 * across, 0.90 * bone->shoulder_x),
+    torso_put(in, TORSO_ARMHOLE, 0.5 * (bone->armpit + bone->shoulder), fmax(0.49 * across, 0.90 * bone->shoulder_x),
               0.0);
-    mus__contour *shoulder = torso_put(plan, TORSO_SHOULDER, bone->shoulder, bone->shoulder_x, 0.0);
+    mus__contour *shoulder = torso_put(in, TORSO_SHOULDER, bone->shoulder, bone->shoulder_x, 0.0);
     shoulder->height = MUS_MEASURE_SHOULDER_SLOPE;
-    torso_put(plan, TORSO_SLOPE, bone->shoulder + 0.57 * (bone->neck_side - bone->shoulder), slope_x, 0.0);
-    torso_put_measure(plan, TORSO_NECK, bone->neck_side, MUS_MEASURE_NECK, MUS_MEASURE_NECK, 0.0);
-    mus__contour *nape = torso_put_girth(plan, TORSO_NAPE, bone->nape, torso_mix(plan, 0.89, 0.915) * neck, 0.0);
+    torso_put(in, TORSO_SLOPE, bone->shoulder + 0.57 * (bone->neck_side - bone->shoulder), slope_x, 0.0);
+    torso_put_measure(in, TORSO_NECK, bone->neck_side, MUS_MEASURE_NECK, MUS_MEASURE_NECK, 0.0);
+    mus__contour *nape = torso_put_girth(in, TORSO_NAPE, bone->nape, torso_mix(in, 0.89, 0.915) * neck, 0.0);
     nape->height = MUS_MEASURE_NAPE_HEIGHT;
 }
 
 
 /* chin, jaw and brow, and the ellipsoid from the brow to the crown */
-static void torso_head(const torso_plan *plan)
+static void torso_head(const torso_input *in)
 {
-    const mus__skeleton *bone = plan->bone;
-    double head = torso_value(plan, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
+    const mus__skeleton *bone = in->bone;
+    double head = torso_value(in, MUS_MEASURE_HEAD), top = bone->crown - bone->brow;
 
-    /* a small child has little face below the brow */
-    mus__contour *chin = torso_put_girth(plan, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape),
-                                         (0.58 + 0.11 * plan->grown) * head, 0.0);
-    mus__contour *jaw = torso_put_girth(plan, TORSO_JAW, bone->jaw, (0.75 + 0.04 * plan->grown) * head, 0.0);
+    /* a small child's face below the brow is small: girths of chin and jaw grow with it */
+    mus__contour *chin = torso_put_girth(in, TORSO_CHIN, bone->nape + 0.45 * (bone->jaw - bone->nape),
+                                         (0.58 + 0.11 * in->grown) * head, 0.0);
+    mus__contour *jaw = torso_put_girth(in, TORSO_JAW, bone->jaw, (0.75 + 0.04 * in->grown) * head, 0.0);
     chin->fine = jaw->fine = true;
-    torso_put_measure(plan, TORSO_BROW, bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 0.0);
+    torso_put_measure(in, TORSO_BROW, bone->brow, MUS_MEASURE_HEAD, MUS_MEASURE_STATURE, 0.0);
 
-    /* u of the way from brow to crown the ellipsoid has sqrt(1 - u^2) of the brow's girth */
+    /* at the part u of the way from brow to crown an ellipsoid has sqrt(1 - u^2) of the brow's girth */
     static const double steps[] = {0.40, 0.68, 0.86};
     static const char *const names[] = {"head_low", "head_mid", "head_top"};
     for (int i = 0; i < 3; i++) {
         double u = steps[i];
         mus__contour *contour =
-            torso_put_girth(plan, TORSO_BROW, bone->brow + u * top, sqrt(1.0 - u * u) * head, 0.04 * u);
+            torso_put_girth(in, TORSO_BROW, bone->brow + u * top, sqrt(1.0 - u * u) * head, 0.04 * u);
         contour->name = names[i];
         contour->cb *= 1.0 - 0.2 * u;
     }
-    plan->limb->pole[1] = bone->crown;
+    in->limb->pole[1] = bone->crown;
 }
 
 
 void mus__limb_torso(const mus_tape *tape, const mus__skeleton *skeleton, mus__limb *limb)
 {
-    torso_plan plan = {tape, skeleton, limb, mus_tape_sex(tape), skeleton->crown, 1.0};
-    if (plan.sex == MUS_SEX_CHILD) plan.grown = fmin(fmax((plan.h - 0.56) / 1.08, 0.0), 1.0);
+    torso_input in = {tape, skeleton, limb, mus_tape_sex(tape), skeleton->crown, 1.0};
+    if (in.sex == MUS_SEX_CHILD) in.grown = fmin(fmax((in.h - 0.56) / 1.08, 0.0), 1.0);
 
     memset(limb, 0, sizeof *limb);
     limb->name = "torso";
     limb->end[0] = MUS_MEASURE_INLEG, limb->end[1] = MUS_MEASURE_STATURE;
     limb->side[0] = 1.0, limb->front[2] = -1.0, limb->axis[1] = 1.0;
-    torso_seat(&plan);
-    torso_chest(&plan);
-    torso_shoulders(&plan);
-    torso_head(&plan);
+    torso_seat(&in);
+    torso_chest(&in);
+    torso_shoulders(&in);
+    torso_head(&in);
 }

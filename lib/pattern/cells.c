@@ -24,8 +24,8 @@ mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t
     mus_context *context = pattern->context;
     if (name == NULL || name[0] == '\0') return mus__fail(context, MUS_ERR_ARG, "panel: it needs a name");
 
-    mus__panel panel = {.cut_count = 1, .mirror_of = MUS_NONE, .grain = {0.0, 1.0}};
-    mus_placement_init(&panel.placement, sizeof panel.placement);
+    mus__panel panel = {.mirror_of = MUS_NONE};
+    mus__panel_attributes_init(&panel.attr);
     mus_status status = mus__pattern_take_name(pattern, "panel", name, panel.name);
     if (status != MUS_OK) return status;
     int32_t taken = mus_pattern_find_panel(pattern, panel.name);
@@ -82,11 +82,12 @@ static mus_status cell_arcs_check(const mus_pattern *pattern, const mus__edge *e
 }
 
 
-/* are the ends, kinds and points that are given those of a chain? */
-static mus_status cell_chain_check(const mus_pattern *pattern, const char *name, int32_t start, int32_t end,
-                                   int32_t npiece, const int32_t *kinds, int32_t nxy, const double *xy)
+/* are the ends, kinds and points of a def those of a chain? */
+static mus_status cell_chain_check(const mus_pattern *pattern, const char *name, const mus_edge_def *def)
 {
     mus_context *context = pattern->context;
+    const int32_t start = def->start, end = def->end, npiece = def->npiece, nxy = def->nxy, *kinds = def->kinds;
+    const double *xy = def->xy;
     mus_status status = mus__pattern_known(pattern, "point", start, pattern->npoint);
     if (status == MUS_OK) status = mus__pattern_known(pattern, "point", end, pattern->npoint);
     if (status != MUS_OK) return status;
@@ -138,26 +139,42 @@ static void cell_chain_fill(const mus_pattern *pattern, mus__edge *edge, const i
 }
 
 
-mus_status mus_pattern_add_edge(mus_pattern *pattern, const char *name, int32_t start, int32_t end, int32_t npiece,
-                                const int32_t *kinds, int32_t nxy, const double *xy, int32_t *out)
+void mus_edge_def_init(mus_edge_def *def, size_t size)
 {
+    if (def == NULL || size < sizeof def->size) return;
+    mus_edge_def own = {.size = size, .start = MUS_NONE, .end = MUS_NONE};
+    memset(def, 0, size);
+    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+}
+
+
+mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def *def, int32_t *out)
+{
+    static const int32_t line = MUS_PIECE_LINE;
     if (out != NULL) *out = MUS_NONE;
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = pattern->context;
-    mus__edge edge = {.start = start, .end = end, .npiece = npiece, .seam = MUS_NONE, .allowance = (double)NAN};
-    edge.stay.ratio = 1.0;
-    mus_status status = mus__pattern_take_name(pattern, "edge", name, edge.name);
-    if (status == MUS_OK) status = cell_chain_check(pattern, edge.name, start, end, npiece, kinds, nxy, xy);
+    if (def == NULL) return mus__fail(context, MUS_ERR_ARG, "edge: its def is NULL");
+    mus_edge_def own;
+    mus_edge_def_init(&own, sizeof own);
+    mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "edge def");
+    if (status != MUS_OK) return status;
+    if (own.npiece == 0) own.npiece = 1, own.kinds = &line;
+
+    mus__edge edge = {.start = own.start, .end = own.end, .npiece = own.npiece, .seam = MUS_NONE};
+    mus__edge_attributes_init(&edge.attr);
+    status = mus__pattern_take_name(pattern, "edge", own.name, edge.name);
+    if (status == MUS_OK) status = cell_chain_check(pattern, edge.name, &own);
     if (status != MUS_OK) return status;
 
-    edge.panel = pattern->point[start].panel;
-    edge.nxy = nxy + 2;
-    edge.xy = mus__edge_block(context, npiece, edge.nxy);
+    edge.panel = pattern->point[own.start].panel;
+    edge.nxy = own.nxy + 2;
+    edge.xy = mus__edge_block(context, own.npiece, edge.nxy);
     if (edge.xy == NULL) return mus__fail_memory(context, "an edge");
     mus__edge_views(&edge);
-    cell_chain_fill(pattern, &edge, kinds, xy);
+    cell_chain_fill(pattern, &edge, own.kinds, own.xy);
 
-    double length = edge.run[npiece];
+    double length = edge.run[own.npiece];
     status = cell_arcs_check(pattern, &edge);
     if (status == MUS_OK && !(length > 0.0))
         status = mus__fail(context, MUS_ERR_ARG, "edge %s of panel %s: its length is %g m, it must be above 0",

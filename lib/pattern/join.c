@@ -2,7 +2,7 @@
  * layer.c: several garments as one pattern, each a layer farther out than the one before.
  *
  * A layer is a number of a panel: 0 is worn next to the skin. It says nothing of shape: a shirt is the same pattern
- * under a coat. A drape sews the layers one after another, from inside to outside (lib/drape/layers.c).
+ * under a coat. A drape sews the layers one after another, from inside to outside (lib/dress/layers.c).
  */
 #include <stdio.h>
 #include <string.h>
@@ -63,7 +63,7 @@ static void layer_move(mus_pattern *p, mus_pattern *more, int32_t layer)
         mus__panel own = more->panel[i];
         for (int32_t k = 0; k < own.noutline; k++) own.outline[k] += edge;
         if (own.mirror_of != MUS_NONE) own.mirror_of += panel;
-        own.layer = layer;
+        own.attr.layer = layer;
         layer_name(p, more->name, more->panel[i].name, own.name);
         p->panel[p->npanel++] = own;
     }

@@ -22,7 +22,7 @@ mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, cons
 {
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
-    if (status == MUS_OK) status = mus__pattern_take_name(pattern, "panel label", label, pattern->panel[panel].label);
+    if (status == MUS_OK) status = mus__pattern_take_name(pattern, "panel label", label, pattern->panel[panel].attr.label);
     if (status == MUS_OK) mus__pattern_edited(pattern);
     return status;
 }
@@ -30,7 +30,7 @@ mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, cons
 
 const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel)
 {
-    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].label : NULL;
+    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].attr.label : NULL;
 }
 
 
@@ -46,8 +46,8 @@ mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, 
 
     /* kept as given when it is a unit vector already, so that writing and reading changes no bit */
     bool unit = fabs(length - 1.0) < 4.0e-16;
-    pattern->panel[panel].grain[0] = unit ? x : x / length;
-    pattern->panel[panel].grain[1] = unit ? y : y / length;
+    pattern->panel[panel].attr.grain[0] = unit ? x : x / length;
+    pattern->panel[panel].attr.grain[1] = unit ? y : y / length;
     mus__pattern_edited(pattern);
     return MUS_OK;
 }
@@ -58,7 +58,7 @@ mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *
     if (pattern == NULL) return MUS_ERR_ARG;
     if (out == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "grain: out is NULL");
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
-    if (status == MUS_OK) memcpy(out, pattern->panel[panel].grain, 2 * sizeof *out);
+    if (status == MUS_OK) memcpy(out, pattern->panel[panel].attr.grain, 2 * sizeof *out);
     return status;
 }
 
@@ -81,7 +81,7 @@ mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t coun
     if (mirror_of == panel || (mirror_of != MUS_NONE && pattern->panel[mirror_of].mirror_of != MUS_NONE))
         return mus__fail(context, MUS_ERR_ARG, "panel %s: it cannot mirror panel %s, which %s", own->name,
                          pattern->panel[mirror_of].name, mirror_of == panel ? "is itself" : "mirrors another");
-    own->cut_count = count;
+    own->attr.cut_count = count;
     own->mirror_of = mirror_of;
     mus__pattern_edited(pattern);
     return MUS_OK;
@@ -95,9 +95,16 @@ mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *c
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    if (count != NULL) *count = pattern->panel[panel].cut_count;
+    if (count != NULL) *count = pattern->panel[panel].attr.cut_count;
     if (mirror_of != NULL) *mirror_of = pattern->panel[panel].mirror_of;
     return MUS_OK;
+}
+
+
+void mus__panel_attributes_init(mus__panel_attributes *attr)
+{
+    *attr = (mus__panel_attributes){.cut_count = 1, .grain = {0.0, 1.0}};
+    mus_placement_init(&attr->placement, sizeof attr->placement);
 }
 
 
@@ -157,7 +164,7 @@ mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const 
     status = mus__def_read(context, &own, sizeof own, sizeof own, placement, "placement");
     if (status == MUS_OK) status = placement_check(context, pattern->panel[panel].name, &own);
     if (status != MUS_OK) return status;
-    pattern->panel[panel].placement = own;
+    pattern->panel[panel].attr.placement = own;
     mus__pattern_edited(pattern);
     return MUS_OK;
 }
@@ -169,7 +176,7 @@ mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t panel, mus_
     if (out == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "placement: out is NULL");
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    return mus__pattern_give(pattern, out, &pattern->panel[panel].placement, sizeof *out, "placement");
+    return mus__pattern_give(pattern, out, &pattern->panel[panel].attr.placement, sizeof *out, "placement");
 }
 
 
@@ -186,7 +193,7 @@ mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t la
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status == MUS_OK) status = mus__layer_check(pattern, layer);
     if (status != MUS_OK) return status;
-    pattern->panel[panel].layer = layer;
+    pattern->panel[panel].attr.layer = layer;
     mus__pattern_edited(pattern);
     return MUS_OK;
 }
@@ -194,5 +201,5 @@ mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t la
 
 int32_t mus_pattern_layer(const mus_pattern *pattern, int32_t panel)
 {
-    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].layer : MUS_NONE;
+    return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].attr.layer : MUS_NONE;
 }

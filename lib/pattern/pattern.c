@@ -107,9 +107,6 @@ void mus__history_end(mus_pattern *pattern)
 
 void mus__pattern_edited(mus_pattern *pattern)
 {
-    mus__free(pattern->context, pattern->fault);
-    pattern->fault = NULL;
-    pattern->nfault = 0;
     mus__history_forget_undone(pattern);
 }
 
@@ -153,7 +150,6 @@ void mus_pattern_destroy(mus_pattern *pattern)
     mus__free(context, pattern->notch);
     mus__free(context, pattern->mark);
     mus__free(context, pattern->opening);
-    mus__free(context, pattern->fault);
     mus__free(context, pattern);
 }
 

@@ -18,14 +18,29 @@
 #define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
 /* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
 #define MUS__FARTHEST 1e6
-#define MUS__FAULT_BYTES 768 /* five names and a sentence round them */
+
+/* what is said of a panel, here and on the cutting table (lib/board): copied as one */
+typedef struct mus__panel_attributes {
+    char label[MUS__NAME_BYTES];
+    int32_t cut_count, layer;
+    double grain[2]; /* unit vector along the warp */
+    mus_placement placement;
+} mus__panel_attributes;
+
+/* what is said of an edge, here and of a side on the cutting table: copied as one */
+typedef struct mus__edge_attributes {
+    char label[MUS__NAME_BYTES];
+    double allowance;        /* [m]; NaN: left to the sheet */
+    int32_t hold;            /* MUS_HOLD_*: the level of the body that the edge is attached to */
+    double below;            /* [m] how far below that level it may slide */
+    double ratio, stiffness; /* of an elastic: rest length over the edge's; [N], 0 without an elastic */
+} mus__edge_attributes;
 
 typedef struct mus__panel {
-    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
-    int32_t noutline, cut_count, mirror_of, layer;
+    char name[MUS__NAME_BYTES];
+    int32_t noutline, mirror_of;
     int32_t *outline; /* (noutline) edges, then (noutline) directions +1, -1; NULL without an outline */
-    double grain[2];  /* unit vector along the warp */
-    mus_placement placement;
+    mus__panel_attributes attr;
 } mus__panel;
 
 typedef struct mus__point {
@@ -33,19 +48,12 @@ typedef struct mus__point {
     int32_t panel;
 } mus__point;
 
-/* what keeps an edge up: a hold on the body and how far below it, an elastic (stiffness 0: none) */
-typedef struct mus__edge_stay {
-    int32_t hold; /* MUS_HOLD_* */
-    double below, ratio, stiffness;
-} mus__edge_stay;
-
 typedef struct mus__edge {
-    char name[MUS__NAME_BYTES], label[MUS__NAME_BYTES];
+    char name[MUS__NAME_BYTES];
     int32_t panel, start, end;
     int32_t seam, nseam; /* the first seam that it is in or MUS_NONE, and how many there are */
     int32_t npiece, nxy; /* nxy counts both ends */
-    double allowance;
-    mus__edge_stay stay;
+    mus__edge_attributes attr;
     double *xy;     /* (nxy x 2), the block that holds the next two as well */
     double *run;    /* (npiece + 1) arc length at the start of each piece; the last is the edge's length */
     int32_t *kinds; /* (npiece) */
@@ -67,11 +75,6 @@ typedef struct mus__opening {
     char label[MUS__NAME_BYTES];
 } mus__opening;
 
-typedef struct mus__fault {
-    int32_t kind, panel, edge, seam;
-    char text[MUS__FAULT_BYTES];
-} mus__fault;
-
 /* what a pattern was before its last edits, and after those that were undone: patterns without a history of their own.
  * The last of each list is next */
 typedef struct mus__history {
@@ -82,7 +85,7 @@ typedef struct mus__history {
 struct mus_pattern {
     mus_context *context;
     char name[MUS__NAME_BYTES];
-    int32_t npanel, npoint, nedge, nseam, nnotch, nmark, nfault;
+    int32_t npanel, npoint, nedge, nseam, nnotch, nmark;
     int32_t panel_room, point_room, edge_room, seam_room, notch_room, mark_room;
     int32_t nopening, opening_room;
     mus__panel *panel;     /* (npanel) */
@@ -92,7 +95,6 @@ struct mus_pattern {
     mus__notch *notch;     /* (nnotch) */
     mus__mark *mark;       /* (nmark) */
     mus__opening *opening; /* (nopening) */
-    mus__fault *fault;     /* (nfault) of the last check; dropped by every edit */
     mus__history *history; /* what it was before edits, NULL unless it is kept */
 };
 

@@ -14,7 +14,7 @@ mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int3
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out);
 /* are both coordinates of a point within MUS__FARTHEST? NaN is not */
 bool mus__pattern_near(double x, double y);
-/* every call that changes a pattern ends with this: the faults of the last check and the undone edits are dropped */
+/* every call that changes a pattern ends with this: edits that were undone cannot be redone any more */
 void mus__pattern_edited(mus_pattern *pattern);
 /* copy the struct `own` to `out`, a caller's struct whose size field must be own_size. Errors: MUS_ERR_VERSION */
 mus_status mus__pattern_give(const mus_pattern *pattern, void *out, const void *own, size_t own_size, const char *name);
@@ -31,7 +31,17 @@ void mus__history_forget_undone(mus_pattern *pattern);
 /* destroy the whole history of a pattern */
 void mus__history_end(mus_pattern *pattern);
 
+/* ---- edge_attributes.c ---- */
+
+/* no label, allowance left to the sheet, no hold, no elastic */
+void mus__edge_attributes_init(mus__edge_attributes *attr);
+/* are two the same in every attribute? */
+bool mus__edge_attributes_equal(const mus__edge_attributes *a, const mus__edge_attributes *b);
+
 /* ---- panel_attributes.c ---- */
+
+/* no label, cut once, layer 0, warp along y, flat at the origin */
+void mus__panel_attributes_init(mus__panel_attributes *attr);
 
 /* Errors: MUS_ERR_ARG (layer outside 0 to MUS_LAYERS_MOST - 1) */
 mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer);

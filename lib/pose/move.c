@@ -1,9 +1,9 @@
 /*
- * move.c: movements: poses at times, and splines between them.
+ * move.c: movements: poses at times (keys), with splines between them.
  *
- * Place and angles, 48 numbers, run each on a cubic spline through its keys: natural for a movement that ends, periodic
- * for one that goes on; both have continuous velocity and acceleration. A periodic one is kept with its first key again
- * at the end. An angle that a spline carries past the limit of its joint stays at the limit.
+ * Place and angles are 48 numbers, each on a cubic spline through its keys: natural for a movement that ends, periodic
+ * for one that repeats; velocity and acceleration are continuous. A periodic movement is stored with its first key
+ * repeated at the end. An angle that a spline carries past the limit of its joint is set to the limit.
  */
 #include <math.h>
 #include <string.h>
@@ -11,19 +11,20 @@
 #include "geom/spline.h"
 #include "pose/pose_table.h"
 
-#define MOVE_NUMBERS (3 + 3 * MUS_JOINT_COUNT)
-#define MOVE_KEYS_MOST 10000
+#define MOVE_NUMBERS (3 + 3 * MUS_JOINT_COUNT) /* place, then angles */
+#define MOVE_KEYS_MOST 10000                   /* most keys: bounds the memory; chosen */
 
 struct mus_move {
     mus_context *context;
-    int32_t keys;   /* those given, and of a periodic movement the first again */
+    int32_t keys;   /* stored keys: the given ones, of a periodic movement and the first one again */
     double period;  /* [s], 0: not periodic */
-    double *time;   /* (keys) */
+    double *time;   /* (keys) [s] */
     double *value;  /* (MOVE_NUMBERS x keys) place, then angles */
     double *second; /* (MOVE_NUMBERS x keys) second derivatives */
 };
 
 
+/* check the arguments of mus_move_create() */
 static mus_status move_check(mus_context *context, int32_t keys, const double *times, const mus_pose *poses,
                              double period)
 {
@@ -43,13 +44,14 @@ static mus_status move_check(mus_context *context, int32_t keys, const double *t
         if (status != MUS_OK) return status;
     }
     if (period > 0.0 && (keys < 3 || !(period > times[keys - 1] - times[0])))
-        return mus__fail(context, MUS_ERR_ARG, "%d keys over %g s in a period of %g s: at least 3 keys within it",
+        return mus__fail(context, MUS_ERR_ARG,
+                         "%d keys over %g s in a period of %g s: expected at least 3 keys, over less than the period",
                          (int)keys, times[keys - 1] - times[0], period);
     return MUS_OK;
 }
 
 
-/* spline of number k through its keys */
+/* second derivatives of number k at its keys. Scratch: work (4 keys) */
 static void move_spline(mus_move *move, int32_t k, double *work)
 {
     const int32_t n = move->keys;
@@ -64,6 +66,7 @@ static void move_spline(mus_move *move, int32_t k, double *work)
 }
 
 
+/* times, values and second derivatives of a movement */
 static void move_fill(mus_move *move, const double *times, const mus_pose *poses, double *work)
 {
     const int32_t n = move->keys, given = move->period > 0.0 ? n - 1 : n;
@@ -135,7 +138,7 @@ mus_status mus_move_at(const mus_move *move, double t, mus_pose *pose)
     if (!mus__finite(t) || pose == NULL)
         return mus__fail(move->context, MUS_ERR_ARG, "time %g s of a movement is not finite, or the pose is NULL", t);
 
-    /* into the period, or held at the first and the last key */
+    /* the time within the period, or clamped to the first and the last key */
     const int32_t n = move->keys;
     const double first = move->time[0], last = move->time[n - 1];
     if (move->period > 0.0) t -= floor((t - first) / move->period) * move->period;

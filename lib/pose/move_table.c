@@ -1,16 +1,17 @@
 /*
  * move_table.c: the keys of the named movements.
  *
- * The walk stays where it is, as on a belt: its feet go back under the body. One leg has the normative curves of hip,
- * knee and ankle over the cycle from heel strike, the other the same half a period later. Normative hip angles are
- * against a pelvis tilted forwards; ours stands upright, so 8 degrees are taken off. At 50 % the ankle is held up, as
- * our toes do not bend. The pelvis turns towards the leg that is behind, drops on the side that swings and goes to the
- * side that stands; the chest turns against it, and legs and head do not turn with it.
+ * The walk stays in place, as on a treadmill. A leg follows the normative curves of hip, knee and ankle over the cycle
+ * from heel strike; the other leg does the same half a period later. Normative hip angles refer to a pelvis tilted
+ * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed more than the
+ * norm, since toes do not bend here. The pelvis turns towards the leg behind, drops on the swinging side and shifts to
+ * the standing side; the chest turns against the pelvis, and legs and head keep their direction.
  *
- * The other movements go through shares of a named pose, from hanging arms and back. The root goes down and back so
- * that feet which stand stay where they are, for legs of the mean person: thigh 0.225, shank 0.234 of the stature.
+ * Every other movement goes from hanging arms through shares of one named pose, and some back again. The root moves
+ * down and backwards so that standing feet stay in place, for a mean thigh of 0.225 and a mean shank of 0.234 of the
+ * stature.
  *
- * Source: normative gait as in Perry and Burnfield, Gait Analysis, 2010 (reduced to ten keys).
+ * Source: normative gait of Perry and Burnfield, Gait Analysis, 2010, reduced to ten keys.
  */
 #include <math.h>
 #include <string.h>
@@ -19,28 +20,29 @@
 #include "pose/pose_table.h"
 
 #define MOVE_DEGREE (MUS_PI / 180.0)
-#define MOVE_THIGH 0.225 /* in parts of the stature */
-#define MOVE_SHANK 0.234
+#define MOVE_THIGH 0.225 /* length of the thigh, in parts of the stature: the mean person */
+#define MOVE_SHANK 0.234 /* length of the shank, likewise */
 
 #define WALK_KEYS 10
-#define WALK_PERIOD 1.1  /* [s] at 1.7 m; goes with the root of the stature, as a pendulum */
-#define WALK_TILT 8.0    /* of the pelvis in normative hip angles [degrees] */
-#define WALK_TURN 4.0    /* of the pelvis [degrees] */
-#define WALK_LIST 4.0    /* [degrees] */
-#define WALK_SWAY 0.010  /* to the side that stands, in parts of the stature */
-#define WALK_ARM_OFF 16.0 /* abduction [degrees] */
+#define WALK_PERIOD 1.1   /* [s] for a stature of 1.7 m; in proportion to the root of the stature, as of a pendulum */
+#define WALK_TILT 8.0     /* [degrees] tilt of the pelvis in normative hip angles */
+#define WALK_TURN 4.0     /* [degrees] amplitude of the pelvis's rotation */
+#define WALK_LIST 4.0     /* [degrees] amplitude of its drop to the swinging side */
+#define WALK_SWAY 0.010   /* amplitude of its shift to the standing side, in parts of the stature */
+#define WALK_ARM_OFF 16.0 /* [degrees] abduction of the arms; chosen: clear of the hips */
 
-/* every 10 % of the cycle: hip flexion, knee flexion, ankle dorsiflexion, same-side shoulder and elbow flexion */
+/* every 10 % of the cycle: flexion of hip and knee, dorsiflexion of the ankle, flexion of shoulder and elbow of the
+ * same side [degrees] */
 static const double walk_rows[WALK_KEYS][5] = {
     {30, 5, 0, -20, 15},  {26, 17, -4, -18, 17}, {17, 15, 4, -12, 20}, {7, 8, 8, -4, 25},   {-3, 5, 10, 4, 30},
     {-10, 12, 12, 10, 33}, {-4, 38, -16, 8, 30},  {13, 60, -4, 2, 25},  {26, 53, 8, -8, 20}, {32, 23, 4, -16, 16},
 };
 
-/* the root above standing, in parts of the stature, so that the lower foot is on the floor; half a cycle. The mean of
- * mus_body_ground over W34, W40 and M50 */
+/* height of the root against standing, in parts of the stature, with which the lower foot is on the floor, over half a
+ * cycle: the mean of mus_body_ground() over W34, W40 and M50 */
 static const double walk_bob[WALK_KEYS / 2] = {-0.0099, -0.0038, -0.0038, -0.0069, -0.0099};
 
-/* a key: when, how much of a pose, turned how far [degrees] */
+/* a key: time [s], share of the named pose, rotation of the root [degrees], nonzero: left and right exchanged */
 typedef struct move_key {
     double time;
     double share, turn;
@@ -49,8 +51,8 @@ typedef struct move_key {
 
 static const struct {
     const char *name, *pose;
-    double period; /* 0: it ends */
-    int32_t stays; /* feet stay where they are */
+    double period; /* [s], 0: it ends */
+    int32_t stays; /* nonzero: the feet stay in place */
     int32_t keys;
     move_key key[MUS__MOVE_KEYS];
 } moves[] = {
@@ -109,6 +111,7 @@ int32_t mus__move_find(const char *name)
 }
 
 
+/* angles of one leg, and of the arm of its side, in a row of the walk [degrees] */
 static void walk_leg(int32_t right, const double *row, double turn, double list, mus_pose *pose)
 {
     double(*angle)[3] = pose->angle;
@@ -124,9 +127,10 @@ static void walk_leg(int32_t right, const double *row, double turn, double list,
 }
 
 
+/* a key of the walk */
 static void walk_pose(int32_t key, double stature, mus_pose *pose)
 {
-    /* the left heel strikes at 0: the left side is in front, then stands alone */
+    /* the left heel strikes at phase 0: the left leg is in front, and stands alone after that */
     const double phase = 2.0 * MUS_PI * key / WALK_KEYS, turn = -WALK_TURN * cos(phase), list = -WALK_LIST * sin(phase);
     mus_pose_init(pose, sizeof *pose);
     walk_leg(0, walk_rows[key], turn, list, pose);
@@ -143,7 +147,7 @@ static void walk_pose(int32_t key, double stature, mus_pose *pose)
 }
 
 
-/* a pose with left and right exchanged */
+/* exchange left and right of a pose */
 static void move_mirror(mus_pose *pose)
 {
     for (int32_t j = MUS_JOINT_ROOT; j <= MUS_JOINT_NECK; j++)
@@ -156,7 +160,7 @@ static void move_mirror(mus_pose *pose)
 }
 
 
-/* where the ankle of a leg is off its place in standing: out (2) up, forwards */
+/* displacement of an ankle against standing: out (2) up, forwards [m] */
 static void move_ankle(const mus_pose *pose, int32_t right, double stature, double *out)
 {
     const double *hip = pose->angle[MUS_JOINT_HIP_LEFT + right];
@@ -168,6 +172,7 @@ static void move_ankle(const mus_pose *pose, int32_t right, double stature, doub
 }
 
 
+/* a key of a movement through shares of a named pose */
 static void move_pose(int32_t move, const move_key *key, double stature, mus_pose *pose)
 {
     mus_pose from, to;
@@ -180,7 +185,7 @@ static void move_pose(int32_t move, const move_key *key, double stature, mus_pos
             pose->angle[j][k] = from.angle[j][k] + key->share * (to.angle[j][k] - from.angle[j][k]);
     pose->angle[MUS_JOINT_ROOT][MUS_POSE_ROTATION] += MOVE_DEGREE * key->turn;
 
-    /* on the foot that is lower */
+    /* the lower foot stands on the floor */
     double left[2], right[2];
     move_ankle(pose, 0, stature, left);
     move_ankle(pose, 1, stature, right);

@@ -1,9 +1,9 @@
 /*
- * pose_fit.c: poses and movements fitted to a body: its feet on the floor, its arms off its sides.
+ * pose_fit.c: poses and movements fitted to a body: feet on the floor, arms off the sides.
  *
- * Both ask the contact fields, carried by the frames of their parts, without making a posed copy. An arm is lifted
- * sideways a degree at a time until all of it below the armpit keeps its distance; named poses start so that most
- * people's arms stay as they are.
+ * Both query the radius fields of the body, carried by the frames of their parts, without a posed copy. An arm is
+ * abducted by steps of a degree until all of it below the armpit keeps its distance. The named poses have arms that are
+ * far enough off the sides for most people.
  */
 #include <math.h>
 #include <string.h>
@@ -13,14 +13,15 @@
 #include "pose/pose_frame.h"
 #include "pose/pose_table.h"
 
-#define FIT_STEP (MUS_PI / 180.0) /* of an arm that is lifted */
-#define FIT_STEPS 60              /* most of them */
-#define FIT_ARMPIT 0.40           /* part of the arm's length from which on it is to be clear */
-#define FIT_RING 0.012            /* [m] between rings that are asked, about */
-#define FIT_ANGLE 8               /* every so many directions of a ring is asked */
+#define FIT_STEP (MUS_PI / 180.0) /* [rad] step of an arm's abduction */
+#define FIT_STEPS 60              /* most steps */
+#define FIT_ARMPIT 0.40           /* part of the arm's length below the armpit, from which on it is checked; chosen */
+#define FIT_RING 0.012            /* [m] distance of the rings that are checked; chosen */
+#define FIT_ANGLE 8               /* one of so many directions of a ring is checked; chosen */
 
 
-/* fields as a pose carries them; they borrow the tables of the body's own. out (parts) */
+/* the radius fields (parts) of a body in a pose; they borrow the tables of the body's fields. Errors: those of
+ * mus_pose_check() and mus__pose_locals() */
 static mus_status fit_carry(const mus_body *body, const mus_pose *pose, mus__field *out)
 {
     mus__joint_local local[MUS_JOINT_COUNT];
@@ -38,7 +39,7 @@ static mus_status fit_carry(const mus_body *body, const mus_pose *pose, mus__fie
 }
 
 
-/* point (a, b, s) of a field in the world */
+/* the point (3) of a field at (a, b, s) */
 static void fit_point(const mus__field *field, double a, double b, double s, double *out)
 {
     for (int i = 0; i < 3; i++)
@@ -46,7 +47,7 @@ static void fit_point(const mus__field *field, double a, double b, double s, dou
 }
 
 
-/* height of the lowest point of a field: of its rings and end points */
+/* height of the lowest point of a field's rings and poles [m] */
 static double fit_lowest(const mus__field *field, const double *turn)
 {
     double lowest = INFINITY, x[3];
@@ -80,7 +81,7 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
 }
 
 
-/* depth of the deepest point of an arm below the armpit in any part that is not of that arm */
+/* largest depth [m] of the points of an arm below the armpit in the parts of other limbs */
 static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t right, const double *turn)
 {
     const mus__bones *bones = &body->bones;
@@ -137,12 +138,13 @@ mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus
     *out = NULL;
     if (body == NULL) return MUS_ERR_ARG;
     if (!body->jointed)
-        return mus__fail(body->context, MUS_ERR_ARG, "a body made of given limbs has no movements by name");
+        return mus__fail(body->context, MUS_ERR_ARG,
+                         "a body of given limbs has no joints: named movements need a body of a tape or a scan");
     int32_t move = mus__move_find(name);
     if (move == MUS_NONE)
         return mus__fail(body->context, MUS_ERR_ARG, "no movement is called \"%.60s\"", name != NULL ? name : "");
 
-    /* the movement of its stature, with as many keys again between its keys */
+    /* the movement for the body's stature, with a key added half way between two */
     double times[2 * MUS__MOVE_KEYS], rough[MUS__MOVE_KEYS + 1], period;
     mus_pose poses[2 * MUS__MOVE_KEYS];
     mus_move *of_mean = NULL;
@@ -154,7 +156,7 @@ mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus
         times[i] = i % 2 == 0 ? rough[i / 2] : 0.5 * (rough[i / 2] + rough[i / 2 + 1]);
         status = mus_move_at(of_mean, times[i], &poses[i]);
 
-        /* each put on the floor with its arms clear */
+        /* each key fitted to the body */
         if (status == MUS_OK) status = mus_body_clear_arms(body, &poses[i], gap);
         if (status == MUS_OK) status = mus_body_ground(body, &poses[i]);
     }

@@ -2,10 +2,10 @@
  * pose_frame.c: from the angles of a pose to the frames of a body's parts.
  *
  * A joint turns by Q = R(flexion) R(abduction) R(rotation) from the anatomical pose. With the parent's rotation P from
- * the anatomical to the rest pose, and Q0 the joint's own in the rest pose, the turn against the rest pose in its
- * directions is  P Q Q0* P*,  which is the identity where Q = Q0.
+ * the anatomical to the rest pose, and Q0 the rotation of the joint itself in the rest pose, its rotation from the rest
+ * pose, in the directions of the rest pose, is  P Q Q0* P*,  the identity for Q = Q0.
  *
- * The shoulder joint goes up and inwards with the scapula while the arm rises from 30 to 170 degrees.
+ * A shoulder joint moves up and inwards with the scapula while the arm rises from 30 to 170 degrees.
  */
 #include "pose/pose_frame.h"
 
@@ -14,12 +14,13 @@
 
 #include "geom/vec.h"
 
-#define POSE_SCAPULA_IN 0.5 /* of the way of a shoulder joint inwards, for each part upwards */
+#define POSE_SCAPULA_IN 0.5 /* shift of a shoulder joint inwards over its shift upwards; chosen */
 
 _Static_assert(MUS__FLEXION == MUS_POSE_FLEXION && MUS__ABDUCTION == MUS_POSE_ABDUCTION, "one order of the angles");
 
 
-/* how high the arm is lifted, as a part of the way of the scapula: 0 at 30 degrees off hanging, 1 at 170 */
+/* share of the scapula's rise for a shoulder turned by the quaternion `turn`: 0 up to 30 degrees off hanging, 1 at
+ * 170 */
 static double pose_lift(const double *turn)
 {
     double down[3] = {0.0, -1.0, 0.0}, m[9];
@@ -74,7 +75,7 @@ mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus
 void mus__pose_blend(const mus__joint_local *a, const mus__joint_local *b, double t, mus__joint_local *out)
 {
     for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
-        /* the nearer of q and -q */
+        /* q and -q are one rotation: the nearer one is taken */
         const double *p = a[j].quaternion, *q = b[j].quaternion;
         double sign = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3] < 0.0 ? -1.0 : 1.0;
         for (int i = 0; i < 4; i++) out[j].quaternion[i] = (1.0 - t) * p[i] + t * sign * q[i];
@@ -99,7 +100,7 @@ void mus__pose_frames(const mus__rig *rig, const mus__joint_local *local, mus__f
             mus__frame_point(&joint[parent], pivot, pivot);
         }
 
-        /* place: the pivot goes where its parent carries it */
+        /* the place follows from the pivot, which the parent's frame moves */
         mus__matrix_point(joint[j].turn, rig->pivot[j], back);
         for (int i = 0; i < 3; i++) joint[j].place[i] = pivot[i] - back[i];
     }

@@ -1,22 +1,22 @@
 /*
- * pose_table.c: how far each joint turns, and the poses that have a name.
+ * pose_table.c: the limits of each joint, and the named poses.
  *
- * Limits are the normal ranges of motion of the American Academy of Orthopaedic Surgeons (Joint Motion, 1965), in
- * degrees; the root turns as it likes.
+ * Limits are the normal ranges of motion of the American Academy of Orthopaedic Surgeons, Joint Motion, 1965, in
+ * degrees; the root has none.
  */
 #include <math.h>
 #include <string.h>
 
 #include "base/base_internal.h"
 #include "geom/vec.h"
-#include "pose/pose_table.h"
 #include "muslin/pose.h"
+#include "pose/pose_table.h"
 
 #define POSE_DEGREE (MUS_PI / 180.0)
-#define POSE_FAR 1e3          /* [m] */
-#define POSE_ROUNDING 1e-9 /* [rad] beyond a limit that is still within it */
+#define POSE_FAR 1e3       /* [m] most distance of a pose's place from where the body was made; chosen */
+#define POSE_ROUNDING 1e-9 /* [rad] an angle may exceed its limit by this: rounding of degrees to radian */
 
-/* low and high of flexion, abduction, rotation [degrees] */
+/* least and greatest flexion, abduction, rotation [degrees] */
 #define POSE_TRUNK_LIMITS {{-25, 60}, {-25, 25}, {-30, 30}}
 #define POSE_NECK_LIMITS {{-45, 45}, {-45, 45}, {-60, 60}}
 #define POSE_SHOULDER_LIMITS {{-60, 180}, {-50, 180}, {-90, 90}}
@@ -45,17 +45,18 @@ static const double pose_limits[MUS_JOINT_COUNT][3][2] = {
 };
 
 
-/* a joint's flexion, abduction, rotation in a named pose [degrees]; of a left joint for both sides when `both` */
+/* flexion, abduction, rotation of a joint in a named pose [degrees]; with `both` also of the right joint of a left
+ * one */
 typedef struct pose_row {
     int32_t joint;
     bool both;
     double angle[3];
 } pose_row;
 
-#define POSE_ROWS 12 /* most of a pose; joints without a row are at 0 */
+#define POSE_ROWS 12 /* most rows of a pose; joints without a row have the angles 0 */
 
-/* Arms that hang are held off by so much that hips and two layers of cloth go between; in the poses that bend the trunk
- * they hang down. Feet that stand are flat: dorsiflexion = knee - (hip - root). */
+/* Hanging arms are abducted so far that hips and two layers of cloth fit between; in poses that bend the trunk the arms
+ * hang vertically. The feet of standing legs are flat: dorsiflexion = knee - (hip - root). */
 static const struct {
     const char *name;
     pose_row row[POSE_ROWS];
@@ -171,7 +172,7 @@ bool mus__pose_find(const char *name, mus_pose *out)
 mus_status mus_pose_named(mus_context *context, const char *name, mus_pose *out)
 {
     if (context == NULL) return MUS_ERR_ARG;
-    if (name == NULL || out == NULL) return mus__fail(context, MUS_ERR_ARG, "the name of a pose, or its pose, is NULL");
+    if (name == NULL || out == NULL) return mus__fail(context, MUS_ERR_ARG, "mus_pose_named: name or out is NULL");
     if (mus__pose_find(name, out)) return MUS_OK;
     return mus__fail(context, MUS_ERR_ARG, "no pose is called \"%.60s\"", name);
 }

@@ -61,24 +61,21 @@ static char *sheet_text(mus_context *context, const char *text)
 }
 
 
-/* the faults that cannot be cut. The check writes into the pattern, so it runs on a copy */
+/* refuse a pattern with a fault that cannot be cut */
 static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
 {
-    mus_pattern *copy;
+    mus_faults *faults;
     int32_t count = 0;
-    mus_status status = mus_pattern_copy(pattern, &copy);
-    if (status == MUS_OK) status = mus_pattern_check(copy, &count);
+    mus_status status = mus_pattern_check(pattern, &count, &faults);
     if (status != MUS_OK) mus__print_fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
     for (int32_t i = 0; i < count && status == MUS_OK; i++) {
-        int32_t kind, panel, edge, seam;
-        const char *text;
-        status = mus_pattern_fault(copy, i, &kind, &panel, &edge, &seam, &text);
-        if (status != MUS_OK || mus_pattern_cut(copy, panel, &edge, &seam) != MUS_OK) continue;
+        int32_t kind;
+        status = mus_faults_item(faults, i, &kind, NULL, NULL, NULL);
         if (kind == MUS_FAULT_OPEN_OUTLINE || kind == MUS_FAULT_CROSSING || kind == MUS_FAULT_SMALL_PANEL)
             status = mus__print_fail(context, MUS_ERR_PATTERN, "pattern %.100s cannot be printed: %.300s",
-                                     mus_pattern_name(copy), text);
+                                     mus_pattern_name(pattern), mus_faults_text(faults, i));
     }
-    mus_pattern_destroy(copy);
+    mus_faults_destroy(faults);
     return status;
 }
 

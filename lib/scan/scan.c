@@ -1,8 +1,15 @@
 /*
- * scan.c: from a mesh to a body: the order of work, its options and its report.
+ * scan.c: a body from a triangle mesh: the order of the steps, the options and the report. A stranger starts here.
  *
- * Weld, find the frame, find the limbs, cut them into outlines, make a body of given limbs, measure it, and tell how
- * far it is from the mesh. Distances are the dearest part, and are left out without a report.
+ *     scan_mesh.c      check and weld the caller's triangles
+ *     scan_frame.c     find up, front and unit; move the mesh into the body's frame
+ *     scan_slice.c     cut the mesh by planes (used by all the following); scan_outline.c: polygons of sections
+ *     scan_find.c      find crotch, neck, armpits, and the axes of the arms
+ *     scan_limb.c      cut each limb into outlines
+ *     scan_joint.c     find the joints from the outlines
+ *     (lib/body)       make a body of these limbs and joints
+ *     scan_measure.c   girths of the body
+ *     scan_distance.c  distances between mesh and body, most of the time; left out without a report
  */
 #include <math.h>
 #include <string.h>
@@ -30,6 +37,7 @@ void mus_scan_report_init(mus_scan_report *report, size_t size)
 }
 
 
+/* check an axis of the options */
 static mus_status scan_axis(mus_context *context, const char *name, int32_t axis)
 {
     if (axis >= -MUS_SCAN_Z && axis <= MUS_SCAN_Z) return MUS_OK;
@@ -37,6 +45,7 @@ static mus_status scan_axis(mus_context *context, const char *name, int32_t axis
 }
 
 
+/* check a number of the options */
 static mus_status scan_number(mus_context *context, const char *name, double value, double low, double high)
 {
     if (value >= low && value <= high) return MUS_OK;
@@ -59,7 +68,7 @@ static mus_status scan_read_def(mus_context *context, const mus_scan_def *def, m
 }
 
 
-/* all that is not known is NaN */
+/* a report in which nothing is found yet: lengths are NaN, counts 0 */
 static void scan_unknown(mus_scan_report *report)
 {
     const size_t size = report->size;
@@ -73,6 +82,7 @@ static void scan_unknown(mus_scan_report *report)
 }
 
 
+/* heights and angles of what was found, into the report */
 static void scan_tell(const mus__scan_found *found, mus_scan_report *report)
 {
     if (found->legs) report->crotch = found->crotch;
@@ -85,14 +95,14 @@ static void scan_tell(const mus__scan_found *found, mus_scan_report *report)
 }
 
 
-/* the mesh in the body's frame to a body */
+/* make a body of a mesh that is in the body's frame */
 static mus_status scan_make(mus__scan_mesh *mesh, const mus_scan_def *def, mus__scan_found *found, bool distances,
                             mus_scan_report *report, mus_body **out)
 {
     const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0}, side[3] = {1.0, 0.0, 0.0};
     mus__slicer upright, found_by;
     mus__scan_limbs limbs = {0};
-    mus__bones bones = {.limb = {MUS_NONE}}; /* a form has no joints */
+    mus__bones bones = {.limb = {MUS_NONE}}; /* a form (no legs) has no joints */
     mus_status status = mus__slicer_make(mesh, origin, up, side, 1e30, &found_by);
     if (status != MUS_OK) return status;
     status = mus__scan_find(mesh, &found_by, found);

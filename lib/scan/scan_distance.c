@@ -1,10 +1,10 @@
 /*
- * scan_distance.c: how far the mesh is from the body that was made of it, and the other way round.
+ * scan_distance.c: distances of the mesh from the body that was made of it, and of the body from the mesh.
  *
- * Exact distances from points to triangles, through a grid of cells: a point asks the cells around its own, shell by
- * shell, until no nearer triangle can be further out. The body's surface is that of the union: what lies inside another
- * limb is neither asked nor measured. What a mesh has deep inside (a mouth, shells that overlap) has the depth that
- * contact would see.
+ * Distances from points to triangles are exact. Triangles are sorted into the cells of a grid; the search for a point
+ * goes through the cells round its own, shell by shell, until no nearer triangle can lie further out. The surface of
+ * the body is that of the union: triangles and vertices inside another limb are left out. The distance of a vertex of
+ * the mesh deep in the body (a mouth, overlapping shells) is its depth there, as contact has it.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -13,12 +13,13 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define DISTANCE_CELL 0.008   /* edge of a cell [m], for a mesh of 1.7 m: about that of its triangles */
-#define DISTANCE_CELLS 400.0  /* along a side of the grid, at most */
-#define DISTANCE_DEEP 0.02    /* a vertex of the mesh so deep in the body has its depth for a distance [m] */
-#define DISTANCE_BURIED 0.001 /* a vertex of the body so deep in another limb is not on its surface [m] */
+#define DISTANCE_CELL 0.008   /* [m] edge of a cell for a mesh of 1.7 m; chosen: about that of the triangles of a scan
+                                 */
+#define DISTANCE_CELLS 400.0  /* most cells along a side of the grid: bounds the memory */
+#define DISTANCE_DEEP 0.02    /* [m] the distance of a vertex of the mesh deeper in the body is its depth; chosen */
+#define DISTANCE_BURIED 0.001 /* [m] a vertex of the body deeper in another limb is not on the surface; chosen */
 
-/* triangles in the cells that they reach */
+/* triangles sorted into the cells that their boxes overlap */
 typedef struct distance_grid {
     const double *x;
     const int32_t *triangle;
@@ -28,6 +29,7 @@ typedef struct distance_grid {
 } distance_grid;
 
 
+/* distance of point p from the segment a b */
 static double distance_segment(const double *p, const double *a, const double *b)
 {
     double ab[3], ap[3];
@@ -38,7 +40,7 @@ static double distance_segment(const double *p, const double *a, const double *b
 }
 
 
-/* distance of a point from a triangle: over its face to its plane, else to the nearest side */
+/* distance of point p from a triangle: to its plane where p projects into it, else to the nearest side */
 static double distance_triangle(const double *p, const double *a, const double *b, const double *c)
 {
     const double *corner[4] = {a, b, c, a};
@@ -58,7 +60,7 @@ static double distance_triangle(const double *p, const double *a, const double *
 }
 
 
-/* cells that a triangle's box reaches: low and high (3) */
+/* range low (3) to high (3) of the cells that the box of triangle t overlaps */
 static void distance_cells(const distance_grid *grid, int32_t t, int32_t *low, int32_t *high)
 {
     for (int i = 0; i < 3; i++) {
@@ -75,6 +77,7 @@ static void distance_cells(const distance_grid *grid, int32_t t, int32_t *low, i
 }
 
 
+/* sort triangles, but those with skip (triangles), into a grid for a person of height `size` [m] */
 static mus_status distance_grid_make(mus_context *context, const double *x, int32_t triangles, const int32_t *triangle,
                                      const bool *skip, double size, distance_grid *out)
 {
@@ -123,6 +126,7 @@ static void distance_grid_free(mus_context *context, distance_grid *grid)
 }
 
 
+/* the smaller of `best` and the distance of p from the triangles of a cell */
 static double distance_cell(const distance_grid *grid, const double *p, const int32_t *at, double best)
 {
     const int64_t cell = ((int64_t)at[0] * grid->size[1] + at[1]) * grid->size[2] + at[2];
@@ -135,8 +139,8 @@ static double distance_cell(const distance_grid *grid, const double *p, const in
 }
 
 
-/* distance of a point from the grid's triangles. Those in shell r are at least r - 1 cells and the way out of the own
- * cell away */
+/* distance of point p from the grid's triangles. Triangles in shell r are at least r - 1 cells plus the distance of p
+ * from the side of its own cell away */
 static double distance_point(const distance_grid *grid, const double *p)
 {
     int32_t own[3], most = 0;
@@ -150,8 +154,8 @@ static double distance_point(const distance_grid *grid, const double *p)
     for (int32_t r = 0; r <= most && (r == 0 || best > (r - 1) * grid->cell + out); r++)
         for (int32_t i = own[0] - r; i <= own[0] + r; i++)
             for (int32_t j = own[1] - r; j <= own[1] + r; j++) {
-                const bool rim = abs(i - own[0]) == r || abs(j - own[1]) == r;
-                for (int32_t k = own[2] - r; k <= own[2] + r; k += rim || r == 0 ? 1 : 2 * r) {
+                const bool side = abs(i - own[0]) == r || abs(j - own[1]) == r;
+                for (int32_t k = own[2] - r; k <= own[2] + r; k += side || r == 0 ? 1 : 2 * r) {
                     const int32_t at[3] = {i, j, k};
                     if (i < 0 || j < 0 || k < 0 || i >= grid->size[0] || j >= grid->size[1] || k >= grid->size[2])
                         continue;
@@ -162,7 +166,7 @@ static double distance_point(const distance_grid *grid, const double *p)
 }
 
 
-/* which part of a person a point belongs to */
+/* the part of a person (MUS_SCAN_TORSO ...) that a point belongs to */
 static int32_t distance_part(const mus__scan_found *found, const double *x)
 {
     for (int i = 0; i < 2; i++) {
@@ -189,8 +193,8 @@ static int distance_order(const void *a, const void *b)
 }
 
 
-/* median, 95 of 100 and most of the points of each part; skip (n) or NULL; distance (n) holds depths in the body, which
- * stand where they are deep; work (n) */
+/* median, 95th percentile and maximum of the distances of n points x, by part; without those of skip (n), or NULL.
+ * distance (n) holds depths in the body, which are kept where they exceed DISTANCE_DEEP. Scratch: work (n) */
 static void distance_tell(const distance_grid *grid, int32_t n, const double *x, const bool *skip, const int32_t *part,
                           double *distance, double *work, double (*out)[3])
 {
@@ -210,7 +214,7 @@ static void distance_tell(const distance_grid *grid, int32_t n, const double *x,
 }
 
 
-/* vertices and triangles of the body that lie in another limb */
+/* mark vertices and triangles of the body that lie inside another limb. Scratch: depth (vertices) */
 static mus_status distance_buried(const mus_body *body, double *depth, bool *vertex, bool *triangle)
 {
     const int32_t n = mus_body_vertex_count(body), *v = mus_body_triangles(body);

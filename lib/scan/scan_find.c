@@ -1,12 +1,12 @@
 /*
- * scan_find.c: where the limbs of a person begin: crotch, neck, arms.
+ * scan_find.c: crotch, neck, feet and arms of a person.
  *
- * The crotch is the highest level at which a section has two legs. An arm's axis runs from near the shoulder through
- * the middles of the upper arm and of the forearm, taken from sections square to it, in three rounds from a guess.
- * Going up the arm along that axis, its section stays small until the plane meets the torso, which beside a level arm
- * it does little by little: there no section may be 2.6 times as high as the arm's lowest. The armpit is the lowest
- * point of the last section that is the arm's alone. Through the armpit goes the wall that parts arm and torso, half
- * way between upright and square to the arm:
+ * The crotch is the highest level at which a section has two legs. The axis of an arm goes through the centroids of a
+ * section of the upper arm and one of the forearm, square to it; it is found in three rounds from a guess. Up the arm
+ * along that axis the section stays small until the plane meets the torso. Beside a horizontal arm it meets the torso
+ * gradually; there no section may be 2.6 times as high as the lowest one of the arm. The armpit is the lowest point of
+ * the last section that belongs to the arm alone. The wall, a plane through the armpit half way between vertical and
+ * square to the arm, separates arm and torso:
  *
  *          head                n = unit(x + axis): the wall's normal, outwards
  *       ___|  |___  /
@@ -21,12 +21,13 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define FIND_STEP 0.004   /* along an arm [m], for 1.7 m */
-#define FIND_TALL 2.6     /* times its least height: where a level arm ends */
-#define FIND_SPREAD 0.075 /* parts of the stature: what belongs to an arm is no further from its axis */
+#define FIND_STEP 0.004   /* [m] step along an arm, for a stature of 1.7 m; chosen */
+#define FIND_TALL 2.6     /* a horizontal arm ends where its section is so many times as high as its lowest one; chosen
+                             */
+#define FIND_SPREAD 0.075 /* most distance of an arm's skin from its axis, in parts of the stature; chosen */
 
 
-/* are two loops side by side: thighs that touch may reach into each other, but not far? */
+/* whether two loops are side by side; thighs that touch may overlap by less than 0.3 of the narrower one */
 static bool find_beside(const mus__loop *a, const mus__loop *b)
 {
     const double lap = fmin(a->box[1], b->box[1]) - fmax(a->box[0], b->box[0]);
@@ -34,7 +35,7 @@ static bool find_beside(const mus__loop *a, const mus__loop *b)
 }
 
 
-/* does the section at height y have two legs? *left and *right get them */
+/* whether the section at height y [m] has two legs, in *two; the loops of the legs in *left and *right */
 static mus_status find_legs(mus__slicer *upright, double y, bool *two, mus__loop *left, mus__loop *right)
 {
     *two = false;
@@ -52,6 +53,7 @@ static mus_status find_legs(mus__slicer *upright, double y, bool *two, mus__loop
 }
 
 
+/* height of the crotch, by bisection, and X of the plane between the legs */
 static mus_status find_crotch(mus__slicer *upright, mus__scan_found *out)
 {
     const double h = out->stature;
@@ -63,7 +65,7 @@ static mus_status find_crotch(mus__slicer *upright, mus__scan_found *out)
         mus_status status = find_legs(upright, low, &two, &left, &right);
         if (status != MUS_OK) return status;
     }
-    if (!two) return mus__fail(upright->context, MUS_ERR_BODY, "mesh: the legs part nowhere below %.2f m", 0.62 * h);
+    if (!two) return mus__fail(upright->context, MUS_ERR_BODY, "mesh: no two legs are found below %.2f m", 0.62 * h);
 
     while (high - low > 1e-4 * h) {
         const double middle = 0.5 * (low + high);
@@ -78,7 +80,7 @@ static mus_status find_crotch(mus__slicer *upright, mus__scan_found *out)
 }
 
 
-/* the narrowest level of the neck; whether there are feet: longer than ankles */
+/* the level of the smallest section of the neck, and the top of the feet, if they are longer than the ankles */
 static mus_status find_ends(mus__slicer *upright, mus__scan_found *out)
 {
     const double h = out->stature;
@@ -100,7 +102,7 @@ static mus_status find_ends(mus__slicer *upright, mus__scan_found *out)
 }
 
 
-/* centroid of a group, and how far its points are from there */
+/* centroid (2) of a group; returns the largest distance of its points from there */
 static double find_spread(const mus__section *section, int32_t group, double *centre)
 {
     double area = 0.0, most = 0.0;
@@ -121,7 +123,7 @@ static double find_spread(const mus__section *section, int32_t group, double *ce
 }
 
 
-/* a slicer along the arm; its front is backwards, as that of a measured body's arm */
+/* a slicer along the arm; its front points backwards, as that of an arm of a body of a tape */
 static mus_status find_slicer(const mus__scan_mesh *mesh, mus__scan_arm *arm, double gap, mus__slicer *out)
 {
     double front[3];
@@ -132,7 +134,7 @@ static mus_status find_slicer(const mus__scan_mesh *mesh, mus__scan_arm *arm, do
 }
 
 
-/* s of the finger tips: the furthest vertex near the axis */
+/* s of the finger tips: of the farthest vertex within 2 spread of the axis */
 static double find_tip(const mus__slicer *along, double spread)
 {
     double tip = 0.0;
@@ -144,7 +146,7 @@ static double find_tip(const mus__slicer *along, double spread)
 }
 
 
-/* the axis through the middles of the sections at two parts of the arm's length */
+/* the axis through the centroids of two sections, near 0.38 and 0.74 of the arm's length. Errors: MUS_ERR_BODY */
 static mus_status find_axis(const mus__scan_mesh *mesh, double h, mus__scan_arm *arm)
 {
     mus_status status = MUS_OK;
@@ -186,7 +188,7 @@ static mus_status find_axis(const mus__scan_mesh *mesh, double h, mus__scan_arm 
 }
 
 
-/* height of a group across the arm's axis */
+/* extent of a group along `up` */
 static double find_tall(const mus__slicer *along, int32_t group, const double *up)
 {
     const double side = mus__dot3(up, along->side), front = mus__dot3(up, along->front);
@@ -202,15 +204,15 @@ static double find_tall(const mus__slicer *along, int32_t group, const double *u
 }
 
 
-/* what is known of an arm's sections on the way up to the shoulder */
+/* the sections of an arm so far, on the way up to the shoulder */
 typedef struct find_way {
-    double spread, last; /* most, and that of the last section */
-    double tall;         /* least height across the axis so far */
-    bool level;          /* a level arm's plane meets the flank little by little: the height tells */
+    double spread, last; /* most distance of points from the centroid, and that of the last section [m] */
+    double tall;         /* least height of a section so far [m] */
+    bool horizontal;     /* the arm is horizontal: its end is found by the height */
 } find_way;
 
 
-/* is the section at s the arm's alone? */
+/* whether the section at s belongs to the arm alone, in *alone */
 static mus_status find_alone(mus__slicer *along, const mus__scan_arm *arm, double s, find_way *way, bool *alone)
 {
     double centre[2];
@@ -219,7 +221,7 @@ static mus_status find_alone(mus__slicer *along, const mus__scan_arm *arm, doubl
     *alone = false;
     if (status != MUS_OK || group < 0) return status;
     const double now = find_spread(&along->section, group, centre), tall = find_tall(along, group, arm->up);
-    *alone = now <= fmin(way->spread, 1.4 * way->last) && !(way->level && tall > FIND_TALL * way->tall);
+    *alone = now <= fmin(way->spread, 1.4 * way->last) && !(way->horizontal && tall > FIND_TALL * way->tall);
     if (!*alone) return status;
     way->last = fmax(now, 0.6 * way->last);
     way->tall = fmin(way->tall, tall);
@@ -227,7 +229,7 @@ static mus_status find_alone(mus__slicer *along, const mus__scan_arm *arm, doubl
 }
 
 
-/* where the arm leaves the torso, the armpit, and the wall through it */
+/* the root of the arm, the armpit, and the wall through it */
 static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
 {
     const double step = FIND_STEP * h / 1.7, spread = 1.6 * FIND_SPREAD * h;
@@ -236,7 +238,7 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
     mus_status status = MUS_OK;
     arm->up[0] = -arm->axis[1] * arm->side, arm->up[1] = arm->axis[0] * arm->side, arm->up[2] = 0.0;
     mus__unit3(arm->up);
-    find_way way = {spread, spread, INFINITY, arm->axis[1] > -MUS__SCAN_LEVEL};
+    find_way way = {spread, spread, INFINITY, arm->axis[1] > -MUS__SCAN_HORIZONTAL};
     for (low = high; status == MUS_OK && alone && low > -0.1 * h; low = alone ? low - step : low) {
         status = find_alone(along, arm, low, &way, &alone);
         if (alone) high = low;
@@ -251,7 +253,7 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
     if (status != MUS_OK) return status;
     arm->root = high;
 
-    /* lowest point of that section, in the frontal plane across the axis */
+    /* the point of that section that is lowest along `up` */
     const int32_t group = mus__section_near(&along->section, spread);
     const double *up = arm->up;
     double least = INFINITY;
@@ -272,7 +274,7 @@ static mus_status find_armpit(mus__slicer *along, double h, mus__scan_arm *arm)
 }
 
 
-/* the narrowest section of the forearm, as a tape lies */
+/* the wrist: the section of the forearm whose hull has the least perimeter */
 static mus_status find_wrist(mus__slicer *along, double h, mus__scan_arm *arm)
 {
     double least = INFINITY;
@@ -294,6 +296,7 @@ static mus_status find_wrist(mus__slicer *along, double h, mus__scan_arm *arm)
 }
 
 
+/* find one arm: whether there is one, its axis, tip, root, armpit and wrist */
 static mus_status find_arm(const mus__scan_mesh *mesh, mus__slicer *upright, mus__scan_found *out, mus__scan_arm *arm)
 {
     const double h = out->stature;
@@ -309,7 +312,7 @@ static mus_status find_arm(const mus__scan_mesh *mesh, mus__slicer *upright, mus
     arm->there = arm->side * tip[0] > (arm->side > 0.0 ? box[1] : -box[0]) + 0.08 * h;
     if (!arm->there) return MUS_OK;
 
-    /* guess: from the shoulder to the tip */
+    /* guess of the axis: from the shoulder to the outermost vertex */
     status = mus__slice(upright, 0.79 * h, "the chest");
     if (status != MUS_OK) return status;
     const double back = section->loops > 0 ? -section->loop[0].centre[1] : 0.0;

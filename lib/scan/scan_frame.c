@@ -1,11 +1,12 @@
 /*
- * scan_frame.c: which way a mesh stands, how large its unit is, and the way into the body's frame.
+ * scan_frame.c: up, front and unit of a mesh, and the transformation into the body's frame.
  *
- * Up: of the mesh's six directions the one along which the lower third is two legs (two loops of like size) and the
- * top a single head. Front: the long axis of the mesh seen from above is left to right, since arms are spread; to 6
- * degrees it is the axis of the file that it is near; toes are before ankles. Unit: that of metre, centimetre,
- * millimetre and inch which makes the height one of a person, 0.4 to 2.3 m. Two that would do, as for 60 units (0.60 m
- * or 1.52 m), are refused: only the caller knows.
+ * Up: the one of the mesh's six axis directions along which the lower third has two legs (two loops of similar area)
+ *     and
+ * the top one head. Front: seen from above the longest extent of the mesh is from left to right, since the arms are
+ * spread; a direction within 6 degrees of an axis of the mesh is set to that axis; toes lie before ankles. Unit: the
+ * one of metre, centimetre, millimetre and inch that makes the height 0.4 to 2.3 m, that of a person. Where two are
+ * possible (60 units are 0.60 m or 1.52 m) the caller must say which.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -14,14 +15,14 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define FRAME_LEGS 8     /* sections of the legs, from 0.10 of the height */
-#define FRAME_HEADS 5    /* and of the head, from 0.86 */
-#define FRAME_UP 10      /* of them as they should be: a person */
-#define FRAME_SNAP 6.0   /* degrees to an axis of the file that are taken for it */
-#define FRAME_TOES 0.006 /* parts of the height that toes are before ankles, at least */
+#define FRAME_LEGS 8     /* sections of the legs, from 0.10 of the height up; chosen */
+#define FRAME_HEADS 5    /* sections of the head, from 0.86 of the height up; chosen */
+#define FRAME_UP 10      /* least number of these sections that look as they should, for up to be found; chosen */
+#define FRAME_SNAP 6.0   /* [degrees] a direction this near to an axis of the mesh is set to it; chosen */
+#define FRAME_TOES 0.006 /* least distance of toes before ankles, in parts of the height; chosen */
 
 
-/* the k-th axis of the file, up or down, as a slicer of the whole mesh */
+/* a slicer of the whole mesh along axis `up`, 1 to 3, or against it, -1 to -3 */
 static mus_status frame_slicer(const mus__scan_mesh *mesh, int32_t up, mus__slicer *out)
 {
     const double origin[3] = {0.0, 0.0, 0.0};
@@ -33,7 +34,7 @@ static mus_status frame_slicer(const mus__scan_mesh *mesh, int32_t up, mus__slic
 }
 
 
-/* sections that are as a person's upright along this slicer: two legs below, one head above */
+/* number of sections with two legs below, and with one head above, as of a person upright along this slicer */
 static mus_status frame_count(mus__slicer *slicer, int32_t *legs, int32_t *heads)
 {
     const double height = slicer->high - slicer->low;
@@ -54,6 +55,7 @@ static mus_status frame_count(mus__slicer *slicer, int32_t *legs, int32_t *heads
 }
 
 
+/* the axis that points up, unless *up says it; *legs: two legs are found along it. Errors: MUS_ERR_BODY */
 static mus_status frame_up(const mus__scan_mesh *mesh, int32_t *up, bool *legs)
 {
     int32_t best = 0, second = 0, found = 0, own = 0;
@@ -76,14 +78,13 @@ static mus_status frame_up(const mus__scan_mesh *mesh, int32_t *up, bool *legs)
     if (best >= FRAME_UP && best >= second + 3) return MUS_OK;
     return mus__fail(
         mesh->context, MUS_ERR_BODY,
-        "mesh: which way is up cannot be told: along no axis are there two legs below and a head above (%d of "
-        "%d sections); say up",
+        "mesh: up cannot be found: along no axis are two legs below and a head above (%d of %d sections); set up",
         (int)best, FRAME_LEGS + FRAME_HEADS);
 }
 
 
-/* direction of the long axis of the mesh seen from above, in the slicer's (side, front): 0..pi. That of the moments of
- * its surface, [aa, ab, bb] */
+/* direction of the longest extent of the mesh seen from above, as an angle in the slicer's (side, front), 0 to pi
+ * [rad]: the principal axis of the second moments [aa, ab, bb] of its surface */
 static double frame_lateral(const mus__slicer *slicer)
 {
     const mus__scan_mesh *mesh = slicer->mesh;
@@ -112,7 +113,7 @@ static double frame_lateral(const mus__slicer *slicer)
 }
 
 
-/* centroid of all that a section has */
+/* centroid (2) of all loops of the section at s */
 static mus_status frame_centre(mus__slicer *slicer, double s, double *out)
 {
     const mus__section *section = &slicer->section;
@@ -128,7 +129,9 @@ static mus_status frame_centre(mus__slicer *slicer, double s, double *out)
 }
 
 
-/* the front of a person in (side, front) of the slicer: square to left and right, where the toes are */
+/* the unit direction (2) that a person faces, in the slicer's (side, front): square to left and right, towards the
+ * toes.
+ * Errors: MUS_ERR_BODY */
 static mus_status frame_front(mus__slicer *slicer, double *front)
 {
     double angle = frame_lateral(slicer), ahead = 0.0;
@@ -148,13 +151,13 @@ static mus_status frame_front(mus__slicer *slicer, double *front)
     }
     if (!(fabs(ahead) >= FRAME_TOES * height))
         return mus__fail(slicer->context, MUS_ERR_BODY,
-                         "mesh: which way is front cannot be told: the feet reach no further to one side; say front");
+                         "mesh: front cannot be found: the feet do not reach farther to one side; set front");
     if (ahead < 0.0) front[0] = -front[0], front[1] = -front[1];
     return MUS_OK;
 }
 
 
-/* rows of the body's frame in the axes of the mesh */
+/* rows of the body's frame (3 x 3) in the axes of the mesh */
 static mus_status frame_axes(mus__slicer *slicer, const mus_scan_def *def, int32_t up, bool legs, double *frame)
 {
     double *left = frame, *y = frame + 3, *z = frame + 6, front[2];
@@ -166,7 +169,7 @@ static mus_status frame_axes(mus__slicer *slicer, const mus_scan_def *def, int32
                              (int)up);
         z[abs(def->front) - 1] = def->front < 0 ? -1.0 : 1.0;
     } else if (!legs) {
-        /* a form faces z, or -y where z is up, as drawing programs have it */
+        /* a form faces z, or -y where z is up, which is the habit of modelling programs */
         if (abs(up) == MUS_SCAN_Z)
             z[1] = up < 0 ? 1.0 : -1.0;
         else
@@ -181,6 +184,7 @@ static mus_status frame_axes(mus__slicer *slicer, const mus_scan_def *def, int32
 }
 
 
+/* the unit [m] that makes `height` units the height of a person. Errors: MUS_ERR_BODY */
 static mus_status frame_unit(mus_context *context, double height, double *unit)
 {
     static const struct {
@@ -201,13 +205,14 @@ static mus_status frame_unit(mus_context *context, double height, double *unit)
     }
     if (count == 0)
         return mus__fail(context, MUS_ERR_BODY,
-                         "mesh: a height of %g is a person's in none of m, cm, mm and inch; say unit", height);
-    return mus__fail(context, MUS_ERR_BODY, "mesh: a height of %g may be %.2f m (%s) or %.2f m (%s); say unit", height,
+                         "mesh: a height of %g is that of a person in none of m, cm, mm and inch; set unit", height);
+    return mus__fail(context, MUS_ERR_BODY, "mesh: a height of %g may be %.2f m (%s) or %.2f m (%s); set unit", height,
                      height * size[0], name[0], height * size[1], name[1]);
 }
 
 
-/* into the body's frame: the floor at Y = 0, the middle of the trunk between hip and waist at X = Z = 0 */
+/* move the mesh into the body's frame: the floor at Y = 0, the middle of the trunk between hip and waist at X = Z =
+ * 0 */
 static mus_status frame_place(mus__slicer *slicer, mus__scan_mesh *mesh, mus_scan_report *report)
 {
     const double height = slicer->high - slicer->low, *frame = report->frame;
@@ -247,7 +252,7 @@ mus_status mus__scan_frame(mus__scan_mesh *mesh, const mus_scan_def *def, mus_sc
         report->stature = report->unit * (slicer.high - slicer.low);
         if (!(report->stature >= 0.02 && report->stature <= 20.0))
             status = mus__fail(mesh->context, MUS_ERR_BODY,
-                               "mesh: it is %g m high, expected 0.02 to 20 m; is unit %g right?", report->stature,
+                               "mesh: the height is %g m, expected 0.02 to 20 m; is unit %g right?", report->stature,
                                report->unit);
     }
     if (status == MUS_OK) status = frame_place(&slicer, mesh, report);

@@ -1,13 +1,13 @@
 /*
- * scan_joint.c: the joints of a scanned body, found from its limbs' contours.
+ * scan_joint.c: the joints of a scanned body, found from the contours of its limbs.
  *
- * A limb is thin beside a joint and thick beyond: the upper arm is thinnest just above the elbow, whose bones and the
- * forearm's muscles follow; the leg is thinnest below the knee, before the calf; the forearm above the hand. Of each
- * the narrowest contour is taken that has thicker ones on both sides, or a fraction of the limb's length where there is
- * none. The shoulder joint lies on the arm's axis (scan_limb.c). The lumbar joint is at the waist, the narrowest level,
- * the neck's a little below the narrowest of the neck; hips and ankles as of a body of a tape.
+ * A limb is narrow beside a joint: the upper arm just above the elbow, before the bones of the elbow and the muscles of
+ * the forearm; the leg below the knee, before the calf; the forearm above the hand. The narrowest contour of a range is
+ * taken, if it is not the first or the last one; else the joint is at a fraction of the limb's length. The shoulder
+ * joint lies on the arm's axis (scan_limb.c), the lumbar joint at the waist, the neck joint below the narrowest contour
+ * of the neck; hips and ankles are placed as those of a body of a tape.
  *
- * The pose that a scan stands in is its rest pose: arms at the angle of their axes, all other angles 0.
+ * The pose of the scan is the rest pose of the body: arms at the angle of their axes, all other angles 0.
  */
 #include <math.h>
 #include <string.h>
@@ -15,16 +15,17 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define JOINT_ELBOW 0.012      /* beyond the narrowest of the upper arm, in parts of the stature */
-#define JOINT_ELBOW_PART 0.55  /* of the arm from shoulder to wrist, where it has no narrowest */
-#define JOINT_KNEE 0.015       /* above the narrowest below it, in parts of the stature */
-#define JOINT_KNEE_PART 0.585  /* of the height of the crotch, where the leg has no narrowest */
-#define JOINT_NECK 0.02        /* below the narrowest of the neck, in parts of the stature */
-#define JOINT_WAIST 0.62       /* of the stature, where the torso has no narrowest */
-#define JOINT_ANKLE 0.045      /* of the stature, of legs without feet */
+/* chosen */
+#define JOINT_ELBOW 0.012     /* elbow beyond the narrowest contour of the upper arm, in parts of the stature */
+#define JOINT_ELBOW_PART 0.55 /* elbow of an arm without one, in parts of shoulder to wrist */
+#define JOINT_KNEE 0.015      /* knee above the narrowest contour below it, in parts of the stature */
+#define JOINT_KNEE_PART 0.585 /* knee of a leg without one, in parts of the height of the crotch */
+#define JOINT_NECK 0.02       /* neck joint below the narrowest contour of the neck, in parts of the stature */
+#define JOINT_WAIST 0.62      /* waist of a torso without a narrowest contour, in parts of the stature */
+#define JOINT_ANKLE 0.045     /* ankle of a leg without a foot, in parts of the stature */
 
 
-/* radius of a circle as large as contour i */
+/* radius of the circle of the area of contour i [m] */
 static double joint_radius(const mus_limb *limb, int32_t i)
 {
     double centre[2];
@@ -33,7 +34,7 @@ static double joint_radius(const mus_limb *limb, int32_t i)
 }
 
 
-/* s of the narrowest contour between low and high, if it is not the first or the last of them; else `other` */
+/* s of the narrowest contour between low and high [m]; `other`, where that is the first or the last of them */
 static double joint_narrowest(const mus_limb *limb, double low, double high, double other)
 {
     int32_t first = limb->contours, last = -1, best = -1;
@@ -50,6 +51,7 @@ static double joint_narrowest(const mus_limb *limb, double low, double high, dou
 }
 
 
+/* joints of an arm, and its part of the skeleton */
 static void joint_arm(const mus__scan_found *found, const mus_limb *limb, double shoulder, int r, mus__bones *out)
 {
     const mus__scan_arm *arm = &found->arm[r];
@@ -66,6 +68,7 @@ static void joint_arm(const mus__scan_found *found, const mus_limb *limb, double
 }
 
 
+/* joints of a leg; foot: NULL, it has none */
 static void joint_leg(const mus__scan_found *found, const mus_limb *leg, const mus_limb *foot, int r, mus__bones *out)
 {
     const double h = found->stature;

@@ -1,13 +1,13 @@
 /*
- * scan_limb.c: each limb cut into outlines.
+ * scan_limb.c: cuts each limb of the mesh into outlines.
  *
- * The body is the union of its limbs, and each limb is the mesh between some planes: the torso inside the walls of both
- * arms and above the crotch, an arm beyond its wall, a leg on its side of the middle and below the crotch, a foot below
- * its top. Each reaches a little into its neighbour, so the union is the mesh wherever sections are star-shaped. A
- * section that is several loops (fingers, toes) is taken by its hull: a mitten.
+ * The body is the union of its limbs, and each limb is the mesh between planes: the torso inside the walls of both arms
+ * and above the crotch, an arm beyond its wall, a leg on its side of the middle plane and below the crotch, a foot
+ * below its top. Each limb reaches into its neighbour, so that the union is the mesh wherever sections are star-shaped.
+ * A section of several loops (fingers, toes) is replaced by its hull, as of a mitten.
  *
- * Contours are `spacing` apart, or so far that 128 of them do; they come closer to the ends, which close at the mesh's
- * own ends.
+ * The distance of contours is `spacing`, or larger so that at most 128 are needed; they are closer near the ends of the
+ * mesh.
  */
 #include <math.h>
 #include <string.h>
@@ -16,39 +16,39 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define LIMB_FLAT 0.03      /* parts of the spacing that the last contour is from a flat end */
-#define LIMB_CAP 0.004      /* where a limb ends within another one [m] */
-#define LIMB_LAP 0.06       /* an arm reaches so far behind its wall [m], for 1.7 m */
-#define LIMB_LEG_UP 0.06    /* a leg above the crotch, in parts of the stature */
-#define LIMB_LEG_DOWN 0.030 /* and down to here, where a foot has its shape */
-#define LIMB_ROUND_UP 0.011 /* the torso is rounded off so far above the crotch, in parts of the stature, */
-#define LIMB_ROUND 0.02     /* by so much [m] */
-#define LIMB_SHOULDER 1.1   /* the shoulder joint above the armpit, in parts of the radius of the arm there */
-#define LIMB_BARE 0.03      /* and up while it has something further out than this behind the wall */
-#define LIMB_UNDER 0.0015   /* a leg's upper end goes so far under the torso's skin [m] */
+#define LIMB_FLAT 0.03      /* distance of the last contour from a flat end, in parts of the spacing; chosen */
+#define LIMB_CAP 0.004      /* [m] cap of a limb that ends within another one; chosen */
+#define LIMB_LAP 0.06       /* [m] an arm reaches so far behind its wall, for a stature of 1.7 m; chosen */
+#define LIMB_LEG_UP 0.06    /* top of a leg above the crotch, in parts of the stature; chosen */
+#define LIMB_LEG_DOWN 0.030 /* bottom of a leg that has a foot, in parts of the stature; chosen */
+#define LIMB_ROUND_UP 0.011 /* the torso is rounded up to so far above the crotch, in parts of the stature, */
+#define LIMB_ROUND 0.02     /* [m] by at most this; chosen: no edge where a leg is lifted */
+#define LIMB_SHOULDER 1.1   /* shoulder joint above the armpit, in parts of the radius of the arm there; chosen */
+#define LIMB_BARE 0.03      /* [m] an arm begins where it has a part farther out than this behind its wall; chosen */
+#define LIMB_UNDER 0.0015   /* [m] the upper end of a leg lies so far under the torso's skin; chosen */
 
 static const char *const limb_names[MUS__SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
                                                        "leg_right", "foot_left", "foot_right"};
 
-/* a limb while it is cut */
+/* the state while a limb is cut */
 typedef struct limb_cut {
     mus_context *context;
     const mus_scan_def *def;
     const mus__scan_found *found;
     mus__slicer *slicer;
     mus__scan_limbs *limbs;
-    int32_t which, index; /* what it is, and its number among the limbs */
+    int32_t which, index; /* MUS__LIMB_*, and its index among the limbs */
     const mus__scan_arm *arm;
     double side;
     mus__section piece;
 } limb_cut;
 
 
-/* the part of the section at s that is this limb's, into cut->piece */
+/* the part of the section at s that belongs to a limb, into cut->piece */
 typedef mus_status limb_part(limb_cut *cut, double s);
 
 
-/* the group of the largest loop on one side; 0: of all */
+/* group of the largest loop on one side of the middle plane; side 0: of all loops */
 static int32_t limb_largest(const mus__section *section, double side, double middle)
 {
     for (int32_t j = 0; j < section->loops; j++)
@@ -57,7 +57,8 @@ static int32_t limb_largest(const mus__section *section, double side, double mid
 }
 
 
-/* within the walls of the arms above the armpits, and below them within an upright wall, where folds reach down */
+/* torso: inside the walls of the arms above the armpits, and inside a vertical wall just below them, where folds reach
+ * down */
 static mus_status limb_torso(limb_cut *cut, double s)
 {
     const mus__scan_found *found = cut->found;
@@ -78,7 +79,7 @@ static mus_status limb_torso(limb_cut *cut, double s)
 }
 
 
-/* on its side of the middle: cut there above the crotch; below, thighs that touch stay whole */
+/* leg: on its side of the middle plane; cut there above the crotch, while thighs that touch below it stay whole */
 static mus_status limb_leg(limb_cut *cut, double s)
 {
     const mus__scan_found *found = cut->found;
@@ -96,7 +97,7 @@ static mus_status limb_leg(limb_cut *cut, double s)
 }
 
 
-/* several groups become their hull */
+/* replace several groups by their hull */
 static mus_status limb_mitten(limb_cut *cut)
 {
     bool several = false;
@@ -106,7 +107,7 @@ static mus_status limb_mitten(limb_cut *cut)
 }
 
 
-/* below its top, on its side */
+/* foot: below its top, on its side of the middle plane */
 static mus_status limb_foot(limb_cut *cut, double s)
 {
     (void)s;
@@ -116,7 +117,7 @@ static mus_status limb_foot(limb_cut *cut, double s)
 }
 
 
-/* of the pieces stay those that are near the axis, or of these the group that is nearest alone */
+/* keep the loops within `spread` of the axis: all of them, or those of the nearest group */
 static void limb_near(mus__section *piece, double spread, bool all)
 {
     const int32_t nearest = mus__section_near(piece, spread);
@@ -129,8 +130,8 @@ static void limb_near(mus__section *piece, double spread, bool all)
 }
 
 
-/* beyond the wall moved by `lap` inwards; before the root above the line of the arm's underside, which goes on into the
- * torso. Fingers together */
+/* arm: beyond its wall, which is moved inwards by `lap` [m]; before the root also above the line of the arm's underside
+ * continued into the torso. Fingers are replaced by their hull */
 static mus_status limb_arm_beyond(limb_cut *cut, double s, double lap)
 {
     const mus__scan_arm *arm = cut->arm;
@@ -151,13 +152,14 @@ static mus_status limb_arm_beyond(limb_cut *cut, double s, double lap)
 }
 
 
+/* arm at s, for limb_stack() */
 static mus_status limb_arm(limb_cut *cut, double s)
 {
     return limb_arm_beyond(cut, s, s > cut->arm->root ? 1.0 : LIMB_LAP * cut->found->stature / 1.7);
 }
 
 
-/* where a limb lies within its neighbour its skin goes under the other's, so that the two do not fight for it */
+/* shrink the outline of a limb within its neighbour, so that its skin lies under the neighbour's and not on it */
 static void limb_under(const limb_cut *cut, double s, int32_t corners, const double *centre, double *outline)
 {
     const mus__scan_found *found = cut->found;
@@ -166,7 +168,7 @@ static void limb_under(const limb_cut *cut, double s, int32_t corners, const dou
     double under = 0.0;
     if (leg && up > 0.0) under = LIMB_UNDER * up / LIMB_LEG_UP;
 
-    /* the torso's end between the legs is round, so that it has no edge where a leg is lifted */
+    /* the end of the torso between the legs is rounded, so that a lifted leg uncovers no edge */
     if (cut->which == MUS__LIMB_TORSO && up < LIMB_ROUND_UP) {
         const double v = 1.0 - fmax(up, 0.0) / LIMB_ROUND_UP;
         under = LIMB_ROUND * (1.0 - sqrt(1.0 - v * v));
@@ -179,7 +181,7 @@ static void limb_under(const limb_cut *cut, double s, int32_t corners, const dou
 }
 
 
-/* one contour at s, unless there is nothing of the limb */
+/* append the contour at s, if the limb has a section there */
 static mus_status limb_contour(limb_cut *cut, limb_part *part, double s)
 {
     const int32_t corners = cut->def->corners;
@@ -192,7 +194,7 @@ static mus_status limb_contour(limb_cut *cut, limb_part *part, double s)
 
     bool made = mus__star(&cut->piece, corners, row + 1, outline, &fill);
     if (!made) {
-        /* the centroid is outside: a crescent, closed by its hull */
+        /* the centroid of a crescent lies outside: it is replaced by its hull */
         status = mus__section_hull(cut->context, &cut->piece);
         if (status != MUS_OK) return status;
         made = mus__star(&cut->piece, corners, row + 1, outline, &fill);
@@ -208,7 +210,7 @@ static mus_status limb_contour(limb_cut *cut, limb_part *part, double s)
 }
 
 
-/* is the end at s flat: the section hardly smaller there than further in? */
+/* whether the end at s is flat: its section is more than 0.8 of one further in */
 static mus_status limb_flat(limb_cut *cut, limb_part *part, double s, double spacing, bool *flat)
 {
     double area[2] = {0.0, 0.0};
@@ -224,8 +226,8 @@ static mus_status limb_flat(limb_cut *cut, limb_part *part, double s, double spa
 }
 
 
-/* places of contours: near the bare ends, where a round end turns fast, and at whole multiples of the spacing between.
- * Returns their number */
+/* places s of contours from low to high [m]: closer near bare ends, where a round end curves, and at multiples of the
+ * spacing between; returns their number */
 static int32_t limb_places(double low, double high, double spacing, const bool *bare, const bool *flat, double *out)
 {
     static const double near[] = {0.15, 0.40, 0.80};
@@ -245,7 +247,7 @@ static int32_t limb_places(double low, double high, double spacing, const bool *
 }
 
 
-/* contours from low to high; a bare end is the mesh's own */
+/* contours of a limb from low to high [m]; a bare end is an end of the mesh, any other lies in a neighbour */
 static mus_status limb_stack(limb_cut *cut, limb_part *part, double low, double high, bool bare_low, bool bare_high)
 {
     mus_limb *limb = &cut->limbs->limb[cut->index];
@@ -277,6 +279,7 @@ static mus_status limb_stack(limb_cut *cut, limb_part *part, double low, double 
 }
 
 
+/* arrays for the contours of a limb MUS__LIMB_* */
 static mus_status limb_room(limb_cut *cut, int32_t which)
 {
     mus__scan_limbs *limbs = cut->limbs;
@@ -293,7 +296,7 @@ static mus_status limb_room(limb_cut *cut, int32_t which)
 }
 
 
-/* s from which on the arm has something outside the torso */
+/* s [m] from which on the arm has a part outside the torso */
 static mus_status limb_arm_start(limb_cut *cut, double *start)
 {
     const mus__scan_arm *arm = cut->arm;
@@ -310,9 +313,9 @@ static mus_status limb_arm_start(limb_cut *cut, double *start)
 }
 
 
-/* the shoulder joint: above the armpit, on the arm's axis; of a level arm at the armpit's own section, of one that
- * hangs by as much before it as the joint lies higher. Within 1 cm of where our own body has it in a T-pose; where an
- * arm is bent, as those of the mean bodies of GarmentCode, the axis of all of it passes 4 to 5 cm below */
+/* s of the shoulder joint on the arm's axis [m]: of a horizontal arm at the section of the armpit, of a hanging arm
+ * before it by the height of the joint above the armpit. For a body of a tape in a T-pose it is right to 1 cm; the axis
+ * of bent arms, such as those of GarmentCode's mean bodies, passes 4 to 5 cm below the joint */
 static mus_status limb_shoulder(limb_cut *cut, double *shoulder)
 {
     const double s = cut->arm->root + 0.1 * cut->def->spacing;
@@ -326,6 +329,7 @@ static mus_status limb_shoulder(limb_cut *cut, double *shoulder)
 }
 
 
+/* cut arm i, 0 left, 1 right */
 static mus_status limb_cut_arm(limb_cut *cut, const mus__scan_mesh *mesh, int i, mus_scan_report *report)
 {
     mus__slicer along;
@@ -346,7 +350,7 @@ static mus_status limb_cut_arm(limb_cut *cut, const mus__scan_mesh *mesh, int i,
 }
 
 
-/* from heel to toe: the mesh's own ends below the foot's top */
+/* cut both feet from heel to toe, which are the ends of the mesh below the top of the foot */
 static mus_status limb_cut_feet(limb_cut *cut, const mus__scan_mesh *mesh, mus_scan_report *report)
 {
     const double origin[3] = {0.0, 0.0, 0.0}, axis[3] = {0.0, 0.0, 1.0}, side[3] = {1.0, 0.0, 0.0};
@@ -372,6 +376,7 @@ static mus_status limb_cut_feet(limb_cut *cut, const mus__scan_mesh *mesh, mus_s
 }
 
 
+/* cut all limbs that the mesh has */
 static mus_status limb_cut_all(limb_cut *cut, const mus__scan_mesh *mesh, mus__slicer *upright, mus_scan_report *report)
 {
     const mus__scan_found *found = cut->found;

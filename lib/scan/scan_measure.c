@@ -1,12 +1,14 @@
 /*
- * scan_measure.c: the girths of a scanned body, from its contours, as a tape lies.
+ * scan_measure.c: the girths of a scanned body as a tape lies, from its contours.
  *
- * Bust: of the levels between waist and armpits where the chest reaches as far forward as anywhere, to 4 mm, the
- * fullest: that of the bust points. Waist: the narrowest level between 0.57 and 0.70 of the stature. Hip: the fullest
- * level between crotch and waist. Thigh: the fullest that is 1.5 cm (for 1.7 m) below the crotch or lower; nearer to it
- * sections flare into the other leg, where no tape lies. Wrist: the narrowest of the forearm. Limbs are the right ones,
- * as people are measured, or the left where there is no right one. A form without legs has bust, waist and hip as its
- * fullest level above, its narrowest, and its fullest below the middle third.
+ * Bust: between waist and armpits, the largest girth of the levels where the chest is at most 4 mm behind its foremost
+ * point. Waist: the smallest girth between 0.57 and 0.70 of the stature. Hip: the largest girth between crotch and
+ * waist.
+ * Thigh: the largest girth at least 1.5 cm (for 1.7 m) below the crotch; nearer to it sections widen into the other
+ *        leg,
+ * where no tape lies. Wrist: the smallest girth of the forearm. Limbs are the right ones, as people are measured, or
+ * the left where there is no right one. Bust, waist and hip of a form without legs are its largest girth above, its
+ * smallest girth in, and its largest girth below the middle third.
  */
 #include <math.h>
 #include <string.h>
@@ -15,17 +17,20 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define MEASURE_SAMPLES 192
-#define MEASURE_THIGH (0.015 / 1.7) /* below the crotch, in parts of the stature */
-#define MEASURE_CHEST 0.735         /* a chest reaches up to here where arms are level, in parts of the stature */
-#define MEASURE_FLAT (0.004 / 1.7)  /* fronts that differ by less are equally far forward */
+#define MEASURE_SAMPLES 192         /* samples of a contour; 192 equal angles: 0.05 mm on a girth of 1 m */
+#define MEASURE_THIGH (0.015 / 1.7) /* thigh below the crotch, in parts of the stature; chosen */
+#define MEASURE_CHEST 0.735         /* top of the chest beside a horizontal arm, in parts of the stature; chosen */
+#define MEASURE_FLAT (0.004 / 1.7)  /* fronts that differ by less are equally far forwards, in parts of the stature;
+                                       chosen */
 
+/* of each contour of a limb: place on the axis, girth, Z of its foremost point [m] */
 typedef struct measure_rows {
     int32_t count;
     double s[MUS__SCAN_CONTOURS], tape[MUS__SCAN_CONTOURS], ahead[MUS__SCAN_CONTOURS];
 } measure_rows;
 
 
+/* index of a limb by name; -1: none */
 static int32_t measure_limb(const mus_body *body, const char *name)
 {
     for (int32_t l = 0; l < mus_body_limb_count(body); l++)
@@ -34,7 +39,7 @@ static int32_t measure_limb(const mus_body *body, const char *name)
 }
 
 
-/* the right one, or the left */
+/* the right limb, or the left one where there is no right one; -1: neither */
 static int32_t measure_side(const mus_body *body, const char *right, const char *left)
 {
     const int32_t l = measure_limb(body, right);
@@ -42,7 +47,7 @@ static int32_t measure_side(const mus_body *body, const char *right, const char 
 }
 
 
-/* place along the axis, tape and foremost Z of each contour of a limb */
+/* measure all contours of limb l of the body */
 static mus_status measure_contours(const mus_body *body, const mus_limb *limb, int32_t l, measure_rows *out)
 {
     double point[3 * MEASURE_SAMPLES], xy[2 * MEASURE_SAMPLES], front[3];
@@ -65,7 +70,7 @@ static mus_status measure_contours(const mus_body *body, const mus_limb *limb, i
 }
 
 
-/* the contour between low and high whose value, times sign, is largest; -1: none is there */
+/* the contour between low and high [m] whose value times sign is largest; -1: there is none */
 static int32_t measure_most(const measure_rows *rows, const double *value, double sign, double low, double high)
 {
     int32_t best = -1;
@@ -75,8 +80,8 @@ static int32_t measure_most(const measure_rows *rows, const double *value, doubl
 }
 
 
-/* of the contours between low and high that reach forwards as far as the foremost, to `flat`, the fullest: the front of
- * a flat chest says little about its level */
+/* the contour between low and high with the largest girth of those whose front is at most `flat` [m] behind the
+ * foremost: the front of a flat chest alone does not tell the bust level */
 static int32_t measure_bust(const measure_rows *rows, double low, double high, double flat)
 {
     const int32_t front = measure_most(rows, rows->ahead, 1.0, low, high);
@@ -89,6 +94,7 @@ static int32_t measure_bust(const measure_rows *rows, double low, double high, d
 }
 
 
+/* girth and height of contour i, into the report */
 static void measure_note(mus_scan_report *report, int32_t girth, const measure_rows *rows, int32_t i)
 {
     if (i < 0) return;
@@ -97,7 +103,7 @@ static void measure_note(mus_scan_report *report, int32_t girth, const measure_r
 }
 
 
-/* the fullest at `high` or below it; at `high` itself between the contours beside it */
+/* the largest girth at `high` [m] or below, into the report; at `high` itself linear between two contours */
 static void measure_below(mus_scan_report *report, int32_t girth, const measure_rows *rows, double high)
 {
     const int32_t best = measure_most(rows, rows->tape, 1.0, 0.0, high);
@@ -113,15 +119,16 @@ static void measure_below(mus_scan_report *report, int32_t girth, const measure_
 }
 
 
-/* how high the chest's own sections reach beside an arm. One that is level leaves the torso along its whole flank, with
- * an upright wall: below the armpit there is nothing of it */
+/* height [m] up to which sections are those of the chest beside an arm. A horizontal arm leaves the torso along its
+ * whole flank, with a vertical wall, so that its armpit is lower than the chest */
 static double measure_armpit(const mus__scan_arm *arm, double h)
 {
     const double armpit = arm->armpit[1];
-    return arm->axis[1] > -MUS__SCAN_LEVEL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
+    return arm->axis[1] > -MUS__SCAN_HORIZONTAL ? fmax(armpit, MEASURE_CHEST * h) : armpit;
 }
 
 
+/* bust, waist and hip, into the report */
 static void measure_torso(const measure_rows *rows, const mus__scan_found *found, mus_scan_report *report)
 {
     const double h = found->stature;

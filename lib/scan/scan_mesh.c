@@ -1,10 +1,10 @@
 /*
- * scan_mesh.c: a caller's triangles checked and welded: what the cutting planes walk on.
+ * scan_mesh.c: checks and welds the caller's triangles for the sections.
  *
- * Files repeat vertices (seams of textures, triangle soup), so vertices whose places agree to a ten-millionth of the
- * mesh's size become one; triangles that lose a corner by that, and those that are there twice, are left out. Edges are
- * numbered through all triangles, so that a section goes from triangle to triangle by the edge it crosses. Which way
- * triangles wind is not asked.
+ * Files repeat vertices (at seams of textures, or for every triangle), so vertices whose places agree to 1e-7 of the
+ * mesh's size become one. Triangles that lose a corner by that, and repeated triangles, are left out. Edges are
+ * numbered, so that a section can go from triangle to triangle over the edge that it crosses. The orientation of
+ * triangles is not used.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,11 +12,12 @@
 
 #include "scan/scan_internal.h"
 
-#define WELD_TRIANGLES 16000000 /* more are refused */
-#define WELD_WELD 1e-7          /* of the mesh's size: places that are one */
-#define WELD_LARGEST 1e9        /* of a coordinate, in whatever unit */
+#define WELD_TRIANGLES 16000000 /* most triangles: bounds the memory */
+#define WELD_NEAR 1e-7          /* step of the grid on which equal places are one, in parts of the mesh's size; chosen
+                                   */
+#define WELD_LARGEST 1e9        /* most coordinate, in any unit; chosen */
 
-/* a vertex in the grid of welding */
+/* a vertex in that grid, for sorting */
 typedef struct weld_key {
     int64_t at[3];
     int32_t index;
@@ -32,13 +33,14 @@ static int weld_order(const void *a, const void *b)
 }
 
 
+/* check the caller's arrays. Errors: MUS_ERR_ARG, MUS_ERR_LIMIT */
 static mus_status weld_check(mus_context *context, int32_t nv, const double *x, int32_t nt, const int32_t *triangle)
 {
     if (nv < 4 || nt < 4 || x == NULL || triangle == NULL)
         return mus__fail(context, MUS_ERR_ARG, "mesh: %d vertices and %d triangles, expected 4 or more of each",
                          (int)nv, (int)nt);
     if (nt > WELD_TRIANGLES)
-        return mus__fail(context, MUS_ERR_LIMIT, "mesh: %d triangles, at most %d are taken", (int)nt, WELD_TRIANGLES);
+        return mus__fail(context, MUS_ERR_LIMIT, "mesh: %d triangles, expected at most %d", (int)nt, WELD_TRIANGLES);
     for (int64_t i = 0; i < 3 * (int64_t)nv; i++)
         if (!(fabs(x[i]) <= WELD_LARGEST))
             return mus__fail(context, MUS_ERR_ARG, "mesh: vertex %d has the coordinate %g, expected a number up to %g",
@@ -51,8 +53,8 @@ static mus_status weld_check(mus_context *context, int32_t nv, const double *x, 
 }
 
 
-/* names (nv) gets the new number of each vertex; out->x their places */
-static mus_status weld_weld_vertices(mus_context *context, int32_t nv, const double *x, int32_t *names,
+/* merge equal vertices into out->x; names (nv) gets the new index of each */
+static mus_status weld_vertices(mus_context *context, int32_t nv, const double *x, int32_t *names,
                                      mus__scan_mesh *out)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, size = 0.0;
@@ -62,14 +64,14 @@ static mus_status weld_weld_vertices(mus_context *context, int32_t nv, const dou
             high[i] = fmax(high[i], x[3 * (ptrdiff_t)v + i]);
         }
     for (int i = 0; i < 3; i++) size = fmax(size, high[i] - low[i]);
-    if (!(size > 0.0)) return mus__fail(context, MUS_ERR_BODY, "mesh: all of its vertices are at one place");
+    if (!(size > 0.0)) return mus__fail(context, MUS_ERR_BODY, "mesh: all vertices are at one place");
 
     weld_key *key = mus__new(context, nv, sizeof *key);
     if (key == NULL) return mus__fail_memory(context, "the vertices of a mesh");
     for (int32_t v = 0; v < nv; v++) {
         key[v].index = v;
         for (int i = 0; i < 3; i++)
-            key[v].at[i] = (int64_t)floor((x[3 * (ptrdiff_t)v + i] - low[i]) / (WELD_WELD * size) + 0.5);
+            key[v].at[i] = (int64_t)floor((x[3 * (ptrdiff_t)v + i] - low[i]) / (WELD_NEAR * size) + 0.5);
     }
     qsort(key, (size_t)nv, sizeof *key, weld_order);
     for (int32_t k = 0; k < nv; k++) {
@@ -82,7 +84,7 @@ static mus_status weld_weld_vertices(mus_context *context, int32_t nv, const dou
 }
 
 
-/* number the edges: those of equal lower vertex hang in one list */
+/* number the edges of all triangles, by lists of the edges of each lower vertex */
 static mus_status weld_edges(mus__scan_mesh *mesh)
 {
     const int64_t most = 3 * (int64_t)mesh->triangles;
@@ -113,7 +115,7 @@ static mus_status weld_edges(mus__scan_mesh *mesh)
 }
 
 
-/* three edges in ascending order */
+/* sort three edges */
 static void weld_sorted(const int32_t *edge, int32_t *out)
 {
     memcpy(out, edge, 3 * sizeof *out);
@@ -125,7 +127,7 @@ static void weld_sorted(const int32_t *edge, int32_t *out)
 }
 
 
-/* of triangles with the same edges keep the first; they hang in lists by their lowest edge */
+/* keep the first of all triangles with the same edges, by lists of the triangles of each lowest edge */
 static mus_status weld_drop_doubles(mus__scan_mesh *mesh)
 {
     int32_t *head = mus__new(mesh->context, mesh->edges, sizeof *head);
@@ -157,6 +159,7 @@ static mus_status weld_drop_doubles(mus__scan_mesh *mesh)
 }
 
 
+/* vertices, triangles and edges of the welded mesh */
 static mus_status weld_fill(int32_t nv, const double *x, int32_t nt, const int32_t *triangle, mus__scan_mesh *out)
 {
     int32_t *names = mus__new(out->context, nv, sizeof *names);
@@ -164,7 +167,7 @@ static mus_status weld_fill(int32_t nv, const double *x, int32_t nt, const int32
     out->triangle = mus__new(out->context, 3 * (int64_t)nt, sizeof *out->triangle);
     out->edge = mus__new(out->context, 3 * (int64_t)nt, sizeof *out->edge);
     mus_status status = names != NULL && out->x != NULL && out->triangle != NULL && out->edge != NULL
-                            ? weld_weld_vertices(out->context, nv, x, names, out)
+                            ? weld_vertices(out->context, nv, x, names, out)
                             : mus__fail_memory(out->context, "a mesh");
     for (int32_t t = 0; t < nt && status == MUS_OK; t++) {
         const int32_t *from = triangle + 3 * (ptrdiff_t)t;
@@ -175,8 +178,8 @@ static mus_status weld_fill(int32_t nv, const double *x, int32_t nt, const int32
     }
     mus__free(out->context, names);
     if (status == MUS_OK && out->triangles < 4)
-        status = mus__fail(out->context, MUS_ERR_BODY, "mesh: %d of its %d triangles have an area", (int)out->triangles,
-                           (int)nt);
+        status = mus__fail(out->context, MUS_ERR_BODY, "mesh: only %d of %d triangles have an area, expected 4 or more",
+                           (int)out->triangles, (int)nt);
     if (status == MUS_OK) status = weld_edges(out);
     return status == MUS_OK ? weld_drop_doubles(out) : status;
 }

@@ -1,14 +1,14 @@
 /*
- * scan_outline.c: polygons of sections: cut by lines, their centroid, and the star-shaped outline about it.
+ * scan_outline.c: polygons of sections: centroid, cut by half planes, hull, and the star-shaped outline of a section.
  *
- * The outline has its corners at equal angles from the centroid; each is the last point where the ray meets a loop of
- * the section, so that loops which overlap give their union. A side from p to q is met by the rays between the angles
- * of its ends at
+ * The outline has its corners at equal angles from the centroid; each is the farthest intersection of its ray with the
+ * loops of the section, so that overlapping loops give their union. A side from p to q meets the rays d between the
+ * angles of its ends at
  *
  *     r = (p x q) / (d x (q - p))
  *
- * so all rays are served in one walk round the loops. A ray that meets more than one side of a single loop crosses a
- * hollow which no star-shaped contour can follow; it is closed, and its depth told.
+ * so that one walk round the loops serves all rays. A ray that meets more than one side of a single loop crosses a
+ * hollow that no star-shaped contour can follow; the hollow is closed and its depth reported.
  */
 #include <math.h>
 #include <string.h>
@@ -17,8 +17,8 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define STAR_LEAST 5e-4 /* corners are no nearer to the centre [m] */
-#define STAR_ROUNDS 3   /* to the centroid of a union: from that of its largest part */
+#define STAR_LEAST 5e-4 /* [m] least distance of a corner from the centre; chosen */
+#define STAR_ROUNDS 3   /* rounds from the centroid of the largest loop to that of the union */
 
 
 void mus__section_free(mus_context *context, mus__section *section)
@@ -29,7 +29,7 @@ void mus__section_free(mus_context *context, mus__section *section)
 }
 
 
-/* from the first point, so that a polygon far from the origin keeps its digits */
+/* sums are taken relative to the first point, so that a polygon far from the origin keeps its digits */
 double mus__polygon_centre(int32_t n, const double *xy, double *centre)
 {
     double area = 0.0, a = 0.0, b = 0.0;
@@ -47,7 +47,8 @@ double mus__polygon_centre(int32_t n, const double *xy, double *centre)
 }
 
 
-/* a polygon cut by a half plane; out has room for 2n points. Returns their number (Sutherland and Hodgman 1974) */
+/* cut a polygon (n x 2) by the half plane a p0 + b p1 >= p2 into out (2n x 2); returns the number of points. Sutherland
+ * and Hodgman, Reentrant Polygon Clipping, 1974 */
 static int32_t outline_clip(int32_t n, const double *xy, const double *plane, double *out)
 {
     int32_t kept = 0;
@@ -76,7 +77,7 @@ mus_status mus__section_take(mus_context *context, const mus__section *from, int
         mus__loop loop = from->loop[j];
         if (group >= 0 && loop.group != group) continue;
 
-        /* each cut goes from the end of the points to behind them, and back: at most twice as many a cut */
+        /* a cut goes to the space behind the points and back; it at most doubles the number of points */
         int64_t most = loop.count;
         for (int32_t p = 0; p < planes; p++) most *= 2;
         mus_status status = mus__reserve(context, &out->xy, &out->room, out->points + 2 * most, 2 * sizeof *out->xy);
@@ -152,7 +153,8 @@ int32_t mus__section_near(const mus__section *section, double spread)
 }
 
 
-/* rays that meet the side from p to q (off the centre): farthest[k] grows, nearest[k] falls */
+/* update the farthest and nearest intersection (corners) of the rays that meet the side from p to q, relative to the
+ * centre */
 static void star_side(const double *p, const double *q, int32_t corners, double *farthest, double *nearest)
 {
     const double cross = p[0] * q[1] - p[1] * q[0];
@@ -160,7 +162,7 @@ static void star_side(const double *p, const double *q, int32_t corners, double 
     const double step = 2.0 * MUS_PI / corners, from = atan2(p[1], p[0]);
     const double turn = atan2(cross, p[0] * q[0] + p[1] * q[1]);
 
-    /* a side no longer than rounding has no direction: its radii stay between those of its ends */
+    /* the direction of a side as short as rounding is undetermined: radii are clamped to those of its ends */
     const double zero[2] = {0.0, 0.0}, least = fabs(cross) / fmax(mus__dist2(p, q), 1e-300);
     const double most = fmax(mus__dist2(zero, p), mus__dist2(zero, q));
     const double low = (turn > 0.0 ? from : from + turn) / step, high = (turn > 0.0 ? from + turn : from) / step;
@@ -174,7 +176,8 @@ static void star_side(const double *p, const double *q, int32_t corners, double 
 }
 
 
-/* out (2 corners) gets the farthest meets, then the nearest; false when a ray meets nothing */
+/* radii of the farthest, then of the nearest intersections of all rays, to out (2 corners); false: a ray meets no
+ * side */
 static bool star_rays(const mus__section *section, int32_t corners, const double *centre, double *out)
 {
     double *farthest = out, *nearest = out + corners;
@@ -207,7 +210,7 @@ bool mus__star(const mus__section *section, int32_t corners, double *centre, dou
         if (section->loops == 1)
             for (int32_t k = 0; k < corners; k++) *fill = fmax(*fill, out[k] - fmin(out[k], out[corners + k]));
 
-        /* radii to corners, from the last: what is overwritten has been read */
+        /* radii to corners, the last one first, since they share the array */
         const double about[2] = {centre[0], centre[1]};
         for (int32_t k = corners - 1; k >= 0; k--) {
             const double r = out[k], angle = 2.0 * MUS_PI * k / corners;

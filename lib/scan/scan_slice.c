@@ -1,14 +1,14 @@
 /*
  * scan_slice.c: sections of a mesh by planes square to an axis, as closed polygons.
  *
- * A vertex is above the plane or not (on it counts as above), so a triangle is cut in two of its edges or not at all,
- * and a section is a chain of segments that goes on over the edges; on a closed mesh every chain closes. Triangles lie
- * in bins along the axis, so that a plane asks its own bin alone. A cut edge gives the same point from both sides, to
- * the last bit.
+ * A vertex is above the plane or below (on it counts as above), so that a plane cuts two edges of a triangle or none,
+ * and a section is a chain of segments from edge to edge; on a closed mesh every chain closes. Triangles are sorted
+ * into bins along the axis, so that a plane looks at one bin. A cut edge gives the same point from both of its
+ * triangles, to the last bit.
  *
- * Where a mesh has a hole, chains stay open: from the longest on, the end is joined to the nearest end that is left,
- * its own beginning included, over at most `gap`. Loops that lie in another one (mouth, eyes) are left out; loops that
- * overlap (limbs that are shells of their own) get one group.
+ * Where a mesh has a hole, chains stay open. The longest chain first, the end of a chain is joined to the nearest end
+ * that is left, its own beginning included, over at most `gap`. Loops inside another one (mouth, eyes) are left out;
+ * loops that overlap (limbs that are closed meshes of their own) get one group.
  */
 #include <math.h>
 #include <string.h>
@@ -17,12 +17,12 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define SLICE_BINS 512
-#define SLICE_LEAST 1e-8 /* of the mesh's size squared: an area that counts */
-#define SLICE_DEBRIS 4.0 /* an open chain that is shorter than so many gaps is a crumb, and left out */
+#define SLICE_BINS 512   /* intervals along the axis; chosen */
+#define SLICE_LEAST 1e-8 /* least area of a loop, in parts of the square of the mesh's size; chosen */
+#define SLICE_DEBRIS 4.0 /* an open chain shorter than so many gaps is debris and left out; chosen */
 
 
-/* triangles counted, then listed, by the bins they reach */
+/* sort the triangles into the bins that they overlap: count, then list */
 static mus_status slice_bins(mus__slicer *slicer)
 {
     const mus__scan_mesh *mesh = slicer->mesh;
@@ -101,7 +101,7 @@ void mus__slicer_free(mus__slicer *slicer)
 }
 
 
-/* the point where the plane cuts the edge between vertices v and w, the same whichever comes first */
+/* the point (2) in which the plane at s cuts the edge between vertices v and w; the same for (w, v) */
 static void slice_point(const mus__slicer *slicer, double s, int32_t v, int32_t w, double *out)
 {
     const double *p = slicer->sab + 3 * (ptrdiff_t)(v < w ? v : w), *q = slicer->sab + 3 * (ptrdiff_t)(v < w ? w : v);
@@ -110,7 +110,7 @@ static void slice_point(const mus__slicer *slicer, double s, int32_t v, int32_t 
 }
 
 
-/* segments of the plane: what it cuts of each triangle of its bin, with the edges that they end on */
+/* the segments in which the plane at s cuts the triangles of its bin, with the edges that they end on */
 static mus_status slice_segments(mus__slicer *slicer, double s)
 {
     const mus__scan_mesh *mesh = slicer->mesh;
@@ -144,7 +144,7 @@ static mus_status slice_segments(mus__slicer *slicer, double s)
 }
 
 
-/* the segment that goes on from the end of another, -1: none */
+/* the segment that continues another one at an end, -1: none */
 static int32_t slice_next(const mus__slicer *slicer, int32_t segment, int end)
 {
     const int32_t *slot = slicer->slot + 2 * (ptrdiff_t)slicer->segment[segment].edge[end];
@@ -152,6 +152,7 @@ static int32_t slice_next(const mus__slicer *slicer, int32_t segment, int end)
 }
 
 
+/* append a point to the last loop */
 static mus_status slice_add_point(mus__slicer *slicer, const double *xy)
 {
     mus__section *section = &slicer->section;
@@ -164,6 +165,7 @@ static mus_status slice_add_point(mus__slicer *slicer, const double *xy)
 }
 
 
+/* begin a loop */
 static mus_status slice_add_loop(mus__slicer *slicer)
 {
     mus__section *section = &slicer->section;
@@ -174,7 +176,7 @@ static mus_status slice_add_loop(mus__slicer *slicer)
 }
 
 
-/* a chain from segment k on, from its end `from` to the other */
+/* make a chain that begins with segment k, at its end `from` */
 static mus_status slice_walk(mus__slicer *slicer, int32_t k, int from)
 {
     mus_status status = slice_add_loop(slicer);
@@ -198,7 +200,7 @@ static mus_status slice_walk(mus__slicer *slicer, int32_t k, int from)
 }
 
 
-/* open chains first, from their ends, then the closed ones */
+/* make all chains: the open ones from their ends, then the closed ones */
 static mus_status slice_chains(mus__slicer *slicer)
 {
     mus_status status = MUS_OK;
@@ -217,12 +219,14 @@ static mus_status slice_chains(mus__slicer *slicer)
 }
 
 
+/* point k of a loop */
 static const double *slice_at(const mus__section *section, int32_t loop, int32_t k)
 {
     return section->xy + 2 * (ptrdiff_t)(section->loop[loop].first + k);
 }
 
 
+/* length of a chain */
 static double slice_length(const mus__section *section, int32_t loop)
 {
     double length = 0.0;
@@ -232,7 +236,7 @@ static double slice_length(const mus__section *section, int32_t loop)
 }
 
 
-/* the open chain whose end is nearest to a point, -1 when `best` is nearer; *back: its last point is */
+/* the open chain with an end nearer to a point than *best, -1: none; *back: that end is its last point */
 static int32_t slice_nearest(const mus__section *section, int32_t chains, const double *from, double *best, bool *back)
 {
     int32_t found = -1;
@@ -248,7 +252,7 @@ static int32_t slice_nearest(const mus__section *section, int32_t chains, const 
 }
 
 
-/* append chain j to the last loop and take it away */
+/* append chain j, backwards if `back`, to the last loop, and remove it */
 static mus_status slice_append(mus__slicer *slicer, int32_t j, bool back)
 {
     mus__section *section = &slicer->section;
@@ -264,7 +268,7 @@ static mus_status slice_append(mus__slicer *slicer, int32_t j, bool back)
 }
 
 
-/* join the open chains, the longest first, to loops */
+/* join the open chains to loops, the longest first. Errors: MUS_ERR_BODY (a hole wider than the gap) */
 static mus_status slice_join(mus__slicer *slicer, double s, const char *what)
 {
     mus__section *section = &slicer->section;
@@ -306,7 +310,7 @@ static mus_status slice_join(mus__slicer *slicer, double s, const char *what)
 }
 
 
-/* one loop counter-clockwise, with area, centroid and box; false when it is next to nothing */
+/* turn a loop counter-clockwise and compute its area, centroid and box; false: its area is negligible */
 static bool slice_measure(mus__slicer *slicer, mus__loop *loop)
 {
     const double size = slicer->high - slicer->low;
@@ -330,7 +334,7 @@ static bool slice_measure(mus__slicer *slicer, mus__loop *loop)
 }
 
 
-/* is one loop inside another (all), or does it reach into it (any)? */
+/* whether a loop lies inside another one, or with `any` overlaps it */
 static bool slice_inside(const mus__section *section, const mus__loop *loop, const mus__loop *outer, bool any)
 {
     for (int i = 0; i < 2; i++)
@@ -344,7 +348,7 @@ static bool slice_inside(const mus__section *section, const mus__loop *loop, con
 }
 
 
-/* the largest loops first; those in a larger one left out; those that overlap get one group */
+/* sort the loops by area, leave out those inside a larger one, and give one group to those that overlap */
 static void slice_order(mus__slicer *slicer)
 {
     mus__section *section = &slicer->section;

@@ -1,14 +1,14 @@
 /*
- * gather.c: the irregular items of a program, sorted by the node that they act on.
+ * program_irregular.c: the irregular part of a program: items off the lattice, sorted by the node that they act on.
  *
- * A spring stands at both of its ends, as a half spring. A hinge k (sum c x)^2 / 2 is linear and its c sum to 0, so
- * its force on node i is  sum over j of  -k c_i c_j (x_j - x_i):  all hinges at a node become one weight for each
- * neighbour, which a half spring to the same neighbour takes over. Everything is computed at the node that it acts on,
- * twice, and nothing is scattered. The kernels read it by groups of nodes (lists.c).
+ * A spring stands at both of its ends, as a half spring. A hinge k (sum c x)^2 / 2 is linear and its c sum to 0, so its
+ * force on node i is  sum over j of  -k c_i c_j (x_j - x_i): all hinges at a node become one weight for each neighbour,
+ * and a half spring to the same neighbour takes that weight over. All is computed at the node that it acts on, twice,
+ * and nothing is scattered. The kernels read the part in the SELL-C-sigma form (program_sell.c).
  *
- * The lists are made twice: first of what acts between lattice nodes, of which the blocks take what they have slots
- * for, then of all the rest. Welding renames border nodes alone, and leaves out a hinge only if two of its nodes have
- * become one; so a hinge with one border node, and every spring between lattice nodes, stands in a block for good.
+ * The lists are made twice. Pass 1 lists the items between lattice nodes; packets take those that fit their slots. Pass
+ * 2 lists all items that are left. Welding renames border nodes only, and drops a hinge only if two of its nodes become
+ * one. So a hinge with one border node, and every spring between lattice nodes, stays in its packet for good.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -44,14 +44,14 @@ mus_status mus__program_half_springs_create(mus_context *context, mus__program *
 }
 
 
-/* the next free place of a node's list: start[i + 1] is its cursor while lists are filled */
+/* the next free index of a node's list: start[i + 1] is its cursor while lists are filled */
 static int32_t irregular_next(int32_t *start, int32_t node)
 {
     return start[node + 1]++;
 }
 
 
-/* counts of each node's entries to starts: after this start[i + 1] is where node i's list begins */
+/* turns counts of entries into starts: then start[i + 1] is where the list of node i begins */
 static void irregular_open(int32_t *start, int32_t n)
 {
     int32_t total = 0;
@@ -63,8 +63,8 @@ static void irregular_open(int32_t *start, int32_t n)
 }
 
 
-/* does a spring's pull on `node` belong in the lists: of the lattice alone, or of all but what blocks hold? Tacks come
- * when blocks are long made */
+/* whether the pull of a spring on `node` belongs in the lists: of lattice items (pass 1), or of items that no packet
+ * holds (pass 2). Tacks are put in after the packets were made */
 static int32_t irregular_wants_spring(const mus__program *program, int32_t lattice, int32_t kind, int32_t node,
                                       int32_t other)
 {
@@ -133,7 +133,7 @@ static void irregular_hinges(mus__program *program, int32_t nnode, int32_t latti
 }
 
 
-/* entries first .. last-1 by neighbour, those of one neighbour in their old order */
+/* sorts entries first .. last-1 by neighbour, stably */
 static void irregular_sort(mus__program *program, int32_t first, int32_t last)
 {
     for (int32_t i = first + 1; i < last; i++) {
@@ -152,9 +152,9 @@ static void irregular_sort(mus__program *program, int32_t first, int32_t last)
 
 
 /*
- * Sorted weights first .. last-1 of a node: one for each neighbour, to the half spring that goes there if there is one
- * (not for the lattice, where blocks take springs and weights apart), else written at `out`. Returns one past the last
- * written.
+ * Merges the sorted weights first .. last-1 of a node to one for each neighbour. It is added to the half spring to that
+ * neighbour if there is one (not in pass 1, because packets take springs and weights apart), else written at `out`.
+ * Returns one past the last written.
  */
 static int32_t irregular_merge(mus__program *program, int32_t lattice, int32_t node, int32_t first, int32_t last,
                                int32_t out)
@@ -197,7 +197,7 @@ static void irregular_pairs(mus__program *program)
 }
 
 
-/* both lists by node, and which nodes have any */
+/* makes both lists by node, and the list of nodes that have any item */
 static void irregular_lists(const mus_cloth *cloth, mus__program *program, int32_t lattice)
 {
     irregular_springs(program, cloth->nnode, lattice);
@@ -229,7 +229,7 @@ void mus__program_irregular(const mus_cloth *cloth, mus__program *program)
 
     mus__program_sell(program);
 
-    /* pair ends and held nodes of each chunk */
+    /* the pair ends and the attachments of each chunk */
     for (int32_t c = 0, e = 0, h = 0; c < program->nchunk; c++) {
         mus__chunk *chunk = &program->chunk[c];
         chunk->end = e;

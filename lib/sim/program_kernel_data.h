@@ -29,8 +29,9 @@
 #define MUS__LANES 16          /* nodes of a packet: one vector of 16 floats (AVX-512), two of 8 doubles */
 #define MUS__SLOTS 8           /* near neighbours, and far neighbours, of a packet at most */
 #define MUS__NEAR_SLOTS_MAX 12 /* near neighbours with the paper's bending springs, which skip one node */
-#define MUS__CHUNK_NODES 512   /* nodes of a chunk at most: forces and one stage of RK4 stay in a first cache of 32 kB \
-                                */
+#define MUS__CHUNK_NODES                                                                                               \
+    512 /* nodes of a chunk at most: forces and one stage of RK4 stay in a first cache of 32 kB                        \
+         */
 
 /* index differences to the neighbours of a packet's nodes, ascending; 0 past the last */
 typedef struct mus__packet_shape {

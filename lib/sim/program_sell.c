@@ -1,10 +1,12 @@
 /*
- * lists.c: the irregular items of a program in groups of lanes, as the kernels read them.
+ * program_sell.c: the irregular part of a program as SELL-C-sigma, the form that the kernels read (sources in
+ * program_kernel_data.h): slices of 16 rows, one row to a lane, padded to the longest row.
  *
- * Within a chunk, nodes are sorted by how many half springs and weights they have, so that the lanes of a group have
- * about as many; a node with more than ITEMS of either stands again for the rest. Half springs of a chunk's groups then
- * take at most as many places as there are and one longest group more, and weights ITEMS a node: the memory is known
- * before any welding. A tack puts one more half spring to two nodes, and each is in at most one group more by it.
+ * Within a chunk, rows are sorted by their numbers of half springs and weights, so that the lanes of a slice have about
+ * as many. A node with more than ITEMS of either kind has several rows. The half springs of a chunk's slices then take
+ * at most as many places as there are half springs and one longest slice more, and weights take ITEMS a node: the
+ * memory is known before any welding. A tack adds one half spring at two nodes, each of which is in at most one slice
+ * more by it.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +14,10 @@
 #include "sim/program_number.h"
 #include "sim/program_parts.h"
 
-#define ITEMS 8 /* of a kind, of a node in one group */
+#define ITEMS 8 /* of one kind in one row; chosen: most border nodes need one row */
 
 
-/* marks the nodes that springs and hinges name; welding names no others. Returns how many */
+/* marks the nodes that springs and hinges name, to which welding adds none; returns their number */
 static int64_t sell_named(const mus_cloth *cloth, unsigned char *named)
 {
     int64_t count = 0;
@@ -29,7 +31,7 @@ static int64_t sell_named(const mus_cloth *cloth, unsigned char *named)
 }
 
 
-/* numbers of a half spring's constants */
+/* number of constants of a half spring */
 static int32_t sell_constants(const mus__program *program)
 {
     return program->dashpots ? 3 : 2;
@@ -87,7 +89,8 @@ static int sell_longest_first(const void *a, const void *b)
 }
 
 
-/* lane i of the group being made, of entry e; a lane past the last has the last node again, with no items */
+/* writes lane i of the last slice from row e; a lane past the last row (has 0) names the last node again, without items
+ */
 static void sell_lane(const mus__program *program, mus__sell *list, int32_t i, const mus__sell_row *e, int32_t has)
 {
     const mus__sell_slice *group = &list->slice[list->nslice];
@@ -112,7 +115,7 @@ static void sell_lane(const mus__program *program, mus__sell *list, int32_t i, c
 }
 
 
-/* items of part `part` of a list of `count` */
+/* number of items in part `part` of a list of `count` */
 static int32_t sell_part(int32_t count, int32_t part)
 {
     const int32_t left = count - ITEMS * part;
@@ -120,7 +123,7 @@ static int32_t sell_part(int32_t count, int32_t part)
 }
 
 
-/* the entries of a chunk's nodes, sorted; returns how many */
+/* the rows of a chunk's nodes, sorted; returns their number */
 static int32_t sell_entries(const mus__program *program, const mus__chunk *chunk, mus__sell_row *entry)
 {
     int32_t n = 0;

@@ -1,13 +1,13 @@
 /*
- * blocks.c: the lattice rows of a program as blocks of a fixed number of neighbouring nodes, one to a lane of the
+ * program_stencil.c: the lattice rows of a program as packets of up to 16 neighbouring nodes, one to a lane of the
  * kernels.
  *
- * Blocks are made greedily along the numbering of the nodes, over the ends of rows too: a block takes the next node as
- * long as all its nodes' neighbours stand at no more than 8 near and 8 far index differences. A pure lattice has the
- * same differences everywhere, so that no lane is lost; a panel whose rows differ in length loses some at their ends.
- * Equal shapes and equal tables are kept once: inside a panel every block of a row shares both.
+ * Packets are made greedily in the order of the nodes, across the ends of rows too: a packet takes the next node as
+ * long as the neighbours of all its nodes stand at no more than 8 near and 8 far index differences. A pure lattice has
+ * the same differences everywhere and loses no lane; a panel whose rows differ in length loses some at their ends.
+ * Equal shapes and equal tables are kept once: inside a panel all packets of a row share both.
  *
- * Walked twice: to count (and to see how many slots any block needs), then to write.
+ * All nodes are walked twice: to count (and to find the number of slots), then to write.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,9 @@
 #include "sim/program_number.h"
 #include "sim/program_parts.h"
 
-#define ITEMS_MOST 40 /* half springs, and index differences of bending, at one node */
+#define ITEMS_MOST                                                                                                     \
+    40 /* half springs, and index differences of bending, at one node; a lattice has at most 12 and 24                 \
+        */
 
 typedef struct stencil_items { /* of one node */
     int32_t nspring, nlinear;
@@ -23,12 +25,12 @@ typedef struct stencil_items { /* of one node */
     double k[ITEMS_MOST], krest[ITEMS_MOST], c[ITEMS_MOST], w[ITEMS_MOST];
 } stencil_items;
 
-typedef struct stencil_set {      /* index differences of a block's nodes, ascending */
+typedef struct stencil_set {      /* index differences of a packet's nodes, ascending */
     int32_t most, nnear, nlinear; /* most: near ones */
     int32_t near[MUS__NEAR_SLOTS_MAX], linear[2 * MUS__SLOTS];
 } stencil_set;
 
-typedef struct stencil_store { /* equal things once: open addressing over hashes */
+typedef struct stencil_store { /* shapes and tables that are kept once: open addressing over hashes */
     int32_t slots;             /* a power of two */
     int32_t *shape, *table;    /* (slots) index + 1, 0 for free */
 } stencil_store;
@@ -57,7 +59,7 @@ static void stencil_linear(stencil_items *items, int32_t at, double w)
 }
 
 
-/* all items of a node of a row; returns 0 when there are more than a block can take */
+/* collects all items of a node of a row; returns 0 when there are more than a packet can take */
 static int32_t stencil_collect(const mus__program *program, const mus__program_row *row, int32_t node,
                                stencil_items *items)
 {
@@ -82,9 +84,9 @@ static int32_t stencil_collect(const mus__program *program, const mus__program_r
 }
 
 
-/* ---- one block ---- */
+/* ---- one packet ---- */
 
-/* a value into an ascending set of at most `most`; returns 0 when there is no room */
+/* inserts a value into an ascending set of at most `most`; returns 0 when the set is full */
 static int32_t stencil_insert(int32_t *set, int32_t *n, int32_t most, int32_t value)
 {
     int32_t at = 0;
@@ -106,7 +108,7 @@ static int32_t stencil_find(const int32_t *set, int32_t n, int32_t value)
 }
 
 
-/* what the near slots do not hold already, into far; returns how many, more than MUS__SLOTS if they do not fit */
+/* far (MUS__SLOTS) gets the index differences that no near slot holds; returns their number, which may be larger */
 static int32_t stencil_far(const stencil_set *set, int32_t *far)
 {
     int32_t n = 0;
@@ -119,7 +121,7 @@ static int32_t stencil_far(const stencil_set *set, int32_t *far)
 }
 
 
-/* the least distant index difference that no near slot holds, into one: its spring is one of stiffness 0 */
+/* gives a near slot to the smallest index difference that has none: its spring has stiffness 0 */
 static int32_t stencil_promote(stencil_set *set)
 {
     int32_t least = 0;
@@ -131,7 +133,7 @@ static int32_t stencil_promote(stencil_set *set)
 }
 
 
-/* one more node's items into the set; returns 0, and leaves the set as it was, if they do not fit */
+/* adds the items of one more node to the set; returns 0, with the set as it was, if they do not fit */
 static int32_t stencil_grow(stencil_set *set, const stencil_items *items)
 {
     stencil_set grown = *set;
@@ -147,7 +149,7 @@ static int32_t stencil_grow(stencil_set *set, const stencil_items *items)
 }
 
 
-/* free slots for what springs and hinges make of `node`; what finds none stays in the lists */
+/* gives free slots to the irregular items of a node; items without a slot stay in the irregular part */
 static void stencil_invite(const mus__program *program, stencil_set *set, int32_t node)
 {
     for (int32_t h = program->half_start[node]; h < program->half_start[node + 1]; h++) {
@@ -164,7 +166,7 @@ static void stencil_invite(const mus__program *program, stencil_set *set, int32_
 }
 
 
-/* what springs and hinges add to the lane of `node`, where there is a slot */
+/* adds the irregular items of a node to its lane, where there is a slot */
 static void stencil_irregular(const mus__program *program, const mus__packet_shape *shape, int32_t nnear, int32_t nfar,
                               int32_t node, double *table)
 {
@@ -189,7 +191,7 @@ static void stencil_irregular(const mus__program *program, const mus__packet_sha
 }
 
 
-/* the constants of one lane of a table */
+/* writes the constants of one lane of a table */
 static void stencil_lane(const mus__program *program, const mus__packet_shape *shape, int32_t nnear, int32_t nfar,
                          const stencil_items *items, double *table)
 {
@@ -211,9 +213,10 @@ static void stencil_lane(const mus__program *program, const mus__packet_shape *s
 }
 
 
-/* ---- equal things once ---- */
+/* ---- shapes and tables kept once ---- */
 
-/* index in *array of `size` bytes equal to `bytes`, appended if there are none; MUS_NONE without memory */
+/* index in *array of the element of `size` bytes that equals `bytes`, appended if there is none; MUS_NONE without
+ * memory */
 static int32_t stencil_intern(mus_context *context, const stencil_store *store, int32_t *slot, void *array, int32_t *n,
                               int32_t *capacity, const void *bytes, size_t size)
 {
@@ -233,7 +236,7 @@ static int32_t stencil_intern(mus_context *context, const stencil_store *store, 
 }
 
 
-/* the block of nodes first .. first+count-1 */
+/* writes the packet of nodes first .. first+count-1 */
 static mus_status stencil_write(const stencil_walk *walk, const stencil_set *set, int32_t first, int32_t count,
                                 const stencil_items *items)
 {
@@ -255,7 +258,7 @@ static mus_status stencil_write(const stencil_walk *walk, const stencil_set *set
                                      &program->shape_capacity, &shape, sizeof shape);
     const int32_t t = stencil_intern(walk->context, walk->store, walk->store->table, &program->table, &program->ntable,
                                      &program->table_capacity, table, (size_t)size * program->real);
-    if (s == MUS_NONE || t == MUS_NONE) return mus__fail_memory(walk->context, "the blocks of a drape");
+    if (s == MUS_NONE || t == MUS_NONE) return mus__fail_memory(walk->context, "the packets of a drape");
     program->packet[program->npacket] = (mus__packet){first, s, t};
     return MUS_OK;
 }
@@ -263,7 +266,7 @@ static mus_status stencil_write(const stencil_walk *walk, const stencil_set *set
 
 /* ---- the walk ---- */
 
-/* nodes first .. first+count-1 and the last npacket blocks, to the chunk before if it has room, or to a new one */
+/* adds nodes first .. first+count-1 and the last npacket packets to the last chunk if it has room, else to a new one */
 static void stencil_chunk(const stencil_walk *walk, int32_t first, int32_t count, int32_t npacket, int32_t *open)
 {
     mus__program *program = walk->program;
@@ -280,7 +283,8 @@ static void stencil_chunk(const stencil_walk *walk, int32_t first, int32_t count
 }
 
 
-/* one block from lattice node `first` of row *row on; moves *row on; returns how many nodes it has, 0 on failure */
+/* makes one packet from lattice node `first` of row *row on, and moves *row on; returns its number of nodes, 0 on
+ * failure */
 static int32_t stencil_step(const stencil_walk *walk, int32_t first, int32_t *row, mus_status *status)
 {
     mus__program *program = walk->program;
@@ -314,7 +318,7 @@ static int32_t stencil_step(const stencil_walk *walk, int32_t first, int32_t *ro
 }
 
 
-/* all nodes of the cloth, in order */
+/* walks all nodes of the cloth in order */
 static mus_status stencil_all(const stencil_walk *walk, int32_t nnode)
 {
     mus__program *program = walk->program;
@@ -353,7 +357,7 @@ mus_status mus__program_stencil(mus_context *context, const mus_cloth *cloth, mu
     }
     if (status != MUS_OK) return status;
 
-    /* the slots that the kernels have loops for */
+    /* the next numbers of slots that the kernels have a loop for */
     const int32_t paper = program->near > MUS__SLOTS;
     program->near = paper ? MUS__NEAR_SLOTS_MAX : program->near > 4 || program->far > 4 ? MUS__SLOTS : 4;
     program->far = paper || program->far > 4 ? MUS__SLOTS : program->far > 0 ? 4 : 0;
@@ -365,7 +369,7 @@ mus_status mus__program_stencil(mus_context *context, const mus_cloth *cloth, mu
     store.table = mus__new(context, store.slots, sizeof *store.table);
     walk.store = &store;
     if (program->packet == NULL || program->chunk == NULL || store.shape == NULL || store.table == NULL)
-        status = mus__fail_memory(context, "the blocks of a drape");
+        status = mus__fail_memory(context, "the packets of a drape");
     if (status == MUS_OK) status = stencil_all(&walk, cloth->nnode);
     mus__free(context, store.shape);
     mus__free(context, store.table);

@@ -1,20 +1,20 @@
 /*
- * sim.c: the memory of a sim: one block of numbers, cut in arrays, and a byte a node.
+ * sim.c: the memory of a sim: one block of numbers, cut into arrays, and the distance cache.
  *
  *   numbers = (29 + 3 with dashpots) n + padding
  *
- * n is the number of nodes rounded up to whole blocks of lanes, so that all planes of an array stand alike to the lines
- * of the cache: where they do not, three vectors of four straddle two lines, and a step takes a tenth longer.
+ * n is the number of nodes rounded up to whole packets, so that all planes of an array have the same offset to cache
+ * lines. Where they do not, three vectors of four straddle two lines, and a step takes a tenth longer.
  *
- * Lanes of a block that have no node in them read up to a block before and behind an array; what they read counts
- * nothing, but must be there, be finite, and not be written meanwhile. So there are zeros between any two arrays.
+ * Lanes of a packet without a node read up to one packet before and behind an array. These numbers do not count, but
+ * they must be there, be finite, and not be written meanwhile; so there are zeros between any two arrays.
  */
 #include <string.h>
 
 #include "sim/sim.h"
 
 #define GAP MUS__LANES
-#define LINE 64 /* bytes of a cache line, which vectors had better not straddle */
+#define LINE 64 /* bytes of a cache line; vectors that straddle two are slow */
 
 
 mus_status mus__sim_create(mus_context *context, mus__sim *sim)

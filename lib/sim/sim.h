@@ -52,6 +52,14 @@ typedef struct mus__sim_ops {
     void (*find_pairs)(mus__sim *sim);
 } mus__sim_ops;
 
+/* passes of contact in the sim's precision, set by its owner, so that a program without contact links none; those of
+ * self-contact take arrays of the precision, and the kernel casts them */
+typedef void (*mus__contact_fn)(const mus__collider *, const mus__contact_rule *, const mus__contact_nodes *,
+                                int32_t sweeps, mus__distance_cache *, mus__contact_tally *);
+typedef void (*mus__plane_cache_fn)(const mus__collider *, const mus__contact_rule *, const mus__contact_nodes *,
+                                    void *planes, mus__contact_tally *);
+typedef void (*mus__self_fn)(void);
+
 struct mus__sim {
     const mus__sim_ops *ops;
     mus__program *program;
@@ -70,10 +78,12 @@ struct mus__sim {
     void *inverse;   /* (n) 1/inertia, 0 for fixed or welded nodes */
     void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
     void *last_good; /* (6 n) the last state that was found good */
-    mus__distance_cache *distance_cache; /* (n) contact need not query a node for a while */
-    mus__self_contact *self;      /* NULL: no self-contact */
-    void *plane_cache; /* (8 n) contact planes of nodes, while sew or settle run; NULL: every node is queried in
-                        * every step */
+    mus__distance_cache *distance_cache;  /* (n) contact need not query a node for a while */
+    mus__contact_fn contact_pass;         /* set with `collider` */
+    mus__plane_cache_fn plane_cache_pass; /* set with `collider` */
+    mus__self_fn self_pass, self_prepare; /* set with the self-contact of the owner */
+    mus__self_contact *self;              /* NULL: no self-contact */
+    void *plane_cache; /* (8 n) contact planes of nodes, in use; NULL: every node is queried in every step */
 
     /* what the steps use; set between steps, never inside one */
     double gravity[3];  /* [m/s2] */

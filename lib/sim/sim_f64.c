@@ -1,5 +1,7 @@
-/* kernel_f64.c: the passes of a drape in double. Flags of this file: see the Makefile (errno of sqrt stops
- * vectorising). */
+/*
+ * sim_f64.c: the passes of a sim in double. The Makefile compiles this file with -fno-math-errno: a sqrt that sets
+ * errno does not vectorise.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -23,26 +25,18 @@ static MUS_INLINE double over_root(double share, double x)
 }
 
 
-#define MUS_REAL double
-#define MUS_TINY 1e-150
-#define MUS_FN(name) sim_f64_##name
-#define MUS_SQRT sqrt
-#define MUS_OVER_ROOT(a, x) over_root(a, x)
-#define MUS_CONTACT mus__contact_pass_f64
-#define MUS_NEAR mus__plane_cache_pass_f64
-#define MUS_CLOTH mus__self_contact_pass_f64
-#define MUS_CLOTH_LOOK mus__self_contact_prepare_f64
-#define MUS_SIM mus__sim_f64
+#define MUS__REAL double
+#define MUS__TINY 1e-150
+#define MUS__NAME(name) sim_f64_##name
+#define MUS__SQRT sqrt
+#define MUS__OVER_ROOT(a, x) over_root(a, x)
+#define MUS__SIM mus__sim_f64
 #include "sim/sim_kernel.h"
 
 /* for a build of all files in one */
-#undef MUS_REAL
-#undef MUS_TINY
-#undef MUS_FN
-#undef MUS_SQRT
-#undef MUS_OVER_ROOT
-#undef MUS_CONTACT
-#undef MUS_NEAR
-#undef MUS_CLOTH
-#undef MUS_CLOTH_LOOK
-#undef MUS_SIM
+#undef MUS__REAL
+#undef MUS__TINY
+#undef MUS__NAME
+#undef MUS__SQRT
+#undef MUS__OVER_ROOT
+#undef MUS__SIM

@@ -1,11 +1,11 @@
 /*
- * stiffness.c: how stiff each node is held, for the step bound (reference: numerics.md X5).
+ * step_bound.c: the stiffness at each node, and the largest stable step.
  *
  *   T_i = sum over items e at node i of  k_e S_e |w_ei| N_e,  S_e = sum_j |w_ej|,  omega_max^2 <= max_i lambda(T_i)/m_i
  *
  * from |sum w x|^2 <= sum |w| sum |w| |x|^2. A spring gives 2k to both ends, a second difference 4k, 8k, 4k. N is the
- * identity (every pose), or, at one pose, n n^T + max(0, 1 - rest/l) (1 - n n^T): the tangent stiffness without the
- * part that a compressed spring takes away.
+ * identity (a bound for every pose), or, at one pose, n n^T + max(0, 1 - rest/l) (1 - n n^T): the tangent stiffness,
+ * without the part that a compressed spring takes away.
  */
 #include <math.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "sim/step_bound.h"
 
 
-/* how many springs are of the cloth: tacks come after them */
+/* number of springs of the cloth; tacks come after them */
 static int32_t own_springs(const mus__program *program)
 {
     int32_t n = program->nspring;
@@ -22,8 +22,7 @@ static int32_t own_springs(const mus__program *program)
 }
 
 
-/* what bends, hinges, pairs and tacks, which have no length, give: isotropic in any pose; visit(node, amount) written
- * as a loop over t */
+/* adds to t (nnode) the stiffness of bends, hinges, pairs, tacks and attachments: isotropic in every pose */
 static void add_isotropic(const mus__program *program, double *t)
 {
     for (int32_t r = 0; r < program->nhalf_bend; r++) {
@@ -70,7 +69,7 @@ void mus__program_stiffness(const mus__program *program, int32_t nnode, double *
 }
 
 
-/* 2k N of a spring on node a, into the six numbers xx, yy, zz, xy, yz, zx of its T */
+/* adds 2k N of a spring on node a to the six numbers xx, yy, zz, xy, yz, zx of its T; tangent (nnode x 6) */
 static void add_tangent(const double *x, int32_t a, int32_t b, double k, double rest, double *work)
 {
     const double *p = x + 3 * (int64_t)a, *q = x + 3 * (int64_t)b;
@@ -86,7 +85,7 @@ static void add_tangent(const double *x, int32_t a, int32_t b, double k, double 
 }
 
 
-/* squares a symmetric matrix of six numbers in place */
+/* squares a symmetric 3 x 3 matrix of six numbers in place */
 static void square_matrix(double *t)
 {
     const double xx = t[0], yy = t[1], zz = t[2], xy = t[3], yz = t[4], zx = t[5];
@@ -100,8 +99,8 @@ static void square_matrix(double *t)
 
 
 /*
- * From above: (trace T^16)^(1/16) is at most 3^(1/16), 7.2 %, too large, and Newton's method on the characteristic
- * polynomial p, whose roots are real, comes down from there to the largest root and never below it.
+ * The largest eigenvalue, from above: (trace T^16)^(1/16) is too large by at most 3^(1/16), 7.2 %. Newton's method on
+ * the characteristic polynomial p, whose roots are real, comes down from there to the largest root and never below it.
  */
 static double largest_eigenvalue(const double *matrix)
 {

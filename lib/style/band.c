@@ -107,7 +107,7 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
 /* attaches the edge to the height `level` of the body; an elastic band gets its elastic */
 static void band_stay(mus__half *half, int32_t side, double level)
 {
-    mus__edge_stay *stay = &half->board.side[side].stay;
+    mus__edge_attributes *stay = &half->board.side[side].attr;
     stay->hold = MUS_HOLD_WAIST;
     stay->below = BAND_SETTLES - level;
     if (half->style.option[MUS__AXIS_BAND] != MUS__BAND_ELASTIC) return;

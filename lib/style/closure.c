@@ -38,13 +38,13 @@ void mus__closure_set(mus__half *half)
     if (board->status != MUS_OK) return;
     for (int32_t i = 0; i < board->nside; i++) {
         mus__board_side *side = &board->side[i];
-        if (side->panel == MUS_NONE || strcmp(side->label, "centre") != 0) continue;
+        if (side->panel == MUS_NONE || strcmp(side->attr.label, "centre") != 0) continue;
         const bool front = strncmp(board->panel[side->panel].name, "front", 5) == 0;
         const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
         const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
         side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-        side->allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
-        if (seam) side->allowance = MUS__TOP_SEAM;
+        side->attr.allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        if (seam) side->attr.allowance = MUS__TOP_SEAM;
         if (opens && front) closure_buttons(half, i);
     }
 }
@@ -86,8 +86,8 @@ static void closure_seams(mus__half *half)
     mus__board *board = &half->board;
     for (int32_t i = 0; i < board->nseam; i++) {
         mus__board_seam *seam = &board->seam[i];
-        if (seam->a == MUS_NONE || strcmp(board->side[seam->a].label, "centre") != 0 ||
-            strcmp(board->side[seam->b].label, "centre") != 0)
+        if (seam->a == MUS_NONE || strcmp(board->side[seam->a].attr.label, "centre") != 0 ||
+            strcmp(board->side[seam->b].attr.label, "centre") != 0)
             continue;
         const char *panel = board->panel[board->side[seam->a].panel].name;
         if (strncmp(panel, "front", 5) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT))
@@ -110,7 +110,7 @@ void mus__closure_finish(mus__half *half)
     const int32_t nside = board->nside;
     for (int32_t i = 0; i < nside; i++) {
         const mus__board_side *side = &board->side[i];
-        if (side->panel == MUS_NONE || strcmp(side->label, "side") != 0 || closure_ends(side->name, "_r")) continue;
+        if (side->panel == MUS_NONE || strcmp(side->attr.label, "side") != 0 || closure_ends(side->name, "_r")) continue;
         const char *panel = board->panel[side->panel].name;
         if (strncmp(panel, "front", 5) != 0 || closure_ends(panel, "_right")) continue;
         closure_notch(board, i, reach);

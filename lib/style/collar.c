@@ -57,7 +57,7 @@ static int32_t collar_band(mus__half *half, const char *name, const mus__chain *
     mus__board_panel_close(board, panel);
     if (board->status == MUS_OK) {
         board->side[sides[3]].centre = MUS__CENTRE_FOLD;
-        board->panel[panel].grain[0] = 1.0, board->panel[panel].grain[1] = 0.0;
+        board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
     }
     return panel;
 }
@@ -112,7 +112,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
 
     /* about its inner edge: y and the right side the other way */
-    mus_placement *place = &board->panel[panel].placement;
+    mus_placement *place = &board->panel[panel].attr.placement;
     for (int32_t i = 0; i < 3; i++) place->rotation[3 * i + 1] *= -1.0, place->rotation[3 * i + 2] *= -1.0;
     place->bend *= -1.0;
 }

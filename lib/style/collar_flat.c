@@ -161,7 +161,7 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 /* y (2) is widened to the heights of a panel's corners, and of the points of the curves between them, as placed */
 static void flat_heights(const mus__board *board, int32_t panel, double *y)
 {
-    const mus_placement *place = &board->panel[panel].placement;
+    const mus_placement *place = &board->panel[panel].attr.placement;
     for (int32_t i = 0; i < board->nside; i++) {
         const mus__board_chain *chain = &board->side[i].chain;
         if (board->side[i].panel != panel) continue;
@@ -194,7 +194,7 @@ static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
     const double k = mus__measures_scale(&half->measures), c = cos(FLAT_TILT), s = sin(FLAT_TILT);
     const double turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
     double own[2] = {INFINITY, -INFINITY}, body[2] = {INFINITY, half->skeleton.nape};
-    mus_placement *place = &board->panel[panel].placement;
+    mus_placement *place = &board->panel[panel].attr.placement;
     mus_placement_init(place, sizeof *place);
     memcpy(place->rotation, turn, sizeof turn);
     place->origin[2] = half->skeleton.shoulder_z - radius;

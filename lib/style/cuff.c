@@ -17,7 +17,7 @@ static int32_t cuff_rim(const mus__half *half, int32_t *sides)
     int32_t n = 0, at = MUS_NONE;
     for (int32_t i = 0; i < board->nside && at == MUS_NONE; i++) {
         const mus__board_side *side = &board->side[i];
-        if (side->panel == MUS_NONE || strcmp(side->label, "cuff") != 0) continue;
+        if (side->panel == MUS_NONE || strcmp(side->attr.label, "cuff") != 0) continue;
         if (mus__board_partner(board, i) == MUS_NONE && strncmp(board->side[side->prev].name, "under", 5) == 0) at = i;
     }
     while (at != MUS_NONE && n < CUFF_SIDES && (n == 0 || at != sides[0])) {
@@ -55,7 +55,7 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     }
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
-    board->panel[panel].grain[0] = 1.0, board->panel[panel].grain[1] = 0.0;
+    board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
     mus__board_seam_add(board, side[3], side[1], MUS_SEAM_REVERSED, 0.0);
     mus__board_sew(board, 1, &side[2], n, sides);
     mus__panel_place_arm(half, panel, 0.0, down, length);

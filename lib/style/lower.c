@@ -81,7 +81,7 @@ double mus__lower_waist_ease(const mus__half *half)
 static bool lower_is_waist(const mus__half *half, int32_t side, int32_t first, int32_t last)
 {
     const mus__board_side *s = &half->board.side[side];
-    return s->panel >= first && s->panel < last && strcmp(s->label, "waist") == 0 &&
+    return s->panel >= first && s->panel < last && strcmp(s->attr.label, "waist") == 0 &&
            mus__board_seam_of(&half->board, side) == MUS_NONE;
 }
 

@@ -330,7 +330,7 @@ void mus__neckline_hold(mus__half *half)
     for (int32_t i = 0; i < n && i < MUS__TOP_RUN; i++) {
         const double *start = mus__board_start(board, sides[i]), *end = mus__board_end(board, sides[i]);
         const double level = half->waist_level + fmin(start[1], end[1]);
-        mus__edge_stay *stay = &board->side[sides[i]].stay;
+        mus__edge_attributes *stay = &board->side[sides[i]].attr;
         stay->hold = MUS_HOLD_ARMPIT;
         stay->below = fmax(0.0, half->skeleton.armpit - level) + 0.005;
         if (halter) stay->ratio = 0.94, stay->stiffness = 60.0;
@@ -352,7 +352,7 @@ void mus__neckline_strap(mus__half *half)
     int32_t side[4];
     for (int i = 0; i < 4; i++) {
         side[i] = mus__board_line_add(board, panel, names[i][0], names[i][1], corner[i], corner[(i + 1) % 4]);
-        if (side[i] != MUS_NONE) board->side[side[i]].allowance = i == 1 ? 0.0 : MUS__TOP_NECK_SEAM;
+        if (side[i] != MUS_NONE) board->side[side[i]].attr.allowance = i == 1 ? 0.0 : MUS__TOP_NECK_SEAM;
     }
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;

@@ -148,7 +148,7 @@ static int32_t princess_through(mus__board *board, int32_t from, int32_t to, con
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, to);
     const double xy[6] = {a[0], a[1], point[0], point[1], b[0], b[1]};
     const int32_t kinds[2] = {MUS__LINE, MUS__LINE};
-    const int32_t panel = mus__board_cut(board, from, to, 2, kinds, 3, xy, name, "princess");
+    const int32_t panel = mus__board_cut(board, from, to, &(mus__board_path){2, kinds, 3, xy}, name, "princess");
     return panel;
 }
 
@@ -241,7 +241,8 @@ static void princess_front(mus__half *half, mus__top *top, bool armhole)
     const double *foot = mus__board_start(board, to);
     const double down[4] = {front->bust[0], front->bust[1], foot[0], foot[1]};
     const int32_t kind = MUS__LINE;
-    const int32_t panel = mus__board_dart_to_seam(board, leg, to, 1, &kind, 2, down, "front_side", "princess");
+    const int32_t panel = mus__board_dart_to_seam(board, leg, to, &(mus__board_path){1, &kind, 2, down},
+                                                  "front_side", "princess");
     princess_names(board, cf, panel, "front", "front_side");
     if (board->status != MUS_OK) return;
     top->panel[MUS__TOP_FRONT] = board->side[cf].panel;
@@ -289,7 +290,7 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, to);
     const double xy[4] = {a[0], a[1], b[0], b[1]};
     const int32_t kind = MUS__LINE;
-    mus__board_cut(board, from, to, 1, &kind, 2, xy, "front_low_side", "closed");
+    mus__board_cut(board, from, to, &(mus__board_path){1, &kind, 2, xy}, "front_low_side", "closed");
     const int32_t inner = mus__board_find(board, panel, "closed");
     if (board->status != MUS_OK || inner == MUS_NONE) return;
     const int32_t outer = mus__board_partner(board, inner);
@@ -327,7 +328,8 @@ void mus__shaping_empire(mus__half *half, mus__top *top)
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, upper);
     const double xy[4] = {a[0], a[1], b[0], b[1]};
     const int32_t kind = MUS__LINE;
-    const int32_t low = mus__board_cut(board, from, upper, 1, &kind, 2, xy, "front_low", "empire");
+    const int32_t low = mus__board_cut(board, from, upper, &(mus__board_path){1, &kind, 2, xy}, "front_low",
+                                       "empire");
     const int32_t edge = mus__board_find(board, top->panel[MUS__TOP_FRONT], "empire");
     const int32_t under = mus__board_find(board, low, "empire");
     if (board->status != MUS_OK || edge == MUS_NONE || under == MUS_NONE) return;

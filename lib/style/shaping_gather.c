@@ -83,14 +83,14 @@ void mus__neck_band_attach(mus__half *half)
 
     /* one piece with a seam behind; with a closure in front, one behind on the fold */
     const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT);
-    board->side[top].allowance = MUS__TOP_NECK_SEAM;
+    board->side[top].attr.allowance = MUS__TOP_NECK_SEAM;
     board->side[cb].centre = opens ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM;
     board->side[cf].centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-    board->side[opens ? cf : cb].allowance = MUS__TOP_NECK_SEAM;
-    board->side[opens ? cb : cf].allowance = 0.0;
+    board->side[opens ? cf : cb].attr.allowance = MUS__TOP_NECK_SEAM;
+    board->side[opens ? cb : cf].attr.allowance = 0.0;
     for (int32_t i = 0; i < n; i++) {
         const int32_t side = boundary[n - 1 - i];
-        board->side[lower[i]].allowance = MUS__TOP_NECK_SEAM;
+        board->side[lower[i]].attr.allowance = MUS__TOP_NECK_SEAM;
         mus__board_seam_add(board, side, lower[i], MUS_SEAM_REVERSED, length[i] - board->side[side].length);
     }
     mus__panel_place_ring(half, panel, true, 2.0 * at[0] + 0.08, half->skeleton.neck_side);
@@ -128,7 +128,8 @@ static int32_t gather_strip(mus__half *half, mus__top *top)
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, to);
     const double xy[4] = {a[0], a[1], b[0], b[1]};
     const int32_t kind = MUS__LINE;
-    const int32_t panel = mus__board_cut(board, from, to, 1, &kind, 2, xy, "front_strip", "strip");
+    const int32_t panel = mus__board_cut(board, from, to, &(mus__board_path){1, &kind, 2, xy}, "front_strip",
+                                         "strip");
     const int32_t strip = mus__board_find(board, panel, "strip");
     if (strip != MUS_NONE) mus__board_seam_drop(board, strip);
     return strip;

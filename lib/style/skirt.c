@@ -170,9 +170,9 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
     mus__half_sew(half, front, "slit", lap, "join", 0.0);
 
     /* placed as the front and 2 cm before it */
-    half->board.panel[lap].placement = half->board.panel[front].placement;
-    half->board.panel[lap].placement.origin[2] += 0.02;
-    half->board.panel[lap].placement.bend += 0.02;
+    half->board.panel[lap].attr.placement = half->board.panel[front].attr.placement;
+    half->board.panel[lap].attr.placement.origin[2] += 0.02;
+    half->board.panel[lap].attr.placement.bend += 0.02;
 }
 
 

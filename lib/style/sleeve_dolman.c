@@ -141,7 +141,7 @@ static void dolman_draw(mus__half *garment, dolman_half *half, double hold, int3
         dolman_replace(board, side, &chain[i]);
         if (board->status != MUS_OK) return;
         mus__board_rename(board, side, names[i], i == 1 ? "cuff" : "");
-        board->side[side].allowance = i == 1 ? DOLMAN_HEM : DOLMAN_SEAM;
+        board->side[side].attr.allowance = i == 1 ? DOLMAN_HEM : DOLMAN_SEAM;
         sides[i] = side;
     }
     for (int32_t i = 0; i < 3; i++) mus__board_follow(board, order[i], board->side[order[i]].next);
@@ -162,7 +162,7 @@ static void dolman_free_side(mus__half *garment, int32_t arm)
     }
     for (int32_t i = 0; i < board->nside && board->status == MUS_OK; i++) {
         const int32_t before = board->side[board->side[arm].prev].prev;
-        if (strcmp(board->side[before].label, "side") != 0 || !mus__board_mergeable(board, before)) break;
+        if (strcmp(board->side[before].attr.label, "side") != 0 || !mus__board_mergeable(board, before)) break;
         mus__board_merge(board, before);
     }
 }
@@ -269,7 +269,7 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan)
     mus__board_sew(board, 1, &sides[0][2], 1, &sides[1][2]);
 
     /* arms lie between two panels that are all but flat */
-    for (int32_t i = 0; i < 2; i++) board->panel[board->side[sides[i][0]].panel].placement.bend *= 3.0;
+    for (int32_t i = 0; i < 2; i++) board->panel[board->side[sides[i][0]].panel].attr.placement.bend *= 3.0;
     if (plan->cuff_depth > 0.0)
         mus__cuff_attach(half, plan->cuff_length, plan->cuff_depth, plan->block.length);
 }

@@ -66,12 +66,13 @@ static void raglan_cut(mus__board *board, bool front, int32_t first, int32_t las
     double line[8];
     const int32_t kind = MUS__CUBIC;
     raglan_line(mus__board_start(board, first), mus__board_start(board, last), bow, line);
-    const int32_t corner = mus__board_cut(board, first, last, 1, &kind, 4, line, "raglan_corner", "rag");
+    const int32_t corner = mus__board_cut(board, first, last, &(mus__board_path){1, &kind, 4, line},
+                                          "raglan_corner", "rag");
     if (board->status != MUS_OK) return;
     int32_t rag = board->panel[corner].first;
     for (int32_t i = 0; i < 4 && strcmp(board->side[rag].name, "rag") != 0; i++) rag = board->side[rag].next;
     const int32_t a = board->side[rag].next, b = board->side[a].next, c = board->side[b].next;
-    if (board->side[c].next != rag || strcmp(board->side[b].label, "shoulder") != 0) {
+    if (board->side[c].next != rag || strcmp(board->side[b].attr.label, "shoulder") != 0) {
         mus__board_fail(board, MUS_ERR_DESIGN, "raglan: the corner at the shoulder of %s is shaped, it has to be plain",
                         board->panel[panel].name);
         return;
@@ -175,7 +176,7 @@ static bool raglan_necks(mus__half *half, const mus__sleeve_plan *plan, double a
     const int32_t shoulder = plan->arm.over[plan->shoulder];
     const int32_t before = board->side[shoulder].next;
     const int32_t behind = board->side[mus__board_partner(board, shoulder)].prev;
-    const bool plain = strcmp(board->side[before].label, "neck") == 0 && strcmp(board->side[behind].label, "neck") == 0;
+    const bool plain = strcmp(board->side[before].attr.label, "neck") == 0 && strcmp(board->side[behind].attr.label, "neck") == 0;
     if (!plain || board->side[before].length < 1.3 * along || board->side[behind].length < 1.3 * along) {
         mus__board_fail(board, MUS_ERR_DESIGN,
                         "raglan: the neckline beside the shoulder is shaped or shorter than %d mm",

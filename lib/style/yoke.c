@@ -21,7 +21,7 @@ static int32_t yoke_cut(mus__board *board, int32_t from, int32_t to, const char 
     const double *a = mus__board_start(board, from), *b = mus__board_start(board, to);
     const double xy[4] = {a[0], a[1], b[0], b[1]};
     const int32_t kind = MUS__LINE;
-    return mus__board_cut(board, from, to, 1, &kind, 2, xy, name, seam);
+    return mus__board_cut(board, from, to, &(mus__board_path){1, &kind, 2, xy}, name, seam);
 }
 
 

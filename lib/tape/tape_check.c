@@ -1,17 +1,17 @@
 /*
- * tape_check.c: does the sheet make sense?
+ * tape_check.c: errors and warnings of a derived tape.
  *
- * Errors are sheets that no body has; warnings are sheets that hardly any has (each fires on fewer than 0.05 % of the
- * 6068 people of ANSUR II). Both name the two measures. A warning needs at least one given measure. A given value more
- * than four standard deviations from its prediction is nearly always inches for cm or half for a whole girth, so the
- * warning says when that would explain it. Lengths in the rules are in cm, as in the source of the list.
+ * An error is a pair of measures that no body has; a warning is a pair that fewer than 0.05 % of the 6068 people of
+ * ANSUR II have. Both name the two measures. A warning needs at least one given measure. A given value more than four
+ * standard deviations from its prediction is nearly always a value in inches taken for cm, or half a girth taken for a
+ * whole one; the warning says so where that brings the value near its prediction. Additions in the rules are in cm.
  */
 #include <math.h>
 #include <stdio.h>
 
 #include "tape/tape_internal.h"
 
-/* the rule "x > factor*y + add [cm]" about two measures */
+/* a rule about two measures: x above factor * y + add [cm] breaks it (in the lists of low bounds: x below) */
 typedef struct tape_pair {
     int32_t x, y;
     double factor, add;
@@ -70,7 +70,7 @@ static const tape_pair tape_low_warnings[] = {
 #define TAPE_COUNT(list) ((int)(sizeof(list) / sizeof *(list)))
 
 
-/* true when x > factor*y + add (or < for `below`), with 1e-9 for rounding; false when one is unset */
+/* whether a tape breaks a rule, with 1e-9 m for rounding; false when one of the two measures is unset */
 static bool tape_breaks(const mus_tape *tape, const tape_pair *pair, bool below)
 {
     double x = tape->value[pair->x], bound = pair->factor * tape->value[pair->y] + 0.01 * pair->add;
@@ -78,7 +78,7 @@ static bool tape_breaks(const mus_tape *tape, const tape_pair *pair, bool below)
 }
 
 
-/* "underbust of 99.0 cm is too large against bust of 92.0 cm, by 7.0 cm" */
+/* the message of a broken rule: "underbust of 99.0 cm is too large against bust of 92.0 cm, by 7.0 cm" */
 static void tape_sentence(const mus_tape *tape, const tape_pair *pair, bool below, char *out, size_t bytes)
 {
     char x[MUS__TAPE_TEXT_BYTES], y[MUS__TAPE_TEXT_BYTES], by[MUS__TAPE_TEXT_BYTES];
@@ -95,7 +95,8 @@ static bool tape_given(const mus_tape *tape, int32_t measure)
 }
 
 
-/* "; inches taken for cm: 92.7 cm?" where that would bring a value within `slack` of what is expected, or "" */
+/* the likely cause of a small value, "; inches taken for cm: 92.7 cm?" or "; half the girth: ...", where it brings the
+ * value within `slack` of the expected one; else "" */
 static const char *tape_slip(int32_t measure, double value, double expected, double slack, char *out, size_t bytes)
 {
     const double inch = 2.54 * value, twice = 2.0 * value;
@@ -111,7 +112,8 @@ static const char *tape_slip(int32_t measure, double value, double expected, dou
 }
 
 
-/* what the other three of stature, bust, waist and hip let expect of one of them: adults of ANSUR II, and the tables */
+/* expected value [m] of one of stature, bust, waist and hip, from the other three: mean ratios of the adults of ANSUR
+ * II and of the size tables */
 static double tape_expected(const double *v, int32_t measure)
 {
     const double b = v[MUS_MEASURE_BUST], w = v[MUS_MEASURE_WAIST], s = v[MUS_MEASURE_HIP];
@@ -122,8 +124,8 @@ static double tape_expected(const double *v, int32_t measure)
 }
 
 
-/* inches or half a girth in one of the four measures that all others follow from: the value is below two thirds of what
- * the other three let expect, and the slip explains it. The measure, or MUS_NONE */
+/* the one of stature, bust, waist and hip that is given in inches or as half a girth, or MUS_NONE: its value is below
+ * 0.62 of the expected one, and that cause brings it within 22 %. Writes the cause to `out` */
 static int32_t tape_slipped(const mus_tape *tape, char *out, size_t bytes)
 {
     static const int32_t base[] = {MUS_MEASURE_STATURE, MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
@@ -172,7 +174,7 @@ static void tape_check_warnings(mus_tape *tape, const tape_pair *list, int count
 }
 
 
-/* rise + inside leg is the waist height: apart by more than 8 cm is refused, by more than 4 cm doubted */
+/* rise + inside leg should be the waist height: more than 8 cm apart is an error, more than 4 cm a warning */
 static mus_status tape_check_rise(mus_tape *tape)
 {
     const double *v = tape->value;
@@ -192,7 +194,8 @@ static mus_status tape_check_rise(mus_tape *tape)
 }
 
 
-/* sums of two against a third: across back and front against the bust, back waist and hip drop against the stature */
+/* warnings about sums of two measures: across back and front against the bust, back waist and hip drop against the
+ * stature */
 static void tape_check_sums(mus_tape *tape)
 {
     const double *v = tape->value;
@@ -205,7 +208,8 @@ static void tape_check_sums(mus_tape *tape)
 }
 
 
-/* given values far from their prediction, with the usual cause where it fits within two deviations */
+/* warnings about given values more than four standard deviations from their prediction, with the likely cause where it
+ * brings the value within two */
 static void tape_check_residuals(mus_tape *tape)
 {
     char cause[80];

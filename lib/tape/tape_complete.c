@@ -11,14 +11,14 @@ mus_status mus_tape_complete(mus_tape *tape)
 {
     if (tape == NULL) return MUS_ERR_ARG;
 
-    /* what must be there; a child's girths follow from its stature */
+    /* the measures that cannot be derived; a child's girths follow from its stature */
     static const int32_t needed[] = {MUS_MEASURE_STATURE, MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
     for (int i = 0; i < (tape->sex == MUS_SEX_CHILD ? 1 : 4); i++)
         if (!tape->held[needed[i]])
             return mus__fail(tape->context, MUS_ERR_TAPE, "%s is missing: it cannot be derived",
                              mus_measure_name(needed[i]));
 
-    /* on a copy, so that a sheet that makes no sense leaves the tape alone */
+    /* on a copy, so that the tape stays as it was when a check fails */
     mus_tape *work = NULL;
     mus_status status = mus_tape_copy(tape, &work);
     if (status != MUS_OK) return status;

@@ -1,10 +1,10 @@
 /*
- * tape_derive.c: what stature, bust, waist and hip say about the measures that were not taken.
+ * tape_derive.c: the measures that were not taken, derived from stature, bust, waist and hip.
  *
- * Most are straight lines in the four girths: regressions on the public ANSUR II survey (US Army, 2012) and the rules
- * of clothing tables; the numbers are in cm, as their sources have them. Women, men and children have their own
- * lines; an unset sex takes the mean of women and men. Heights follow from each other: any two of rise, inside leg
- * and waist height give the third. A derived value that would contradict a given one gives way to it.
+ * Most are linear in those four: regressions on the public ANSUR II survey (US Army, 2012: 6068 people) and rules of
+ * size tables of the clothing trade; the coefficients are in cm, as in their sources. Women, men and children have
+ * their own lines; an unset sex takes the mean of women and men. Any two of rise, inside leg and waist height give the
+ * third. Where a derived value would contradict a given one, the derived one is changed.
  */
 #include <math.h>
 
@@ -18,10 +18,10 @@ typedef struct tape_line {
 typedef struct tape_rule {
     int32_t measure;
     tape_line female, male, child;
-    double female_deviation, male_deviation; /* residual of the regression [cm], 0: a rule of the trade */
+    double female_deviation, male_deviation; /* standard deviation of the residual in ANSUR II [cm]; 0: a trade rule */
 } tape_rule;
 
-/* shoulder: 2.3 + 0.06 H + 0.04 (B - 92) and so on are multiplied out */
+/* lines such as that of the shoulder, 2.3 + 0.06 H + 0.04 (B - 92), are multiplied out */
 static const tape_rule tape_rules[] = {
     {MUS_MEASURE_NECK, {11.3, .072, .14, 0, 0}, {13.5, .037, .213, 0, 0}, {16.2, .111, 0, 0, 0}, 1.4, 1.7},
     {MUS_MEASURE_SHOULDER, {-1.38, .06, .04, 0, 0}, {1.9, .065, .02, 0, 0}, {1.9, .064, 0, 0, 0}, .95, .95},
@@ -50,14 +50,15 @@ static const tape_rule tape_rules[] = {
 
 #define TAPE_RULE_COUNT ((int)(sizeof tape_rules / sizeof *tape_rules))
 
-/* children: nape to waist and head girth bend with age, so they are read off the size table [cm] */
-#define TAPE_CHILD_ROWS 11
+/* children: nape to waist and head girth are not linear in the stature, so they are read from the size table [cm] */
+#define TAPE_CHILD_ROWS 11 /* statures of that table */
 static const double tape_child_stature[TAPE_CHILD_ROWS] = {50, 56, 68, 80, 92, 104, 116, 128, 140, 152, 164};
 static const double tape_child_back[TAPE_CHILD_ROWS] = {13.15, 14.5, 17.2, 19.8, 22.2, 24.3,
                                                         26.6,  29.2, 32.2, 35.4, 38.6};
 static const double tape_child_head[TAPE_CHILD_ROWS] = {35, 38.5, 43, 46.5, 49, 50.8, 52, 53, 54, 55, 56};
 
 
+/* a row of the children's table at stature h [cm], linear between the statures; returns [cm] */
 static double tape_table(const double *row, double h)
 {
     int i = 0;
@@ -67,6 +68,7 @@ static double tape_table(const double *row, double h)
 }
 
 
+/* a line at the measures v [m]; returns [cm] */
 static double tape_line_at(const tape_line *line, const double *v)
 {
     return line->c + line->h * 100.0 * v[MUS_MEASURE_STATURE] + line->b * 100.0 * v[MUS_MEASURE_BUST] +
@@ -74,7 +76,7 @@ static double tape_line_at(const tape_line *line, const double *v)
 }
 
 
-/* by the sex of the tape: women's, men's, or the mean of the two */
+/* the value for a sex: women's, men's, or the mean of the two for an unset one */
 static double tape_mix(int32_t sex, double female, double male)
 {
     return sex == MUS_SEX_FEMALE ? female : sex == MUS_SEX_MALE ? male : 0.5 * (female + male);
@@ -103,7 +105,7 @@ double mus__tape_predict(const mus_tape *tape, int32_t measure, double *deviatio
 }
 
 
-/* write a derived value, kept within what mus_tape_set() would take */
+/* set a measure that is not held to a derived value, clamped to the range of mus_tape_set() */
 static void tape_put(mus_tape *tape, int32_t measure, double value)
 {
     if (tape->held[measure]) return;
@@ -121,7 +123,7 @@ static void tape_put_predicted(mus_tape *tape, int32_t measure)
 }
 
 
-/* a derived value gives way to a bound that given ones set */
+/* lower a measure that is not held to a bound that given measures set; tape_at_least raises it */
 static void tape_at_most(mus_tape *tape, int32_t measure, double bound)
 {
     if (!tape->held[measure] && tape->value[measure] > bound) tape_put(tape, measure, bound);
@@ -134,7 +136,8 @@ static void tape_at_least(mus_tape *tape, int32_t measure, double bound)
 }
 
 
-/* waist height = rise + inside leg: two give the third, one is joined by the predicted rise or waist height */
+/* waist height = rise + inside leg: two of them give the third; of one alone, or none, the predicted rise or waist
+ * height is used */
 static void tape_derive_legs(mus_tape *tape)
 {
     double *v = tape->value, deviation;
@@ -144,7 +147,7 @@ static void tape_derive_legs(mus_tape *tape)
     double rise = held[r] ? v[r] : mus__tape_predict(tape, r, &deviation);
     double height = held[w] ? v[w] : mus__tape_predict(tape, w, &deviation);
 
-    /* the inside leg alone: the predicted rise stands on it, and the waist stays where a waist can be */
+    /* from the inside leg alone: waist height is inside leg plus predicted rise, within 0.50 to 0.66 of the stature */
     if (!held[w] && held[l]) {
         height = v[l] + rise;
         if (!held[r] && height > 0.66 * stature) height = fmax(0.66 * stature, v[l] + 0.1 * stature);
@@ -164,21 +167,21 @@ static void tape_derive_girths(mus_tape *tape)
     double *v = tape->value;
     double bust = v[MUS_MEASURE_BUST], waist = v[MUS_MEASURE_WAIST], hip = v[MUS_MEASURE_HIP];
 
-    /* a full waist is not narrower under the bust */
+    /* the body under the bust is at least 0.97 of a wide waist */
     tape_at_least(tape, MUS_MEASURE_UNDERBUST, fmax(0.78 * bust, fmin(0.97 * waist, bust - 0.04)));
     double under = v[MUS_MEASURE_UNDERBUST];
     double high = bust - 0.35 * (bust - under);
     tape_put(tape, MUS_MEASURE_HIGH_BUST, tape->sex == MUS_SEX_CHILD ? high : tape_mix(tape->sex, high, bust + 0.01));
     tape_put(tape, MUS_MEASURE_HIGH_HIP, waist + 0.72 * (hip - waist));
 
-    /* the knee goes with a thigh and a calf that were measured (ANSUR II: the girth above the knee, 6 % more) */
+    /* the knee from a measured thigh or calf: regression on ANSUR II, whose girth above the knee is 6 % more */
     double thigh = v[MUS_MEASURE_THIGH], calf = v[MUS_MEASURE_CALF];
     if (tape->sex != MUS_SEX_CHILD && (tape->held[MUS_MEASURE_THIGH] || tape->held[MUS_MEASURE_CALF]))
         tape_put(tape, MUS_MEASURE_KNEE,
                  tape_mix(tape->sex, 0.014 * hip + 0.253 * thigh + 0.576 * calf - 0.0075,
                           0.099 * hip + 0.188 * thigh + 0.353 * calf + 0.0287));
 
-    /* limbs taper: whichever of a pair was derived follows the given one */
+    /* limbs taper: of two neighbouring girths the derived one follows the given one */
     tape_at_least(tape, MUS_MEASURE_UPPER_ARM, 1.15 * v[MUS_MEASURE_WRIST]);
     tape_at_most(tape, MUS_MEASURE_WRIST, 0.85 * v[MUS_MEASURE_UPPER_ARM]);
     if (tape->held[MUS_MEASURE_WRIST]) tape_at_least(tape, MUS_MEASURE_HAND, 1.02 * v[MUS_MEASURE_WRIST]);
@@ -192,8 +195,8 @@ static void tape_derive_girths(mus_tape *tape)
 }
 
 
-/* heights of the nape and the bust: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth. The hip
- * lies 0.223 (women) or 0.177 (men) of a measured rise above the crotch, to 1.7 and 2.0 cm in ANSUR II */
+/* heights of nape, bust and hip: nape = waist + 0.97 nape-to-waist; bust = nape + 1 cm - 0.88 bust depth. The hip lies
+ * 0.223 (women) or 0.177 (men) of a measured rise above the crotch (ANSUR II, standard deviations 1.7 and 2.0 cm) */
 static void tape_derive_heights(mus_tape *tape)
 {
     double *v = tape->value;
@@ -214,7 +217,7 @@ static void tape_derive_heights(mus_tape *tape)
 
 void mus__tape_derive(mus_tape *tape)
 {
-    /* forget what was derived before */
+    /* unset the values of an earlier derivation */
     for (int32_t i = 0; i < MUS_MEASURE_COUNT; i++) {
         if (tape->held[i]) continue;
         tape->value[i] = NAN;
@@ -224,7 +227,7 @@ void mus__tape_derive(mus_tape *tape)
     /* a child's girths from its stature */
     static const int32_t girths[] = {MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
     if (tape->sex == MUS_SEX_CHILD) {
-        /* one that was not measured goes with those that were: a child slimmer than the table is so all round */
+        /* girths that were not measured: the table's, times the mean ratio of the measured ones to the table's */
         const double stature = tape->value[MUS_MEASURE_STATURE];
         double build = 0.0;
         int given = 0;
@@ -235,7 +238,7 @@ void mus__tape_derive(mus_tape *tape)
         for (int i = 0; i < 3; i++) tape_put(tape, girths[i], build * mus__tape_child_girth(stature, girths[i]));
     }
 
-    /* everything with a line of its own; the leg heights hang together and come by themselves */
+    /* measures with a line of their own; rise and waist height depend on each other: tape_derive_legs() */
     for (int i = 0; i < TAPE_RULE_COUNT; i++) {
         int32_t measure = tape_rules[i].measure;
         if (measure != MUS_MEASURE_RISE && measure != MUS_MEASURE_WAIST_HEIGHT) tape_put_predicted(tape, measure);

@@ -22,7 +22,7 @@ static const tape_measure tape_measures[MUS_MEASURE_COUNT] = {
 #undef TAPE_MEASURE
 };
 
-/* other words for the same measure, as sheets and other programs call them */
+/* other names of measures, as measurement sheets and other programs use them */
 static const struct {
     const char *name;
     int32_t measure;
@@ -82,7 +82,7 @@ void mus__tape_range(int32_t measure, double *low, double *high)
 
 const char *mus__tape_text(int32_t measure, double value, char *out)
 {
-    /* digits by hand: printf takes the decimal sign from the locale */
+    /* whole part and tenth are printed as integers: printf takes the decimal sign from the locale */
     bool angle = tape_measures[measure].unit == 'r';
     double scaled = angle ? value * (1800.0 / 3.14159265358979323846) : value * 1000.0;
     if (!(scaled > -1e9 && scaled < 1e9)) scaled = 0.0;

@@ -1,16 +1,16 @@
 /*
- * tape_size.c: the 28 standard sizes, as tapes.
+ * tape_size.c: the 28 table sizes, as tapes.
  *
- * Women W34 to W52, men M46 to M60 (bust or chest, waist, hip in steps like those of EN 13402), children C56 to C164
- * by stature. Only stature and the three girths are given; all other rows of the printed tables are what the
- * derivations of tape_derive.c say, to 0.05 cm, which a test holds.
+ * Women W34 to W52 and men M46 to M60 in the steps of bust (chest), waist and hip of EN 13402-3; children C56 to C164
+ * by stature. A size gives stature and the three girths. The other rows of printed size tables are what tape_derive.c
+ * derives, to 0.05 cm; tests/tape/test_tape_size.c holds that.
  */
 #include <math.h>
 #include <string.h>
 
 #include "tape/tape_internal.h"
 
-/* cm */
+/* a size: stature and girths [cm] */
 typedef struct tape_size {
     const char *name;
     double stature, bust, waist, hip;
@@ -30,7 +30,7 @@ static const tape_size tape_sizes[] = {
 };
 
 #define TAPE_SIZE_COUNT ((int32_t)(sizeof tape_sizes / sizeof *tape_sizes))
-#define TAPE_CHILD_FIRST 18
+#define TAPE_CHILD_FIRST 18 /* row of the first child, C56 */
 
 
 int32_t mus_tape_size_count(void)
@@ -47,7 +47,7 @@ const char *mus_tape_size_name(int32_t index)
 
 double mus__tape_child_girth(double stature, int32_t measure)
 {
-    /* the row at this stature, straight between rows and on beyond the ends */
+    /* linear between the two rows round this stature, and beyond the ends on the line of the last two rows */
     double h = 100.0 * stature;
     int32_t i = TAPE_CHILD_FIRST;
     while (i + 2 < TAPE_SIZE_COUNT && h > tape_sizes[i + 1].stature) i++;

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "topology/check_list.h"
+#include "topology/faults.h"
 
 /* 1 cm2: smaller than any piece that is cut, larger than what a slip of the pencil encloses */
 #define SMALLEST_AREA 1e-4
@@ -16,12 +16,12 @@
 #define LENGTH_SLACK 1e-9
 
 
-static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus__fault_list *list)
+static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus_faults *faults)
 {
     const mus__panel *own = &pattern->panel[panel];
     mus__fault *fault;
     if (own->noutline == 0) {
-        fault = mus__fault_add(pattern->context, list, MUS_FAULT_OPEN_OUTLINE, panel, MUS_NONE, MUS_NONE);
+        fault = mus__fault_add(faults, MUS_FAULT_OPEN_OUTLINE, panel, MUS_NONE, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: it has no closed outline", own->name);
         return MUS_OK;
@@ -35,7 +35,7 @@ static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus__fa
         char title[2][2 * MUS__NAME_BYTES];
         mus__pattern_edge_title(pattern, a, title[0]);
         mus__pattern_edge_title(pattern, b, title[1]);
-        fault = mus__fault_add(pattern->context, list, MUS_FAULT_CROSSING, panel, a, MUS_NONE);
+        fault = mus__fault_add(faults, MUS_FAULT_CROSSING, panel, a, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: its outline crosses or touches itself: edges %s and %s",
                  own->name, title[0], title[1]);
@@ -44,7 +44,7 @@ static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus__fa
     double area = mus_pattern_panel_area(pattern, panel);
     if (area < SMALLEST_AREA) {
         char number[32];
-        fault = mus__fault_add(pattern->context, list, MUS_FAULT_SMALL_PANEL, panel, MUS_NONE, MUS_NONE);
+        fault = mus__fault_add(faults, MUS_FAULT_SMALL_PANEL, panel, MUS_NONE, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "panel %s: its area is %s cm2, pieces below 1 cm2 cannot be sewn",
                  own->name, mus__fault_number(area * 1e4, 3, number));
@@ -53,13 +53,13 @@ static mus_status fault_panel(const mus_pattern *pattern, int32_t panel, mus__fa
 }
 
 
-static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q, int32_t edge, mus__fault_list *list)
+static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q, int32_t edge, mus_faults *faults)
 {
     const mus__edge *own = &pattern->edge[edge];
     char title[2 * MUS__NAME_BYTES];
     mus__pattern_edge_title(pattern, edge, title);
     if (q->place[edge] == MUS_NONE) {
-        mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_LOOSE_EDGE, own->panel, edge, own->seam);
+        mus__fault *fault = mus__fault_add(faults, MUS_FAULT_LOOSE_EDGE, own->panel, edge, own->seam);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is part of no outline", title);
     }
@@ -67,7 +67,7 @@ static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q,
     for (int32_t i = 0; i < pattern->nseam && own->nseam > 1; i++)
         laid += pattern->seam[i].laid && (pattern->seam[i].edge_a == edge || pattern->seam[i].edge_b == edge);
     if (own->nseam - laid > 1 || laid > 2) {
-        mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_SEWN_TWICE, own->panel, edge, own->seam);
+        mus__fault *fault = mus__fault_add(faults, MUS_FAULT_SEWN_TWICE, own->panel, edge, own->seam);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "edge %s: it is in %d seams, one is the most; the first is seam %d",
                  title, (int)own->nseam, (int)own->seam);
@@ -77,7 +77,7 @@ static mus_status fault_edge(const mus_pattern *pattern, const mus__quotient *q,
 
 
 /* |length b - length a - ease| <= tolerance */
-static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, mus__fault_list *list)
+static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, mus_faults *faults)
 {
     const mus_seam_def *def = &pattern->seam[seam];
     double a = mus_pattern_edge_length(pattern, def->edge_a), b = mus_pattern_edge_length(pattern, def->edge_b);
@@ -97,7 +97,7 @@ static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, mu
     else
         snprintf(allowed, sizeof allowed, "%s to %s mm", number[4], number[3]);
 
-    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_SEAM_LENGTH, MUS_NONE, def->edge_a, seam);
+    mus__fault *fault = mus__fault_add(faults, MUS_FAULT_SEAM_LENGTH, MUS_NONE, def->edge_a, seam);
     if (fault == NULL) return MUS_ERR_MEMORY;
     snprintf(fault->text, sizeof fault->text, "seam %d: %s %s m and %s %s m differ by %s mm, ease allows %s", (int)seam,
              title[0], number[0], title[1], number[1], number[2], allowed);
@@ -105,12 +105,12 @@ static mus_status fault_seam_length(const mus_pattern *pattern, int32_t seam, mu
 }
 
 
-static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_t edge, mus__fault_list *list)
+static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_t edge, mus_faults *faults)
 {
     char title[2][2 * MUS__NAME_BYTES];
     int32_t a = seam != MUS_NONE ? pattern->seam[seam].edge_a : edge;
     mus__pattern_edge_title(pattern, a, title[0]);
-    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_TWISTED_SEAM, MUS_NONE, a, seam);
+    mus__fault *fault = mus__fault_add(faults, MUS_FAULT_TWISTED_SEAM, MUS_NONE, a, seam);
     if (fault == NULL) return MUS_ERR_MEMORY;
     if (seam == MUS_NONE) {
         snprintf(fault->text, sizeof fault->text, "edge %s: its panel meets itself there with the wrong side out",
@@ -125,70 +125,44 @@ static mus_status fault_twisted(const mus_pattern *pattern, int32_t seam, int32_
 }
 
 
-/* all faults into `list` */
-static mus_status fault_collect(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, mus__fault_list *list)
+/* all faults, in the order of panels, edges, seams, garment */
+static mus_status fault_collect(const mus_pattern *pattern, mus__quotient *q, int32_t *twisted, mus_faults *faults)
 {
     mus_status status = MUS_OK;
     int32_t bridge;
-    for (int32_t i = 0; i < pattern->npanel && status == MUS_OK; i++) status = fault_panel(pattern, i, list);
-    for (int32_t i = 0; i < pattern->nedge && status == MUS_OK; i++) status = fault_edge(pattern, q, i, list);
+    for (int32_t i = 0; i < pattern->npanel && status == MUS_OK; i++) status = fault_panel(pattern, i, faults);
+    for (int32_t i = 0; i < pattern->nedge && status == MUS_OK; i++) status = fault_edge(pattern, q, i, faults);
     mus__quotient_sides(pattern, q, twisted, &bridge);
-    if (bridge != MUS_NONE && status == MUS_OK) status = fault_twisted(pattern, MUS_NONE, bridge, list);
+    if (bridge != MUS_NONE && status == MUS_OK) status = fault_twisted(pattern, MUS_NONE, bridge, faults);
     for (int32_t i = 0; i < pattern->nseam && status == MUS_OK; i++) {
-        status = fault_seam_length(pattern, i, list);
-        if (status == MUS_OK && twisted[i]) status = fault_twisted(pattern, i, MUS_NONE, list);
+        status = fault_seam_length(pattern, i, faults);
+        if (status == MUS_OK && twisted[i]) status = fault_twisted(pattern, i, MUS_NONE, faults);
     }
-    return status == MUS_OK ? mus__garment_faults(pattern, q, list) : status;
+    return status == MUS_OK ? mus__garment_faults(pattern, q, faults) : status;
 }
 
 
-mus_status mus_pattern_check(mus_pattern *pattern, int32_t *count)
+mus_status mus_pattern_check(const mus_pattern *pattern, int32_t *count, mus_faults **out)
 {
     if (count != NULL) *count = 0;
+    if (out != NULL) *out = NULL;
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = pattern->context;
-    if (count == NULL) return mus__fail(context, MUS_ERR_ARG, "check: count is NULL");
+    if (count == NULL && out == NULL) return mus__fail(context, MUS_ERR_ARG, "check: count and out are both NULL");
 
     mus__quotient q;
     mus_status status = mus__quotient_make(pattern, true, &q);
     if (status != MUS_OK) return status;
-    mus__fault_list list = {0};
+    mus_faults *faults = mus__new(context, 1, sizeof *faults);
     int32_t *twisted = mus__new(context, pattern->nseam, sizeof *twisted);
-    status = twisted != NULL ? fault_collect(pattern, &q, twisted, &list) : MUS_ERR_MEMORY;
+    if (faults != NULL) faults->context = context;
+    status = faults != NULL && twisted != NULL ? fault_collect(pattern, &q, twisted, faults) : MUS_ERR_MEMORY;
     mus__free(context, twisted);
     mus__free(context, q.block);
-    if (status != MUS_OK) {
-        mus__free(context, list.fault);
-        return status == MUS_ERR_MEMORY ? mus__fail_memory(context, "the check of a pattern") : status;
-    }
-
-    /* the old faults stay until the new ones are whole */
-    mus__free(context, pattern->fault);
-    pattern->fault = list.fault;
-    pattern->nfault = list.count;
-    *count = list.count;
-    return MUS_OK;
-}
-
-
-mus_status mus_pattern_fault(const mus_pattern *pattern, int32_t index, int32_t *kind, int32_t *panel, int32_t *edge,
-                             int32_t *seam, const char **text)
-{
-    if (kind != NULL) *kind = 0;
-    if (panel != NULL) *panel = MUS_NONE;
-    if (edge != NULL) *edge = MUS_NONE;
-    if (seam != NULL) *seam = MUS_NONE;
-    if (text != NULL) *text = NULL;
-    if (pattern == NULL) return MUS_ERR_ARG;
-    if (index < 0 || index >= pattern->nfault)
-        return mus__fail(pattern->context, MUS_ERR_ARG, "fault %d is unknown, the last check found %d", (int)index,
-                         (int)pattern->nfault);
-
-    const mus__fault *own = &pattern->fault[index];
-    if (kind != NULL) *kind = own->kind;
-    if (panel != NULL) *panel = own->panel;
-    if (edge != NULL) *edge = own->edge;
-    if (seam != NULL) *seam = own->seam;
-    if (text != NULL) *text = own->text;
-    return MUS_OK;
+    if (status == MUS_OK && count != NULL) *count = faults->count;
+    if (status == MUS_OK && out != NULL)
+        *out = faults;
+    else
+        mus_faults_destroy(faults);
+    return status == MUS_ERR_MEMORY ? mus__fail_memory(context, "the check of a pattern") : status;
 }

@@ -16,7 +16,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "topology/check_list.h"
+#include "topology/faults.h"
 
 #define GARMENT_PAIRS 64    /* panels up to which pairs are tried: 2000 topologies of some 10 us */
 #define GARMENT_SINGLES 500 /* and single ones */
@@ -42,10 +42,10 @@ static const char *garment_label(const mus_pattern *pattern, int32_t n, const in
     const char *best = "";
     double most = 0.0;
     for (int32_t i = 0; i < n; i++) {
-        const char *label = pattern->edge[edges[i]].label;
+        const char *label = pattern->edge[edges[i]].attr.label;
         double length = 0.0;
         for (int32_t j = 0; j < n; j++)
-            if (strcmp(pattern->edge[edges[j]].label, label) == 0) length += mus_pattern_edge_length(pattern, edges[j]);
+            if (strcmp(pattern->edge[edges[j]].attr.label, label) == 0) length += mus_pattern_edge_length(pattern, edges[j]);
         if (label[0] == '\0' || length <= most) continue;
         best = label, most = length;
     }
@@ -85,7 +85,7 @@ static void garment_list(const mus_pattern *pattern, bool panels, int32_t n, con
 
 
 /* pieces that no seam joins to the largest */
-static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, mus__fault_list *list)
+static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, mus_faults *faults)
 {
     int32_t bridge, main = 0, most = 0;
     mus__quotient_sides(pattern, q, NULL, &bridge);
@@ -101,7 +101,7 @@ static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, m
                 if (n > most) main = i, most = n;
                 continue;
             }
-            mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_LOOSE_PIECE, i, MUS_NONE, MUS_NONE);
+            mus__fault *fault = mus__fault_add(faults, MUS_FAULT_LOOSE_PIECE, i, MUS_NONE, MUS_NONE);
             char names[MUS__FAULT_BYTES / 2];
             garment_list(pattern, true, n, items, names);
             if (fault != NULL)
@@ -111,7 +111,7 @@ static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, m
         }
     }
     mus__free(pattern->context, items);
-    return list->failed ? MUS_ERR_MEMORY : MUS_OK;
+    return faults->failed ? MUS_ERR_MEMORY : MUS_OK;
 }
 
 
@@ -167,12 +167,12 @@ static mus_status garment_mirrored(const mus_pattern *pattern, int32_t *out)
 }
 
 
-static mus_status garment_handle(const mus_pattern *pattern, int32_t handles, mus__fault_list *list)
+static mus_status garment_handle(const mus_pattern *pattern, int32_t handles, mus_faults *faults)
 {
     int32_t pair[2];
     mus_status status = garment_mirrored(pattern, pair);
     if (status != MUS_OK) return status;
-    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_MIRRORED, pair[0], MUS_NONE, MUS_NONE);
+    mus__fault *fault = mus__fault_add(faults, MUS_FAULT_MIRRORED, pair[0], MUS_NONE, MUS_NONE);
     if (fault == NULL) return MUS_ERR_MEMORY;
     char names[MUS__FAULT_BYTES / 2];
     garment_list(pattern, true, pair[1] == MUS_NONE ? 1 : 2, pair, names);
@@ -191,7 +191,7 @@ static mus_status garment_handle(const mus_pattern *pattern, int32_t handles, mu
 
 
 /* an opening that is not declared; with `missing`, the label of a declared one that is not there */
-static mus_status garment_opening(const mus_pattern *pattern, int32_t loop, const char *missing, mus__fault_list *list)
+static mus_status garment_opening(const mus_pattern *pattern, int32_t loop, const char *missing, mus_faults *faults)
 {
     int32_t n;
     double length;
@@ -200,7 +200,7 @@ static mus_status garment_opening(const mus_pattern *pattern, int32_t loop, cons
     if (status == MUS_OK) {
         char names[MUS__FAULT_BYTES / 2], number[32];
         int32_t kind = missing != NULL ? MUS_FAULT_MISSING_PIECE : MUS_FAULT_OPENING;
-        mus__fault *fault = mus__fault_add(pattern->context, list, kind, MUS_NONE, edges[0], MUS_NONE);
+        mus__fault *fault = mus__fault_add(faults, kind, MUS_NONE, edges[0], MUS_NONE);
         garment_list(pattern, false, n, edges, names);
         mus__fault_number(length, 3, number);
         if (fault == NULL)
@@ -241,7 +241,7 @@ static bool garment_patch(const mus_pattern *pattern, int32_t n, const int32_t *
 
 /* openings against those declared; taken (nopening) is zero */
 static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, int32_t *taken, int32_t *strange,
-                                   mus__fault_list *list)
+                                   mus_faults *faults)
 {
     int32_t left = 0, next = 0;
     for (int32_t loop = 0; loop < loops; loop++) {
@@ -265,13 +265,13 @@ static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, in
     for (int32_t i = 0; i < left; i++) {
         while (next < pattern->nopening && taken[next]) next++;
         mus_status status =
-            garment_opening(pattern, strange[i], next < pattern->nopening ? pattern->opening[next].label : NULL, list);
+            garment_opening(pattern, strange[i], next < pattern->nopening ? pattern->opening[next].label : NULL, faults);
         if (status != MUS_OK) return status;
         if (next < pattern->nopening) taken[next] = 1;
     }
     for (int32_t k = 0; k < pattern->nopening; k++) {
         if (taken[k]) continue;
-        mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_OPENING, MUS_NONE, MUS_NONE, MUS_NONE);
+        mus__fault *fault = mus__fault_add(faults, MUS_FAULT_OPENING, MUS_NONE, MUS_NONE, MUS_NONE);
         if (fault == NULL) return MUS_ERR_MEMORY;
         snprintf(fault->text, sizeof fault->text, "opening %s: it is declared, and the sewn garment has none",
                  pattern->opening[k].label);
@@ -281,13 +281,13 @@ static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, in
 
 
 /* closed bags: nothing can be put into them or through them */
-static mus_status garment_bags(const mus_pattern *pattern, mus__fault_list *list)
+static mus_status garment_bags(const mus_pattern *pattern, mus_faults *faults)
 {
     mus_homology h;
     mus_homology_init(&h, sizeof h);
     mus_status status = mus_pattern_homology(pattern, 1, &h, NULL, 0);
     if (status != MUS_OK || h.betti[2] == 0) return status;
-    mus__fault *fault = mus__fault_add(pattern->context, list, MUS_FAULT_CLOSED, MUS_NONE, MUS_NONE, MUS_NONE);
+    mus__fault *fault = mus__fault_add(faults, MUS_FAULT_CLOSED, MUS_NONE, MUS_NONE, MUS_NONE);
     if (fault == NULL) return MUS_ERR_MEMORY;
     snprintf(fault->text, sizeof fault->text, "the seams close %d %s all round: a pocket or piece without a way in",
              (int)h.betti[2], h.betti[2] == 1 ? "bag" : "bags");
@@ -296,32 +296,32 @@ static mus_status garment_bags(const mus_pattern *pattern, mus__fault_list *list
 
 
 /* handles and openings of the garment whose seams to lines inside panels are left out */
-static mus_status garment_surface(const mus_pattern *pattern, mus__fault_list *list)
+static mus_status garment_surface(const mus_pattern *pattern, mus_faults *faults)
 {
     mus_topology t;
     mus_topology_init(&t, sizeof t);
     mus_status status = mus_pattern_topology(pattern, &t);
     if (status != MUS_OK || !t.manifold) return status;
-    if (t.orientable && garment_handles(&t) > 0) status = garment_handle(pattern, garment_handles(&t), list);
+    if (t.orientable && garment_handles(&t) > 0) status = garment_handle(pattern, garment_handles(&t), faults);
     if (status != MUS_OK) return status;
 
     int32_t *taken = mus__new(pattern->context, (int64_t)pattern->nopening + t.loops, sizeof *taken);
     if (taken == NULL) return MUS_ERR_MEMORY;
-    status = garment_openings(pattern, t.loops, taken, taken + pattern->nopening, list);
+    status = garment_openings(pattern, t.loops, taken, taken + pattern->nopening, faults);
     mus__free(pattern->context, taken);
     return status;
 }
 
 
-mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus__fault_list *list)
+mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus_faults *faults)
 {
     if (pattern->nopening == 0) return MUS_OK;
     for (int32_t i = 0; i < pattern->npanel; i++)
         if (pattern->panel[i].noutline == 0) return MUS_OK;
     mus_seam_def *seams = mus__room(pattern->context, pattern->nseam, sizeof *seams);
     if (seams == NULL) return MUS_ERR_MEMORY;
-    mus_status status = garment_pieces(pattern, q, list);
-    if (status == MUS_OK) status = garment_bags(pattern, list);
+    mus_status status = garment_pieces(pattern, q, faults);
+    if (status == MUS_OK) status = garment_bags(pattern, faults);
     mus_pattern bare = *pattern;
     bare.seam = seams;
     bare.nseam = 0;
@@ -334,7 +334,7 @@ mus_status mus__garment_faults(const mus_pattern *pattern, mus__quotient *q, mus
                 continue;
             seams[bare.nseam++] = *seam;
         }
-    if (status == MUS_OK) status = garment_surface(&bare, list);
+    if (status == MUS_OK) status = garment_surface(&bare, faults);
     mus__free(pattern->context, seams);
     return status;
 }

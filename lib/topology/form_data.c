@@ -29,16 +29,16 @@ static mus_status form_labels(mus__form *f, bool labels)
     if (f->label == NULL) return mus__fail_memory(f->context, "the form of a pattern");
     int32_t n = 0;
     f->label[n++] = "";
-    for (int32_t i = 0; i < pattern->npanel && labels; i++) f->label[n++] = pattern->panel[i].label;
-    for (int32_t k = 0; k < f->q.nword && labels; k++) f->label[n++] = pattern->edge[f->q.edge[k]].label;
+    for (int32_t i = 0; i < pattern->npanel && labels; i++) f->label[n++] = pattern->panel[i].attr.label;
+    for (int32_t k = 0; k < f->q.nword && labels; k++) f->label[n++] = pattern->edge[f->q.edge[k]].attr.label;
     qsort(f->label, (size_t)n, sizeof *f->label, form_by_text);
     f->nlabel = 0;
     for (int32_t i = 0; i < n; i++)
         if (i == 0 || strcmp(f->label[i], f->label[f->nlabel - 1]) != 0) f->label[f->nlabel++] = f->label[i];
     for (int32_t i = 0; i < pattern->npanel && labels; i++)
-        f->panel_label[i] = form_label_number(f, pattern->panel[i].label);
+        f->panel_label[i] = form_label_number(f, pattern->panel[i].attr.label);
     for (int32_t k = 0; k < f->q.nword && labels; k++)
-        f->edge_label[f->q.edge[k]] = form_label_number(f, pattern->edge[f->q.edge[k]].label);
+        f->edge_label[f->q.edge[k]] = form_label_number(f, pattern->edge[f->q.edge[k]].attr.label);
     return MUS_OK;
 }
 

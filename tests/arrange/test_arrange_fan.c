@@ -22,7 +22,7 @@ static int32_t flare_ring(mus_pattern *pattern, const char *name, double angle, 
                           int32_t *edge)
 {
     int32_t panel, point[2 * ARC + 2], all[2 * ARC + 2], forward[2 * ARC + 2];
-    const int32_t line = MUS_PIECE_LINE, n = 2 * ARC + 2;
+    const int32_t n = 2 * ARC + 2;
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
         const double r = i <= ARC ? outer : inner, part = (double)(i <= ARC ? i : n - 1 - i) / ARC - 0.5;
@@ -31,7 +31,9 @@ static int32_t flare_ring(mus_pattern *pattern, const char *name, double angle, 
         forward[i] = 1;
     }
     for (int32_t i = 0; i < n; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &all[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .start = point[i],
+                                                                       .end = point[(i + 1) % n]}, &all[i]),
                          MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, all, forward), MUS_OK);
     edge[0] = all[ARC], edge[1] = all[n - 1], edge[2] = all[ARC / 2];

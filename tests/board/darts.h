@@ -25,7 +25,7 @@ static inline int32_t dart_cubic_back(mus__board *board, int32_t panel, const ch
 {
     double turned[8];
     for (int i = 0; i < 4; i++) turned[2 * i] = cubic[6 - 2 * i], turned[2 * i + 1] = cubic[7 - 2 * i];
-    return mus__board_cubic_add(board, panel, name, name, turned);
+    return table_cubic(board, panel, name, name, turned);
 }
 
 
@@ -84,7 +84,7 @@ static inline int32_t dart_panel_random(mus__board *board, uint64_t *state, cons
         if (support_random(state) % 3 == 0)
             mus__board_line_add(board, panel, side, "", p, q);
         else
-            mus__board_cubic_add(board, panel, side, "", cubic);
+            table_cubic(board, panel, side, "", cubic);
     }
     mus__board_panel_close(board, panel);
     return panel;

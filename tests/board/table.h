@@ -23,6 +23,34 @@
 #define table_well(board) ck_assert_msg((board)->status == MUS_OK, "%s", mus_context_error((board)->context))
 
 
+/* append a side that is one cubic (4 x 2) */
+static inline int32_t table_cubic(mus__board *board, int32_t panel, const char *name, const char *label,
+                                  const double *cubic)
+{
+    const int32_t kind = MUS_PIECE_CUBIC;
+    return mus__board_side_add(board, panel, name, label, 1, &kind, 4, cubic);
+}
+
+
+/* move the sides and marks of a panel: turned by `angle` about `centre`, then shifted */
+static inline void table_turn(mus__board *board, int32_t panel, const double *centre, double angle, const double *shift)
+{
+    const double c = cos(angle), s = sin(angle);
+    const double map[6] = {c, -s, shift[0] + centre[0] - (c * centre[0] - s * centre[1]),
+                           s, c,  shift[1] + centre[1] - (s * centre[0] + c * centre[1])};
+    for (int32_t i = 0; i < board->nside; i++)
+        if (board->side[i].panel == panel) mus__board_chain_move(&board->side[i].chain, map);
+    for (int32_t i = 0; i < board->nmark; i++) {
+        mus__board_chain points = {.nxy = board->mark[i].n, .xy = board->mark[i].xy};
+        if (board->mark[i].panel == panel) mus__board_chain_move(&points, map);
+    }
+    double *grain = board->panel[panel].attr.grain;
+    const double x = grain[0], y = grain[1];
+    grain[0] = c * x - s * y, grain[1] = s * x + c * y;
+}
+
+
+
 /* the canonical forms are the same bytes */
 static inline void table_same_form(const mus_pattern *a, const mus_pattern *b, const char *title)
 {

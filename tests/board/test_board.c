@@ -31,7 +31,7 @@ START_TEST(an_outline_that_comes_back_to_a_point_still_does)
 {
     mus_context *context = support_context();
     static const double xy[5][2] = {{0, 0}, {0.3, 0}, {0.2, 0.2}, {0, 0.3}, {-0.2, 0.1}};
-    static const int32_t walk[7] = {0, 1, 2, 0, 3, 4, 0}, along[6] = {1, 1, 1, 1, 1, 1}, line = MUS_PIECE_LINE;
+    static const int32_t walk[7] = {0, 1, 2, 0, 3, 4, 0}, along[6] = {1, 1, 1, 1, 1, 1};
     mus_pattern *pattern, *again;
     mus__board board;
     int32_t panel, point[5], edge[6];
@@ -41,7 +41,8 @@ START_TEST(an_outline_that_comes_back_to_a_point_still_does)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[i][0], xy[i][1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < 6; i++)
         ck_assert_int_eq(
-            mus_pattern_add_edge(pattern, NULL, point[walk[i]], point[walk[i + 1]], 1, &line, 0, NULL, &edge[i]),
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[walk[i]],
+                                                          .end = point[walk[i + 1]]}, &edge[i]),
             MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 6, edge, along), MUS_OK);
 
@@ -51,7 +52,7 @@ START_TEST(an_outline_that_comes_back_to_a_point_still_does)
     mus__board_read(&board, pattern);
     for (int32_t i = 0; i < 3; i++) {
         if (i == 1) mus__board_mirror(&board, 0, "image");
-        if (i == 2) mus__board_cut(&board, 1, 0, 1, &arc, 3, cut, "part", "cut");
+        if (i == 2) mus__board_cut(&board, 1, 0, &(mus__board_path){1, &arc, 3, cut}, "part", "cut");
         table_whole(&board);
         mus__board_write(&board, &again);
         table_well(&board);
@@ -222,8 +223,9 @@ START_TEST(a_pattern_with_loose_cells_is_refused)
         if (i == 0)
             ck_assert_int_eq(mus_pattern_add_panel(s.pattern, "empty", NULL), MUS_OK);
         else
-            ck_assert_int_eq(mus_pattern_add_edge(s.pattern, "loose", s.point[0], s.point[2], 1,
-                                                  (int32_t[]){MUS_PIECE_LINE}, 0, NULL, NULL),
+            ck_assert_int_eq(mus_pattern_add_edge(s.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                             .name = "loose", .start = s.point[0],
+                                                                             .end = s.point[2]}, NULL),
                              MUS_OK);
         mus__board_read(&board, s.pattern);
         ck_assert_int_eq(board.status, MUS_ERR_PATTERN);

@@ -313,7 +313,7 @@ START_TEST(a_shortened_dart_keeps_its_mouth)
     int32_t faults;
     mus__board_write(&board, &pattern);
     table_well(&board);
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_pattern_destroy(pattern);
 
@@ -343,7 +343,7 @@ START_TEST(princess_seams_take_both_darts)
     const mus_topology before = dart_topology(&board);
     const int32_t to = board.side[leg].next;
     const double lengths[2] = {board.side[leg].length, board.side[f.waist_leg].length};
-    const int32_t made = mus__board_dart_to_seam(&board, f.waist_leg, to, 0, NULL, 0, NULL, "front_side", "princess");
+    const int32_t made = mus__board_dart_to_seam(&board, f.waist_leg, to, NULL, "front_side", "princess");
     table_well(&board);
     dart_ring_whole(&board, f.panel);
     dart_ring_whole(&board, made);
@@ -390,7 +390,8 @@ START_TEST(a_dart_goes_on_as_a_seam_along_a_curve)
     const int32_t kind = MUS_PIECE_CUBIC;
     const double *p = bodice.front.bust, *q = mus__board_start(&board, to);
     const double xy[8] = {p[0], p[1], p[0] - 0.03, p[1] + 0.01, q[0] + 0.03, q[1] - 0.01, q[0], q[1]};
-    const int32_t made = mus__board_dart_to_seam(&board, f.bust_leg, to, 1, &kind, 4, xy, "yoke", "yoke_seam");
+    const int32_t made = mus__board_dart_to_seam(&board, f.bust_leg, to, &(mus__board_path){1, &kind, 4, xy},
+                                                 "yoke", "yoke_seam");
     table_well(&board);
     ck_assert_double_eq_tol(mus__board_area(&board, f.panel) + mus__board_area(&board, made), area, 1e-15);
     const int32_t a = mus__board_find(&board, f.panel, "yoke_seam");
@@ -427,7 +428,7 @@ START_TEST(what_is_no_dart_move_is_refused_with_its_numbers)
         if (i == 6) mus__board_dart_add(&board, f.neck, 0.05, 0.02, point), says = "crosses side";
         if (i == 7) mus__board_dart_add(&board, f.neck, 0.005, 0.02, inside), says = "a mouth of 0.02 m about 0.005 m";
         if (i == 8) mus__board_dart_rotate(&board, f.bust_leg, f.neck, (double)NAN, f.cf, 1.0), says = "nan";
-        if (i == 9) mus__board_dart_to_seam(&board, f.bust_leg, f.cf, 0, NULL, 0, NULL, "x", "y"), says = "its point";
+        if (i == 9) mus__board_dart_to_seam(&board, f.bust_leg, f.cf, NULL, "x", "y"), says = "its point";
         if (i == 10) mus__board_dart_release(&board, f.neck), says = "not the leg";
         ck_assert_int_eq(board.status, MUS_ERR_ARG);
         ck_assert_msg(strstr(mus_context_error(context), says) != NULL, "%d: %s", (int)i, mus_context_error(context));
@@ -452,7 +453,7 @@ START_TEST(dart_moves_survive_failing_memory)
         mus__board_dart_add(&board, f.waist_in, 0.04, 0.01, point);
         mus__board_dart_release(&board, f.bust_leg);
         const int32_t to = board.status == MUS_OK ? board.side[f.waist_leg].next : MUS_NONE;
-        leg = mus__board_dart_to_seam(&board, leg, to, 0, NULL, 0, NULL, "side", "princess");
+        leg = mus__board_dart_to_seam(&board, leg, to, NULL, "side", "princess");
         support_fail_never();
         const mus_status status = board.status;
         mus__board_free(&board);

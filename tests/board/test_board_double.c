@@ -130,9 +130,9 @@ static void half_shirt(mus_context *context, mus__board *board)
     const int32_t front = mus__board_panel_add(board, "front", "body");
     mus__board_line_add(board, front, "hem", "hem", f[0], f[1]);
     mus__board_line_add(board, front, "side", NULL, f[1], f[2]);
-    mus__board_cubic_add(board, front, "arm", "armhole", arm);
+    table_cubic(board, front, "arm", "armhole", arm);
     mus__board_line_add(board, front, "sh", "shoulder", f[3], f[4]);
-    mus__board_cubic_add(board, front, "neck", "neck", neck);
+    table_cubic(board, front, "neck", "neck", neck);
     board->side[mus__board_line_add(board, front, "cf", "centre", f[5], f[0])].centre = MUS__CENTRE_FOLD;
     mus__board_panel_close(board, front);
     const int32_t sleeve = mus__board_panel_add(board, "sleeve", "arm");
@@ -159,8 +159,8 @@ START_TEST(what_a_half_carries_is_on_both_halves_of_the_whole)
     mus__board_mark_add(&board, 0, "drill", 1, pocket);
     mus__board_notch_add(&board, table_side(&board, "front.arm"), 0.05, MUS_NOTCH_SINGLE);
     mus__board_notch_add(&board, table_side(&board, "front.hem"), 0.0, MUS_NOTCH_SINGLE);
-    board.side[table_side(&board, "front.hem")].allowance = 0.03;
-    mus_placement *place = &board.panel[1].placement;
+    board.side[table_side(&board, "front.hem")].attr.allowance = 0.03;
+    mus_placement *place = &board.panel[1].attr.placement;
     const double turn[9] = {0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0};
     memcpy(place->rotation, turn, sizeof turn);
     place->origin[0] = 0.3, place->bend = 0.1, place->bend_x = 0.02;
@@ -175,11 +175,11 @@ START_TEST(what_a_half_carries_is_on_both_halves_of_the_whole)
     ck_assert_double_eq_tol(board.side[hem].length, 0.5, 1e-15);
     ck_assert_int_eq(board.side[hem].chain.npiece, 1);
     ck_assert_int_eq(board.side[neck].chain.npiece, 2);
-    ck_assert(board.side[hem].allowance == 0.03);
-    ck_assert_str_eq(board.side[arm_r].label, "armhole");
+    ck_assert(board.side[hem].attr.allowance == 0.03);
+    ck_assert_str_eq(board.side[arm_r].attr.label, "armhole");
     ck_assert_str_eq(board.panel[1].name, "sleeve_left");
     ck_assert_str_eq(board.panel[2].name, "sleeve_right");
-    ck_assert(board.panel[2].mirror_of == 1 && board.panel[1].cut_count == 2 && board.panel[2].cut_count == 1);
+    ck_assert(board.panel[2].mirror_of == 1 && board.panel[1].attr.cut_count == 2 && board.panel[2].attr.cut_count == 1);
     ck_assert_int_eq(mus__board_partner(&board, arm), table_side(&board, "sleeve_left.capF"));
     ck_assert_int_eq(mus__board_partner(&board, arm_r), table_side(&board, "sleeve_right.capF"));
 
@@ -201,13 +201,13 @@ START_TEST(what_a_half_carries_is_on_both_halves_of_the_whole)
     for (int32_t i = 0; i < 3; i++) {
         double x[2];
         for (int32_t k = 0; k < 2; k++) {
-            const mus_placement *at = &board.panel[1 + k].placement;
+            const mus_placement *at = &board.panel[1 + k].attr.placement;
             const double *r = at->rotation + 3 * i, *v = k == 0 ? p : q;
             x[k] = at->origin[i] + r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
         }
         ck_assert_double_eq_tol(x[0], i == 0 ? -x[1] : x[1], 1e-15);
     }
-    ck_assert_double_eq(board.panel[2].placement.bend_x, -0.02);
+    ck_assert_double_eq(board.panel[2].attr.placement.bend_x, -0.02);
     mus__board_free(&board);
     support_context_end(context);
 }
@@ -233,7 +233,7 @@ START_TEST(mirrored_twice_is_the_panel_itself)
         mus__board_remove_panel(&board, once);
         mus__board_remove_panel(&board, names[i]);
         memcpy(board.panel[twice].name, own, sizeof own);
-        ck_assert_int_eq(board.panel[twice].cut_count, 1);
+        ck_assert_int_eq(board.panel[twice].attr.cut_count, 1);
     }
     table_whole(&board);
     mus__board_write(&board, &after);
@@ -254,7 +254,7 @@ START_TEST(a_fold_may_lie_anywhere_but_must_be_straight_and_open)
     const double centre[2] = {0.3, 0.1}, shift[2] = {0.05, -0.2};
     for (int32_t i = 0; i < 3; i++) {
         half_shirt(context, &board);
-        mus__board_turn(&board, 0, centre, 0.7 * i, shift);
+        table_turn(&board, 0, centre, 0.7 * i, shift);
         const double area = table_area(&board, 0);
         mus__board_unfold(&board, table_side(&board, "front.cf"));
         table_whole(&board);

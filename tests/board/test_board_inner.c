@@ -19,7 +19,7 @@ static mus_pattern *square(mus_context *context, int32_t *edge)
 {
     static const double corner[RIM][2] = {{0.0, 0.0}, {0.4, 0.0}, {0.4, 0.5}, {0.0, 0.5}};
     static const char *const names[RIM] = {"hem", "right", "waist", "left"};
-    const int32_t line = MUS_PIECE_LINE, along[RIM] = {1, 1, 1, 1};
+    const int32_t along[RIM] = {1, 1, 1, 1};
     mus_pattern *pattern;
     int32_t panel, point[RIM];
     ck_assert_int_eq(mus_pattern_create(context, "square", &pattern), MUS_OK);
@@ -27,7 +27,9 @@ static mus_pattern *square(mus_context *context, int32_t *edge)
     for (int i = 0; i < RIM; i++)
         edit_well(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]));
     for (int i = 0; i < RIM; i++)
-        edit_well(mus_pattern_add_edge(pattern, names[i], point[i], point[(i + 1) % RIM], 1, &line, 0, NULL, &edge[i]));
+        edit_well(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = names[i],
+                                                                .start = point[i], .end = point[(i + 1) % RIM]},
+                                       &edge[i]));
     edit_well(mus_pattern_set_outline(pattern, panel, RIM, edge, along));
     return pattern;
 }
@@ -67,11 +69,17 @@ START_TEST(nothing_is_cut_from_a_line_inside)
         refused(pattern, mus_pattern_lay_pleats(pattern, in, 1, at, depth), what, before);
         refused(pattern, mus_pattern_add_dart(pattern, in, 0.06, 0.01, point, NULL), what, before);
         refused(pattern, mus_pattern_rotate_dart(pattern, leg, in, 0.06, keep, 1.0, NULL), what, before);
-        refused(pattern, mus_pattern_separate(pattern, out, far, in, 0.0, 0, NULL, 0, NULL, "a", "b", NULL, NULL),
+        refused(pattern, mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                                      .seam_name = "b", .edge_a = out, .s_a = far,
+                                                                      .edge_b = in, .s_b = 0.0}, NULL, NULL),
                 "a line inside", before);
-        refused(pattern, mus_pattern_separate(pattern, in, 0.06, out, far, 0, NULL, 0, NULL, "a", "b", NULL, NULL),
+        refused(pattern, mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                                      .seam_name = "b", .edge_a = in, .s_a = 0.06,
+                                                                      .edge_b = out, .s_b = far}, NULL, NULL),
                 "a line inside", before);
-        refused(pattern, mus_pattern_dart_to_seam(pattern, leg, in, 0.0, 0, NULL, 0, NULL, "a", "b", NULL, NULL),
+        refused(pattern, mus_pattern_dart_to_seam(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                                          .seam_name = "b", .edge_a = leg,
+                                                                          .edge_b = in, .s_b = 0.0}, NULL, NULL),
                 "a line inside", before);
     }
     mus_pattern_destroy(pattern);
@@ -130,7 +138,9 @@ START_TEST(what_is_cut_from_its_corner_leaves_a_line_where_it_lies)
         const double s = end ? 0.4 : 0.0, u = fractions[k / 8 / RIM] * mus_pattern_edge_length(pattern, to);
         const mus_status status =
             slash ? mus_pattern_spread(pattern, from, s, to, u, 0.004, 0.004)
-                  : mus_pattern_separate(pattern, from, s, to, u, 0, NULL, 0, NULL, "new", "cut", NULL, NULL);
+                  : mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "new",
+                                                                 .seam_name = "cut", .edge_a = from, .s_a = s,
+                                                                 .edge_b = to, .s_b = u}, NULL, NULL);
         if (status == MUS_OK) {
             done[slash]++;
             lines_lie_well(pattern, &was, slash ? "slash" : "cut", k);

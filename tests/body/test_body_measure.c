@@ -116,8 +116,9 @@ START_TEST(garmentcode_bodies_are_the_tapes)
 END_TEST
 
 
-/* weight regression of ANSUR II over 1.03 kg/l: W34 51.8, W40 64.9, M50 79.3, W52 97.0 l; and the frusta of the
- * drafting reference, section 2.2: 51.9, 65.1, 78.8, 105.9. A body off by a tenth has wrong heights or units. */
+/* weight regression of ANSUR II over 1.03 kg/l: W34 51.8, W40 64.9, M50 79.3, W52 97.0 l; by frusta between
+ * the girths, computed by another program: 51.9, 65.1, 78.8, 105.9. A body off by a tenth has wrong heights or
+ * units. */
 START_TEST(volumes_are_those_of_people)
 {
     static const struct {

@@ -1,6 +1,6 @@
 /*
- * test_verify_body.c: the cases of `muslin verify` on contours and solids as claims (numerics.md K1-K4): their source
- * is taken in, and each row asserts.
+ * test_verify_body.c: the cases of `muslin verify` on contours and solids as claims: their source is
+ * included, and each row is an assertion.
  */
 #include <math.h>
 #include <string.h>

@@ -114,7 +114,10 @@ static inline mus_status variant_panels(const mus_pattern *p, const variant_edit
         /* arcs do not stay arcs when they are stretched: quadratic through the same control is as good here */
         for (int32_t k = 0; k < npiece; k++) line[k] = kinds[k] == MUS_PIECE_ARC ? MUS_PIECE_QUADRATIC : kinds[k];
         for (int32_t k = 0; k < 2 * (nxy - 2); k++) inner[k] = xy[2 + k] * e->stretch[k % 2];
-        status = mus_pattern_add_edge(out, mus_pattern_edge_name(p, i), start, end, npiece, line, nxy - 2, inner, NULL);
+        status = mus_pattern_add_edge(out, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                           .name = mus_pattern_edge_name(p, i), .start = start,
+                                                           .end = end, .npiece = npiece, .kinds = line,
+                                                           .nxy = nxy - 2, .xy = inner}, NULL);
         if (status == MUS_OK) status = mus_pattern_set_edge_label(out, i, mus_pattern_edge_label(p, i));
     }
     return status;

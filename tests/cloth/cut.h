@@ -18,11 +18,12 @@
 /* a panel with straight edges between n points; edges (n) may be NULL */
 static inline int32_t cut_panel(mus_pattern *pattern, const char *name, int32_t n, const double *xy, int32_t *edges)
 {
-    int32_t panel, point[32], edge[32], forward[32], line = MUS_PIECE_LINE;
+    int32_t panel, point[32], edge[32], forward[32];
     CUT(mus_pattern_add_panel(pattern, name, &panel));
     for (int32_t i = 0; i < n; i++) CUT(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &point[i]));
     for (int32_t i = 0; i < n; i++) {
-        CUT(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]));
+        CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                          .end = point[(i + 1) % n]}, &edge[i]));
         forward[i] = 1;
     }
     CUT(mus_pattern_set_outline(pattern, panel, n, edge, forward));
@@ -42,7 +43,9 @@ static inline int32_t cut_rectangle(mus_pattern *pattern, const char *name, doub
 static inline int32_t cut_edge(mus_pattern *pattern, int32_t a, int32_t b, const double *control)
 {
     int32_t kind = control != NULL ? MUS_PIECE_CUBIC : MUS_PIECE_LINE, edge;
-    CUT(mus_pattern_add_edge(pattern, NULL, a, b, 1, &kind, control != NULL ? 2 : 0, control, &edge));
+    CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = a, .end = b,
+                                                      .npiece = 1, .kinds = &kind, .nxy = control != NULL ? 2 : 0,
+                                                      .xy = control}, &edge));
     return edge;
 }
 

@@ -187,13 +187,16 @@ START_TEST(one_and_two_edges_make_a_panel)
     const double disc[] = {0.06, 0.06, 0, 0.12, -0.06, 0.06}, low[] = {0.1, -0.03}, high[] = {0.1, 0.03};
     CUT(mus_pattern_add_panel(pattern, "disc", &panel));
     CUT(mus_pattern_add_point(pattern, panel, 0, 0, &point));
-    CUT(mus_pattern_add_edge(pattern, NULL, point, point, 2, arcs, 3, disc, edges));
+    CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point, .end = point,
+                                                      .npiece = 2, .kinds = arcs, .nxy = 3, .xy = disc}, edges));
     CUT(mus_pattern_set_outline(pattern, panel, 1, edges, forward));
     CUT(mus_pattern_add_panel(pattern, "lens", &panel));
     CUT(mus_pattern_add_point(pattern, panel, 0, 0, &point));
     CUT(mus_pattern_add_point(pattern, panel, 0.2, 0, &tip));
-    CUT(mus_pattern_add_edge(pattern, NULL, point, tip, 1, arcs, 1, low, &edges[0]));
-    CUT(mus_pattern_add_edge(pattern, NULL, tip, point, 1, arcs, 1, high, &edges[1]));
+    CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point, .end = tip,
+                                                      .npiece = 1, .kinds = arcs, .nxy = 1, .xy = low}, &edges[0]));
+    CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = tip, .end = point,
+                                                      .npiece = 1, .kinds = arcs, .nxy = 1, .xy = high}, &edges[1]));
     CUT(mus_pattern_set_outline(pattern, panel, 2, edges, forward));
     const double spacing[] = {0.005, 0.02, 0.1};
     for (int k = 0; k < 3; k++) {

@@ -76,13 +76,14 @@ START_TEST(an_outline_that_runs_against_its_edges_pairs_the_same)
     /* the same two squares, the second with its edges drawn backwards: the seam is then direct */
     mus_context *context = support_context();
     mus_pattern *pattern = cut_begin(context);
-    int32_t first[4], panel, point[4], edge[4], against[4] = {-1, -1, -1, -1}, line = MUS_PIECE_LINE;
+    int32_t first[4], panel, point[4], edge[4], against[4] = {-1, -1, -1, -1};
     const double at[4][2] = {{0, 0}, {0, 0.1}, {0.1, 0.1}, {0.1, 0}};
     cut_rectangle(pattern, "left", 0.1, 0.1, first);
     CUT(mus_pattern_add_panel(pattern, "right", &panel));
     for (int i = 0; i < 4; i++) CUT(mus_pattern_add_point(pattern, panel, at[i][0], at[i][1], &point[i]));
     for (int i = 0; i < 4; i++)
-        CUT(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[3 - i]));
+        CUT(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                          .end = point[(i + 1) % 4]}, &edge[3 - i]));
     CUT(mus_pattern_set_outline(pattern, panel, 4, edge, against));
     cut_seam(pattern, first[1], edge[3], MUS_SEAM_DIRECT);
     mus_cloth *cloth = cut_cloth(context, pattern, 0.01, NULL);

@@ -77,7 +77,7 @@ START_TEST(rules_of_one_step_make_the_next_size)
     }
     for (int32_t p = 0; p < mus_pattern_point_count(graded); p++)
         ck_assert_double_lt(hypot(off[2 * p], off[2 * p + 1]), 0.25 * CM);
-    ck_assert_int_eq(mus_pattern_check(graded, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(graded, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
 
     /* a rule of nothing leaves every length */

@@ -10,14 +10,15 @@ static inline int32_t scene_rectangle(mus_pattern *pattern, const char *name, do
                                       int32_t *edge)
 {
     const double corner[4][2] = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
-    const int32_t line = MUS_PIECE_LINE, forward[4] = {1, 1, 1, 1};
+    const int32_t forward[4] = {1, 1, 1, 1};
     int32_t panel, point[4];
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]), MUS_OK);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(
-            mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]), MUS_OK);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                          .end = point[(i + 1) % 4]}, &edge[i]), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, forward), MUS_OK);
     return panel;
 }

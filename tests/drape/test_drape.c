@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
+#include "drape/weld.h"
 #include "scenes.h"
 
 Suite *mus_suite_drape(void);
@@ -395,8 +396,8 @@ START_TEST(bad_numbers_are_refused_at_the_door)
     const struct {
         size_t offset;
         double value;
-    } bad[] = {{offsetof(mus_drape_def, gravity), NAN},      {offsetof(mus_drape_def, clearance), -1.0},
-               {offsetof(mus_drape_def, friction), -1.0}, {offsetof(mus_drape_def, collision_distance), 0.0},
+    } bad[] = {{offsetof(mus_drape_def, gravity), NAN},         {offsetof(mus_drape_def, clearance), -1.0},
+               {offsetof(mus_drape_def, friction), -1.0},       {offsetof(mus_drape_def, collision_distance), 0.0},
                {offsetof(mus_drape_def, settle_residual), NAN}, {offsetof(mus_drape_def, drag), -0.1}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         mus_drape_def_init(&def, sizeof def);
@@ -423,6 +424,39 @@ START_TEST(bad_numbers_are_refused_at_the_door)
 END_TEST
 
 
+/* one made without contact, self-contact and doubles takes the steps of one made with all, to the bit, and refuses them
+ */
+START_TEST(a_plain_drape_steps_as_any_other)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.3);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.02);
+    mus_drape *drape[2];
+    mus_drape_def def;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &drape[0]), MUS_OK);
+    ck_assert_int_eq(mus_drape_create_plain(context, cloth, NULL, &drape[1]), MUS_OK);
+    for (int k = 0; k < 2; k++) {
+        ck_assert_int_eq(mus_drape_place(drape[k]), MUS_OK);
+        ck_assert_int_eq(mus_drape_pin(drape[k], 0, 1), MUS_OK);
+        ck_assert_int_eq(mus_drape_add_plane(drape[k], NULL, NULL), MUS_OK);
+        ck_assert_int_eq(mus_drape_step(drape[k], 2000, 0.9 * mus_drape_step_bound(drape[k])), MUS_OK);
+    }
+    ck_assert_uint_eq(mus_drape_hash(drape[0]), mus_drape_hash(drape[1]));
+    for (int k = 0; k < 2; k++) mus_drape_destroy(drape[k]);
+    mus_drape_def_init(&def, sizeof def);
+    def.precision = 64;
+    ck_assert_int_eq(mus_drape_create_plain(context, cloth, &def, &drape[0]), MUS_ERR_ARG);
+    ck_assert_ptr_null(drape[0]);
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1;
+    ck_assert_int_eq(mus_drape_create_plain(context, cloth, &def, &drape[0]), MUS_ERR_ARG);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_drape(void)
 {
     Suite *suite = suite_create("drape");
@@ -442,6 +476,7 @@ Suite *mus_suite_drape(void)
     tcase_add_test(tests, each_failing_allocation_is_a_status);
     tcase_add_test(tests, the_cloth_may_go_before_the_drape);
     tcase_add_test(tests, bad_numbers_are_refused_at_the_door);
+    tcase_add_test(tests, a_plain_drape_steps_as_any_other);
     suite_add_tcase(suite, tests);
     return suite;
 }

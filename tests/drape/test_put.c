@@ -13,13 +13,14 @@ Suite *mus_suite_put(void);
 static int32_t clockwise(mus_pattern *pattern, double w, double h, int32_t *edge)
 {
     const double corner[4][2] = {{0.0, 0.0}, {0.0, h}, {w, h}, {w, 0.0}};
-    const int32_t line = MUS_PIECE_LINE, forward[4] = {1, 1, 1, 1};
+    const int32_t forward[4] = {1, 1, 1, 1};
     int32_t panel, point[4];
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "back to front", &panel), MUS_OK);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]), MUS_OK);
     for (int i = 0; i < 4; i++)
-        mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]);
+        mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                      .end = point[(i + 1) % 4]}, &edge[i]);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, forward), MUS_OK);
     return panel;
 }

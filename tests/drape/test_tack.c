@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 
+#include "drape/weld.h"
 #include "sim/force_reference.h"
 #include "tacked.h"
 

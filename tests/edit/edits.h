@@ -55,7 +55,7 @@ static inline mus_topology edit_topology(const mus_pattern *pattern)
 static inline int32_t edit_faults(mus_pattern *pattern)
 {
     int32_t count;
-    ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &count, NULL), MUS_OK);
     return count;
 }
 

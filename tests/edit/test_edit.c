@@ -152,7 +152,9 @@ START_TEST(a_dart_is_split_into_three_and_merged_again)
     edit_well(mus_pattern_dart(pattern, waist, NULL, NULL, &depth));
     int32_t panel, seam;
     edit_well(
-        mus_pattern_dart_to_seam(pattern, one, waist, t, 0, NULL, 0, NULL, "front_side", "princess", &panel, &seam));
+        mus_pattern_dart_to_seam(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "front_side",
+                                                         .seam_name = "princess", .edge_a = one, .edge_b = waist,
+                                                         .s_b = t}, &panel, &seam));
     mus_seam_def def;
     mus_seam_def_init(&def, sizeof def);
     ck_assert_int_eq(mus_pattern_seam(pattern, seam, &def), MUS_OK);

@@ -56,8 +56,12 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
     const int32_t kind = MUS_PIECE_CUBIC;
     const double inner[4] = {0.7 * p[0] + 0.3 * q[0], p[1] - 0.03, 0.3 * p[0] + 0.7 * q[0], q[1] - 0.03};
     int32_t panel, seam;
-    edit_well(mus_pattern_separate(pattern, a, 0.5 * mus_pattern_edge_length(pattern, a), b,
-                                   0.5 * mus_pattern_edge_length(pattern, b), 1, &kind, 2, inner, "yoke", "yoke_seam",
+    edit_well(mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "yoke",
+                                                           .seam_name = "yoke_seam", .edge_a = a,
+                                                           .s_a = 0.5 * mus_pattern_edge_length(pattern, a),
+                                                           .edge_b = b,
+                                                           .s_b = 0.5 * mus_pattern_edge_length(pattern, b),
+                                                           .npiece = 1, .kinds = &kind, .nxy = 2, .xy = inner},
                                    &panel, &seam));
     ck_assert_str_eq(mus_pattern_panel_name(pattern, panel), "yoke");
     mus_seam_def def;
@@ -85,11 +89,19 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
     double low[2];
     ck_assert_int_eq(mus_pattern_edge_at(pattern, hem, 1, &t, low), MUS_OK);
     const double out[4] = {0.1, -9.0, 0.2, -9.0};
-    ck_assert_int_eq(mus_pattern_separate(pattern, hem, 0.05, hem, 0.3, 1, &kind, 2, out, "x", "y", &panel, &seam),
+    ck_assert_int_eq(mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "x",
+                                                                  .seam_name = "y", .edge_a = hem, .s_a = 0.05,
+                                                                  .edge_b = hem, .s_b = 0.3, .npiece = 1,
+                                                                  .kinds = &kind, .nxy = 2, .xy = out}, &panel,
+                                          &seam),
                      MUS_ERR_ARG);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "the line lies outside it"));
     const double over[4] = {0.9, low[1] + 0.2, 0.9, low[1] + 0.3};
-    ck_assert_int_eq(mus_pattern_separate(pattern, hem, 0.05, hem, 0.3, 1, &kind, 2, over, "x", "y", &panel, &seam),
+    ck_assert_int_eq(mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "x",
+                                                                  .seam_name = "y", .edge_a = hem, .s_a = 0.05,
+                                                                  .edge_b = hem, .s_b = 0.3, .npiece = 1,
+                                                                  .kinds = &kind, .nxy = 2, .xy = over}, &panel,
+                                          &seam),
                      MUS_ERR_ARG);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "the line crosses its outline"));
     ck_assert_int_eq(panel, MUS_NONE);

@@ -18,7 +18,7 @@ static mus_pattern *tube(mus_context *context)
 {
     mus_pattern *pattern;
     static const char *const names[4] = {"hem", "right", "waist", "left"};
-    const int32_t line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+    const int32_t along[4] = {1, 1, 1, 1};
     int32_t edge[2][4];
     ck_assert_int_eq(mus_pattern_create(context, "tube", &pattern), MUS_OK);
     for (int p = 0; p < 2; p++) {
@@ -28,7 +28,9 @@ static mus_pattern *tube(mus_context *context)
         for (int i = 0; i < 4; i++)
             mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]);
         for (int i = 0; i < 4; i++) {
-            mus_pattern_add_edge(pattern, names[i], point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[p][i]);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = names[i],
+                                                          .start = point[i], .end = point[(i + 1) % 4]},
+                                 &edge[p][i]);
             if (i % 2 == 0) mus_pattern_set_edge_label(pattern, edge[p][i], names[i]);
         }
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge[p], along), MUS_OK);
@@ -123,14 +125,16 @@ START_TEST(a_patch_hides_no_fault)
 {
     mus_context *context = support_context();
     mus_pattern *pattern = tube(context);
-    const char *text;
+    mus_faults *faults;
     int32_t kind;
     edit_well(mus_pattern_add_patch(pattern, 0, "pocket", 4, pocket_line, NULL));
     mus_pattern_add_opening(pattern, "neck");
-    ck_assert_int_eq(edit_faults(pattern), 1);
-    mus_pattern_fault(pattern, 0, &kind, NULL, NULL, NULL, &text);
+    edit_well(mus_pattern_check(pattern, NULL, &faults));
+    ck_assert_int_eq(mus_faults_count(faults), 1);
+    edit_well(mus_faults_item(faults, 0, &kind, NULL, NULL, NULL));
     ck_assert_int_eq(kind, MUS_FAULT_OPENING);
-    ck_assert_ptr_nonnull(strstr(text, "neck"));
+    ck_assert_ptr_nonnull(strstr(mus_faults_text(faults, 0), "neck"));
+    mus_faults_destroy(faults);
     mus_pattern_destroy(pattern);
     support_context_end(context);
 }
@@ -197,7 +201,7 @@ START_TEST(a_patch_without_memory_leaves_the_pattern)
         support_fail_after(n, false);
         const mus_status status = mus_pattern_add_patch(pattern, 0, "pocket", 4, pocket_line, NULL);
         int32_t faults = 0;
-        const mus_status checked = status == MUS_OK ? mus_pattern_check(pattern, &faults) : MUS_OK;
+        const mus_status checked = status == MUS_OK ? mus_pattern_check(pattern, &faults, NULL) : MUS_OK;
         support_fail_never();
         ck_assert_int_eq(mus_pattern_panel_count(pattern), status == MUS_OK ? 3 : 2);
         mus_pattern_destroy(pattern);

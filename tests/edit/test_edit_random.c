@@ -140,7 +140,9 @@ static mus_status edit_random(mus_pattern *pattern, uint64_t *state, int32_t kin
     case EDIT_SHORTEN: return mus_pattern_shorten_dart(pattern, leg, support_uniform(state, 0.0, 0.01));
     case EDIT_RELEASE: return mus_pattern_release_dart(pattern, leg, NULL);
     case EDIT_SEPARATE:
-        return mus_pattern_separate(pattern, e[0], s[0], e[1], s[1], 0, NULL, 0, NULL, name, name, NULL, NULL);
+        return mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = name,
+                                                            .seam_name = name, .edge_a = e[0], .s_a = s[0],
+                                                            .edge_b = e[1], .s_b = s[1]}, NULL, NULL);
     case EDIT_JOIN: return mus_pattern_join_panels(pattern, seam, NULL);
     case EDIT_SPREAD:
         return mus_pattern_spread(pattern, e[0], s[0], e[1], s[1], support_uniform(state, 0.0, 0.01),
@@ -162,7 +164,9 @@ static mus_status edit_random(mus_pattern *pattern, uint64_t *state, int32_t kin
         mus_pattern_seam(pattern, seam, &def);
         return mus_pattern_true_seam(pattern, seam, def.edge_a, (int32_t)(support_random(state) % 2));
     case EDIT_TO_SEAM:
-        return mus_pattern_dart_to_seam(pattern, leg, e[0], s[0], 0, NULL, 0, NULL, name, name, NULL, NULL);
+        return mus_pattern_dart_to_seam(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = name,
+                                                                .seam_name = name, .edge_a = leg, .edge_b = e[0],
+                                                                .s_b = s[0]}, NULL, NULL);
     default: return mus_pattern_fair_edge(pattern, e[0], 0.004);
     }
 }

@@ -102,7 +102,7 @@ static mus_status read_bytes(int reader, const char *bytes, size_t size)
     /* what was accepted can be used and written */
     if (tape != NULL) (void)mus_tape_complete(tape);
     int32_t faults;
-    if (pattern != NULL) ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    if (pattern != NULL) ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     if (pattern != NULL) ck_assert_int_eq(mus_pattern_write(pattern, path), MUS_OK);
     mus_pattern_destroy(pattern);
     mus_tape_destroy(tape);

@@ -86,7 +86,7 @@ START_TEST(a_half_is_unfolded_with_its_notches)
     ck_assert_int_eq(mus_pattern_cut(pattern, 0, &count, &mirror), MUS_OK);
     ck_assert_int_eq(count, 1);
     int32_t faults;
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_pattern_destroy(pattern);
     support_context_end(context);

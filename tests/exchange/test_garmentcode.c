@@ -85,14 +85,15 @@ static void check_spec(mus_context *context, const struct facts *facts)
     ck_assert_double_eq_tol(stitched, facts->stitched, 1e-5 * facts->stitched);
 
     /* none of them leaves the faults that a seam's ease does not excuse */
-    int32_t faults, kind;
-    const char *text;
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
-    for (int32_t i = 0; i < faults; i++) {
-        ck_assert_int_eq(mus_pattern_fault(pattern, i, &kind, NULL, NULL, NULL, &text), MUS_OK);
+    int32_t count, kind;
+    mus_faults *faults;
+    ck_assert_int_eq(mus_pattern_check(pattern, &count, &faults), MUS_OK);
+    for (int32_t i = 0; i < count; i++) {
+        ck_assert_int_eq(mus_faults_item(faults, i, &kind, NULL, NULL, NULL), MUS_OK);
         ck_assert_msg(kind != MUS_FAULT_OPEN_OUTLINE && kind != MUS_FAULT_SEAM_LENGTH && kind != MUS_FAULT_SEWN_TWICE,
-                      "%s: %s", facts->file, text);
+                      "%s: %s", facts->file, mus_faults_text(faults, i));
     }
+    mus_faults_destroy(faults);
     mus_pattern_destroy(pattern);
 }
 

@@ -244,7 +244,7 @@ START_TEST(a_pattern_without_panels_cannot_be_cut)
     mus_cloth *cloth;
     int32_t panel, count = -1;
     ck_assert_int_eq(mus_pattern_create(context, "empty", &pattern), MUS_OK);
-    ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &count, NULL), MUS_OK);
     ck_assert_int_eq(count, 0);
     ck_assert_int_eq(mus_cloth_create(context, pattern, NULL, &cloth), MUS_ERR_PATTERN);
     ck_assert_ptr_null(cloth);

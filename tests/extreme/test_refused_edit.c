@@ -53,18 +53,25 @@ static mus_status refuse_dart_to_seam(const edit_case *c, int32_t k, double bad)
     static const int32_t kind = MUS_PIECE_CUBIC;
     const double xy[4] = {k == 1 ? bad : 0.05, k == 2 ? bad : 0.2, k == 3 ? bad : 0.03, k == 4 ? bad : 0.2};
     if (k >= 5) return MUS_NONE;
-    return mus_pattern_dart_to_seam(c->pattern, c->leg, c->cf, k == 0 ? bad : 0.1, 1, &kind, 2, xy, "new", "seam", NULL,
-                                    NULL);
+    return mus_pattern_dart_to_seam(c->pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "new",
+                                                               .seam_name = "seam", .edge_a = c->leg,
+                                                               .edge_b = c->cf, .s_b = k == 0 ? bad : 0.1,
+                                                               .npiece = 1, .kinds = &kind, .nxy = 2, .xy = xy},
+                                    NULL, NULL);
 }
 
 
+/* mus_cut_def.s_a, mus_cut_def.s_b, mus_cut_def.xy */
 static mus_status refuse_separate(const edit_case *c, int32_t k, double bad)
 {
     static const int32_t kind = MUS_PIECE_CUBIC;
     const double xy[4] = {k == 2 ? bad : 0.05, k == 3 ? bad : 0.2, k == 4 ? bad : 0.03, k == 5 ? bad : 0.2};
     if (k >= 6) return MUS_NONE;
-    return mus_pattern_separate(c->pattern, c->cf, k == 0 ? bad : 0.1, c->side, k == 1 ? bad : 0.02, 1, &kind, 2, xy,
-                                "new", "seam", NULL, NULL);
+    return mus_pattern_separate(c->pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "new",
+                                                           .seam_name = "seam", .edge_a = c->cf,
+                                                           .s_a = k == 0 ? bad : 0.1, .edge_b = c->side,
+                                                           .s_b = k == 1 ? bad : 0.02, .npiece = 1, .kinds = &kind,
+                                                           .nxy = 2, .xy = xy}, NULL, NULL);
 }
 
 
@@ -220,9 +227,13 @@ START_TEST(no_edit_takes_what_is_not_there)
         ck_assert_int_eq(mus_pattern_shorten_dart(pattern, e, 0.01), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_release_dart(pattern, e, &out), MUS_ERR_ARG);
         ck_assert_int_eq(out, MUS_NONE);
-        ck_assert_int_eq(mus_pattern_dart_to_seam(pattern, e, 0, 0.1, 0, NULL, 0, NULL, "a", "b", &out, NULL),
+        ck_assert_int_eq(mus_pattern_dart_to_seam(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                                          .seam_name = "b", .edge_a = e,
+                                                                          .edge_b = 0, .s_b = 0.1}, &out, NULL),
                          MUS_ERR_ARG);
-        ck_assert_int_eq(mus_pattern_separate(pattern, 0, 0.1, e, 0.1, 0, NULL, 0, NULL, "a", "b", &out, NULL),
+        ck_assert_int_eq(mus_pattern_separate(pattern, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                                      .seam_name = "b", .edge_a = 0, .s_a = 0.1,
+                                                                      .edge_b = e, .s_b = 0.1}, &out, NULL),
                          MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_join_panels(pattern, e, &out), MUS_ERR_ARG);
         ck_assert_int_eq(mus_pattern_mirror_panel(pattern, e, "a", &out), MUS_ERR_ARG);
@@ -264,7 +275,9 @@ START_TEST(no_edit_takes_what_is_not_there)
     ck_assert_int_eq(mus_pattern_undo_count(NULL) + mus_pattern_redo_count(NULL), 0);
     ck_assert_int_eq(mus_pattern_rotate_dart(NULL, 0, 0, 0.1, 0, 1.0, &out), MUS_ERR_ARG);
     ck_assert_int_eq(mus_pattern_split_dart(NULL, 0, 0, NULL, NULL, NULL, 0, NULL), MUS_ERR_ARG);
-    ck_assert_int_eq(mus_pattern_separate(NULL, 0, 0.1, 0, 0.1, 0, NULL, 0, NULL, "a", "b", &out, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_separate(NULL, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "a",
+                                                               .seam_name = "b", .edge_a = 0, .s_a = 0.1,
+                                                               .edge_b = 0, .s_b = 0.1}, &out, NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_pattern_lengthen(NULL, 0, at, at, 0.1), MUS_ERR_ARG);
     ck_assert_int_eq(mus_pattern_walk_seam(NULL, 0, &walk), MUS_ERR_ARG);
     ck_assert_int_eq(mus_pattern_dart(NULL, 0, NULL, NULL, NULL), MUS_ERR_ARG);

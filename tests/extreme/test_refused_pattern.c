@@ -46,6 +46,7 @@ static mus_status call_add_point(const sample *s, int32_t k, double bad)
 }
 
 
+/* mus_edge_def.xy */
 static mus_status call_add_edge(const sample *s, int32_t k, double bad)
 {
     static const int32_t kinds[3] = {MUS_PIECE_LINE, MUS_PIECE_QUADRATIC, MUS_PIECE_ARC};
@@ -53,7 +54,9 @@ static mus_status call_add_edge(const sample *s, int32_t k, double bad)
     if (k >= 8) return MUS_NONE;
     xy[k] = bad;
     int32_t out;
-    return mus_pattern_add_edge(s->pattern, "new", s->point[0], s->point[1], 3, kinds, 4, xy, &out);
+    return mus_pattern_add_edge(s->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "new",
+                                                            .start = s->point[0], .end = s->point[1], .npiece = 3,
+                                                            .kinds = kinds, .nxy = 4, .xy = xy}, &out);
 }
 
 

@@ -58,7 +58,7 @@ static mus_status way_check(way *w)
     int32_t count = -1;
     mus_topology topology;
     mus_topology_init(&topology, sizeof topology);
-    mus_status status = mus_pattern_check(w->pattern, &count);
+    mus_status status = mus_pattern_check(w->pattern, &count, NULL);
     if (status == MUS_OK) status = mus_pattern_topology(w->pattern, &topology);
     if (status == MUS_OK) ck_assert_int_eq(count, 0);
     return status;

@@ -79,7 +79,7 @@ static void check_triangulates(mus_context *context, int32_t n, const double *xy
                                const int32_t *sides)
 {
     int32_t *triangles, count;
-    mus_status status = mus__triangulate_sides(context, n, xy, nborder, nside, sides, &triangles, &count);
+    mus_status status = mus__triangulate(context, n, xy, nborder, nside, sides, &triangles, &count);
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
     check_mesh(n, xy, nborder, nside, sides, triangles, count);
     mus__free(context, triangles);
@@ -224,7 +224,7 @@ START_TEST(a_large_lattice_is_covered_once)
     int32_t m = 170, *triangles, count;
     double *xy = malloc(2 * 171 * 171 * sizeof *xy);
     int32_t n = square(xy, m, 0.01, 0.0, 0.0);
-    ck_assert_int_eq(mus__triangulate(context, n, xy, 4 * m, &triangles, &count), MUS_OK);
+    ck_assert_int_eq(mus__triangulate(context, n, xy, 4 * m, 0, NULL, &triangles, &count), MUS_OK);
     ck_assert_int_eq(count, 2 * m * m);
     mus__free(context, triangles);
     free(xy);
@@ -238,7 +238,7 @@ static void check_refused(int32_t n, const double *xy, int32_t nborder, const ch
 {
     mus_context *context = support_context();
     int32_t *triangles, count;
-    ck_assert_int_eq(mus__triangulate(context, n, xy, nborder, &triangles, &count), MUS_ERR_MESH);
+    ck_assert_int_eq(mus__triangulate(context, n, xy, nborder, 0, NULL, &triangles, &count), MUS_ERR_MESH);
     ck_assert_ptr_null(triangles);
     ck_assert_int_eq(count, 0);
     ck_assert_msg(strstr(mus_context_error(context), word) != NULL, "%s", mus_context_error(context));
@@ -275,7 +275,7 @@ START_TEST(failing_memory_leaves_nothing_behind)
         mus_context *context = support_context();
         int32_t *triangles, count;
         support_fail_after(turn, false);
-        mus_status status = mus__triangulate(context, n, xy, 48, &triangles, &count);
+        mus_status status = mus__triangulate(context, n, xy, 48, 0, NULL, &triangles, &count);
         support_fail_never();
         mus__free(context, triangles);
         support_context_end(context);

@@ -60,7 +60,7 @@ carries body "base geom tape limb body" 'pose|move|pattern|design|cloth|fabric|d
 carries pattern "base geom pattern topology" 'tape|body|design|cloth|fabric|drape|sim|plan|collider|integrate' '
     mus_pattern *pattern; int32_t count;
     status = mus_pattern_create(context, "x", &pattern);
-    if (status == MUS_OK) status = mus_pattern_check(pattern, &count)'
+    if (status == MUS_OK) status = mus_pattern_check(pattern, &count, NULL)'
 carries design "base geom tape limb pattern topology board block half style design" 'cloth|fabric|drape|sim|plan|collider|integrate' '
     mus_pattern *pattern; status = mus_design_draft(context, 0, NULL, NULL, &pattern)'
 carries cloth "base geom pattern topology cloth" 'tape|body|design|drape|sim|plan|collider|integrate' '

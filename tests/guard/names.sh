@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 
 files=""
-for folder in base geom integrate tape limb body pose scan pattern topology board edit block half style design cloth contact arrange sim drape fit; do
+for folder in base geom integrate tape limb body pose scan pattern topology board edit block half style design cloth contact arrange sim drape dress fit; do
     files="$files $(ls lib/$folder/*.c)"
 done
 

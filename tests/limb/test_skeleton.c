@@ -1,6 +1,6 @@
 /*
- * test_skeleton.c: heights and joints from the tape. The fractions checked against are means of ANSUR II and of the
- * GarmentCode bodies (drafting 2.2 and 2.5), which the skeleton does not use where the tape says better.
+ * test_skeleton.c: heights and joints from the tape. The golden fractions are means of ANSUR II and of the GarmentCode
+ * bodies, which the skeleton does not use where the tape has a measure.
  */
 #include "body/people.h"
 #include "limb/skeleton.h"

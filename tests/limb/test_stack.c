@@ -36,7 +36,7 @@ static void circles(mus__limb *limb, int32_t n, const double *s, const double *r
 }
 
 
-/* through (0,0), (1,1), (2,0) the natural spline has S(0.5) = 0.6875 (drafting 2.3); radii are 2 more */
+/* through (0,0), (1,1), (2,0) the natural spline has S(0.5) = 0.6875 (by hand); radii are 2 more */
 START_TEST(radii_follow_the_natural_spline)
 {
     set_turns();
@@ -177,7 +177,7 @@ static double ring_girth(const mus_body *body, const mus__limb *limb, int32_t ri
 }
 
 
-/* drafting 2.3: every in-between girth of every limb is within 3 % of the interval of its neighbours */
+/* every in-between girth of every limb is within 3 % of the interval of its neighbours */
 START_TEST(in_between_girths_keep_to_their_neighbours)
 {
     mus_context *context = support_context();

@@ -32,7 +32,10 @@ static inline sample sample_make(mus_context *context)
         double xy[6] = {0.3, 0.4, 0.2, 0.38, 0.1, 0.33};
         int32_t npiece = i == 2 ? 2 : 1, start = s.point[i], end = s.point[i % 4 == 3 ? i - 3 : i + 1];
         ck_assert_int_eq(
-            mus_pattern_add_edge(s.pattern, names[i % 4], start, end, npiece, kinds, i == 2 ? 3 : 0, xy, &s.edge[i]),
+            mus_pattern_add_edge(s.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = names[i % 4],
+                                                            .start = start, .end = end, .npiece = npiece,
+                                                            .kinds = kinds, .nxy = i == 2 ? 3 : 0, .xy = xy},
+                                 &s.edge[i]),
             MUS_OK);
     }
     int32_t along[4] = {1, 1, 1, 1};

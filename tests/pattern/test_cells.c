@@ -21,7 +21,9 @@ START_TEST(a_chain_comes_back_to_the_bit)
     double xy[14];
     for (int32_t i = 0; i < 14; i++) xy[i] = 0.1 * i + 1.0 / (3.0 + i);
     xy[10] = xy[6], xy[11] = xy[7] + 2.0, xy[8] = xy[6] - 0.3, xy[9] = xy[7] + 1.0;
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, "long", a, b, 4, kinds, 7, xy, &edge), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "long",
+                                                                   .start = a, .end = b, .npiece = 4,
+                                                                   .kinds = kinds, .nxy = 7, .xy = xy}, &edge), MUS_OK);
 
     int32_t npiece, nxy, start, end;
     const int32_t *got;
@@ -54,7 +56,10 @@ START_TEST(views_stay_put_while_other_cells_are_added)
     for (int32_t i = 0; i < 100; i++) {
         const char *name = mus_pattern_edge_name(s.pattern, s.edge[0]);
         ck_assert_int_eq(
-            mus_pattern_add_edge(s.pattern, name, s.point[2], s.point[3], npiece, kinds, nxy - 2, xy + 2, &edge),
+            mus_pattern_add_edge(s.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = name,
+                                                            .start = s.point[2], .end = s.point[3],
+                                                            .npiece = npiece, .kinds = kinds, .nxy = nxy - 2,
+                                                            .xy = xy + 2}, &edge),
             MUS_OK);
         ck_assert_str_eq(mus_pattern_edge_name(s.pattern, edge), "hem");
     }
@@ -135,26 +140,49 @@ START_TEST(wrong_edges_are_refused)
     ck_assert_int_eq(mus_pattern_copy(p, &before), MUS_OK);
     int32_t line = MUS_PIECE_LINE, cubic = MUS_PIECE_CUBIC, wrong = 4, a = s.point[0], b = s.point[1], out;
     double xy[4] = {0.1, 0.1, (double)NAN, 0.3}, far[4] = {1e200, 1e308, -1e308, 1e308}, same[4] = {0.0};
-    REFUSED(mus_pattern_add_edge(p, "e", 8, b, 1, &line, 0, NULL, &out), "point 8 is unknown, the pattern has 8");
-    REFUSED(mus_pattern_add_edge(p, "e", a, -1, 1, &line, 0, NULL, &out), "point -1 is unknown");
-    REFUSED(mus_pattern_add_edge(p, "e", a, s.point[4], 1, &line, 0, NULL, &out), "panel 1");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 0, &line, 0, NULL, &out), "0 pieces");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, -3, &line, 0, NULL, &out), "-3 pieces");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, NULL, 0, NULL, &out), "pieces");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &wrong, 0, NULL, &out), "kind 4");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &line, 1, xy, &out), "1 points given, its 1 pieces take 0");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 1, xy, &out), "take 2");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 2, NULL, &out), "take 2");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 2, xy, &out), "point 1 (nan, 0.3) is not within");
-    REFUSED(mus_pattern_add_edge(p, "e", a, a, 1, &line, 0, NULL, &out), "its length is 0 m");
-    REFUSED(mus_pattern_add_edge(p, "e", a, a, 1, &cubic, 2, same, &out), "its length is 0 m");
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &cubic, 2, far, &out), "point 0 (1e+200, 1e+308) is not within");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = 8,
+                                                    .end = b}, &out), "point 8 is unknown, the pattern has 8");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = -1}, &out), "point -1 is unknown");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = s.point[4]}, &out), "panel 1");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .nxy = 1, .xy = xy}, &out), "take 0");
+    REFUSED(mus_pattern_add_edge(p, NULL, &out), "its def is NULL");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = -3, .kinds = &line}, &out), "-3 pieces");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = NULL}, &out), "pieces");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &wrong}, &out), "kind 4");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &line, .nxy = 1, .xy = xy},
+                                 &out), "1 points given, its 1 pieces take 0");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &cubic, .nxy = 1, .xy = xy},
+                                 &out), "take 2");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &cubic, .nxy = 2}, &out), "take 2");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &cubic, .nxy = 2, .xy = xy},
+                                 &out), "point 1 (nan, 0.3) is not within");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = a}, &out), "its length is 0 m");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = a, .npiece = 1, .kinds = &cubic, .nxy = 2, .xy = same},
+                                 &out), "its length is 0 m");
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &cubic, .nxy = 2, .xy = far},
+                                 &out), "point 0 (1e+200, 1e+308) is not within");
     int32_t arc = MUS_PIECE_ARC;
     double middle[2] = {0.1, 0.2};
-    REFUSED(mus_pattern_add_edge(p, "e", a, b, 1, &arc, 1, middle, &out),
+    REFUSED(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e", .start = a,
+                                                    .end = b, .npiece = 1, .kinds = &arc, .nxy = 1, .xy = middle},
+                                 &out),
             "middle point of arc 0 is 0.223607 m from one");
     ck_assert_int_eq(out, MUS_NONE);
-    ck_assert_int_eq(mus_pattern_add_edge(NULL, "e", a, b, 1, &line, 0, NULL, &out), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_add_edge(NULL, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "e",
+                                                                .start = a, .end = b}, &out), MUS_ERR_ARG);
 
     REFUSED(mus_pattern_set_edge_allowance(p, s.edge[0], -0.001), "outside 0 to 0.2 m");
     REFUSED(mus_pattern_set_edge_allowance(p, s.edge[0], 0.201), "edge front.hem");

@@ -14,14 +14,16 @@
 static mus_pattern *polygon_make(mus_context *context, int32_t n, const double *xy)
 {
     mus_pattern *pattern;
-    int32_t panel, point[MOST], edge[MOST], along[MOST], line = MUS_PIECE_LINE;
+    int32_t panel, point[MOST], edge[MOST], along[MOST];
     ck_assert_int_eq(mus_pattern_create(context, "polygon", &pattern), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "p", &panel), MUS_OK);
     for (int32_t i = 0; i < n; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
         along[i] = 1;
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .start = point[i],
+                                                                       .end = point[(i + 1) % n]}, &edge[i]),
                          MUS_OK);
     }
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, edge, along), MUS_OK);
@@ -115,8 +117,14 @@ START_TEST(curves_cross_where_their_chords_do_not)
         ck_assert_int_eq(mus_pattern_add_panel(pattern, "p", &panel), MUS_OK);
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, 0.0, 0.0, &p[0]), MUS_OK);
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, 1.0, 0.0, &p[1]), MUS_OK);
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, "outer", p[0], p[1], 1, &arc, 1, outer, &e[0]), MUS_OK);
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, "inner", p[0], p[1], 1, &cubic, 2, inner, &e[1]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .name = "outer", .start = p[0], .end = p[1],
+                                                                       .npiece = 1, .kinds = &arc, .nxy = 1,
+                                                                       .xy = outer}, &e[0]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .name = "inner", .start = p[0], .end = p[1],
+                                                                       .npiece = 1, .kinds = &cubic, .nxy = 2,
+                                                                       .xy = inner}, &e[1]), MUS_OK);
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 2, e, along), MUS_OK);
         ck_assert_int_eq(mus__panel_crosses(pattern, panel, &crosses, &a, &b), MUS_OK);
         ck_assert_int_eq(crosses, deep);
@@ -132,7 +140,7 @@ static mus_pattern *hole_make(mus_context *context, double far)
 {
     double xy[16] = {0, 0, 3, 0, 3, 3, 0, 3, 1, 1, 1, 2, 2, 2, 2, 1};
     mus_pattern *pattern;
-    int32_t panel, point[8], e[9], line = MUS_PIECE_LINE;
+    int32_t panel, point[8], e[9];
     ck_assert_int_eq(mus_pattern_create(context, "hole", &pattern), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "p", &panel), MUS_OK);
     for (int32_t i = 0; i < 8; i++) {
@@ -141,9 +149,12 @@ static mus_pattern *hole_make(mus_context *context, double far)
     }
     for (int32_t i = 0; i < 8; i++) {
         int32_t next = i % 4 == 3 ? i - 3 : i + 1;
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[next], 1, &line, 0, NULL, &e[i]), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .start = point[i], .end = point[next]},
+                                              &e[i]), MUS_OK);
     }
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, "bridge", point[0], point[4], 1, &line, 0, NULL, &e[8]), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "bridge",
+                                                                   .start = point[0], .end = point[4]}, &e[8]), MUS_OK);
     int32_t word[10] = {e[0], e[1], e[2], e[3], e[8], e[4], e[5], e[6], e[7], e[8]};
     int32_t along[10] = {1, 1, 1, 1, 1, 1, 1, 1, 1, -1};
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 10, word, along), MUS_OK);

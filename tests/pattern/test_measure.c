@@ -19,13 +19,16 @@ static chain chain_make(mus_context *context, const double *a, const double *b, 
                         int32_t nxy, const double *xy)
 {
     chain c;
-    int32_t p, q, line = MUS_PIECE_LINE, along[2] = {1, 1};
+    int32_t p, q, along[2] = {1, 1};
     ck_assert_int_eq(mus_pattern_create(context, "chain", &c.pattern), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_panel(c.pattern, "p", &c.panel), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_point(c.pattern, c.panel, a[0], a[1], &p), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_point(c.pattern, c.panel, b[0], b[1], &q), MUS_OK);
-    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, "curve", p, q, npiece, kinds, nxy, xy, &c.edge), MUS_OK);
-    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, "back", q, p, 1, &line, 0, NULL, &c.back), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "curve",
+                                                                     .start = p, .end = q, .npiece = npiece,
+                                                                     .kinds = kinds, .nxy = nxy, .xy = xy}, &c.edge), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "back",
+                                                                     .start = q, .end = p}, &c.back), MUS_OK);
     int32_t edges[2] = {c.edge, c.back};
     ck_assert_int_eq(mus_pattern_set_outline(c.pattern, c.panel, 2, edges, along), MUS_OK);
     return c;

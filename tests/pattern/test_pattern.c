@@ -77,7 +77,9 @@ static mus_status edit_edge(const sample *s)
 {
     int32_t kind = MUS_PIECE_CUBIC;
     double xy[4] = {0.1, 0.2, 0.3, 0.4};
-    return mus_pattern_add_edge(s->pattern, "dart", s->point[0], s->point[2], 1, &kind, 2, xy, NULL);
+    return mus_pattern_add_edge(s->pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "dart",
+                                                            .start = s->point[0], .end = s->point[2], .npiece = 1,
+                                                            .kinds = &kind, .nxy = 2, .xy = xy}, NULL);
 }
 
 
@@ -113,7 +115,7 @@ static mus_status edit_mark(const sample *s)
 static mus_status edit_check(const sample *s)
 {
     int32_t count;
-    return mus_pattern_check(s->pattern, &count);
+    return mus_pattern_check(s->pattern, &count, NULL);
 }
 
 

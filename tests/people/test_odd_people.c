@@ -1,5 +1,5 @@
 /*
- * test_odd_people.c: people far from the tables (numerics.md X27 to X30): an infant, 200 kg, 2.3 m, very thin, measures
+ * test_odd_people.c: people far from the tables: an infant, 200 kg, 2.3 m, very thin, measures
  * that contradict each other, bodies without a limb and with one more.
  */
 #include <math.h>

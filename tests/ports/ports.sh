@@ -20,7 +20,7 @@ build()
 {
     mkdir -p "$out/$1"
     ls lib/base/*.c lib/geom/*.c lib/integrate/*.c lib/tape/*.c lib/limb/*.c lib/body/*.c lib/pose/*.c lib/pattern/*.c lib/design/*.c lib/cloth/*.c \
-        lib/contact/*.c lib/arrange/*.c lib/sim/*.c lib/drape/*.c lib/fit/*.c tests/ports/figures.c |
+        lib/contact/*.c lib/arrange/*.c lib/sim/*.c lib/drape/*.c lib/dress/*.c lib/fit/*.c tests/ports/figures.c |
         xargs -P "$jobs" -I{} sh -c "$2 -std=c11 -Iinclude -Ilib -pthread -ffp-contract=off $3 -c {} \
             -o $out/$1/\$(basename {} .c).o" &&
         $2 $3 -static -pthread "$out/$1"/*.o -lm -o "$out/$1.bin"

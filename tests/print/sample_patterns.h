@@ -33,8 +33,11 @@ static inline bool sample_add_piece(mus_pattern *pattern, const char *name, int3
         good = mus_pattern_add_point(pattern, *panel, steps[i].x, steps[i].y, &points[i]) == MUS_OK;
     for (int32_t i = 0; i < n && good; i++) {
         directions[i] = 1;
-        good = mus_pattern_add_edge(pattern, steps[i].label, points[i], points[(i + 1) % n], 1, &steps[i].kind,
-                                    controls[steps[i].kind], steps[i].c, &edges[i]) == MUS_OK;
+        good = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = steps[i].label,
+                                                             .start = points[i], .end = points[(i + 1) % n],
+                                                             .npiece = 1, .kinds = &steps[i].kind,
+                                                             .nxy = controls[steps[i].kind], .xy = steps[i].c},
+                                    &edges[i]) == MUS_OK;
         if (good && steps[i].label != NULL)
             good = mus_pattern_set_edge_label(pattern, edges[i], steps[i].label) == MUS_OK;
         if (good) good = mus_pattern_set_edge_allowance(pattern, edges[i], steps[i].allowance) == MUS_OK;
@@ -127,7 +130,6 @@ static inline mus_pattern *sample_polygon(mus_context *context, int32_t n, const
 {
     mus_pattern *pattern;
     int32_t panel, point, first = 0, last = 0, edges[256], directions[256];
-    const int32_t line = MUS_PIECE_LINE;
     if (n > 256 || mus_pattern_create(context, "polygon", &pattern) != MUS_OK) return NULL;
     bool good = mus_pattern_add_panel(pattern, "piece", &panel) == MUS_OK;
     for (int32_t i = 0; i < n && good; i++) {
@@ -137,8 +139,9 @@ static inline mus_pattern *sample_polygon(mus_context *context, int32_t n, const
         last = point;
     }
     for (int32_t i = 0; i < n && good; i++)
-        good = mus_pattern_add_edge(pattern, NULL, first + i, first + i < last ? first + i + 1 : first, 1, &line, 0,
-                                    NULL, &edges[i]) == MUS_OK;
+        good = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = first + i,
+                                                             .end = first + i < last ? first + i + 1 : first},
+                                    &edges[i]) == MUS_OK;
     if (good && mus_pattern_set_outline(pattern, panel, n, edges, directions) == MUS_OK) return pattern;
     mus_pattern_destroy(pattern);
     return NULL;

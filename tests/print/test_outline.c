@@ -117,12 +117,15 @@ START_TEST(an_arc_keeps_its_radius)
     /* three quarters of a circle of 0.5 m, and its closing chord: every point of the cubics within 1e-6 m of it */
     int32_t panel, a, b, edges[2], kind = MUS_PIECE_ARC;
     const double middle[2] = {-0.5 * sqrt(0.5), -0.5 * sqrt(0.5)};
-    const int32_t directions[2] = {1, 1}, line = MUS_PIECE_LINE;
+    const int32_t directions[2] = {1, 1};
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "disc", &panel), MUS_OK);
     mus_pattern_add_point(pattern, panel, 0.0, 0.5, &a);
     mus_pattern_add_point(pattern, panel, 0.5, 0.0, &b);
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, a, b, 1, &kind, 1, middle, &edges[0]), MUS_OK);
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, b, a, 1, &line, 0, NULL, &edges[1]), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = a,
+                                                                   .end = b, .npiece = 1, .kinds = &kind, .nxy = 1,
+                                                                   .xy = middle}, &edges[0]), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = b,
+                                                                   .end = a}, &edges[1]), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 2, edges, directions), MUS_OK);
     make(pattern, panel, 0.0);
     double centre[2];
@@ -184,17 +187,19 @@ START_TEST(an_edge_against_the_outline_gives_the_same_piece)
 {
     /* the square once with all edges along, once with two against */
     int32_t panel, p[4], e[4];
-    const int32_t line = MUS_PIECE_LINE, quadratic = MUS_PIECE_QUADRATIC, along[4] = {1, -1, 1, -1};
+    const int32_t quadratic = MUS_PIECE_QUADRATIC, along[4] = {1, -1, 1, -1};
     const double bulge[2] = {0.35, 0.15};
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "mixed", &panel), MUS_OK);
     mus_pattern_add_point(pattern, panel, 0.0, 0.0, &p[0]);
     mus_pattern_add_point(pattern, panel, 0.3, 0.0, &p[1]);
     mus_pattern_add_point(pattern, panel, 0.3, 0.3, &p[2]);
     mus_pattern_add_point(pattern, panel, 0.0, 0.3, &p[3]);
-    mus_pattern_add_edge(pattern, NULL, p[0], p[1], 1, &line, 0, NULL, &e[0]);
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, p[2], p[1], 1, &quadratic, 1, bulge, &e[1]), MUS_OK);
-    mus_pattern_add_edge(pattern, NULL, p[2], p[3], 1, &line, 0, NULL, &e[2]);
-    mus_pattern_add_edge(pattern, NULL, p[0], p[3], 1, &line, 0, NULL, &e[3]);
+    mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = p[0], .end = p[1]}, &e[0]);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = p[2],
+                                                                   .end = p[1], .npiece = 1, .kinds = &quadratic,
+                                                                   .nxy = 1, .xy = bulge}, &e[1]), MUS_OK);
+    mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = p[2], .end = p[3]}, &e[2]);
+    mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = p[0], .end = p[3]}, &e[3]);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, e, along), MUS_OK);
     make(pattern, panel, 0.01);
     for (int32_t i = 0; i < piece.nspan; i++) {

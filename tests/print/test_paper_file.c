@@ -164,7 +164,7 @@ START_TEST(odd_names_stay_good_xml)
     static const char *const names[] = {"a<b>&\"c\"", "a_b___c_", "1 front", "scale", "Ärmel"};
     const double xy[] = {0, 0, 0.1, 0, 0.1, 0.1, 0, 0.1};
     int32_t panel, point[4], edge[4];
-    const int32_t line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+    const int32_t along[4] = {1, 1, 1, 1};
     mus_sheet_def def;
     mus_sheet_def_init(&def, sizeof def);
     def.title = "x < y & \x01 \xff z";
@@ -172,7 +172,8 @@ START_TEST(odd_names_stay_good_xml)
         ck_assert_int_eq(mus_pattern_add_panel(pattern, names[i], &panel), MUS_OK);
         for (int32_t k = 0; k < 4; k++) mus_pattern_add_point(pattern, panel, xy[2 * k], xy[2 * k + 1], &point[k]);
         for (int32_t k = 0; k < 4; k++)
-            mus_pattern_add_edge(pattern, NULL, point[k], point[(k + 1) % 4], 1, &line, 0, NULL, &edge[k]);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[k],
+                                                          .end = point[(k + 1) % 4]}, &edge[k]);
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, along), MUS_OK);
     }
     mus_sheet_destroy(sheet);

@@ -74,8 +74,9 @@ static mus_status release_dart(mus_pattern *p, int32_t edge)
 static mus_status dart_to_seam(mus_pattern *p, int32_t edge)
 {
     const int32_t target = opposite(p, edge);
-    return mus_pattern_dart_to_seam(p, edge, target, along(p, target, 0.45), 0, NULL, 0, NULL, "cut_off", "line", NULL,
-                                    NULL);
+    return mus_pattern_dart_to_seam(p, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "cut_off",
+                                                      .seam_name = "line", .edge_a = edge, .edge_b = target,
+                                                      .s_b = along(p, target, 0.45)}, NULL, NULL);
 }
 
 
@@ -92,8 +93,10 @@ static mus_status separate(mus_pattern *p, int32_t edge)
     const int32_t far = opposite(p, edge), curve = MUS_PIECE_QUADRATIC;
     double middle[2];
     inside(p, edge, 0.55, middle);
-    return mus_pattern_separate(p, edge, along(p, edge, 0.4), far, along(p, far, 0.6), 1, &curve, 1, middle, "cut_off",
-                                "line", NULL, NULL);
+    return mus_pattern_separate(p, &(mus_cut_def){.size = sizeof(mus_cut_def), .name = "cut_off",
+                                                  .seam_name = "line", .edge_a = edge, .s_a = along(p, edge, 0.4),
+                                                  .edge_b = far, .s_b = along(p, far, 0.6), .npiece = 1,
+                                                  .kinds = &curve, .nxy = 1, .xy = middle}, NULL, NULL);
 }
 
 

@@ -89,18 +89,20 @@ static void make_pattern(same_run *run, const void *what, int32_t index)
 {
     (void)index;
     mus_pattern *pattern = NULL, *again = NULL;
-    int32_t faults = 0;
+    mus_faults *faults = NULL;
+    int32_t count = 0;
     if (!same_status(run, mus_pattern_read(run->context, same_data(run, what), &pattern))) return;
     same_pattern(run, pattern);
     same_must(run, mus_pattern_read(run->context, "pattern.json", &again), "pattern.json");
     same_pattern(run, again);
-    same_must(run, mus_pattern_check(pattern, &faults), "mus_pattern_check");
-    for (int32_t i = 0; i < faults; i++) {
+    same_must(run, mus_pattern_check(pattern, &count, &faults), "mus_pattern_check");
+    for (int32_t i = 0; i < count; i++) {
         int32_t kind, panel, edge, seam;
-        same_must(run, mus_pattern_fault(pattern, i, &kind, &panel, &edge, &seam, NULL), "mus_pattern_fault");
+        same_must(run, mus_faults_item(faults, i, &kind, &panel, &edge, &seam), "mus_faults_item");
         const int32_t fault[4] = {kind, panel, edge, seam};
         same_ints(run, fault, 4);
     }
+    mus_faults_destroy(faults);
 }
 
 

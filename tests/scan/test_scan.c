@@ -271,7 +271,7 @@ START_TEST(a_unit_that_may_be_two_is_refused_by_both)
     mus_body_destroy(body);
     support_context_end(context);
     solid_move(&s, 1e5, as_it_is, NULL);
-    scan_refused(&s, NULL, MUS_ERR_BODY, "say unit");
+    scan_refused(&s, NULL, MUS_ERR_BODY, "set unit");
     solid_free(&s);
 }
 END_TEST
@@ -281,7 +281,7 @@ START_TEST(what_is_no_person_has_no_up)
 {
     solid s;
     solid_ellipsoid(48, 0.3, 0.3, 0.3, &s);
-    scan_refused(&s, NULL, MUS_ERR_BODY, "say up");
+    scan_refused(&s, NULL, MUS_ERR_BODY, "set up");
     solid_free(&s);
 }
 END_TEST

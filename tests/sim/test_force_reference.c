@@ -8,6 +8,7 @@
 
 #include "drape/drape_state.h"
 #include "drape/scenes.h"
+#include "drape/weld.h"
 #include "sim/force_reference.h"
 
 Suite *mus_suite_force_reference(void);

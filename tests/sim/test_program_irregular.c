@@ -116,12 +116,14 @@ START_TEST(a_pleat_takes_its_depth_out_of_the_edge)
 
     /* 0.4 m wide; its upper edge, from right to left: 0.15 visible, 0.05 and 0.05 of the fold, 0.15 visible */
     const double corner[7][2] = {{0, 0}, {0.4, 0}, {0.4, 0.3}, {0.25, 0.3}, {0.2, 0.3}, {0.15, 0.3}, {0, 0.3}};
-    const int32_t line = MUS_PIECE_LINE, along[7] = {1, 1, 1, 1, 1, 1, 1};
+    const int32_t along[7] = {1, 1, 1, 1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "skirt", &panel), MUS_OK);
     for (int i = 0; i < 7; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], &point[i]), MUS_OK);
     for (int i = 0; i < 7; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 7], 1, &line, 0, NULL, &edge[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .start = point[i],
+                                                                       .end = point[(i + 1) % 7]}, &edge[i]),
                          MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 7, edge, along), MUS_OK);
     scene_move(pattern, panel, -0.05, 1, 0);

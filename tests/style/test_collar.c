@@ -51,6 +51,7 @@ START_TEST(every_collar_is_a_clean_shirt)
             int32_t faults;
             char what[100];
             const char *text = "";
+            mus_faults *found;
             shirt_of(context, sizes[_i], i, sleeves[k % 4], k < 4 ? 0.0 : 0.03, &half);
             mus__collar_attach(&half);
             snprintf(what, sizeof what, "%s collar %s closure %d sleeve %d", sizes[_i],
@@ -59,9 +60,10 @@ START_TEST(every_collar_is_a_clean_shirt)
             mus__board_double(&half.board);
             mus__board_write(&half.board, &pattern);
             ck_assert_msg(half.board.status == MUS_OK, "%s: %s", what, mus_context_error(context));
-            ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
-            if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+            ck_assert_int_eq(mus_pattern_check(pattern, &faults, &found), MUS_OK);
+            if (faults > 0) text = mus_faults_text(found, 0);
             ck_assert_msg(faults == 0, "%s: %d faults: %s", what, (int)faults, text);
+            mus_faults_destroy(found);
 
             /* hem, neck, two arms; no handle */
             mus_topology t;
@@ -162,7 +164,7 @@ START_TEST(no_neckline_no_collar)
     mus__half half;
     shirt_of(context, "W40", 0, MUS__SLEEVE_NONE, 0.0, &half);
     for (int32_t i = 0; i < half.board.nside; i++)
-        if (strcmp(half.board.side[i].label, "neck") == 0) mus__board_rename(&half.board, i, "neck", "");
+        if (strcmp(half.board.side[i].attr.label, "neck") == 0) mus__board_rename(&half.board, i, "neck", "");
     mus__collar_attach(&half);
     ck_assert_int_eq(half.board.status, MUS_ERR_DESIGN);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "neck"));

@@ -56,7 +56,7 @@ START_TEST(a_front_that_closes_is_a_closure)
     int32_t count;
     ck_assert_int_eq(mus_pattern_open_closures(pattern, 1, &count), MUS_OK);
     ck_assert_int_eq(count, _i == 0 ? 1 : 0);
-    ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &count, NULL), MUS_OK);
     ck_assert_int_eq(count, 0);
     mus_pattern_destroy(pattern);
     support_context_end(context);

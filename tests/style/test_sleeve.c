@@ -35,9 +35,11 @@ static mus_pattern *whole(mus__half *half, const char *what)
     ck_assert_msg(half->board.status == MUS_OK, "%s: %s", what, mus_context_error(half->context));
     int32_t faults;
     const char *text = "";
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
-    if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+    mus_faults *found;
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, &found), MUS_OK);
+    if (faults > 0) text = mus_faults_text(found, 0);
     ck_assert_msg(faults == 0, "%s: %d faults: %s", what, (int)faults, text);
+    mus_faults_destroy(found);
     return pattern;
 }
 

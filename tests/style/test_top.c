@@ -39,6 +39,7 @@ static void check_whole(mus_context *context, const char *who, const mus_tape *t
     mus_pattern *pattern = NULL;
     int32_t faults = 0;
     const char *text = "";
+    mus_faults *found;
     mus__style_spell(style, words, sizeof words);
     halves_begin(context, tape, style, &half);
     mus__top_draft(&half);
@@ -48,9 +49,10 @@ static void check_whole(mus_context *context, const char *who, const mus_tape *t
     mus__closure_finish(&half);
     mus__board_write(&half.board, &pattern);
     ck_assert_msg(half.board.status == MUS_OK, "%s: %s: %s", who, words, mus_context_error(context));
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
-    if (faults > 0) mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, &found), MUS_OK);
+    if (faults > 0) text = mus_faults_text(found, 0);
     ck_assert_msg(faults == 0, "%s: %s: %s", who, words, text);
+    mus_faults_destroy(found);
 
     /* one piece with an outside, without a handle: characteristic 2 less the openings */
     mus_topology topology;

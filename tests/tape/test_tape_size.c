@@ -1,8 +1,8 @@
 /*
  * test_tape_size.c: the 28 sizes against the printed tables.
  *
- * Golden numbers: the size tables of the project's drafting reference, section 1.4 (EN 13402-like steps; rows beyond
- * the four girths by its section 1.2), in cm to one decimal. They were made by another program.
+ * Golden numbers: stature and girths in the steps of EN 13402-3, the other rows by the formulas of mus_tape(3), in cm
+ * to one decimal, computed by another program.
  */
 #include <math.h>
 #include <string.h>

@@ -32,7 +32,9 @@ static inline int32_t gluing_edge(mus_pattern *pattern, const char *name, int32_
         kind = MUS_PIECE_ARC, nxy = 1;
         xy[0] = 0.5 * (p[0] + q[0]) + 0.3 * (q[1] - p[1]), xy[1] = 0.5 * (p[1] + q[1]) - 0.3 * (q[0] - p[0]);
     }
-    mus_status status = mus_pattern_add_edge(pattern, name, a, b, 1, &kind, nxy, xy, &edge);
+    mus_status status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = name,
+                                                                      .start = a, .end = b, .npiece = 1,
+                                                                      .kinds = &kind, .nxy = nxy, .xy = xy}, &edge);
     ck_assert_msg(status == MUS_OK, "edge %s: %d", name, (int)status);
     return edge;
 }

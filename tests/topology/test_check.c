@@ -12,19 +12,22 @@
 /* the faults of a check, at most 8 */
 typedef struct faults {
     int32_t count, kind[8], panel[8], edge[8], seam[8];
-    const char *text[8];
+    char text[8][1024];
 } faults;
 
 
-static faults check_of(mus_pattern *pattern)
+static faults check_of(const mus_pattern *pattern)
 {
     faults f = {0};
-    ck_assert_int_eq(mus_pattern_check(pattern, &f.count), MUS_OK);
+    mus_faults *found;
+    ck_assert_int_eq(mus_pattern_check(pattern, &f.count, &found), MUS_OK);
+    ck_assert_int_eq(mus_faults_count(found), f.count);
     for (int32_t i = 0; i < f.count && i < 8; i++) {
-        ck_assert_int_eq(mus_pattern_fault(pattern, i, &f.kind[i], &f.panel[i], &f.edge[i], &f.seam[i], &f.text[i]),
-                         MUS_OK);
+        ck_assert_int_eq(mus_faults_item(found, i, &f.kind[i], &f.panel[i], &f.edge[i], &f.seam[i]), MUS_OK);
+        snprintf(f.text[i], sizeof f.text[i], "%s", mus_faults_text(found, i));
         ck_assert_uint_gt(strlen(f.text[i]), 20);
     }
+    mus_faults_destroy(found);
     return f;
 }
 
@@ -95,14 +98,16 @@ START_TEST(sides_of_unequal_length_are_told_in_millimetres)
     int32_t e[2], along[4] = {1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_create(context, "two", &pattern), MUS_OK);
     for (int32_t k = 0; k < 2; k++) {
-        int32_t panel, p[4], edges[4], line = MUS_PIECE_LINE;
+        int32_t panel, p[4], edges[4];
         double height = k == 0 ? 0.412 : 0.426, xy[8] = {0.0, 0.0, 0.3, 0.0, 0.3, height, 0.0, height};
         ck_assert_int_eq(mus_pattern_add_panel(pattern, k == 0 ? "front" : "back", &panel), MUS_OK);
         for (int32_t i = 0; i < 4; i++)
             ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &p[i]), MUS_OK);
         for (int32_t i = 0; i < 4; i++)
-            ck_assert_int_eq(mus_pattern_add_edge(pattern, i == 1 ? "side" : NULL, p[i], p[(i + 1) % 4], 1, &line, 0,
-                                                  NULL, &edges[i]),
+            ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                           .name = i == 1 ? "side" : NULL,
+                                                                           .start = p[i], .end = p[(i + 1) % 4]},
+                                                  &edges[i]),
                              MUS_OK);
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edges, along), MUS_OK);
         e[k] = edges[1];
@@ -156,7 +161,7 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     ck_assert_int_eq(check_of(p).count, 0);
 
     /* no outline */
-    int32_t panel, point[4], edge[4], line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+    int32_t panel, point[4], edge[4], along[4] = {1, 1, 1, 1};
     ck_assert_int_eq(mus_pattern_add_panel(p, "cuff", &panel), MUS_OK);
     faults f = check_of(p);
     ck_assert(f.count == 1 && f.kind[0] == MUS_FAULT_OPEN_OUTLINE && f.panel[0] == panel && f.edge[0] == MUS_NONE);
@@ -167,7 +172,8 @@ START_TEST(each_kind_of_fault_is_found_where_it_is)
     for (int32_t i = 0; i < 4; i++)
         ck_assert_int_eq(mus_pattern_add_point(p, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < 4; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(p, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(p, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                                 .end = point[(i + 1) % 4]}, &edge[i]),
                          MUS_OK);
     f = check_of(p);
     ck_assert(f.count == 5 && f.kind[4] == MUS_FAULT_LOOSE_EDGE && f.edge[4] == edge[3] && f.panel[4] == panel);
@@ -215,50 +221,59 @@ START_TEST(a_band_that_meets_itself_one_sidedly_is_named_by_its_edge)
 END_TEST
 
 
-START_TEST(faults_are_kept_until_the_next_edit)
+START_TEST(faults_outlive_the_pattern_that_they_were_found_in)
 {
     mus_context *context = support_context();
     sample s = sample_make(context);
     int32_t panel, kind, count;
+    mus_faults *found, *none;
     ck_assert_int_eq(mus_pattern_add_panel(s.pattern, "cuff", &panel), MUS_OK);
-    ck_assert_int_eq(check_of(s.pattern).count, 1);
-    ck_assert_int_eq(mus_pattern_fault(s.pattern, 0, &kind, NULL, NULL, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(s.pattern, NULL, &found), MUS_OK);
 
-    /* a refused edit is none */
-    ck_assert_int_eq(mus_pattern_add_panel(s.pattern, "cuff", &panel), MUS_ERR_ARG);
-    ck_assert_int_eq(mus_pattern_fault(s.pattern, 0, &kind, NULL, NULL, NULL, NULL), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_name(s.pattern, "edited"), MUS_OK);
-    ck_assert_int_eq(mus_pattern_fault(s.pattern, 0, &kind, NULL, NULL, NULL, NULL), MUS_ERR_ARG);
-    ck_assert_str_eq(mus_context_error(context), "fault 0 is unknown, the last check found 0");
-    ck_assert_int_eq(kind, 0);
+    /* a check leaves the pattern as it was, history included; without out it counts only */
+    ck_assert_int_eq(mus_pattern_check(s.pattern, &count, NULL), MUS_OK);
+    ck_assert_int_eq(count, 1);
+    ck_assert_int_eq(mus_pattern_check(NULL, &count, &none), MUS_ERR_ARG);
+    ck_assert_int_eq(count, 0);
+    ck_assert_ptr_null(none);
+    ck_assert_int_eq(mus_pattern_check(s.pattern, NULL, NULL), MUS_ERR_ARG);
 
-    ck_assert_int_eq(mus_pattern_check(NULL, &count), MUS_ERR_ARG);
-    ck_assert_int_eq(mus_pattern_check(s.pattern, NULL), MUS_ERR_ARG);
-    ck_assert_int_eq(mus_pattern_fault(NULL, 0, NULL, NULL, NULL, NULL, NULL), MUS_ERR_ARG);
     mus_pattern_destroy(s.pattern);
+    ck_assert_int_eq(mus_faults_item(found, 0, &kind, NULL, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(kind, MUS_FAULT_OPEN_OUTLINE);
+    ck_assert_ptr_nonnull(strstr(mus_faults_text(found, 0), "cuff"));
+    ck_assert_int_eq(mus_faults_item(found, 1, &kind, NULL, NULL, NULL), MUS_ERR_ARG);
+    ck_assert_str_eq(mus_context_error(context), "fault 1 is unknown, the check found 1");
+    ck_assert_int_eq(kind, 0);
+    ck_assert_ptr_null(mus_faults_text(found, 1));
+    ck_assert_ptr_null(mus_faults_text(NULL, 0));
+    ck_assert_int_eq(mus_faults_count(NULL), 0);
+    ck_assert_int_eq(mus_faults_item(NULL, 0, NULL, NULL, NULL, NULL), MUS_ERR_ARG);
+    mus_faults_destroy(found);
+    mus_faults_destroy(NULL);
     support_context_end(context);
 }
 END_TEST
 
 
-START_TEST(a_check_without_memory_keeps_the_old_faults)
+START_TEST(a_check_without_memory_gives_no_faults)
 {
     mus_context *context = support_context();
     sample s = sample_make(context);
     ck_assert_int_eq(mus_pattern_add_panel(s.pattern, "cuff", NULL), MUS_OK);
-    ck_assert_int_eq(check_of(s.pattern).count, 1);
     for (int64_t n = 0;; n++) {
         int32_t count = 5;
+        mus_faults *found;
         support_fail_after(n, false);
-        mus_status status = mus_pattern_check(s.pattern, &count);
+        mus_status status = mus_pattern_check(s.pattern, &count, &found);
         support_fail_never();
-        if (status == MUS_OK) {
-            ck_assert_int_eq(count, 1);
-            break;
-        }
+        ck_assert_int_eq(count, mus_faults_count(found));
+        ck_assert_int_eq(status == MUS_OK, found != NULL);
+        mus_faults_destroy(found);
+        if (status == MUS_OK) break;
         ck_assert_int_eq(status, MUS_ERR_MEMORY);
-        ck_assert_int_eq(mus_pattern_fault(s.pattern, 0, NULL, NULL, NULL, NULL, NULL), MUS_OK);
     }
+    ck_assert_int_eq(check_of(s.pattern).count, 1);
     mus_pattern_destroy(s.pattern);
     support_context_end(context);
 }
@@ -278,8 +293,8 @@ Suite *mus_suite_check(void)
     tcase_add_test(tcase, ease_is_length_that_the_design_means);
     tcase_add_test(tcase, each_kind_of_fault_is_found_where_it_is);
     tcase_add_test(tcase, a_band_that_meets_itself_one_sidedly_is_named_by_its_edge);
-    tcase_add_test(tcase, faults_are_kept_until_the_next_edit);
-    tcase_add_test(tcase, a_check_without_memory_keeps_the_old_faults);
+    tcase_add_test(tcase, faults_outlive_the_pattern_that_they_were_found_in);
+    tcase_add_test(tcase, a_check_without_memory_gives_no_faults);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -108,15 +108,16 @@ START_TEST(mistakes_are_named)
     mus_context *context = support_context();
     mus_pattern *pattern = garment_made(context, cases[_i].panels, cases[_i].seams, cases[_i].openings);
     int32_t count, kind;
-    const char *text = "";
-    ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
-    if (count > 0) ck_assert_int_eq(mus_pattern_fault(pattern, 0, NULL, NULL, NULL, NULL, &text), MUS_OK);
+    mus_faults *faults;
+    ck_assert_int_eq(mus_pattern_check(pattern, &count, &faults), MUS_OK);
+    const char *text = count > 0 ? mus_faults_text(faults, 0) : "";
     ck_assert_msg(count == cases[_i].count, "%s: %d faults: %s", cases[_i].name, (int)count, text);
     for (int32_t i = 0; i < count; i++) {
-        ck_assert_int_eq(mus_pattern_fault(pattern, i, &kind, NULL, NULL, NULL, NULL), MUS_OK);
+        ck_assert_int_eq(mus_faults_item(faults, i, &kind, NULL, NULL, NULL), MUS_OK);
         ck_assert_int_eq(kind, cases[_i].kind[i]);
     }
     if (cases[_i].text != NULL) ck_assert_str_eq(text, cases[_i].text);
+    mus_faults_destroy(faults);
     mus_pattern_destroy(pattern);
     support_context_end(context);
 }
@@ -129,7 +130,7 @@ START_TEST(a_pattern_that_declares_nothing_is_not_judged_as_a_garment)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         mus_pattern *pattern = garment_made(context, cases[i].panels, cases[i].seams, "");
         int32_t count;
-        ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
+        ck_assert_int_eq(mus_pattern_check(pattern, &count, NULL), MUS_OK);
         ck_assert_int_eq(count, cases[i].kind[0] == MUS_FAULT_TWISTED_SEAM);
         mus_pattern_destroy(pattern);
     }
@@ -164,14 +165,15 @@ START_TEST(every_handle_made_by_turning_panels_over_is_traced_to_panels_that_und
             ck_assert_int_eq(mus_pattern_topology(pattern, &t), MUS_OK);
             ck_assert_int_eq(t.orientable, 1);
             int32_t count, kind, panel;
-            const char *text;
-            ck_assert_int_eq(mus_pattern_check(pattern, &count), MUS_OK);
+            mus_faults *faults;
+            ck_assert_int_eq(mus_pattern_check(pattern, &count, &faults), MUS_OK);
             for (int32_t i = 0; i < count; i++) {
-                ck_assert_int_eq(mus_pattern_fault(pattern, i, &kind, &panel, NULL, NULL, &text), MUS_OK);
+                ck_assert_int_eq(mus_faults_item(faults, i, &kind, &panel, NULL, NULL), MUS_OK);
                 handles += kind == MUS_FAULT_MIRRORED;
                 named += kind == MUS_FAULT_MIRRORED && panel != MUS_NONE;
                 ck_assert(t.genus > 0 || kind != MUS_FAULT_MIRRORED);
             }
+            mus_faults_destroy(faults);
             mus_pattern_destroy(sound);
             mus_pattern_destroy(pattern);
         }
@@ -218,7 +220,7 @@ START_TEST(failing_allocations_leave_nothing)
         mus_pattern *pattern = garment_made(context, cases[6].panels, cases[6].seams, "waist");
         int32_t count;
         support_fail_after(n, false);
-        mus_status status = mus_pattern_check(pattern, &count);
+        mus_status status = mus_pattern_check(pattern, &count, NULL);
         support_fail_never();
         mus_pattern_destroy(pattern);
         support_context_end(context);

@@ -60,14 +60,16 @@ START_TEST(a_point_passed_twice_is_a_pinch)
     mus_context *context = support_context();
     mus_pattern *pattern;
     double xy[10] = {0.0, 0.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0, -1.0, -1.0};
-    int32_t panel, p[5], e[6], line = MUS_PIECE_LINE, along[6] = {1, 1, 1, 1, 1, 1};
+    int32_t panel, p[5], e[6], along[6] = {1, 1, 1, 1, 1, 1};
     static const int32_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}};
     ck_assert_int_eq(mus_pattern_create(context, "pinch", &pattern), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_panel(pattern, "p", &panel), MUS_OK);
     for (int32_t i = 0; i < 5; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &p[i]), MUS_OK);
     for (int32_t i = 0; i < 6; i++)
-        ck_assert_int_eq(mus_pattern_add_edge(pattern, NULL, p[ends[i][0]], p[ends[i][1]], 1, &line, 0, NULL, &e[i]),
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def),
+                                                                       .start = p[ends[i][0]],
+                                                                       .end = p[ends[i][1]]}, &e[i]),
                          MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 6, e, along), MUS_OK);
     mus_topology t = quotient_topology(pattern);
@@ -88,9 +90,10 @@ START_TEST(loose_edges_and_construction_points_are_no_cells_of_the_surface)
     mus_context *context = support_context();
     mus_pattern *pattern = gluing_make(context, "A: a b c d", "A.b A.d", 0);
     mus_topology before = quotient_topology(pattern);
-    int32_t p, line = MUS_PIECE_LINE, edge;
+    int32_t p, edge;
     ck_assert_int_eq(mus_pattern_add_point(pattern, 0, 5.0, 5.0, &p), MUS_OK);
-    ck_assert_int_eq(mus_pattern_add_edge(pattern, "help", 0, p, 1, &line, 0, NULL, &edge), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "help",
+                                                                   .start = 0, .end = p}, &edge), MUS_OK);
     mus_topology after = quotient_topology(pattern);
     ck_assert_mem_eq(&before, &after, sizeof before);
 

@@ -246,6 +246,10 @@ class mus_pattern(Structure):
     pass
 
 
+class mus_faults(Structure):
+    pass
+
+
 class mus_cloth(Structure):
     pass
 
@@ -317,6 +321,11 @@ class mus_scan_report(Structure):
                 ("girth_height", c_double * 5), ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
 
 
+class mus_edge_def(Structure):
+    _fields_ = [("size", c_size_t), ("name", c_char_p), ("start", c_int32), ("end", c_int32), ("npiece", c_int32),
+                ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
+
+
 class mus_seam_def(Structure):
     _fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
                 ("ease", c_double), ("tolerance", c_double), ("laid", c_int32), ("closure", c_int32),
@@ -341,6 +350,12 @@ class mus_homology(Structure):
 
 class mus_form_def(Structure):
     _fields_ = [("size", c_size_t), ("mirror", c_int32), ("labels", c_int32)]
+
+
+class mus_cut_def(Structure):
+    _fields_ = [("size", c_size_t), ("name", c_char_p), ("seam_name", c_char_p), ("edge_a", c_int32),
+                ("edge_b", c_int32), ("s_a", c_double), ("s_b", c_double), ("npiece", c_int32), ("nxy", c_int32),
+                ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
 
 
 class mus_seam_walk(Structure):
@@ -542,8 +557,8 @@ FUNCTIONS = {
     "mus_pattern_set_name": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_add_panel": ("core", c_int32, [POINTER(mus_pattern), c_char_p, POINTER(c_int32)]),
     "mus_pattern_add_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double, POINTER(c_int32)]),
-    "mus_pattern_add_edge": ("core", c_int32, [POINTER(mus_pattern), c_char_p, c_int32, c_int32, c_int32,
-                                               POINTER(c_int32), c_int32, POINTER(c_double), POINTER(c_int32)]),
+    "mus_edge_def_init": ("core", None, [POINTER(mus_edge_def), c_size_t]),
+    "mus_pattern_add_edge": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_edge_def), POINTER(c_int32)]),
     "mus_pattern_set_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32),
                                                   POINTER(c_int32)]),
     "mus_pattern_set_edge_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
@@ -625,9 +640,12 @@ FUNCTIONS = {
     "mus_form_def_init": ("core", None, [POINTER(mus_form_def), c_size_t]),
     "mus_pattern_form": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_form_def), POINTER(c_uint8), c_size_t,
                                            POINTER(c_size_t), POINTER(c_uint64)]),
-    "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32)]),
-    "mus_pattern_fault": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
-                                            POINTER(c_int32), POINTER(c_int32), POINTER(c_char_p)]),
+    "mus_pattern_check": ("core", c_int32, [POINTER(mus_pattern), POINTER(c_int32), POINTER(POINTER(mus_faults))]),
+    "mus_faults_destroy": ("core", None, [POINTER(mus_faults)]),
+    "mus_faults_count": ("core", c_int32, [POINTER(mus_faults)]),
+    "mus_faults_item": ("core", c_int32, [POINTER(mus_faults), c_int32, POINTER(c_int32), POINTER(c_int32),
+                                          POINTER(c_int32), POINTER(c_int32)]),
+    "mus_faults_text": ("core", c_char_p, [POINTER(mus_faults), c_int32]),
     "mus_pattern_keep_history": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_undo": ("core", c_int32, [POINTER(mus_pattern)]),
     "mus_pattern_redo": ("core", c_int32, [POINTER(mus_pattern)]),
@@ -644,12 +662,11 @@ FUNCTIONS = {
     "mus_pattern_merge_darts": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32, POINTER(c_int32)]),
     "mus_pattern_shorten_dart": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double]),
     "mus_pattern_release_dart": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
-    "mus_pattern_dart_to_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_double, c_int32,
-                                                   POINTER(c_int32), c_int32, POINTER(c_double), c_char_p, c_char_p,
-                                                   POINTER(c_int32), POINTER(c_int32)]),
-    "mus_pattern_separate": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32, c_double, c_int32,
-                                               POINTER(c_int32), c_int32, POINTER(c_double), c_char_p, c_char_p,
-                                               POINTER(c_int32), POINTER(c_int32)]),
+    "mus_cut_def_init": ("core", None, [POINTER(mus_cut_def), c_size_t]),
+    "mus_pattern_separate": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_cut_def), POINTER(c_int32),
+                                               POINTER(c_int32)]),
+    "mus_pattern_dart_to_seam": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_cut_def), POINTER(c_int32),
+                                                   POINTER(c_int32)]),
     "mus_pattern_join_panels": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
     "mus_pattern_mirror_panel": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p, POINTER(c_int32)]),
     "mus_pattern_unfold": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
@@ -749,6 +766,8 @@ FUNCTIONS = {
     "mus_drape_def_init": ("core", None, [POINTER(mus_drape_def), c_size_t]),
     "mus_drape_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_body),
                                            POINTER(mus_drape_def), POINTER(POINTER(mus_drape))]),
+    "mus_drape_create_plain": ("core", c_int32, [POINTER(mus_context), POINTER(mus_cloth), POINTER(mus_drape_def),
+                                                 POINTER(POINTER(mus_drape))]),
     "mus_drape_destroy": ("core", None, [POINTER(mus_drape)]),
     "mus_drape_place": ("core", c_int32, [POINTER(mus_drape)]),
     "mus_drape_warm": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_drape)]),

@@ -14,8 +14,8 @@ _LANDMARKS = {name[len("MUS_LANDMARK_"):].lower(): value for name, value in vars
 
 
 class Body(Object):
-    """A body for a tape. options: samples, ring_spacing, ellipse, posture as stoop, head_forward, sway [m]
-    (mus_body_def)."""
+    """A body made from a tape. Options are the fields of mus_body_def: samples, ring_spacing, ellipse, plain, without,
+    and the posture stoop, head_forward, sway [m]."""
 
     _kind = "body"
 
@@ -28,10 +28,10 @@ class Body(Object):
 
     @classmethod
     def of_limbs(cls, limbs, context=None, **options):
-        """A body of given limbs without a tape. Each limb is a dict with the fields of mus_limb: contour, rows of
-        (s, centre a, centre b, half breadth, half depth, exponent), pole (below, above), and name, origin, axis, side
-        where the defaults do not fit. outline, a list of corners (a, b) for each contour, takes the place of the
-        superellipses."""
+        """A body of given limbs, without a tape. Each limb is a dict with the fields of mus_limb: contour, rows of
+        (s, centre a, centre b, half breadth, half depth, exponent); pole (below, above); and, where the defaults do not
+        fit, name, origin, axis, side. With outline, a list of corners (a, b) for each contour, contours are polygons
+        and not superellipses."""
         context = context or Context.of_thread()
         kept, structs = [], (_abi.mus_limb * len(limbs))()
         for struct, limb in zip(structs, limbs):
@@ -55,12 +55,12 @@ class Body(Object):
 
     @property
     def rest_pose(self):
-        """The Pose that it was made in."""
+        """The Pose that the body was made in."""
         return self._pose("rest_pose")
 
     @property
     def stance(self):
-        """The Pose that it stands in."""
+        """The Pose that the body stands in."""
         return self._pose("stance")
 
     def _pose(self, function):
@@ -81,17 +81,17 @@ class Body(Object):
 
     @property
     def vertices(self):
-        """(n x 3) [m], a view."""
+        """Vertices of the skin (n x 3) [m], a view."""
         return view(self, self.get("vertices"), self.get("vertex_count"), 3)
 
     @property
     def normals(self):
-        """(n x 3), unit, a view."""
+        """Outward unit normals of the vertices (n x 3), a view."""
         return view(self, self.get("normals"), self.get("vertex_count"), 3)
 
     @property
     def triangles(self):
-        """(m x 3), a view; they wind outwards."""
+        """Triangles of the skin (m x 3), winding outwards, a view."""
         return view(self, self.get("triangles"), self.get("triangle_count"), 3)
 
     @property
@@ -114,18 +114,18 @@ class Body(Object):
         return result(points, 3)
 
     def contours(self, limb):
-        """Names of the contours of a limb, bottom up."""
+        """Names of the contours of a limb, in the order of its axis."""
         limb = self.limbs.index(limb)
         return [self.get("contour_name", limb, i) for i in range(self.get("contour_count", limb))]
 
     @property
     def asked(self):
-        """{measure: value that the completed tape asked}."""
+        """{measure: value of the completed tape} [m] or [rad]."""
         return self._measures("asked")
 
     @property
     def made(self):
-        """{measure: value re-measured on the surface}, without those that no surface shows."""
+        """{measure: value on the finished surface} [m] or [rad], without those that are not measured there."""
         return self._measures("made")
 
     def _measures(self, function):
@@ -134,17 +134,17 @@ class Body(Object):
 
     @property
     def volume(self):
-        """[m3]."""
+        """Volume of the union of the limbs [m3]."""
         return self.get("volume")
 
     def landmark(self, name):
-        """Place (3) of a landmark: crown, nape, bust, waist, hip, crotch, shoulder_left, ..."""
+        """Position (3) of a landmark [m]: crown, nape, bust, waist, hip, crotch, shoulder_left, ..."""
         place = (ctypes.c_double * 3)()
         self.do("landmark", _LANDMARKS[name], place)
         return result(place)
 
     def depth(self, points):
-        """Depth of points (n x 3): positive inside [m]."""
+        """Depths of points (n x 3) [m], positive inside; -1e30 for a point more than 5 cm outside."""
         places, n = doubles(points, 3)
         depth = (ctypes.c_double * n)()
         self.do("depth", n, places, depth, None)

@@ -21,6 +21,14 @@ def _chain(pieces, points):
     return count, kinds, n, places
 
 
+def _cut(edge_a, s_a, edge_b, s_b, name, seam_name, pieces, points):
+    """mus_cut_def: the line from place a to place b."""
+    count, kinds, n, places = _chain(pieces, points)
+    return make_def(_abi.mus_cut_def, lib.mus_cut_def_init,
+                    {"name": name, "seam_name": seam_name, "edge_a": edge_a, "s_a": s_a, "edge_b": edge_b, "s_b": s_b,
+                     "npiece": count, "kinds": kinds, "nxy": n, "xy": places})
+
+
 class Edits:
     """Edits of a pattern, with undo and redo."""
 
@@ -80,14 +88,15 @@ class Edits:
 
     def dart_to_seam(self, leg, target, s, name, seam_name, pieces=(), points=()):
         """A dart becomes part of a seam that goes on to arc length s of edge `target`: (panel, seam)."""
-        return self._made_two("dart_to_seam", leg, target, s, *_chain(pieces, points), text(name), text(seam_name))
+        cut = _cut(leg, 0.0, target, s, name, seam_name, pieces, points)
+        return self._made_two("dart_to_seam", ctypes.byref(cut))
 
     # ---- panels ----
 
     def separate(self, edge_a, s_a, edge_b, s_b, name, seam_name, pieces=(), points=()):
         """Cut a panel along a chain from place a to place b: (panel, seam)."""
-        return self._made_two("separate", edge_a, s_a, edge_b, s_b, *_chain(pieces, points), text(name),
-                              text(seam_name))
+        cut = _cut(edge_a, s_a, edge_b, s_b, name, seam_name, pieces, points)
+        return self._made_two("separate", ctypes.byref(cut))
 
     def join_panels(self, seam):
         """The two panels of a seam become one."""

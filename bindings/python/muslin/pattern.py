@@ -55,7 +55,10 @@ class Pattern(Topology, Edits, Object):
         """An edge of pieces ("line", "quadratic", "cubic", "arc"); points: control points and inner joints in order."""
         kinds, count = integers([_PIECES.get(piece, piece) for piece in pieces])
         places, n = doubles(points, 2)
-        return self._add("add_edge", text(name), start, end, count, kinds, n, places)
+        definition = make_def(_abi.mus_edge_def, lib.mus_edge_def_init,
+                              {"name": name, "start": start, "end": end, "npiece": count, "kinds": kinds, "nxy": n,
+                               "xy": places})
+        return self._add("add_edge", ctypes.byref(definition))
 
     def set_outline(self, panel, edges, directions=None):
         """The attaching map of a panel; directions +1 or -1, all +1 when left out."""

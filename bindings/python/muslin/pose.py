@@ -1,4 +1,4 @@
-"""pose.py: how a body stands, and how it moves."""
+"""pose.py: poses (the angles of a body's joints) and movements (poses over time)."""
 import ctypes
 
 from . import _abi
@@ -10,17 +10,17 @@ AXES = ("flexion", "abduction", "rotation")
 
 
 def poses():
-    """Names of the poses that have one."""
+    """Names of the named poses."""
     return [lib.mus_pose_name(i).decode() for i in range(lib.mus_pose_count())]
 
 
 def moves():
-    """Names of the movements that have one."""
+    """Names of the named movements."""
     return [lib.mus_move_name(i).decode() for i in range(lib.mus_move_count())]
 
 
 def joint_limits(joint):
-    """((low, high) of flexion, of abduction, of rotation) of a joint by name [rad]."""
+    """Limits of a joint by name [rad]: (low, high) of flexion, of abduction and of rotation."""
     low, high, limits = ctypes.c_double(), ctypes.c_double(), []
     for axis in range(3):
         lib.mus_joint_limits(JOINTS.index(joint), axis, ctypes.byref(low), ctypes.byref(high))
@@ -51,7 +51,7 @@ class Pose:
 
     @property
     def place(self):
-        """(x, y, z) of the root, off where the body was made."""
+        """Translation (x, y, z) of the root from where the body was made [m]."""
         return tuple(self.struct.place)
 
     @place.setter
@@ -59,7 +59,7 @@ class Pose:
         self.struct.place[:] = place
 
     def check(self, context=None):
-        """MuslinError when an angle is beyond the limits of its joint."""
+        """Raise MuslinError when an angle is beyond the limits of its joint."""
         context = context or Context.of_thread()
         context.call("mus_pose_check", context.handle, ctypes.byref(self.struct))
 
@@ -85,12 +85,12 @@ class Move(Object):
 
     @property
     def period(self):
-        """[s], 0 for a movement that ends."""
+        """Period [s]; 0 for a movement that ends."""
         return self.get("period")
 
     @property
     def duration(self):
-        """[s], from the first to the last key, or the period."""
+        """Time from the first to the last key [s], of a periodic movement its period."""
         return self.get("duration")
 
     def at(self, time):

@@ -20,7 +20,7 @@ def _axis(value):
 
 
 def _report(struct):
-    """The report as a dict: girths and distances by name."""
+    """The report as a dict, with girths and distances by name."""
     plain = {name: getattr(struct, name) for name, _ in struct._fields_ if name != "size"}
     plain = {name: list(value) if isinstance(value, ctypes.Array) else value for name, value in plain.items()}
     for name in ("girth", "girth_height"):
@@ -31,10 +31,11 @@ def _report(struct):
 
 
 def scan(vertices, triangles, context=None, **options):
-    """(body, report) of a mesh: vertices (n x 3), triangles (m x 3).
+    """Make a body of a mesh, vertices (n x 3) and triangles (m x 3); returns (body, report).
 
-    options: up and front ("y", "-z" ...; found when left out), unit [m] (found), spacing, corners, gap, samples,
-    ring_spacing (mus_scan_def). The report is a dict of mus_scan_report; distances are (median, 95 of 100, most)."""
+    Options are the fields of mus_scan_def: up and front ("y", "-z" ...) and unit [m], which are found when left out;
+    spacing, corners, gap, samples, ring_spacing. The report is a dict with the fields of mus_scan_report; distances are
+    (median, 95th percentile, maximum)."""
     context = context or Context.of_thread()
     x, n = doubles(vertices, 3)
     triangle, m = integers(triangles, 3)

@@ -16,11 +16,12 @@ def measures():
 
 
 def sizes():
-    """Names of the standard sizes ("W40", "M50", "C116")."""
+    """Names of the table sizes ("W40", "M50", "C116")."""
     return [lib.mus_tape_size_name(i).decode() for i in range(lib.mus_tape_size_count())]
 
 
 def measure_index(name):
+    """Index of a measure by name or alias; KeyError for an unknown one."""
     index = lib.mus_measure_find(text(name))
     if index == _abi.MUS_NONE:
         raise KeyError(name)
@@ -44,23 +45,24 @@ class Tape(Object):
 
     @classmethod
     def size(cls, size, context=None):
-        """A standard size, by name."""
+        """A tape of a table size, by its name."""
         tape = cls(context=context)
         tape.do("set_size", text(size))
         return tape
 
     @classmethod
     def read(cls, path, row=None, context=None):
-        """From a file: .tape or .txt, .yaml (GarmentCode body), .vit, .csv (`row` names the line)."""
+        """Read a file: .tape or .txt, .yaml (GarmentCode body), .vit, .csv (`row` names the row)."""
         context = context or Context.of_thread()
         return cls(context=context,
                    _handle=create(context, "tape", "mus_tape_read", context.handle, text(path), text(row)))
 
     def write(self, path):
-        """Write in muslin's own text form."""
+        """Write a .tape file."""
         self.context.call("mus_tape_write", self.handle, text(path))
 
     def copy(self):
+        """A copy of the tape."""
         return Tape(context=self.context, _handle=create(self.context, "tape", "mus_tape_copy", self.handle))
 
     def __getitem__(self, measure):
@@ -72,29 +74,32 @@ class Tape(Object):
         self.do("set", measure_index(measure), value, _abi.MUS_SOURCE_GIVEN)
 
     def source(self, measure):
-        """None, "given" or "derived"."""
+        """Source of a measure: None, "given" or "derived"."""
         return _SOURCES[self.get("source", measure_index(measure))]
 
     def items(self):
-        """(name, value) of the measures that are set."""
+        """List of (name, value) of the measures that are set."""
         pairs = ((name, self[name]) for name in measures())
         return [(name, value) for name, value in pairs if value is not None]
 
     def complete(self):
-        """Derive what is missing and check the sheet; returns the warnings."""
+        """Derive the measures that are not set and check the tape; returns the warnings."""
         self.do("complete")
         return self.warnings
 
     @property
     def is_complete(self):
+        """Whether complete() succeeded and nothing was set since."""
         return bool(self.get("is_complete"))
 
     @property
     def warnings(self):
+        """Warnings of the last complete()."""
         return [self.get("warning", i) for i in range(self.get("warning_count"))]
 
     @property
     def sex(self):
+        """"unset", "female", "male" or "child"."""
         number = self.get("sex")
         return next(name for name, value in _SEXES.items() if value == number)
 
@@ -106,6 +111,7 @@ class Tape(Object):
 
     @property
     def name(self):
+        """Name for reports and labels; "" without one."""
         return self.get("name")
 
     @name.setter

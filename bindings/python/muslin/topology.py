@@ -5,7 +5,7 @@ import ctypes
 
 from . import _abi
 from ._library import lib
-from .context import make_def, read_struct
+from .context import create, make_def, read_struct
 
 _FAULTS = {value: name[len("MUS_FAULT_"):].lower() for name, value in vars(_abi).items()
            if name.startswith("MUS_FAULT_")}
@@ -64,13 +64,14 @@ class Topology:
         return list(edges), length.value
 
     def check(self):
-        """[(kind, sentence)] of the faults; empty when it is fit to cut and sew."""
-        count = ctypes.c_int32()
+        """[(kind, sentence)] of the faults; empty when the pattern is fit to cut and sew."""
+        kind, found = ctypes.c_int32(), []
         with self.context.lock:
-            self.do("check", ctypes.byref(count))
-            return [self._fault(i) for i in range(count.value)]
-
-    def _fault(self, index):
-        kind, sentence = ctypes.c_int32(), ctypes.c_char_p()
-        self.do("fault", index, ctypes.byref(kind), None, None, None, ctypes.byref(sentence))
-        return _FAULTS[kind.value], sentence.value.decode("utf-8", "replace")
+            faults = create(self.context, "faults", "mus_pattern_check", self.handle, None)
+            try:
+                for i in range(lib.mus_faults_count(faults)):
+                    self.context.call("mus_faults_item", faults, i, ctypes.byref(kind), None, None, None)
+                    found.append((_FAULTS[kind.value], lib.mus_faults_text(faults, i).decode("utf-8", "replace")))
+            finally:
+                lib.mus_faults_destroy(faults)
+        return found

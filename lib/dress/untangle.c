@@ -1,45 +1,50 @@
 /*
- * untangle.c: cloth that crosses cloth at the start is drawn apart until an exact count finds no crossing.
+ * untangle.c: cloth that crosses cloth is drawn apart until an exact count finds no crossing.
  *
- * Two sheets that cross have a contour in common. Where an edge of one sheet goes through a triangle of the other at I,
- * the contour goes on from I into each triangle F at that edge, along the unit vector R in both planes. Moving the edge
- * by d against the triangle moves I by d - (d.N)/(E.N) E, N the triangle's normal and E along the edge, and changes the
- * length of the contour by  -d.G,
+ * Two sheets that cross have a contour in common. Where an edge of one sheet goes through a triangle of the other at
+ * the point I, the contour goes on from I into each triangle F at that edge, along the unit vector R in both planes.
+ * Moving the edge by d against the triangle moves I by d - (d.N)/(E.N) E, with N the normal of the triangle and E the
+ * unit vector along the edge, and changes the length of the contour by  -d.G,
  *
  *     G = sum over F of  R - (E.R)/(E.N) N,
  *
- * so the edge goes along G and the triangle against it (Volino, Magnenat-Thalmann, Resolving Surface Collisions through
- * Intersection Contour Minimization, 2006). At first there are these moves alone: cloth that was put where a coarser
- * cut lay is full of force, and would run through itself where it may. What then still crosses takes some steps between
- * them, without gravity, in which what does not cross is kept apart and the body keeps its clearance. Nothing is known
- * of which sheet was outside: a shallow crossing goes, one sheet halfway through another stays, and is counted.
+ * so the edge is moved along G and the triangle against it.
+ * Source: Volino, Magnenat-Thalmann, Resolving Surface Collisions through Intersection Contour Minimization, ACM Trans.
+ * Graph. 25 (2006).
+ *
+ * The first rounds are such moves alone: a cloth that was put where a coarser cut lay is full of force, and would run
+ * through itself where it may. Crossings that are left then get some steps between the moves, in which triangles that
+ * do not cross are kept apart and the body keeps its clearance. Nothing tells which sheet was outside: a shallow
+ * crossing goes; one sheet halfway through another stays, and is counted.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
-#define UNTANGLE_ROUNDS 80
-#define UNTANGLE_PLAIN 50 /* of them without steps */
-#define UNTANGLE_STEPS 12
+#define UNTANGLE_ROUNDS 80  /* chosen, as all of these; `make corpus` shows crossings left and seconds */
+#define UNTANGLE_PLAIN 50   /* of them without steps */
+#define UNTANGLE_STEPS 12   /* in each of the other rounds */
 #define UNTANGLE_DRAG 40.0  /* [1/s] */
 #define UNTANGLE_SPEED 1.0  /* [m/s] */
-#define UNTANGLE_MOVE 0.5   /* of the thickness, in a round */
-#define UNTANGLE_LEAST 0.05 /* of the thickness */
-#define UNTANGLE_PARTS 12
-#define UNTANGLE_STEEP 0.1  /* E.N of an edge that runs along the triangle counts as this */
-#define UNTANGLE_SAFETY 0.7 /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
+#define UNTANGLE_MOVE 0.5   /* of the thickness: the largest move of a node in a round */
+#define UNTANGLE_LEAST 0.05 /* of the thickness: pairs nearer than that are put so far apart */
+#define UNTANGLE_PARTS 12   /* rounds of that at most */
+#define UNTANGLE_STEEP 0.1  /* least |E.N|: bounds the move of an edge that runs along the triangle */
+#define UNTANGLE_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
 
 typedef struct untangle {
     const mus_drape *drape;
-    double *move;   /* (n x 3) sums of what crossings ask of the nodes */
-    double *weight; /* (n) */
+    double *move;   /* (n x 3) weighted sums of the moves of each node [1] */
+    double *weight; /* (n) sums of the weights */
 } untangle;
 
 
-/* corner of triangle `of` that is not on its edge p q */
+/* the corner of triangle `of` that is not on its edge p q */
 static int32_t untangle_third(const mus__self_contact *self, int32_t of, int32_t p, int32_t q)
 {
     const int32_t *corner = self->triangle + 3 * (int64_t)of;
@@ -49,6 +54,7 @@ static int32_t untangle_third(const mus__self_contact *self, int32_t of, int32_t
 }
 
 
+/* adds a move of a node with a weight */
 static void untangle_give(const untangle *u, int32_t node, double share, const double *move)
 {
     for (int32_t d = 0; d < 3; d++) u->move[3 * (int64_t)node + d] += share * move[d];
@@ -56,7 +62,7 @@ static void untangle_give(const untangle *u, int32_t node, double share, const d
 }
 
 
-/* edge p q of triangle `of` goes through triangle `met` */
+/* adds the moves of one crossing: edge p q of triangle `of` goes through triangle `met` */
 static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t met)
 {
     const untangle *u = user;
@@ -80,7 +86,7 @@ static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t 
     mus__unit3(along);
     mus__unit3(way);
 
-    /* the contour into `of`, away from its edge */
+    /* the direction of the contour into `of`, away from the edge */
     const double on_edge = mus__dot3(inward, way);
     for (int32_t d = 0; d < 3; d++) inward[d] -= on_edge * way[d];
     if (mus__dot3(along, inward) < 0.0)
@@ -95,7 +101,7 @@ static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t 
         place[d] = from[d] + part * length * way[d] - a[d];
     }
 
-    /* shares of the corners of `met` in the place */
+    /* barycentric coordinates of the crossing point in `met` */
     const double bb = mus__dot3(ab, ab), cc = mus__dot3(ac, ac), bc = mus__dot3(ab, ac), det = bb * cc - bc * bc;
     const double pb = mus__dot3(place, ab), pc = mus__dot3(place, ac);
     share[1] = det > 0.0 ? (cc * pb - bc * pc) / det : 0.0;
@@ -107,7 +113,7 @@ static void untangle_note(void *user, int32_t p, int32_t q, int32_t of, int32_t 
 }
 
 
-/* nodes a little along what was asked of them */
+/* moves the nodes along the mean of their moves, at most UNTANGLE_MOVE */
 static void untangle_move(mus_drape *drape, const untangle *u)
 {
     const double most = UNTANGLE_MOVE * drape->def.thickness;
@@ -121,36 +127,22 @@ static void untangle_move(mus_drape *drape, const untangle *u)
 }
 
 
-/* some steps in which springs, body and what does not cross take part */
+/* a batch of steps without gravity: springs and the body act, and what does not cross is kept apart */
 static mus_status untangle_ease(mus_drape *drape)
 {
-    mus__sim *sim = &drape->sim;
+    static const mus__relax_rule rule = {.drag = UNTANGLE_DRAG, .speed_limit = UNTANGLE_SPEED, .grip = 1.0};
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
-    const double h = UNTANGLE_SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = UNTANGLE_SPEED * h;
-    memset(sim->gravity, 0, sizeof sim->gravity);
-    sim->drag = UNTANGLE_DRAG;
-    sim->speed_limit = UNTANGLE_SPEED;
-    sim->dashpots = 0;
-    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance,
-                                    .friction = drape->scene.friction,
-                                    .push = 2.0 * travel,
-                                    .travel = travel,
-                                    .slip = h,
-                                    .step = h,
-                                    .cache_radius = MUS__CACHE_RADIUS};
-    mus_status status = mus__drape_self_ready(drape, h);
+    const double h = mus__relax_step(drape, UNTANGLE_SAFETY);
+    mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
-    for (int32_t i = 0; i < UNTANGLE_STEPS; i++) sim->ops->euler(sim, h);
-    status = mus__drape_keep_good(drape);
-    if (status == MUS_OK) status = mus__drape_self_fits(drape);
+    status = mus__relax_run(drape, h, UNTANGLE_STEPS, 0);
     mus__drape_tick(drape, UNTANGLE_STEPS, h, 1);
     mus__drape_publish(drape);
     return status;
 }
 
 
-/* as they lie, without a crossing where there was none: pairs that are nearer than that to UNTANGLE_LEAST */
 mus_status mus__untangle_part(mus_drape *drape)
 {
     const double least = UNTANGLE_LEAST * drape->def.thickness;
@@ -172,6 +164,8 @@ mus_status mus__untangle_part(mus_drape *drape)
 }
 
 
+/* the rounds; *left gets the number of pairs of triangles that still cross. Errors: MUS_ERR_DIVERGED, MUS_ERR_LIMIT,
+ * MUS_ERR_MEMORY */
 static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
 {
     untangle u = {.drape = drape};
@@ -191,7 +185,7 @@ static mus_status untangle_rounds(mus_drape *drape, int64_t *left)
         status = untangle_ease(drape);
     }
 
-    /* what no longer crosses may still lie closer than numbers of a float state tell apart, and could not move */
+    /* sheets that no longer cross may lie closer than a float state can tell apart, and could not move then */
     if (status == MUS_OK && *left == 0 && moved) status = mus__untangle_part(drape);
     mus__free(drape->context, u.move);
     drape->sim.plane_cache = NULL;
@@ -214,8 +208,7 @@ mus_status mus_drape_untangle(mus_drape *drape, int64_t *left)
     if (left != NULL) *left = 0;
     if (drape == NULL) return MUS_ERR_ARG;
     if (left == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: left is NULL");
-    if (drape->self == NULL)
-        return mus__fail(drape->context, MUS_ERR_STATE, "drape: cloth is untangled with self_contact alone");
+    if (drape->self == NULL) return mus__fail(drape->context, MUS_ERR_STATE, "drape: untangling needs self_contact");
     mus_status status = mus__scene_require_rest(drape, "untangle");
     if (status != MUS_OK) return status;
     status = untangle_rounds(drape, left);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scenes.h"
+#include "drape/scenes.h"
 
 Suite *mus_suite_settle(void);
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 #define SPACING 0.04 /* [m] coarse: the tests ask which way was taken, not how the cloth lies */
 

@@ -1,17 +1,15 @@
 /*
- * run.c: what sew, settle and step share: progress calls and the guard on the state.
+ * progress.c: calls of the caller's progress function during sew and settle.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include <math.h>
-#include <string.h>
 #include <time.h>
 
-#include "drape/drape_state.h"
+#include "dress/progress.h"
 
-#define CALL_SECONDS 0.1 /* of wall time between progress calls */
-#define MOST_SPEED 1e4   /* [m/s]: no cloth moves so fast; beyond it the motion has diverged */
+#define CALL_SECONDS 0.1 /* [s] of wall time between progress calls; chosen: ten a second */
 
 
+/* wall time [s] */
 static double wall_time(void)
 {
     struct timespec now;

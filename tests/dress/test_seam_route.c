@@ -7,9 +7,10 @@
 
 #include "body/body_level.h"
 #include "drape/drape_state.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 Suite *mus_suite_seam_route(void);
 
@@ -20,7 +21,6 @@ Suite *mus_suite_seam_route(void);
 static int32_t lift_panel(mus_pattern *pattern, const char *name, const double (*corner)[2], int32_t count,
                           int32_t *edge)
 {
-    const int32_t line = MUS_PIECE_LINE;
     int32_t panel, point[16], forward[16];
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int32_t i = 0; i < count; i++) {
@@ -29,7 +29,8 @@ static int32_t lift_panel(mus_pattern *pattern, const char *name, const double (
     }
     for (int32_t i = 0; i < count; i++)
         ck_assert_int_eq(
-            mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % count], 1, &line, 0, NULL, &edge[i]), MUS_OK);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                          .end = point[(i + 1) % count]}, &edge[i]), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, count, edge, forward), MUS_OK);
     return panel;
 }

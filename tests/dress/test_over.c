@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "muslin/muslin.h"
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 Suite *mus_suite_over(void);
 

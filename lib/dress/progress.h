@@ -1,8 +1,8 @@
 /*
  * progress.h: a run of sew or settle: the caller's progress function, and how the run ends.
  */
-#ifndef MUS_DRAPE_PROGRESS_H
-#define MUS_DRAPE_PROGRESS_H
+#ifndef MUS_DRESS_PROGRESS_H
+#define MUS_DRESS_PROGRESS_H
 
 #include "base/base_internal.h"
 #include "muslin/drape.h"

@@ -1,6 +1,10 @@
 /*
  * dress.c: mus_dress(): from a pattern and a body to a garment at rest, with the starts that are tried.
  *
+ * Where a stranger starts in this room, which holds the runs that dress a body: sew.c (mus_drape_sew) with seam_route.c
+ * and layers.c, settle.c (mus_drape_settle) with slid_off.c, untangle.c (mus_drape_untangle), the relaxation that all
+ * three share (relax.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
+ *
  * A start is a placement of the panels, and the patience of sewing. An impatient start gives up when the first way of
  * sewing does not close the coarsest cut; a patient one goes on with other ways and with finer cuts, which takes long.
  * A placement from which the coarsest cut does not close is seldom a good one. Order, until one start succeeds:
@@ -146,14 +150,20 @@ static void dress_reason(const dress_call *call, const mus_pattern *pattern, dre
 {
     mus_reason *why = &trial->reason;
     mus_reason_init(why, sizeof *why);
-    if (trial->drape != NULL) mus_drape_reason(trial->drape, why);
-    else if (trial->status == MUS_ERR_PATTERN) mus_pattern_reason(pattern, why);
+    if (trial->drape != NULL)
+        mus_drape_reason(trial->drape, why);
+    else if (trial->status == MUS_ERR_PATTERN)
+        mus_pattern_reason(pattern, why);
     if (trial->status == MUS_OK && why->kind == MUS_REASON_TANGLED) trial->status = MUS_ERR_TANGLED;
     if (call->stopped) trial->status = MUS_ERR_STOPPED;
-    if (trial->status == MUS_OK) why->kind = MUS_REASON_SETTLED;
-    else if (trial->status == MUS_ERR_DIVERGED) why->kind = MUS_REASON_UNSTABLE;
-    else if (trial->status == MUS_ERR_STOPPED) why->kind = MUS_REASON_NONE;
-    else if (why->kind == MUS_REASON_NONE || why->kind == MUS_REASON_SETTLED) why->kind = MUS_REASON_BAD_INPUT;
+    if (trial->status == MUS_OK)
+        why->kind = MUS_REASON_SETTLED;
+    else if (trial->status == MUS_ERR_DIVERGED)
+        why->kind = MUS_REASON_UNSTABLE;
+    else if (trial->status == MUS_ERR_STOPPED)
+        why->kind = MUS_REASON_NONE;
+    else if (why->kind == MUS_REASON_NONE || why->kind == MUS_REASON_SETTLED)
+        why->kind = MUS_REASON_BAD_INPUT;
 }
 
 
@@ -328,8 +338,10 @@ mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus
     mus_pattern_destroy(call.own);
     if (report != NULL) *report = call.report;
     if (reason != NULL) *reason = kept.reason;
-    if (cloth != NULL) *cloth = kept.cloth;
-    else mus_cloth_destroy(kept.cloth);
+    if (cloth != NULL)
+        *cloth = kept.cloth;
+    else
+        mus_cloth_destroy(kept.cloth);
     *drape = kept.drape;
     return status;
 }

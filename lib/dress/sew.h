@@ -4,33 +4,14 @@
  * Files, in the order of use: sew.c (mus_drape_sew), layers.c (several layers), seam_route.c (the way of a pair's pull
  * round a limb), weld.c (nodes of closed pairs become one).
  */
-#ifndef MUS_DRAPE_SEW_H
-#define MUS_DRAPE_SEW_H
+#ifndef MUS_DRESS_SEW_H
+#define MUS_DRESS_SEW_H
 
-#include "drape/progress.h"
-
-/* memory of sewing: one block, NULL before the first sew that needs it */
-typedef struct mus__sewing {
-    double *start_x;    /* (n x 3) where the first try began */
-    double *unwelded_x; /* (n x 3) before a weld that may be taken back */
-    double *outward;    /* (n x 3) unit at each node: out of its panel, away from its triangles */
-} mus__sewing;
+#include "dress/progress.h"
+#include "drape/weld.h"
 
 /* take the memory of sewing, if need be; it is kept until the drape is destroyed. Errors: MUS_ERR_MEMORY */
 mus_status mus__sew_create(mus_drape *drape);
-
-/* ---- weld.c ---- */
-
-/* open all seams */
-void mus__weld_open(mus_drape *drape);
-/* weld the seams of the layers that do not wait */
-void mus__weld(mus_drape *drape);
-/* open the seams again that were open when the sewing of this layer began, with the nodes at x (n x 3) */
-void mus__weld_reopen(mus_drape *drape, const double *x);
-/* stiffness of a seam pair near the end [N/m]: more than the cloth that it joins, so that a tight seam closes */
-double mus__weld_pair_stiffness(const mus_drape *drape);
-/* largest gap [m] of the seam pairs of layers that do not wait, and its seam (may be NULL); 0 without seams */
-double mus__weld_gap(const mus_drape *drape, int32_t *seam);
 
 /* ---- seam_route.c ---- */
 

@@ -1,15 +1,15 @@
 /*
- * layers.c: garments over one another, sewn one after the other from inside to outside.
+ * layers.c: garments worn over one another, sewn one layer after the other, from inside to outside.
  *
- * What is to be sewn later waits: held where it starts, met by nothing. The innermost layer is sewn and let down as if
- * it were alone. Each next one starts where it crosses nothing of what is worn: along its panels' normals off the body,
- * all of them equally far, until an exact count finds no crossing; then each panel comes in again, to where the pattern
- * has it or as near as what is worn lets it. Then its seams are drawn shut round what is worn, which is cloth by now
- * and part of what it meets, and it is let down too. Only the finest cut knows several layers: coarse ones of cloth
- * that lies on cloth would cross.
+ * A layer that is sewn later waits: its nodes are fixed where they start, and nothing meets them. The innermost layer
+ * is sewn and let down as if it were alone. Each next layer starts where it crosses no worn layer: its panels are put
+ * along their normals off the body, all equally far, until an exact count finds no crossing. Then each panel comes in
+ * again, to where the pattern places it or as near as the worn layers allow. Its seams are drawn shut round the worn
+ * layers, which are cloth by now and take part in self-contact, and it is let down too. Only the finest cut knows
+ * several layers: coarse cuts of cloth that lies on cloth would cross.
  *
- * Where sleeves come over it, a layer is not let down before they are closed: what hangs off an arm hangs out of a
- * sleeve that is still open below.
+ * Where sleeves come over a layer, it is not let down before they are closed: a part that hangs off an arm would hang
+ * out of a sleeve that is still open below.
  */
 #include <math.h>
 #include <string.h>
@@ -17,17 +17,18 @@
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "drape/sew.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"
 
-#define LAYERS_TRIALS 24  /* of starts, each farther out */
-#define LAYERS_REACH 0.3  /* [m]: the body is looked for so far from a panel */
-#define LAYERS_STEP 0.004 /* [m] in again */
-#define WAY_MOST 8        /* sheets between the nodes of a pair */
+#define LAYERS_TRIALS 24  /* starts that are tried, each MUS__LAYER_OUT farther out; chosen: half a metre in all */
+#define LAYERS_REACH 0.3  /* [m] distance from a panel within which the body is looked for */
+#define LAYERS_STEP 0.004 /* [m] in again; chosen: below the distance of two sheets, so that none is jumped */
+#define WAY_MOST 8        /* sheets between the nodes of a pair that are told apart; more count as worn cloth between */
 
 
-/* the first layer from `from` on that any panel is in, 0 when there is none */
+/* the lowest layer from `from` on that has a panel; 0 when there is none */
 static int32_t layers_next(const mus_cloth *cloth, int32_t from)
 {
     int32_t next = 0;
@@ -39,7 +40,7 @@ static int32_t layers_next(const mus_cloth *cloth, int32_t from)
 }
 
 
-/* panels from layer `from` on wait, 0: none do */
+/* lets panels from layer `from` on wait; 0: none waits */
 static void layers_wait(mus_drape *drape, int32_t from)
 {
     drape->program.wait_from = from;
@@ -53,7 +54,7 @@ static void layers_wait(mus_drape *drape, int32_t from)
 }
 
 
-/* whether any panel of layers first .. last starts rolled round more than half of a limb */
+/* whether any panel of layers first .. last starts rolled round more than half a limb */
 static int32_t layers_sleeved(const mus_cloth *cloth, int32_t first, int32_t last)
 {
     for (int32_t p = 0; p < cloth->npanel; p++) {
@@ -70,10 +71,10 @@ static int32_t layers_sleeved(const mus_cloth *cloth, int32_t first, int32_t las
 }
 
 
-/* crossings of a layer with those below it; or of a panel with all that there is up to its layer */
+/* counts crossings of a layer with the layers below it; or of a panel with all layers up to its own */
 typedef struct layers_met {
     const mus_cloth *cloth;
-    int32_t layer, panel; /* MUS_NONE: of the layer */
+    int32_t layer, panel; /* panel MUS_NONE: crossings of the layer */
     int64_t count;
 } layers_met;
 
@@ -94,21 +95,19 @@ static void layers_note(void *user, int32_t p, int32_t q, int32_t of, int32_t me
 }
 
 
-/* how many there are at x */
+/* number of these crossings at the drape's places */
 static int64_t layers_count(const mus_drape *drape, int32_t layer, int32_t panel)
 {
     const mus_cloth *cloth = drape->cloth;
     layers_met found = {cloth, layer, panel, 0};
     mus__crossing_count(&drape->self->grid, cloth->ntriangle, cloth->triangle, drape->self->class_of, drape->x,
-                         layers_note, &found);
+                        layers_note, &found);
     return found.count;
 }
 
 
-/*
- * -1 for a panel whose right side is to the body as the pattern places it, else 1: a collar that lies on the shoulders
- * starts with its under side out, above the necklines, and is to stay above them.
- */
+/* -1 for a panel whose right side faces the body as the pattern places it, else 1. A collar that lies on the shoulders
+ * starts with its under side out, above the necklines, and stays above them */
 static double layers_side(mus_drape *drape, int32_t panel)
 {
     const mus__panel_mesh *mesh = &drape->cloth->panel[panel];
@@ -131,9 +130,9 @@ static double layers_side(mus_drape *drape, int32_t panel)
 
 
 /*
- * A panel that is `out` far off comes in as long as it meets nothing more, in steps too short to come through a sheet.
- * A sleeve that is rolled too wide has its edges over the limb, not under it, and would be sewn there; a collar that is
- * far above the neckline would crumple on the way.
+ * Moves a panel that is `out` [m] off in again, as long as its crossings do not grow, in steps shorter than the
+ * distance of two sheets. The edges of a sleeve that is rolled too wide lie over the limb, not under it, and would be
+ * sewn there; a collar far above the neckline would crumple on its way.
  */
 static void layers_come_in(mus_drape *drape, int32_t panel, double out)
 {
@@ -151,7 +150,7 @@ static void layers_come_in(mus_drape *drape, int32_t panel, double out)
 }
 
 
-/* a layer to where it starts, clear of those below it */
+/* puts a layer where it starts, clear of the layers below it */
 static void layers_start(mus_drape *drape, int32_t layer)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -182,7 +181,7 @@ int32_t mus__layers_needed(const mus_drape *drape)
 
 /* ---- what lies between two nodes that are to be welded ---- */
 
-/* is the box of a triangle clear of that of the segment p q? */
+/* whether the box of a triangle is clear of the box of the segment p q */
 static bool layers_far(const double *p, const double *q, const double *a, const double *b, const double *c)
 {
     for (int32_t d = 0; d < 3; d++) {
@@ -193,7 +192,7 @@ static bool layers_far(const double *p, const double *q, const double *a, const 
 }
 
 
-/* is the node a corner of triangle t, or welded to one? */
+/* whether the node is a corner of triangle t, or welded to one */
 static bool layers_corner(const mus_drape *drape, int32_t t, int32_t node)
 {
     const int32_t *rep = drape->rep, *corner = drape->cloth->triangle + 3 * (int64_t)t;
@@ -201,7 +200,7 @@ static bool layers_corner(const mus_drape *drape, int32_t t, int32_t node)
 }
 
 
-/* have two triangles a corner in common? */
+/* whether two triangles have a corner in common */
 static bool layers_share(const mus_drape *drape, int32_t s, int32_t t)
 {
     const int32_t *corner = drape->cloth->triangle + 3 * (int64_t)s;
@@ -210,7 +209,7 @@ static bool layers_share(const mus_drape *drape, int32_t s, int32_t t)
 }
 
 
-/* do two triangles share a corner, or does a third share one with each? So do both sides of a fold */
+/* whether two triangles share a corner, or a third triangle shares one with each: the two sides of a fold do */
 static bool layers_beside(const mus_drape *drape, int32_t s, int32_t t)
 {
     if (layers_share(drape, s, t)) return true;
@@ -220,14 +219,14 @@ static bool layers_beside(const mus_drape *drape, int32_t s, int32_t t)
 }
 
 
-/* a way that goes through worn cloth: the triangles that it has not come back out of */
+/* a segment through worn cloth: the triangles that it has not come back out of */
 typedef struct layers_way {
     int32_t count, triangle[WAY_MOST];
     bool out[WAY_MOST]; /* by its right side */
 } layers_way;
 
 
-/* the way goes through triangle t. Where it went in by the other side beside it, it has gone through a fold */
+/* the segment goes through triangle t. If it went in by the other side beside t, the two cancel: it crossed a fold */
 static void layers_pass(const mus_drape *drape, layers_way *way, int32_t t, bool out)
 {
     for (int32_t k = 0; k < way->count; k++) {
@@ -241,8 +240,8 @@ static void layers_pass(const mus_drape *drape, layers_way *way, int32_t t, bool
 }
 
 
-/* A seam under the arm of what is worn is a ridge: a straight way over it goes in and out again, and a pair so near is
- * on one side of the cloth all the same */
+/* A seam under the arm of a worn layer is a ridge: a segment over it goes in and out again, and its two ends are on one
+ * side of the cloth */
 int32_t mus__layers_between(const mus_drape *drape, int32_t i, int32_t k)
 {
     const mus_cloth *cloth = drape->cloth;

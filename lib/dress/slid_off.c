@@ -13,8 +13,10 @@
 #include <string.h>
 
 #include "arrange/arrange_nodes.h"
-#include "drape/diagnosis.h"
+#include "dress/diagnosis.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 /* all chosen; the corpus of GarmentCode patterns shows which garments are told as slid off when they change */

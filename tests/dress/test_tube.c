@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
+#include "drape/scenes.h"
 
 Suite *mus_suite_tube(void);
 

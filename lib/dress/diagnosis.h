@@ -1,8 +1,8 @@
 /*
  * diagnosis.h: the reason that a run of sew or settle ended as it did (diagnosis.c).
  */
-#ifndef MUS_DRAPE_DIAGNOSIS_H
-#define MUS_DRAPE_DIAGNOSIS_H
+#ifndef MUS_DRESS_DIAGNOSIS_H
+#define MUS_DRESS_DIAGNOSIS_H
 
 #include "drape/drape_state.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "muslin/edit.h"
-#include "scenes.h"
+#include "drape/scenes.h"
 
 #define SPACING 0.0125
 

@@ -1,36 +1,44 @@
 /*
- * lift.c: the ways of seam pairs round what is between them, and what is hung on the shoulders first.
+ * seam_route.c: the way of a seam pair's pull round the body, and straps that are pulled over the shoulders first.
  *
- * Two ends of a seam on two sides of a limb cannot go straight. The middle between them is looked at: while it lies in
- * the body, both ends are drawn towards a place beside it, twice as far out as the body reaches there. Over a shoulder
- * or round a limb: the edges of panels know, by where they point.
+ * The two nodes of a pair on two sides of a limb cannot go straight to each other. While the midpoint between them lies
+ * in the body, both are pulled towards a point beside it, twice as far out as the body reaches there: over the
+ * shoulder, or round the limb. The edges of the panels tell which, by the direction in which they point.
  *
- * A short seam whose edges both point up is a strap's. Of garments that have one, what points up closes over the
- * shoulders and what points down or aside under the arms; the strap is put on so that its middle lies on that of the
- * shoulder: with gravity off and grip low a tight side seam would draw it down the arm. Where that does not bring the
- * straps over, the garment is hung by them first: until they are near, all else is pulled with less.
+ * A short seam whose edges both point up is a strap's. In a garment that has one, edges that point up close over the
+ * shoulders, and edges that point down or aside close under the arms. A strap is put on so that its middle lies on the
+ * middle of the shoulder: with gravity off and little grip, a tight side seam would draw it down the arm. Where that
+ * does not bring the straps over, the garment is hung by them first: until they are near, all other pairs are pulled
+ * with less tension.
  */
 #include <math.h>
 #include <string.h>
 
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
-#define ROUTE_FROM 0.02 /* [m]: nearer pairs go straight */
-#define ROUTE_STEP 0.02 /* [m] of the search for the way round what is between */
-#define ROUTE_STEPS 10
-#define ROUTE_BELOW 0.03 /* [m]: so much below the top of the shoulder a strap is not on it */
-#define ROUTE_CHECKS 4   /* between searches, without straps: a sleeve goes round its arm with what it was given */
-#define ROUTE_LEVEL 0.7  /* pairs that stand one above the other have neither over nor under */
-#define ROUTE_SURE 0.5   /* of 2: edges that point less the same way do not say which */
-#define ROUTE_POINTS 1.0 /* of 2: edges that point up close over the shoulders, down and out under the arms */
-#define ROUTE_STRAP 0.6  /* of the shoulder line: what closes on less of it is a strap */
-#define ROUTE_RIM 1.2    /* of the shoulders' half breadth: farther out begins no strap */
-#define HANG_NEAR 0.05   /* [m]: then straps are home */
-#define HANG_SHARE 0.25  /* of the pull that the others have until then */
+/* All numbers below are chosen; the corpus of GarmentCode patterns shows which seams close when they change. */
+
+#define ROUTE_FROM 0.02  /* [m] nearer pairs go straight */
+#define ROUTE_STEP 0.02  /* [m] of the search for the surface of the body */
+#define ROUTE_STEPS 10   /* of that search */
+#define ROUTE_BELOW 0.03 /* [m] a strap this far below the top of the shoulder is not on it */
+#define ROUTE_CHECKS                                                                                                   \
+    4 /* batches between two searches, without straps: a sleeve keeps its detours round the arm meanwhile */
+#define ROUTE_LEVEL                                                                                                    \
+    0.7 /* least sine of the angle between a pair and the vertical: a vertical pair has neither over nor under */
+#define ROUTE_SURE 0.5   /* length of the sum of the two unit normals: edges that point apart do not tell the way */
+#define ROUTE_POINTS 1.0 /* sum of the two vertical components: above it edges point up, below its negative down */
+#define ROUTE_STRAP 0.6  /* of the shoulder line: a shorter seam over the shoulder is a strap's */
+#define ROUTE_RIM 1.2    /* of the shoulders' half breadth: no strap begins farther out */
+#define HANG_NEAR 0.05   /* [m] largest gap of a strap that is near */
+#define HANG_SHARE 0.25  /* of the tension, for the other pairs until straps are near */
 
 
-/* how far from a point the body ends along a direction [m], twice as far as is looked when it does not */
+/* distance [m] from a point to the surface of the body along a direction; twice the length of the search when the
+ * surface is farther */
 static double way_out(const mus_drape *drape, const double *from, const double *along)
 {
     for (int32_t i = 1; i <= ROUTE_STEPS; i++) {
@@ -42,7 +50,7 @@ static double way_out(const mus_drape *drape, const double *from, const double *
 }
 
 
-/* at each node the way out of its panel, away from the middle of its triangles: out (n x 3), units, about 0 inside */
+/* at each node the direction out of its panel, away from its triangles: out (n x 3), units; about 0 inside a panel */
 static void ways_outward(const mus_drape *drape, double *out)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -58,7 +66,8 @@ static void ways_outward(const mus_drape *drape, double *out)
 }
 
 
-/* over the shoulder: the shortest way out square to `along`, straight or aslant over it, or under it; at most *best */
+/* over the shoulder: of the directions square to the pair, up, aslant and down, the one with the shortest way out of
+ * the body, if that is shorter than *best; `over` as mus__seam_pair.way */
 static void route_over(const mus_drape *drape, const double *middle, const double *along, const double *above,
                        int32_t over, double *best, double *out)
 {
@@ -79,7 +88,8 @@ static void route_over(const mus_drape *drape, const double *middle, const doubl
 }
 
 
-/* round a limb: where the edges of both panels point, square to `along`; they know which way is theirs */
+/* round a limb: the direction in which the edges of both panels point, square to the pair, if the way out of the body
+ * is shorter than *best there */
 static void route_round(const mus_drape *drape, const double *middle, const double *along, const double *a,
                         const double *b, double *best, double *out)
 {
@@ -96,7 +106,7 @@ static void route_round(const mus_drape *drape, const double *middle, const doub
 }
 
 
-/* from the middle of a pair that a part of the body keeps apart, the way out: lift (3) is twice that, 0 without */
+/* sets the detour of a pair that the body keeps apart: twice the way out of the body from its midpoint; 0 for others */
 static void route_pair(const mus_drape *drape, const mus__level_plane *armpit, const double *outward,
                        mus__seam_pair *pair)
 {
@@ -117,7 +127,7 @@ static void route_pair(const mus_drape *drape, const mus__level_plane *armpit, c
 }
 
 
-/* how far from the middle of the torso a pair lies, to its left */
+/* distance [m] of the midpoint of a pair from the middle plane of the torso, positive on the left */
 static double route_aside(const mus_drape *drape, const mus__level_plane *armpit, const mus__seam_pair *pair)
 {
     double aside = 0.0;
@@ -128,7 +138,7 @@ static double route_aside(const mus_drape *drape, const mus__level_plane *armpit
 }
 
 
-/* one past the last pair of the seam that pair p belongs to */
+/* one past the last pair of the seam of pair p */
 static int32_t route_seam_end(const mus__program *program, int32_t p)
 {
     int32_t next = p + 1;
@@ -137,8 +147,8 @@ static int32_t route_seam_end(const mus__program *program, int32_t p)
 }
 
 
-/* whether a seam, its pairs first .. last-1, closes over the shoulders (1), under the arms (-1) or either way: both
- * edges as a whole point up, or down, or aside; at their corners they point elsewhere */
+/* the way of a seam, pairs first .. last-1: MUS__WAY_OVER_SHOULDER where both edges as a whole point up,
+ * MUS__WAY_UNDER_ARM where they point down or aside, else MUS__WAY_ANY. Corners alone point elsewhere */
 static int32_t route_side(const mus_drape *drape, const mus__level_plane *armpit, int32_t first, int32_t last)
 {
     double up = 0.0, aside = 0.0, length = 0.0;
@@ -155,9 +165,9 @@ static int32_t route_side(const mus_drape *drape, const mus__level_plane *armpit
 }
 
 
-/* whether a seam over the shoulder is a strap's: short, to one side of the middle, above the armpits and not out on the
- * arm, as that of a cuff is; *inward how much nearer to the neck than it begins it is put on: its middle on that of the
- * shoulder, so that it does not lie at the rim, and nothing of it on the neck */
+/* whether a seam over the shoulder is a strap's: short, on one side of the middle plane, above the armpits, and not out
+ * on the arm as that of a cuff. *inward gets the distance [m] to shift the strap towards the neck, so that it is
+ * centred on the shoulder line without touching the neck */
 static bool route_strap(const mus_drape *drape, const mus__level_plane *armpit, int32_t first, int32_t last,
                         double *inward)
 {
@@ -191,17 +201,18 @@ void mus__seam_route_start(mus_drape *drape)
         double inward;
         for (int32_t i = p; i < next; i++) pair[i].way = over, pair[i].lateral = route_aside(drape, &armpit, &pair[i]);
         if (over < 1 || !route_strap(drape, &armpit, p, next, &inward)) continue;
-        for (int32_t i = p; i < next; i++) pair[i].way = 2, pair[i].lateral -= copysign(inward, pair[i].lateral);
+        for (int32_t i = p; i < next; i++)
+            pair[i].way = MUS__WAY_STRAP, pair[i].lateral -= copysign(inward, pair[i].lateral);
         straps = true;
     }
 
-    /* broad shoulders find their way, and long sleeves go round their arms by the shortest ones */
-    for (int32_t p = 0; p < drape->program.npair && !straps; p++) drape->program.pair[p].way = 0;
+    /* without straps all pairs take the shortest way: seams of shoulders find it, and so do those of long sleeves */
+    for (int32_t p = 0; p < drape->program.npair && !straps; p++) drape->program.pair[p].way = MUS__WAY_ANY;
 }
 
 
-/* whether a pair is under an arm, before or behind it: nearer to its root than to the neck, and the body reaches more
- * than a little higher there */
+/* whether a pair is under an arm, before or behind it: it lies in the outer half of the shoulder line, and the body
+ * reaches more than ROUTE_BELOW higher there */
 static bool route_below(const mus_drape *drape, const mus__level_plane *armpit, const mus__seam_pair *pair)
 {
     const double *from = drape->x + 3 * (int64_t)pair->a;
@@ -220,17 +231,17 @@ static bool route_below(const mus_drape *drape, const mus__level_plane *armpit, 
 }
 
 
-/* whether a pair is a strap's, and above the armpits; *far how wide it is open */
+/* whether a pair is a strap's and above the armpits; *far gets its gap [m] */
 static bool route_hangs(const mus_drape *drape, const mus__level_plane *armpit, const mus__seam_pair *pair, double *far)
 {
     const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
     const double gap[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     *far = pair->stitched ? 0.0 : mus__norm3(gap);
-    return pair->way == 2 && mus__dot3(armpit->up, a) > armpit->at;
+    return pair->way == MUS__WAY_STRAP && mus__dot3(armpit->up, a) > armpit->at;
 }
 
 
-/* straps come first, and do not go farther aside than they should */
+/* lets straps come first (hang), and draws a strap inward that lies farther from the middle plane than it should */
 static void route_hang(mus_drape *drape, const mus__level_plane *armpit, bool hang)
 {
     double far, farthest = 0.0;
@@ -258,7 +269,7 @@ mus__straps mus__seam_route_straps(const mus_drape *drape, int32_t *off)
     double far;
     mus__scene_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
     for (int32_t p = 0; p < drape->program.npair; p++) {
-        if (drape->program.pair[p].way != 2) continue;
+        if (drape->program.pair[p].way != MUS__WAY_STRAP) continue;
         straps = MUS__STRAPS_ON;
         const bool hangs = route_hangs(drape, &armpit, &drape->program.pair[p], &far);
         if (hangs && (far > ROUTE_FROM || !route_below(drape, &armpit, &drape->program.pair[p]))) continue;

@@ -1,8 +1,8 @@
 /*
- * reason.c: why a garment is on or is not, as one of a closed list, with its panel, seam or place.
+ * diagnosis.c: why a garment is on or is not: the reason of the last run, with its panel, seam or place.
  *
- * Runs note their end here. What is odd before sewing (start.c) is noted too, and is the reason given when the run then
- * fails: it is what a person would mend.
+ * Runs note their end here. A fault of the arrangement before sewing (arrange_check.c) is noted too. It is the reason
+ * given when the run then fails, because a person would mend that first.
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,8 +10,11 @@
 
 #include "arrange/arrange_check.h"
 #include "arrange/reason.h"
-#include "drape/diagnosis.h"
+#include "drape/residual.h"
+#include "dress/diagnosis.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 
@@ -25,7 +28,7 @@ void mus__diagnosis_set(mus_drape *drape, int32_t kind, int32_t panel, int32_t s
 }
 
 
-/* the node with the most force left over its weight, by the forces of the last residual */
+/* the node with the largest force left over its mass, by the last residual; MUS_NONE without any */
 static int32_t diagnosis_restless(const mus_drape *drape)
 {
     int32_t worst = MUS_NONE;
@@ -39,7 +42,7 @@ static int32_t diagnosis_restless(const mus_drape *drape)
 }
 
 
-/* the pair with the widest gap of a seam: one of its nodes */
+/* a node of the pair with the widest gap of a seam */
 static int32_t diagnosis_gap(const mus_drape *drape, int32_t seam)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -55,7 +58,7 @@ static int32_t diagnosis_gap(const mus_drape *drape, int32_t seam)
 }
 
 
-/* where cloth is to meet cloth: nonzero, and the reason written, when it crosses. Errors: MUS_ERR_MEMORY */
+/* with self-contact: *tangled is nonzero, and the reason written, when cloth crosses cloth. Errors: MUS_ERR_MEMORY */
 static mus_status diagnosis_tangled(mus_drape *drape, int32_t *tangled)
 {
     const mus_cloth *cloth = drape->cloth;
@@ -77,7 +80,7 @@ static mus_status diagnosis_tangled(mus_drape *drape, int32_t *tangled)
 }
 
 
-/* what the status of a sew or settle says, the context's error being `text` */
+/* notes the reason for the status of a sew or settle; text: the context's error */
 static void diagnosis_of(mus_drape *drape, mus_status status, const char *text)
 {
     const int32_t *panel = drape->cloth->node_panel;
@@ -118,7 +121,7 @@ mus_status mus__diagnosis_status(mus_drape *drape, mus_status status)
         const mus_status counted = diagnosis_tangled(drape, &tangled);
         if (tangled) return status;
 
-        /* what could not be counted is not called settled */
+        /* without a count of crossings nothing is called settled */
         if (counted != MUS_OK) {
             status = counted;
             drape->relax.settled = 0;

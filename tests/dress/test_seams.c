@@ -9,7 +9,7 @@
 
 #include "muslin/exchange.h"
 #include "muslin/topology.h"
-#include "scenes.h"
+#include "drape/scenes.h"
 
 
 /* how many pairs each node is in: (nodes), to be freed */
@@ -42,14 +42,14 @@ static mus_drape *sewn(mus_context *context, const mus_cloth *cloth)
 /* a polygon with straight edges, n corners (n x 2), counter-clockwise */
 static int32_t polygon(mus_pattern *pattern, const char *name, int32_t n, const double *corner, int32_t *edge)
 {
-    const int32_t line = MUS_PIECE_LINE;
     int32_t panel, point[16], along[16];
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int32_t i = 0; i < n; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, corner[2 * i], corner[2 * i + 1], &point[i]), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
         along[i] = 1;
-        mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % n], 1, &line, 0, NULL, &edge[i]);
+        mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                      .end = point[(i + 1) % n]}, &edge[i]);
     }
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, edge, along), MUS_OK);
     return panel;
@@ -122,7 +122,7 @@ START_TEST(a_junction_and_a_dart_leave_no_node)
     int32_t faults;
     ck_assert_int_eq(mus_pattern_topology(pattern, &t), MUS_OK);
     ck_assert(t.vertices == 12 && t.edges == 15 && t.faces == 4 && t.euler == 1 && t.loops == 1 && t.manifold == 1);
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_cloth *cloth = scene_cut(context, pattern, 0.01, 0.0);
 
@@ -256,7 +256,7 @@ static mus_pattern *pleated(mus_context *context, bool box)
     scene_sew(pattern, band[0], skirt[2], 0.2);
     ck_assert_msg(mus_pattern_lay_pleats(pattern, skirt[2], 2, box ? boxed : knife, box ? facing : deep) == MUS_OK,
                   "%s", mus_context_error(context));
-    ck_assert_int_eq(mus_pattern_check(pattern, &faults), MUS_OK);
+    ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);
     ck_assert_int_eq(faults, 0);
     mus_placement place;
     mus_placement_init(&place, sizeof place);

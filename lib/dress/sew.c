@@ -1,51 +1,62 @@
 /*
- * sew.c: seams pulled shut by elastic force, then welded (paper 4.3).
+ * sew.c: mus_drape_sew(): seams pulled shut by elastic force, then welded (Metaaphanon and Kanongchaiyos 2005, 4.3).
  *
- * Gravity is off. The pull starts gentle, so that panels travel to the body without folding over, and grows until the
- * last pair is home; a pair within the collision distance is stitched: it moves as one from then on, and its
- * neighbours follow as in a zip. When all are stitched they are welded. Where cloth meets cloth, some sheets of it may
- * hold the last pairs apart; they are welded so, and what then crosses is drawn apart (untangle.c). Not through worn
- * layers: a weld that leaves cloth through those is taken back, and the pull goes on to its end.
+ * Gravity is off. The pull starts gently, so that panels travel to the body without folding over, and grows until the
+ * last pair is closed. A pair within the collision distance is stitched: its two nodes move as one from then on, and
+ * their neighbours follow as in a zip. When all pairs are stitched they are welded. With self-contact, some sheets of
+ * cloth may hold the last pairs apart. They are welded all the same, and crossings are drawn apart (untangle.c), but
+ * not through worn layers: a weld that leaves cloth through a worn layer is taken back, and the pull goes on to its
+ * end.
  *
- * Pull on a pair that stands for length L of seam:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
+ * Pull on a pair that stands for length L of seam, d apart:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
+ *
+ * Order of attempts: coarser cuts first; on a cut round the body, then with straps hung first, then straight.
  */
 #include <math.h>
 #include <string.h>
 
 #include "arrange/arrange_check.h"
 #include "drape/coarse_drape.h"
-#include "drape/diagnosis.h"
+#include "dress/diagnosis.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/relax.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
-#define CHECK_STEPS 64
-#define SAFETY 0.7      /* of the bound of symplectic Euler, 2/2.62 of that of RK4 */
-#define SEW_DRAG 8.0    /* [1/s]: a panel's speed follows its pull */
-#define SEW_SPEED 3.0   /* [m/s] limit: a step then moves a node less than the clearance */
-#define SEW_GRIP 0.5    /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
-#define RAMP_START 0.02 /* of the full pull at the beginning */
-#define RAMP_SECONDS 1.5
-#define RAMP_MOST 8.0   /* times the full pull at the very end: a tight seam gets what it needs */
-#define STIFF_MOST 16.0 /* times a pair's stiffness at the end: in the last millimetres that is what pulls */
-#define SEW_HOLD                                                                                                       \
-    0.1               /* of what held edges pull with: gravity is off, and a tight seam under them must close. Nothing \
-                         at the armpits: it would go up over the arms */
-#define PASS_LATE 0.4 /* of the budget past the rise: pairs still open may be drawn through cloth */
-#define PASS_PART 0.05  /* of all pairs, when there are no more than these */
-#define PASS_LEAST 4.0  /* or these */
-#define NEAR_SHEETS 5.0 /* thicknesses */
-#define NEAR_LATE 0.3   /* of the budget past the rise: a gap of so little is closed by welding */
-#define CARRY_GAP 0.5   /* spacings: narrower gaps are left to the finer cut */
-#define CARRY_PART 0.5  /* of a short budget: the finer cut has the rest */
+/* All numbers below are chosen; the table of `make corpus` (closed seams, crossings, seconds) shows what they change.
+ */
+
+#define CHECK_STEPS 64 /* steps of a batch */
+#define SEW_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
+#define SEW_DRAG 8.0   /* [1/s] the speed of a panel follows its pull */
+#define SEW_SPEED 3.0  /* [m/s] speed limit of a node: a step moves it less than the clearance */
+#define SEW_GRIP 0.5   /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
+#define SEW_ATTACH                                                                                                     \
+    0.1 /* of the largest force of attachments: gravity is off, and a tight seam under them must close.                \
+         * 0 at the armpits, where attachments would draw the garment up over the arms */
+
+/* the pull over time */
+#define RAMP_START 0.02  /* of the full pull, at the beginning */
+#define RAMP_SECONDS 1.5 /* [s] of the rise to the full pull */
+#define RAMP_MOST 8.0    /* times the full pull at the very end, which a tight seam needs */
+#define STIFF_MOST 16.0  /* times a pair's stiffness at the end, which rules in the last millimetres */
+
+/* the last pairs; lateness runs from 0 at the end of the rise to 1 at the end of the budget */
+#define PASS_LATE 0.4   /* lateness from which on the cloth round the last open pairs may pass through cloth */
+#define PASS_SHARE 0.05 /* of all pairs: the last ones are no more than these, */
+#define PASS_PAIRS 4.0  /* or no more than these */
 #define PASS_REACH 2.5  /* spacings round an open pair */
+#define NEAR_SHEETS 5.0 /* thicknesses: the largest gap that cloth alone is taken to hold open */
+#define NEAR_LATE 0.3   /* lateness from which on such a gap is closed by welding */
+#define CARRY_GAP 0.5   /* spacings: a narrower gap of a coarse cut is left to the finer cut */
+#define CARRY_SHARE 0.5 /* of a short budget that the finer cut skips, having the coarse cut's places */
 
-
-/* the way of pairs: straight; round what is between; so, and what straps hang by first */
+/* the way of the pull: straight; round what is between; round it, with straps pulled first */
 enum { SEW_STRAIGHT, SEW_ROUND, SEW_HUNG };
 
 
-/* how late it is at time t of a budget of `all` seconds: 0 while the pull rises, 1 at the end */
+/* lateness of time t in a budget of `all` seconds: 0 while the pull rises, 1 at the end */
 static double lateness(double t, double all)
 {
     const double late = (t - RAMP_SECONDS) / (all > RAMP_SECONDS ? all - RAMP_SECONDS : 1.0);
@@ -62,7 +73,7 @@ static double pull_at(double full, double t, double all)
 }
 
 
-/* pairs that are nearly home and tight get stiffer with time */
+/* sets the stiffness of all pairs, which grows with time */
 static void stiffen(mus_drape *drape, double t, double all)
 {
     const double k = mus__weld_pair_stiffness(drape) * pow(STIFF_MOST, lateness(t, all));
@@ -70,6 +81,7 @@ static void stiffen(mus_drape *drape, double t, double all)
 }
 
 
+/* number of pairs that are not stitched */
 static int32_t count_open(const mus__program *program)
 {
     int32_t open = 0;
@@ -78,7 +90,7 @@ static int32_t count_open(const mus__program *program)
 }
 
 
-/* does worn cloth lie between the nodes of a pair that is open? */
+/* whether a worn layer lies between the nodes of an open pair */
 static bool worn_between(const mus_drape *drape)
 {
     const mus__program *program = &drape->program;
@@ -90,14 +102,14 @@ static bool worn_between(const mus_drape *drape)
 }
 
 
-/* are all pairs within the collision distance? */
-static bool is_home(const mus_drape *drape)
+/* whether all pairs are within the collision distance */
+static bool is_closed(const mus_drape *drape)
 {
     return mus__weld_gap(drape, NULL) <= drape->def.collision_distance;
 }
 
 
-/* the sentence for seams that stayed open */
+/* the error for seams that stayed open; worn: a worn layer lies between */
 static mus_status fail_open(mus_drape *drape, bool worn)
 {
     int32_t seam;
@@ -109,8 +121,9 @@ static mus_status fail_open(mus_drape *drape, bool worn)
 }
 
 
-/* cloth near the last pairs may go through cloth: it is what holds them apart; untangling has the rest. Not through
- * layers that are worn: what is drawn through those all round is not untangled */
+/* marks the nodes near open pairs, which may pass through cloth from now on: cloth holds these pairs apart, and
+ * untangling draws apart what crosses. Nodes of worn layers are not marked: a layer that is passed through all round
+ * cannot be untangled */
 static void let_pass(mus_drape *drape)
 {
     mus__self_contact *self = drape->self;
@@ -133,10 +146,9 @@ static void let_pass(mus_drape *drape)
 }
 
 
-/* whether cloth alone, a few sheets of it, still holds the last pairs apart: welding draws it aside. Not where both
- * nodes of a pair are held: they stay where they are, and the seam is open. Nor where worn cloth lies between them: it
- * would be gone through, and what is through it all round is not untangled */
-static bool near_home(const mus_drape *drape)
+/* whether cloth alone, a few sheets of it, holds the last pairs apart, so that welding may draw it aside. Not where
+ * both nodes of a pair are fixed, nor where a worn layer lies between them */
+static bool near_closed(const mus_drape *drape)
 {
     const mus__program *program = &drape->program;
     if (drape->self == NULL || !(mus__weld_gap(drape, NULL) <= NEAR_SHEETS * drape->def.thickness)) return false;
@@ -148,61 +160,63 @@ static bool near_home(const mus_drape *drape)
 }
 
 
-/* pull and stitch on this cut, as from time *time of the pull, until all pairs are home; or, not `patient`, until only
- * cloth holds the last ones apart */
+/* limits the force of attachments while sewing, or lets them have all of it again */
+static void share_attachments(mus_drape *drape, bool sewing)
+{
+    mus__attachment *attachment = drape->program.attachment;
+    for (int32_t i = 0; i < drape->program.nattachment; i++)
+        attachment[i].share = !sewing ? 1.0 : attachment[i].level == MUS_HOLD_ARMPIT ? 0.0 : SEW_ATTACH;
+}
+
+
+/* one batch of steps at time *t of the pull; *open gets the number of open pairs */
+static mus_status sew_batch(mus_drape *drape, const mus__progress *run, double *t, int32_t *open)
+{
+    static const mus__relax_rule rule = {.drag = SEW_DRAG, .speed_limit = SEW_SPEED, .grip = SEW_GRIP};
+    const double all = drape->def.sew_seconds;
+    stiffen(drape, *t, all);
+    const double h = mus__relax_step(drape, SEW_SAFETY);
+    drape->program.seam_pull = pull_at(drape->def.seam_pull, *t, all);
+    if (!run->sleeved && lateness(*t, all) > PASS_LATE && *open <= fmax(PASS_PAIRS, PASS_SHARE * drape->program.npair))
+        let_pass(drape);
+    mus_status status = mus__relax_ready(drape, &rule, h);
+    if (status != MUS_OK) return status;
+    status = mus__relax_run(drape, h, CHECK_STEPS, 0);
+    mus__drape_tick(drape, CHECK_STEPS, h, 1);
+    *t += CHECK_STEPS * h;
+    drape->counters.sew_time += CHECK_STEPS * h;
+    *open = count_open(&drape->program);
+    return status;
+}
+
+
+/* pulls and stitches on this cut, from time *time of the pull on, until all pairs are closed; or, without patience,
+ * until only cloth holds the last ones apart */
 static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bool patient, double *time)
 {
-    mus__sim *sim = &drape->sim;
     const double all = drape->def.sew_seconds;
+    const int32_t pairs = drape->program.npair;
     double t = *time;
     mus_status status = mus__drape_plane_cache(drape);
     if (status != MUS_OK) return status;
-    memset(sim->gravity, 0, sizeof sim->gravity);
-    sim->drag = SEW_DRAG;
-    sim->speed_limit = SEW_SPEED;
-    sim->dashpots = 0;
-    for (int32_t i = 0; i < drape->program.nattachment; i++)
-        drape->program.attachment[i].share = drape->program.attachment[i].level == MUS_HOLD_ARMPIT ? 0.0 : SEW_HOLD;
+    share_attachments(drape, true);
     if (way != SEW_STRAIGHT) mus__seam_route_start(drape);
-
-    const int32_t pairs = drape->program.npair;
     int32_t open = pairs, check = 0;
     while (open > 0 && t < all && !run->stop && status == MUS_OK) {
         mus__drape_publish(drape);
         if (way != SEW_STRAIGHT) mus__seam_route(drape, way == SEW_HUNG && t < RAMP_SECONDS, check++);
-        stiffen(drape, t, all);
-        const double h = SAFETY * (2.0 / 2.62) * mus__drape_inertia(drape, 1), travel = SEW_SPEED * h;
-        sim->rule = (mus__contact_rule){.clearance = drape->def.clearance,
-                                        .friction = SEW_GRIP * drape->scene.friction,
-                                        .push = 2.0 * travel,
-                                        .travel = travel,
-                                        .slip = h,
-                                        .step = h,
-                                        .cache_radius = MUS__CACHE_RADIUS,
-                                        .slick = 1.0 - SEW_GRIP};
-        drape->program.seam_pull = pull_at(drape->def.seam_pull, t, all);
-        if (!run->sleeved && lateness(t, all) > PASS_LATE && open <= fmax(PASS_LEAST, PASS_PART * pairs))
-            let_pass(drape);
-        status = mus__drape_self_ready(drape, h);
-        if (status != MUS_OK) break;
-        for (int32_t i = 0; i < CHECK_STEPS; i++) sim->ops->euler(sim, h);
-        status = mus__drape_keep_good(drape);
-        if (status == MUS_OK) status = mus__drape_self_fits(drape);
-        mus__drape_tick(drape, CHECK_STEPS, h, 1);
-        t += CHECK_STEPS * h;
-        drape->counters.sew_time += CHECK_STEPS * h;
-        open = count_open(&drape->program);
-        if (!patient && lateness(t, all) > NEAR_LATE && near_home(drape)) break;
-        mus__progress_report(run, 1.0 - (double)open / pairs);
+        status = sew_batch(drape, run, &t, &open);
+        if (status == MUS_OK && !patient && lateness(t, all) > NEAR_LATE && near_closed(drape)) break;
+        if (status == MUS_OK) mus__progress_report(run, 1.0 - (double)open / pairs);
     }
     *time = t;
-    sim->plane_cache = NULL;
-    for (int32_t i = 0; i < drape->program.nattachment; i++) drape->program.attachment[i].share = 1.0;
+    drape->sim.plane_cache = NULL;
+    share_attachments(drape, false);
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
     if (drape->self != NULL) drape->self->invalid = 1;
     mus__drape_publish(drape);
     if (status != MUS_OK || run->stop) return status;
-    if (open > 0 && !is_home(drape) && !near_home(drape)) return fail_open(drape, worn_between(drape));
+    if (open > 0 && !is_closed(drape) && !near_closed(drape)) return fail_open(drape, worn_between(drape));
     int32_t strap;
     if (mus__seam_route_straps(drape, &strap) == MUS__STRAPS_OFF)
         return mus__fail(drape->context, MUS_ERR_SEW, "seam %d is under the arm, not over the shoulder, after %.2f s",
@@ -211,7 +225,6 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
 }
 
 
-/* the memory of sewing, kept until the drape is destroyed; give it back */
 mus_status mus__sew_create(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
@@ -224,6 +237,7 @@ mus_status mus__sew_create(mus_drape *drape)
 }
 
 
+/* gives the memory of sewing back */
 static void sew_clear(mus_drape *drape)
 {
     mus__free(drape->context, drape->sewing.start_x);
@@ -231,11 +245,11 @@ static void sew_clear(mus_drape *drape)
 }
 
 
-/* weld, and draw apart what then crosses. Pairs that were not home over what is worn are opened again where that leaves
- * them through it: *clear is false */
+/* welds, and draws apart what crosses then. Pairs that were not closed over a worn layer are opened again where the
+ * weld leaves them through it: *clear is false */
 static mus_status sew_weld(mus_drape *drape, bool *clear)
 {
-    const int32_t worn = is_home(drape) ? 0 : drape->program.open_from;
+    const int32_t worn = is_closed(drape) ? 0 : drape->program.open_from;
     mus_status status = worn > 0 ? mus__sew_create(drape) : MUS_OK;
     if (status != MUS_OK) return status;
     if (worn > 0) memcpy(drape->sewing.unwelded_x, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
@@ -249,8 +263,8 @@ static mus_status sew_weld(mus_drape *drape, bool *clear)
 }
 
 
-/* pull, stitch and weld on this cut, as from time `t` of the pull. Where the weld leaves cloth through worn cloth, the
- * pull goes on to its end, which may bring the pairs home */
+/* pulls, stitches and welds on this cut, from time t of the pull on. Where the weld leaves cloth through a worn layer,
+ * the pull goes on to its end, which may close the pairs */
 static mus_status sew_here(mus_drape *drape, mus__progress *run, int32_t way, double t)
 {
     bool clear = true;
@@ -263,9 +277,9 @@ static mus_status sew_here(mus_drape *drape, mus__progress *run, int32_t way, do
 }
 
 
-/* on the cut at hand from where it is, then again from there in another way where that does not close a seam: round
- * what is between, straps first if there are any, straight. Over what is worn, which is round enough, straight first */
-static mus_status sew_tries(mus_drape *drape, mus__progress *run)
+/* on this cut from where it is, and again from there in another way where a seam stays open: round the body, with
+ * straps first if there are any, straight. Over worn layers, which are round already, straight comes first */
+static mus_status sew_ways(mus_drape *drape, mus__progress *run)
 {
     const bool first = drape->sewing.start_x == NULL, body = drape->scene.collider != NULL;
     mus_status status = body ? mus__sew_create(drape) : MUS_OK;
@@ -274,7 +288,8 @@ static mus_status sew_tries(mus_drape *drape, mus__progress *run)
     mus__drape_publish(drape);
     memcpy(drape->sewing.start_x, drape->x, 3 * (size_t)drape->n * sizeof *drape->x);
     const int32_t begin = !drape->welded || run->sleeved ? SEW_ROUND : SEW_STRAIGHT;
-    const double near = drape->coarse.parent != NULL && drape->self != NULL ? CARRY_GAP * drape->cloth->spacing : 0.0;
+    const bool leaves = drape->coarse.parent != NULL && drape->self != NULL;
+    const double near = leaves ? CARRY_GAP * drape->cloth->spacing : 0.0;
     status = sew_here(drape, run, begin, 0.0);
     const int32_t last = drape->def.sew_once ? SEW_HUNG + 1 : SEW_STRAIGHT;
     for (int32_t way = SEW_HUNG; way >= last && status == MUS_ERR_SEW && !run->stop; way--) {
@@ -290,19 +305,19 @@ static mus_status sew_tries(mus_drape *drape, mus__progress *run)
 
 
 /*
- * On the coarser cut first, down to the coarsest; where its seams were welded, the finer cut's pairs lie together as
- * near as the coarse borders follow the fine ones, and are welded as they are. Where some could not be, the finer cut
- * goes on from there if cloth meets cloth: what a coarse cut has no room for, a finer one may have. Where cloth may go
- * through cloth, the finer cut tries from its own start. With def.sew_once neither is tried.
+ * The coarser cut first, down to the coarsest. Where its seams were welded, the pairs of the finer cut lie as near
+ * together as the coarse borders follow the fine ones, and are welded as they are. Where some could not be welded, the
+ * finer cut goes on from there with self-contact: a finer cut may have room where a coarse one has none. Without
+ * self-contact the finer cut tries from its own start. With def.sew_once neither is tried.
  */
-static mus_status sew_levels(mus_drape *drape, mus__progress *run)
+static mus_status sew_cuts(mus_drape *drape, mus__progress *run)
 {
     mus_drape *coarse;
     mus_status status = mus__coarse_create(drape, &coarse);
     if (status != MUS_OK) return status;
     if (coarse != NULL) {
         mus__coarse_restrict(drape);
-        status = sew_levels(coarse, run);
+        status = sew_cuts(coarse, run);
         if (status == MUS_ERR_MEMORY) return status;
         if (status == MUS_OK) {
             mus__coarse_prolong(drape);
@@ -313,11 +328,22 @@ static mus_status sew_levels(mus_drape *drape, mus__progress *run)
         if (drape->def.sew_once) return status;
         if (status == MUS_ERR_SEW && drape->self != NULL) {
             status = mus__untangle(drape);
-            const double from = fmin(RAMP_SECONDS, CARRY_PART * drape->def.sew_seconds);
+            const double from = fmin(RAMP_SECONDS, CARRY_SHARE * drape->def.sew_seconds);
             return status == MUS_OK ? sew_here(drape, run, SEW_STRAIGHT, from) : status;
         }
     }
-    return sew_tries(drape, run);
+    return sew_ways(drape, run);
+}
+
+
+/* with self-contact, before the first sew: folds wide fans and moves coplanar panels apart */
+static mus_status sew_arrange(mus_drape *drape, const mus__placed_cloth *placed)
+{
+    bool moved;
+    if (mus__arrange_fans(placed)) mus__drape_push(drape);
+    const mus_status status = mus__arrange_separate(placed, &moved);
+    if (status == MUS_OK && moved) mus__drape_push(drape);
+    return status;
 }
 
 
@@ -325,25 +351,19 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if ((drape->welded && drape->program.open_from == 0) || drape->cloth->npair == 0) return MUS_OK;
-    const mus_status status = mus__scene_require_rest(drape, "sew");
+    mus_status status = mus__scene_require_rest(drape, "sew");
     if (status != MUS_OK) return status;
     mus__progress run;
     mus__progress_start(&run, "sew", progress, user);
     mus_reason_init(&drape->reason, sizeof drape->reason);
     const mus__placed_cloth placed = mus__drape_placed(drape);
     mus__arrange_check(&placed, &drape->start);
-    mus_status done = MUS_OK;
     if (mus__layers_needed(drape)) {
-        done = mus__layers_sew(drape, &run, sew_levels, sew_tries);
+        status = mus__layers_sew(drape, &run, sew_cuts, sew_ways);
     } else {
-        if (drape->self != NULL && drape->clock.count == 0) {
-            bool moved;
-            if (mus__arrange_fans(&placed)) mus__drape_push(drape);
-            done = mus__arrange_separate(&placed, &moved);
-            if (done == MUS_OK && moved) mus__drape_push(drape);
-        }
-        if (done == MUS_OK) done = sew_levels(drape, &run);
+        if (drape->self != NULL && drape->clock.count == 0) status = sew_arrange(drape, &placed);
+        if (status == MUS_OK) status = sew_cuts(drape, &run);
     }
-    mus__diagnosis_status(drape, done);
-    return done;
+    mus__diagnosis_status(drape, status);
+    return status;
 }

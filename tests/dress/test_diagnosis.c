@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
-#include "worn.h"
+#include "drape/scenes.h"
+#include "drape/worn.h"
 
 
 static mus_reason why(const mus_drape *drape)
@@ -273,12 +273,13 @@ START_TEST(a_pattern_says_why_it_cannot_be_cut)
         ck_assert_int_eq(mus_pattern_add_seam(pattern, &seam, &index), MUS_OK);
     } else if (_i == 1) {
         const double at[4][2] = {{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}};
-        const int32_t line = MUS_PIECE_LINE, along[4] = {1, 1, 1, 1};
+        const int32_t along[4] = {1, 1, 1, 1};
         int32_t panel, point[4];
         mus_pattern_add_panel(pattern, "bow", &panel);
         for (int i = 0; i < 4; i++) mus_pattern_add_point(pattern, panel, at[i][0], at[i][1], &point[i]);
         for (int i = 0; i < 4; i++)
-            mus_pattern_add_edge(pattern, NULL, point[i], point[(i + 1) % 4], 1, &line, 0, NULL, &edge[i]);
+            mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = point[i],
+                                                          .end = point[(i + 1) % 4]}, &edge[i]);
         ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 4, edge, along), MUS_OK);
     } else {
         scene_sew(pattern, edge[0], edge[1], 0.0);

@@ -1,0 +1,13 @@
+/*
+ * residual.h: the force left at each node (residual.c).
+ */
+#ifndef MUS_DRAPE_RESIDUAL_H
+#define MUS_DRAPE_RESIDUAL_H
+
+#include "muslin/drape.h"
+
+/* rms over free nodes of the force that contact and friction leave at places x (n x 3), over the node's weight; the
+ * forces go to relax.force. *unheld (may be NULL) gets the rms over the nodes that touch nothing */
+double mus__residual(const mus_drape *drape, const double *x, double *unheld);
+
+#endif

@@ -8,6 +8,11 @@
  *
  * A reader gives one sentence on failure, with file, line or byte, and what was expected (mus_context_error). Memory
  * stays bounded by the size of the file; files above 256 MiB are refused. A writer leaves the whole file or none.
+ *
+ * Beside each reader of a file stands one of a text in memory (`_from`), beside each writer one into memory (`_bytes`).
+ * `name` of a `_from` call stands for the path: in messages, as the name of what has none, and by its ending where the
+ * ending tells the form. *bytes of a `_bytes` call is a block of `*size` bytes that belongs to the caller, who frees it
+ * with mus_context_alloc(context, bytes, 0); it is NULL after a failure.
  */
 #ifndef MUSLIN_EXCHANGE_H
 #define MUSLIN_EXCHANGE_H
@@ -34,8 +39,17 @@ extern "C" {
  */
 MUS_API mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
 
-/** Write a tape in muslin's own text form (given measures, and derived ones as comments). */
+/** Read a tape from `size` bytes of text; the ending of `name` ("me.tape", "table.csv") tells the form.
+ * Errors: as mus_tape_read(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_tape_read_from(mus_context *context, const char *text, size_t size, const char *name,
+                                      const char *row, mus_tape **out);
+
+/** Write a tape in muslin's own text form (given measures, and derived ones as comments). path "-" writes to standard
+ * output. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
+
+/** Write a tape as mus_tape_write() does, into memory. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY */
+MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
  * Read a pattern: muslin JSON, GarmentCode specification or FreeSewing dump, told apart by their content.
@@ -45,9 +59,17 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
  */
 MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
 
+/** Read a pattern from `size` bytes of text, in any of the forms of mus_pattern_read().
+ * Errors: as mus_pattern_read(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name,
+                                         mus_pattern **out);
+
 /** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have 17 digits: reading the file back
  * gives the same pattern, bit for bit. */
 MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
+
+/** Write a pattern as mus_pattern_write() does, into memory. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY */
+MUS_API mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
  * Read a fabric file (JSON, muslin_fabric(5)): each value under its key with unit, with a number and its source.
@@ -59,6 +81,10 @@ MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *pat
  */
 MUS_API mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 
+/** Read a fabric from `size` bytes of text. Errors: as mus_fabric_load(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name,
+                                        mus_fabric *out);
+
 /**
  * Write a fabric file; path "-" writes to standard output. Reading it back gives the same values, bit for bit.
  *
@@ -69,6 +95,10 @@ MUS_API mus_status mus_fabric_load(mus_context *context, const char *path, mus_f
  */
 MUS_API mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name,
                                    const char *const *sources, const char *path);
+
+/** Write a fabric as mus_fabric_save() does, into memory. Errors: as mus_fabric_save(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_fabric_save_bytes(mus_context *context, const mus_fabric *fabric, const char *name,
+                                         const char *const *sources, char **bytes, size_t *size);
 
 /** Triangle meshes to write: positions and optional normals and texture coordinates. */
 typedef struct mus_mesh_view {
@@ -84,12 +114,24 @@ typedef struct mus_mesh_view {
     int32_t two_sided;        /* nonzero for cloth */
 } mus_mesh_view;
 
+/** Zero `view`, write the defaults and its size. */
 MUS_API void mus_mesh_view_init(mus_mesh_view *view, size_t size);
 
-/** Write meshes as one OBJ (one `o` each) or one binary glTF 2.0. Errors: MUS_ERR_ARG (not finite, an index out of
- * range), MUS_ERR_FILE, MUS_ERR_MEMORY. */
+/** Write n meshes as one Wavefront OBJ, an `o` each; path "-" writes to standard output. Errors: MUS_ERR_ARG (not
+ * finite, an index out of range), MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+
+/** Write n meshes as mus_mesh_write_obj() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+MUS_API mus_status mus_mesh_write_obj_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
+                                            size_t *size);
+
+/** Write n meshes as one binary glTF 2.0; path "-" writes to standard output. Errors: MUS_ERR_ARG (not finite, an index
+ * out of range), MUS_ERR_VERSION, MUS_ERR_LIMIT (a file above 4 GiB), MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
+
+/** Write n meshes as mus_mesh_write_glb() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+MUS_API mus_status mus_mesh_write_glb_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
+                                            size_t *size);
 
 /** A mesh in motion: where its vertices are at each key. */
 typedef struct mus_mesh_motion {
@@ -98,6 +140,7 @@ typedef struct mus_mesh_motion {
     const double *normals;   /* (keys x vertices x 3), for a mesh that has normals, or NULL: they stay */
 } mus_mesh_motion;
 
+/** Zero `motion` and write its size: a mesh that stands still. */
 MUS_API void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size);
 
 /**
@@ -112,6 +155,12 @@ MUS_API mus_status mus_mesh_write_glb_motion(mus_context *context, const char *p
                                              const mus_mesh_view *meshes, int32_t keys, const double *times,
                                              const mus_mesh_motion *motion);
 
+/** Write meshes in motion as mus_mesh_write_glb_motion() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+MUS_API mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes,
+                                                   int32_t keys, const double *times, const mus_mesh_motion *motion,
+                                                   char **bytes, size_t *size);
+
+/** A triangle mesh that was read from a file. */
 typedef struct mus_mesh mus_mesh;
 
 /**
@@ -123,12 +172,24 @@ typedef struct mus_mesh mus_mesh;
  *         triangles), MUS_ERR_ARG, MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out);
+
+/** Read a Wavefront OBJ from `size` bytes of text. Errors: as mus_mesh_read_obj(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_mesh_read_obj_from(mus_context *context, const char *text, size_t size, const char *name,
+                                          mus_mesh **out);
+
+/** Free a mesh. NULL is accepted. */
 MUS_API void mus_mesh_destroy(mus_mesh *mesh);
 
-/** Vertices (vertex_count x 3) and triangles (triangle_count x 3), borrowed until the mesh is destroyed. */
+/** Number of vertices. */
 MUS_API int32_t mus_mesh_vertex_count(const mus_mesh *mesh);
+
+/** Number of triangles. */
 MUS_API int32_t mus_mesh_triangle_count(const mus_mesh *mesh);
+
+/** Positions (vertex_count x 3) in the unit of the file; borrowed until the mesh is destroyed. */
 MUS_API const double *mus_mesh_vertices(const mus_mesh *mesh);
+
+/** Vertices of each triangle (triangle_count x 3); borrowed until the mesh is destroyed. */
 MUS_API const int32_t *mus_mesh_triangles(const mus_mesh *mesh);
 
 #ifdef __cplusplus

@@ -303,7 +303,8 @@ static void check_name_belied(const mus__placed_cloth *placed, mus_reason *out)
 
 /*
  * A panel that is misplaced by a motion to where another is that is misplaced so too, or by one that turns it round.
- * Two sleeves that are exchanged lie as front and back would, seen from behind: what a name contradicts is preferred.
+ * Two sleeves that are exchanged lie as front and back would, seen from behind, so a pair that its names contradict is
+ * preferred.
  */
 static void check_places(const mus__placed_cloth *placed, mus_reason *out)
 {

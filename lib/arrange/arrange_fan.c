@@ -17,7 +17,7 @@
 #include "arrange/arrange_check.h"
 #include "geom/vec.h"
 
-#define PANEL_FAN_WIDE 1.9      /* [rad] wider fans are folded, chosen: as all below, `make corpus` shows what moves */
+#define PANEL_FAN_WIDE 1.9      /* [rad] wider fans are folded; this and all below: chosen */
 #define PANEL_FAN_TO 1.75       /* [rad] from side to side after folding */
 #define PANEL_FAN_FOLD 0.8      /* [rad] of the fan to a fold */
 #define PANEL_FAN_FLAT 0.98     /* length of the mean normal: that of a flat panel is 1 */

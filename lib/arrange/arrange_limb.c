@@ -69,7 +69,7 @@ static void around_upright(const mus__arrangement *arrangement, mus__arranged_ri
 }
 
 
-/* mean place of what the ring is sewn to and has its place; weight 0 without */
+/* mean place (3) [m] of the placed edges that a ring is sewn to; returns their weight, 0 without any */
 static double around_partners(const mus__arrangement *arrangement, int32_t t, double *mean)
 {
     double weight = 0.0;
@@ -282,7 +282,7 @@ static void around_half(const mus__arrangement *arrangement, const mus__arranged
         panel->at[d] = ring->axis[d] + (panel->v + ring->shift) * ring->up[d] + off * panel->out[d];
     }
 
-    /* what is round one leg stays on its side, and of the panels round both each leg's fork does */
+    /* panels round one leg stay on its side; of panels round both legs, each fork stays on the side of its leg */
     const double reach = panel->bend > 0.0 ? panel->bend * sin(fmin(half / panel->bend, 0.5 * MUS_PI)) : half;
     if (ring->axis[0] != 0.0 && reach + AROUND_APART_LEGS > fabs(ring->axis[0]))
         panel->at[0] += copysign(reach + AROUND_APART_LEGS, ring->axis[0]) - ring->axis[0];

@@ -10,8 +10,9 @@
 #include "arrange/arrange_internal.h"
 
 #define RING_DART 0.6 /* of the widest panel: a seam that misses by less is a dart's */
-#define RING_LEG 0.3  /* of the largest miss: a seam that misses by a share between this and 1 less this closes a leg  \
-                       */
+#define RING_LEG                                                                                                       \
+    0.3 /* of the largest miss: a seam that misses by a share between this and 1 less this closes a leg                \
+         */
 #define RING_CLOSES 0.5 /* of the largest miss: a seam that misses by less does not close the ring */
 
 

@@ -19,6 +19,14 @@ typedef struct mus__stance {
     double angle[MUS_JOINT_COUNT][3]; /* [rad] */
 } mus__stance;
 
+/* what another room made of a body and shares among its users (lib/contact); posed copies of the body share it too.
+ * Written by calls that have the body as const: the body's context is used by one thread at a time */
+typedef struct mus__body_kept {
+    int32_t users;               /* bodies */
+    void *data;                  /* NULL: nothing */
+    void (*destroy)(void *data); /* called when the last body is destroyed, and before another thing takes its place */
+} mus__body_kept;
+
 struct mus_body {
     mus_context *context;
     mus_body_def def;
@@ -46,6 +54,7 @@ struct mus_body {
     mus__stance stance; /* pose of a posed body */
     mus__field *field;  /* (nfield) one for each part of the rig, in that order */
     int32_t nfield;
+    mus__body_kept *kept;
 };
 
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */

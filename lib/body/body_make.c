@@ -15,11 +15,8 @@
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
-    def->size = size;
+    mus_body_def own = {.samples = 96, .ring_spacing = 0.01};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -52,6 +49,9 @@ double mus__cubic_step(double t)
 
 mus_status mus__body_limbs(mus_body *body, int32_t count)
 {
+    if (body->kept == NULL) body->kept = mus__new(body->context, 1, sizeof *body->kept);
+    if (body->kept == NULL) return mus__fail_memory(body->context, "a body");
+    body->kept->users++;
     body->limb = mus__new(body->context, count, sizeof *body->limb);
     if (body->limb == NULL) return mus__fail_memory(body->context, "the limbs of a body");
     body->limb_count = count;
@@ -110,6 +110,10 @@ mus_status mus__body_fields(mus_body *body, double spacing)
 void mus_body_destroy(mus_body *body)
 {
     if (body == NULL) return;
+    if (body->kept != NULL && --body->kept->users <= 0) {
+        if (body->kept->data != NULL) body->kept->destroy(body->kept->data);
+        mus__free(body->context, body->kept);
+    }
     for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
     mus__free(body->context, body->field);
     mus__free(body->context, body->frame);

@@ -59,32 +59,11 @@ void mus__quaternion_of(const double *m, double *q)
 }
 
 
-void mus__matrix_point(const double *turn, const double *x, double *out)
-{
-    double y[3];
-    for (int i = 0; i < 3; i++) y[i] = turn[3 * i] * x[0] + turn[3 * i + 1] * x[1] + turn[3 * i + 2] * x[2];
-    memcpy(out, y, sizeof y);
-}
-
-
 void mus__matrix_product(const double *a, const double *b, double *out)
 {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             out[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
-}
-
-
-void mus__frame_point(const mus__frame *frame, const double *x, double *out)
-{
-    mus__matrix_point(frame->turn, x, out);
-    for (int i = 0; i < 3; i++) out[i] += frame->place[i];
-}
-
-
-void mus__frame_turn(const mus__frame *frame, const double *x, double *out)
-{
-    mus__matrix_point(frame->turn, x, out);
 }
 
 

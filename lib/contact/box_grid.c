@@ -7,9 +7,9 @@
 
 #include "contact/box_grid.h"
 
-#define GRID_BITS 18     /* of a cell's number along an axis: farther off is in the last cell */
-#define GRID_ROUND 4e-7f /* of a coordinate: sums of floats are off by less */
-#define GRID_LEAST 1e-6f /* [m] a cell is at least so wide */
+#define GRID_BITS 18     /* bits of a cell's number along an axis: what is further off is in the last cell */
+#define GRID_ROUND 4e-7f /* of a coordinate: bound of the rounding of a sum of floats */
+#define GRID_LEAST 1e-6f /* [m] least width of a cell: above rounding */
 
 
 mus_status mus__box_grid_create(mus_context *context, int32_t capacity, mus__box_grid *grid)
@@ -110,7 +110,8 @@ static int32_t grid_sort(mus__box_grid *grid, int32_t n, float reach)
 }
 
 
-/* box number i of the sorted ones with those of a cell from number j on; some: with none that comes to i by itself */
+/* box i of the sorted ones with those of a cell, from j to end; some not NULL: without pairs that come to i by
+ * themselves */
 static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t end, float reach, const uint8_t *some,
                       mus__box_pair_fn fn, void *user)
 {
@@ -128,7 +129,7 @@ static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t e
 }
 
 
-/* of some boxes with all in their cell and the 26 round it */
+/* the marked boxes with all boxes in their cell and the 26 around it */
 static void grid_some(const mus__box_grid *grid, int32_t cells, float reach, const uint8_t *some, mus__box_pair_fn fn,
                       void *user)
 {

@@ -1,10 +1,10 @@
 /*
- * box_grid.h: which boxes of many are near each other: a grid of cells in a hash table.
+ * box_grid.h: which boxes of many are near each other: a grid of cells in a hash table. Broad phase of the exact count
+ * of crossings (crossing_count.h), at some tens of nanoseconds a triangle.
  *
- * Used for the triangles of a cloth, when they have moved so far that a list of near ones is old: some tens of
- * nanoseconds a triangle. Boxes are floats, rounded outward by the caller. A cell is as wide as the largest box and the
- * reach together, a box is in the cell of its centre, so partners are in the same cell or in one of the 26 round it.
- * Cells stand in the order in which boxes, by number, first come to them: the order of pairs depends on places alone.
+ * Boxes are floats, rounded outward by the caller. A cell is as wide as the largest box and the reach together, a box
+ * is in the cell of its centre, so partners are in the same cell or in one of the 26 around it. Cells are in the order
+ * in which boxes, by number, first come to them: the order of pairs depends on places alone.
  */
 #ifndef MUS_CONTACT_BOX_GRID_H
 #define MUS_CONTACT_BOX_GRID_H

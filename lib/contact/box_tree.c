@@ -1,12 +1,12 @@
 /*
- * box_tree.c: two trees of boxes met from the top down, a box against sixteen at a time.
+ * box_tree.c: two trees of boxes searched from the top down, a box against sixteen at a time.
  */
 #include <string.h>
 
 #include "base/clones.h"
 #include "contact/box_tree.h"
 
-#define TREE_FAR 3e38f /* where there is no thing */
+#define TREE_FAR 3e38f /* where there is no thing: a box that no other is near */
 
 
 /* blocks of all tiers over so many things */
@@ -76,7 +76,7 @@ void mus__box_tree_raise(mus__box_tree *tree, int32_t tiers)
     } while (tree->tiers < MUS__TREE_TIERS);
     tree->first[tree->tiers] = all;
 
-    /* places without a thing or a block */
+    /* places without a thing or a tree node */
     for (int64_t b = 0; b < all; b++)
         for (int64_t p = 0; p < MUS__TREE_PLANES; p++)
             for (int64_t k = 0; k < MUS__TREE_LANES; k++)
@@ -88,7 +88,7 @@ void mus__box_tree_raise(mus__box_tree *tree, int32_t tiers)
 }
 
 
-/* the box of a block as one of those of the block above */
+/* the box of a tree node as one of those of the node above */
 MUS_CLONES
 static void tree_around(const float *block, float *above)
 {
@@ -123,8 +123,8 @@ void mus__box_tree_fit(mus__box_tree *tree, const uint8_t *stale)
 
 
 /*
- * mask[r]: the boxes of block b that may come within reach of box r of block a. The gap along an axis is the less of
- * that now and then, for each side; the gap of all is the greatest.
+ * mask[r]: the boxes of tree node b that may come within reach of box r of tree node a. The gap along an axis is, for
+ * each side, the lesser of those at the start and at the end; the gap of two boxes is the greatest of these.
  */
 MUS_CLONES
 static void tree_masks(const float *restrict a, const float *restrict b, float reach, uint32_t *restrict mask)
@@ -154,7 +154,7 @@ static void tree_masks(const float *restrict a, const float *restrict b, float r
 }
 
 
-/* of the bits those of things without a class in common with thing r of a block; both blocks plane by plane */
+/* of `bits` those of things without a class in common with thing r of a tree node; classes plane by plane */
 static uint32_t tree_apart(const int32_t *a, int32_t aeach, int32_t r, const int32_t *b, int32_t beach, uint32_t bits)
 {
     enum { N = MUS__TREE_LANES };
@@ -178,7 +178,7 @@ typedef struct tree_search {
 } tree_search;
 
 
-/* what block number i of a tier of one tree and number j of the other hold */
+/* pairs below node i of a tier of one tree and node j of the same tier of the other */
 static void tree_meet(const tree_search *s, int32_t tier, int32_t i, int32_t j)
 {
     const mus__box_tree *a = s->a, *b = s->b;
@@ -209,7 +209,7 @@ void mus__box_tree_pairs(const mus__box_tree *a, const mus__box_tree *b, float r
 }
 
 
-/* the boxes of a block that may come within reach of one, both now and then as in tree_masks() */
+/* the boxes of a tree node that may come within reach of one box, as tree_masks() */
 MUS_CLONES
 static uint32_t tree_mask(const float *restrict a, const float *restrict b, float reach)
 {
@@ -234,8 +234,7 @@ static uint32_t tree_mask(const float *restrict a, const float *restrict b, floa
 }
 
 
-/* thing i of a tree and what block number j of a tier of the other holds; asked things of that below `from` had their
- * turn */
+/* thing i of a tree and things below node j of a tier of the other; stale things there below `from` had their turn */
 static void tree_ask(const tree_search *s, int32_t i, int32_t from, int32_t tier, int32_t j)
 {
     enum { N = MUS__TREE_LANES };
@@ -256,7 +255,7 @@ static void tree_ask(const tree_search *s, int32_t i, int32_t from, int32_t tier
 }
 
 
-/* those of a tree that are asked for with the other; but not, where `turn`, with those of that which are */
+/* the stale things of a tree against the other; where `turn`, not against that one's stale things */
 static void tree_asks(const tree_search *s, int32_t turn)
 {
     const mus__box_tree *a = s->a;

@@ -1,5 +1,5 @@
 /*
- * collider.h: the surfaces that cloth meets: the parts of a body and planes. Start here to read lib/contact.
+ * collider.h: the surfaces that cloth meets: the parts of a body and planes.
  *
  * A body is a set of rigid parts; each has a radius field: the radius of its section by height along the part's axis
  * and by direction (body/field.h). The distance of a node is found by its height, the section there, and the line from
@@ -7,30 +7,7 @@
  * triangle is asked. A part keeps the field that it was made with and is moved by a frame, so a moving part costs what
  * one at rest does. How it came to its place in the last step is two affine maps (mus__surface_motion).
  *
- * The files of this folder in the order of use:
- *
- *   collider.[ch]             surfaces: made from a body, depth of a point, surfaces near a point
- *   collider_motion.c         moves parts and planes; motion of each surface in the last step
- *   contact.h, contact_f32.c, contact_f64.c   the passes that a drape calls after a step, in float and in double:
- *     contact_kernel.h          the exact pass, chunk by chunk: boxes, queries, response
- *     query_batch_kernel.h      many nodes asked of one part at once
- *     response_batch_kernel.h   many nodes that touch one part answered at once
- *     response_kernel.h         one node against all surfaces that it touches
- *     manifold_kernel.h         several contacts of one node solved together
- *     friction_kernel.h         friction (Coulomb)
- *     pinch_kernel.h            a node between surfaces that face each other
- *     sweep_kernel.h            a fast node swept along its path
- *     surfaces_kernel.h         boxes, planes and motions in the pass's precision
- *   plane_cache.h, plane_cache_kernel.h       the cheap pass for slow nodes: each remembers a plane
- *   self_contact.[ch], self_contact_f32.c, self_contact_f64.c   cloth against cloth:
- *     neighbour_list_kernel.h   pairs that may come near
- *     pair_distance_kernel.h    distance of a pair
- *     displacement_bound_kernel.h   how far a node may move until distances are measured again
- *     self_response_kernel.h    impulses of pairs that touch
- *     box_tree.[ch]             broad phase of the neighbour list
- *   crossing_count.[ch]       exact count of edges through triangles; box_grid.[ch] is its broad phase
- *
- * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces.
+ * The files of this folder in the order of use are listed in collider.c.
  */
 #ifndef MUS_CONTACT_COLLIDER_H
 #define MUS_CONTACT_COLLIDER_H
@@ -44,8 +21,8 @@
 #define MUS__TOUCHING_MAX 4      /* surfaces that mus__collider_touching() returns; more are left out */
 #define MUS__DISC_THICKNESS 0.01 /* [m] a node further below a disc than this is under it; chosen: a table top */
 #define MUS__PLANE_ENDLESS 1e15  /* [m] radius of a plane without an edge: beyond every scene */
-#define MUS__PLANE_SAFE_TRAVEL                                                                                         \
-    5e-3 /* [m] a node that moves less in a step is not swept; chosen: half a disc's thickness */
+/* [m] a node that moves less in a step is not swept; chosen: half a disc's thickness */
+#define MUS__PLANE_SAFE_TRAVEL 5e-3
 
 /* motion of a surface in the last step, as affine maps of a place in the state's coordinates (3 rows of a matrix, then
  * the constant): displacement of the surface point that was at x before the step, velocity of the one now at x */
@@ -93,9 +70,8 @@ typedef struct mus__collider {
     double speed_max;               /* bound of every surface's speed relative to the drift [m/s] */
     double plane_speed_max;         /* the same of the planes alone [m/s] */
     int32_t nplane;
-    mus__collider_plane *plane; /* (MUS__PLANES_MAX), NULL without planes */
-    float *table32;             /* radii, centres and maxima of all parts' fields */
-    double *table64;
+    mus__collider_plane *plane;          /* (MUS__PLANES_MAX), NULL without planes */
+    struct mus__offset_surface *surface; /* tables of the fields, shared by the body's colliders; NULL without a body */
 } mus__collider;
 
 /* makes the surfaces of `body` (NULL: none) in coordinates relative to `origin` (3), as the state is: float keeps its

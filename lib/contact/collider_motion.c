@@ -1,12 +1,12 @@
 /*
- * collider_motion.c: where the surfaces of a collider stand, and what they did in the last step.
+ * collider_motion.c: the place of each surface of a collider, and its motion in the last step.
  *
- * Parts of the body are carried by frames, and all glide with one velocity; planes move with a velocity and turn about
- * their normal. A step of a surface is a rigid motion. Of a plane, with a the angle turned, K the cross product by the
- * normal and p the point after the step, p0 before:
+ * Parts of the body are carried by frames, and all translate with one velocity; planes move with a velocity and turn
+ * about their normal. A step of a surface is a rigid motion. Of a plane, with a the angle turned, K the cross product
+ * by the normal and p the point after the step, p0 before:
  *
- *   on(x)    = (sin a K + (1 - cos a) K^2) (x - p0) + p - p0
- *   speed(x) = spin K (x - p) + velocity
+ *   displacement(x) = (sin a K + (1 - cos a) K^2) (x - p0) + p - p0
+ *   velocity(x)     = spin K (x - p) + velocity of p
  *
  * Sine and cosine are sums of a few products, the same on every machine.
  */
@@ -15,10 +15,10 @@
 
 #include "contact/contact_template.h"
 
-#define MOTION_TURN_SMALL 0.25 /* [rad]: below it the sums are exact to rounding */
+#define MOTION_TURN_SMALL 0.25 /* [rad] below it the sums of sine and cosine are exact to rounding of a double */
 
 
-/* box of part l: its axis from end to end, widened by the reach in the contour's plane */
+/* box of a part: its axis from end to end, widened by the reach in the contour's plane */
 static void part_box(const mus__collider_part *home, const mus__field_f64 *field, double skin, double *box)
 {
     for (int32_t i = 0; i < 3; i++) {
@@ -32,8 +32,8 @@ static void part_box(const mus__collider_part *home, const mus__field_f64 *field
 }
 
 
-/* the fields and the box of part l to where it stands now */
-static void stand_part(mus__collider *collider, int32_t l)
+/* puts the fields and the box of part l to its place */
+static void place_part(mus__collider *collider, int32_t l)
 {
     const mus__collider_part *home = &collider->part[l];
     mus__field_f64 *wide = &collider->field64[l];
@@ -82,13 +82,14 @@ static void cross(const double *a, const double *b, double *out)
 
 
 /*
- * What a part did that came from frame `was` to frame `now` in h, while all shifted with `drift`. It is a screw: with C
- * and c of x1 = C x0 + c, the turn r = axis times angle is (angle / sin angle) times the skew part of C, and
+ * Motion of a part that came from frame `was` to frame `now` in a step of h, while all translated with `drift`. It is a
+ * screw: with C and c of x1 = C x0 + c, the turn r = axis times angle is (angle / sin angle) times the skew part of C,
+ * and
  *
- *   speed(x1) = (r x x1 + w) / h + drift,   w = c - r x c / 2 + r x (r x c) / 12
+ *   velocity(x1) = (r x x1 + w) / h + drift,   w = c - r x c / 2 + r x (r x c) / 12
  */
-static void carry_of(const mus__collider *collider, const mus__frame *was, const mus__frame *now, const double *drift,
-                     double h, mus__surface_motion *out)
+static void motion_of_part(const mus__collider *collider, const mus__frame *was, const mus__frame *now,
+                           const double *drift, double h, mus__surface_motion *out)
 {
     double turn[9], far[3], round[3], once[3], twice[3];
     turn_between(now->turn, was->turn, turn);
@@ -112,7 +113,7 @@ static void carry_of(const mus__collider *collider, const mus__frame *was, const
         out->velocity[9 + i] = (far[i] - once[i] / 2.0 + twice[i] / 12.0) / h + drift[i];
     }
 
-    /* of places in the state's coordinates, before and after the step */
+    /* as maps of places in the state's coordinates, before and after the step */
     for (int32_t i = 0; i < 3; i++)
         for (int32_t d = 0; d < 3; d++) {
             const double after = collider->origin[d] - collider->shift[d];
@@ -122,7 +123,7 @@ static void carry_of(const mus__collider *collider, const mus__frame *was, const
 }
 
 
-/* what frames are without any */
+/* the frame of a part as made */
 static const mus__frame at_home = {{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
 
 
@@ -142,10 +143,10 @@ void mus__collider_move(mus__collider *collider, const mus__frame *frame, const 
         const mus__frame was = collider->turned ? collider->frame[l] : at_home;
         collider->frame[l] = frame != NULL ? frame[l] : at_home;
         if (collider->moving == MUS__TURNED)
-            carry_of(collider, &was, &collider->frame[l], collider->drift, h, &collider->motion[l]);
+            motion_of_part(collider, &was, &collider->frame[l], collider->drift, h, &collider->motion[l]);
     }
     collider->turned = frame != NULL;
-    for (int32_t l = 0; l < collider->nparts; l++) stand_part(collider, l);
+    for (int32_t l = 0; l < collider->nparts; l++) place_part(collider, l);
     if (collider->moving != MUS__TRANSLATED || collider->nparts == 0) return;
     memset(collider->motion, 0, sizeof *collider->motion);
     for (int32_t i = 0; i < 3; i++) {
@@ -176,7 +177,7 @@ mus_status mus__collider_add_plane(mus__collider *collider, const double *point,
 }
 
 
-/* sin a and 1 - cos a: the angle halved until a few products sum it, then doubled back */
+/* sine: sin a, less: 1 - cos a. The angle is halved until a few products sum it, then doubled back */
 static void turn_of(double angle, double *sine, double *less)
 {
     int32_t doublings = 0;
@@ -226,8 +227,8 @@ void mus__collider_move_plane(mus__collider *collider, int32_t k, const double *
 }
 
 
-/* the largest speed in a box, against `drift`: it is affine, so at a corner */
-static double box_haste(const double *map, const double *drift, const double *box)
+/* largest speed in a box relative to `drift`: the map is affine, so it is at a corner */
+static double box_speed_max(const double *map, const double *drift, const double *box)
 {
     double most2 = 0.0;
     for (int32_t corner = 0; corner < 8; corner++) {
@@ -252,7 +253,7 @@ void mus__collider_update_speed(mus__collider *collider)
         double *own = &collider->part[l].speed_max;
         *own = 0.0;
         if (collider->moving == MUS__TURNED)
-            *own = box_haste(collider->motion[l].velocity, collider->drift, collider->box + 6 * (int64_t)l);
+            *own = box_speed_max(collider->motion[l].velocity, collider->drift, collider->box + 6 * (int64_t)l);
         collider->speed_max = fmax(collider->speed_max, *own);
     }
     for (int32_t k = 0; k < collider->nplane; k++) {
@@ -260,7 +261,7 @@ void mus__collider_update_speed(mus__collider *collider)
         double box[6];
         for (int32_t i = 0; i < 6; i++)
             box[i] = plane->point[i % 3] - collider->origin[i % 3] + (i < 3 ? -plane->reach : plane->reach);
-        most = fmax(most, box_haste(plane->moving ? plane->motion.velocity : still, collider->drift, box));
+        most = fmax(most, box_speed_max(plane->moving ? plane->motion.velocity : still, collider->drift, box));
     }
     collider->plane_speed_max = most;
     collider->speed_max = fmax(collider->speed_max, most);

@@ -21,21 +21,23 @@
  * tally).
  */
 
-#define MUS__CHUNK 256 /* nodes looked at together; chosen: a chunk's arrays stay in the second-level cache */
+#define MUS__CHUNK 256 /* nodes looked at together; chosen */
 
 #define MUS__MANIFOLD_MAX 8 /* contacts of a node, and query results; more are left out */
-#define MUS__TOUCH_BAND 2e-6 /* [m] a node no further than this beyond the clearance touches: the rounding of a float
-                              * state some metres from the origin */
-#define MUS__STICK_BAND (sizeof(MUS__REAL) == sizeof(float) ? 1e-7 : 1e-15) /* [m] a sticking node whose height over the
-                              * surface changed by no more goes back to its old place, to the last bit: rounding */
+/* [m] a node no further than this beyond the clearance touches: a float state rounds by as much */
+#define MUS__TOUCH_BAND 2e-6
+/* [m] a sticking node whose height over the surface changed by no more goes back to its old place, to the last bit:
+ * rounding */
+#define MUS__STICK_BAND (sizeof(MUS__REAL) == sizeof(float) ? 1e-7 : 1e-15)
 
-#define MUS__QUERY_MARGIN 0.04 /* [m] a distance beyond the clearance is measured up to this; chosen: what is further off
-                                * needs no query for a while anyway */
-#define MUS__CACHE_GAP 2e-3    /* [m] a part this far beyond the clearance goes into the cache; chosen */
-#define MUS__CACHE_DIVISOR 8   /* travel until the next query is the distance over this; five would be the measured
-                                * error of the distance */
-#define MUS__PUSH_FAR (MUS__CACHE_GAP * (MUS__CACHE_DIVISOR - 1) / MUS__CACHE_DIVISOR) /* [m] a node that is pushed
-                                * further than this may come to a part that its cache leaves out */
+/* [m] a distance beyond the clearance is measured up to this; chosen: what is further off needs no query for a
+ * while anyway */
+#define MUS__QUERY_MARGIN 0.04
+#define MUS__CACHE_GAP 2e-3 /* [m] a part this far beyond the clearance goes into the cache; chosen */
+/* travel until the next query is the distance over this; five would be the measured error of the distance */
+#define MUS__CACHE_DIVISOR 8
+/* [m] a node that is pushed further than this may come to a part that its cache leaves out */
+#define MUS__PUSH_FAR (MUS__CACHE_GAP * (MUS__CACHE_DIVISOR - 1) / MUS__CACHE_DIVISOR)
 #define MUS__SAFE_FRACTION 0.999 /* of the safe travel, for the rounding of distances: more is swept */
 
 /* a pass: what it works on, and the surfaces in its precision */
@@ -276,8 +278,10 @@ static int32_t MUS__NAME(chunk_fill)(const MUS__NAME(pass) * pass, const MUS__NA
         cache->slack -= (float)gone[i];
         if (!(gone[i] <= *way)) *way = gone[i];
         chunk->skip[i] = inverse[i] == 0;
-        if (cache->slack > 0 && cache->parts == MUS__CACHE_ALL) chunk->skip[i] = 1;
-        else if (cache->slack > 0) chunk->parts[i] &= ~(uint64_t)cache->parts;
+        if (cache->slack > 0 && cache->parts == MUS__CACHE_ALL)
+            chunk->skip[i] = 1;
+        else if (cache->slack > 0)
+            chunk->parts[i] &= ~(uint64_t)cache->parts;
         if (chunk->skip[i]) chunk->parts[i] = 0;
         any |= chunk->parts[i] | (chunk->skip[i] ? 0 : chunk->planes[i]);
     }

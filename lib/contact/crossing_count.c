@@ -10,7 +10,7 @@
 #include "contact/crossing_count.h"
 #include "geom/predicate.h"
 
-#define CROSSING_ROUND 1.2e-7 /* of a coordinate: a float is off by less */
+#define CROSSING_ROUND 1.2e-7 /* of a coordinate: rounding a double to float changes it by less */
 
 
 /* nonzero when c, on the line a b, is between a and b */
@@ -33,7 +33,7 @@ static int32_t crossing_flat(const double *p, const double *q, const double *a, 
 }
 
 
-/* the segment p q in the plane of the triangle `corner` (3) */
+/* nonzero when the segment p q, in the plane of the triangle `corner` (3), meets it */
 static int32_t crossing_in_plane(const double *p, const double *q, const double *const *corner)
 {
     double flat[5][2];
@@ -131,7 +131,7 @@ static void crossing_pair(void *user, int32_t a, int32_t b)
 int64_t mus__crossing_count(mus__box_grid *grid, int32_t n, const int32_t *triangle, const int32_t *class_of,
                             const double *x, mus__crossing_fn fn, void *user)
 {
-    /* boxes as floats, a little too wide */
+    /* boxes in float, widened by more than the rounding */
     for (int64_t t = 0; t < n; t++)
         for (int32_t d = 0; d < 3; d++) {
             const double *a = x + 3 * (int64_t)triangle[3 * t], *b = x + 3 * (int64_t)triangle[3 * t + 1];

@@ -2,19 +2,19 @@
  * crossing_count.h: whether cloth goes through cloth: an exact count, as a certificate.
  *
  * Two triangles cross when an edge of one that has no corner in common with the other meets that other. All signs are
- * exact, so the count is that of the places as given, to the last bit; a touch counts. Triangles that share an edge
- * never cross: flat on each other they lie, but neither goes through the other.
+ * exact (geom/predicate.h), so the count is that of the places as given, to the last bit; a touch counts. Triangles
+ * that share an edge never cross: they may lie flat on each other, but neither goes through the other.
  */
 #ifndef MUS_CONTACT_CROSSING_COUNT_H
 #define MUS_CONTACT_CROSSING_COUNT_H
 
 #include "contact/box_grid.h"
 
-/* nonzero when the segment p q meets the triangle a b c, border and ends included */
+/* nonzero when the segment p q meets the triangle a b c, its border and the ends of the segment included */
 int32_t mus__segment_meets_triangle(const double *p, const double *q, const double *a, const double *b,
                                     const double *c);
 
-/* what a count finds: called for every edge p q (nodes) of triangle `of` that meets triangle `met` */
+/* called for every edge p q (nodes) of triangle `of` that meets triangle `met` */
 typedef void (*mus__crossing_fn)(void *user, int32_t p, int32_t q, int32_t of, int32_t met);
 
 /* pairs of the n triangles (n x 3, nodes) that cross at x (nodes x 3); nodes of the same class (NULL: each its own)

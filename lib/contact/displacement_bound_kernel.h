@@ -1,11 +1,16 @@
 /*
- * displacement_bound_kernel.h: how far nodes may move, a part of self_response_kernel.h.
+ * displacement_bound_kernel.h: how far each node may move until distances are measured again, a part of
+ * self_response_kernel.h. Per-vertex displacement bounds; Chen and others, Offset Geometric Contact, 2025.
+ *
+ * The bound of a node is the least, over its pairs, of MUS__BOUND_SHARE of the distance (active pairs) or of
+ * MUS__BOUND_APPROACH of what the pair is apart beyond the thickness (others), and what is left of its margin in the
+ * neighbour list. self_contact.h has the proof that two things with such bounds never touch.
  */
 
 
-/* ---- ball: how far nodes may go ---- */
+/* ---- bounds from the list and from the pairs ---- */
 
-/* how far node i is from home, which has drifted for `age` */
+/* distance of node i from its home in the list, which has drifted for `age` */
 static inline MUS__REAL MUS__NAME(self_home_travel)(const mus__self_contact *self, const MUS__REAL *x, MUS__REAL age,
                                                     int64_t i)
 {
@@ -17,22 +22,22 @@ static inline MUS__REAL MUS__NAME(self_home_travel)(const mus__self_contact *sel
 }
 
 
-/* balls of what is left of the margin; nonzero when that is little for a node, or the list is old */
+/* bounds from what is left of the margin; nonzero when that is little for a node, or the list is old */
 static int32_t MUS__NAME(self_bounds_from_list)(mus__self_contact *self, const MUS__REAL *x)
 {
     const MUS__REAL margin = (MUS__REAL)self->margin, least = (MUS__REAL)MUS__LIST_RENEW * margin,
                     age = (MUS__REAL)self->list_age;
-    MUS__REAL *ball = (MUS__REAL *)self->bound + 3 * (int64_t)self->n;
+    MUS__REAL *bound = (MUS__REAL *)self->bound + 3 * (int64_t)self->n;
     int32_t stale = !(self->list_age <= (1.0 - MUS__LIST_RENEW) * self->list_span);
     for (int64_t i = 0; i < self->nodes; i++) {
-        ball[i] = margin - MUS__NAME(self_home_travel)(self, x, age, i);
-        stale |= !(ball[i] >= least);
+        bound[i] = margin - MUS__NAME(self_home_travel)(self, x, age, i);
+        stale |= !(bound[i] >= least);
     }
     return stale;
 }
 
 
-/* nonzero when both things of a pair have a node that is part of a crossing */
+/* nonzero when both things of a pair have a node that is part of a crossing: they may pass through each other */
 static inline int32_t MUS__NAME(self_pair_may_cross)(const mus__self_contact *self, const int32_t *node, int32_t split)
 {
     const uint8_t *tangle = self->crossed;
@@ -42,36 +47,36 @@ static inline int32_t MUS__NAME(self_pair_may_cross)(const mus__self_contact *se
 }
 
 
-/* what pair k, apart by so much and closing by twice so much, leaves of the balls of its nodes, and whether it answers
- * from now on; the balls hold for `most` or less */
+/* shrinks the bounds of the nodes of pair k, which is `apart` [m] apart and approaches at up to 2 `closing` [m/s], and
+ * makes it active when it is near. Returns how long the bounds hold [s], `most` or less */
 static inline MUS__REAL MUS__NAME(self_bound_pair)(mus__self_contact *self, int32_t k, MUS__REAL apart,
                                                    MUS__REAL closing, MUS__REAL most)
 {
-    MUS__REAL *ball = (MUS__REAL *)self->bound + 3 * (int64_t)self->n;
+    MUS__REAL *bound = (MUS__REAL *)self->bound + 3 * (int64_t)self->n;
     const int32_t *node = self->pair[k].node;
     const MUS__REAL t = (MUS__REAL)self->pair[k].thickness;
-    MUS__REAL room = (MUS__REAL)MUS__BOUND_SHARE * apart;
+    MUS__REAL limit = (MUS__REAL)MUS__BOUND_SHARE * apart;
     MUS__REAL idle = (MUS__REAL)0.5 * (apart - (MUS__REAL)(1.0 + MUS__REST_BAND) * t);
     if (apart < (MUS__REAL)MUS__ACTIVE_DISTANCE * t) {
         self->active[self->nactive++] = k;
         for (int32_t i = 0; i < 4; i++) self->active_node[node[i]] = 1;
     } else {
-        room = (MUS__REAL)MUS__BOUND_APPROACH * (apart - t);
+        limit = (MUS__REAL)MUS__BOUND_APPROACH * (apart - t);
     }
     if (self->drifts) {
-        const MUS__REAL part = (MUS__REAL)MUS__BOUND_DRIFT_SHARE * room;
+        const MUS__REAL part = (MUS__REAL)MUS__BOUND_DRIFT_SHARE * limit;
         if (most * closing > part) most = part / closing;
-        room -= most * closing;
+        limit -= most * closing;
         idle -= most * closing;
     }
     self->pair[k].idle2 = idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0;
-    for (int32_t i = 0; i < 4; i++) ball[node[i]] = room < ball[node[i]] ? room : ball[node[i]];
+    for (int32_t i = 0; i < 4; i++) bound[node[i]] = limit < bound[node[i]] ? limit : bound[node[i]];
     return most;
 }
 
 
-/* balls of the nodes by the distances of the pairs, and which pairs answer from now on. Returns how long the balls hold
- * [s], `most` or less: as long as drifts that differ take no more than a part of a pair's room */
+/* shrinks the bounds by all pairs, and lists the active ones. Returns how long the bounds hold [s], `most` or less:
+ * until drifts that differ have used up their share of a pair's clearance */
 static MUS__REAL MUS__NAME(self_bound_pairs)(mus__self_contact *self, const MUS__REAL *x, MUS__REAL most)
 {
     const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
@@ -94,11 +99,11 @@ static MUS__REAL MUS__NAME(self_bound_pairs)(mus__self_contact *self, const MUS_
 }
 
 
-/* balls round where the nodes are now, which drift with them; the next step is of h */
+/* makes bounds round the places x of the nodes, which drift with them; the next step is of h */
 static void MUS__NAME(self_bounds_make)(mus__self_contact *self, const MUS__REAL *x, double h)
 {
     const int64_t n = self->n;
-    MUS__REAL *centre = self->bound, *ball = centre + 3 * n;
+    MUS__REAL *centre = self->bound, *bound = centre + 3 * n;
     if (self->invalid || MUS__NAME(self_bounds_from_list)(self, x)) {
         if (self->invalid || !MUS__NAME(self_list_renew)(self, x)) MUS__NAME(self_list_make)(self, x);
         MUS__NAME(self_bounds_from_list)(self, x);
@@ -119,55 +124,56 @@ static void MUS__NAME(self_bounds_make)(mus__self_contact *self, const MUS__REAL
     self->bound_age = 0.0;
     for (int64_t i = 0; i < self->nodes; i++) {
         const MUS__REAL far = x[i] * x[i] + x[n + i] * x[n + i] + x[2 * n + i] * x[2 * n + i];
-        const MUS__REAL room = ball[i] - (MUS__REAL)MUS__PLACE_ROUND * (MUS__REAL)MUS__NAME(sqrt)(far);
-        ball[i] = room > 0 && !self->full ? room * room : 0;
+        const MUS__REAL limit = bound[i] - (MUS__REAL)MUS__PLACE_ROUND * (MUS__REAL)MUS__NAME(sqrt)(far);
+        bound[i] = limit > 0 && !self->full ? limit * limit : 0;
     }
     memcpy(centre, x, 3 * (size_t)n * sizeof *centre);
 }
 
 
-/* how many of the nodes are beyond `part` of their squared balls, which have drifted for `since` */
+/* number of nodes whose squared distance from the middle of their bound, which has drifted for `since`, is above `part`
+ * of the squared bound */
 MUS_CLONES
 static int32_t MUS__NAME(self_bounds_beyond)(int64_t n, int32_t count, MUS__REAL part, MUS__REAL since,
-                                             const MUS__REAL *restrict ball, const MUS__REAL *restrict w,
+                                             const MUS__REAL *restrict bound, const MUS__REAL *restrict w,
                                              const MUS__REAL *restrict x)
 {
     int32_t beyond = 0;
     for (int32_t i = 0; i < count; i++) {
-        const MUS__REAL d0 = x[i] - (ball[i] + since * w[i]), d1 = x[n + i] - (ball[n + i] + since * w[n + i]);
-        const MUS__REAL d2 = x[2 * n + i] - (ball[2 * n + i] + since * w[2 * n + i]);
-        beyond += d0 * d0 + d1 * d1 + d2 * d2 <= part * ball[3 * n + i] ? 0 : 1;
+        const MUS__REAL d0 = x[i] - (bound[i] + since * w[i]), d1 = x[n + i] - (bound[n + i] + since * w[n + i]);
+        const MUS__REAL d2 = x[2 * n + i] - (bound[2 * n + i] + since * w[2 * n + i]);
+        beyond += d0 * d0 + d1 * d1 + d2 * d2 <= part * bound[3 * n + i] ? 0 : 1;
     }
     return beyond;
 }
 
 
-/* squared distance of node i from the middle of its ball, which has drifted for `since` */
-static inline MUS__REAL MUS__NAME(self_travel2)(int64_t n, int64_t i, MUS__REAL since, const MUS__REAL *ball,
+/* squared distance of node i from the middle of its bound, which has drifted for `since` */
+static inline MUS__REAL MUS__NAME(self_travel2)(int64_t n, int64_t i, MUS__REAL since, const MUS__REAL *bound,
                                                 const MUS__REAL *w, const MUS__REAL *x)
 {
-    const MUS__REAL d0 = x[i] - (ball[i] + since * w[i]), d1 = x[n + i] - (ball[n + i] + since * w[n + i]);
-    const MUS__REAL d2 = x[2 * n + i] - (ball[2 * n + i] + since * w[2 * n + i]);
+    const MUS__REAL d0 = x[i] - (bound[i] + since * w[i]), d1 = x[n + i] - (bound[n + i] + since * w[n + i]);
+    const MUS__REAL d2 = x[2 * n + i] - (bound[2 * n + i] + since * w[2 * n + i]);
     return d0 * d0 + d1 * d1 + d2 * d2;
 }
 
 
-/* these of all nodes, and the largest of them */
+/* the same of all nodes, into travel2 (count); returns the largest */
 MUS_CLONES
-static MUS__REAL MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL since, const MUS__REAL *restrict ball,
+static MUS__REAL MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL since, const MUS__REAL *restrict bound,
                                              const MUS__REAL *restrict w, const MUS__REAL *restrict x,
-                                             MUS__REAL *restrict off2)
+                                             MUS__REAL *restrict travel2)
 {
     MUS__REAL most[16] = {0}, all = 0;
     int32_t i = 0;
     for (; i + 16 <= count; i += 16)
         for (int32_t k = 0; k < 16; k++) {
-            off2[i + k] = MUS__NAME(self_travel2)(n, i + k, since, ball, w, x);
-            most[k] = off2[i + k] > most[k] ? off2[i + k] : most[k];
+            travel2[i + k] = MUS__NAME(self_travel2)(n, i + k, since, bound, w, x);
+            most[k] = travel2[i + k] > most[k] ? travel2[i + k] : most[k];
         }
     for (; i < count; i++) {
-        off2[i] = MUS__NAME(self_travel2)(n, i, since, ball, w, x);
-        all = off2[i] > all ? off2[i] : all;
+        travel2[i] = MUS__NAME(self_travel2)(n, i, since, bound, w, x);
+        all = travel2[i] > all ? travel2[i] : all;
     }
     for (int32_t k = 0; k < 16; k++) all = most[k] > all ? most[k] : all;
     return all;
@@ -175,25 +181,25 @@ static MUS__REAL MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL
 
 
 /*
- * Nodes that left their balls back to them, to where they came out, and as much slower as they went less far in this
- * step of h: with their old speed they would gain what the force does over the way back. Nonzero when any is near the
- * end of its ball.
+ * Puts nodes that left their bounds back to where they came out, and slows them by as much as they went less far in
+ * this step of h: with the old speed they would gain the work of the forces over the way back. Nonzero when any node is
+ * near the end of its bound.
  */
 static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL h, MUS__REAL *x, MUS__REAL *v)
 {
     const int64_t n = self->n;
-    const MUS__REAL *ball = self->bound, *w = self->drift, since = (MUS__REAL)self->bound_age;
-    if (MUS__NAME(self_bounds_beyond)(n, self->nodes, (MUS__REAL)MUS__BOUND_RENEW, since, ball, w, x) == 0) return 0;
+    const MUS__REAL *bound = self->bound, *w = self->drift, since = (MUS__REAL)self->bound_age;
+    if (MUS__NAME(self_bounds_beyond)(n, self->nodes, (MUS__REAL)MUS__BOUND_RENEW, since, bound, w, x) == 0) return 0;
     for (int64_t i = 0; i < self->nodes; i++) {
         MUS__REAL way[3], middle[3], d2 = 0, out = 0;
         for (int64_t d = 0; d < 3; d++) {
-            middle[d] = ball[d * n + i] + since * w[d * n + i];
+            middle[d] = bound[d * n + i] + since * w[d * n + i];
             way[d] = x[d * n + i] - middle[d];
             d2 += way[d] * way[d];
             out += way[d] * (v[d * n + i] - w[d * n + i]);
         }
-        if (d2 <= ball[3 * n + i]) continue;
-        const MUS__REAL part = (MUS__REAL)0.999 * (MUS__REAL)MUS__NAME(sqrt)(ball[3 * n + i] / d2);
+        if (d2 <= bound[3 * n + i]) continue;
+        const MUS__REAL part = (MUS__REAL)0.999 * (MUS__REAL)MUS__NAME(sqrt)(bound[3 * n + i] / d2);
         const MUS__REAL lost = (1 - part) / h, most = out > 0 ? out / d2 : 0, slower = lost < most ? lost : most;
         for (int64_t d = 0; d < 3; d++) {
             x[d * n + i] = part > 0 ? middle[d] + part * way[d] : middle[d];

@@ -17,7 +17,8 @@
  * surfaces, projected Gauss-Seidel, has neither property).
  */
 
-#define MUS__WEDGE_MIN 1e-3 /* |n + m| below this: the surfaces face each other and there is no way out between them */
+/* |n + m| below this: the surfaces face each other and there is no way out between them */
+#define MUS__WEDGE_MIN 1e-3
 
 /* a contact of a node with a surface */
 typedef struct MUS__NAME(contact) {
@@ -35,8 +36,8 @@ static inline MUS__REAL MUS__NAME(dot)(const MUS__REAL *a, const MUS__REAL *b)
 }
 
 
-/* multipliers (2) of two surfaces: move = multiplier[0] n + multiplier[1] m, with cosine = n . m. Returns what is left of
- * both targets l >= k */
+/* multipliers (2) of two surfaces: move = multiplier[0] n + multiplier[1] m, with cosine = n . m. Returns what is left
+ * of both targets l >= k */
 static inline MUS__REAL MUS__NAME(manifold_solve_two)(MUS__REAL cosine, MUS__REAL l, MUS__REAL k, MUS__REAL limit,
                                                       MUS__REAL *multiplier)
 {
@@ -51,7 +52,8 @@ static inline MUS__REAL MUS__NAME(manifold_solve_two)(MUS__REAL cosine, MUS__REA
 }
 
 
-/* move (3) of a node for the targets (count) of its contacts, and multiplier (count): the part of it along each normal */
+/* move (3) of a node for the targets (count) of its contacts, and multiplier (count): the part of it along each normal
+ */
 static inline void MUS__NAME(manifold_solve)(const MUS__NAME(contact) * list, int32_t count, const MUS__REAL *target,
                                              MUS__REAL limit, MUS__REAL *move, MUS__REAL *multiplier)
 {

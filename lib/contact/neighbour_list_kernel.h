@@ -1,38 +1,40 @@
 /*
- * neighbour_list_kernel.h: distances of the things of a cloth, and the list of the pairs that are near: the first part
- * of cloth_kernel.h, with its macros.
+ * neighbour_list_kernel.h: the list of the pairs that may come near, a part of self_response_kernel.h (neighbour list
+ * with a margin; Verlet 1967).
  *
- * A node's drift is its mean velocity since the last list, or since balls were last taken when it was listed anew. Two
- * things whose nodes go no farther than the margin from their drifting homes stay farther apart than the thickness as
- * long as those of their homes stay thickness + 2 skins apart, which move straight until the list's end: those that do
- * not are in the list. What falls, turns or swings by makes no pairs of neighbours that go along.
+ * A node's home is its place when it was listed; homes drift with the node's mean velocity since the last list (or
+ * since the last bounds, when the node alone was listed anew). Two things whose nodes stay within the margin of their
+ * drifting homes are further apart than the thickness as long as their homes are thickness + 2 margins apart. Homes
+ * move straight until the list's end; the pairs of homes that come nearer are the list. So cloth that falls, turns or
+ * swings by makes no pairs of neighbours that move along with it.
  */
 
-#define MUS__FLAT_SHARE 0.5     /* of the distance in the flat: flat cloth does not touch itself */
-#define MUS__DRIFT_WAY_MAX 1.0  /* mean edges: nodes drift so far, beside what all do, in a list's time */
-#define MUS__LIST_SPAN_MAX 0.02 /* [s] at most */
-#define MUS__DRIFT_MIN 0.5      /* skins in that time: slower cloth does not drift */
-#define MUS__LIST_LONGER 2.0    /* times as old as the last list became this one may become */
-#define MUS__MARGIN_WIDEN                                                                                              \
-    2.0 /* a margin that was halved for want of room grows so much when there is four times the room */
-#define MUS__PLACE_ROUND 4e-7      /* of a coordinate: what differences of floats may be off by */
-#define MUS__LIST_FRESH 0.7        /* of the margin: what has less left is listed anew with what is stale */
-#define MUS__LIST_PARTIAL_MAX 0.15 /* of the nodes: when more of them are, all are */
-#define MUS__LIST_TRIES_MAX 16     /* halvings of the margin until the pairs fit */
+#define MUS__FLAT_SHARE 0.5 /* thickness over the distance in the flat: flat cloth does not touch itself */
+/* mean edges that a node drifts beyond the mean drift in a list's time; chosen: boxes stay small */
+#define MUS__DRIFT_WAY_MAX 1.0
+#define MUS__LIST_SPAN_MAX 0.02 /* [s] that a drifting list is made for; chosen */
+#define MUS__DRIFT_MIN 0.5      /* margins in that time: slower cloth does not drift; chosen */
+#define MUS__LIST_LONGER 2.0    /* a list is made for so many times the age of the last one; chosen */
+#define MUS__MARGIN_WIDEN 2.0   /* a margin that was halved for want of memory grows by this when a quarter is used */
+#define MUS__PLACE_ROUND 4e-7   /* of a coordinate: bound of the rounding of a difference of floats (3 ulp) */
+#define MUS__LIST_FRESH 0.7 /* of the margin: a node with less left is listed anew together with stale ones; chosen */
+/* of the nodes: when more are stale the whole list is made, which is cheaper then */
+#define MUS__LIST_PARTIAL_MAX 0.15
+#define MUS__LIST_TRIES_MAX 16 /* halvings of the margin until the pairs fit: to below a thousandth of a millimetre */
 
 
-/* ---- look: the list of near pairs ---- */
+/* ---- thickness and passing of a pair ---- */
 
 typedef struct MUS__NAME(self_search) {
     mus__self_contact *self;
     MUS__REAL reach;
-    int32_t first, last; /* of the list: filled from both ends */
-    int32_t waiting;     /* pairs of edges that are looked at together */
+    int32_t first, last; /* first free place from the front, and from the end, of the list */
+    int32_t waiting;     /* pairs of edges in `node`, to be tested as a packet */
     int32_t node[4 * MUS__TREE_LANES];
 } MUS__NAME(self_search);
 
 
-/* homes at `age` and at `end`, a node's numbers together, as seen by who goes along with the mean drift */
+/* homes at `age` and at `end` [s], the numbers of a node together, less the mean drift */
 static void MUS__NAME(self_list_places)(mus__self_contact *self, MUS__REAL age, MUS__REAL end)
 {
     const int64_t n = self->n;
@@ -83,7 +85,7 @@ static float MUS__NAME(self_pair_thickness)(const mus__self_contact *self, int32
 }
 
 
-/* the way from the second thing of a pair to its first, at their nearest, of nodes at p with these shares */
+/* vector from the second thing of a pair to its first at their nearest points, of nodes at p with these weights */
 static inline void MUS__NAME(self_pair_way)(int32_t edges, MUS__REAL p[4][3], const MUS__REAL *weight, MUS__REAL *way)
 {
     for (int32_t d = 0; d < 3; d++)
@@ -92,7 +94,7 @@ static inline void MUS__NAME(self_pair_way)(int32_t edges, MUS__REAL p[4][3], co
 }
 
 
-/* how far the things of a pair are apart along a way, times its length */
+/* distance of the things of a pair along a direction `way`, times its length; negative when they overlap in it */
 static inline MUS__REAL MUS__NAME(self_pair_along)(int32_t edges, MUS__REAL p[4][3], const MUS__REAL *way)
 {
     const MUS__REAL a = MUS__NAME(dot)(p[0], way), b = MUS__NAME(dot)(p[1], way), c = MUS__NAME(dot)(p[2], way);
@@ -102,9 +104,10 @@ static inline MUS__REAL MUS__NAME(self_pair_along)(int32_t edges, MUS__REAL p[4]
 
 
 /*
- * Nonzero when the things of a pair stay farther apart than the reach all the way from p to q. Along a fixed direction
- * the least of straight movements less the greatest of others is concave in time: not less between two times than at
- * both. Asked of the directions that part them now and at the end.
+ * Nonzero when the things of a pair stay further apart than the reach while their nodes move straight from p to q.
+ * Along a fixed direction the least coordinate of one thing less the greatest of the other is concave in time, so
+ * between two times it is not less than at both. Tested for the directions that separate them at the start and at the
+ * end.
  */
 static int32_t MUS__NAME(self_pair_passes)(MUS__REAL reach2, int32_t edges, MUS__REAL p[4][3], MUS__REAL q[4][3])
 {
@@ -124,7 +127,7 @@ static int32_t MUS__NAME(self_pair_passes)(MUS__REAL reach2, int32_t edges, MUS_
 }
 
 
-/* the pair, if it comes near enough */
+/* lists the pair of these nodes unless it passes */
 static inline void MUS__NAME(self_list_add)(MUS__NAME(self_search) * search, int32_t edges, const int32_t *node)
 {
     mus__self_contact *self = search->self;
@@ -147,7 +150,7 @@ static inline void MUS__NAME(self_list_add)(MUS__NAME(self_search) * search, int
 }
 
 
-/* corner number a and the triangles of a block; triangle number a and corners; edge number a and edges */
+/* callbacks of the trees: corner a and triangles of tree node b; triangle a and corners; edge a and edges */
 static void MUS__NAME(self_list_corner_faces)(void *user, int32_t a, int32_t b, uint32_t mask)
 {
     MUS__NAME(self_search) *search = user;
@@ -175,8 +178,8 @@ static void MUS__NAME(self_list_face_corners)(void *user, int32_t a, int32_t b, 
 
 
 /*
- * As self_passes() of the edges' nearest places at p, of MUS__TREE_LANES pairs at once: x, y, z of the four nodes plane
- * by plane, now and at the end. near[i]: 0 when they pass
+ * self_pair_passes(), by the direction of the nearest points at p alone, of a packet of pairs of edges: x, y, z of the
+ * four nodes plane by plane, at the start (p) and at the end (q). near[i]: 0 when pair i passes
  */
 MUS_CLONES
 static void MUS__NAME(self_packet_passes)(const MUS__REAL *restrict p, const MUS__REAL *restrict q, MUS__REAL reach2,
@@ -193,7 +196,7 @@ static void MUS__NAME(self_packet_passes)(const MUS__REAL *restrict p, const MUS
         const MUS__REAL uv = u0 * v0 + u1 * v1 + u2 * v2, ur = u0 * r0 + u1 * r1 + u2 * r2;
         const MUS__REAL vr = v0 * r0 + v1 * r1 + v2 * r2, turn = uu * vv - uv * uv;
 
-        /* shares as in self_edge_edge() */
+        /* weights as in self_edge_edge() */
         MUS__REAL s = (uv * vr - ur * vv) / (turn > 0 ? turn : 1);
         s = s > 0 ? s : 0, s = s < 1 ? s : 1;
         MUS__REAL t = (uv * s + vr) / (vv > 0 ? vv : 1);
@@ -203,7 +206,7 @@ static void MUS__NAME(self_packet_passes)(const MUS__REAL *restrict p, const MUS
         const MUS__REAL w0 = r0 + s * u0 - t * v0, w1 = r1 + s * u1 - t * v1, w2 = r2 + s * u2 - t * v2;
         const MUS__REAL far2 = w0 * w0 + w1 * w1 + w2 * w2;
 
-        /* the least of the first less the greatest of the second along that way, now and at the end */
+        /* distance along that direction, at the start and at the end */
         const MUS__REAL ru = r0 * w0 + r1 * w1 + r2 * w2, uw = u0 * w0 + u1 * w1 + u2 * w2;
         const MUS__REAL vw = v0 * w0 + v1 * w1 + v2 * w2;
         const MUS__REAL now = ru + (uw < 0 ? uw : 0) - (vw > 0 ? vw : 0);
@@ -217,7 +220,7 @@ static void MUS__NAME(self_packet_passes)(const MUS__REAL *restrict p, const MUS
 }
 
 
-/* the pairs that wait: most pass, which is seen together */
+/* tests the waiting pairs of edges; most pass */
 static void MUS__NAME(self_list_waiting)(MUS__NAME(self_search) * search)
 {
     enum { N = MUS__TREE_LANES };
@@ -252,8 +255,8 @@ static void MUS__NAME(self_list_edges)(void *user, int32_t a, int32_t b, uint32_
 }
 
 
-/* drifts: how fast nodes went since the last list, 0 where places were changed from outside. For how long the list is
- * to hold [s]: 0 where nothing drifts */
+/* sets the drifts: mean velocities since the last list, 0 where places were changed from outside. Returns how long the
+ * list is to hold [s]; 0 where nothing drifts */
 static MUS__REAL MUS__NAME(self_drift_set)(mus__self_contact *self, const MUS__REAL *x)
 {
     const int64_t n = self->n;
@@ -284,7 +287,7 @@ static MUS__REAL MUS__NAME(self_drift_set)(mus__self_contact *self, const MUS__R
         speed2 = all2 > speed2 ? all2 : speed2;
     }
 
-    /* what hardly moves stands still, and its list holds until it is stale */
+    /* slow cloth does not drift: its list holds until a node has used up its margin */
     const MUS__REAL slow = (MUS__REAL)(MUS__DRIFT_MIN * self->margin / MUS__LIST_SPAN_MAX);
     if (!(speed2 > slow * slow)) {
         memset(self->mean, 0, sizeof self->mean);
@@ -297,7 +300,7 @@ static MUS__REAL MUS__NAME(self_drift_set)(mus__self_contact *self, const MUS__R
 }
 
 
-/* boxes of the things of a tree, now and at the end; stale (nodes): of those with such a node */
+/* boxes of the things of a tree, at the start and at the end; stale (nodes) not NULL: of things with such a node */
 static void MUS__NAME(self_list_boxes)(const mus__self_contact *self, mus__box_tree *tree, const uint8_t *stale)
 {
     const int32_t each = tree->each;
@@ -323,8 +326,8 @@ static void MUS__NAME(self_list_boxes)(const mus__self_contact *self, mus__box_t
 
 
 /*
- * All pairs of the search from `age` on; stale (nodes): those with such a node, NULL: all. Boxes are of the whole time
- * of the list, so that those of what is not stale are still right.
+ * Searches all pairs from `age` on; stale (nodes) not NULL: those with such a node. Boxes are of the whole time of the
+ * list, so that those of things that are not stale are still right.
  */
 static void MUS__NAME(self_list_search)(mus__self_contact *self, MUS__NAME(self_search) * search, MUS__REAL age,
                                         MUS__REAL span, const uint8_t *stale)
@@ -365,8 +368,8 @@ static void MUS__NAME(self_list_count)(mus__self_contact *self, const MUS__NAME(
 
 
 /*
- * The list of the pairs that come nearer than thickness + 2 skins when all nodes drift for `span`; where they do not
- * fit, of a smaller margin and a shorter one.
+ * Makes the list: the pairs that come nearer than thickness + 2 margins while all nodes drift for `span`. When they do
+ * not fit into memory, with half the margin and half the time.
  */
 static void MUS__NAME(self_list_make)(mus__self_contact *self, const MUS__REAL *x)
 {
@@ -391,7 +394,7 @@ static void MUS__NAME(self_list_make)(mus__self_contact *self, const MUS__REAL *
 }
 
 
-/* pairs with a node that is stale leave the list */
+/* takes the pairs with a stale node out of the list */
 static void MUS__NAME(self_list_drop_stale)(mus__self_contact *self, MUS__NAME(self_search) * search)
 {
     const uint8_t *stale = self->stale;
@@ -409,8 +412,8 @@ static void MUS__NAME(self_list_drop_stale)(mus__self_contact *self, MUS__NAME(s
 
 
 /*
- * Nodes that are far from their homes get new ones, where they are, and their pairs are listed anew. Nonzero when that
- * did; else the whole list is to be made.
+ * Gives the nodes that are far from their homes new ones, where they are, and lists their pairs anew. Nonzero when that
+ * was done; else the whole list is to be made.
  */
 static int32_t MUS__NAME(self_list_renew)(mus__self_contact *self, const MUS__REAL *x)
 {
@@ -440,7 +443,7 @@ static int32_t MUS__NAME(self_list_renew)(mus__self_contact *self, const MUS__RE
 }
 
 
-/* nodes that drift stand still from now on: what the list says of them stays true */
+/* ends all drifts; the list stays right */
 static void MUS__NAME(self_drift_stop)(mus__self_contact *self)
 {
     const int64_t n3 = 3 * (int64_t)self->n;

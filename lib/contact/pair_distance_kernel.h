@@ -1,23 +1,27 @@
 /*
- * pair_distance_kernel.h: distances of pairs and how fast drifts close them, MUS__TREE_LANES pairs at once: a part of
- * cloth_kernel.h, with its macros.
+ * pair_distance_kernel.h: distance of a pair (a node and a triangle, or two edges), a part of self_response_kernel.h.
  *
- * The same operations in the same order as self_pair_measure() and self_closing() of one pair, without a branch: the
- * same bits. Numbers of four nodes stand plane by plane, x, y, z of the first, then of the next.
+ * Of one pair at a time, and of a packet of MUS__TREE_LANES pairs at once: the same operations in the same order
+ * without a branch, so the same bits; the loop over a packet becomes vectors (the two texts differ, since one skips
+ * what the other selects away). A packet also gets the speed at which the drifts of its nodes close each gap.
+ *
+ * The weights of a pair's nodes are their shares in the vector from its second thing to its first at their nearest
+ * points: sum weight x.
  */
 
-#define MUS__SELF_LANES MUS__TREE_LANES
+#define MUS__SELF_LANES MUS__TREE_LANES /* pairs of a packet: one or two vectors of floats */
+/* [m] bound of the rounding of the vector between two things: float, some metres from the origin */
+#define MUS__NORMAL_ROUND 1e-5
 
-/* pairs that are measured together: squared distances, shares of the nodes in the way between the nearest places, and
- * half of how fast they close */
+/* a packet of pairs. Numbers of four nodes stand plane by plane: x, y, z of the first, then of the next */
 typedef struct MUS__NAME(self_packet) {
-    MUS__REAL p[12 * MUS__SELF_LANES], w[12 * MUS__SELF_LANES]; /* places and drifts */
+    MUS__REAL p[12 * MUS__SELF_LANES], w[12 * MUS__SELF_LANES]; /* places and drifts of the nodes */
     MUS__REAL weight[4 * MUS__SELF_LANES], apart[MUS__SELF_LANES], closing[MUS__SELF_LANES];
 } MUS__NAME(self_packet);
 
 
-/* squared distance of p and the triangle a b c, and the shares of its corners in the nearest place
- * (Ericson, Real-Time Collision Detection, 2005, 5.1.5) */
+/* squared distance of p from the triangle a b c, and the weights (3) of its corners in the nearest point
+ * (Ericson, Real-Time Collision Detection, 2005, section 5.1.5) */
 static MUS__REAL MUS__NAME(self_point_triangle)(const MUS__REAL *p, const MUS__REAL *a, const MUS__REAL *b,
                                                 const MUS__REAL *c, MUS__REAL *weight)
 {
@@ -59,8 +63,8 @@ static inline MUS__REAL MUS__NAME(self_clamp)(MUS__REAL s)
 }
 
 
-/* squared distance of the edges a b and c d, and the shares of b and d (the same, 5.1.9). Where they are as good as
- * parallel the places may be off; the distance of ends, which are nodes against triangles, is then as small */
+/* squared distance of the edges a b and c e, and the weights (2) of b and e in the nearest points (the same, 5.1.9).
+ * For edges that are all but parallel the points may be off; then an end, as a node against a triangle, is as near */
 static MUS__REAL MUS__NAME(self_edge_edge)(const MUS__REAL *a, const MUS__REAL *b, const MUS__REAL *c,
                                            const MUS__REAL *e, MUS__REAL *weight)
 {
@@ -80,7 +84,7 @@ static MUS__REAL MUS__NAME(self_edge_edge)(const MUS__REAL *a, const MUS__REAL *
 }
 
 
-/* shares of the nodes of pair k in the way from its second thing to its first, at their nearest; squared distance */
+/* weights (4) of the nodes of pair k, at places p; returns the squared distance of its things */
 static inline MUS__REAL MUS__NAME(self_pair_measure)(const mus__self_contact *self, int32_t k, MUS__REAL p[4][3],
                                                      MUS__REAL *weight)
 {
@@ -105,7 +109,7 @@ static inline void MUS__NAME(self_pair_places)(const MUS__REAL *x, int64_t n, co
 
 /* ---- a packet of pairs ---- */
 
-/* as self_point_triangle(): the regions of corners and edges, the first that holds, else within */
+/* as self_point_triangle(): the first of the regions of corners and edges that holds, else the inside */
 MUS_CLONES
 static void MUS__NAME(self_packet_point_triangle)(const MUS__REAL *restrict p, MUS__REAL *restrict weight,
                                                   MUS__REAL *restrict apart)
@@ -170,9 +174,9 @@ static void MUS__NAME(self_packet_edge_edge)(const MUS__REAL *restrict p, MUS__R
 
 
 /*
- * Half of how fast [m/s] drifts may close the gap of a pair: of two convex things that move straight, no faster than
- * along the direction that parts them now. Rounding may have turned that a little, by which drifts that differ count
- * too; nor is it more than half of how much drifts differ.
+ * Half of the speed [m/s] at which drifts may close the gap of a pair. Two convex things that move straight come nearer
+ * no faster than along the direction that separates them now. Rounding may have turned that direction by
+ * MUS__NORMAL_ROUND / apart, which the spread of the drifts multiplies; the result is no more than half of that spread.
  */
 MUS_CLONES
 static void MUS__NAME(self_packet_closing)(int32_t edges, const MUS__REAL *restrict p, const MUS__REAL *restrict w,
@@ -205,7 +209,7 @@ static void MUS__NAME(self_packet_closing)(int32_t edges, const MUS__REAL *restr
 }
 
 
-/* pairs k .. k+count-1 of a list, all of one kind, measured */
+/* measures pairs k .. k+count-1 of the list, all of one kind */
 static void MUS__NAME(self_packet_measure)(const mus__self_contact *self, int32_t k, int32_t count, const MUS__REAL *x,
                                            MUS__NAME(self_packet) * row)
 {

@@ -7,10 +7,11 @@
  */
 
 #define MUS__PINCH_FACING -0.5 /* cosine of the normals of two surfaces that face each other: 120 degrees; chosen */
-#define MUS__PINCH_DEEP 1e-5   /* [m] a node deeper by this than its path took it was inside before; chosen: above the
-                                * rounding of a float state */
-#define MUS__PINCH_NEAR 3e-5   /* [m] a node no further than this from where all surfaces allow it is put there; chosen */
-#define MUS__PINCH_SPEED 0.2   /* of the speed of `push`: a pinched node is drawn out no faster; chosen */
+/* [m] a node deeper by this than its path took it was inside before; chosen */
+#define MUS__PINCH_DEEP 1e-5
+/* [m] a node no further than this from where all surfaces allow it is put there; chosen */
+#define MUS__PINCH_NEAR 3e-5
+#define MUS__PINCH_SPEED 0.2 /* of the speed of `push`: a pinched node is drawn out no faster; chosen */
 
 
 /* nonzero when surfaces at rest hold the node at x between them, deeper than its path took it */
@@ -37,8 +38,7 @@ static void MUS__NAME(pinch_release)(const mus__contact_rule *rule, MUS__REAL ti
                                      MUS__REAL far, MUS__REAL *v)
 {
     if (!(far > 0) || !(time > 0)) return;
-    const MUS__REAL left =
-        (MUS__REAL)MUS__PINCH_SPEED * (MUS__REAL)rule->push / time - MUS__NAME(dot)(v, move) / far;
+    const MUS__REAL left = (MUS__REAL)MUS__PINCH_SPEED * (MUS__REAL)rule->push / time - MUS__NAME(dot)(v, move) / far;
     const MUS__REAL pull = (MUS__REAL)rule->pull * time, more = pull < left ? pull : left;
     for (int32_t d = 0; d < 3 && more > 0; d++) v[d] += more * move[d] / far;
 }

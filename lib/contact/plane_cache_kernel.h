@@ -5,11 +5,12 @@
  * are marked and then asked one by one.
  */
 
-#define MUS__CACHE_BAND 2e-6   /* [m] a node no further than this beyond the clearance touches: rounding of a float */
-#define MUS__CACHE_MARGIN 0.04 /* [m] a distance beyond the clearance is measured up to this; chosen: a node further off
-                                * may move half of it until the next query */
-#define MUS__CACHE_CHUNK 256   /* nodes; chosen, as in contact_kernel.h */
-#define MUS__CACHE_CONTACTS 8  /* contacts of a node; more are left out */
+#define MUS__CACHE_BAND 2e-6 /* [m] a node no further than this beyond the clearance touches: rounding of a float */
+/* [m] a distance beyond the clearance is measured up to this; chosen: a node further off may move half of it until
+ * the next query */
+#define MUS__CACHE_MARGIN 0.04
+#define MUS__CACHE_CHUNK 256  /* nodes; chosen, as in contact_kernel.h */
+#define MUS__CACHE_CONTACTS 8 /* contacts of a node; more are left out */
 
 /* the rule in the pass's precision; deep: share of the depth beyond MUS__CACHE_DEEP put back in this call */
 typedef struct MUS__NAME(cache_rule) {
@@ -26,9 +27,9 @@ static MUS_INLINE MUS__REAL MUS__NAME(cache_push)(MUS__NAME(cache_rule) rule, MU
 
 
 /*
- * The response to one surface, `touch` 1 or 0: put back by `overlap`, whole if the last step brought the node in, else by
- * the push; the velocity into the surface is lost, friction takes of the sliding. The way slid is not known, since the
- * place before the step is not: it is taken from the velocity that friction took.
+ * The response to one surface, `touch` 1 or 0: put back by `overlap`, whole if the last step brought the node in, else
+ * by the push; the velocity into the surface is lost, friction takes of the sliding. The way slid is not known, since
+ * the place before the step is not: it is taken from the velocity that friction took.
  */
 static MUS_INLINE void MUS__NAME(cache_respond)(MUS__NAME(cache_rule) rule, MUS__REAL touch, MUS__REAL overlap,
                                                 const MUS__REAL *normal, MUS__REAL *x, MUS__REAL *v)
@@ -78,7 +79,8 @@ static void MUS__NAME(cache_respond_manifold)(MUS__NAME(cache_rule) rule, const 
                                               int32_t count, MUS__REAL *x, MUS__REAL *v)
 {
     MUS__REAL target[MUS__CACHE_CONTACTS], multiplier[MUS__CACHE_CONTACTS], move[3], deepest = 0;
-    for (int32_t i = 0; i < count; i++) target[i] = list[i].overlap, deepest = target[i] > deepest ? target[i] : deepest;
+    for (int32_t i = 0; i < count; i++)
+        target[i] = list[i].overlap, deepest = target[i] > deepest ? target[i] : deepest;
     const MUS__REAL fast = (MUS__REAL)MUS__NAME(sqrt)(MUS__NAME(dot)(v, v));
     const MUS__REAL push = MUS__NAME(cache_push)(rule, deepest), most = push + fast * rule.slip;
     MUS__NAME(manifold_solve)(list, count, target, most, move, multiplier);
@@ -170,8 +172,8 @@ static void MUS__NAME(cache_renew)(const mus__collider *collider, const MUS__NAM
         MUS__NAME(cache_respond_manifold)(*rule, found.list, found.count, p, w);
     }
 
-    /* far off: no plane, a ball of half the distance. Near one surface: its plane. Near two, or deep inside: no ball, so
-     * it is asked at every call */
+    /* far off: no plane, a ball of half the distance. Near one surface: its plane. Near two, or deep inside: no ball,
+     * so it is asked at every call */
     const MUS__REAL off = -found.first - rule->clearance, other = -found.second - rule->clearance, half = off / 2;
     const int32_t far = off > 2 * radius, plain = off > -4 * radius && other > 2 * radius && !found.slippery;
     for (int32_t d = 0; d < 3; d++) cache[d * n] = far ? 0 : found.normal[d];

@@ -1,8 +1,8 @@
 /*
  * query_batch_kernel.h: the nodes of a chunk asked of the parts in whose boxes they are, a part of contact_kernel.h.
  *
- * The query of body/field_kernel.h in a loop over nodes that are in one part's box, without a branch, so that it becomes
- * vectors. Nodes in a cap, beyond the first or the last ring, are asked in a loop of their own.
+ * The query of body/field_kernel.h in a loop over nodes that are in one part's box, without a branch, so that it
+ * becomes vectors. Nodes in a cap, beyond the first or the last ring, are asked in a loop of their own.
  */
 
 #define MUS__BATCH_MIN 2 /* nodes; fewer are not worth the copies and are asked one by one */
@@ -25,8 +25,8 @@ typedef struct MUS__NAME(query_batch) {
 } MUS__NAME(query_batch);
 
 
-/* depth and normal (4 planes of MUS__CHUNK) of `count` places (3 planes) in a field, and their state. A place beyond the
- * first or the last ring gets a number that nothing reads */
+/* depth and normal (4 planes of MUS__CHUNK) of `count` places (3 planes) in a field, and their state. A place beyond
+ * the first or the last ring gets a number that nothing reads */
 MUS_CLONES
 static void MUS__NAME(query_batch_between)(const MUS__NAME(field) * field, int32_t count, MUS__REAL margin,
                                            const MUS__REAL *restrict place, MUS__REAL *restrict found,

@@ -10,7 +10,7 @@
  */
 
 #define MUS__CANDIDATES_MAX 16 /* surfaces near a node; of more, the furthest are left out */
-#define MUS__SQUEEZE_MAX 5.0   /* [m/s] speed at which a closing wedge drives a node out; chosen: a fast limb's */
+#define MUS__SQUEEZE_MAX 5.0   /* [m/s] speed at which a closing wedge drives a node out; chosen */
 
 /* how a node came to its place, relative to a surface */
 typedef struct MUS__NAME(path) {
@@ -24,7 +24,7 @@ typedef struct MUS__NAME(query) {
     uint64_t parts;  /* parts, a bit each */
     uint64_t others; /* parts in whose boxes it is, but too far off to touch; they may stop it when it is pushed */
     uint32_t planes;
-    int32_t still;                       /* nonzero: as if all surfaces were at rest */
+    int32_t still;                        /* nonzero: as if all surfaces were at rest */
     const MUS__NAME(query_batch) * batch; /* results that are known, from `head` on; may be NULL */
     int32_t head;
 } MUS__NAME(query);
@@ -85,10 +85,10 @@ static MUS_INLINE void MUS__NAME(respond_one)(MUS__REAL overlap, MUS__REAL frict
 
 /* ---- a manifold ---- */
 
-/* friction of one of several surfaces, under its part `impulse` of the normal impulse. Nonzero when all of the way along
- * it was taken back */
-static int32_t MUS__NAME(friction_of_one)(const MUS__NAME(contact) * m, MUS__REAL impulse, MUS__REAL slip,
-                                          MUS__REAL *x, MUS__REAL *v)
+/* friction of one of several surfaces, under its part `impulse` of the normal impulse. Nonzero when all of the way
+ * along it was taken back */
+static int32_t MUS__NAME(friction_of_one)(const MUS__NAME(contact) * m, MUS__REAL impulse, MUS__REAL slip, MUS__REAL *x,
+                                          MUS__REAL *v)
 {
     MUS__REAL w[3];
     MUS__NAME(sliding) sliding;
@@ -288,7 +288,7 @@ static inline int32_t MUS__NAME(respond_node)(const MUS__NAME(pass) * pass, cons
     }
 
     MUS__NAME(contact) list[MUS__MANIFOLD_MAX];
-    const MUS__NAME(candidate) *only;
+    const MUS__NAME(candidate) * only;
     const int32_t hits = MUS__NAME(touching)(&near, first, push, path, p, list, &only);
     const MUS__NAME(response) response = {(MUS__REAL)pass->rule->push, path->time, path->slip};
     if (hits > 1) {

@@ -1,8 +1,8 @@
 /*
- * self_contact.c: the memory of a cloth's contact with itself, and what it knows of the mesh.
+ * self_contact.c: memory of self-contact, and what it knows of the mesh: classes, groups, thickness, trees.
  *
- * Corners, edges and triangles are in trees of their own, each once, so that a pair of them is met once. They stand in
- * the order of the triangles that have them first, and these along a curve that keeps near what is near in the flat
+ * Corners, edges and triangles are in a tree each, every one of them once, so that a pair is met once. They are in the
+ * order of the triangles that have them first, and these along a curve that keeps near what is near in the flat
  * (Morton, A computer oriented geodetic data base, 1966).
  */
 #include <math.h>
@@ -10,61 +10,42 @@
 #include <string.h>
 
 #include "contact/self_contact.h"
+#include "geom/union_find.h"
 
-#define SELF_PAIRS_FIRST 8 /* a node; more when there are more */
-#define SELF_PAIRS_MAX 1024
-#define SELF_FLAT 0.5 /* of the least height of a triangle: flat cloth does not touch itself */
-#define SELF_MARGIN 0.2
-#define SELF_YIELD 0.7     /* of what was allowed: in one call no less */
-#define SELF_THINNEST 0.25 /* of the thickness: pairs that gave way are no thinner */
+#define SELF_PAIRS_FIRST 8  /* pairs a node that there is memory for at first; more when there are more; chosen */
+#define SELF_PAIRS_MAX 1024 /* pairs a node at most: beyond it the cloth is crumpled; chosen */
+#define SELF_FLAT 0.5   /* thickness at a seam over the least height of a triangle: flat cloth does not touch itself */
+#define SELF_MARGIN 0.2 /* margin of the list over the mean edge; chosen */
+#define SELF_YIELD 0.7  /* of the thickness allowed before: a yield takes no more; see mus__self_contact_yield() */
+#define SELF_THINNEST 0.25 /* of the thickness: pairs that yielded are no thinner; likewise */
 
 typedef struct self_edge {
-    int32_t low, high, at; /* nodes; 8 times its triangle and its place there */
+    int32_t low, high, at; /* nodes; 8 times its triangle plus its place there */
 } self_edge;
-
-
-static int32_t self_root(int32_t *class_of, int32_t i)
-{
-    while (class_of[i] != i) {
-        class_of[i] = class_of[class_of[i]];
-        i = class_of[i];
-    }
-    return i;
-}
 
 
 void mus__self_classes(int32_t nodes, int32_t npair, const int32_t *pair, int32_t *class_of)
 {
-    for (int32_t i = 0; i < nodes; i++) class_of[i] = i;
-    for (int32_t p = 0; p < npair; p++) {
-        const int32_t a = self_root(class_of, pair[2 * p]), b = self_root(class_of, pair[2 * p + 1]);
-        if (a < b)
-            class_of[b] = a;
-        else
-            class_of[a] = b;
-    }
-    for (int32_t i = 0; i < nodes; i++) class_of[i] = self_root(class_of, i);
+    mus__union_start(nodes, class_of, NULL);
+    for (int32_t p = 0; p < npair; p++) mus__union_join(class_of, NULL, pair[2 * p], pair[2 * p + 1], 1);
+    for (int32_t i = 0; i < nodes; i++) mus__union_find(class_of, NULL, i);
 }
 
 
-/* what hangs together: classes by seams, then by triangles too */
+/* groups: classes joined by the triangles too */
 static void self_groups(mus__self_contact *self)
 {
     const mus__self_mesh *flat = &self->flat;
     memcpy(self->group, self->class_of, (size_t)flat->nodes * sizeof *self->group);
     for (int64_t e = 0; e < 3 * (int64_t)flat->ntriangle; e++) {
         const int64_t next = e % 3 == 2 ? e - 2 : e + 1;
-        const int32_t a = self_root(self->group, flat->triangle[e]), b = self_root(self->group, flat->triangle[next]);
-        if (a < b)
-            self->group[b] = a;
-        else
-            self->group[a] = b;
+        mus__union_join(self->group, NULL, flat->triangle[e], flat->triangle[next], 1);
     }
-    for (int32_t i = 0; i < flat->nodes; i++) self->group[i] = self_root(self->group, i);
+    for (int32_t i = 0; i < flat->nodes; i++) mus__union_find(self->group, NULL, i);
 }
 
 
-/* least height of a triangle in the flat, and the mean of its edges */
+/* least height of a triangle in the flat; *edge: mean length of its edges [m] */
 static double self_height(const double *a, const double *b, const double *c, double *edge)
 {
     const double u[2] = {b[0] - a[0], b[1] - a[1]}, v[2] = {c[0] - a[0], c[1] - a[1]};
@@ -76,7 +57,7 @@ static double self_height(const double *a, const double *b, const double *c, dou
 }
 
 
-/* thickness where triangles have nodes of seams; how far the list of pairs is to reach */
+/* thickness at seams, and how far the list of pairs is to reach */
 static void self_thickness(mus__self_contact *self)
 {
     const mus__self_mesh *flat = &self->flat;
@@ -115,7 +96,7 @@ static int self_by_place(const void *left, const void *right)
 }
 
 
-/* sixteen bits, a zero before each */
+/* sixteen bits of a share of 0..1, a zero before each */
 static uint64_t self_spaced(double part)
 {
     const uint32_t whole = part > 0.0 ? part < 1.0 ? (uint32_t)(65535.0 * part) : 65535 : 0;
@@ -125,7 +106,7 @@ static uint64_t self_spaced(double part)
 }
 
 
-/* triangles by panel, and in it along the curve */
+/* orders the triangles by panel, and within it along the curve */
 static mus_status self_order(mus__self_contact *self)
 {
     const mus__self_mesh *flat = &self->flat;
@@ -247,12 +228,13 @@ static int self_by_edge(const void *left, const void *right)
 }
 
 
-/* what each triangle has first, in their order; slot (flat.ntriangle): where in self->triangle it is */
+/* corners and edges that each triangle has first, in their order; slot (flat.ntriangle): its place in self->triangle,
+ * or MUS_NONE */
 static void self_own(mus__self_contact *self, const int32_t *slot)
 {
     const int32_t all = self->flat.ntriangle;
-    memset(self->rank, 0, (size_t)self->nodes);            /* free as a mark, for it is worked out anew */
-    self_edge *edge = (self_edge *)(void *)self->grid.box; /* 48 bytes a triangle */
+    memset(self->rank, 0, (size_t)self->nodes);            /* free as a mark: it is worked out anew below */
+    self_edge *edge = (self_edge *)(void *)self->grid.box; /* the boxes are free between counts: 48 bytes a triangle */
     int64_t count = 0;
     for (int32_t i = 0; i < all; i++) {
         const int32_t *corner = self->triangle + 3 * (int64_t)slot[self->order[i]];
@@ -292,7 +274,7 @@ void mus__self_contact_weld(mus__self_contact *self, const int32_t *rep, const i
     }
     self_own(self, slot);
 
-    /* the trees of these */
+    /* the trees */
     mus__box_tree_clear(&self->corners);
     mus__box_tree_clear(&self->edges);
     mus__box_tree_clear(&self->faces);
@@ -314,8 +296,8 @@ void mus__self_contact_weld(mus__self_contact *self, const int32_t *rep, const i
 }
 
 
-/* no thinner than a part: through a tenth springs press nodes in one step, and then their balls hold them there. From
- * all to half at once did the same to some */
+/* Pairs yield in steps, and no further than to a quarter: through a tenth of the thickness springs press nodes in one
+ * step, and then their bounds hold them there; from all to half at once did the same (both seen) */
 int32_t mus__self_contact_yield(mus__self_contact *self, const uint8_t *marked)
 {
     const float least = (float)(SELF_THINNEST * self->thickness);
@@ -397,7 +379,7 @@ int64_t mus__self_contact_mark_crossings(mus__self_contact *self, const double *
     const int64_t count =
         mus__crossing_count(&self->grid, self->ntriangle, self->triangle, self->class_of, x, self_mark, &tangle);
 
-    /* and their neighbours, to which a crossing moves on */
+    /* and their neighbours, to which a crossing may move */
     for (int64_t t = 0; count > 0 && t < 3 * (int64_t)self->ntriangle; t += 3) {
         const int32_t *corner = self->triangle + t;
         if (self->crossed[corner[0]] != 1 && self->crossed[corner[1]] != 1 && self->crossed[corner[2]] != 1) continue;

@@ -1,45 +1,52 @@
 /*
- * self_response_kernel.h: cloth_self.h as a template on the floating type (MUS__REAL, MUS__NAME, MUS_SELF,
- * MUS_SELF_LOOK, MUS_SQRT).
+ * self_response_kernel.h: self_contact.h as a template on the floating type (MUS__REAL, MUS__NAME): the impulses of the
+ * active pairs, and the calls.
  *
- * All loops over pairs are in the order of the list, on one thread: what a pair gives its nodes the next one sees, and
- * the bytes do not depend on how many threads there are.
+ * All loops over pairs are in the order of the list, on one thread: the next pair sees what a pair gave its nodes (a
+ * Gauss-Seidel sweep a call), and the bytes do not depend on the number of threads.
  */
 
-#define MUS__BOUND_SHARE 0.45    /* of the distance of a pair; below a half */
-#define MUS__BOUND_RENEW 0.64    /* of the squared radius: from there on balls are taken anew */
-#define MUS__ACTIVE_DISTANCE 2.0 /* thicknesses: pairs that are nearer answer until balls are taken anew */
-#define MUS__BOUND_APPROACH                                                                                            \
-    0.45 /* of what others are farther apart than the thickness: they do not come to it unseen */
-#define MUS__REST_BAND                                                                                                 \
-    0.002                          /* of the thickness: cloth this little farther off still rests on cloth. Small, for \
-                                    * beside an edge it is that far off at an angle of the root of twice this */
-#define MUS__PUSH_SHARE 0.05       /* of the overlap, in one call */
-#define MUS__WARM_START 0.9        /* of what a pair gave in the last call it gives at once */
-#define MUS__LIST_RENEW 0.3        /* of the margin: with less left for a node the list is made anew */
-#define MUS__BOUND_LONGER 2.0      /* times as long as the last balls lasted they are to last */
-#define MUS__BOUND_STEPS_MIN 2.0   /* that balls are to hold for, or nothing drifts */
-#define MUS__BOUND_DRIFT_SHARE 0.5 /* of its room a pair leaves to drifts that differ */
-#define MUS__NORMAL_ROUND 1e-5     /* [m]: rounding may be off by so much in the way from one thing to another */
-#define MUS__IDLE_SHARE 0.99       /* of the squared way that leaves a pair apart: less than that is not asked */
-#define MUS__WEIGHT_BEARS 0.05     /* a node with less of a weight in a pair does not bear on it */
-#define MUS__SUPPORT_FACING 0.5    /* cosine of what holds a node and what pushes it */
+#define MUS__BOUND_SHARE 0.45 /* bound over the distance of an active pair; below a half, see self_contact.h */
+/* bound over the distance beyond the thickness of other pairs, which therefore do not come to it unseen; below a
+ * half */
+#define MUS__BOUND_APPROACH 0.45
+#define MUS__BOUND_RENEW 0.64      /* of the squared bound: a node beyond it makes the bounds be made anew; chosen */
+#define MUS__BOUND_LONGER 2.0      /* drifting bounds are to last so many times as long as the last ones did; chosen */
+#define MUS__BOUND_STEPS_MIN 2.0   /* steps that drifting bounds must hold for, or nothing drifts; chosen */
+#define MUS__BOUND_DRIFT_SHARE 0.5 /* of a pair's limit that drifts may use up; chosen */
+#define MUS__ACTIVE_DISTANCE 2.0   /* thicknesses: nearer pairs are active until the bounds are made anew; chosen */
+/* of the squared travel that leaves a pair apart; a pair whose nodes travelled less is not asked. Below 1 by more
+ * than rounding */
+#define MUS__IDLE_SHARE 0.99
+#define MUS__LIST_RENEW 0.3 /* of the margin: with less left for a node the list is made anew; chosen */
+/* of the thickness: cloth no further beyond it rests on cloth. Small, for beside an edge cloth is that far off at
+ * an angle of the root of twice this (3.6 degrees) */
+#define MUS__REST_BAND 0.002
+#define MUS__PUSH_SHARE 0.05 /* of an overlap that is put apart in one call; chosen */
+/* of the impulse of the last call that a pair gives at once (warm start, Catto 2006); chosen, below 1 so that a
+ * load that has gone falls to a third in ten calls */
+#define MUS__WARM_START 0.9
+#define MUS__WEIGHT_BEARS 0.05 /* a node with less weight in a pair does not bear on it; chosen */
+/* cosine of support against push from which on a node counts as supported: 60 degrees; chosen */
+#define MUS__SUPPORT_FACING 0.5
 
 #include "contact/pair_distance_kernel.h"
 #include "contact/neighbour_list_kernel.h"
 #include "contact/displacement_bound_kernel.h"
 
 
-/* ---- touch: what near pairs answer ---- */
+/* ---- rank: what supports a node ---- */
 
 /*
- * A layer that lies on the body hands on what it gets from the layers on it: the body takes it before the next call. In
- * a pair such a layer is as good as held, and the other gets all of the answer; else a pile would sink by half of the
- * answer in each step. It is held when the body pushed its nodes in this step, or a layer that is held did in the last
- * call, against the way in which this pair pushes them.
+ * Shock propagation (Guendelman, Bridson, Fedkiw, Nonconvex rigid bodies with stacking, 2003). A layer that lies on the
+ * body hands on what it gets from the layers on it: the body takes it before the next call. In a pair such a layer
+ * counts as held, and the other one gets all of the impulse; else a pile would sink by half of the impulse in each
+ * step. A layer is held when the body pushed its nodes in this step, or a layer that is held did in the last call,
+ * against the direction in which this pair pushes them. The rank is the number of layers between a node and the body.
  */
 
-/* the rank of the nodes first .. last-1 that bear on the pair, which pushes them along `sign` times the normal */
+/* rank of the nodes first .. last-1 of a pair that bear on it, which pushes them along `sign` times the normal: the
+ * largest, or MUS__RANK_NONE when one is not supported against that push */
 static inline int32_t MUS__NAME(self_rank_of)(const mus__self_contact *self, const int32_t *node,
                                               const MUS__REAL *weight, int32_t first, int32_t last, MUS__REAL sign,
                                               const MUS__REAL *normal)
@@ -59,7 +66,7 @@ static inline int32_t MUS__NAME(self_rank_of)(const mus__self_contact *self, con
 }
 
 
-/* the nodes first .. last-1 are pushed along `sign` times the normal by something of `rank` */
+/* the nodes first .. last-1 are supported by a layer of `rank`, which pushes them along `sign` times the normal */
 static inline void MUS__NAME(self_rank_set)(mus__self_contact *self, const int32_t *node, int32_t first, int32_t last,
                                             int32_t rank, MUS__REAL sign, const MUS__REAL *normal)
 {
@@ -74,7 +81,8 @@ static inline void MUS__NAME(self_rank_set)(mus__self_contact *self, const int32
 }
 
 
-/* which nodes of pairs that may touch the body pushed in this step, and whither; others keep what they had */
+/* nodes of active pairs that the body pushed in this step (v differs from `before`) get rank 0 and the push's direction
+ * as support; others lose their rank and keep the direction */
 MUS_CLONES
 static void MUS__NAME(self_rank_body)(int64_t n, int32_t count, const uint8_t *restrict near,
                                       const MUS__REAL *restrict v, const MUS__REAL *restrict before,
@@ -99,25 +107,22 @@ static void MUS__NAME(self_rank_start)(mus__self_contact *self, const mus__self_
     uint8_t *const was = self->last_rank;
     self->last_rank = self->rank;
     self->rank = was;
-    if (rule->body)
-        MUS__NAME(self_rank_body)
-        (self->n, self->nodes, self->active_node, v, self->before_body, self->rank, self->support);
-    else
-        memset(self->rank, MUS__RANK_NONE, (size_t)self->nodes);
+    if (rule->body) MUS__NAME(self_rank_body)
+    (self->n, self->nodes, self->active_node, v, self->before_body, self->rank, self->support);
+    else memset(self->rank, MUS__RANK_NONE, (size_t)self->nodes);
 }
 
 
-/* a pair that answers: shares of its nodes, unit normal from its second thing to its first, how much too near they
- * are */
+/* an active pair as it lies now: weights of its nodes, unit normal from its second thing to its first, overlap [m] */
 typedef struct MUS__NAME(self_contact_pair) {
     const int32_t *node;
-    int32_t split; /* nodes of the first thing */
+    int32_t split; /* nodes of the first thing: 1 or 2 */
     MUS__REAL weight[4], normal[3], overlap;
 } MUS__NAME(self_contact_pair);
 
 
-/* pair number k as it lies now, left out where it does not and gave nothing; nonzero when its things are nearer than
- * the thickness, or hardly more */
+/* fills *pair from pair number k; not where its things are out of reach and it gave no impulse. Nonzero when they are
+ * nearer than the thickness, or within the rest band */
 static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, int32_t k, const MUS__REAL *x,
                                                 MUS__NAME(self_contact_pair) * pair)
 {
@@ -139,7 +144,7 @@ static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, i
 }
 
 
-/* an impulse and a move per mass (3 each) to the nodes of a pair */
+/* gives the nodes of a pair an impulse and a move per inverse mass (3 each) */
 static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS__NAME(self_contact_pair) * pair,
                                               const MUS__REAL *inverse, const MUS__REAL *impulse, const MUS__REAL *move,
                                               MUS__REAL *x, MUS__REAL *v)
@@ -162,7 +167,7 @@ static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS
 }
 
 
-/* what a pair gave in the last call, along its normal of now */
+/* warm start: gives a share of the impulse of the last call, along the normal of now */
 static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__self_rule *rule,
                                             const MUS__REAL *inverse, int32_t k, MUS__REAL *x, MUS__REAL *v)
 {
@@ -179,13 +184,14 @@ static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__
 
 
 /*
- * What it gives beside that, or less, and friction of what it gives in all.
+ * Solves for the change of the pair's normal impulse (the total stays >= 0), then applies friction bounded by mu times
+ * the total.
  *
- * No blow is followed by a bounce. What the pair gave may have been too much: by taking a layer for held that was not,
- * or by giving again what had done its work. If that brought the two out of reach they would keep it, 1.9 times their
- * speed before, and sheets between sheets, or a corner hooked in a fold, would never rest. So a pair that came apart
- * since it gave takes back what drives the two from each other, up to what it gave; and taking back counts both sides,
- * for both move.
+ * No impact is followed by a bounce. The impulse so far may have been too much: because a layer was taken for held that
+ * was not, or because the warm start gave a load that had gone. If that drove the two out of reach they would keep up
+ * to 1.9 times their speed before, and sheets between sheets, or a corner hooked in a fold, would never rest. So a pair
+ * that came apart since takes back what drives the two from each other, up to what it gave. Taking back counts the
+ * masses of both sides, for both move.
  */
 static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
                                          int32_t k, MUS__REAL *x, MUS__REAL *v)
@@ -209,7 +215,7 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
         if (i < split ? one >= two || one == MUS__RANK_NONE : two >= one || two == MUS__RANK_NONE) give += own;
     }
 
-    /* the approach ends, or what was given too much is taken back; friction against the sliding */
+    /* the approach ends, or the excess is taken back; friction against the sliding */
     const MUS__REAL out = MUS__NAME(dot)(w, pair.normal), last = (MUS__REAL)self->pair[k].impulse;
     if (out > 0) give = both;
     if (!(give > 0)) return;
@@ -218,13 +224,14 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     for (int32_t d = 0; d < 3; d++) slide[d] = w[d] - out * pair.normal[d], speed2 += slide[d] * slide[d];
     if (all > 0 && speed2 > 0) {
         const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(speed2), grip = (MUS__REAL)self->friction * all * give;
-        rub = (grip < speed ? grip / speed : 1) / give;
+        rub = MUS__NAME(friction_take)(speed, grip) / give;
     }
     if (all > 0 && one < two) MUS__NAME(self_rank_set)(self, node, split, 4, one, -1, pair.normal);
     if (all > 0 && two < one) MUS__NAME(self_rank_set)(self, node, 0, split, two, 1, pair.normal);
     self->pair[k].impulse = lies ? (float)all : 0;
 
-    /* what moved with the old velocity moves back; but in the band it sinks on, so that it rests below its edge */
+    /* take back the way made with the old velocity; in the rest band the pair sinks on, so that it rests below its edge
+     */
     const MUS__REAL slip = (MUS__REAL)rule->slip, sink = pair.overlap > 0 ? slip : 0, most = (MUS__REAL)rule->push;
     MUS__REAL push = (MUS__REAL)MUS__PUSH_SHARE * (pair.overlap - sink * more * give);
     push = (push > most ? most : push > 0 ? push : 0) / give;
@@ -236,7 +243,7 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
 }
 
 
-/* nonzero when any node of a pair has gone as far as its things may unseen */
+/* nonzero when a node of a pair has travelled so far that its things may touch */
 static inline int32_t MUS__NAME(self_pair_may_touch)(const mus__self_contact *self, const mus__self_pair *pair)
 {
     const MUS__REAL *off = self->travel2, idle2 = (MUS__REAL)pair->idle2;
@@ -256,7 +263,7 @@ static void MUS__NAME(self_respond_pairs)(mus__self_contact *self, const mus__se
         if (self->pair[self->active[k]].impulse > 0)
             MUS__NAME(self_pair_warm_start)(self, rule, inverse, self->active[k], x, v);
 
-    /* what gave nothing in the last call and cannot touch in this one is not asked */
+    /* a pair that gave no impulse in the last call and cannot touch in this one is not asked */
     for (int32_t k = 0; k < self->nactive; k++) {
         const mus__self_pair *pair = &self->pair[self->active[k]];
         if (!(pair->impulse > 0) && !MUS__NAME(self_pair_may_touch)(self, pair)) continue;

@@ -21,7 +21,8 @@ typedef struct MUS__NAME(swept) {
 } MUS__NAME(swept);
 
 
-/* overlap of p with the parts, and the normal (3) of the deepest; -1 and no normal when none is within the safe travel */
+/* overlap of p with the parts, and the normal (3) of the deepest; -1 and no normal when none is within the safe travel
+ */
 static MUS__REAL MUS__NAME(overlap_at)(const MUS__NAME(swept) * swept, const MUS__REAL *p, MUS__REAL *out)
 {
     const MUS__NAME(pass) *pass = swept->pass;

@@ -26,7 +26,7 @@ typedef struct mus__clock {
     int64_t count;
 } mus__clock;
 
-/* what was done since create; take differences */
+/* counted since create; take differences */
 typedef struct mus__counters {
     int64_t steps, spring_evaluations;
     int64_t contact_queries;      /* those of the coarse drapes; the drape's own are in sim.part_tally */
@@ -40,7 +40,7 @@ struct mus_drape {
     mus__pool *pool; /* of a coarse drape: its parent's, as is scene.collider */
     int32_t n;
 
-    double *x, *v;   /* (n x 3) what the caller sees */
+    double *x, *v;   /* (n x 3) places [m] and velocities [m/s], the caller's view */
     double *mass;    /* (n) after welding; 0 for nodes that have another representative */
     int32_t *rep;    /* (n) representative of each node; itself when not welded */
     int32_t *pinned; /* (n) nonzero: fixed; bits MUS__PINNED, MUS__WAITS */
@@ -81,6 +81,8 @@ mus__placed_cloth mus__drape_placed(const mus_drape *drape);
 
 /* sim to x and v; a welded node gets the place of its representative */
 void mus__drape_publish(mus_drape *drape);
+/* the same into x, v (n x 3) of the caller */
+void mus__drape_read(const mus_drape *drape, double *x, double *v);
 /* x and v to the sim */
 void mus__drape_push(mus_drape *drape);
 /* the next step takes masses, bound and energy anew */

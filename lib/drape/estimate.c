@@ -20,9 +20,8 @@
 
 void mus_estimate_init(mus_estimate *estimate, size_t size)
 {
-    if (estimate == NULL || size < sizeof estimate->size) return;
-    memset(estimate, 0, size);
-    estimate->size = size;
+    mus_estimate own = {0};
+    mus__def_init(estimate, size, &own, sizeof own);
 }
 
 
@@ -49,7 +48,7 @@ static double time_steps(mus_drape *drape, double h)
     mus__drape_advance(drape, 1, TRIAL_STEPS, h);
     const double seconds = (cpu_seconds() - start) / TRIAL_STEPS;
     sim->ops->restore(sim);
-    if (sim->plane_cache != NULL) mus__drape_plane_cache(drape); /* has its memory; forgets what the trial asked */
+    if (sim->plane_cache != NULL) mus__drape_plane_cache(drape); /* has its memory; forgets the queries of the trial */
     sim->plane_cache = NULL;
     memcpy(sim->part_tally, tally, sizeof tally);
     mus__scene_update(drape, 0, drape->clock.dt, 0.0);

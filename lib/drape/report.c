@@ -1,5 +1,5 @@
 /*
- * report.c: what a drape did and how it stands: counters, gaps, depth, strain, energy, hash, normals, forces.
+ * report.c: the report of a drape: counters, gaps, depth, strain, energy, hash, normals, forces.
  */
 #include <math.h>
 #include <string.h>
@@ -14,9 +14,8 @@
 
 void mus_drape_report_init(mus_drape_report *report, size_t size)
 {
-    if (report == NULL || size < sizeof report->size) return;
-    memset(report, 0, size);
-    report->size = size;
+    mus_drape_report own = {0};
+    mus__def_init(report, size, &own, sizeof own);
 }
 
 

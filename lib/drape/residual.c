@@ -4,13 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact_template.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
 #include "sim/force_reference.h"
 
-#define LEFT_MUCH 0.02 /* of a node's weight: with more force left the surfaces beside the node are asked too */
-#define CREASE 0.0005  /* [m] how far to each side they are asked; chosen: below the radius of any crease of a skin */
+#define LEFT_MUCH 0.02 /* of a node's weight: with more force left, the surfaces beside the node are included */
+#define CREASE                                                                                                         \
+    0.0005 /* [m] how far to each side they are looked for; chosen: below the radius of any crease of a skin */
 #define SIDES_MAX (3 * MUS__TOUCHING_MAX)
 #define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
 
@@ -45,8 +47,7 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
             grip += own[k] * push[k];
     }
     if (all > 0.0) grip += friction * all;
-    const double left = length3(r);
-    const double part = left > grip ? (left - grip) / left : 0.0;
+    const double part = mus__friction_keep_f64(length3(r), grip);
     for (int32_t i = 0; i < 3; i++) r[i] *= part;
 }
 

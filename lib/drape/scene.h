@@ -51,7 +51,7 @@ typedef struct mus__scene {
 int32_t mus__scene_moves(const mus_drape *drape, int64_t steps, double h);
 int32_t mus__scene_plane_moves(const mus_drape *drape);
 int32_t mus__scene_body_poses(const mus_drape *drape, int64_t steps, double h);
-/* MUS_ERR_STATE when a surface moves: `what` needs it at rest */
+/* MUS_ERR_STATE when a surface moves; `what` names the call that needs it at rest */
 mus_status mus__scene_require_rest(const mus_drape *drape, const char *what);
 
 /* put the body into the scene of a new drape: collider, pose, level planes. Errors: MUS_ERR_MEMORY */

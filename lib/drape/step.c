@@ -151,7 +151,7 @@ void mus__drape_prepare(mus_drape *drape, double dt)
     if (drape->scene.body == NULL || !drape->scene.body->posed) sim->rule.pull = PINCH_PULL;
     mus__scene_before_steps(drape);
     if (drape->scene.moved && drape->plane_cache != NULL)
-        mus__drape_plane_cache(drape); /* has its memory; forgets what was asked */
+        mus__drape_plane_cache(drape); /* has its memory; forgets earlier queries */
     drape->scene.moved = 0;
     mus__drape_self_forget(drape);
     sim->plane_cache = drape->def.contact_ball > 0.0 && !mus__scene_moves(drape, 0, dt) ? drape->plane_cache : NULL;

@@ -179,7 +179,7 @@ int32_t mus__layers_needed(const mus_drape *drape)
 }
 
 
-/* ---- what lies between two nodes that are to be welded ---- */
+/* ---- worn cloth between two nodes that are to be welded ---- */
 
 /* whether the box of a triangle is clear of the box of the segment p q */
 static bool layers_far(const double *p, const double *q, const double *a, const double *b, const double *c)

@@ -2,7 +2,7 @@
  * slid_off.c: whether a component of the garment (panels that hang together by seams) has left its place on the body.
  *
  * Cloth that begins above the bust is carried by the shoulders or the bust, cloth that begins lower by the waist or the
- * hip. A component has slid off when its uppermost node is 8 cm lower than what carried it and than where it began:
+ * hip. A component has slid off when its uppermost node is 8 cm lower than its carrier and than where it began:
  * lower than the bust if it began above the bust, lower than the hip if it began between bust and hip, lower than the
  * armpits if it began on the shoulders. Loose cloth has slid off when no node is near the body. A component with
  * attachments does not slide. A sewn component that began 8 cm or more below the bust and now lies wholly above the
@@ -22,7 +22,7 @@
 /* all chosen; the corpus of GarmentCode patterns shows which garments are told as slid off when they change */
 #define SLID_DEEP 0.08     /* [m] below what carried a component, and below where it began */
 #define SLID_TOP 0.02      /* [m] a component that begins at most this far below the bust counts as above it */
-#define SLID_STRAP 0.08    /* [m] above the armpits: what begins higher hangs on the shoulders */
+#define SLID_STRAP 0.08    /* [m] above the armpits: a component that begins higher hangs on the shoulders */
 #define OFF_THE_BODY 0.005 /* [m] from the skin: a node farther off is not carried */
 
 

@@ -32,7 +32,7 @@
 #define UNTANGLE_DRAG 40.0  /* [1/s] */
 #define UNTANGLE_SPEED 1.0  /* [m/s] */
 #define UNTANGLE_MOVE 0.5   /* of the thickness: the largest move of a node in a round */
-#define UNTANGLE_LEAST 0.05 /* of the thickness: pairs nearer than that are put so far apart */
+#define UNTANGLE_LEAST 0.05 /* of the thickness: nearer pairs are put apart to this distance */
 #define UNTANGLE_PARTS 12   /* rounds of that at most */
 #define UNTANGLE_STEEP 0.1  /* least |E.N|: bounds the move of an edge that runs along the triangle */
 #define UNTANGLE_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
@@ -127,7 +127,7 @@ static void untangle_move(mus_drape *drape, const untangle *u)
 }
 
 
-/* a batch of steps without gravity: springs and the body act, and what does not cross is kept apart */
+/* a batch of steps without gravity: springs and the body act, and triangles that do not cross are kept apart */
 static mus_status untangle_ease(mus_drape *drape)
 {
     static const mus__relax_rule rule = {.drag = UNTANGLE_DRAG, .speed_limit = UNTANGLE_SPEED, .grip = 1.0};

@@ -5,10 +5,13 @@
  * would refuse. jansson keeps no lines of the tree, so a fault finds its line by looking for the key in the text again.
  * Form: muslin_fabric(5).
  */
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/json_at.h"
+#include "exchange/source.h"
+#include "file/sink.h"
 
 #define FABRIC_NAME_BYTES 100
 #define FABRIC_SOURCE_BYTES 1000
@@ -29,7 +32,7 @@ static const char *fabric_string_end(const char *text)
  * Line of the member `key` of the document or, with `parent`, of that member of it; of the parent when it has no such
  * key; of the last line when there is neither. The text is known to be JSON.
  */
-static int64_t fabric_line(const mus_source *source, const char *parent, const char *key)
+static int64_t fabric_line(const mus__source *source, const char *parent, const char *key)
 {
     int64_t line = 1, found = 0;
     int32_t depth = 0;
@@ -62,7 +65,7 @@ static int64_t fabric_line(const mus_source *source, const char *parent, const c
 
 
 /* every member is one of `count` known keys */
-static mus_status fabric_keys(const mus_source *source, const char *parent, json_t *json, int32_t count,
+static mus_status fabric_keys(const mus__source *source, const char *parent, json_t *json, int32_t count,
                               const char *const *known)
 {
     for (void *at = json_object_iter(json); at != NULL; at = json_object_iter_next(json, at)) {
@@ -79,7 +82,7 @@ static mus_status fabric_keys(const mus_source *source, const char *parent, json
 
 
 /* a text of 1 to `most` bytes */
-static mus_status fabric_text(const mus_source *source, const char *parent, const char *key, const json_t *json,
+static mus_status fabric_text(const mus__source *source, const char *parent, const char *key, const json_t *json,
                               size_t most)
 {
     const char *where = parent != NULL ? parent : "the fabric";
@@ -93,7 +96,7 @@ static mus_status fabric_text(const mus_source *source, const char *parent, cons
 }
 
 
-static mus_status fabric_read_value(const mus_source *source, json_t *json, int32_t value, mus_fabric *fabric)
+static mus_status fabric_read_value(const mus__source *source, json_t *json, int32_t value, mus_fabric *fabric)
 {
     static const char *const known[] = {"value", "source"};
     const char *key = mus_fabric_value_key(value);
@@ -127,7 +130,7 @@ static int32_t fabric_known(const char **known)
 }
 
 
-static mus_status fabric_read(const mus_source *source, mus_fabric *fabric)
+static mus_status fabric_read(const mus__source *source, mus_fabric *fabric)
 {
     mus_status status;
     const char *known[FABRIC_VALUES_MAX + 2];
@@ -147,27 +150,38 @@ static mus_status fabric_read(const mus_source *source, mus_fabric *fabric)
 }
 
 
-mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out)
+static mus_status fabric_load(mus_context *context, const mus__input *input, mus_fabric *out, const char *what)
 {
     if (context == NULL) return MUS_ERR_ARG;
-    if (path == NULL || out == NULL)
-        return mus_context_fail(context, MUS_ERR_ARG, "mus_fabric_load: path or out is NULL");
+    mus_status status = mus__input_check(context, input, out, what);
+    if (status != MUS_OK) return status;
     double ignored;
-    mus_status status = mus_fabric_get(out, 0, &ignored);
-    if (status != MUS_OK)
-        return mus_context_fail(context, status, "mus_fabric_load: the size of out; use mus_fabric_init");
+    status = mus_fabric_get(out, 0, &ignored);
+    if (status != MUS_OK) return mus__file_fail(context, status, "%s: the size of out; use mus_fabric_init", what);
 
     mus_fabric fabric = *out;
-    mus_locale locale;
-    mus_source source;
+    mus__locale locale;
+    mus__source source;
     status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
-    status = mus__source_open(context, path, &source);
+    status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = fabric_read(&source, &fabric);
     mus__source_close(&source);
     mus__locale_leave(&locale);
     if (status == MUS_OK) *out = fabric;
     return status;
+}
+
+
+mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out)
+{
+    return fabric_load(context, &(mus__input){path, NULL, 0}, out, "mus_fabric_load");
+}
+
+
+mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out)
+{
+    return fabric_load(context, &(mus__input){name, text != NULL ? text : "", size}, out, "mus_fabric_load_from");
 }
 
 
@@ -189,19 +203,19 @@ static mus_status fabric_check_text(mus_context *context, const char *what, cons
 {
     const size_t length = text != NULL ? strlen(text) : 0;
     if (length < 1 || length > most)
-        return mus__exchange_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s has %zu bytes, expected 1 to %zu", what,
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s has %zu bytes, expected 1 to %zu", what,
                                   length, most);
     for (const char *at = text; *at != '\0'; at += mus__utf8_length(at))
         if (mus__utf8_length(at) == 0)
-            return mus__exchange_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
+            return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
     return MUS_OK;
 }
 
 
 static mus_status fabric_write(mus_context *context, const mus_fabric *fabric, const char *name,
-                               const char *const *sources, const char *path)
+                               const char *const *sources, const mus__target *target)
 {
-    mus_sink sink;
+    mus__sink sink;
     mus__sink_init(&sink, context);
     mus__sink_print(&sink, "{\"muslin_fabric\": 1,\n \"name\": ");
     mus__sink_quote(&sink, name);
@@ -215,8 +229,35 @@ static mus_status fabric_write(mus_context *context, const mus_fabric *fabric, c
         mus__sink_print(&sink, "}");
     }
     mus__sink_print(&sink, "}\n");
-    const mus_status status = mus__sink_save(&sink, path);
+    const mus_status status = mus__sink_give(&sink, target);
     mus__sink_free(&sink);
+    return status;
+}
+
+
+static mus_status fabric_save(mus_context *context, const mus_fabric *fabric, const char *name,
+                              const char *const *sources, const mus__target *target, const char *what)
+{
+    const char *own[FABRIC_VALUES_MAX];
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__target_check(context, target, what);
+    if (status == MUS_OK && fabric == NULL) status = mus__file_fail(context, MUS_ERR_ARG, "%s: fabric is NULL", what);
+    if (status == MUS_OK) status = mus_fabric_check(context, fabric);
+    if (status == MUS_OK) status = fabric_check_text(context, "the name", name, FABRIC_NAME_BYTES);
+    if (status == MUS_OK && sources == NULL && !fabric_named(name, own))
+        status =
+            mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: no sources, and no fabric is named %s", name);
+    for (int32_t v = 0; status == MUS_OK && sources != NULL && v < mus_fabric_value_count(); v++) {
+        own[v] = sources[v];
+        status = fabric_check_text(context, mus_fabric_value_key(v), own[v], FABRIC_SOURCE_BYTES);
+    }
+    if (status != MUS_OK) return status;
+
+    mus__locale locale;
+    status = mus__locale_enter(context, &locale);
+    if (status != MUS_OK) return status;
+    status = fabric_write(context, fabric, name, own, target);
+    mus__locale_leave(&locale);
     return status;
 }
 
@@ -224,25 +265,14 @@ static mus_status fabric_write(mus_context *context, const mus_fabric *fabric, c
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources,
                            const char *path)
 {
-    const char *own[FABRIC_VALUES_MAX];
-    if (context == NULL) return MUS_ERR_ARG;
-    if (fabric == NULL || path == NULL)
-        return mus_context_fail(context, MUS_ERR_ARG, "mus_fabric_save: fabric or path is NULL");
-    mus_status status = mus_fabric_check(context, fabric);
-    if (status == MUS_OK) status = fabric_check_text(context, "the name", name, FABRIC_NAME_BYTES);
-    if (status == MUS_OK && sources == NULL && !fabric_named(name, own))
-        status =
-            mus__exchange_fail(context, MUS_ERR_ARG, "mus_fabric_save: no sources, and no fabric is named %s", name);
-    for (int32_t v = 0; status == MUS_OK && sources != NULL && v < mus_fabric_value_count(); v++) {
-        own[v] = sources[v];
-        status = fabric_check_text(context, mus_fabric_value_key(v), own[v], FABRIC_SOURCE_BYTES);
-    }
-    if (status != MUS_OK) return status;
+    const mus__target target = {path, NULL, NULL};
+    return fabric_save(context, fabric, name, sources, &target, "mus_fabric_save");
+}
 
-    mus_locale locale;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-    status = fabric_write(context, fabric, name, own, path);
-    mus__locale_leave(&locale);
-    return status;
+
+mus_status mus_fabric_save_bytes(mus_context *context, const mus_fabric *fabric, const char *name,
+                                 const char *const *sources, char **bytes, size_t *size)
+{
+    const mus__target target = {NULL, bytes, size};
+    return fabric_save(context, fabric, name, sources, &target, "mus_fabric_save_bytes");
 }

@@ -15,54 +15,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
 
 #define FILE_NAME_BYTES 200  /* of a path in a message: the sentence behind it must fit in 511 bytes */
 #define FILE_ERROR_BYTES 512 /* of the context's error text */
 
 
-size_t mus__utf8_length(const char *text)
-{
-    const unsigned char *byte = (const unsigned char *)text;
-    size_t n = byte[0] < 0x80                      ? 1
-               : byte[0] >= 0xC2 && byte[0] < 0xE0 ? 2
-               : byte[0] >= 0xE0 && byte[0] < 0xF0 ? 3
-               : byte[0] >= 0xF0 && byte[0] < 0xF5 ? 4
-                                                   : 0;
-    for (size_t i = 1; i < n; i++)
-        if ((byte[i] & 0xC0) != 0x80) return 0;
-
-    /* forms longer than needed, surrogates, beyond U+10FFFF */
-    if (n == 3 && ((byte[0] == 0xE0 && byte[1] < 0xA0) || (byte[0] == 0xED && byte[1] > 0x9F))) return 0;
-    if (n == 4 && ((byte[0] == 0xF0 && byte[1] < 0x90) || (byte[0] == 0xF4 && byte[1] > 0x8F))) return 0;
-    return n;
-}
-
-
-/* what a file holds may stand in a message: only printable UTF-8 leaves here */
-static void make_printable(char *text)
-{
-    for (char *at = text; *at != '\0';) {
-        size_t n = mus__utf8_length(at);
-        if (n == 0 || (n == 1 && ((unsigned char)*at < 0x20 || *at == 0x7F))) *at = '?', n = 1;
-        at += n;
-    }
-}
-
-
-mus_status mus__exchange_fail(mus_context *context, mus_status status, const char *format, ...)
-{
-    char text[FILE_ERROR_BYTES];
-    va_list list;
-    va_start(list, format);
-    vsnprintf(text, sizeof text, format, list);
-    va_end(list);
-    make_printable(text);
-    return mus_context_fail(context, status, text);
-}
-
-
-mus_status mus__source_fail(const mus_source *source, int64_t line, mus_status status, const char *format, ...)
+mus_status mus__source_fail(const mus__source *source, int64_t line, mus_status status, const char *format, ...)
 {
     char text[FILE_ERROR_BYTES];
     va_list list;
@@ -70,12 +29,12 @@ mus_status mus__source_fail(const mus_source *source, int64_t line, mus_status s
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
     if (line > 0)
-        return mus__exchange_fail(source->context, status, "%s:%lld: %s", source->name, (long long)line, text);
-    return mus__exchange_fail(source->context, status, "%s: %s", source->name, text);
+        return mus__file_fail(source->context, status, "%s:%lld: %s", source->name, (long long)line, text);
+    return mus__file_fail(source->context, status, "%s: %s", source->name, text);
 }
 
 
-mus_status mus__source_wrap(const mus_source *source, int64_t line, mus_status status)
+mus_status mus__source_wrap(const mus__source *source, int64_t line, mus_status status)
 {
     char text[FILE_ERROR_BYTES];
     snprintf(text, sizeof text, "%s", mus_context_error(source->context));
@@ -84,7 +43,7 @@ mus_status mus__source_wrap(const mus_source *source, int64_t line, mus_status s
 
 
 /* read all of `file` into a block that grows by half */
-static mus_status source_load(mus_source *source, FILE *file)
+static mus_status source_load(mus__source *source, FILE *file)
 {
     size_t capacity = 0;
     for (;;) {
@@ -98,9 +57,9 @@ static mus_status source_load(mus_source *source, FILE *file)
         }
         size_t got = fread(source->text + source->size, 1, capacity - source->size - 1, file);
         source->size += got;
-        if (source->size > MUS_FILE_BYTES_MAX)
+        if (source->size > MUS__FILE_BYTES_MAX)
             return mus__source_fail(source, 0, MUS_ERR_LIMIT, "the file is above the limit of %zu bytes",
-                                    MUS_FILE_BYTES_MAX);
+                                    MUS__FILE_BYTES_MAX);
         if (got == 0) break;
     }
     if (ferror(file)) return mus__source_fail(source, 0, MUS_ERR_FILE, "cannot be read: %s", strerror(errno));
@@ -109,19 +68,48 @@ static mus_status source_load(mus_source *source, FILE *file)
 }
 
 
-mus_status mus__source_open(mus_context *context, const char *path, mus_source *out)
+/* copy a text into a block of the source's own, with the zero byte that readers need */
+static mus_status source_copy(mus__source *source, const char *text, size_t size)
 {
-    memset(out, 0, sizeof *out);
-    size_t length = strlen(path);
-    out->context = context;
-    out->path = path;
-    out->name = length > FILE_NAME_BYTES ? path + length - FILE_NAME_BYTES : path;
+    if (size > MUS__FILE_BYTES_MAX)
+        return mus__source_fail(source, 0, MUS_ERR_LIMIT, "%zu bytes are above the limit of %zu", size,
+                                MUS__FILE_BYTES_MAX);
+    source->text = mus_context_alloc(source->context, NULL, size + 1);
+    if (source->text == NULL) return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for %zu bytes", size + 1);
+    memcpy(source->text, text, size);
+    source->text[size] = '\0';
+    source->size = size;
+    return MUS_OK;
+}
 
+
+static mus_status source_read(mus__source *source, const char *path)
+{
     errno = 0;
     FILE *file = fopen(path, "rb");
-    if (file == NULL) return mus__source_fail(out, 0, MUS_ERR_FILE, "cannot be opened: %s", strerror(errno));
-    mus_status status = source_load(out, file);
+    if (file == NULL) return mus__source_fail(source, 0, MUS_ERR_FILE, "cannot be opened: %s", strerror(errno));
+    const mus_status status = source_load(source, file);
     fclose(file);
+    return status;
+}
+
+
+mus_status mus__input_check(mus_context *context, const mus__input *input, const void *out, const char *what)
+{
+    if (input->path != NULL && out != NULL) return MUS_OK;
+    return mus__file_fail(context, MUS_ERR_ARG, "%s: a pointer that is needed is NULL", what);
+}
+
+
+mus_status mus__source_open(mus_context *context, const mus__input *input, mus__source *out)
+{
+    memset(out, 0, sizeof *out);
+    const size_t length = strlen(input->path);
+    out->context = context;
+    out->path = input->path;
+    out->name = length > FILE_NAME_BYTES ? input->path + length - FILE_NAME_BYTES : input->path;
+    const mus_status status =
+        input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
     if (status != MUS_OK) {
         mus__source_close(out);
         return status;
@@ -136,7 +124,7 @@ mus_status mus__source_open(mus_context *context, const char *path, mus_source *
 }
 
 
-void mus__source_close(mus_source *source)
+void mus__source_close(mus__source *source)
 {
     mus_context_alloc(source->context, source->text, 0);
     source->text = NULL;
@@ -169,7 +157,7 @@ void mus__source_base(const char *path, const char *const *endings, char *out, s
 }
 
 
-void mus__unused_add(mus_unused *unused, const char *name)
+void mus__unused_add(mus__unused *unused, const char *name)
 {
     size_t length = strlen(unused->names);
     unused->count++;
@@ -179,7 +167,7 @@ void mus__unused_add(mus_unused *unused, const char *name)
 }
 
 
-void mus__unused_log(const mus_unused *unused, const mus_source *source)
+void mus__unused_log(const mus__unused *unused, const mus__source *source)
 {
     if (unused->count == 0) return;
     char text[FILE_ERROR_BYTES + 128];
@@ -188,22 +176,22 @@ void mus__unused_log(const mus_unused *unused, const mus_source *source)
                  (int)(unused->count - unused->listed));
     else
         snprintf(text, sizeof text, "%s: not used: %s", source->name, unused->names);
-    make_printable(text);
+    mus__text_make_printable(text);
     mus_context_log(source->context, MUS_LOG_INFO, text);
 }
 
 
-mus_status mus__locale_enter(mus_context *context, mus_locale *locale)
+mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
 {
     locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) return mus__exchange_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
+    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
     locale->own = (void *)own;
     locale->before = (void *)uselocale(own);
     return MUS_OK;
 }
 
 
-void mus__locale_leave(mus_locale *locale)
+void mus__locale_leave(mus__locale *locale)
 {
     uselocale((locale_t)locale->before);
     freelocale((locale_t)locale->own);

@@ -13,9 +13,11 @@
  * Source of the form: the data's own description; FreeSewing 4 (freesewing.org).
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/json_at.h"
+#include "exchange/pattern_forms.h"
 
 #define FS_MILLIMETRE 1e-3
 #define FS_PIECES_MOST 4096 /* of an outline, in the file */
@@ -34,7 +36,7 @@ struct fs_piece {
 };
 
 struct fs_part {
-    const mus_json_at *at;
+    const mus__json_at *at;
     mus_pattern *pattern;
     int32_t panel;
     struct fs_piece *piece; /* (3 room): the last third is where an outline is turned over */
@@ -45,7 +47,7 @@ struct fs_part {
 
 
 /* millimetres, y down, to metres, y up */
-static mus_status fs_point(const mus_json_at *at, double *out)
+static mus_status fs_point(const mus__json_at *at, double *out)
 {
     const mus_status status = mus__json_numbers(at, 2, out);
     out[0] *= FS_MILLIMETRE;
@@ -54,9 +56,9 @@ static mus_status fs_point(const mus_json_at *at, double *out)
 }
 
 
-static mus_status fs_member_point(const mus_json_at *at, const char *key, double *out)
+static mus_status fs_member_point(const mus__json_at *at, const char *key, double *out)
 {
-    const mus_json_at member = mus__json_member(at, key);
+    const mus__json_at member = mus__json_member(at, key);
     return fs_point(&member, out);
 }
 
@@ -75,11 +77,11 @@ static double fs_far(const double *a, const double *b)
 
 /* ---- the outline as the file has it ---- */
 
-static mus_status fs_segment(struct fs_part *part, const mus_json_at *at)
+static mus_status fs_segment(struct fs_part *part, const mus__json_at *at)
 {
     const char *type;
     struct fs_piece piece = {.kind = MUS_PIECE_LINE};
-    const mus_json_at which = mus__json_member(at, "type");
+    const mus__json_at which = mus__json_member(at, "type");
     mus_status status = mus__json_text(&which, &type);
     if (status != MUS_OK) return status;
     if (strcmp(type, "cubic") == 0)
@@ -112,9 +114,9 @@ static bool fs_has_word(const char *text, const char *word)
 
 
 /* the path that is the outline of a part; its json is NULL when there is none */
-static mus_json_at fs_outline_path(const mus_json_at *paths)
+static mus__json_at fs_outline_path(const mus__json_at *paths)
 {
-    mus_json_at found = mus__json_member(paths, "seam");
+    mus__json_at found = mus__json_member(paths, "seam");
     if (found.json != NULL) return found;
     for (void *i = json_object_iter((json_t *)(uintptr_t)paths->json); i != NULL;
          i = json_object_iter_next((json_t *)(uintptr_t)paths->json, i)) {
@@ -130,14 +132,14 @@ static mus_json_at fs_outline_path(const mus_json_at *paths)
 
 static mus_status fs_outline(struct fs_part *part)
 {
-    const mus_json_at paths = mus__json_member(part->at, "paths");
+    const mus__json_at paths = mus__json_member(part->at, "paths");
     mus_status status = mus__json_expect(&paths, JSON_OBJECT);
     if (status != MUS_OK) return status;
-    const mus_json_at path = fs_outline_path(&paths);
+    const mus__json_at path = fs_outline_path(&paths);
     if (path.json == NULL)
         return mus__json_fail(&paths, MUS_ERR_FORMAT, "expected a path \"seam\" or a visible one of fabric, got none");
     size_t count;
-    const mus_json_at segments = mus__json_member(&path, "segments");
+    const mus__json_at segments = mus__json_member(&path, "segments");
     status = mus__json_array(&segments, 1, FS_PIECES_MOST, &count);
     if (status != MUS_OK) return status;
     part->room = (int32_t)count + 1;
@@ -145,7 +147,7 @@ static mus_status fs_outline(struct fs_part *part)
     part->piece = mus_context_alloc(context, NULL, 3 * (size_t)part->room * sizeof *part->piece);
     if (part->piece == NULL) return mus__json_fail(&segments, MUS_ERR_MEMORY, "no memory for %zu segments", count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        const mus_json_at segment = mus__json_element(&segments, i);
+        const mus__json_at segment = mus__json_element(&segments, i);
         status = fs_segment(part, &segment);
     }
     if (status == MUS_OK && (part->n < 2 || fs_far(fs_end(&part->piece[part->n - 1]), part->piece[0].p) > FS_GAP))
@@ -180,7 +182,7 @@ static bool fs_on_fold(const double *fold, const double *p)
 
 
 /* the longest straight piece on the fold line goes; what is left, and after it its mirror image, is the outline */
-static mus_status fs_unfold(struct fs_part *part, const mus_json_at *at)
+static mus_status fs_unfold(struct fs_part *part, const mus__json_at *at)
 {
     double end[2], longest = 0.0;
     mus_status status = fs_member_point(at, "from", part->fold);
@@ -277,14 +279,14 @@ static bool fs_corner(const struct fs_part *part, int32_t i)
 /* name of the draft's point at p, else of the one at its mirror image with "_m"; "" for none. out (64) */
 static void fs_name_of(const struct fs_part *part, const double *p, char *out)
 {
-    const mus_json_at points = mus__json_member(part->at, "points");
+    const mus__json_at points = mus__json_member(part->at, "points");
     double image[2] = {p[0], p[1]};
     out[0] = '\0';
     if (part->folded) fs_mirror(part->fold, p, image);
     for (void *i = json_object_iter((json_t *)(uintptr_t)points.json); i != NULL;
          i = json_object_iter_next((json_t *)(uintptr_t)points.json, i)) {
         const char *name = json_object_iter_key(i);
-        const mus_json_at point = mus__json_member(&points, name);
+        const mus__json_at point = mus__json_member(&points, name);
         double place[2];
         if (name[0] == '_' || strlen(name) > 56 || !json_is_array(point.json) || fs_point(&point, place) != MUS_OK)
             continue;
@@ -428,13 +430,13 @@ static mus_status fs_mark(const struct fs_part *part, const char *type, const do
 static mus_status fs_snippets(const struct fs_part *part)
 {
     size_t count;
-    const mus_json_at list = mus__json_member(part->at, "snippets");
+    const mus__json_at list = mus__json_member(part->at, "snippets");
     if (list.json == NULL) return MUS_OK;
     mus_status status = mus__json_array(&list, 0, FS_PIECES_MOST, &count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
         const char *type;
         double p[2], image[2];
-        const mus_json_at one = mus__json_element(&list, i), which = mus__json_member(&one, "type");
+        const mus__json_at one = mus__json_element(&list, i), which = mus__json_member(&one, "type");
         status = mus__json_text(&which, &type);
         if (status == MUS_OK) status = fs_member_point(&one, "at", p);
         if (status != MUS_OK || strcmp(type, "logo") == 0) continue;
@@ -450,7 +452,7 @@ static mus_status fs_snippets(const struct fs_part *part)
 static mus_status fs_grain(const struct fs_part *part)
 {
     double way[2] = {0.0, 1.0}, from[2], to[2];
-    const mus_json_at line = mus__json_member(part->at, "grainline");
+    const mus__json_at line = mus__json_member(part->at, "grainline");
     if (line.json != NULL && !json_is_null(line.json)) {
         mus_status status = fs_member_point(&line, "from", from);
         if (status == MUS_OK) status = fs_member_point(&line, "to", to);
@@ -473,11 +475,11 @@ static mus_status fs_cut(const struct fs_part *part)
     size_t count;
     int32_t pieces = 1, times;
     const char *label = "", *material;
-    const mus_json_at list = mus__json_member(part->at, "cuts");
+    const mus__json_at list = mus__json_member(part->at, "cuts");
     if (list.json == NULL) return MUS_OK;
     mus_status status = mus__json_array(&list, 0, FS_PIECES_MOST, &count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        const mus_json_at one = mus__json_element(&list, i), of = mus__json_member(&one, "material"),
+        const mus__json_at one = mus__json_element(&list, i), of = mus__json_member(&one, "material"),
                           much = mus__json_member(&one, "cut");
         status = mus__json_text(&of, &material);
         if (status == MUS_OK) status = mus__json_integer(&much, 1, 1000, &times);
@@ -492,11 +494,11 @@ static mus_status fs_cut(const struct fs_part *part)
 }
 
 
-static mus_status fs_read_part(mus_pattern *pattern, const mus_json_at *at)
+static mus_status fs_read_part(mus_pattern *pattern, const mus__json_at *at)
 {
     const char *name;
     struct fs_part part = {.at = at, .pattern = pattern};
-    const mus_json_at which = mus__json_member(at, "name"), fold = mus__json_member(at, "on_fold");
+    const mus__json_at which = mus__json_member(at, "name"), fold = mus__json_member(at, "on_fold");
     mus_status status = mus__json_text(&which, &name);
     if (status != MUS_OK) return status;
     status = mus_pattern_add_panel(pattern, name, &part.panel);
@@ -515,11 +517,11 @@ static mus_status fs_read_part(mus_pattern *pattern, const mus_json_at *at)
 }
 
 
-mus_status mus__pattern_read_freesewing(const mus_json_at *root, mus_pattern *pattern)
+mus_status mus__pattern_read_freesewing(const mus__json_at *root, mus_pattern *pattern)
 {
     const char *text;
     size_t count = 0;
-    const mus_json_at units = mus__json_member(root, "units"), down = mus__json_member(root, "y_axis"),
+    const mus__json_at units = mus__json_member(root, "units"), down = mus__json_member(root, "y_axis"),
                       parts = mus__json_member(root, "parts"), name = mus__json_member(root, "design");
     mus_status status = mus__json_text(&units, &text);
     if (status == MUS_OK && strcmp(text, "mm") != 0)
@@ -527,13 +529,13 @@ mus_status mus__pattern_read_freesewing(const mus_json_at *root, mus_pattern *pa
     if (status == MUS_OK) status = mus__json_text(&down, &text);
     if (status == MUS_OK && strcmp(text, "down") != 0)
         status = mus__json_fail(&down, MUS_ERR_UNSUPPORTED, "expected \"down\", got \"%.40s\"", text);
-    if (status == MUS_OK) status = mus__json_array(&parts, 1, MUS_FILE_PANELS_MAX, &count);
+    if (status == MUS_OK) status = mus__json_array(&parts, 1, MUS__FILE_PANELS_MAX, &count);
     if (status == MUS_OK && name.json != NULL) {
         status = mus__json_text(&name, &text);
         if (status == MUS_OK) status = mus_pattern_set_name(pattern, text);
     }
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        const mus_json_at part = mus__json_element(&parts, i);
+        const mus__json_at part = mus__json_element(&parts, i);
         status = mus__json_expect(&part, JSON_OBJECT);
         if (status == MUS_OK) status = fs_read_part(pattern, &part);
     }

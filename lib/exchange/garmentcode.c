@@ -14,9 +14,12 @@
  * Source: Korosteleva and Sorkine-Hornung, GarmentCode: Programming Parametric Sewing Patterns, 2023, and its files.
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/json_at.h"
+#include "exchange/pattern_forms.h"
+#include "exchange/source.h"
 
 #define GC_COUNT_MAX 100000 /* vertices of a panel, stitches: far above any garment, far below what int32 holds */
 #define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this: a half circle written with few digits */
@@ -46,8 +49,8 @@ static void gc_rotation(const double *degrees, double *r)
         double turns = degrees[i] / 90.0;
         bool right = turns == floor(turns);
         double quarter = fmod(fmod(turns, 4.0) + 4.0, 4.0);
-        c[i] = !right ? cos(degrees[i] * MUS_DEGREE) : quarter == 0.0 ? 1.0 : quarter == 2.0 ? -1.0 : 0.0;
-        s[i] = !right ? sin(degrees[i] * MUS_DEGREE) : quarter == 1.0 ? 1.0 : quarter == 3.0 ? -1.0 : 0.0;
+        c[i] = !right ? cos(degrees[i] * MUS__DEGREE) : quarter == 0.0 ? 1.0 : quarter == 2.0 ? -1.0 : 0.0;
+        s[i] = !right ? sin(degrees[i] * MUS__DEGREE) : quarter == 1.0 ? 1.0 : quarter == 3.0 ? -1.0 : 0.0;
     }
     const double rows[9] = {
         c[1] * c[2],
@@ -64,10 +67,10 @@ static void gc_rotation(const double *degrees, double *r)
 }
 
 
-static mus_status gc_placement(const struct gc_reader *reader, const mus_json_at *at, int32_t panel)
+static mus_status gc_placement(const struct gc_reader *reader, const mus__json_at *at, int32_t panel)
 {
     double translation[3], degrees[3];
-    mus_json_at where = mus__json_member(at, "translation"), turn = mus__json_member(at, "rotation");
+    mus__json_at where = mus__json_member(at, "translation"), turn = mus__json_member(at, "rotation");
     mus_status status = mus__json_numbers(&where, 3, translation);
     if (status == MUS_OK) status = mus__json_numbers(&turn, 3, degrees);
     if (status != MUS_OK) return status;
@@ -82,14 +85,14 @@ static mus_status gc_placement(const struct gc_reader *reader, const mus_json_at
 
 
 /* control points relative to the edge: `count` of them to xy */
-static mus_status gc_bezier(const mus_json_at *params, size_t count, const double *a, const double *b, double *xy)
+static mus_status gc_bezier(const mus__json_at *params, size_t count, const double *a, const double *b, double *xy)
 {
     size_t n;
     mus_status status = mus__json_array(params, count, count, &n);
     double ex = b[0] - a[0], ey = b[1] - a[1];
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
         double c[2];
-        mus_json_at point = mus__json_element(params, i);
+        mus__json_at point = mus__json_element(params, i);
         status = mus__json_numbers(&point, 2, c);
         if (status != MUS_OK) break;
         xy[2 * i] = a[0] + c[0] * ex - c[1] * ey;
@@ -100,7 +103,7 @@ static mus_status gc_bezier(const mus_json_at *params, size_t count, const doubl
 
 
 /* the point half way along a circular arc */
-static mus_status gc_circle(const struct gc_reader *reader, const mus_json_at *params, const double *a, const double *b,
+static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *params, const double *a, const double *b,
                             double *xy)
 {
     double given[3];
@@ -124,11 +127,11 @@ static mus_status gc_circle(const struct gc_reader *reader, const mus_json_at *p
 
 
 /* kind and control points of an edge: no curvature is a line */
-static mus_status gc_curve(const struct gc_reader *reader, const mus_json_at *edge, const double *a, const double *b,
+static mus_status gc_curve(const struct gc_reader *reader, const mus__json_at *edge, const double *a, const double *b,
                            int32_t *kind, double *xy)
 {
     *kind = MUS_PIECE_LINE;
-    mus_json_at curve = mus__json_member(edge, "curvature");
+    mus__json_at curve = mus__json_member(edge, "curvature");
     if (curve.json == NULL) return MUS_OK;
 
     /* old files: the control point of a quadratic alone */
@@ -136,7 +139,7 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus_json_at *ed
     if (json_is_array(curve.json)) {
         json_t *one = json_pack("[O]", curve.json);
         if (one == NULL) return mus__json_fail(&curve, MUS_ERR_MEMORY, "no memory for a curve");
-        mus_json_at wrapped = {curve.source, edge, "curvature", 0, one};
+        mus__json_at wrapped = {curve.source, edge, "curvature", 0, one};
         mus_status status = gc_bezier(&wrapped, 1, a, b, xy);
         json_decref(one);
         return status;
@@ -145,7 +148,7 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus_json_at *ed
     const char *type;
     mus_status status = mus__json_expect(&curve, JSON_OBJECT);
     if (status != MUS_OK) return status;
-    mus_json_at member = mus__json_member(&curve, "type"), params = mus__json_member(&curve, "params");
+    mus__json_at member = mus__json_member(&curve, "type"), params = mus__json_member(&curve, "params");
     status = mus__json_text(&member, &type);
     if (status != MUS_OK) return status;
     if (strcmp(type, "quadratic") == 0) return gc_bezier(&params, 1, a, b, xy);
@@ -166,17 +169,17 @@ static const struct {
 } gc_holds[] = {{"lower_interface", MUS_HOLD_WAIST, 0.0}, {"strapless_top", MUS_HOLD_ARMPIT, 0.03}};
 
 
-static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at, int32_t first_point, int32_t points,
+static mus_status gc_edge(const struct gc_reader *reader, const mus__json_at *at, int32_t first_point, int32_t points,
                           int32_t *out)
 {
     mus_status status = mus__json_expect(at, JSON_OBJECT);
     if (status != MUS_OK) return status;
     size_t two;
     int32_t end[2], kind, edge;
-    mus_json_at ends = mus__json_member(at, "endpoints");
+    mus__json_at ends = mus__json_member(at, "endpoints");
     status = mus__json_array(&ends, 2, 2, &two);
     for (size_t i = 0; i < 2 && status == MUS_OK; i++) {
-        mus_json_at one = mus__json_element(&ends, i);
+        mus__json_at one = mus__json_element(&ends, i);
         status = mus__json_integer(&one, 0, points - 1, &end[i]);
     }
     if (status != MUS_OK) return status;
@@ -199,7 +202,7 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at,
     *out = edge;
 
     const char *text;
-    mus_json_at label = mus__json_member(at, "label");
+    mus__json_at label = mus__json_member(at, "label");
     if (label.json == NULL) return MUS_OK;
     status = mus__json_text(&label, &text);
     if (status != MUS_OK) return status;
@@ -212,17 +215,17 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus_json_at *at,
 
 
 /* the loop of a panel: vertices, edges, outline */
-static mus_status gc_loop(struct gc_reader *reader, const mus_json_at *at, int32_t panel)
+static mus_status gc_loop(struct gc_reader *reader, const mus__json_at *at, int32_t panel)
 {
     size_t nvertex, nedge;
-    mus_json_at vertices = mus__json_member(at, "vertices"), edges = mus__json_member(at, "edges");
+    mus__json_at vertices = mus__json_member(at, "vertices"), edges = mus__json_member(at, "edges");
     mus_status status = mus__json_array(&vertices, 1, GC_COUNT_MAX, &nvertex);
     if (status == MUS_OK) status = mus__json_array(&edges, 1, GC_COUNT_MAX, &nedge);
     int32_t first = mus_pattern_point_count(reader->pattern);
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < nvertex && status == MUS_OK; i++) {
         double xy[2];
-        mus_json_at vertex = mus__json_element(&vertices, i);
+        mus__json_at vertex = mus__json_element(&vertices, i);
         status = mus__json_numbers(&vertex, 2, xy);
         if (status != MUS_OK) break;
         status = mus_pattern_add_point(reader->pattern, panel, xy[0] * reader->metre, xy[1] * reader->metre, NULL);
@@ -238,7 +241,7 @@ static mus_status gc_loop(struct gc_reader *reader, const mus_json_at *at, int32
     reader->panels[panel].first_edge = mus_pattern_edge_count(reader->pattern);
     reader->panels[panel].edge_count = (int32_t)nedge;
     for (size_t i = 0; i < nedge && status == MUS_OK; i++) {
-        mus_json_at edge = mus__json_element(&edges, i);
+        mus__json_at edge = mus__json_element(&edges, i);
         status = gc_edge(reader, &edge, first, (int32_t)nvertex, &words[i]);
         words[nedge + i] = 1;
     }
@@ -251,7 +254,7 @@ static mus_status gc_loop(struct gc_reader *reader, const mus_json_at *at, int32
 }
 
 
-static mus_status gc_panel(struct gc_reader *reader, const mus_json_at *at)
+static mus_status gc_panel(struct gc_reader *reader, const mus__json_at *at)
 {
     mus_status status = mus__json_expect(at, JSON_OBJECT);
     if (status != MUS_OK) return status;
@@ -260,7 +263,7 @@ static mus_status gc_panel(struct gc_reader *reader, const mus_json_at *at)
     if (status != MUS_OK) return mus__json_wrap(at, status);
 
     const char *text;
-    mus_json_at label = mus__json_member(at, "label");
+    mus__json_at label = mus__json_member(at, "label");
     if (label.json != NULL) {
         status = mus__json_text(&label, &text);
         if (status != MUS_OK) return status;
@@ -273,13 +276,13 @@ static mus_status gc_panel(struct gc_reader *reader, const mus_json_at *at)
 
 
 /* one side of a stitch: panel and edge to the pattern's edge */
-static mus_status gc_side(const struct gc_reader *reader, const mus_json_at *at, int32_t *edge)
+static mus_status gc_side(const struct gc_reader *reader, const mus__json_at *at, int32_t *edge)
 {
     mus_status status = mus__json_expect(at, JSON_OBJECT);
     if (status != MUS_OK) return status;
     const char *name;
     int32_t index;
-    mus_json_at where = mus__json_member(at, "panel"), which = mus__json_member(at, "edge");
+    mus__json_at where = mus__json_member(at, "panel"), which = mus__json_member(at, "edge");
     status = mus__json_text(&where, &name);
     if (status != MUS_OK) return status;
     int32_t panel = mus_pattern_find_panel(reader->pattern, name);
@@ -307,14 +310,14 @@ static mus_status gc_hang(const struct gc_reader *reader, int32_t edge, int32_t 
 }
 
 
-static mus_status gc_stitch(const struct gc_reader *reader, const mus_json_at *at)
+static mus_status gc_stitch(const struct gc_reader *reader, const mus__json_at *at)
 {
     size_t count;
     mus_seam_def seam;
     mus_seam_def_init(&seam, sizeof seam);
     mus_status status = mus__json_array(at, 2, 3, &count);
     if (status != MUS_OK) return status;
-    mus_json_at a = mus__json_element(at, 0), b = mus__json_element(at, 1);
+    mus__json_at a = mus__json_element(at, 0), b = mus__json_element(at, 1);
     status = gc_side(reader, &a, &seam.edge_a);
     if (status == MUS_OK) status = gc_side(reader, &b, &seam.edge_b);
     if (status != MUS_OK) return status;
@@ -322,7 +325,7 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus_json_at *a
     /* the one word that a stitch may have: right side to wrong side, start to start */
     if (count == 3) {
         const char *word;
-        mus_json_at third = mus__json_element(at, 2);
+        mus__json_at third = mus__json_element(at, 2);
         status = mus__json_text(&third, &word);
         if (status != MUS_OK) return status;
         if (strcmp(word, "right_wrong") != 0)
@@ -339,46 +342,46 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus_json_at *a
 
 
 /* units, and the forms that this reader does not take */
-static mus_status gc_properties(struct gc_reader *reader, const mus_json_at *root)
+static mus_status gc_properties(struct gc_reader *reader, const mus__json_at *root)
 {
-    mus_json_at properties = mus__json_member(root, "properties");
+    mus__json_at properties = mus__json_member(root, "properties");
     mus_status status = mus__json_expect(&properties, JSON_OBJECT);
     if (status != MUS_OK) return status;
     double units;
-    mus_json_at per_metre = mus__json_member(&properties, "units_in_meter");
+    mus__json_at per_metre = mus__json_member(&properties, "units_in_meter");
     status = mus__json_number(&per_metre, &units);
     if (status != MUS_OK) return status;
     if (!(units >= 1e-3 && units <= 1e6))
         return mus__json_fail(&per_metre, MUS_ERR_FORMAT, "expected 0.001 to 1e6 units in a metre, got %g", units);
     reader->metre = 1.0 / units;
 
-    mus_json_at coords = mus__json_member(&properties, "curvature_coords");
+    mus__json_at coords = mus__json_member(&properties, "curvature_coords");
     const char *text = "relative";
     if (coords.json != NULL) status = mus__json_text(&coords, &text);
     if (status == MUS_OK && strcmp(text, "relative") != 0)
         status = mus__json_fail(&coords, MUS_ERR_UNSUPPORTED, "expected \"relative\", got \"%.40s\"", text);
-    mus_json_at normal = mus__json_member(&properties, "normalize_panel_translation");
+    mus__json_at normal = mus__json_member(&properties, "normalize_panel_translation");
     if (status == MUS_OK && json_is_true(normal.json))
         status = mus__json_fail(&normal, MUS_ERR_UNSUPPORTED, "expected false, got true");
     return status;
 }
 
 
-mus_status mus__pattern_read_garmentcode(const mus_json_at *root, mus_pattern *pattern)
+mus_status mus__pattern_read_garmentcode(const mus__json_at *root, mus_pattern *pattern)
 {
     struct gc_reader reader = {.pattern = pattern};
-    mus_json_at body = mus__json_member(root, "pattern");
+    mus__json_at body = mus__json_member(root, "pattern");
     mus_status status = mus__json_expect(&body, JSON_OBJECT);
     if (status == MUS_OK) status = gc_properties(&reader, root);
     if (status != MUS_OK) return status;
 
-    mus_json_at panels = mus__json_member(&body, "panels"), stitches = mus__json_member(&body, "stitches");
+    mus__json_at panels = mus__json_member(&body, "panels"), stitches = mus__json_member(&body, "stitches");
     status = mus__json_expect(&panels, JSON_OBJECT);
     size_t count = json_object_size(panels.json), nstitch = 0;
     if (status == MUS_OK) status = mus__json_array(&stitches, 0, GC_COUNT_MAX, &nstitch);
     if (status == MUS_OK && count == 0) status = mus__json_fail(&panels, MUS_ERR_FORMAT, "expected a panel, got none");
-    if (status == MUS_OK && count > MUS_FILE_PANELS_MAX)
-        status = mus__json_fail(&panels, MUS_ERR_LIMIT, "%zu panels, the limit is %d", count, MUS_FILE_PANELS_MAX);
+    if (status == MUS_OK && count > MUS__FILE_PANELS_MAX)
+        status = mus__json_fail(&panels, MUS_ERR_LIMIT, "%zu panels, the limit is %d", count, MUS__FILE_PANELS_MAX);
     if (status != MUS_OK) return status;
     reader.panels = mus_context_alloc(root->source->context, NULL, count * sizeof *reader.panels);
     if (reader.panels == NULL) return mus__json_fail(&panels, MUS_ERR_MEMORY, "no memory for %zu panels", count);
@@ -386,11 +389,11 @@ mus_status mus__pattern_read_garmentcode(const mus_json_at *root, mus_pattern *p
     /* panels in the order of the file */
     for (void *i = json_object_iter((json_t *)(uintptr_t)panels.json); i != NULL && status == MUS_OK;
          i = json_object_iter_next((json_t *)(uintptr_t)panels.json, i)) {
-        mus_json_at panel = mus__json_member(&panels, json_object_iter_key(i));
+        mus__json_at panel = mus__json_member(&panels, json_object_iter_key(i));
         status = gc_panel(&reader, &panel);
     }
     for (size_t i = 0; i < nstitch && status == MUS_OK; i++) {
-        mus_json_at stitch = mus__json_element(&stitches, i);
+        mus__json_at stitch = mus__json_element(&stitches, i);
         status = gc_stitch(&reader, &stitch);
     }
     mus_context_alloc(root->source->context, reader.panels, 0);

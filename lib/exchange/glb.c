@@ -15,7 +15,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/mesh_check.h"
+#include "exchange/source.h"
+#include "file/sink.h"
 
 #define GLB_JSON UINT32_C(0x4E4F534A)
 #define GLB_BIN UINT32_C(0x004E4942)
@@ -23,7 +25,7 @@
 #define GLB_ELEMENTS 34963 /* target of indices */
 
 
-static void put_u32(mus_sink *sink, uint32_t value)
+static void put_u32(mus__sink *sink, uint32_t value)
 {
     const unsigned char bytes[4] = {(unsigned char)value, (unsigned char)(value >> 8), (unsigned char)(value >> 16),
                                     (unsigned char)(value >> 24)};
@@ -31,7 +33,7 @@ static void put_u32(mus_sink *sink, uint32_t value)
 }
 
 
-static void put_f32(mus_sink *sink, double value)
+static void put_f32(mus__sink *sink, double value)
 {
     float narrow = (float)value;
     uint32_t bits;
@@ -57,7 +59,7 @@ static void glb_unit(const double *v, double *out)
 
 
 /* what key `key` is off the mesh at rest: positions, then normals */
-static void put_key_bytes(mus_sink *sink, const mus_mesh_view *mesh, const mus_mesh_motion *motion, int32_t key)
+static void put_key_bytes(mus__sink *sink, const mus_mesh_view *mesh, const mus_mesh_motion *motion, int32_t key)
 {
     const size_t n = (size_t)mesh->vertex_count, at = 3 * n * (size_t)key;
     for (size_t i = 0; i < 3 * n; i++) put_f32(sink, motion->positions[at + i] - mesh->positions[i]);
@@ -71,7 +73,7 @@ static void put_key_bytes(mus_sink *sink, const mus_mesh_view *mesh, const mus_m
 
 
 /* all numbers of a mesh: positions, normals, texture coordinates, indices, keys */
-static void put_mesh_bytes(mus_sink *sink, const mus_mesh_view *mesh, const struct glb_motion *motion, int32_t index)
+static void put_mesh_bytes(mus__sink *sink, const mus_mesh_view *mesh, const struct glb_motion *motion, int32_t index)
 {
     size_t n = (size_t)mesh->vertex_count;
     for (size_t i = 0; i < 3 * n; i++) put_f32(sink, mesh->positions[i]);
@@ -91,7 +93,7 @@ static void put_mesh_bytes(mus_sink *sink, const mus_mesh_view *mesh, const stru
 
 
 /* the animation: times of the keys, then at each key the weights of all */
-static void put_motion_bytes(mus_sink *sink, const struct glb_motion *motion)
+static void put_motion_bytes(mus__sink *sink, const struct glb_motion *motion)
 {
     for (int32_t k = 0; k < motion->keys; k++) put_f32(sink, motion->times[k]);
     for (int32_t k = 0; k < motion->keys; k++)
@@ -101,8 +103,8 @@ static void put_motion_bytes(mus_sink *sink, const struct glb_motion *motion)
 
 /* the JSON chunk, in lists that grow side by side */
 struct glb_lists {
-    mus_sink views;
-    mus_sink accessors;
+    mus__sink views;
+    mus__sink accessors;
     int32_t count; /* of both */
     uint64_t offset;
 };
@@ -126,7 +128,7 @@ static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, i
 
 
 /* "min" or "max" of places (n x 3), less `off` where that is not NULL, as the floats that are written */
-static void put_bound(mus_sink *sink, const char *key, int32_t n, const double *places, const double *off, double sign)
+static void put_bound(mus__sink *sink, const char *key, int32_t n, const double *places, const double *off, double sign)
 {
     mus__sink_print(sink, ",\"%s\":[", key);
     for (size_t k = 0; k < 3; k++) {
@@ -163,7 +165,7 @@ static int32_t put_plain(struct glb_lists *lists, int64_t n, int32_t width, int3
 
 
 /* the morph targets of a mesh, and its weights: as at the first key */
-static void put_targets(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
+static void put_targets(mus__sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
                         const struct glb_motion *motion, int32_t index)
 {
     const mus_mesh_motion *of = &motion->of[index];
@@ -183,7 +185,7 @@ static void put_targets(mus_sink *sink, struct glb_lists *lists, const mus_mesh_
 
 
 /* accessors of a mesh, and the mesh that names them */
-static void put_mesh(mus_sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
+static void put_mesh(mus__sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
                      const struct glb_motion *motion, int32_t index)
 {
     int32_t n = mesh->vertex_count;
@@ -203,7 +205,7 @@ static void put_mesh(mus_sink *sink, struct glb_lists *lists, const mus_mesh_vie
 
 
 /* the animation: a channel a mesh that moves, all by one sampler */
-static void put_animation(mus_sink *sink, struct glb_lists *lists, int32_t n, const struct glb_motion *motion)
+static void put_animation(mus__sink *sink, struct glb_lists *lists, int32_t n, const struct glb_motion *motion)
 {
     int32_t moving = 0;
     for (int32_t i = 0; i < n; i++) moving += motion->of[i].positions != NULL;
@@ -227,7 +229,7 @@ static void put_animation(mus_sink *sink, struct glb_lists *lists, int32_t n, co
 }
 
 
-static void put_material(mus_sink *sink, const mus_mesh_view *mesh)
+static void put_material(mus__sink *sink, const mus_mesh_view *mesh)
 {
     mus__sink_print(sink, "{\"pbrMetallicRoughness\":{\"baseColorFactor\":[");
     for (int32_t k = 0; k < 4; k++) {
@@ -241,7 +243,7 @@ static void put_material(mus_sink *sink, const mus_mesh_view *mesh)
 
 
 /* the whole document; the lists of views and accessors stand behind the meshes that fill them */
-static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes,
+static void put_document(mus__sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes,
                          const struct glb_motion *motion)
 {
     mus__sink_print(
@@ -276,7 +278,7 @@ static void put_document(mus_sink *sink, struct glb_lists *lists, int32_t n, con
 }
 
 
-static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json, struct glb_lists *lists, int32_t n,
+static mus_status glb_build(mus_context *context, mus__sink *file, mus__sink *json, struct glb_lists *lists, int32_t n,
                             const mus_mesh_view *meshes, const struct glb_motion *motion)
 {
     put_document(json, lists, n, meshes, motion);
@@ -286,7 +288,7 @@ static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json
     if (json->status != MUS_OK) return json->status;
     uint64_t length = 12 + 8 + (uint64_t)json->size + 8 + lists->offset;
     if (length > UINT32_MAX)
-        return mus__exchange_fail(context, MUS_ERR_LIMIT, "a .glb of %llu bytes is above the limit of 4 GiB",
+        return mus__file_fail(context, MUS_ERR_LIMIT, "a .glb of %llu bytes is above the limit of 4 GiB",
                                   (unsigned long long)length);
 
     mus__sink_add(file, "glTF", 4);
@@ -307,21 +309,21 @@ static mus_status glb_build(mus_context *context, mus_sink *file, mus_sink *json
 }
 
 
-static mus_status glb_write(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes,
+static mus_status glb_write(mus_context *context, const mus__target *target, int32_t n, const mus_mesh_view *meshes,
                             const struct glb_motion *motion)
 {
-    mus_locale locale;
+    mus__locale locale;
     mus_status status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
-    mus_sink file, json;
+    mus__sink file, json;
     struct glb_lists lists = {.count = 0};
     mus__sink_init(&file, context);
     mus__sink_init(&json, context);
     mus__sink_init(&lists.views, context);
     mus__sink_init(&lists.accessors, context);
     status = glb_build(context, &file, &json, &lists, n, meshes, motion);
-    if (status == MUS_OK) status = mus__sink_save(&file, path);
+    if (status == MUS_OK) status = mus__sink_give(&file, target);
     mus__sink_free(&lists.accessors);
     mus__sink_free(&lists.views);
     mus__sink_free(&json);
@@ -331,20 +333,53 @@ static mus_status glb_write(mus_context *context, const char *path, int32_t n, c
 }
 
 
-mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+static mus_status glb_meshes(mus_context *context, const mus__target *target, int32_t n, const mus_mesh_view *meshes,
+                             const char *what)
 {
     if (context == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__mesh_check(context, path, n, meshes);
-    return status == MUS_OK ? glb_write(context, path, n, meshes, NULL) : status;
+    mus_status status = mus__target_check(context, target, what);
+    if (status == MUS_OK) status = mus__mesh_check(context, n, meshes);
+    return status == MUS_OK ? glb_write(context, target, n, meshes, NULL) : status;
+}
+
+
+static mus_status glb_motion(mus_context *context, const mus__target *target, int32_t n, const mus_mesh_view *meshes,
+                             const struct glb_motion *motion, const char *what)
+{
+    if (context == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__target_check(context, target, what);
+    if (status == MUS_OK) status = mus__mesh_check(context, n, meshes);
+    if (status == MUS_OK)
+        status = mus__mesh_check_motion(context, n, meshes, motion->keys, motion->times, motion->of);
+    return status == MUS_OK ? glb_write(context, target, n, meshes, motion) : status;
+}
+
+
+mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+{
+    return glb_meshes(context, &(mus__target){path, NULL, NULL}, n, meshes, "mus_mesh_write_glb");
+}
+
+
+mus_status mus_mesh_write_glb_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
+                                    size_t *size)
+{
+    return glb_meshes(context, &(mus__target){NULL, bytes, size}, n, meshes, "mus_mesh_write_glb_bytes");
 }
 
 
 mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes,
                                      int32_t keys, const double *times, const mus_mesh_motion *motion)
 {
-    if (context == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__mesh_check(context, path, n, meshes);
-    if (status == MUS_OK) status = mus__mesh_check_motion(context, n, meshes, keys, times, motion);
     const struct glb_motion all = {keys, times, motion};
-    return status == MUS_OK ? glb_write(context, path, n, meshes, &all) : status;
+    return glb_motion(context, &(mus__target){path, NULL, NULL}, n, meshes, &all, "mus_mesh_write_glb_motion");
+}
+
+
+mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, int32_t keys,
+                                           const double *times, const mus_mesh_motion *motion, char **bytes,
+                                           size_t *size)
+{
+    const struct glb_motion all = {keys, times, motion};
+    return glb_motion(context, &(mus__target){NULL, bytes, size}, n, meshes, &all, "mus_mesh_write_glb_motion_bytes");
 }

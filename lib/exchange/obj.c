@@ -4,11 +4,13 @@
  */
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/mesh_check.h"
+#include "exchange/source.h"
+#include "file/sink.h"
 
 
 /* one line a vertex: "v x y z" */
-static void put_rows(mus_sink *sink, const char *key, int32_t n, int32_t width, const double *values)
+static void put_rows(mus__sink *sink, const char *key, int32_t n, int32_t width, const double *values)
 {
     if (values == NULL) return;
     for (int32_t i = 0; i < n; i++) {
@@ -22,7 +24,7 @@ static void put_rows(mus_sink *sink, const char *key, int32_t n, int32_t width, 
 
 
 /* a name on one line */
-static void put_object(mus_sink *sink, const char *name, int32_t index)
+static void put_object(mus__sink *sink, const char *name, int32_t index)
 {
     mus__sink_print(sink, "o ");
     if (name == NULL || name[0] == '\0')
@@ -34,7 +36,7 @@ static void put_object(mus_sink *sink, const char *name, int32_t index)
 
 
 /* "f p/t/n p/t/n p/t/n": first (3) counts the positions, texture coordinates and normals before this mesh */
-static void put_faces(mus_sink *sink, const mus_mesh_view *mesh, const int64_t *first)
+static void put_faces(mus__sink *sink, const mus_mesh_view *mesh, const int64_t *first)
 {
     for (int32_t i = 0; i < mesh->triangle_count; i++) {
         mus__sink_print(sink, "f");
@@ -56,16 +58,18 @@ static void put_faces(mus_sink *sink, const mus_mesh_view *mesh, const int64_t *
 }
 
 
-mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+static mus_status obj_write(mus_context *context, const mus__target *target, int32_t n, const mus_mesh_view *meshes,
+                            const char *what)
 {
     if (context == NULL) return MUS_ERR_ARG;
-    mus_status status = mus__mesh_check(context, path, n, meshes);
+    mus_status status = mus__target_check(context, target, what);
+    if (status == MUS_OK) status = mus__mesh_check(context, n, meshes);
     if (status != MUS_OK) return status;
-    mus_locale locale;
+    mus__locale locale;
     status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
-    mus_sink sink;
+    mus__sink sink;
     mus__sink_init(&sink, context);
     mus__sink_print(&sink, "# muslin: metres, Y up\n");
     int64_t first[3] = {0, 0, 0};
@@ -80,8 +84,21 @@ mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n,
         first[1] += mesh->texcoords != NULL ? mesh->vertex_count : 0;
         first[2] += mesh->normals != NULL ? mesh->vertex_count : 0;
     }
-    status = mus__sink_save(&sink, path);
+    status = mus__sink_give(&sink, target);
     mus__sink_free(&sink);
     mus__locale_leave(&locale);
     return status;
+}
+
+
+mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes)
+{
+    return obj_write(context, &(mus__target){path, NULL, NULL}, n, meshes, "mus_mesh_write_obj");
+}
+
+
+mus_status mus_mesh_write_obj_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
+                                    size_t *size)
+{
+    return obj_write(context, &(mus__target){NULL, bytes, size}, n, meshes, "mus_mesh_write_obj_bytes");
 }

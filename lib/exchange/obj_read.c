@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
 
 #define OBJ_TRIANGLES 16000000 /* more are refused */
 
@@ -23,7 +23,7 @@ struct mus_mesh {
 
 /* a file while it is read */
 typedef struct obj_text {
-    const mus_source *source;
+    const mus__source *source;
     mus_mesh *mesh;
     int64_t line;
 } obj_text;
@@ -144,16 +144,16 @@ static mus_status obj_read(obj_text *obj, char *text)
 }
 
 
-mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out)
+static mus_status obj_load(mus_context *context, const mus__input *input, mus_mesh **out, const char *what)
 {
-    if (out == NULL) return MUS_ERR_ARG;
-    *out = NULL;
+    if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
-    if (path == NULL) return mus__exchange_fail(context, MUS_ERR_ARG, "the path of a mesh is NULL");
-    mus_source source;
-    mus_status status = mus__source_open(context, path, &source);
+    mus_status status = mus__input_check(context, input, out, what);
     if (status != MUS_OK) return status;
-    mus_locale locale;
+    mus__source source;
+    status = mus__source_open(context, input, &source);
+    if (status != MUS_OK) return status;
+    mus__locale locale;
     status = mus__locale_enter(context, &locale);
     if (status == MUS_OK) {
         mus_mesh *mesh = mus_context_alloc(context, NULL, sizeof *mesh);
@@ -172,6 +172,18 @@ mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **
     }
     mus__source_close(&source);
     return status;
+}
+
+
+mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out)
+{
+    return obj_load(context, &(mus__input){path, NULL, 0}, out, "mus_mesh_read_obj");
+}
+
+
+mus_status mus_mesh_read_obj_from(mus_context *context, const char *text, size_t size, const char *name, mus_mesh **out)
+{
+    return obj_load(context, &(mus__input){name, text != NULL ? text : "", size}, out, "mus_mesh_read_obj_from");
 }
 
 

@@ -6,42 +6,44 @@
  * of the arrays that are really there: no number in the file makes memory. Form: muslin_pattern(5).
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/json_at.h"
+#include "exchange/pattern_forms.h"
 
 #define JSON_COUNT_MAX ((size_t)INT32_MAX / 4)
 
 /* one list of the document, an element at a time */
-typedef mus_status (*json_cell_fn)(const mus_json_at *at, mus_pattern *pattern);
+typedef mus_status (*json_cell_fn)(const mus__json_at *at, mus_pattern *pattern);
 
 
 /* a text that may be missing: "" then */
-static mus_status read_name(const mus_json_at *at, const char *key, const char **out)
+static mus_status read_name(const mus__json_at *at, const char *key, const char **out)
 {
     *out = "";
-    mus_json_at text = mus__json_member(at, key);
+    mus__json_at text = mus__json_member(at, key);
     return text.json != NULL ? mus__json_text(&text, out) : MUS_OK;
 }
 
 
 /* the index of a cell: 0 .. count - 1 */
-static mus_status read_index(const mus_json_at *at, const char *key, int32_t count, int32_t *out)
+static mus_status read_index(const mus__json_at *at, const char *key, int32_t count, int32_t *out)
 {
-    mus_json_at index = mus__json_member(at, key);
+    mus__json_at index = mus__json_member(at, key);
     if (count == 0)
         return mus__json_fail(&index, MUS_ERR_FORMAT, "points at a cell, but the file has none of its kind");
     return mus__json_integer(&index, 0, count - 1, out);
 }
 
 
-static mus_status read_list(const mus_json_at *root, const char *key, json_cell_fn cell, mus_pattern *pattern)
+static mus_status read_list(const mus__json_at *root, const char *key, json_cell_fn cell, mus_pattern *pattern)
 {
     size_t count;
-    mus_json_at list = mus__json_member(root, key);
+    mus__json_at list = mus__json_member(root, key);
     mus_status status = mus__json_array(&list, 0, JSON_COUNT_MAX, &count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        mus_json_at at = mus__json_element(&list, i);
+        mus__json_at at = mus__json_element(&list, i);
         status = mus__json_expect(&at, JSON_OBJECT);
         if (status == MUS_OK) status = cell(&at, pattern);
     }
@@ -49,14 +51,14 @@ static mus_status read_list(const mus_json_at *root, const char *key, json_cell_
 }
 
 
-static mus_status read_panel(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_panel(const mus__json_at *at, mus_pattern *pattern)
 {
-    if (at->index >= MUS_FILE_PANELS_MAX)
-        return mus__json_fail(at, MUS_ERR_LIMIT, "the limit is %d panels", MUS_FILE_PANELS_MAX);
+    if (at->index >= MUS__FILE_PANELS_MAX)
+        return mus__json_fail(at, MUS_ERR_LIMIT, "the limit is %d panels", MUS__FILE_PANELS_MAX);
     const char *name, *label;
     int32_t panel;
     double grain[2];
-    mus_json_at member = mus__json_member(at, "name");
+    mus__json_at member = mus__json_member(at, "name");
     mus_status status = mus__json_text(&member, &name);
     if (status == MUS_OK) status = read_name(at, "label", &label);
     if (status != MUS_OK) return status;
@@ -73,14 +75,14 @@ static mus_status read_panel(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
-static mus_status read_placement(const mus_json_at *at, mus_pattern *pattern, int32_t panel)
+static mus_status read_placement(const mus__json_at *at, mus_pattern *pattern, int32_t panel)
 {
     mus_placement placement;
     mus_placement_init(&placement, sizeof placement);
-    mus_json_at where = mus__json_member(at, "placement");
+    mus__json_at where = mus__json_member(at, "placement");
     if (where.json == NULL) return MUS_OK;
     mus_status status = mus__json_expect(&where, JSON_OBJECT);
-    mus_json_at member = mus__json_member(&where, "origin");
+    mus__json_at member = mus__json_member(&where, "origin");
     if (status == MUS_OK) status = mus__json_numbers(&member, 3, placement.origin);
     member = mus__json_member(&where, "rotation");
     if (status == MUS_OK) status = mus__json_numbers(&member, 9, placement.rotation);
@@ -97,10 +99,10 @@ static mus_status read_placement(const mus_json_at *at, mus_pattern *pattern, in
 
 
 /* the outline of a panel, once its edges are there */
-static mus_status read_outline(const mus_json_at *at, mus_pattern *pattern, int32_t panel)
+static mus_status read_outline(const mus__json_at *at, mus_pattern *pattern, int32_t panel)
 {
     size_t count;
-    mus_json_at outline = mus__json_member(at, "outline");
+    mus__json_at outline = mus__json_member(at, "outline");
     mus_status status = mus__json_array(&outline, 0, JSON_COUNT_MAX, &count);
     if (status != MUS_OK || count == 0) return status;
 
@@ -109,10 +111,10 @@ static mus_status read_outline(const mus_json_at *at, mus_pattern *pattern, int3
     if (words == NULL) return mus__json_fail(&outline, MUS_ERR_MEMORY, "no memory for %zu edges", count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
         size_t two;
-        mus_json_at pair = mus__json_element(&outline, i);
+        mus__json_at pair = mus__json_element(&outline, i);
         status = mus__json_array(&pair, 2, 2, &two);
         if (status != MUS_OK) break;
-        mus_json_at edge = mus__json_element(&pair, 0), direction = mus__json_element(&pair, 1);
+        mus__json_at edge = mus__json_element(&pair, 0), direction = mus__json_element(&pair, 1);
         status = mus__json_integer(&edge, 0, mus_pattern_edge_count(pattern) - 1, &words[i]);
         if (status == MUS_OK) status = mus__json_integer(&direction, -1, 1, &words[count + i]);
     }
@@ -126,14 +128,14 @@ static mus_status read_outline(const mus_json_at *at, mus_pattern *pattern, int3
 
 
 /* the rest of the panels: what refers to edges and to other panels */
-static mus_status read_making(const mus_json_at *root, mus_pattern *pattern)
+static mus_status read_making(const mus__json_at *root, mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
-    mus_json_at panels = mus__json_member(root, "panels");
+    mus__json_at panels = mus__json_member(root, "panels");
     for (int32_t i = 0; i < mus_pattern_panel_count(pattern) && status == MUS_OK; i++) {
         int32_t cut, mirror_of = MUS_NONE;
-        mus_json_at at = mus__json_element(&panels, (size_t)i);
-        mus_json_at member = mus__json_member(&at, "cut");
+        mus__json_at at = mus__json_element(&panels, (size_t)i);
+        mus__json_at member = mus__json_member(&at, "cut");
         status = mus__json_integer(&member, 0, INT32_MAX, &cut);
         if (status == MUS_OK && json_object_get(at.json, "mirror_of") != NULL)
             status = read_index(&at, "mirror_of", mus_pattern_panel_count(pattern), &mirror_of);
@@ -153,11 +155,11 @@ static mus_status read_making(const mus_json_at *root, mus_pattern *pattern)
 }
 
 
-static mus_status read_point(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_point(const mus__json_at *at, mus_pattern *pattern)
 {
     int32_t panel, point;
     double xy[2];
-    mus_json_at member = mus__json_member(at, "at");
+    mus__json_at member = mus__json_member(at, "at");
     mus_status status = read_index(at, "panel", mus_pattern_panel_count(pattern), &panel);
     if (status == MUS_OK) status = mus__json_numbers(&member, 2, xy);
     if (status != MUS_OK) return status;
@@ -175,7 +177,7 @@ struct json_chain {
 
 
 /* append a point [x, y] */
-static mus_status chain_point(struct json_chain *chain, const mus_json_at *at)
+static mus_status chain_point(struct json_chain *chain, const mus__json_at *at)
 {
     mus_status status = mus__json_numbers(at, 2, chain->xy + 2 * chain->nxy);
     if (status == MUS_OK) chain->nxy++;
@@ -183,7 +185,7 @@ static mus_status chain_point(struct json_chain *chain, const mus_json_at *at)
 }
 
 
-static mus_status chain_piece(struct json_chain *chain, const mus_json_at *at, int32_t index, bool last)
+static mus_status chain_piece(struct json_chain *chain, const mus__json_at *at, int32_t index, bool last)
 {
     static const struct {
         const char *name;
@@ -196,7 +198,7 @@ static mus_status chain_piece(struct json_chain *chain, const mus_json_at *at, i
     const char *name;
     mus_status status = mus__json_expect(at, JSON_OBJECT);
     if (status != MUS_OK) return status;
-    mus_json_at member = mus__json_member(at, "kind");
+    mus__json_at member = mus__json_member(at, "kind");
     status = mus__json_text(&member, &name);
     if (status != MUS_OK) return status;
     size_t k = 0;
@@ -207,14 +209,14 @@ static mus_status chain_piece(struct json_chain *chain, const mus_json_at *at, i
 
     /* its control points, and its end unless that is the end of the edge */
     size_t count = 0;
-    mus_json_at controls = mus__json_member(at, "controls");
+    mus__json_at controls = mus__json_member(at, "controls");
     if (kinds[k].controls > 0 || controls.json != NULL)
         status = mus__json_array(&controls, kinds[k].controls, kinds[k].controls, &count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        mus_json_at control = mus__json_element(&controls, i);
+        mus__json_at control = mus__json_element(&controls, i);
         status = chain_point(chain, &control);
     }
-    mus_json_at end = mus__json_member(at, "end");
+    mus__json_at end = mus__json_member(at, "end");
     if (last && end.json != NULL)
         return mus__json_fail(&end, MUS_ERR_FORMAT, "the last piece ends where its edge ends, expected nothing here");
     if (status == MUS_OK && !last) status = chain_point(chain, &end);
@@ -222,11 +224,11 @@ static mus_status chain_piece(struct json_chain *chain, const mus_json_at *at, i
 }
 
 
-static mus_status read_chain(const mus_json_at *at, mus_pattern *pattern, const char *name, int32_t *edge)
+static mus_status read_chain(const mus__json_at *at, mus_pattern *pattern, const char *name, int32_t *edge)
 {
     size_t count;
     int32_t start, end;
-    mus_json_at pieces = mus__json_member(at, "pieces");
+    mus__json_at pieces = mus__json_member(at, "pieces");
     mus_status status = read_index(at, "start", mus_pattern_point_count(pattern), &start);
     if (status == MUS_OK) status = read_index(at, "end", mus_pattern_point_count(pattern), &end);
     if (status == MUS_OK) status = mus__json_array(&pieces, 1, JSON_COUNT_MAX, &count);
@@ -238,7 +240,7 @@ static mus_status read_chain(const mus_json_at *at, mus_pattern *pattern, const 
     if (block == NULL) return mus__json_fail(&pieces, MUS_ERR_MEMORY, "no memory for %zu pieces", count);
     struct json_chain chain = {.kinds = (int32_t *)(void *)(block + 6 * count), .xy = block};
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        mus_json_at piece = mus__json_element(&pieces, i);
+        mus__json_at piece = mus__json_element(&pieces, i);
         status = chain_piece(&chain, &piece, (int32_t)i, i + 1 == count);
     }
     if (status == MUS_OK) {
@@ -256,11 +258,11 @@ static mus_status read_chain(const mus_json_at *at, mus_pattern *pattern, const 
 
 
 /* what keeps an edge up: {"at": level, "below": m} and {"ratio": r, "stiffness": N}, both may be missing */
-static mus_status read_stay(const mus_json_at *at, mus_pattern *pattern, int32_t edge)
+static mus_status read_stay(const mus__json_at *at, mus_pattern *pattern, int32_t edge)
 {
     mus_status status = MUS_OK;
     double below, ratio, stiffness;
-    mus_json_at hold = mus__json_member(at, "hold"), elastic = mus__json_member(at, "elastic"), member;
+    mus__json_at hold = mus__json_member(at, "hold"), elastic = mus__json_member(at, "elastic"), member;
     if (hold.json != NULL) {
         const char *name = "";
         status = mus__json_expect(&hold, JSON_OBJECT);
@@ -286,12 +288,12 @@ static mus_status read_stay(const mus_json_at *at, mus_pattern *pattern, int32_t
 }
 
 
-static mus_status read_edge(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_edge(const mus__json_at *at, mus_pattern *pattern)
 {
     const char *name, *label;
     int32_t edge;
     double allowance = NAN;
-    mus_json_at member = mus__json_member(at, "allowance");
+    mus__json_at member = mus__json_member(at, "allowance");
     mus_status status = read_name(at, "name", &name);
     if (status == MUS_OK) status = read_name(at, "label", &label);
     if (status == MUS_OK && member.json != NULL) status = mus__json_number(&member, &allowance);
@@ -304,9 +306,9 @@ static mus_status read_edge(const mus_json_at *at, mus_pattern *pattern)
 
 
 /* how a seam is joined: members that may be missing */
-static mus_status read_joining(const mus_json_at *at, mus_seam_def *seam)
+static mus_status read_joining(const mus__json_at *at, mus_seam_def *seam)
 {
-    const mus_json_at laid = mus__json_member(at, "laid"), open = mus__json_member(at, "open"),
+    const mus__json_at laid = mus__json_member(at, "laid"), open = mus__json_member(at, "open"),
                       buttons = mus__json_member(at, "buttons"), closure = mus__json_member(at, "closure");
     mus_status status = MUS_OK;
     if (laid.json != NULL) status = mus__json_integer(&laid, 0, 1, &seam->laid);
@@ -324,13 +326,13 @@ static mus_status read_joining(const mus_json_at *at, mus_seam_def *seam)
 }
 
 
-static mus_status read_seam(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_seam(const mus__json_at *at, mus_pattern *pattern)
 {
     mus_seam_def seam;
     mus_seam_def_init(&seam, sizeof seam);
     const char *direction;
     int32_t edges = mus_pattern_edge_count(pattern);
-    mus_json_at run = mus__json_member(at, "direction"), ease = mus__json_member(at, "ease"),
+    mus__json_at run = mus__json_member(at, "direction"), ease = mus__json_member(at, "ease"),
                 tolerance = mus__json_member(at, "tolerance");
     mus_status status = read_index(at, "a", edges, &seam.edge_a);
     if (status == MUS_OK) status = read_index(at, "b", edges, &seam.edge_b);
@@ -348,11 +350,11 @@ static mus_status read_seam(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
-static mus_status read_notch(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_notch(const mus__json_at *at, mus_pattern *pattern)
 {
     int32_t edge, kind;
     double s;
-    mus_json_at arc = mus__json_member(at, "s"), form = mus__json_member(at, "kind");
+    mus__json_at arc = mus__json_member(at, "s"), form = mus__json_member(at, "kind");
     mus_status status = read_index(at, "edge", mus_pattern_edge_count(pattern), &edge);
     if (status == MUS_OK) status = mus__json_integer(&form, MUS_NOTCH_SINGLE, MUS_NOTCH_TRIPLE, &kind);
     if (status == MUS_OK) status = mus__json_number(&arc, &s);
@@ -362,12 +364,12 @@ static mus_status read_notch(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
-static mus_status read_mark(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_mark(const mus__json_at *at, mus_pattern *pattern)
 {
     const char *name;
     int32_t panel;
     size_t count;
-    mus_json_at points = mus__json_member(at, "points");
+    mus__json_at points = mus__json_member(at, "points");
     mus_status status = read_index(at, "panel", mus_pattern_panel_count(pattern), &panel);
     if (status == MUS_OK) status = read_name(at, "name", &name);
     if (status == MUS_OK) status = mus__json_array(&points, 1, JSON_COUNT_MAX, &count);
@@ -377,7 +379,7 @@ static mus_status read_mark(const mus_json_at *at, mus_pattern *pattern)
     double *xy = mus_context_alloc(context, NULL, 2 * count * sizeof *xy);
     if (xy == NULL) return mus__json_fail(&points, MUS_ERR_MEMORY, "no memory for %zu points", count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {
-        mus_json_at point = mus__json_element(&points, i);
+        mus__json_at point = mus__json_element(&points, i);
         status = mus__json_numbers(&point, 2, xy + 2 * i);
     }
     if (status == MUS_OK) {
@@ -389,10 +391,10 @@ static mus_status read_mark(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
-static mus_status read_opening(const mus_json_at *at, mus_pattern *pattern)
+static mus_status read_opening(const mus__json_at *at, mus_pattern *pattern)
 {
     const char *label;
-    mus_json_at text = mus__json_member(at, "label");
+    mus__json_at text = mus__json_member(at, "label");
     mus_status status = mus__json_text(&text, &label);
     if (status != MUS_OK) return status;
     status = mus_pattern_add_opening(pattern, label);
@@ -400,12 +402,12 @@ static mus_status read_opening(const mus_json_at *at, mus_pattern *pattern)
 }
 
 
-mus_status mus__pattern_read_json(const mus_json_at *root, mus_pattern *pattern)
+mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern)
 {
     /* the head: form, unit, name */
     int32_t version;
     const char *unit, *name;
-    mus_json_at form = mus__json_member(root, "muslin_pattern"), measure = mus__json_member(root, "unit"),
+    mus__json_at form = mus__json_member(root, "muslin_pattern"), measure = mus__json_member(root, "unit"),
                 title = mus__json_member(root, "name");
     mus_status status = mus__json_integer(&form, 1, 1, &version);
     if (status == MUS_OK) status = mus__json_text(&measure, &unit);

@@ -7,11 +7,12 @@
  */
 #include <stdio.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
+#include "file/sink.h"
 
 
 /* [a, b, ...] */
-static void put_numbers(mus_sink *sink, int32_t n, const double *values)
+static void put_numbers(mus__sink *sink, int32_t n, const double *values)
 {
     for (int32_t i = 0; i < n; i++) {
         mus__sink_print(sink, i == 0 ? "[" : ", ");
@@ -22,7 +23,7 @@ static void put_numbers(mus_sink *sink, int32_t n, const double *values)
 
 
 /* , "key": "text" unless it is empty */
-static void put_text(mus_sink *sink, const char *key, const char *text)
+static void put_text(mus__sink *sink, const char *key, const char *text)
 {
     if (text == NULL || text[0] == '\0') return;
     mus__sink_print(sink, ", \"%s\": ", key);
@@ -31,19 +32,19 @@ static void put_text(mus_sink *sink, const char *key, const char *text)
 
 
 /* start of a list of cells, a line for each, and its end */
-static void put_list(mus_sink *sink, const char *key)
+static void put_list(mus__sink *sink, const char *key)
 {
     mus__sink_print(sink, ",\n \"%s\": [", key);
 }
 
 
-static void put_item(mus_sink *sink, int32_t index)
+static void put_item(mus__sink *sink, int32_t index)
 {
     mus__sink_print(sink, index == 0 ? "\n  " : ",\n  ");
 }
 
 
-static mus_status put_panel(mus_sink *sink, const mus_pattern *pattern, int32_t panel)
+static mus_status put_panel(mus__sink *sink, const mus_pattern *pattern, int32_t panel)
 {
     double grain[2];
     int32_t count, mirror_of, n;
@@ -86,7 +87,7 @@ static mus_status put_panel(mus_sink *sink, const mus_pattern *pattern, int32_t 
 
 
 /* the pieces of a chain: kind, control points, and the joint behind each but the last */
-static void put_pieces(mus_sink *sink, int32_t npiece, const int32_t *kinds, const double *xy)
+static void put_pieces(mus__sink *sink, int32_t npiece, const int32_t *kinds, const double *xy)
 {
     static const char *const names[] = {"line", "quadratic", "cubic", "arc"};
     static const int32_t controls[] = {0, 1, 2, 1};
@@ -112,7 +113,7 @@ static void put_pieces(mus_sink *sink, int32_t npiece, const int32_t *kinds, con
 
 
 /* holds and elastics that there are */
-static mus_status put_stay(mus_sink *sink, const mus_pattern *pattern, int32_t edge)
+static mus_status put_stay(mus__sink *sink, const mus_pattern *pattern, int32_t edge)
 {
     int32_t level;
     double below, ratio, stiffness;
@@ -134,7 +135,7 @@ static mus_status put_stay(mus_sink *sink, const mus_pattern *pattern, int32_t e
 }
 
 
-static mus_status put_edge(mus_sink *sink, const mus_pattern *pattern, int32_t edge)
+static mus_status put_edge(mus__sink *sink, const mus_pattern *pattern, int32_t edge)
 {
     int32_t start, end, npiece, nxy;
     const int32_t *kinds;
@@ -158,7 +159,7 @@ static mus_status put_edge(mus_sink *sink, const mus_pattern *pattern, int32_t e
 }
 
 
-static mus_status put_cells(mus_sink *sink, const mus_pattern *pattern)
+static mus_status put_cells(mus__sink *sink, const mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
     put_list(sink, "panels");
@@ -190,7 +191,7 @@ static mus_status put_cells(mus_sink *sink, const mus_pattern *pattern)
 }
 
 
-static mus_status put_seams(mus_sink *sink, const mus_pattern *pattern)
+static mus_status put_seams(mus__sink *sink, const mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
     put_list(sink, "seams");
@@ -216,7 +217,7 @@ static mus_status put_seams(mus_sink *sink, const mus_pattern *pattern)
 }
 
 
-static mus_status put_marks(mus_sink *sink, const mus_pattern *pattern)
+static mus_status put_marks(mus__sink *sink, const mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
     put_list(sink, "notches");
@@ -261,16 +262,17 @@ static mus_status put_marks(mus_sink *sink, const mus_pattern *pattern)
 }
 
 
-mus_status mus_pattern_write(const mus_pattern *pattern, const char *path)
+static mus_status pattern_save(const mus_pattern *pattern, const mus__target *target, const char *what)
 {
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = mus_pattern_context(pattern);
-    if (path == NULL) return mus_context_fail(context, MUS_ERR_ARG, "mus_pattern_write: path is NULL");
-    mus_locale locale;
-    mus_status status = mus__locale_enter(context, &locale);
+    mus_status status = mus__target_check(context, target, what);
+    if (status != MUS_OK) return status;
+    mus__locale locale;
+    status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
-    mus_sink sink;
+    mus__sink sink;
     mus__sink_init(&sink, context);
     mus__sink_print(&sink, "{\"muslin_pattern\": 1,\n \"unit\": \"m\",\n \"name\": ");
     mus__sink_quote(&sink, mus_pattern_name(pattern));
@@ -278,8 +280,20 @@ mus_status mus_pattern_write(const mus_pattern *pattern, const char *path)
     if (status == MUS_OK) status = put_seams(&sink, pattern);
     if (status == MUS_OK) status = put_marks(&sink, pattern);
     mus__sink_print(&sink, "\n}\n");
-    if (status == MUS_OK) status = mus__sink_save(&sink, path);
+    if (status == MUS_OK) status = mus__sink_give(&sink, target);
     mus__sink_free(&sink);
     mus__locale_leave(&locale);
     return status;
+}
+
+
+mus_status mus_pattern_write(const mus_pattern *pattern, const char *path)
+{
+    return pattern_save(pattern, &(mus__target){path, NULL, NULL}, "mus_pattern_write");
+}
+
+
+mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size)
+{
+    return pattern_save(pattern, &(mus__target){NULL, bytes, size}, "mus_pattern_write_bytes");
 }

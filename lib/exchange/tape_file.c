@@ -13,11 +13,14 @@
  */
 #include <ctype.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
+#include "exchange/tape_forms.h"
+#include "file/sink.h"
 
 #define KEY_BYTES 64
 
@@ -34,7 +37,7 @@ static const struct {
 
 /* a text tape while it is read */
 struct tape_text {
-    mus_source *source;
+    mus__source *source;
     mus_tape *tape;
     int64_t line;
     char name[KEY_BYTES];
@@ -99,7 +102,7 @@ static char *split_key(char *line, char *key)
 /* number, unit and, for what another measure gave, the word "derived" */
 static mus_status read_measure(struct tape_text *text, int32_t measure, const char *key, const char *value)
 {
-    const mus_source *source = text->source;
+    const mus__source *source = text->source;
     size_t span = mus__number_span(value);
     if (value[span] == ',' || span == 0)
         return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: expected a number%s, got \"%s\"", key,
@@ -190,7 +193,7 @@ static mus_status read_keyword(struct tape_text *text, const char *key, const ch
 
 static mus_status read_line(struct tape_text *text, char *line)
 {
-    const mus_source *source = text->source;
+    const mus__source *source = text->source;
     line = trim(line);
     if (*line == '\0' || *line == '#') return MUS_OK;
     if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
@@ -224,7 +227,7 @@ static mus_status read_line(struct tape_text *text, char *line)
 }
 
 
-mus_status mus__tape_read_text(mus_source *source, mus_tape *tape)
+mus_status mus__tape_read_text(mus__source *source, mus_tape *tape)
 {
     struct tape_text text = {.source = source, .tape = tape};
     const char *zero = memchr(source->text, '\0', source->size);
@@ -264,7 +267,7 @@ static int tape_form(const char *path)
 }
 
 
-static mus_status read_form(mus_source *source, const char *row, int form, mus_tape *tape)
+static mus_status read_form(mus__source *source, const char *row, int form, mus_tape *tape)
 {
     /* a tape without a name of its own has that of its file */
     static const char *const endings[] = {".tape", ".txt", ".yaml", ".yml", ".vit", NULL};
@@ -285,28 +288,30 @@ static mus_status read_form(mus_source *source, const char *row, int form, mus_t
 }
 
 
-mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out)
+static mus_status tape_load(mus_context *context, const mus__input *input, const char *row, mus_tape **out,
+                            const char *what)
 {
     if (out != NULL) *out = NULL;
     if (context == NULL) return MUS_ERR_ARG;
-    if (path == NULL || out == NULL)
-        return mus_context_fail(context, MUS_ERR_ARG, "mus_tape_read: path or out is NULL");
-    int form = tape_form(path);
+    mus_status status = mus__input_check(context, input, out, what);
+    if (status != MUS_OK) return status;
+    const char *path = input->path;
+    const int form = tape_form(path);
     if (form == 0)
-        return mus__exchange_fail(context, MUS_ERR_FORMAT,
+        return mus__file_fail(context, MUS_ERR_FORMAT,
                                   "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
                                   path);
     if ((form == 'c') != (row != NULL))
-        return mus__exchange_fail(
+        return mus__file_fail(
             context, MUS_ERR_ARG,
             form == 'c' ? "%.300s: a table needs the name of a row" : "%.300s: has no rows; only a .csv has", path);
-    mus_locale locale;
-    mus_status status = mus__locale_enter(context, &locale);
+    mus__locale locale;
+    status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
-    mus_source source;
+    mus__source source;
     mus_tape *tape = NULL;
-    status = mus__source_open(context, path, &source);
+    status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = mus_tape_create(context, &tape);
     if (status == MUS_OK) status = read_form(&source, row, form, tape);
     mus__source_close(&source);
@@ -320,9 +325,22 @@ mus_status mus_tape_read(mus_context *context, const char *path, const char *row
 }
 
 
+mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out)
+{
+    return tape_load(context, &(mus__input){path, NULL, 0}, row, out, "mus_tape_read");
+}
+
+
+mus_status mus_tape_read_from(mus_context *context, const char *text, size_t size, const char *name, const char *row,
+                              mus_tape **out)
+{
+    return tape_load(context, &(mus__input){name, text != NULL ? text : "", size}, row, out, "mus_tape_read_from");
+}
+
+
 /* a value in the unit that takes the fewest digits to bring the same double back: cm or deg when that is one of them.
  * A remark is for the eye and has 6 digits */
-static void write_value(mus_sink *sink, int32_t measure, double value, bool remark)
+static void write_value(mus__sink *sink, int32_t measure, double value, bool remark)
 {
     static const int32_t order[] = {1, 2, 0, 5, 4};
     const int32_t *units = mus_measure_unit(measure) == 'm' ? order : order + 3;
@@ -340,7 +358,7 @@ static void write_value(mus_sink *sink, int32_t measure, double value, bool rema
 
 
 /* a name on one line, whatever it holds */
-static void write_name(mus_sink *sink, const char *name)
+static void write_name(mus__sink *sink, const char *name)
 {
     mus__sink_print(sink, "name ");
     for (; *name != '\0'; name++) mus__sink_add(sink, (unsigned char)*name < 0x20 ? " " : name, 1);
@@ -348,17 +366,18 @@ static void write_name(mus_sink *sink, const char *name)
 }
 
 
-mus_status mus_tape_write(const mus_tape *tape, const char *path)
+static mus_status tape_save(const mus_tape *tape, const mus__target *target, const char *what)
 {
     if (tape == NULL) return MUS_ERR_ARG;
     mus_context *context = mus_tape_context(tape);
-    if (path == NULL) return mus_context_fail(context, MUS_ERR_ARG, "mus_tape_write: path is NULL");
-    mus_locale locale;
-    mus_status status = mus__locale_enter(context, &locale);
+    mus_status status = mus__target_check(context, target, what);
+    if (status != MUS_OK) return status;
+    mus__locale locale;
+    status = mus__locale_enter(context, &locale);
     if (status != MUS_OK) return status;
 
     static const char *const sexes[] = {NULL, "female", "male", "child"};
-    mus_sink sink;
+    mus__sink sink;
     mus__sink_init(&sink, context);
     mus__sink_print(&sink, "# muslin tape\n");
     if (mus_tape_name(tape)[0] != '\0') write_name(&sink, mus_tape_name(tape));
@@ -377,8 +396,20 @@ mus_status mus_tape_write(const mus_tape *tape, const char *path)
         write_value(&sink, i, mus_tape_value(tape, i), remark);
         mus__sink_print(&sink, "%s\n", derived ? " derived" : "");
     }
-    status = mus__sink_save(&sink, path);
+    status = mus__sink_give(&sink, target);
     mus__sink_free(&sink);
     mus__locale_leave(&locale);
     return status;
+}
+
+
+mus_status mus_tape_write(const mus_tape *tape, const char *path)
+{
+    return tape_save(tape, &(mus__target){path, NULL, NULL}, "mus_tape_write");
+}
+
+
+mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size)
+{
+    return tape_save(tape, &(mus__target){NULL, bytes, size}, "mus_tape_write_bytes");
 }

@@ -12,9 +12,11 @@
  * body, where body rise is a height).
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
+#include "exchange/tape_forms.h"
 
 #define WAIST_FEMALE 0.622 /* height of the waist over stature: clothing tables */
 #define WAIST_MALE 0.615
@@ -56,13 +58,13 @@ struct table_line {
 };
 
 struct table {
-    mus_source *source;
+    mus__source *source;
     char *rest; /* what is not read yet */
     int64_t line;
     struct table_line head;
     struct table_line row;  /* the wanted one */
     struct table_line scan; /* the one being looked at */
-    mus_unused unused;
+    mus__unused unused;
 };
 
 
@@ -172,7 +174,7 @@ static mus_status read_model(struct table *table, mus_tape *tape)
         if (status != MUS_OK || !set || value == 0.0) continue;
         int32_t measure = model_names[i].measure;
         status =
-            table_set(table, tape, measure, mus_measure_unit(measure) == 'm' ? value / 1000.0 : value * MUS_DEGREE);
+            table_set(table, tape, measure, mus_measure_unit(measure) == 'm' ? value / 1000.0 : value * MUS__DEGREE);
     }
     double waist = mus_tape_value(tape, MUS_MEASURE_WAIST_HEIGHT);
     if (status != MUS_OK || waist != waist) return status;
@@ -204,7 +206,7 @@ static bool column_unit(const char *column, char *measure, size_t bytes, int32_t
     } endings[] = {{"_cm", 'm', 100.0},
                    {"_mm", 'm', 1000.0},
                    {"_m", 'm', 1.0},
-                   {"_deg", 'r', 1.0 / MUS_DEGREE},
+                   {"_deg", 'r', 1.0 / MUS__DEGREE},
                    {"_rad", 'r', 1.0}};
     size_t length = strlen(column);
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
@@ -255,7 +257,7 @@ static mus_status read_measures(struct table *table, mus_tape *tape)
 /* find the row by its name; it must be there once */
 static mus_status table_find(struct table *table, const char *row)
 {
-    mus_unused names = {.count = 0};
+    mus__unused names = {.count = 0};
     int64_t found = 0;
     while (*table->rest != '\0') {
         const struct table_line *line = &table->scan;
@@ -281,7 +283,7 @@ static mus_status table_find(struct table *table, const char *row)
 }
 
 
-mus_status mus__tape_read_table(mus_source *source, const char *row, mus_tape *tape)
+mus_status mus__tape_read_table(mus__source *source, const char *row, mus_tape *tape)
 {
     struct table table = {.source = source, .rest = source->text};
     mus_status status = MUS_OK;

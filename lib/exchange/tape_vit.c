@@ -12,9 +12,11 @@
 #include <expat.h>
 #include <limits.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
+#include "exchange/tape_forms.h"
 
 
 static const struct {
@@ -64,10 +66,10 @@ static const struct {
 #define VIT_NAME_COUNT ((int32_t)(sizeof vit_names / sizeof vit_names[0]))
 
 struct vit_reader {
-    mus_source *source;
+    mus__source *source;
     XML_Parser parser;
     mus_status status;
-    mus_unused unused;
+    mus__unused unused;
     int32_t depth;
     bool in_personal;
     bool in_measures;
@@ -229,7 +231,7 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
         bool set = mus_tape_source(tape, measure) != MUS_SOURCE_NONE;
         if (reader->value[i] != reader->value[i] || set) continue;
         bool length = mus_measure_unit(measure) == 'm';
-        double value = length ? reader->value[i] * units[u].up / units[u].down : reader->value[i] * MUS_DEGREE;
+        double value = length ? reader->value[i] * units[u].up / units[u].down : reader->value[i] * MUS__DEGREE;
         status = mus_tape_set(tape, measure, value, MUS_SOURCE_GIVEN);
         if (status != MUS_OK) status = mus__source_wrap(reader->source, reader->line[i], status);
     }
@@ -239,7 +241,7 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
 }
 
 
-mus_status mus__tape_read_vit(mus_source *source, mus_tape *tape)
+mus_status mus__tape_read_vit(mus__source *source, mus_tape *tape)
 {
     struct vit_reader reader = {.source = source};
     for (int32_t i = 0; i < VIT_NAME_COUNT; i++) reader.value[i] = NAN;

@@ -17,10 +17,12 @@
  * assets/bodies and its documentation of body measurements.
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 #include <yaml.h>
 
-#include "exchange/exchange_internal.h"
+#include "exchange/source.h"
+#include "exchange/tape_forms.h"
 
 #define BODY_NECK_SIDE 0.0165 /* of the stature: so much is the side of the neck base below the nape */
 #define BODY_SCYE 0.9         /* of the scye depth the armpit is below the nape: the tape hangs lower */
@@ -58,8 +60,8 @@ static const char *const body_names[BODY_COUNT] = {BODY_LIST(BODY_NAME)};
 
 /* where the reader stands: in the document, in its top map, in the map `body` */
 struct body_reader {
-    mus_source *source;
-    mus_unused unused;
+    mus__source *source;
+    mus__unused unused;
     double value[BODY_COUNT]; /* NaN: not in the file */
     int32_t depth;
     bool wants_value; /* a key was read */
@@ -198,8 +200,8 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
         {MUS_MEASURE_THIGH, v[BODY_THIGH] / 100.0},
         {MUS_MEASURE_WRIST, v[BODY_WRIST] / 100.0},
         {MUS_MEASURE_ARM, v[BODY_ARM] / 100.0},
-        {MUS_MEASURE_ARM_ANGLE, v[BODY_ARM_ANGLE] * MUS_DEGREE},
-        {MUS_MEASURE_SHOULDER_SLOPE, v[BODY_INCLINE] * MUS_DEGREE},
+        {MUS_MEASURE_ARM_ANGLE, v[BODY_ARM_ANGLE] * MUS__DEGREE},
+        {MUS_MEASURE_SHOULDER_SLOPE, v[BODY_INCLINE] * MUS__DEGREE},
         {MUS_MEASURE_BUST_SPAN, v[BODY_BUST_POINTS] / 100.0},
         {MUS_MEASURE_NAPE_HEIGHT, (level + BODY_NECK_SIDE * v[BODY_HEIGHT]) / 100.0},
         {MUS_MEASURE_BUST_HEIGHT, (level - v[BODY_BUST_LINE]) / 100.0},
@@ -228,7 +230,7 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
  */
 static mus_status body_shoulder_line(struct body_reader *reader, mus_tape *tape, double side)
 {
-    const double *v = reader->value, slope = tan(v[BODY_INCLINE] * MUS_DEGREE);
+    const double *v = reader->value, slope = tan(v[BODY_INCLINE] * MUS__DEGREE);
     const double point = 0.5 * v[BODY_SHOULDER] / 100.0, width = 0.5 * v[BODY_NECK_WIDTH] / 100.0;
     const double level = (v[BODY_HEIGHT] - v[BODY_HEAD]) / 100.0;
     const double nape = level + (width - side) * slope + BODY_NECK_SIDE * v[BODY_HEIGHT] / 100.0;
@@ -248,7 +250,7 @@ static mus_status body_shoulder(struct body_reader *reader, mus_tape *tape)
     if (status != MUS_OK) return status;
     status = mus_tape_complete(whole);
     if (status == MUS_OK)
-        status = body_shoulder_line(reader, tape, mus_tape_value(whole, MUS_MEASURE_NECK) / (360.0 * MUS_DEGREE));
+        status = body_shoulder_line(reader, tape, mus_tape_value(whole, MUS_MEASURE_NECK) / (360.0 * MUS__DEGREE));
     else if (status == MUS_ERR_TAPE)
         status = MUS_OK;
     mus_tape_destroy(whole);
@@ -256,7 +258,7 @@ static mus_status body_shoulder(struct body_reader *reader, mus_tape *tape)
 }
 
 
-mus_status mus__tape_read_yaml(mus_source *source, mus_tape *tape)
+mus_status mus__tape_read_yaml(mus__source *source, mus_tape *tape)
 {
     struct body_reader reader = {.source = source};
     for (int32_t i = 0; i < BODY_COUNT; i++) reader.value[i] = NAN;

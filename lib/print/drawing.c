@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/drawing.h"
 
 /* widths of cut line, seam line: the usual ones of printed patterns; all others are lighter than the cut line */
 const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
@@ -24,17 +24,6 @@ const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
 };
 
 
-mus_status mus__print_fail(mus_context *context, mus_status status, const char *format, ...)
-{
-    char text[512];
-    va_list list;
-    va_start(list, format);
-    vsnprintf(text, sizeof text, format, list);
-    va_end(list);
-    return mus_context_fail(context, status, text);
-}
-
-
 int32_t mus__print_millimetres(char *out, size_t size, double x)
 {
     long tenths = lround(x * 1e4);
@@ -45,7 +34,7 @@ int32_t mus__print_millimetres(char *out, size_t size, double x)
 
 mus_status mus__print_memory(mus_context *context, const char *what)
 {
-    return mus__print_fail(context, MUS_ERR_MEMORY, "no memory for %s", what);
+    return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for %s", what);
 }
 
 
@@ -66,7 +55,7 @@ void mus__print_free(mus_context *context, void *block)
 mus_status mus__print_reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size)
 {
     if (need <= *capacity) return MUS_OK;
-    if (need > INT32_MAX / 2) return mus__print_fail(context, MUS_ERR_LIMIT, "a drawing of more than 2^30 parts");
+    if (need > INT32_MAX / 2) return mus__file_fail(context, MUS_ERR_LIMIT, "a drawing of more than 2^30 parts");
 
     int64_t grown = (int64_t)*capacity + *capacity / 2 + 64;
     if (grown < need) grown = need;
@@ -102,7 +91,14 @@ void mus__draw_path(mus__drawing *drawing, int32_t piece, mus__layer layer, mus_
     drawing->status = mus__print_reserve(drawing->context, &drawing->paths, &drawing->path_room,
                                          (int64_t)drawing->npath + 1, sizeof *drawing->paths);
     if (drawing->status != MUS_OK) return;
-    drawing->paths[drawing->npath++] = (mus__path){piece, layer, pen, drawing->nop, 0, drawing->nxy, {0, 0, 0, 0}};
+    drawing->paths[drawing->npath++] =
+        (mus__path){piece, layer, pen, MUS_NONE, drawing->nop, 0, drawing->nxy, {0, 0, 0, 0}};
+}
+
+
+void mus__draw_edge(mus__drawing *drawing, int32_t edge)
+{
+    if (drawing->status == MUS_OK) drawing->paths[drawing->npath - 1].edge = edge;
 }
 
 

@@ -30,7 +30,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/piece.h"
 
 #define MITRE_LIMIT 2.5  /* of the wider allowance: beyond, a corner is cut off */
 #define JITTER 1e-8      /* [m]; must be far above rounding (1e-15) and far below what a cutter sees (1e-4) */

@@ -11,10 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/piece.h"
 
 #define CHORD_TOLERANCE 1e-5                  /* [m]; the offset is as exact as this */
-#define ARC_STEP (MUS_PRINT_PI / 8.0)         /* of one cubic: error 2/27 (step/4)^6 of the radius */
+#define ARC_STEP (MUS__PRINT_PI / 8.0)         /* of one cubic: error 2/27 (step/4)^6 of the radius */
 #define CHORDS_MAX 4096                       /* of one cubic */
 
 
@@ -123,8 +123,8 @@ static void span_arc(span_list *spans, const double *s, const double *m, const d
     }
     double cx = s[0] + ux, cy = s[1] + uy, radius = sqrt(ux * ux + uy * uy);
     double from = atan2(-uy, -ux), sweep = atan2(e[1] - cy, e[0] - cx) - from;
-    if (cross > 0.0 && sweep <= 0.0) sweep += 2.0 * MUS_PRINT_PI;
-    if (cross < 0.0 && sweep >= 0.0) sweep -= 2.0 * MUS_PRINT_PI;
+    if (cross > 0.0 && sweep <= 0.0) sweep += 2.0 * MUS__PRINT_PI;
+    if (cross < 0.0 && sweep >= 0.0) sweep -= 2.0 * MUS__PRINT_PI;
 
     int32_t n = (int32_t)ceil(fabs(sweep) / ARC_STEP);
     double handle = 4.0 / 3.0 * tan(sweep / n / 4.0), p[8] = {s[0], s[1], 0, 0, 0, 0, 0, 0};

@@ -13,10 +13,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 
-#define INCH_4 0.1016
-#define SQUARE_GAP 0.006
 #define DIAMOND 0.004 /* half its width */
 #define COVER_COLUMN 0.048 /* least width right of the squares, for text and page map */
 #define COVER_HEIGHT 0.255
@@ -33,13 +31,6 @@ static void page_text(mus__drawing *out, mus__pen pen, const char *text, double 
 
 /* ---- test squares ---- */
 
-void mus__squares_size(bool beside, double *out)
-{
-    out[0] = beside ? 0.1 + SQUARE_GAP + INCH_4 : INCH_4;
-    out[1] = beside ? INCH_4 : 0.1 + SQUARE_GAP + INCH_4;
-}
-
-
 static void page_square(mus__drawing *out, double x, double y, double size, const char *name, const char *hint)
 {
     mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
@@ -51,9 +42,9 @@ static void page_square(mus__drawing *out, double x, double y, double size, cons
 
 void mus__squares_draw(mus__drawing *out, double x, double y, bool beside)
 {
-    double top = beside ? y : y + INCH_4 + SQUARE_GAP, right = beside ? x + 0.1 + SQUARE_GAP : x;
+    double top = beside ? y : y + MUS__INCH_4 + MUS__SQUARE_GAP, right = beside ? x + 0.1 + MUS__SQUARE_GAP : x;
     page_square(out, x, top, 0.1, "100 mm", "measure: print at 100 %, scale 1:1");
-    page_square(out, right, y, INCH_4, "4 inch", "measure: print at 100 %, scale 1:1");
+    page_square(out, right, y, MUS__INCH_4, "4 inch", "measure: print at 100 %, scale 1:1");
 }
 
 
@@ -170,14 +161,14 @@ void mus__cover_size(const mus_sheet *sheet, double *out)
 
 mus_status mus__cover_check(const mus_sheet *sheet)
 {
-    double size[2], width = INCH_4 + SQUARE_GAP + COVER_COLUMN;
+    double size[2], width = MUS__INCH_4 + MUS__SQUARE_GAP + COVER_COLUMN;
     mus__cover_size(sheet, size);
     double x = 0.5 * (size[0] - width), y = 0.5 * (size[1] - COVER_HEIGHT), most = x < y ? x : y;
     if (sheet->def.margin <= most) return MUS_OK;
     char margin[32], limit[32];
     mus__print_millimetres(margin, sizeof margin, sheet->def.margin);
     mus__print_millimetres(limit, sizeof limit, most);
-    return mus__print_fail(sheet->context, MUS_ERR_ARG,
+    return mus__file_fail(sheet->context, MUS_ERR_ARG,
                            "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
                            limit);
 }
@@ -265,7 +256,7 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
     /* squares on the left, list of pieces and page map on the right, how to put it together below */
     double squares[2];
     mus__squares_size(false, squares);
-    double top = y - 0.005, low = top - squares[1], column = left + squares[0] + SQUARE_GAP, space = right - column;
+    double top = y - 0.005, low = top - squares[1], column = left + squares[0] + MUS__SQUARE_GAP, space = right - column;
     double list = 0.0055 * sheet->npiece;
     if (list > 0.4 * squares[1]) list = 0.4 * squares[1];
     mus__squares_draw(out, left, low, false);

@@ -10,7 +10,8 @@
 #include <cairo.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "file/sink.h"
+#include "print/page.h"
 
 #define POINTS (72.0 / 0.0254)               /* in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* cairo writes the time of day unless told one */
@@ -24,8 +25,8 @@ typedef struct pdf_page {
 
 static cairo_status_t pdf_collect(void *closure, const unsigned char *data, unsigned int length)
 {
-    mus__bytes *bytes = closure;
-    mus__bytes_add(bytes, data, length);
+    mus__sink *bytes = closure;
+    mus__sink_add(bytes, data, length);
     return bytes->status == MUS_OK ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
 
@@ -125,7 +126,7 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
 }
 
 
-static mus_status pdf_pages(const mus_sheet *sheet, mus__bytes *bytes)
+static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
 {
     double width = sheet->page[0] * POINTS, height = sheet->page[1] * POINTS;
     cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(pdf_collect, bytes, width, height);
@@ -145,19 +146,33 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__bytes *bytes)
     cairo_surface_destroy(surface);
     if (status == MUS_OK) status = bytes->status;
     if (status == MUS_OK && trouble != CAIRO_STATUS_SUCCESS)
-        status = mus__print_fail(sheet->context, trouble == CAIRO_STATUS_NO_MEMORY ? MUS_ERR_MEMORY : MUS_ERR_FILE,
+        status = mus__file_fail(sheet->context, trouble == CAIRO_STATUS_NO_MEMORY ? MUS_ERR_MEMORY : MUS_ERR_FILE,
                                  "cairo: %s", cairo_status_to_string(trouble));
+    return status;
+}
+
+
+static mus_status pdf_write(const mus_sheet *sheet, const mus__target *target, const char *what)
+{
+    if (sheet == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__target_check(sheet->context, target, what);
+    if (status != MUS_OK) return status;
+    mus__sink bytes;
+    mus__sink_init(&bytes, sheet->context);
+    status = pdf_pages(sheet, &bytes);
+    if (status == MUS_OK) status = mus__sink_give(&bytes, target);
+    mus__sink_free(&bytes);
     return status;
 }
 
 
 mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path)
 {
-    if (sheet == NULL) return MUS_ERR_ARG;
-    if (path == NULL) return mus_context_fail(sheet->context, MUS_ERR_ARG, "mus_sheet_write_pdf: path is NULL");
-    mus__bytes bytes = {.context = sheet->context};
-    mus_status status = pdf_pages(sheet, &bytes);
-    if (status == MUS_OK) status = mus__bytes_save(&bytes, path);
-    mus__print_free(sheet->context, bytes.data);
-    return status;
+    return pdf_write(sheet, &(mus__target){path, NULL, NULL}, "mus_sheet_write_pdf");
+}
+
+
+mus_status mus_sheet_write_pdf_bytes(const mus_sheet *sheet, char **bytes, size_t *size)
+{
+    return pdf_write(sheet, &(mus__target){NULL, bytes, size}, "mus_sheet_write_pdf_bytes");
 }

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/sheet.h"
 
 #define LABEL_LINES 7
 #define LABEL_BYTES 256

@@ -7,7 +7,7 @@
  */
 #include <math.h>
 
-#include "print/print_internal.h"
+#include "print/piece.h"
 
 #define SLIT_DEPTH 0.005
 #define SLIT_CLEAR 0.002   /* left between slit and seam line, so that a slit never opens a seam */
@@ -58,6 +58,7 @@ static void marks_seam(mus__drawing *out, const mus__piece *piece, int32_t index
     for (int32_t i = 0, end; i < piece->nspan; i = end) {
         for (end = i + 1; end < piece->nspan && piece->spans[end].side == piece->spans[i].side;) end++;
         mus__draw_path(out, index, MUS__LAYER_SEAM, MUS__PEN_SEAM);
+        mus__draw_edge(out, piece->sides[piece->spans[i].side].edge);
         marks_spans(out, piece, i, end - 1);
     }
 }
@@ -116,6 +117,7 @@ static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const m
 
         double length = mus_pattern_edge_length(pattern, edge);
         mus__draw_path(out, index, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH);
+        mus__draw_edge(out, edge);
         for (int32_t k = 0; k < kind; k++) {
             double at = s + (k - 0.5 * (kind - 1)) * SLIT_APART;
             at = at < 0.0 ? 0.0 : at > length ? length : at;

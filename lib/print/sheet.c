@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "muslin/topology.h"
-#include "print/print_internal.h"
+#include "print/page.h"
 
 #define ALLOWANCE_MOST 0.1 /* [m] */
 #define BORDER_MOST 0.1    /* of margin and overlap [m] */
@@ -36,14 +36,14 @@ static mus_status sheet_range(mus_context *context, const char *name, double x, 
     mus__print_millimetres(most, sizeof most, high);
     if (x - x == 0.0 && fabs(x) < 1e6) snprintf(given, sizeof given, "%ld um", lround(x * 1e6));
     else if (x == x) snprintf(given, sizeof given, "beyond all paper");
-    return mus__print_fail(context, MUS_ERR_ARG, "sheet: %s is %s; 0 to %s mm", name, given, most);
+    return mus__file_fail(context, MUS_ERR_ARG, "sheet: %s is %s; 0 to %s mm", name, given, most);
 }
 
 
 static mus_status sheet_def_check(mus_context *context, const mus_sheet_def *def)
 {
     if (def->paper < MUS_PAPER_A4 || def->paper > MUS_PAPER_ROLL)
-        return mus__print_fail(context, MUS_ERR_ARG, "sheet: paper %d is unknown; 0 (A4) to %d (roll)", def->paper,
+        return mus__file_fail(context, MUS_ERR_ARG, "sheet: paper %d is unknown; 0 (A4) to %d (roll)", def->paper,
                                MUS_PAPER_ROLL);
     mus_status status = sheet_range(context, "allowance", def->allowance, ALLOWANCE_MOST);
     if (status == MUS_OK) status = sheet_range(context, "margin", def->margin, BORDER_MOST);
@@ -67,12 +67,12 @@ static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
     mus_faults *faults;
     int32_t count = 0;
     mus_status status = mus_pattern_check(pattern, &count, &faults);
-    if (status != MUS_OK) mus__print_fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
+    if (status != MUS_OK) mus__file_fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
     for (int32_t i = 0; i < count && status == MUS_OK; i++) {
         int32_t kind;
         status = mus_faults_item(faults, i, &kind, NULL, NULL, NULL);
         if (kind == MUS_FAULT_OPEN_OUTLINE || kind == MUS_FAULT_CROSSING || kind == MUS_FAULT_SMALL_PANEL)
-            status = mus__print_fail(context, MUS_ERR_PATTERN, "pattern %.100s cannot be printed: %.300s",
+            status = mus__file_fail(context, MUS_ERR_PATTERN, "pattern %.100s cannot be printed: %.300s",
                                      mus_pattern_name(pattern), mus_faults_text(faults, i));
     }
     mus_faults_destroy(faults);
@@ -96,7 +96,7 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
         status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, &sheet->pieces[sheet->npiece++]);
     }
     if (status == MUS_OK && sheet->npiece == 0)
-        status = mus__print_fail(sheet->context, MUS_ERR_PATTERN, "pattern %.100s has no panel to print", sheet->title);
+        status = mus__file_fail(sheet->context, MUS_ERR_PATTERN, "pattern %.100s has no panel to print", sheet->title);
     return status;
 }
 
@@ -146,7 +146,7 @@ mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, co
     mus_sheet_def_init(&own, sizeof own);
     if (def != NULL) {
         if (def->size != sizeof own)
-            return mus__print_fail(context, MUS_ERR_VERSION, "mus_sheet_def: size %zu, this library knows %zu; use "
+            return mus__file_fail(context, MUS_ERR_VERSION, "mus_sheet_def: size %zu, this library knows %zu; use "
                                    "mus_sheet_def_init", def->size, sizeof own);
         own = *def;
     }
@@ -216,7 +216,7 @@ mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *out)
     if (out == NULL) return mus_context_fail(sheet->context, MUS_ERR_ARG, "mus_sheet_page: out is NULL");
     int32_t first = sheet->tiled ? 1 : 0;
     if (page < first || page >= first + sheet->ntile)
-        return mus__print_fail(sheet->context, MUS_ERR_ARG, "page %d shows no part of the sheet; pages %d to %d do",
+        return mus__file_fail(sheet->context, MUS_ERR_ARG, "page %d shows no part of the sheet; pages %d to %d do",
                                page, first, first + sheet->ntile - 1);
 
     double box[4];

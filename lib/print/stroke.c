@@ -13,7 +13,7 @@
  */
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/drawing.h"
 
 #define CAPITAL 10.0  /* units from the base line to the top of a capital */
 #define BASE 4

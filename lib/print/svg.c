@@ -10,7 +10,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "file/sink.h"
+#include "print/page.h"
 
 #define SVG_GAP 0.005 /* between the sheet and test squares added below it */
 
@@ -18,30 +19,30 @@ static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notche
 
 
 /* metres as millimetres with four decimals at most */
-static void svg_number(mus__bytes *bytes, double x)
+static void svg_number(mus__sink *bytes, double x)
 {
     int64_t units = llround(x * 1e7), whole = units < 0 ? -(units / 10000) : units / 10000;
     int fraction = (int)(units < 0 ? -(units % 10000) : units % 10000), digits = 4;
-    mus__bytes_print(bytes, "%s%" PRId64, units < 0 ? "-" : "", whole);
+    mus__sink_print(bytes, "%s%" PRId64, units < 0 ? "-" : "", whole);
     if (fraction == 0) return;
     for (; fraction % 10 == 0; fraction /= 10) digits--;
-    mus__bytes_print(bytes, ".%0*d", digits, fraction);
+    mus__sink_print(bytes, ".%0*d", digits, fraction);
 }
 
 
 /* text of an element: marked-up characters escaped, what is no XML or no UTF-8 as '?' */
-static void svg_text(mus__bytes *bytes, const char *text)
+static void svg_text(mus__sink *bytes, const char *text)
 {
     while (*text != '\0') {
         const char *from = text;
         uint32_t code = mus__text_character(&text);
         bool control = code < 0x20 || code == 0x7f, beyond = code >= 0xfffd && code < 0x10000;
         bool surrogate = code >= 0xd800 && code < 0xe000;
-        if (code == '<') mus__bytes_print(bytes, "&lt;");
-        else if (code == '>') mus__bytes_print(bytes, "&gt;");
-        else if (code == '&') mus__bytes_print(bytes, "&amp;");
-        else if (control || surrogate || beyond) mus__bytes_print(bytes, "?");
-        else mus__bytes_add(bytes, from, (size_t)(text - from));
+        if (code == '<') mus__sink_print(bytes, "&lt;");
+        else if (code == '>') mus__sink_print(bytes, "&gt;");
+        else if (code == '&') mus__sink_print(bytes, "&amp;");
+        else if (control || surrogate || beyond) mus__sink_print(bytes, "?");
+        else mus__sink_add(bytes, from, (size_t)(text - from));
     }
 }
 
@@ -78,63 +79,63 @@ static void svg_identifier(const mus_sheet *sheet, int32_t index, char *out)
 }
 
 
-static void svg_path(mus__bytes *bytes, const mus__drawing *drawing, const mus__path *path, double top)
+static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__path *path, double top)
 {
     const mus__pen_style *style = &mus__pen_styles[path->pen];
     const double *xy = drawing->xy + path->at;
     int grey = (int)lround(style->grey * 255.0);
-    mus__bytes_print(bytes, "<path d=\"");
+    mus__sink_print(bytes, "<path d=\"");
     for (int32_t i = 0; i < path->nop; i++) {
         unsigned char op = drawing->ops[path->op + i];
         int32_t n = op == 'c' ? 3 : op == 'z' ? 0 : 1;
-        mus__bytes_print(bytes, "%c", op == 'z' ? 'Z' : op - 'a' + 'A');
+        mus__sink_print(bytes, "%c", op == 'z' ? 'Z' : op - 'a' + 'A');
         for (int32_t k = 0; k < n; k++) {
-            if (k > 0) mus__bytes_add(bytes, " ", 1);
+            if (k > 0) mus__sink_add(bytes, " ", 1);
             svg_number(bytes, xy[2 * k]);
-            mus__bytes_add(bytes, ",", 1);
+            mus__sink_add(bytes, ",", 1);
             svg_number(bytes, top - xy[2 * k + 1]);
         }
         xy += 2 * n;
     }
     if (style->width == 0.0) {
-        mus__bytes_print(bytes, "\" fill=\"#%02x%02x%02x\"/>\n", grey, grey, grey);
+        mus__sink_print(bytes, "\" fill=\"#%02x%02x%02x\"/>\n", grey, grey, grey);
         return;
     }
-    mus__bytes_print(bytes, "\" fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-width=\"", grey, grey, grey);
+    mus__sink_print(bytes, "\" fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-width=\"", grey, grey, grey);
     svg_number(bytes, style->width);
     if (style->dash[0] > 0.0) {
-        mus__bytes_print(bytes, "\" stroke-dasharray=\"");
+        mus__sink_print(bytes, "\" stroke-dasharray=\"");
         svg_number(bytes, style->dash[0]);
-        mus__bytes_add(bytes, ",", 1);
+        mus__sink_add(bytes, ",", 1);
         svg_number(bytes, style->dash[1]);
     }
-    mus__bytes_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
+    mus__sink_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
                      path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
 }
 
 
-static void svg_piece(mus__bytes *bytes, const mus_sheet *sheet, int32_t index)
+static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
 {
     char name[SVG_NAME];
     svg_identifier(sheet, index, name);
-    mus__bytes_print(bytes, "<g id=\"%s\">\n<title>", name);
+    mus__sink_print(bytes, "<g id=\"%s\">\n<title>", name);
     svg_text(bytes, sheet->names[index]);
-    mus__bytes_print(bytes, "</title>\n");
+    mus__sink_print(bytes, "</title>\n");
     for (int32_t layer = 0; layer < MUS__LAYER_COUNT; layer++) {
-        mus__bytes_print(bytes, "<g id=\"%s.%s\">\n", name, layer_names[layer]);
+        mus__sink_print(bytes, "<g id=\"%s.%s\">\n", name, layer_names[layer]);
         for (int32_t i = 0; i < sheet->drawing.npath; i++) {
             const mus__path *path = &sheet->drawing.paths[i];
             if (path->piece == index && (int32_t)path->layer == layer && path->nop > 0)
                 svg_path(bytes, &sheet->drawing, path, sheet->extent[1]);
         }
-        mus__bytes_print(bytes, "</g>\n");
+        mus__sink_print(bytes, "</g>\n");
     }
-    mus__bytes_print(bytes, "</g>\n");
+    mus__sink_print(bytes, "</g>\n");
 }
 
 
 /* the test squares: where they stand on the sheet, or below it when they would be on the cover */
-static mus_status svg_scale(mus__bytes *bytes, const mus_sheet *sheet)
+static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
     mus__draw_init(&drawing, sheet->context);
@@ -142,42 +143,56 @@ static mus_status svg_scale(mus__bytes *bytes, const mus_sheet *sheet)
     mus__squares_size(true, size);
     if (sheet->tiled) mus__squares_draw(&drawing, 0.0, -SVG_GAP - size[1], true);
     else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1], sheet->squares_beside);
-    mus__bytes_print(bytes, "<g id=\"scale\">\n");
+    mus__sink_print(bytes, "<g id=\"scale\">\n");
     for (int32_t i = 0; i < drawing.npath; i++) svg_path(bytes, &drawing, &drawing.paths[i], sheet->extent[1]);
-    mus__bytes_print(bytes, "</g>\n");
+    mus__sink_print(bytes, "</g>\n");
     mus_status status = drawing.status;
     mus__draw_free(&drawing);
     return status;
 }
 
 
-mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path)
+static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, const char *what)
 {
     if (sheet == NULL) return MUS_ERR_ARG;
-    if (path == NULL) return mus_context_fail(sheet->context, MUS_ERR_ARG, "mus_sheet_write_svg: path is NULL");
-    mus__bytes bytes = {.context = sheet->context};
+    mus_status status = mus__target_check(sheet->context, target, what);
+    if (status != MUS_OK) return status;
+    mus__sink bytes;
+    mus__sink_init(&bytes, sheet->context);
     double squares[2], width = sheet->extent[0], height = sheet->extent[1];
     mus__squares_size(true, squares);
     if (sheet->tiled) {
         width = width > squares[0] + SVG_GAP ? width : squares[0] + SVG_GAP;
         height += squares[1] + 2.0 * SVG_GAP;
     }
-    mus__bytes_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
+    mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
     svg_number(&bytes, width);
-    mus__bytes_print(&bytes, "mm\" height=\"");
+    mus__sink_print(&bytes, "mm\" height=\"");
     svg_number(&bytes, height);
-    mus__bytes_print(&bytes, "mm\" viewBox=\"0 0 ");
+    mus__sink_print(&bytes, "mm\" viewBox=\"0 0 ");
     svg_number(&bytes, width);
-    mus__bytes_add(&bytes, " ", 1);
+    mus__sink_add(&bytes, " ", 1);
     svg_number(&bytes, height);
-    mus__bytes_print(&bytes, "\">\n<title>");
+    mus__sink_print(&bytes, "\">\n<title>");
     svg_text(&bytes, sheet->title);
-    mus__bytes_print(&bytes, "</title>\n");
+    mus__sink_print(&bytes, "</title>\n");
     for (int32_t i = 0; i < sheet->npiece; i++) svg_piece(&bytes, sheet, i);
-    mus_status status = svg_scale(&bytes, sheet);
-    mus__bytes_print(&bytes, "</svg>\n");
+    status = svg_scale(&bytes, sheet);
+    mus__sink_print(&bytes, "</svg>\n");
     if (status == MUS_OK) status = bytes.status;
-    if (status == MUS_OK) status = mus__bytes_save(&bytes, path);
-    mus__print_free(sheet->context, bytes.data);
+    if (status == MUS_OK) status = mus__sink_give(&bytes, target);
+    mus__sink_free(&bytes);
     return status;
+}
+
+
+mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path)
+{
+    return svg_write(sheet, &(mus__target){path, NULL, NULL}, "mus_sheet_write_svg");
+}
+
+
+mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size)
+{
+    return svg_write(sheet, &(mus__target){NULL, bytes, size}, "mus_sheet_write_svg_bytes");
 }

@@ -11,31 +11,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 
 #define PIECE_GAP 0.006      /* between the cut lines of two pieces */
 #define SHEET_BORDER 0.003   /* between cut line and edge of the printed window */
 #define MORE_COLUMNS 10      /* widths tried beyond the least */
 #define TILES_MAX 10000      /* a pattern of 25 m on A4 */
-#define POINT (0.0254 / 72.0) /* [m] */
-#define ROLL_LONGEST 14000.0 /* [points]; PDF ends at 14400, which is 5.08 m */
-#define ROLL_SHORTEST 850.0
-#define PRINTED_LEAST 0.05    /* of the paper's width between the margins */
-
-/* portrait, in whole points: programs that round the size of a page up and then shrink it to the paper (pdftocairo
- * does, by 0.12 % on 595.28) find nothing to round, so that the scale stays true. Within 0.1 mm of the ISO sizes */
-static const double papers[][2] = {
-    [MUS_PAPER_A4] = {595, 842},   [MUS_PAPER_LETTER] = {612, 792},           [MUS_PAPER_A3] = {842, 1191},
-    [MUS_PAPER_A0] = {2384, 3370}, [MUS_PAPER_ROLL] = {2591, ROLL_LONGEST},
-};
-
-
-void mus__paper_size(int32_t paper, double *out)
-{
-    out[0] = papers[paper][0] * POINT;
-    out[1] = papers[paper][1] * POINT;
-}
-
 
 /* Liang and Barsky's clip: true when something of the segment is left */
 bool mus__segment_meets(const double *a, const double *b, const double *box)
@@ -147,7 +128,7 @@ static bool layout_pack(const mus_sheet *sheet, layout *l, int32_t nbox, int32_t
 
     double need = used + 2.0 * SHEET_BORDER;
     if (sheet->def.paper == MUS_PAPER_ROLL)
-        l->page[1] = POINT * fmin(ROLL_LONGEST, fmax(ROLL_SHORTEST, ceil((need + 2.0 * margin) / POINT)));
+        l->page[1] = mus__roll_length(need + 2.0 * margin);
     double step = l->page[1] - 2.0 * margin - overlap, rows = ceil((need - overlap) / step - 1e-9);
     l->columns = columns;
     l->rows = rows < 1.0 ? 1 : rows > TILES_MAX ? TILES_MAX : (int32_t)rows;
@@ -261,7 +242,7 @@ static mus_status layout_find(mus_sheet *sheet, layout *l, layout *best)
     mus_status status = MUS_OK;
     for (int32_t way = 0; way < ways && status == MUS_OK; way++) status = layout_search(sheet, l, way == 1, best);
     if (status == MUS_OK && best->ntile == 0)
-        status = mus__print_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title,
+        status = mus__file_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title,
                                  TILES_MAX);
     return status;
 }
@@ -289,21 +270,4 @@ mus_status mus__sheet_layout(mus_sheet *sheet)
     }
     layout_free(sheet->context, &l);
     return status;
-}
-
-
-mus_status mus__paper_check(const mus_sheet *sheet)
-{
-    const mus_sheet_def *def = &sheet->def;
-    static const char *const names[] = {"A4", "Letter", "A3", "A0", "roll"};
-    double narrow = papers[def->paper][0] * POINT - 2.0 * def->margin;
-    if (narrow >= PRINTED_LEAST && narrow >= 2.0 * def->overlap) return MUS_OK;
-    char margin[32], overlap[32], left[32], least[32];
-    mus__print_millimetres(margin, sizeof margin, def->margin);
-    mus__print_millimetres(overlap, sizeof overlap, def->overlap);
-    mus__print_millimetres(left, sizeof left, narrow > 0.0 ? narrow : 0.0);
-    mus__print_millimetres(least, sizeof least, PRINTED_LEAST);
-    return mus__print_fail(sheet->context, MUS_ERR_ARG,
-                           "paper %s: margin %s mm leaves %s mm of its width to print on; at least %s mm and twice the "
-                           "overlap of %s mm must be left", names[def->paper], margin, left, least, overlap);
 }

@@ -132,7 +132,7 @@ void mus__program_weld(const mus_cloth *cloth, const int32_t *rep, mus__program 
 }
 
 
-/* frees what has room for springs */
+/* frees the arrays whose capacity depends on the number of springs */
 static void tack_room_free(mus_context *context, mus__program *program)
 {
     void *blocks[] = {program->tack, program->spring, program->spring_dashpot, program->half_other,

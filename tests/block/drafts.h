@@ -15,7 +15,7 @@
 #include "support.h"
 
 #define CM 0.01
-#define FIRST 5 /* the first designs, T-shirt to A-line skirt, tested in every size here; the rest: tests/designs */
+#define FIRST 5 /* the first designs, T-shirt to A-line skirt: every size here; the rest: tests/design/test_designs.c */
 #define GOLDEN 0.011 /* cm: the golden numbers are printed to 0.01 */
 
 /* a figure [m or m2] against a golden number in `unit`, within `tolerance` of that unit */

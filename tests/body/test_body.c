@@ -1,4 +1,4 @@
-/* test_body.c: making a body, what it says of itself, refusals, failing allocations, the same bytes each time. */
+/* test_body.c: making a body, its getters, errors, failing allocations, equal bytes each time. */
 #include "body/body_internal.h"
 #include "people.h"
 
@@ -216,7 +216,7 @@ START_TEST(contours_that_would_cross_are_refused_with_both_names)
 END_TEST
 
 
-/* any sheet that passes the checks makes a closed body or is refused with a sentence */
+/* every tape that passes the checks makes a closed body, or is an error with a message */
 START_TEST(random_people_build_or_are_refused_by_name)
 {
     mus_context *context = support_context();

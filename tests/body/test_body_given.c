@@ -1,4 +1,4 @@
-/* test_body_given.c: bodies of given limbs: known solids, what they have not, refusals, failing allocations. */
+/* test_body_given.c: bodies of given limbs: known solids, missing measures, errors, failing allocations. */
 #include <math.h>
 #include <string.h>
 

@@ -4,7 +4,7 @@
  * what a body was made without has no length, and a sheet whose arm and elbow quarrel is refused.
  */
 #include "people.h"
-#include "people/ansur.h"
+#include "study/people/ansur.h"
 
 #define POINTS 2048
 #define RANDOM_TAPES (SUPPORT_SLOW ? 10 : 60)
@@ -24,7 +24,7 @@ static void check_followed(const mus_body *body, const char *who)
 }
 
 
-/* a body that nothing is drawn of */
+/* a body without the details of the skin (plain) */
 static mus_body *plain_body(mus_context *context, const mus_tape *tape, const char *who)
 {
     mus_body_def def;
@@ -65,7 +65,7 @@ START_TEST(shoulder_arm_and_elbow_of_all_sizes_are_the_tapes)
 END_TEST
 
 
-/* lengths, slope, and how the arms hang, off the table's by what people have */
+/* lengths, slope and arm angle of a table size, varied as much as those of people */
 START_TEST(random_tapes_are_followed)
 {
     mus_context *context = support_context();
@@ -130,7 +130,7 @@ END_TEST
 
 /* ---- the middle lines, by gift wrapping ---- */
 
-/* left or right of the way from p to q */
+/* on which side of the line from p to q a point lies */
 static double turned(const double *p, const double *q, const double *r)
 {
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);

@@ -29,7 +29,7 @@ static double landmark_z(const mus_body *body, int32_t landmark)
 }
 
 
-/* postures of all sorts on all sorts of bodies: what the tape names is re-measured as it was */
+/* random postures on random bodies: the finished surface has the girths and heights of the tape */
 START_TEST(girths_and_heights_stay)
 {
     static const char *const sizes[] = {"W34", "W40", "W52", "M50", "M60", "C56", "C116"};
@@ -52,7 +52,7 @@ START_TEST(girths_and_heights_stay)
         for (size_t k = 0; k < sizeof heights / sizeof *heights; k++)
             ck_assert_double_eq_tol(mus_body_made(body, heights[k]), mus_body_made(straight, heights[k]), 1e-12);
 
-        /* what goes where */
+        /* the shifts of nape, head and waist */
         const double stoop = def.stoop, head = def.head_forward, sway = def.sway;
         ck_assert_double_eq_tol(landmark_z(body, MUS_LANDMARK_CROWN) - landmark_z(straight, MUS_LANDMARK_CROWN),
                                 stoop + head, 1e-9);
@@ -74,7 +74,7 @@ START_TEST(girths_and_heights_stay)
 END_TEST
 
 
-/* vertices of the limbs lie on the skin that contact knows, wherever they have gone */
+/* vertices of the limbs lie on the surface of the radius fields in every posture */
 START_TEST(contact_goes_with_the_contours)
 {
     mus_context *context = support_context();

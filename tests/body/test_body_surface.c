@@ -205,7 +205,7 @@ START_TEST(rings_are_as_close_as_asked)
 END_TEST
 
 
-/* is a place where the cleft of the seat, or the groin before it, may be? */
+/* whether a point may be moved by the cleft of the seat or by the groin */
 static bool is_seat(const mus_body *body, const double *x)
 {
     const double tall = body->skeleton.crown;
@@ -237,7 +237,7 @@ START_TEST(the_skin_is_the_union_of_the_limbs)
                 off++;
                 ck_assert_msg(far < 0.0076 * tall, "%s %s vertex %d: %g m", sizes[i], limb->name, (int)v, far);
 
-                /* what was outside all other limbs is not within its own */
+                /* a vertex outside all other limbs does not move into its own limb */
                 if (depth_in_others(body, l, x) < 0.0)
                     ck_assert_double_gt(mus__dot3(way, body->normals + 3 * (ptrdiff_t)v), -5e-4);
             }
@@ -269,7 +269,7 @@ START_TEST(the_seat_has_a_cleft)
     ck_assert_double_eq_tol(after[2] - before[2], 0.011 * tall, 0.002 * tall);
     ck_assert(after[0] == before[0] && after[1] == before[1]);
 
-    /* the same depth in the pelvis of who sits */
+    /* the same depth on the seated body */
     double moved = 0.0;
     for (int i = 0; i < 3; i++) {
         const double d = posed->skin[3 * at + i] - posed->vertices[3 * at + i];

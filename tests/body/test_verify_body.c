@@ -9,7 +9,7 @@
 #define verify_wants verify_body_wants
 #define verify_add verify_body_add
 #define verify_broken verify_body_broken
-#include "muslin/verify_body.c"
+#include "verify/body.c"
 #include "support.h"
 
 Suite *mus_suite_verify_body(void);

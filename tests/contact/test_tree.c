@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "body/people.h"
-#include "muslin/bench_tree.h"
+#include "bench/tree.h"
 
 Suite *mus_suite_tree(void);
 

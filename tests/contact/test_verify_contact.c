@@ -5,12 +5,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "muslin/verify_collide.c"
-#include "muslin/verify_contact.c"
-#include "muslin/verify_contour.c"
-#include "muslin/verify_curve.c"
-#include "muslin/verify_limbs.c"
-#include "muslin/verify_plane.c"
+#include "verify/collide.c"
+#include "verify/contact.c"
+#include "verify/contour.c"
+#include "verify/curve.c"
+#include "verify/limbs.c"
+#include "verify/plane.c"
 #include "support.h"
 
 Suite *mus_suite_verify_contact(void);

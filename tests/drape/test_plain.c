@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "muslin/bench_plain.h"
+#include "bench/plain.h"
 #include "scenes.h"
 
 Suite *mus_suite_plain(void);
@@ -22,11 +22,14 @@ static plain_lattice plain_of(mus_context *context, int32_t precision, mus_cloth
     mus_cloth_def cut;
     mus_drape_def def;
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.weight = 0.2;
-    cut.fabric.stretch[0] = cut.fabric.stretch[1] = 1300.0;
-    cut.fabric.shear = 300.0;
-    cut.fabric.damping = 0.0;
-    for (int d = 0; d < 3; d++) cut.fabric.bend[d] = rigidity;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
+    fabric.weight = 0.2;
+    fabric.stretch[0] = fabric.stretch[1] = 1300.0;
+    fabric.shear = 300.0;
+    fabric.damping = 0.0;
+    for (int d = 0; d < 3; d++) fabric.bend[d] = rigidity;
     mus_drape_def_init(&def, sizeof def);
     def.precision = precision;
     def.drag = 3.0;

@@ -1,6 +1,6 @@
 /*
  * test_changes.c: gravity and stiffness changed between steps: the energy jumps by exactly what the change is worth,
- * the state does not, and the run goes on below the new bound (numerics.md X35; X6 for the bound).
+ * the state does not, and the run goes on below the new bound (cases X35; X6 for the bound).
  */
 #include <stdio.h>
 

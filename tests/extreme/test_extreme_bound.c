@@ -1,6 +1,6 @@
 /*
  * test_extreme_bound.c: the step bound of a drape against the true limit, found by power iteration on a stiffness
- * matrix that is written down here and not taken from the library, and by stepping (numerics.md X5).
+ * matrix that is written down here and not taken from the library, and by stepping (cases X5).
  */
 #include "bare.h"
 

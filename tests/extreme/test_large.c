@@ -1,6 +1,6 @@
 /*
  * test_large.c: cloths of 90,000 nodes, more than 16 bits count: memory by formula, building and stepping in proportion
- * to the nodes, by counts and not by the clock (numerics.md X19, and memory of section 6).
+ * to the nodes, by counts and not by the clock (cases X19, and memory of section 6).
  *
  * MUSLIN_LARGE=1000 in the environment (`make check-large`) makes it a million nodes and eight million springs.
  */

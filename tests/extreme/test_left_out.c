@@ -1,5 +1,5 @@
 /*
- * test_left_out.c: what a scene does not need costs nothing and changes nothing (numerics.md section 6): counters are
+ * test_left_out.c: what a scene does not need costs nothing and changes nothing: counters are
  * the integers that the scene predicts, a feature that is there and unused leaves every bit as it was, and no step
  * allocates.
  */

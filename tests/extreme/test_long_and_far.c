@@ -1,6 +1,6 @@
 /*
  * test_long_and_far.c: cloth whose bending is far softer than its threads, long runs, steps that are none, scenes far
- * from the origin and of other units (numerics.md X1, X24, X25, X36).
+ * from the origin and of other units (cases X1, X24, X25, X36).
  */
 #include "bare.h"
 

@@ -1,6 +1,6 @@
 /*
  * test_odd_scenes.c: cloth folded, flattened and turned inside out; gravity from every side; cloths of one node, of
- * none, all held and not held at all (numerics.md X11, X16, X17, X18, X21, X22).
+ * none, all held and not held at all (cases X11, X16, X17, X18, X21, X22).
  */
 #include "drape/drape_state.h"
 #include "muslin/topology.h"

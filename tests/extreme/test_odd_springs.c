@@ -1,6 +1,6 @@
 /*
  * test_odd_springs.c: nodes as light as 1e-12 kg and as heavy as 1e6 kg, springs without length, nodes in one place,
- * springs crushed and torn (numerics.md X7, X8, X9, X10, X12).
+ * springs crushed and torn (cases X7, X8, X9, X10, X12).
  */
 #include "bare.h"
 

@@ -1,5 +1,5 @@
 /*
- * test_refused_body.c: numbers that are not finite at the doors of tape and body (numerics.md X23): refused by name,
+ * test_refused_body.c: numbers that are not finite at the doors of tape and body (cases X23): refused by name,
  * and the object is as it was. NaN unsets a measure: that is its meaning there.
  */
 #include "muslin/body.h"

@@ -1,5 +1,5 @@
 /*
- * test_refused_paper.c: numbers that are not finite at the doors of the sheet and of mesh files (numerics.md X23):
+ * test_refused_paper.c: numbers that are not finite at the doors of the sheet and of mesh files (cases X23):
  * refused with a sentence, and no file is made.
  */
 #include <unistd.h>

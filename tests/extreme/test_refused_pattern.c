@@ -1,5 +1,5 @@
 /*
- * test_refused_pattern.c: numbers that are not finite at every door of a pattern and of a draft (numerics.md X23):
+ * test_refused_pattern.c: numbers that are not finite at every door of a pattern and of a draft (cases X23):
  * refused with a sentence, and the pattern is as it was, to the bit.
  */
 #include "muslin/design.h"

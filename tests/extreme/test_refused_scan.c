@@ -1,4 +1,4 @@
-/* test_refused_scan.c: numbers that are not finite at the doors of scanning (numerics.md X23): refused by name. */
+/* test_refused_scan.c: numbers that are not finite at the doors of scanning (cases X23): refused by name. */
 #include "muslin/scan.h"
 #include "refused.h"
 #include "scan/solids.h"

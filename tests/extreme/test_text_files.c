@@ -1,5 +1,5 @@
 /*
- * test_text_files.c: every reader of text on what editors, mail and other programs do to a file (numerics.md X39): line
+ * test_text_files.c: every reader of text on what editors, mail and other programs do to a file (cases X39): line
  * ends of two bytes and a byte order mark change nothing; a line of a megabyte, a missing end, a decimal comma and a
  * count of 1e9 are refused with the place: the line, or the path of the value in JSON.
  */

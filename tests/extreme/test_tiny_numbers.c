@@ -1,6 +1,6 @@
 /*
  * test_tiny_numbers.c: motion that dies away to nothing leaves zeros and no denormal numbers, on which arithmetic is
- * ten times as slow (numerics.md X26). They are counted; no clock is asked.
+ * ten times as slow (cases X26). They are counted; no clock is asked.
  */
 #include <float.h>
 

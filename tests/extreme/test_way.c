@@ -1,5 +1,5 @@
 /*
- * test_way.c: the whole way from the tape to the draped garment when memory fails (numerics.md X20).
+ * test_way.c: the whole way from the tape to the draped garment when memory fails (cases X20).
  *
  * Each call of the way is made with its first allocation failing, then its second, and so on until it gets through;
  * what was made before stays in use. At the end stands the garment of an undisturbed run, to the bit, and no byte is

@@ -1,5 +1,5 @@
 /*
- * test_integrate.c: the laws of the integrators on scenes with exact answers (reference/numerics.md I1-I4, I6), their
+ * test_integrate.c: the laws of the integrators on scenes with exact answers (cases I1-I4, I6), their
  * orders, and what they refuse (X4 forced, X23, X24, X25).
  */
 #include <float.h>

@@ -1,5 +1,5 @@
 /*
- * test_stiff.c: the integrators on stiff problems with known answers (reference/numerics.md I5, I7, X2, X3).
+ * test_stiff.c: the integrators on stiff problems with known answers (cases I5, I7, X2, X3).
  *
  * The beam is problem BEAM of the IVP test set (Mazzia, Magherini, release 2.4; Hairer, Wanner, Solving ODEs II, 1996,
  * IV.1); its reference values at t = 5 are from there, computed by RADAU in quadruple precision.

@@ -43,7 +43,7 @@ START_TEST(eq_6_gives_the_half_axes_of_a_girth)
     ck_assert_double_eq_tol(0.7 * a, 0.117048838, 1e-9);
     ck_assert_double_eq_tol(mus__contour_half_breadth(2.0 * MUS_PI, 1.0, 2.0), 1.0, 1e-15);
 
-    /* paper eq. 6 back again */
+    /* the perimeter of these half axes by Ramanujan's formula */
     double b = 0.7 * a;
     ck_assert_double_eq_tol(MUS_PI * (3.0 * (a + b) - sqrt((a + 3.0 * b) * (3.0 * a + b))), 0.9, 1e-14);
 }
@@ -78,7 +78,7 @@ START_TEST(the_fitted_polygon_has_the_girth_not_the_curve)
         mus__contour_fit(&contour, 0.9, n, turn, xy, work);
         ck_assert_double_eq_tol(tape_girth(&contour, n), 0.9, 1e-12);
 
-        /* so the circle is longer, by pi^2 / 6 n^2 */
+        /* the circle through the corners is longer by pi^2 / 6 n^2 */
         double more = 2.0 * MUS_PI * contour.a / 0.9 - 1.0, deficit = MUS_PI * MUS_PI / (6.0 * n * n);
         ck_assert_double_eq_tol(more / deficit, 1.0, 0.02);
     }
@@ -122,7 +122,7 @@ START_TEST(a_wall_cuts_and_the_girth_still_holds)
 END_TEST
 
 
-/* all directions at once, by their symmetry, are each direction by itself: ovals, bumps, walls, a lopsided outline */
+/* radii in all directions, computed by symmetry, equal those of each direction: ovals, bumps, walls, an outline */
 START_TEST(radii_of_all_directions_are_those_of_each)
 {
     const double corner[] = {-2.5, -0.08, -0.06, -0.5, 0.09, -0.049, 0.3, 0.12, 0.037, 2.0, -0.02, 0.0437};

@@ -1,5 +1,4 @@
-/* test_stack.c: the contours between the contours: spline identities, overshoot, caps, contours in each other's
- * way. */
+/* test_stack.c: in-between contours: spline identities, overshoot, caps, contours that are too close. */
 #include "body/body_make.h"
 #include "body/people.h"
 #include "geom/polygon.h"
@@ -98,7 +97,7 @@ START_TEST(a_jump_does_not_overshoot)
     circles(&limb, 5, s, r);
     ck_assert_int_eq(mus__stack_make(context, &limb, N, turn, &stack), MUS_OK);
     mus__stack_ring(&stack, 1.5, centre, radius);
-    ck_assert_double_gt(radius[0], 2.06); /* the natural spline does */
+    ck_assert_double_gt(radius[0], 2.06); /* the natural spline overshoots */
     mus__stack_limit(&stack, &limb);
     for (double x = 0.0; x <= 3.2; x += 0.01) {
         mus__stack_ring(&stack, x, centre, radius);
@@ -121,7 +120,7 @@ START_TEST(caps_close_smoothly_to_the_poles)
     circles(&limb, 2, s, r);
     ck_assert_int_eq(mus__stack_make(context, &limb, N, turn, &stack), MUS_OK);
 
-    /* a cylinder's cap of the radius' length is half a sphere */
+    /* the cap of a cylinder whose length is the radius is half a sphere */
     for (double x = 0.0; x <= 1.0; x += 0.1) {
         mus__stack_ring(&stack, 1.0 + x, centre, radius);
         ck_assert_double_eq_tol(radius[5], sqrt(fmax(1.0 - x * x, 0.0)), 1e-7);
@@ -130,7 +129,7 @@ START_TEST(caps_close_smoothly_to_the_poles)
     }
     mus__stack_free(context, &stack);
 
-    /* a cone's cap leaves with the cone's slope */
+    /* the cap of a cone continues the slope of the cone */
     limb.contour[1].a = limb.contour[1].b = 0.8;
     ck_assert_int_eq(mus__stack_make(context, &limb, N, turn, &stack), MUS_OK);
     mus__stack_ring(&stack, 1.0 + 1e-6, centre, radius);

@@ -109,7 +109,7 @@ START_TEST(a_period_closes_twice_differentiable)
 END_TEST
 
 
-/* half a period later left is right: limbs exchange, the trunk's sideways angles and place change their sign */
+/* half a period later left and right are exchanged; sideways angles and place of the trunk change their sign */
 START_TEST(a_walk_is_symmetric_half_a_period_apart)
 {
     mus_context *context = support_context();
@@ -163,7 +163,7 @@ START_TEST(named_movements_are_smooth_and_within_limits)
             memcpy(before, now, sizeof now);
         }
 
-        /* it holds its ends, or begins anew */
+        /* it holds its ends, or repeats */
         double first[NUMBERS], after[NUMBERS];
         row_at(move, 0.0, first);
         row_at(move, duration + (period > 0.0 ? 0.0 : 5.0), after);
@@ -176,7 +176,7 @@ START_TEST(named_movements_are_smooth_and_within_limits)
 END_TEST
 
 
-/* what a movement cannot be: the sentence says why, and there is none */
+/* arguments that are errors: the message names the fault, and no movement is made */
 START_TEST(movements_that_cannot_be_are_refused)
 {
     mus_context *context = support_context();

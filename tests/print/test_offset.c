@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "support.h"
 
 #define STARS 60
@@ -108,7 +108,7 @@ static int32_t crossings(int32_t n, const double *xy)
 static void star(uint64_t *seed, int32_t n, double *xy)
 {
     for (int32_t i = 0; i < n; i++) {
-        double angle = 2.0 * MUS_PRINT_PI * (i + support_uniform(seed, 0.0, 0.9)) / n;
+        double angle = 2.0 * MUS__PRINT_PI * (i + support_uniform(seed, 0.0, 0.9)) / n;
         double r = support_uniform(seed, 0.1, 0.4);
         xy[2 * i] = r * cos(angle);
         xy[2 * i + 1] = r * sin(angle);
@@ -192,14 +192,14 @@ START_TEST(area_grows_by_width_times_length_and_a_square_term)
     /* regular polygon: A(w) = A + w L + w^2 sum tan(turn / 2), exactly */
     double xy[2 * 12], width[12];
     for (int32_t i = 0; i < 12; i++) {
-        xy[2 * i] = 0.3 * cos(MUS_PRINT_PI * i / 6.0);
-        xy[2 * i + 1] = 0.3 * sin(MUS_PRINT_PI * i / 6.0);
+        xy[2 * i] = 0.3 * cos(MUS__PRINT_PI * i / 6.0);
+        xy[2 * i + 1] = 0.3 * sin(MUS__PRINT_PI * i / 6.0);
     }
     for (int32_t k = 1; k <= 8; k++) {
         double w = 0.005 * k;
         for (int32_t i = 0; i < 12; i++) width[i] = w;
         offset(12, xy, width, NULL);
-        double exact = area_of(12, xy) + w * perimeter_of(12, xy) + w * w * 12.0 * tan(MUS_PRINT_PI / 12.0);
+        double exact = area_of(12, xy) + w * perimeter_of(12, xy) + w * w * 12.0 * tan(MUS__PRINT_PI / 12.0);
         ck_assert_double_eq_tol(area_of(loops.n, loops.xy), exact, 1e-7);
     }
 
@@ -278,7 +278,7 @@ START_TEST(a_closed_mouth_leaves_a_hole)
     /* a ring, open by 10 mm on its right: the allowances close the gap, the middle stays a hole that runs clockwise */
     double xy[2 * 82], width[82];
     for (int32_t i = 0; i < 41; i++) {
-        double angle = 0.035 + (2.0 * MUS_PRINT_PI - 0.07) * i / 40.0;
+        double angle = 0.035 + (2.0 * MUS__PRINT_PI - 0.07) * i / 40.0;
         xy[2 * i] = 0.4 * cos(angle);
         xy[2 * i + 1] = 0.4 * sin(angle);
         xy[2 * (81 - i)] = 0.15 * cos(angle);
@@ -291,7 +291,7 @@ START_TEST(a_closed_mouth_leaves_a_hole)
     ck_assert_double_gt(area_of(outer, loops.xy), 0.0);
     double hole = area_of(loops.n - outer, loops.xy + 2 * outer);
     ck_assert_double_lt(hole, 0.0);
-    ck_assert_double_eq_tol(hole, -MUS_PRINT_PI * 0.135 * 0.135, 1e-3);
+    ck_assert_double_eq_tol(hole, -MUS__PRINT_PI * 0.135 * 0.135, 1e-3);
 }
 END_TEST
 

@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "print/sample_patterns.h"
 #include "support.h"
 
@@ -138,7 +138,7 @@ START_TEST(an_arc_keeps_its_radius)
             ck_assert_double_eq_tol(hypot(p[0] - centre[0], p[1] - centre[1]), 0.5, 1e-6);
         }
     }
-    ck_assert_double_eq_tol(flat_area(), 0.25 * (0.75 * MUS_PRINT_PI + 0.5), 1e-4);
+    ck_assert_double_eq_tol(flat_area(), 0.25 * (0.75 * MUS__PRINT_PI + 0.5), 1e-4);
 }
 END_TEST
 

@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "support.h"
 
 #define BOXES 24

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "print/sample_patterns.h"
 #include "support.h"
 

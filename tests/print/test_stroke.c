@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "support.h"
 
 static mus_context *context;

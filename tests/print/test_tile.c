@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/print_internal.h"
+#include "print/page.h"
 #include "print/sample_patterns.h"
 #include "support.h"
 

@@ -194,11 +194,29 @@ def test_an_exception_in_progress_stops_the_run_and_comes_out(scene):
     drape = muslin.Drape(cloth, body)
     drape.place()
 
-    def progress(phase, share):
-        raise RuntimeError(f"stopped in {phase}")
+    def progress(told):
+        raise RuntimeError(f"stopped in {told.phase}")
 
     with pytest.raises(RuntimeError, match="stopped in sew"):
         drape.sew(progress)
+
+
+def test_progress_sees_positions_and_stops_by_an_error_of_its_own(scene):
+    _, body, _, cloth = scene
+    drape = muslin.Drape(cloth, body, progress_seconds=0)
+    drape.place()
+    seen = []
+
+    def progress(told):
+        seen.append(told)
+        return len(seen) == 2
+
+    with pytest.raises(muslin.MuslinError, match="stopped") as caught:
+        drape.sew(progress)
+    assert caught.value.name == "MUS_ERR_STOPPED" and drape.reason["name"] == "stopped"
+    assert [told.phase for told in seen] == ["sew", "sew"] and 0 <= seen[1].share <= 1
+    assert len(seen[1].positions) > 10 and len(seen[1].triangles) > 10
+    assert max(max(corners) for corners in seen[1].triangles) < len(seen[1].positions)
 
 
 def test_log_lines_reach_python(tmp_path):
@@ -363,3 +381,19 @@ def test_a_body_from_a_mesh(context, tmp_path):
     turned = [(-z, x, y) for x, y, z in vertices]
     with pytest.raises(muslin.MuslinError, match="one axis"):
         muslin.scan(turned, triangles, context=context, up="z", front="-z")
+
+
+def test_bytes_are_the_files_and_read_back(tmp_path):
+    """What a writer gives as bytes is what its file holds, and reads back to the same."""
+    tape = muslin.Tape.size("W40")
+    pattern = muslin.draft("tshirt", tape)
+    pattern.write(tmp_path / "p.json")
+    assert pattern.to_bytes() == (tmp_path / "p.json").read_bytes()
+    assert muslin.Pattern.parse(pattern.to_bytes()).to_bytes() == pattern.to_bytes()
+    assert muslin.Tape.parse(tape.to_bytes()).to_bytes() == tape.to_bytes()
+    sheet = muslin.Sheet(pattern)
+    sheet.write_svg(tmp_path / "s.svg")
+    assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()
+    assert sheet.pdf_bytes().startswith(b"%PDF")
+    sewn = [line for line in sheet.lines if line[1] == 1]
+    assert len(sewn) == len({line[2] for line in sewn}) and len(sheet.pieces) == 3

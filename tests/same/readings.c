@@ -1,6 +1,6 @@
 /*
  * readings.c: rows "read/...": tapes, patterns and fabrics read from files, written, and read and written again; and
- * "ports/figures", the output of tests/ports/figures.c.
+ * "ports/figures", the output of tests/study/ports/figures.c.
  */
 #include "same.h"
 

@@ -27,7 +27,7 @@ typedef struct same_run {
     mus_context *context;
     const char *root;    /* folder of the repository, an absolute path */
     const char *data;    /* folder of the real data, an absolute path; NULL without one */
-    const char *figures; /* the program that tests/ports/figures.c makes */
+    const char *figures; /* the program that tests/study/ports/figures.c makes */
     uint64_t digest;
 } same_run;
 

@@ -3,7 +3,7 @@
  * middle and a large woman, a man and a child: drafted, doubled, without fault, with the openings that are meant.
  */
 #include "muslin/topology.h"
-#include "people/ansur.h"
+#include "study/people/ansur.h"
 #include "style/halves.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};

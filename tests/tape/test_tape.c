@@ -27,7 +27,7 @@ START_TEST(measures_are_found_by_name_and_alias)
     ck_assert_int_eq(mus_measure_find("seat"), MUS_MEASURE_HIP);
     ck_assert_int_eq(mus_measure_find("height"), MUS_MEASURE_STATURE);
     ck_assert_int_eq(mus_measure_find("inseam"), MUS_MEASURE_INLEG);
-    ck_assert_int_eq(mus_measure_find("hips"), MUS_NONE); /* two programs mean two things */
+    ck_assert_int_eq(mus_measure_find("hips"), MUS_NONE); /* two programs mean two measures */
     ck_assert_int_eq(mus_measure_find(""), MUS_NONE);
     ck_assert_int_eq(mus_measure_find(NULL), MUS_NONE);
     ck_assert_ptr_null(mus_measure_name(-1));
@@ -92,7 +92,7 @@ START_TEST(derived_values_are_derived_anew)
     ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
     ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_UPPER_ARM) - before, 0.03, 1e-12);
 
-    /* a given value stays, and one that the caller derived stays and keeps its mark */
+    /* a given value is kept, and a value that the caller derived is kept with its source */
     ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_UPPER_ARM, 0.31, MUS_SOURCE_GIVEN), MUS_OK);
     ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_STATURE, 1.70, MUS_SOURCE_DERIVED), MUS_OK);
     ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
@@ -145,7 +145,7 @@ START_TEST(two_of_rise_inside_leg_and_waist_height_give_the_third)
         mus_tape_destroy(tape);
     }
 
-    /* one alone: the three still sum */
+    /* one of them alone: the sum holds all the same */
     const int32_t alone[] = {r, l, w};
     const double value[] = {0.28, 0.80, 1.08};
     for (int i = 0; i < 3; i++) {
@@ -169,7 +169,7 @@ START_TEST(heights_of_nape_and_bust_follow_the_tape)
     ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_NAPE_HEIGHT), nape, 1e-9);
     ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_BUST_HEIGHT), nape + 0.01 - 0.88 * 0.272, 1e-9);
     ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_ARM_ANGLE), 0.785398163397448, 1e-12);
-    ck_assert(isnan(mus_tape_value(tape, MUS_MEASURE_FRONT_WAIST))); /* the block makes it from the dart */
+    ck_assert(isnan(mus_tape_value(tape, MUS_MEASURE_FRONT_WAIST))); /* a block derives it from its dart */
     mus_tape_destroy(tape);
     support_context_end(context);
 }

@@ -1,4 +1,4 @@
-/* test_tape_check.c: sheets that no body has are refused with both names, doubtful ones are warned of. */
+/* test_tape_check.c: a tape that no body has is an error that names both measures; a doubtful one gives a warning. */
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +48,7 @@ START_TEST(a_contradiction_is_refused_with_both_names)
     mus_context *context = support_context();
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         mus_tape *tape = NULL;
-        /* wrist and waist-to-hip pull derived partners along: give those too */
+        /* wrist and waist-to-hip change derived measures: these are given too */
         int32_t measure[2] = {row[i].measure, MUS_MEASURE_UPPER_ARM};
         double value[2] = {row[i].cm, 29.2};
         mus_status status = complete_with(context, measure, value, 2, &tape);
@@ -139,7 +139,7 @@ END_TEST
 
 START_TEST(derived_values_give_way_to_given_ones)
 {
-    /* each would be refused if its partner were not pulled along */
+    /* each would be an error if the derived measure did not change with it */
     static const struct {
         int32_t measure;
         double cm;

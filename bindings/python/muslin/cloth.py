@@ -36,6 +36,14 @@ class Fabric:
         context.call("mus_fabric_load", context.handle, text(path), ctypes.byref(fabric.struct))
         return fabric
 
+    @classmethod
+    def parse(cls, data, name="fabric.json", context=None):
+        """The fabric of the text of a file (str or bytes)."""
+        context = context or Context.of_thread()
+        fabric, data = cls(), text(data)
+        context.call("mus_fabric_load_from", context.handle, data, len(data), text(name), ctypes.byref(fabric.struct))
+        return fabric
+
     def write(self, path, name, sources=None, context=None):
         """Write a fabric file. sources: {key of the value: where it comes from}; None: those of the named fabric."""
         context = context or Context.of_thread()
@@ -49,7 +57,7 @@ class Fabric:
 def _definition(fabric, options):
     definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init, options)
     if fabric is not None:
-        definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+        definition.fabric = ctypes.pointer((fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct)
     return definition
 
 

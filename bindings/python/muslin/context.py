@@ -154,6 +154,17 @@ def read_struct(struct):
     return {name: list(value) if isinstance(value, ctypes.Array) else value for name, value in values.items()}
 
 
+def taken_bytes(context, name, *arguments):
+    """The bytes that a function whose last two arguments are `char **bytes, size_t *size` gives; its block is freed."""
+    block, size = ctypes.c_char_p(), ctypes.c_size_t()
+    with context.lock:
+        context.call(name, *arguments, ctypes.byref(block), ctypes.byref(size))
+        try:
+            return ctypes.string_at(ctypes.cast(block, ctypes.c_void_p), size.value)
+        finally:
+            lib.mus_context_alloc(context.handle, ctypes.cast(block, ctypes.c_void_p), 0)
+
+
 def text(value):
     """str, path or None as bytes or None for C."""
     if value is None or isinstance(value, bytes):
@@ -161,4 +172,4 @@ def text(value):
     return str(value).encode("utf-8", "surrogateescape")
 
 
-__all__ = ["Context", "MuslinError", "Object", "create", "fill", "make_def", "read_struct", "text"]
+__all__ = ["Context", "MuslinError", "Object", "create", "fill", "make_def", "read_struct", "taken_bytes", "text"]

@@ -2,7 +2,7 @@
 from . import _abi
 from ._library import lib
 from .arrays import doubles, integers
-from .context import Context, create, make_def, text
+from .context import Context, create, make_def, taken_bytes, text
 
 
 class Mesh:
@@ -41,10 +41,26 @@ def _write(function, path, meshes, context):
     context.call(function, context.handle, text(path), len(meshes), _views(meshes))
 
 
+def _bytes_of(function, meshes, context):
+    context = context or Context.of_thread()
+    return taken_bytes(context, function, context.handle, len(meshes), _views(meshes))
+
+
 def read_obj(path, context=None):
     """(vertices, triangles) of a Wavefront OBJ: lists of (x, y, z) and of indices from 0, as scan() takes them."""
     context = context or Context.of_thread()
-    handle = create(context, "mesh", "mus_mesh_read_obj", context.handle, text(path))
+    return _mesh_lists(context, create(context, "mesh", "mus_mesh_read_obj", context.handle, text(path)))
+
+
+def parse_obj(data, name="mesh.obj", context=None):
+    """read_obj() of the bytes of an OBJ; `name` stands for the path in messages."""
+    context = context or Context.of_thread()
+    data = text(data)
+    return _mesh_lists(context, create(context, "mesh", "mus_mesh_read_obj_from", context.handle, data, len(data),
+                                       text(name)))
+
+
+def _mesh_lists(context, handle):
     try:
         x, triangle = lib.mus_mesh_vertices(handle), lib.mus_mesh_triangles(handle)
         vertices = [tuple(x[3 * i:3 * i + 3]) for i in range(lib.mus_mesh_vertex_count(handle))]
@@ -57,6 +73,16 @@ def read_obj(path, context=None):
 def write_obj(path, meshes, context=None):
     """All meshes as one OBJ."""
     _write("mus_mesh_write_obj", path, meshes, context)
+
+
+def obj_bytes(meshes, context=None):
+    """All meshes as the bytes of one OBJ."""
+    return _bytes_of("mus_mesh_write_obj_bytes", meshes, context)
+
+
+def glb_bytes(meshes, context=None):
+    """All meshes as the bytes of one binary glTF 2.0."""
+    return _bytes_of("mus_mesh_write_glb_bytes", meshes, context)
 
 
 def write_glb(path, meshes, context=None):

@@ -5,7 +5,7 @@ import math
 from . import _abi
 from ._library import lib
 from .arrays import doubles, integers, result
-from .context import Context, Object, create, make_def, read_struct, text
+from .context import Context, Object, create, make_def, read_struct, taken_bytes, text
 from .edit import Edits
 from .topology import Topology
 
@@ -30,9 +30,21 @@ class Pattern(Topology, Edits, Object):
         return cls(context=context,
                    _handle=create(context, "pattern", "mus_pattern_read", context.handle, text(path)))
 
+    @classmethod
+    def parse(cls, data, name="pattern.json", context=None):
+        """From the text of a file (str or bytes); `name` stands for the path in messages."""
+        context = context or Context.of_thread()
+        data = text(data)
+        return cls(context=context, _handle=create(context, "pattern", "mus_pattern_read_from", context.handle, data,
+                                                   len(data), text(name)))
+
     def write(self, path):
         """Write as muslin JSON; reading it back gives the same pattern, bit for bit."""
         self.context.call("mus_pattern_write", self.handle, text(path))
+
+    def to_bytes(self):
+        """The bytes that write() would write."""
+        return taken_bytes(self.context, "mus_pattern_write_bytes", self.handle)
 
     def copy(self):
         return Pattern(context=self.context,

@@ -3,7 +3,7 @@ import ctypes
 
 from . import _abi
 from ._library import lib
-from .context import Object, create, make_def, text
+from .context import Object, create, make_def, taken_bytes, text
 
 _PAPERS = {name[len("MUS_PAPER_"):].lower(): value for name, value in vars(_abi).items()
            if name.startswith("MUS_PAPER_")}
@@ -50,3 +50,32 @@ class Sheet(Object):
 
     def write_svg(self, path):
         self.do("write_svg", text(path))
+
+    def pdf_bytes(self):
+        """The PDF as bytes."""
+        return taken_bytes(self.context, "mus_sheet_write_pdf_bytes", self.handle)
+
+    def svg_bytes(self):
+        """The SVG as bytes."""
+        return taken_bytes(self.context, "mus_sheet_write_svg_bytes", self.handle)
+
+    @property
+    def pieces(self):
+        """The pieces as structs (panel, name, copies, mirrored, turn, shift, box)."""
+        return [self._struct("piece", i) for i in range(lib.mus_sheet_piece_count(self.handle))]
+
+    @property
+    def lines(self):
+        """Every line that is drawn: (piece, kind, edge, ops, points); ops is text of m, l, c, z, points are (x, y) [m].
+        kind: 0 cut, 1 sew, 2 notch, 3 grain, 4 mark, 5 label (MUS_LINE_*); edge: of the pattern, or -1."""
+        lines = []
+        for i in range(lib.mus_sheet_line_count(self.handle)):
+            line = self._struct("line", i)
+            points = [tuple(line.points[2 * k:2 * k + 2]) for k in range(line.point_count)]
+            lines.append((line.piece, line.kind, line.edge, bytes(line.ops[:line.op_count]).decode(), points))
+        return lines
+
+    def _struct(self, noun, index):
+        struct = make_def(getattr(_abi, f"mus_sheet_{noun}"), getattr(lib, f"mus_sheet_{noun}_init"))
+        self.do(f"{noun}_get", index, ctypes.byref(struct))
+        return struct

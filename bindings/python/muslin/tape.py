@@ -3,7 +3,7 @@ import math
 
 from . import _abi
 from ._library import lib
-from .context import Context, Object, create, text
+from .context import Context, Object, create, taken_bytes, text
 
 _SEXES = {"unset": _abi.MUS_SEX_UNSET, "female": _abi.MUS_SEX_FEMALE, "male": _abi.MUS_SEX_MALE,
           "child": _abi.MUS_SEX_CHILD}
@@ -57,9 +57,21 @@ class Tape(Object):
         return cls(context=context,
                    _handle=create(context, "tape", "mus_tape_read", context.handle, text(path), text(row)))
 
+    @classmethod
+    def parse(cls, data, name="tape.tape", row=None, context=None):
+        """From the text of a file (str or bytes); the ending of `name` tells the form, as the path does for read()."""
+        context = context or Context.of_thread()
+        data = text(data)
+        return cls(context=context, _handle=create(context, "tape", "mus_tape_read_from", context.handle, data,
+                                                   len(data), text(name), text(row)))
+
     def write(self, path):
         """Write a .tape file."""
         self.context.call("mus_tape_write", self.handle, text(path))
+
+    def to_bytes(self):
+        """The bytes that write() would write."""
+        return taken_bytes(self.context, "mus_tape_write_bytes", self.handle)
 
     def copy(self):
         """A copy of the tape."""

@@ -1,0 +1,283 @@
+/*
+ * offset_surface.c: radius fields of the surface at a distance off the skin, for float and double.
+ *
+ * The point of the offset surface at height s lies off the point of the skin at s' = s - offset g_s / |g|, with
+ * g = grad F there and F = rho - R(s, q). That is an equation for s', solved by iteration at each ring and each angle.
+ * The gradients along a column of the table (all rings, one angle) are worked out once, before its rings are solved.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_internal.h"
+#include "contact/offset_surface.h"
+
+#define OFFSET_CAP_FALL 0.4999 /* bound of k of a cap, which must be below 1/2 for its half axis to be finite */
+#define OFFSET_CLOSE 1e-3      /* [rings] the iteration ends when s' moves by less: micrometres */
+#define OFFSET_ROUNDS 8        /* iterations at most; it converges by a factor of the surface's slope */
+#define OFFSET_SAFE 0.5        /* of the least radius: a node less deep in a limb has its nearest skin behind it */
+#define OFFSET_FAR 1e30        /* [m] beyond every radius */
+
+/* gradients of F at the rings of one column of a table */
+typedef struct offset_slope {
+    double radius;
+    double plane2; /* square of the gradient's part in the contour's plane, at least 1 */
+    double along;  /* its part along the axis */
+} offset_slope;
+
+/* one column: its direction in the contour's plane */
+typedef struct offset_column {
+    const mus__field *field;
+    double offset, ua, ub;
+    const offset_slope *slope; /* (nring) */
+} offset_column;
+
+
+/* largest radius of rings k and k+1 of a table (nring x nangle) */
+static double ring_largest(const mus__field *field, const double *radius, int32_t k)
+{
+    double largest = 0.0;
+    const int32_t end = k + 1 < field->nring ? k + 2 : k + 1;
+    for (int64_t i = (int64_t)k * field->nangle; i < (int64_t)end * field->nangle; i++)
+        if (radius[i] > largest) largest = radius[i];
+    return largest;
+}
+
+
+/* slopes at ring k and angle step j, by central differences of the square of the radius */
+static offset_slope field_slopes(const mus__field *field, int32_t k, int32_t j)
+{
+    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
+    const double *ring = field->radius + (int64_t)k * n, radius = ring[j],
+                 span = field->ds * (high > low ? high - low : 1);
+    const double before = field->radius[(int64_t)low * n + j], after = field->radius[(int64_t)high * n + j];
+    const double slope_s = (after * after - before * before) / (2.0 * radius * span);
+
+    /* dR/dq turns into the plane by |dq| = (a^2 + b^2) / rho at the diamond angle's point (a, b), |a| + |b| = 1 */
+    const double q = 4.0 * j / n, b = q - floor(q), slope_q = (ring[(j + 1) % n] - ring[(j + n - 1) % n]) * n / 8.0;
+    const double turn = slope_q / radius * (b * b + (1.0 - b) * (1.0 - b));
+    const double x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
+    const double ua = (q < 1.0 || q >= 3.0 ? x : -x) / length, ub = (q < 2.0 ? y : -y) / length;
+    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
+    const double along = -slope_s - ((ua + turn * ub) * (c1[0] - c0[0]) + (ub - turn * ua) * (c1[1] - c0[1])) / span;
+    return (offset_slope){radius, 1.0 + turn * turn, along};
+}
+
+
+/* radius of the offset surface at ring k of a column: the point found there is offset |g_plane| / |g| off in the
+ * contour's plane, which is |g_plane| times that along the ray */
+static double offset_radius(const offset_column *column, int32_t k)
+{
+    const mus__field *field = column->field;
+    const double offset = column->offset;
+    double u = k, radius = 0.0;
+    for (int32_t round = 0; round < OFFSET_ROUNDS; round++) {
+        /* between the two rings round u */
+        const int32_t at = u >= field->nring - 1 ? field->nring - 2 : (int32_t)u;
+        const double t = u - at;
+        const offset_slope *low = &column->slope[at], *high = low + 1;
+        const double r0 = low->radius, r1 = high->radius;
+        const double plane = low->plane2 + t * (high->plane2 - low->plane2);
+        const double up = low->along + t * (high->along - low->along);
+        const double length_g = sqrt(plane + up * up);
+        const double *c0 = field->centre + 2 * (int64_t)at, *c = field->centre + 2 * (int64_t)k;
+        const double back =
+            (c[0] - c0[0] - t * (c0[2] - c0[0])) * column->ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * column->ub;
+        radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + offset * plane / length_g - back;
+        const double next = fmin(fmax(k - offset * up / (length_g * field->ds), 0.0), field->nring - 1);
+        if (fabs(next - u) < OFFSET_CLOSE) break;
+        u = next;
+    }
+    return radius;
+}
+
+
+/* radii (nring x nangle) of the offset surface; slope (nring) is scratch */
+static void offset_radii(const mus__field *field, double offset, offset_slope *slope, double *radius)
+{
+    const int32_t n = field->nangle;
+    if (offset == 0.0) {
+        memcpy(radius, field->radius, (size_t)field->nring * (size_t)n * sizeof *radius);
+        return;
+    }
+    for (int32_t j = 0; j < n; j++) {
+        const double angle = 4.0 * j / n, b = angle - floor(angle);
+        const double x = (int32_t)angle % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
+        const double ua = (angle < 1.0 || angle >= 3.0 ? x : -x) / length, ub = (angle < 2.0 ? y : -y) / length;
+        const offset_column column = {field, offset, ua, ub, slope};
+        for (int32_t k = 0; k < field->nring; k++) slope[k] = field_slopes(field, k, j);
+        for (int32_t k = 0; k < field->nring; k++) radius[(int64_t)k * n + j] = offset_radius(&column, k);
+    }
+}
+
+
+/* the cap at an end of the offset surface, from its rings. The quarter of an ellipse leaves the last ring with the mean
+ * slope of the stack, taken of the squares, and ends at the pole: with k = -R' length / R the last ring lies at
+ * v = k / (1 - k) of the half axis L, and L = length / (1 - v) */
+static void fit_cap(const mus__field *from, double offset, int32_t end, mus__field_f64 *to)
+{
+    const int32_t last = from->nring - 1, n = from->nangle;
+    const double *ring = to->radius + (end == 0 ? 0 : (int64_t)last * n), *next = end == 0 ? ring + n : ring - n;
+    const double s = end == 0 ? 0.0 : from->ds * last, outward = end == 0 ? -1.0 : 1.0;
+    to->pole[end] = from->pole[end] - from->s0 + outward * offset;
+    double half = from->half[end], v = (s - (from->middle[end] - from->s0)) * outward / half;
+    if (offset > 0.0) {
+        double squares = 0.0, rise = 0.0;
+        for (int32_t j = 0; j < n; j++) {
+            squares += ring[j] * ring[j];
+            rise += next[j] * next[j] - ring[j] * ring[j];
+        }
+        const double length = fabs(to->pole[end] - s), fall = 0.5 * rise / from->ds * length / squares;
+        const double k = fall >= OFFSET_CAP_FALL ? OFFSET_CAP_FALL : fall;
+        v = fall <= 0.0 ? 0.0 : k / (1.0 - k);
+        half = length / (1.0 - v);
+    }
+    to->middle[end] = s - outward * v * half;
+    to->axis_inverse[end] = 1.0 / half;
+    to->share[end] = 1.0 - v * v;
+}
+
+
+/* the field of one part in double; table: its centres, radii and maxima, in this order */
+static void fill_double(const mus__field *from, double offset, offset_slope *slope, mus__field_f64 *to, double *table)
+{
+    const int64_t nring = from->nring, nradius = nring * from->nangle;
+    to->s0 = from->s0;
+    to->ds_inverse = 1.0 / from->ds;
+    to->ring_last = (double)(from->nring - 1);
+    to->angle_scale = from->nangle / 4.0;
+    to->nring = from->nring;
+    to->nangle = from->nangle;
+
+    memcpy(table, from->centre, (size_t)(2 * nring) * sizeof *table);
+    double *radius = table + 2 * nring;
+    offset_radii(from, offset, slope, radius);
+    for (int32_t k = 0; k < from->nring; k++) table[2 * nring + nradius + k] = ring_largest(from, radius, k);
+    to->centre = table;
+    to->radius = table + 2 * nring;
+    to->largest = table + 2 * nring + nradius;
+    for (int32_t end = 0; end < 2; end++) fit_cap(from, offset, end, to);
+}
+
+
+/* the same rounded to float */
+static void fill_float(const mus__field_f64 *from, mus__field_f32 *to, float *table)
+{
+    const int64_t nring = from->nring, nradius = nring * from->nangle, total = 3 * nring + nradius;
+    for (int32_t end = 0; end < 2; end++) {
+        to->pole[end] = (float)from->pole[end];
+        to->middle[end] = (float)from->middle[end];
+        to->axis_inverse[end] = (float)from->axis_inverse[end];
+        to->share[end] = (float)from->share[end];
+    }
+    to->s0 = (float)from->s0;
+    to->ds_inverse = (float)from->ds_inverse;
+    to->ring_last = (float)from->ring_last;
+    to->angle_scale = (float)from->angle_scale;
+    to->nring = from->nring;
+    to->nangle = from->nangle;
+    for (int64_t i = 0; i < total; i++) table[i] = (float)from->centre[i];
+    to->centre = table;
+    to->radius = table + 2 * nring;
+    to->largest = table + 2 * nring + nradius;
+}
+
+
+/* a part as it was made: the field of a posed body is carried by a frame, its limb is not */
+static void fill_part(const mus__field *from, const mus__limb *limb, mus__offset_part *part)
+{
+    double least = OFFSET_FAR;
+    memcpy(part->origin, limb->origin, sizeof part->origin);
+    memcpy(part->axis, limb->axis, sizeof part->axis);
+    memcpy(part->side, limb->side, sizeof part->side);
+    memcpy(part->front, limb->front, sizeof part->front);
+    memcpy(part->end, from->pole, sizeof part->end);
+    part->reach = from->reach;
+    for (int64_t i = 0; i < (int64_t)from->nring * from->nangle; i++) least = fmin(least, from->radius[i]);
+    part->safe = OFFSET_SAFE * least;
+}
+
+
+/* everything of a surface whose context and offset are set */
+static mus_status offset_make(mus__offset_surface *surface, const mus_body *body)
+{
+    mus_context *context = surface->context;
+    const int32_t n = surface->nparts = body->nfield;
+    int64_t total = 0, rings = 0, at = 0;
+    for (int32_t l = 0; l < n; l++) {
+        total += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
+        rings = body->field[l].nring > rings ? body->field[l].nring : rings;
+    }
+    surface->field32 = mus__new(context, n, sizeof *surface->field32);
+    surface->field64 = mus__new(context, n, sizeof *surface->field64);
+    surface->part = mus__new(context, n, sizeof *surface->part);
+    surface->table32 = mus__new(context, total, sizeof *surface->table32);
+    surface->table64 = mus__new(context, total, sizeof *surface->table64);
+    offset_slope *slope = mus__new(context, rings, sizeof *slope);
+    if (surface->field32 == NULL || surface->field64 == NULL || surface->part == NULL || surface->table32 == NULL ||
+        surface->table64 == NULL || slope == NULL) {
+        mus__free(context, slope);
+        return mus__fail_memory(context, "the radius fields of a collider");
+    }
+    for (int32_t l = 0; l < n; l++) {
+        const mus__field *field = &body->field[l];
+        fill_double(field, surface->offset, slope, &surface->field64[l], surface->table64 + at);
+        fill_float(&surface->field64[l], &surface->field32[l], surface->table32 + at);
+        fill_part(field, &body->limb[body->rig.part[l].limb], &surface->part[l]);
+        at += (int64_t)field->nring * (field->nangle + 3);
+    }
+    mus__free(context, slope);
+    return MUS_OK;
+}
+
+
+void mus__offset_surface_leave(mus__offset_surface *surface)
+{
+    if (surface == NULL || --surface->users > 0) return;
+    mus_context *context = surface->context;
+    if (surface->kept != NULL) surface->kept->data = NULL;
+    mus__free(context, surface->field32);
+    mus__free(context, surface->field64);
+    mus__free(context, surface->part);
+    mus__free(context, surface->table32);
+    mus__free(context, surface->table64);
+    mus__free(context, surface);
+}
+
+
+/* the body that named the surface is gone, or names another one */
+static void offset_forget(void *data)
+{
+    ((mus__offset_surface *)data)->kept = NULL;
+}
+
+
+mus_status mus__offset_surface_take(mus_context *context, const mus_body *body, double offset,
+                                    mus__offset_surface **out)
+{
+    /* a body of another context may be in use by another thread: it names no surface */
+    mus__body_kept *kept = body->context == context ? body->kept : NULL;
+    mus__offset_surface *surface = kept != NULL ? kept->data : NULL;
+    *out = NULL;
+    if (surface != NULL && memcmp(&surface->offset, &offset, sizeof offset) == 0) {
+        surface->users++;
+        *out = surface;
+        return MUS_OK;
+    }
+    surface = mus__new(context, 1, sizeof *surface);
+    if (surface == NULL) return mus__fail_memory(context, "the radius fields of a collider");
+    surface->context = context;
+    surface->offset = offset;
+    surface->users = 1;
+    const mus_status status = offset_make(surface, body);
+    if (status != MUS_OK) {
+        mus__offset_surface_leave(surface);
+        return status;
+    }
+    if (kept != NULL) {
+        if (kept->data != NULL) kept->destroy(kept->data);
+        *kept = (mus__body_kept){kept->users, surface, offset_forget};
+        surface->kept = kept;
+    }
+    *out = surface;
+    return MUS_OK;
+}

@@ -1,0 +1,35 @@
+/*
+ * json_at.h: a place in a JSON document that can say where it is.
+ */
+#ifndef MUS_EXCHANGE_JSON_AT_H
+#define MUS_EXCHANGE_JSON_AT_H
+
+#include <jansson.h>
+
+#include "exchange/source.h"
+
+typedef struct mus__json_at {
+    const mus__source *source;
+    const struct mus__json_at *parent;
+    const char *key; /* member of the parent; NULL: element `index` of it, or the document itself */
+    size_t index;
+    const json_t *json; /* NULL when there is no such member */
+} mus__json_at;
+
+/* the document of a file (json_decref it), or NULL with the status: "file:line: sentence" */
+json_t *mus__json_document(const mus__source *source, mus_status *status);
+mus__json_at mus__json_member(const mus__json_at *parent, const char *key);
+mus__json_at mus__json_element(const mus__json_at *parent, size_t index);
+/* "file: at panels[3].name: sentence" */
+mus_status mus__json_fail(const mus__json_at *at, mus_status status, const char *format, ...) MUS__FILE_PRINTF(3, 4);
+/* put the place before the sentence that a call of libmuslin left, as mus__source_wrap */
+mus_status mus__json_wrap(const mus__json_at *at, mus_status status);
+/* the value must be of this jansson type */
+mus_status mus__json_expect(const mus__json_at *at, int type);
+mus_status mus__json_array(const mus__json_at *at, size_t low, size_t high, size_t *count);
+mus_status mus__json_integer(const mus__json_at *at, int32_t low, int32_t high, int32_t *out);
+mus_status mus__json_number(const mus__json_at *at, double *out);
+mus_status mus__json_numbers(const mus__json_at *at, size_t count, double *out);
+mus_status mus__json_text(const mus__json_at *at, const char **out);
+
+#endif

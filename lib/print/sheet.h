@@ -1,0 +1,51 @@
+/*
+ * sheet.h: the sheet: all pieces, their places on paper, the pages.
+ *
+ * Way of the data: pattern -> pieces (outline.c, offset.c) -> places on the sheet (pack.c, tile.c) -> one drawing of the
+ * whole sheet (piece_marks.c, piece_label.c, stroke.c) -> pages (page.c) -> bytes (pdf.c, svg.c) -> file (lib/file).
+ */
+#ifndef MUS_PRINT_SHEET_H
+#define MUS_PRINT_SHEET_H
+
+#include "print/piece.h"
+
+typedef struct mus__tile {
+    int32_t column; /* from the left */
+    int32_t row;    /* from the top */
+} mus__tile;
+
+struct mus_sheet {
+    mus_context *context;
+    mus_sheet_def def; /* its texts point to the copies below */
+    char *title;
+    char *person;
+    int32_t npiece;
+    mus__piece *pieces; /* (npiece) in the order of the pattern */
+    char (*names)[128]; /* (npiece) of the panels */
+    double extent[2];
+    bool tiled;         /* has a cover; else the test squares stand on the sheet */
+    double squares[2];  /* where they stand when not tiled */
+    bool squares_beside; /* side by side, or one above the other */
+    double page[2];     /* width and height */
+    int32_t columns, rows, ntile;
+    mus__tile *tiles;   /* (ntile) in the order of the pages, empty ones left out */
+    mus__drawing drawing; /* all pieces */
+};
+
+/* low corner for `n` boxes (size, n x 2) on a strip of the given width, the tallest first; the height used comes back.
+ * work (n) int32_t, sky (2n + 2) x 3 doubles */
+double mus__pack(int32_t n, const double *size, double width, double gap, double *at, int32_t *work, double *sky);
+
+/* place the pieces: sets extent, tiled, page, columns, rows, tiles */
+mus_status mus__sheet_layout(mus_sheet *sheet);
+/* page as the sheet sees it: low x, y, high x, y of what is printed (margins left out) */
+void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box);
+int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
+/* true when something of a segment lies in a box; when the inside or the cut line of a piece does */
+bool mus__segment_meets(const double *a, const double *b, const double *box);
+bool mus__piece_meets(const mus__piece *piece, const double *box);
+
+/* the label of a piece: its name, copies, size and person, where they fit (piece_label.c) */
+mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t index, const double *grain);
+
+#endif

@@ -1,0 +1,154 @@
+/*
+ * test_sheet_lines.c: the public lines of a sheet are its pieces: cut and sew lines as long as the pattern says, and the bytes
+ * in memory are the file.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "muslin/muslin.h"
+#include "muslin/print.h"
+#include "support.h"
+
+
+static mus_sheet *tshirt(mus_context *context, mus_pattern **pattern)
+{
+    mus_tape *tape;
+    mus_sheet *sheet;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, pattern), MUS_OK);
+    ck_assert_int_eq(mus_sheet_create(context, *pattern, NULL, &sheet), MUS_OK);
+    mus_tape_destroy(tape);
+    return sheet;
+}
+
+
+/* length of a line; a cubic by 64 chords */
+static double length_of(const mus_sheet_line *line)
+{
+    const double *p = line->points, *from = p;
+    double length = 0.0;
+    for (int32_t i = 0; i < line->op_count; i++) {
+        const unsigned char op = line->ops[i];
+        if (op == 'l') length += hypot(p[0] - from[0], p[1] - from[1]);
+        double x = from[0], y = from[1];
+        for (int32_t k = 1; op == 'c' && k <= 64; k++) {
+            const double t = k / 64.0, s = 1.0 - t;
+            const double b[4] = {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
+            const double u = b[0] * from[0] + b[1] * p[0] + b[2] * p[2] + b[3] * p[4];
+            const double v = b[0] * from[1] + b[1] * p[1] + b[2] * p[3] + b[3] * p[5];
+            length += hypot(u - x, v - y);
+            x = u;
+            y = v;
+        }
+        const int32_t n = op == 'z' ? 0 : op == 'c' ? 3 : 1;
+        if (n > 0) from = p + 2 * (n - 1);
+        p += 2 * n;
+    }
+    ck_assert_ptr_eq(p, line->points + 2 * line->point_count);
+    return length;
+}
+
+
+START_TEST(sew_lines_are_as_long_as_their_edges_and_lie_in_the_piece)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus_sheet *sheet = tshirt(context, &pattern);
+    int32_t sewn = 0, cut = 0, grain = 0;
+    for (int32_t i = 0; i < mus_sheet_line_count(sheet); i++) {
+        mus_sheet_line line;
+        mus_sheet_piece piece;
+        mus_sheet_line_init(&line, sizeof line);
+        mus_sheet_piece_init(&piece, sizeof piece);
+        ck_assert_int_eq(mus_sheet_line_get(sheet, i, &line), MUS_OK);
+        ck_assert_int_eq(mus_sheet_piece_get(sheet, line.piece, &piece), MUS_OK);
+        ck_assert_str_eq(piece.name, mus_pattern_panel_name(pattern, piece.panel));
+        cut += line.kind == MUS_LINE_CUT;
+        grain += line.kind == MUS_LINE_GRAIN && !line.filled;
+        for (int32_t k = 0; k < line.point_count && line.kind != MUS_LINE_LABEL; k++) {
+            const double *p = line.points + 2 * k;
+            ck_assert(p[0] > piece.box[0] - 0.005 && p[0] < piece.box[2] + 0.005);
+            ck_assert(p[1] > piece.box[1] - 0.005 && p[1] < piece.box[3] + 0.005);
+        }
+        if (line.kind != MUS_LINE_SEW) continue;
+        sewn++;
+        ck_assert_double_eq_tol(length_of(&line), mus_pattern_edge_length(pattern, line.edge), 2e-5);
+    }
+    for (int32_t i = 0; i < mus_sheet_piece_count(sheet); i++) {
+        mus_sheet_piece piece;
+        int32_t n;
+        mus_sheet_piece_init(&piece, sizeof piece);
+        ck_assert_int_eq(mus_sheet_piece_get(sheet, i, &piece), MUS_OK);
+        ck_assert_int_eq(mus_pattern_outline(pattern, piece.panel, &n, NULL, NULL), MUS_OK);
+        sewn -= n;
+    }
+    ck_assert_int_eq(sewn, 0);
+    ck_assert_int_eq(cut, mus_sheet_piece_count(sheet));
+    ck_assert_int_eq(grain, mus_sheet_piece_count(sheet));
+    mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(what_is_not_there_is_refused)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus_sheet *sheet = tshirt(context, &pattern);
+    mus_sheet_line line;
+    mus_sheet_piece piece;
+    mus_sheet_line_init(&line, sizeof line);
+    mus_sheet_piece_init(&piece, sizeof piece);
+    ck_assert_int_eq(mus_sheet_line_get(sheet, -1, &line), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_sheet_line_get(sheet, mus_sheet_line_count(sheet), &line), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_sheet_piece_get(sheet, mus_sheet_piece_count(sheet), &piece), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_sheet_piece_get(sheet, 0, NULL), MUS_ERR_ARG);
+    line.size = 8;
+    ck_assert_int_eq(mus_sheet_line_get(sheet, 0, &line), MUS_ERR_VERSION);
+    mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(bytes_in_memory_are_those_of_the_file)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus_sheet *sheet = tshirt(context, &pattern);
+    char path[512], *bytes;
+    size_t size, file_size;
+    for (int32_t form = 0; form < 2; form++) {
+        support_scratch(form == 0 ? "lines.pdf" : "lines.svg", path, sizeof path);
+        ck_assert_int_eq(form == 0 ? mus_sheet_write_pdf(sheet, path) : mus_sheet_write_svg(sheet, path), MUS_OK);
+        ck_assert_int_eq(form == 0 ? mus_sheet_write_pdf_bytes(sheet, &bytes, &size)
+                                   : mus_sheet_write_svg_bytes(sheet, &bytes, &size), MUS_OK);
+        char *file = support_slurp(path, &file_size);
+        ck_assert_uint_eq(size, file_size);
+        ck_assert_mem_eq(bytes, file, size);
+        free(file);
+        mus_context_alloc(context, bytes, 0);
+    }
+    mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_sheet_lines(void);
+
+Suite *mus_suite_sheet_lines(void)
+{
+    Suite *suite = suite_create("sheet_lines");
+    TCase *tests = tcase_create("sheet_lines");
+    tcase_add_test(tests, sew_lines_are_as_long_as_their_edges_and_lie_in_the_piece);
+    tcase_add_test(tests, what_is_not_there_is_refused);
+    tcase_add_test(tests, bytes_in_memory_are_those_of_the_file);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

@@ -1,0 +1,138 @@
+"""conclude.py: what a reader should be able to conclude, with figures."""
+import math
+
+import plots
+import rest
+import runs
+
+
+def good(rows, **wanted):
+    return [r for r in rows if r["status"] == "ok" and r.get("error_mm") is not None
+            and all(r.get(k) == v for k, v in wanted.items())]
+
+
+def cheapest(rows, limit_mm):
+    """The point of mus_drape_step with the least CPU time whose error is at most limit_mm, or None."""
+    points = [r for r in good(rows, variant="mus_drape_step") if r["error_mm"] <= limit_mm]
+    return min(points, key=lambda r: r["cpu_s_per_s"]) if points else None
+
+
+def largest_step(rows, integrator, precision=64):
+    return max(good(rows, variant="mus_drape_step", integrator=integrator, precision=precision),
+               key=lambda r: r["step_s"])
+
+
+def text(jobs):
+    told = (one_mm, stability, order, floats, stops, modules, model, settled)
+    parts = [tell(jobs) for tell in told]
+    return "## What to conclude\n\n" + "\n".join(f"{i + 1}. {part}" for i, part in enumerate(parts)) + "\n"
+
+
+def one_mm(jobs):
+    scenes = ("strip", "sheet", "cantilever", "disc", "skirt", "tshirt")
+    best = {name: cheapest(jobs[name], 1.0) for name in scenes}
+    ways = {(plots.NAME[b["integrator"]], b["precision"]) for b in best.values() if b}
+    each = ", ".join(f"{name} {b['cpu_s_per_s']:.2g}" for name, b in best.items() if b)
+    way = " or ".join(sorted(f"{name} in {'float' if p == 32 else 'double'}" for name, p in ways))
+    return (f"**1 mm is cheapest with {way} at the largest step that is allowed**: {each} CPU s a simulated second "
+            "(coarse meshes; see the mesh error for what they are worth).")
+
+
+def stability(jobs):
+    worst = {name: largest_step(jobs[name], "rk4")["error_mm"]
+             for name in ("strip", "sheet", "cantilever", "disc", "skirt", "tshirt")}
+    name = max(worst, key=worst.get)
+    mesh = max(r["error_mm"] for r in jobs["cantilever_mesh"] if r["bending"] == "plate" and r["spacing_mm"] <= 10.1)
+    return (f"**Runs are limited by stability, not by accuracy**: at the largest allowed step RK4's time error is at "
+            f"most {worst[name]:.2g} mm ({name}), and {min(worst.values()):.1g} mm where it is least, while a mesh of "
+            f"10 mm is {mesh:.2g} mm wrong on the cantilever. A smaller step buys nothing before a smaller spacing.")
+
+
+def order(jobs):
+    each = ", ".join("{} {:.2f} and {:.2f}".format(name, *(runs.order_of(jobs[name], i)[0] for i in ("rk4", "verlet")))
+                     for name in ("strip", "sheet", "cantilever"))
+    euler, _ = runs.order_of(jobs["strip"], "euler", variant="mus_integrate")
+    held = [runs.order_of(jobs["skirt_off"], i, above=5.0)[0] for i in ("rk4", "verlet")]
+    damped = [runs.order_of(jobs["skirt_damped"], i, above=a, most=9)[0] for i, a in (("rk4", 0.0), ("verlet", 1.5))]
+    worn = [runs.order_of(jobs["skirt"], i, above=1.5, most=9)[0] for i in ("rk4", "verlet")]
+    at = [largest_step(jobs["skirt"], i)["error_mm"] for i in ("rk4", "verlet")]
+    return (f"**Order 4 (RK4) and 2 (Verlet) in smooth motion** ({each}), symplectic Euler {euler:.2f}; a skirt held "
+            f"at its waist without a body {held[0]:.1f} and {held[1]:.1f}; with the fabric's dashpots {damped[0]:.1f} "
+            f"and {damped[1]:.1f}, since velocity Verlet takes forces of velocity with order 1. **On the body, with "
+            f"friction, contact takes the order away**: {say(worn[0])} and {say(worn[1])}; RK4 at its largest step is "
+            f"then {at[0]:.2g} mm wrong and Verlet {at[1]:.2g} mm, for a quarter of the evaluations a step.")
+
+
+def say(slope):
+    return "no slope above the floor" if math.isnan(slope) else f"{slope:.1f}"
+
+
+def floats(jobs):
+    least = {name: min(r["error_mm"] for r in good(jobs[name], precision=32))
+             for name in ("strip", "sheet", "cantilever", "disc")}
+    each = ", ".join(f"{name} {v:.1g}" for name, v in least.items())
+    return (f"**Float's floor of rounding** lies at {min(least.values()):.1g} to {max(least.values()):.1g} mm after "
+            f"0.1 s ({each}; without contact); below a quarter of the bound float gets worse, since more roundings "
+            "add up.")
+
+
+def stops(jobs):
+    rows = [r for name in ("strip", "sheet_integrate") for r in jobs[name]]
+    caught = [r for r in rows if r["status"] == "diverged"]
+    bound = {i: largest_step(jobs["sheet"], i)["step_s"] / largest_step(jobs["sheet"], i)["step_of_bound"] for i in
+             ("rk4", "verlet")}
+    said = sum(r["status"] == "refused" for name in jobs for r in jobs[name])
+    paper = [r for r in jobs["cantilever_mesh"] if r.get("bending") == "paper"]
+    paper.sort(key=lambda r: -r["spacing_mm"])
+    first, last = paper[0], paper[-1]
+    return (f"**Where each method stops**: on the sheet RK4 at {1e3 * bound['rk4']:.3g} ms and Verlet at "
+            f"{1e3 * bound['verlet']:.3g} ms; all {said} steps above a bound were refused, all {len(caught)} that were "
+            "forced at 1.5 and 2 times the bound were caught by the energy guard. The paper's springs stop at their "
+            f"fitted curvature: their cantilever of 100 mm is {first['error_mm']:.0f} mm wrong at "
+            f"{first['spacing_mm']:.3g} mm and {last['error_mm']:.0f} mm at {last['spacing_mm']:.3g} mm.")
+
+
+def modules(jobs):
+    def cost(variant, **more):
+        return next(r["value"] for r in jobs["parts"] if r["variant"] == variant and r["precision"] == 32
+                    and all(r.get(k) == v for k, v in more.items()))
+
+    full = cost("all springs")
+    on, off = cost("worn", contact="on"), cost("worn", contact="off")
+    double = next(r["value"] for r in jobs["parts"] if r["variant"] == "all springs" and r["precision"] == 64)
+    return (f"**What a module costs** (float, RK4, of {full:.1f} ns a node and step): bending "
+            f"{full - cost('no bending'):+.1f}, shear {cost('no bending') - cost('no bending, no shear'):+.1f}, drag "
+            f"{cost('air drag') - full:+.1f}, dashpots {cost('dashpots') - full:+.1f} ns; contact on the T-shirt "
+            f"{on - off:+.1f} ns of {on:.1f}; double {double / full:.1f} times float. Off, its pass is not made: a "
+            "table below names what each scene did without.")
+
+
+def model(jobs):
+    drape = {r["quantity"].split(", ")[1]: r for r in jobs["disc_model"]}
+    each = " and ".join(f"{name} drapes at {r['value']:.0f} % where {r['exact']:.0f} % was measured"
+                        for name, r in drape.items())
+    ties = [r for r in jobs["limits"] if r["quantity"].startswith("lateral")]
+    kept = [r["exact"] for r in jobs["limits"] if r["quantity"].startswith("curvature")]
+    narrow = sorted(r["value"] for r in ties)
+    return (f"**What no setting cures**: {each} (no friction inside the cloth); measured fabric keeps a curvature of "
+            f"{min(kept):.0f} to {max(kept):.0f} /m after a fold, the model none; a woven fabric narrows by "
+            f"{narrow[0]:.3f} to {narrow[-1]:.3f} of its stretch in the model, by 0.07 to 0.38 in the laboratory.")
+
+
+def settled(jobs):
+    rows = jobs["rest_tshirt"]
+    nodes = rows[0]["nodes"]
+    found = {limit: rest.reached(rows, "settle", "tshirt", nodes, limit) for limit in (10.0, 1.0)}
+    anew = [r for r in rows if r["variant"] == "refit" and r["quantity"] == "distance from rest"]
+    refit = {limit: rest.reached(rows, "refit", "tshirt", anew[0]["nodes"], limit) for limit in (10.0, 1.0)}
+    spread = [r["error_mm"] for r in rows if r["quantity"] == "spread"]
+    best = min(r["error_mm"] for r in rows if r["variant"] == "settle")
+
+    def took(seconds):
+        return f"{seconds[1]:.2g} s" if seconds else "not reached"
+
+    return (f"**From flat panels to rest**: a T-shirt of {nodes} nodes is within 10 mm after {took(found[10.0])} and "
+            f"within 1 mm after {took(found[1.0])} of CPU time, sewing included (aims 1.5 and 5 s; it ends {best:.2g} "
+            f"mm away); a refit after 10 mm more girth takes {took(refit[10.0])} and {took(refit[1.0])} (a fifth of "
+            f"the aims is 0.3 and 1 s). Other starts end {min(spread):.2g} to {max(spread):.2g} mm away: a draped "
+            "shape is one of several.")

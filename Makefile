@@ -25,7 +25,7 @@ OUT ?= $(if $(filter release,$(config)),build,build/$(config))
 
 # the version stands in base.h and nowhere else
 VERSION := $(shell sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
-MAJOR := $(firstword $(subst ., ,$(VERSION)))
+ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 
 # ---- flags ----
 OPTIMISE_release = -O2 -g
@@ -149,9 +149,9 @@ $(filter-out $(call library,muslin).so.%,$(SHARED)): $(call library,muslin).so.$
 $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(MAJOR) -Wl,--version-script=$< $(filter %.o,$^) \
+	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(ABI) -Wl,--version-script=$< $(filter %.o,$^) \
 	  $(if $(filter-out muslin,$*),-L$(LIB) -lmuslin $(call pkg,--libs,$(PKG_$(*:muslin-%=%)))) -lm -o $@
-	@ln -sf $(@F) $(LIB)/lib$*.so.$(MAJOR) && ln -sf lib$*.so.$(MAJOR) $(LIB)/lib$*.so
+	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
@@ -236,7 +236,7 @@ $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROG
 
 # ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
-install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)'
+install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build
 help:; @sed -n '/^$$/q; s/^# \{0,1\}//p' Makefile; echo "Studies: $(sort $(STUDIES))"
 

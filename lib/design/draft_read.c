@@ -11,10 +11,8 @@
 
 void mus_draft_def_init(mus_draft_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     const mus_draft_def own = {size, NAN, NAN, NAN};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

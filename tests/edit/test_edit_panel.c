@@ -73,7 +73,7 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
     ck_assert_double_eq_tol(edit_area(pattern), area, 1e-12);
     ck_assert_int_eq(edit_faults(pattern), faults);
 
-    /* drafting.md section 8: splitting a panel and sewing it again adds (V, E, F) = (2, 3, 1) */
+    /* splitting a panel and sewing it again adds (V, E, F) = (2, 3, 1) */
     mus_topology after = edit_topology(pattern);
     dart_same_topology(&before, &after, 2, 3, 1);
 

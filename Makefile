@@ -55,7 +55,7 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
-OMIT_drape = drape dress fit arrange sim contact
+OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
 OMIT_body = body limb pose scan $(OMIT_design) exchange
@@ -83,7 +83,7 @@ TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
 TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
-KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
+KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
 LIB := $(INTO)/lib

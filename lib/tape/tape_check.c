@@ -63,7 +63,10 @@ static const tape_pair tape_warnings[] = {
 };
 
 static const tape_pair tape_low_warnings[] = {
-    {TAPE_M(HIP), TAPE_M(WAIST), 0.85, 0.0}, {TAPE_M(THIGH), TAPE_M(HIP), 0.45, 0.0}, {TAPE_M(CROTCH_LENGTH), TAPE_M(RISE), 1.6, 0.0}};
+    {TAPE_M(HIP), TAPE_M(WAIST), 0.85, 0.0},
+    {TAPE_M(THIGH), TAPE_M(HIP), 0.45, 0.0},
+    {TAPE_M(CROTCH_LENGTH), TAPE_M(RISE), 1.6, 0.0},
+};
 
 #undef TAPE_M
 

@@ -1,6 +1,6 @@
 /*
- * draft_read.c: options of a draft checked, measures and skeleton of a tape completed on a copy; the drafted pattern's
- * first fault as the failure of its design.
+ * draft_read.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a copy;
+ * and checks its result, the pattern.
  */
 #include "design/draft.h"
 #include "muslin/topology.h"
@@ -16,7 +16,7 @@ void mus_draft_def_init(mus_draft_def *def, size_t size)
 }
 
 
-/* an option that was given must be a length that could be meant */
+/* options that are given must be plausible lengths */
 static mus_status draft_check_def(mus_context *context, const mus_draft_def *def)
 {
     const struct {

@@ -29,10 +29,10 @@ static void must(mus_status status)
 
 
 /* called a few times a second; a nonzero return stops the run */
-static int32_t listen(void *user, const char *phase, double progress)
+static int32_t listen(void *user, const mus_progress *progress)
 {
     listener *l = user;
-    (void)progress;
+    const char *phase = progress->phase;
     if (strstr(l->phases, phase) == NULL) {
         strcat(l->phases, l->phases[0] == 0 ? "" : " ");
         strcat(l->phases, phase);

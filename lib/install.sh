@@ -1,12 +1,11 @@
 #!/bin/sh
-# install.sh OUT DESTDIR PREFIX LIBDIR VERSION: lay out an installation of what was built in OUT.
+# install.sh OUT DESTDIR PREFIX LIBDIR VERSION ABI: lay out an installation of what was built in OUT.
 #
 # Called by `make install`. LIBDIR is relative to PREFIX, or absolute. The pkg-config files and the CMake package are
 # written here, not at build time, so that they always name the PREFIX of this installation; DESTDIR stands before
 # every path that is written and in none that is written down.
 set -eu
-out=$1 destdir=$2 prefix=$3 libdir=$4 version=$5
-major=${version%%.*}
+out=$1 destdir=$2 prefix=$3 libdir=$4 version=$5 abi=$6
 case $libdir in /*) ;; *) libdir=$prefix/$libdir ;; esac
 cd "$(dirname "$0")/.."
 
@@ -23,9 +22,11 @@ for name in muslin muslin-print muslin-exchange muslin-catalogue; do
     [ -e "$out/lib/lib$name.a" ] || continue
     install -m 644 "$out/lib/lib$name.a" "$lib"
     install -m 755 "$out/lib/lib$name.so.$version" "$lib"
-    ln -sf "lib$name.so.$version" "$lib/lib$name.so.$major"
-    ln -sf "lib$name.so.$major" "$lib/lib$name.so"
+    ln -sf "lib$name.so.$version" "$lib/lib$name.so.$abi"
+    ln -sf "lib$name.so.$abi" "$lib/lib$name.so"
 done
+mkdir -p "$destdir$prefix/share/muslin"
+install -m 644 bindings/abi/muslin_flat.h bindings/abi/muslin_abi.json "$destdir$prefix/share/muslin"
 for page in man/*.[0-9]; do
     [ -e "$page" ] || continue
     mkdir -p "$destdir$prefix/share/man/man${page##*.}"
@@ -78,7 +79,7 @@ function(muslin_target name library static_needs)
     add_library(muslin::\${name}_static STATIC IMPORTED)
     set_target_properties(muslin::\${name} PROPERTIES
         IMPORTED_LOCATION "\${muslin_prefix}/$inside/lib\${library}.so.$version"
-        IMPORTED_SONAME "lib\${library}.so.$major"
+        IMPORTED_SONAME "lib\${library}.so.$abi"
         INTERFACE_INCLUDE_DIRECTORIES "\${muslin_prefix}/include")
     set_target_properties(muslin::\${name}_static PROPERTIES
         IMPORTED_LOCATION "\${muslin_prefix}/$inside/lib\${library}.a"

@@ -35,3 +35,12 @@ def data():
             pytest.skip(f"no {DATA / relative} (set MUSLIN_DATA)")  # real data lies outside the repository
         return DATA / relative
     return path
+
+
+@pytest.fixture
+def timeless():
+    """A report of `muslin dress` without the time that it took: what is the same in each run."""
+    def without(report):
+        starts = [{name: value for name, value in start.items() if name != "seconds"} for start in report["starts"]]
+        return {**{name: value for name, value in report.items() if name != "seconds"}, "starts": starts}
+    return without

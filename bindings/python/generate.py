@@ -1,25 +1,36 @@
 #!/usr/bin/env python3
-"""generate.py: write muslin/_abi.py from the public headers.
+"""generate.py: write what other languages read of the public headers.
+
+    bindings/python/muslin/_abi.py   the prototypes and structs for ctypes
+    bindings/abi/muslin_flat.h       all declarations without include, macro or attribute: cffi, LuaJIT, bindgen, koffi
+    bindings/abi/muslin_abi.json     functions, layout of structs, constants: for whoever has no C parser
+    tests/abi/baseline.txt           the ABI as it was recorded, with --record only (tests/abi/test_baseline.py)
 
 The headers keep to a small part of C (no struct by value, no enum-typed field, no macro that does work), so that a
 page of regular expressions reads them whole; what it cannot read it refuses by name. tests/python/test_abi.py runs
 it again and compares, and compares the layout of each struct with what a C compiler says.
 
-    python3 bindings/python/generate.py          writes the file
-    python3 bindings/python/generate.py --check  exit 1 when the file is not up to date
+    python3 bindings/python/generate.py           writes the first three
+    python3 bindings/python/generate.py --check   exit 1 when one of them is not up to date
+    python3 bindings/python/generate.py --record  writes the baseline too: the ABI changes on purpose
 """
+import json
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TARGET = pathlib.Path(__file__).parent / "muslin" / "_abi.py"
-ORDER = ["base", "tape", "body", "pose", "scan", "pattern", "topology", "edit", "design", "cloth", "integrate", "arrange", "drape",
-         "dress", "fit", "print", "exchange", "catalogue"]
+BASELINE = ROOT / "tests" / "abi" / "baseline.txt"
+ORDER = ["base", "tape", "body", "pose", "scan", "pattern", "topology", "edit", "design", "cloth", "integrate",
+         "arrange", "drape", "dress", "fit", "print", "exchange", "catalogue"]
 LIBRARY = {"print": "print", "exchange": "exchange", "catalogue": "catalogue"}  # all else is libmuslin
 SCALAR = {"mus_status": "c_int32", "int32_t": "c_int32", "int64_t": "c_int64", "uint64_t": "c_uint64",
           "uint8_t": "c_uint8",
           "size_t": "c_size_t", "double": "c_double", "float": "c_float", "char": "c_char", "int": "c_int"}
+# bytes of a scalar, and of a pointer, where a pointer has 8 bytes; each is aligned to its size
+BYTES = {"mus_status": 4, "int32_t": 4, "int64_t": 8, "uint64_t": 8, "uint8_t": 1, "size_t": 8, "double": 8, "float": 4,
+         "char": 1, "int": 4}
+POINTER = 8
 
 
 class Headers:
@@ -29,9 +40,9 @@ class Headers:
         self.constants = {}  # name -> int
         self.names = {}      # "STATUS" / "MEASURE" -> list of names
         self.handles = []    # opaque types
-        self.structs = {}    # name -> [(field, type)]
-        self.callbacks = {}  # name -> (result, [type])
-        self.functions = {}  # name -> (library, result, [type])
+        self.structs = {}    # name -> [(field, C type, [array lengths])]
+        self.callbacks = {}  # name -> (result, [(type, argument)])
+        self.functions = {}  # name -> (library, result, [(type, argument)])
         for header in ORDER:
             self.read(header, (folder / f"{header}.h").read_text())
 
@@ -44,7 +55,7 @@ class Headers:
         for name in re.findall(r"typedef struct (mus_\w+) \1;", text):
             self.handles.append(name)
         for result, name, arguments in re.findall(r"typedef (\w[\w ]*?[ *])\(\*(mus_\w+)\)\(([^)]*)\);", text):
-            self.callbacks[name] = (result, self.arguments(name, arguments))
+            self.callbacks[name] = (result.strip(), self.arguments(name, arguments))
         for name, body, again in re.findall(r"typedef struct (mus_\w+) \{(.*?)\} (\w+);", text, re.S):
             assert name == again, f"{name}: typedef of another name"
             self.structs[name] = [self.field(name, line) for line in body.split(";") if line.strip()]
@@ -70,16 +81,16 @@ class Headers:
             return []
         types = []
         for argument in text.split(","):
-            match = re.fullmatch(r"\s*(.*?[ *])\w+\s*", argument)
+            match = re.fullmatch(r"\s*(.*?[ *])(\w+)\s*", argument)
             assert match, f"{where}: cannot read the argument {argument!r}"
-            types.append(match[1].strip())
+            types.append((" ".join(match[1].split()), match[2]))
         return types
 
     def field(self, where, text):
         match = re.fullmatch(r"(.*?[ *])(\w+)((?:\[\w+\])*)", " ".join(text.split()))
         assert match, f"{where}: cannot read the field {text!r}"
-        sizes = [str(self.constants.get(size, size)) for size in re.findall(r"\w+", match[3])]
-        return match[2], " * ".join([self.ctype(match[1].strip()), *reversed(sizes)])
+        sizes = [int(self.constants.get(size, size)) for size in re.findall(r"\w+", match[3])]
+        return match[2], match[1].strip(), sizes
 
     def ctype(self, text):
         """The ctypes expression of a C type."""
@@ -97,6 +108,21 @@ class Headers:
         return "POINTER(" * stars + kind + ")" * stars
 
 
+    def place(self, struct):
+        """(bytes, [offset of each field]) of a struct where a pointer has 8 bytes."""
+        at, widest, offsets = 0, 1, []
+        for field, kind, sizes in self.structs[struct]:
+            pointer = kind.endswith("*") or kind in self.callbacks
+            assert pointer or kind in BYTES, f"{struct}.{field}: a {kind} by value"
+            one = POINTER if pointer else BYTES[kind]
+            at, widest = (at + one - 1) // one * one, max(widest, one)
+            offsets.append(at)
+            for size in sizes:
+                one *= size
+            at += one
+        return (at + widest - 1) // widest * widest, offsets
+
+
 def wrap(head, items, tail):
     """`head` items `tail` in lines of at most 120 columns, continued under the opening bracket."""
     lines, line = [], head
@@ -109,38 +135,134 @@ def wrap(head, items, tail):
     return "\n".join(lines + [line + tail])
 
 
+def array(sizes):
+    return "".join(f"[{size}]" for size in sizes)
+
+
+def declared(kind, name):
+    """A C type and a name: "double x", "double *x"."""
+    return f"{kind}{'' if kind.endswith('*') else ' '}{name}"
+
+
+def signature(result, name, arguments):
+    return f"{declared(result, name)}({', '.join(declared(kind, argument) for kind, argument in arguments) or 'void'});"
+
+
+def version(headers):
+    return ".".join(str(headers.constants[f"MUS_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
+
+
+def render_flat(headers):
+    """All declarations, for parsers that have no preprocessor."""
+    out = [f"/* muslin_flat.h: muslin {version(headers)} as plain declarations, for foreign-function interfaces.",
+           " *", " * No include, no macro, no attribute: cffi and LuaJIT read it as it is; a C compiler wants <stddef.h> and",
+           " * <stdint.h> before it. Written by bindings/python/generate.py from include/muslin/; do not edit. The contract",
+           " * of each function stands in those headers and in the manual. */", "", "enum {"]
+    names = list(headers.constants.items())
+    out += [f"    {name} = {value}{',' if i + 1 < len(names) else ''}" for i, (name, value) in enumerate(names)]
+    out += ["};", "", "typedef int32_t mus_status;"]
+    out += [f"typedef struct {name} {name};" for name in [*headers.handles, *headers.structs]]
+    for name, (result, arguments) in headers.callbacks.items():
+        out += [f"typedef {signature(result, f'(*{name})', arguments)}"]
+    for name, fields in headers.structs.items():
+        out += ["", f"struct {name} {{"]
+        out += [f"    {declared(kind, field)}{array(sizes)};" for field, kind, sizes in fields] + ["};"]
+    library = None
+    for name, (part, result, arguments) in headers.functions.items():
+        if part != library:
+            library = part
+            out += ["", f"/* libmuslin{'' if part == 'core' else f'-{part}'} */"]
+        out.append(signature(result, name, arguments))
+    return "\n".join(out + [""])
+
+
+def rows(items):
+    """A JSON object with one line for each member."""
+    return "{\n" + ",\n".join(f"  {json.dumps(name)}: {json.dumps(value)}" for name, value in items) + "\n }"
+
+
+def render_json(headers):
+    """Functions, structs with offsets, constants, as JSON."""
+    def named(arguments):
+        return [{"name": argument, "type": kind} for kind, argument in arguments]
+    structs = {}
+    for name, fields in headers.structs.items():
+        size, offsets = headers.place(name)
+        structs[name] = {"size": size, "fields": [
+            {"name": field, "type": kind, "offset": offset, **({"array": sizes} if sizes else {})}
+            for (field, kind, sizes), offset in zip(fields, offsets)]}
+    parts = [("version", json.dumps(version(headers))), ("abi", json.dumps(headers.constants["MUS_ABI"])),
+             ("pointer_bytes", json.dumps(POINTER)),
+             ("handles", json.dumps(headers.handles)),
+             ("constants", rows(headers.constants.items())),
+             ("names", rows(headers.names.items())),
+             ("callbacks", rows((name, {"result": result, "arguments": named(arguments)})
+                                for name, (result, arguments) in headers.callbacks.items())),
+             ("structs", rows(structs.items())),
+             ("functions", rows((name, {"library": "libmuslin" if part == "core" else f"libmuslin-{part}",
+                                        "result": result, "arguments": named(arguments)})
+                                for name, (part, result, arguments) in headers.functions.items()))]
+    return "{\n" + ",\n".join(f" {json.dumps(name)}: {text}" for name, text in parts) + "\n}\n"
+
+
+def render_baseline(headers):
+    """What a program that is linked against this ABI relies on, a sorted line each. The size of a struct is not in it:
+    fields may be added at its end. Nor are the lengths of lists that may grow."""
+    lines = [f"handle {name}" for name in headers.handles]
+    lines += [f"constant {name} {value}" for name, value in headers.constants.items()
+              if not name.endswith("_COUNT") and not name.startswith("MUS_VERSION_")]
+    lines += [f"callback {name} {result} ({', '.join(kind for kind, _ in arguments)})"
+              for name, (result, arguments) in headers.callbacks.items()]
+    for name, fields in headers.structs.items():
+        lines += [f"field {name}.{field} at {offset} {kind}{array(sizes)}"
+                  for (field, kind, sizes), offset in zip(fields, headers.place(name)[1])]
+    lines += [f"function {name} {part} {result} ({', '.join(kind for kind, _ in arguments)})"
+              for name, (part, result, arguments) in headers.functions.items()]
+    return "\n".join(sorted(lines)) + "\n"
+
+
 def render(headers):
-    version = ".".join(str(headers.constants[f"MUS_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
     out = ['"""_abi.py: the C interface as ctypes sees it, and nothing else.',
            "", "Written by bindings/python/generate.py from include/muslin/*.h; do not edit.", '"""',
            "from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_float, c_int32, c_int64,",
-           "                    c_size_t, c_uint64, c_uint8, c_void_p)", "", f'VERSION = "{version}"', "", "# constants"]
+           "                    c_size_t, c_uint64, c_uint8, c_void_p)", "", f'VERSION = "{version(headers)}"', "", "# constants"]
     out += [f"{name} = {value}" for name, value in headers.constants.items()]
     out += ["", "# names of the lists, by number"]
     for kind, names in headers.names.items():
         out.append(wrap(f"{kind}_NAMES = (", [f'"{name}"' for name in names], ")"))
-    out += ["", "", "# opaque handles"]
-    for name in headers.handles:
+    out += ["", "", "# opaque handles, and structs, whose fields stand below"]
+    for name in [*headers.handles, *headers.structs]:
         out += ["", "", f"class {name}(Structure):", "    pass"]
     out += ["", "", "# callbacks"]
     for name, (result, arguments) in headers.callbacks.items():
-        out.append(f"{name} = CFUNCTYPE({', '.join(headers.ctype(kind) for kind in [result, *arguments])})")
-    out += ["", "# structs"]
+        kinds = [result, *(kind for kind, _ in arguments)]
+        out.append(f"{name} = CFUNCTYPE({', '.join(headers.ctype(kind) for kind in kinds)})")
+    out += ["", "# fields of the structs"]
     for name, fields in headers.structs.items():
-        out += ["", "", f"class {name}(Structure):",
-                wrap("    _fields_ = [", [f'("{field}", {kind})' for field, kind in fields], "]")]
+        out += [wrap(f"{name}._fields_ = [", [f'("{field}", {" * ".join([headers.ctype(kind), *map(str, reversed(sizes))])})'
+                                        for field, kind, sizes in fields], "]")]
     out += ["", "", "# functions: name -> (library, result, arguments)", "FUNCTIONS = {"]
     for name, (library, result, arguments) in headers.functions.items():
-        kinds = [headers.ctype(kind) for kind in arguments]
+        kinds = [headers.ctype(kind) for kind, _ in arguments]
         out.append(wrap(f'    "{name}": ("{library}", {headers.ctype(result)}, [', kinds, "]),"))
     return "\n".join(out + ["}", ""])
 
 
 def main():
-    text = render(Headers(ROOT / "include" / "muslin"))
+    headers = Headers(ROOT / "include" / "muslin")
+    files = {ROOT / "bindings" / "python" / "muslin" / "_abi.py": render(headers),
+             ROOT / "bindings" / "abi" / "muslin_flat.h": render_flat(headers),
+             ROOT / "bindings" / "abi" / "muslin_abi.json": render_json(headers)}
+    if "--record" in sys.argv[1:]:
+        files[BASELINE] = render_baseline(headers)
+    stale = [file for file, text in files.items() if not file.exists() or file.read_text() != text]
     if "--check" in sys.argv[1:]:
-        return 0 if TARGET.exists() and TARGET.read_text() == text else 1
-    TARGET.write_text(text)
+        for file in stale:
+            print(f"{file.relative_to(ROOT)} is not that of the headers: run bindings/python/generate.py")
+        return 1 if stale else 0
+    for file in stale:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(files[file])
     return 0
 
 

@@ -19,9 +19,9 @@ class BuildWithLibraries(build_py):
         super().run()
         if not (ROOT / "Makefile").exists():
             return  # an editable or relocated tree: MUSLIN_LIB or an installed libmuslin is used
-        major = next(line.split()[2] for line in (ROOT / "include/muslin/base.h").read_text().splitlines()
-                     if line.startswith("#define MUS_VERSION_MAJOR"))
-        files = [f"{name}.so.{major}" for name in NAMES]
+        abi = next(line.split()[2] for line in (ROOT / "include/muslin/base.h").read_text().splitlines()
+                   if line.startswith("#define MUS_ABI"))
+        files = [f"{name}.so.{abi}" for name in NAMES]
         subprocess.run(["make", "-C", str(ROOT), "all"], check=True)
         for file in files:
             shutil.copy(ROOT / "build" / "lib" / file, pathlib.Path(self.build_lib, "muslin", file))

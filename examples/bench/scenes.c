@@ -96,7 +96,8 @@ static mus_status run_hang(bench *b, const char *name, int32_t side, int32_t int
         place[3 * i + 2] = i / side * cell[1];
     }
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric = hang_fabric(cell[0]);
+    const mus_fabric fabric = hang_fabric(cell[0]);
+    cut.fabric = &fabric;
     mus_drape_def_init(&def, sizeof def);
     def.integrator = integrator;
     def.drag = REST_DRAG;
@@ -109,7 +110,7 @@ static mus_status run_hang(bench *b, const char *name, int32_t side, int32_t int
     if (status == MUS_OK) status = time_hang(drape, &row);
     if (status == MUS_OK && rest) status = rest_hang(drape, 9.81 * mus_cloth_mass(cloth), pin, &row);
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) {
-        const plain_lattice plain = bench_lattice(&cut.fabric, side, cell[0], def.drag);
+        const plain_lattice plain = bench_lattice(&fabric, side, cell[0], def.drag);
         row.plain_s = bench_plain(&plain, 32, true);
         bench_row_write(b, &row);
         status = MUS_OK;
@@ -158,7 +159,8 @@ static mus_status run_frame(bench *b, const char *name, const mus_pattern *garme
     mus_drape *drape = NULL;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = FRAME_SPACING;
-    cut.fabric = hang_fabric(FRAME_SPACING);
+    const mus_fabric fabric = hang_fabric(FRAME_SPACING);
+    cut.fabric = &fabric;
     mus_drape_def_init(&def, sizeof def);
     def.integrator = integrator;
     def.contact_ball = ball;
@@ -169,7 +171,7 @@ static mus_status run_frame(bench *b, const char *name, const mus_pattern *garme
     if (status == MUS_OK) status = mus_drape_sew(drape, NULL, NULL);
     row.nodes = mus_cloth_node_count(cloth);
     row.springs = mus_cloth_spring_count(cloth);
-    row.area = mus_cloth_mass(cloth) / cut.fabric.weight;
+    row.area = mus_cloth_mass(cloth) / fabric.weight;
     if (status == MUS_OK) status = time_frames(drape, &row);
     if (status == MUS_OK) bench_row_write(b, &row);
     mus_drape_destroy(drape);

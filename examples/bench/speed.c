@@ -174,7 +174,8 @@ static mus_status run_case(bench *b, const speed_case *c, const mus_pattern *tsh
     mus_drape *drape = NULL;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = CELL;
-    cut.fabric = fabric_of(c);
+    const mus_fabric fabric = fabric_of(c);
+    cut.fabric = &fabric;
     mus_drape_def_init(&def, sizeof def);
     def.precision = c->precision;
     def.threads = c->threads;
@@ -190,7 +191,7 @@ static mus_status run_case(bench *b, const speed_case *c, const mus_pattern *tsh
     if (status == MUS_OK && (c->has & CONTACT) && !(c->has & TSHIRT)) status = lay_sheet(drape, row.nodes, body);
     if (status == MUS_OK) status = time_case(c, drape, &row);
     if (status == MUS_OK) {
-        const plain_lattice plain = bench_lattice(&cut.fabric, SIDE, CELL, def.drag);
+        const plain_lattice plain = bench_lattice(&fabric, SIDE, CELL, def.drag);
         row.plain_s = bench_plain(&plain, c->precision, !(c->has & FORCE));
         bench_row_write(b, &row);
     }

@@ -45,10 +45,10 @@ typedef struct watch {
 
 
 /* of sewing and settling: nonzero stops them */
-static int32_t look_at_watch(void *user, const char *phase, double progress)
+static int32_t look_at_watch(void *user, const mus_progress *progress)
 {
     watch *w = user;
-    (void)phase, (void)progress;
+    (void)progress;
     w->late = w->late || cpu_seconds(NULL) > w->limit;
     return w->late;
 }
@@ -137,7 +137,7 @@ static int dress_line(const batch *b, const batch_line *g)
     if (opened) code = dress_run(d);
     complaints_keep(NULL);
 
-    const bool late = b->limit > 0.0 && look_at_watch(&clock, "", 1.0) != 0;
+    const bool late = b->limit > 0.0 && look_at_watch(&clock, NULL) != 0;
     const char *status = opened ? dress_status(d) : code == EXIT_INPUT ? "bad input" : "no memory";
     const bool whole = opened ? code == EXIT_DONE : code == EXIT_INPUT;
     batch_part part = {.hold = whole && strcmp(status, "no memory") != 0 ? BATCH_DONE : BATCH_AGAIN};

@@ -1,5 +1,6 @@
 /*
- * dress.c: muslin dress: place, sew, settle; picture, meshes. The report is dress_report.c, many garments batch.c.
+ * dress.c: muslin dress: mus_dress(), a pose or a movement; picture, meshes. The report is dress_report.c, many garments
+ * batch.c.
  *
  * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1. One line
  * on standard error: an output that could not be written comes first, since the report holds the reason of the run.
@@ -17,192 +18,62 @@
 #include "commands.h"
 
 /* one line that rewrites itself on a terminal */
-static int32_t show_progress(void *user, const char *phase, double progress)
+static int32_t show_progress(void *user, const mus_progress *progress)
 {
     (void)user;
-    fprintf(stderr, "\r%-7s %3.0f %%", phase, 100.0 * progress);
+    fprintf(stderr, "\r%-7s %3.0f %%", progress->phase, 100.0 * progress->progress);
     fflush(stderr);
     return 0;
 }
 
 
-/* whether any panel of a pattern has a place of its own to start at */
-static bool has_place(const mus_pattern *pattern)
+/* the body of the tape, unless a mesh gave one */
+static mus_status make_body(dress *d)
 {
-    mus_placement none, own;
-    mus_placement_init(&none, sizeof none);
-    mus_placement_init(&own, sizeof own);
-    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
-        if (mus_pattern_placement(pattern, p, &own) == MUS_OK && memcmp(&own, &none, sizeof own) != 0) return true;
-    return false;
-}
-
-
-/* the body, and where the panels start */
-static mus_status prepare(dress *d)
-{
-    double start = seconds();
-    mus_status status = MUS_OK;
-    if (d->mesh.file == NULL) {
-        status = scene_body(&d->s, &d->from, NULL, &d->body);
-        d->body_seconds = seconds() - start;
-    }
-    if (status == MUS_OK && d->open) status = mus_pattern_open_closures(d->s.pattern, 1, NULL);
-    if (status != MUS_OK) return status;
-
-    start = seconds();
-    d->found = d->body != NULL && (d->place != NULL ? strcmp(d->place, "found") == 0 : !has_place(d->s.pattern));
-    if (d->found) status = mus_arrange_pattern(d->s.pattern, d->body);
-    d->place_seconds = seconds() - start;
+    if (d->mesh.file != NULL) return MUS_OK;
+    const double start = seconds();
+    const mus_status status = scene_body(&d->s, &d->from, NULL, &d->body);
+    d->body_seconds = seconds() - start;
     return status;
 }
 
 
-/* cloth and drape: everything before the first step */
-static mus_status cut_out(dress *d, bool once)
-{
-    const double start = seconds();
-    mus_cloth_def cut;
-    mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric = d->fabric;
-    cut.spacing = 0.001 * d->spacing_mm;
-    mus_status status = mus_cloth_create(d->s.context, d->s.pattern, &cut, &d->cloth);
-    d->mesh_seconds += seconds() - start;
-    if (status != MUS_OK) return status;
-
-    mus_drape_def def;
-    mus_drape_def_init(&def, sizeof def);
-    def.threads = (int32_t)d->threads;
-    def.precision = (int32_t)d->precision;
-    def.friction = d->friction;
-    def.self_contact = d->self_contact || d->over.count > 0;
-    def.sew_once = once;
-    status = mus_drape_create(d->s.context, d->cloth, d->body, &def, &d->drape);
-    return status == MUS_OK ? mus_drape_place(d->drape) : status;
-}
-
-
-/* sew and settle; the outcome is kept for the report */
-static void run(dress *d)
+/* place, cut, sew and settle. A found placement is tried after the pattern's own only where one can be found: for one
+ * garment, round a body of a tape */
+static mus_status put_on(dress *d)
 {
     const bool show = !d->quiet && isatty(STDERR_FILENO);
-    const mus_progress_fn progress = show ? show_progress : d->progress;
-    double start = seconds();
-    d->outcome = mus_drape_sew(d->drape, progress, d->progress_user);
-    d->sew_seconds += seconds() - start;
-    start = seconds();
-    if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, progress, d->progress_user);
-    d->settle_seconds += seconds() - start;
+    mus_dress_def def;
+    mus_dress_def_init(&def, sizeof def);
+    def.spacing = 0.001 * d->spacing_mm;
+    def.fabric = &d->fabric;
+    def.self_contact = d->self_contact || d->over.count > 0;
+    def.precision = (int32_t)d->precision;
+    def.threads = (int32_t)d->threads;
+    def.friction = d->friction;
+    def.open_closures = d->open;
+    def.retry = d->mesh.file == NULL && d->over.count == 0;
+    if (d->place != NULL)
+        def.place = strcmp(d->place, "found") == 0 ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN;
+    def.progress = show ? show_progress : d->progress;
+    def.progress_user = d->progress_user;
+    const mus_status status =
+        mus_dress(d->s.context, d->s.pattern, d->body, &def, &d->dressed, &d->why, &d->cloth, &d->drape);
     if (show) fputs("\r             \r", stderr);
-
-    /* at rest, but through itself: no garment */
-    mus_reason why;
-    mus_reason_init(&why, sizeof why);
-    mus_drape_reason(d->drape, &why);
-    if (d->outcome == MUS_OK && why.kind == MUS_REASON_TANGLED) d->outcome = MUS_ERR_UNSETTLED;
-    if (d->outcome != MUS_OK) snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+    return status;
 }
 
 
-/* what is wrong before anything is sewn is said, and nothing is */
-static void look_at_start(dress *d)
+/* why the garment is on or not after the body moved */
+static void moved_reason(dress *d)
 {
-    mus_reason_init(&d->start, sizeof d->start);
-    const mus_status status = mus_drape_start(d->drape, &d->start);
-    d->outcome = status == MUS_OK && d->start.kind != MUS_REASON_NONE ? MUS_ERR_SEW : status;
-    if (d->outcome == MUS_ERR_SEW) snprintf(d->reason, sizeof d->reason, "%s", d->start.text);
-}
-
-
-/* from where the panels start to rest, or to why not; `once`: a seam that does not close at once has the last word */
-static void attempt(dress *d, bool once)
-{
-    mus_reason_init(&d->start, sizeof d->start);
-    d->outcome = cut_out(d, once);
-    if (d->outcome == MUS_OK) look_at_start(d);
-    if (d->outcome == MUS_OK)
-        run(d);
-    else if (d->start.kind == MUS_REASON_NONE)
-        snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
-}
-
-
-/* whether there is another start than the pattern's own */
-static bool has_other_start(const dress *d)
-{
-    return d->place == NULL && !d->found && d->mesh.file == NULL && d->over.count == 0;
-}
-
-
-/* what a drape that came to no good ended with */
-static int32_t ended(const dress *d)
-{
-    mus_reason why;
-    mus_reason_init(&why, sizeof why);
-    const bool known = d->outcome != MUS_OK && d->drape != NULL && mus_drape_reason(d->drape, &why) == MUS_OK;
-    return known ? why.kind : MUS_REASON_NONE;
-}
-
-
-/* whether another start may help: a bad one, or one from which it was not sewn, slid off or found no rest */
-static bool start_failed(const dress *d)
-{
-    if (d->outcome == MUS_OK || d->drape == NULL) return false;
-    if (d->start.kind != MUS_REASON_NONE) return d->start.kind == MUS_REASON_START_TANGLED;
-    const int32_t kind = ended(d);
-    return kind == MUS_REASON_SEAM_OPEN || kind == MUS_REASON_TANGLED || kind == MUS_REASON_SLID_OFF ||
-           kind == MUS_REASON_NOT_SETTLED;
-}
-
-
-/* once more, from where `pattern` says. What ended worse is thrown away, but that with more tries takes the place of
- * that with one. Returns what it ended with */
-static int32_t attempt_again(dress *d, mus_pattern *pattern, bool once)
-{
-    dress first = *d;
-    d->cloth = NULL;
-    d->drape = NULL;
-    d->s.pattern = pattern;
-    attempt(d, once);
-    d->s.pattern = first.s.pattern;
-    const int32_t end = ended(d);
-    const bool keep = d->outcome == MUS_OK || (d->drape != NULL && !once && pattern == first.s.pattern);
-    mus_drape_destroy(keep ? first.drape : d->drape);
-    mus_cloth_destroy(keep ? first.cloth : d->cloth);
-    if (keep) return end;
-    d->cloth = first.cloth;
-    d->drape = first.drape;
-    d->outcome = first.outcome;
-    d->start = first.start;
-    memcpy(d->reason, first.reason, sizeof d->reason);
-    return end;
-}
-
-
-/*
- * From the pattern's own start; where that fails, from places that are found. A start from which the coarsest cut does
- * not close at once is seldom a good one: the other has its turn before all is tried from either, which takes long.
- */
-static void attempts(dress *d)
-{
-    const bool other = has_other_start(d);
-    attempt(d, other);
-    if (!other || !start_failed(d)) return;
-    const bool open = ended(d) == MUS_REASON_SEAM_OPEN;
-    int32_t end = MUS_REASON_NONE;
-    mus_pattern *found = NULL;
-    const double start = seconds();
-    mus_status status = mus_pattern_copy(d->s.pattern, &found);
-    if (status == MUS_OK) status = mus_arrange_pattern(found, d->body);
-    d->place_seconds += seconds() - start;
-    if (status == MUS_OK) end = attempt_again(d, found, true);
-    d->found = d->outcome == MUS_OK;
-    if (d->outcome != MUS_OK && open) attempt_again(d, d->s.pattern, false);
-    if (d->outcome != MUS_OK && end == MUS_REASON_SEAM_OPEN) {
-        attempt_again(d, found, false);
-        d->found = d->outcome == MUS_OK;
-    }
-    mus_pattern_destroy(found);
+    mus_reason_init(&d->why, sizeof d->why);
+    mus_drape_reason(d->drape, &d->why);
+    if (d->outcome == MUS_OK) d->why.kind = MUS_REASON_SETTLED;
+    else if (d->outcome == MUS_ERR_DIVERGED || d->outcome == MUS_ERR_STEP) d->why.kind = MUS_REASON_UNSTABLE;
+    else if (d->why.kind == MUS_REASON_NONE || d->why.kind == MUS_REASON_SETTLED) d->why.kind = MUS_REASON_BAD_INPUT;
+    if (d->outcome != MUS_OK && d->why.text[0] == '\0')
+        snprintf(d->why.text, sizeof d->why.text, "%.255s", mus_context_error(d->s.context));
 }
 
 
@@ -215,7 +86,7 @@ static int move_on(dress *d)
         d->outcome = motion_into(&on, &d->moved, d->moved.pose);
         const double start = seconds();
         if (d->outcome == MUS_OK) d->outcome = mus_drape_settle(d->drape, NULL, NULL);
-        d->settle_seconds += seconds() - start;
+        d->dressed.settle_seconds += seconds() - start;
     } else if (d->moved.move != NULL) {
         mus_body *thin = NULL;
         mus_body_def def;
@@ -229,7 +100,7 @@ static int move_on(dress *d)
         d->led = d->glb != NULL && d->moved.made > 0;
         mus_body_destroy(thin);
     }
-    if (d->outcome != MUS_OK) snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+    if (d->moved.pose != NULL || d->moved.move != NULL) moved_reason(d);
     return code;
 }
 
@@ -310,6 +181,8 @@ void dress_init(dress *d)
     d->threads = 1.0;
     d->precision = 32.0;
     d->friction = NAN;
+    mus_dress_report_init(&d->dressed, sizeof d->dressed);
+    mus_reason_init(&d->why, sizeof d->why);
     d->look.repeat = 0.1;
     d->moved.count = 240.0;
 }
@@ -380,11 +253,12 @@ int dress_open(dress *d)
 int dress_run(dress *d)
 {
     int code = EXIT_DONE;
-    d->outcome = prepare(d);
+    d->outcome = make_body(d);
     if (d->outcome == MUS_OK) {
-        attempts(d);
+        d->outcome = put_on(d);
     } else {
-        snprintf(d->reason, sizeof d->reason, "%s", mus_context_error(d->s.context));
+        d->why.kind = MUS_REASON_BAD_INPUT;
+        snprintf(d->why.text, sizeof d->why.text, "%.255s", mus_context_error(d->s.context));
     }
     if (d->outcome == MUS_OK) code = move_on(d);
     if (d->drape != NULL && code == EXIT_DONE) look_at_fit(d);
@@ -425,7 +299,7 @@ static int write_report(const dress *d)
         printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, strain %.1f %%, %.1f s\n",
                mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
                1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
-               d->mesh_seconds + d->sew_seconds + d->settle_seconds);
+               d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
     return code;
 }
 
@@ -453,10 +327,8 @@ static int read_options(dress *d, int argc, char **argv)
 
 static int run_failed(const dress *d)
 {
-    mus_reason why;
-    dress_reason(d, &why);
     return complain(failure_code(d->outcome), "dress", "%s",
-                    why.text[0] != '\0' ? why.text : mus_status_text(d->outcome));
+                    d->why.text[0] != '\0' ? d->why.text : mus_status_text(d->outcome));
 }
 
 

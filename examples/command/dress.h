@@ -1,6 +1,6 @@
 /* dress.h: one garment from its options to its report: for muslin dress, and for each line of a batch. */
-#ifndef MUSLIN_DRESS_H
-#define MUSLIN_DRESS_H
+#ifndef MUSLIN_COMMAND_DRESS_H
+#define MUSLIN_COMMAND_DRESS_H
 
 #include "json.h"
 #include "mesh.h"
@@ -19,7 +19,6 @@ typedef struct dress {
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;
-    bool found; /* it started from places that were found */
     bool led; /* the animated file is written */
     mus_progress_fn progress; /* of sewing and settling where none is shown, NULL: none; with progress_user */
     void *progress_user;
@@ -30,9 +29,9 @@ typedef struct dress {
     mus_fit *fit; /* of a garment that is sewn; may be NULL */
     fit_map coloured;
     mus_status outcome;
-    mus_reason start; /* what was wrong before it was sewn; nothing: it was */
-    char reason[512];
-    double body_seconds, place_seconds, mesh_seconds, sew_seconds, settle_seconds, render_seconds;
+    mus_dress_report dressed; /* starts that were tried, seconds of each phase */
+    mus_reason why;           /* why the garment is on, or is not */
+    double body_seconds, render_seconds;
 } dress;
 
 /* Nothing is made yet, and every option has its default. */
@@ -53,8 +52,7 @@ int dress_open(dress *d);
  * code: that of what could not be written. */
 int dress_run(dress *d);
 
-/* The reason why it ended as it did, of the list, with its place; and its name, or "no memory". */
-void dress_reason(const dress *d, mus_reason *out);
+/* Name of the reason why the garment is on or is not, or "no memory". */
 const char *dress_status(const dress *d);
 
 /* Members of the report into an open object; without the time that it took, all is the same in each run. */

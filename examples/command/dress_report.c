@@ -8,29 +8,9 @@
 #include <stdio.h>
 
 
-/* why it ended as it did: of the list, with the place; what the run of a movement says goes before */
-void dress_reason(const dress *d, mus_reason *out)
-{
-    mus_reason_init(out, sizeof *out);
-    if (d->start.kind != MUS_REASON_NONE) *out = d->start;
-    else if (d->drape != NULL) mus_drape_reason(d->drape, out);
-    else if (d->outcome == MUS_ERR_PATTERN) mus_pattern_reason(d->s.pattern, out);
-    if (d->outcome == MUS_OK) {
-        out->kind = MUS_REASON_SETTLED;
-    } else if (d->outcome == MUS_ERR_DIVERGED || d->outcome == MUS_ERR_STEP) {
-        out->kind = MUS_REASON_UNSTABLE;
-    } else if (out->kind == MUS_REASON_NONE || out->kind == MUS_REASON_SETTLED) {
-        out->kind = MUS_REASON_BAD_INPUT;
-    }
-    if (out->text[0] == '\0') snprintf(out->text, sizeof out->text, "%.*s", (int)sizeof out->text - 1, d->reason);
-}
-
-
 const char *dress_status(const dress *d)
 {
-    mus_reason why;
-    dress_reason(d, &why);
-    return d->outcome == MUS_ERR_MEMORY ? "no memory" : mus_reason_name(why.kind);
+    return d->outcome == MUS_ERR_MEMORY ? "no memory" : mus_reason_name(d->why.kind);
 }
 
 
@@ -64,8 +44,7 @@ static void write_layers(const dress *d, const mus_drape_report *r, json *j)
 /* the sentence, and the panel, seam and place that it is about */
 static void write_reason(const dress *d, json *j)
 {
-    mus_reason why;
-    dress_reason(d, &why);
+    const mus_reason why = d->why;
     if (why.kind == MUS_REASON_SETTLED) return;
     json_text(j, "reason", why.text);
     json_open(j, "at", '{');
@@ -81,15 +60,30 @@ static void write_reason(const dress *d, json *j)
 }
 
 
+/* the starts that were tried, in their order */
+static void write_starts(const mus_dress_report *report, bool timed, json *j)
+{
+    json_open(j, "starts", '[');
+    for (int32_t i = 0; i < report->starts; i++) {
+        json_open(j, NULL, '{');
+        json_text(j, "kind", report->start_place[i] == MUS_DRESS_PLACE_FOUND ? "found" : "pattern");
+        if (timed) json_number(j, "seconds", report->start_seconds[i]);
+        json_text(j, "end", mus_reason_name(report->start_end[i]));
+        json_close(j, '}');
+    }
+    json_close(j, ']');
+}
+
+
 void dress_seconds(const dress *d, json *j)
 {
     json_open(j, "seconds", '{');
     json_number(j, "draft", d->s.draft_seconds);
     json_number(j, "body", d->body_seconds);
-    json_number(j, "place", d->place_seconds);
-    json_number(j, "mesh", d->mesh_seconds);
-    json_number(j, "sew", d->sew_seconds);
-    json_number(j, "settle", d->settle_seconds);
+    json_number(j, "place", d->dressed.place_seconds);
+    json_number(j, "mesh", d->dressed.cut_seconds);
+    json_number(j, "sew", d->dressed.sew_seconds);
+    json_number(j, "settle", d->dressed.settle_seconds);
     json_number(j, "render", d->render_seconds);
     json_close(j, '}');
 }
@@ -106,7 +100,8 @@ void dress_describe(const dress *d, bool timed, json *j)
         mus_drape_report_init(&r, sizeof r);
         mus_drape_report_get(d->drape, &r);
         snprintf(hash, sizeof hash, "%016llx", (unsigned long long)mus_drape_hash(d->drape));
-        json_text(j, "start", d->found ? "found" : "pattern");
+        json_text(j, "start", d->dressed.found ? "found" : "pattern");
+        write_starts(&d->dressed, timed, j);
         json_int(j, "panels", mus_cloth_panel_count(d->cloth));
         json_int(j, "nodes", r.nodes);
         json_int(j, "springs", r.springs);

@@ -49,7 +49,8 @@ void scene_close(scene *s)
 int failure_code(mus_status status)
 {
     const int run = status == MUS_ERR_MEMORY || status == MUS_ERR_DIVERGED || status == MUS_ERR_SEW ||
-                    status == MUS_ERR_UNSETTLED || status == MUS_ERR_TANGLED || status == MUS_ERR_STEP;
+                    status == MUS_ERR_UNSETTLED || status == MUS_ERR_TANGLED || status == MUS_ERR_STEP ||
+                    status == MUS_ERR_STOPPED;
     return run ? EXIT_FAILED : EXIT_INPUT;
 }
 

@@ -140,7 +140,7 @@ static mus_status tile_dress(const sheet *sh, scene *s, mus_body **body, mus_clo
     mus_drape_def def;
     mus_cloth_def_init(&cut, sizeof cut);
     mus_drape_def_init(&def, sizeof def);
-    cut.fabric = sh->fabric;
+    cut.fabric = &sh->fabric;
     cut.spacing = 0.001 * sh->spacing_mm;
     mus_status status = mus_cloth_create(s->context, s->pattern, &cut, cloth);
     if (status == MUS_OK) status = mus_drape_create(s->context, *cloth, *body, &def, drape);

@@ -35,7 +35,10 @@ static mus_status cantilever(verify *v, int32_t n, double length, double stretch
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    rest_fabric(&def.fabric, WEIGHT, stretch, 0.0, RIGIDITY);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    rest_fabric(&fabric, WEIGHT, stretch, 0.0, RIGIDITY);
     def.bending = bending;
     def.coarser = 0;
     tip[0] = tip[1] = NAN;
@@ -235,7 +238,7 @@ static mus_status rolled(verify *v, int32_t rows, int32_t columns, double cell, 
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     *energy = NAN;
     double *x = calloc(3 * (size_t)rows * (size_t)columns, sizeof *x);
@@ -342,7 +345,10 @@ static mus_status sewn_halves(verify *v, double spacing, mus_cloth **out)
     sew.edge_a = joined[0], sew.edge_b = joined[1];
     if (status == MUS_OK) status = mus_pattern_add_seam(pattern, &sew, &seam);
     mus_cloth_def_init(&def, sizeof def);
-    rest_fabric(&def.fabric, WEIGHT, 300.0, 40.0, RIGIDITY);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    rest_fabric(&fabric, WEIGHT, 300.0, 40.0, RIGIDITY);
     def.spacing = spacing;
     def.coarser = 0;
     if (status == MUS_OK) status = mus_cloth_create(v->context, pattern, &def, out);

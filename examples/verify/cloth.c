@@ -24,7 +24,7 @@ static mus_status grid(verify *v, int32_t rows, int32_t columns, double x, doubl
     mus_cloth_def def;
     mus_cloth *cloth = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     *out = NULL;
     const mus_status status = mus_cloth_create_grid(v->context, rows, columns, cell, &def, &cloth);
@@ -42,7 +42,10 @@ static mus_status hang_strip(verify *v, int32_t cells, int32_t columns, int32_t 
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    rest_fabric(&def.fabric, 0.15, 1000.0, 0.0, 0.0);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    rest_fabric(&fabric, 0.15, 1000.0, 0.0, 0.0);
     def.coarser = 0;
     mus_status status = mus_cloth_create_grid(v->context, cells + 1, columns, cell, &def, &cloth);
     if (status == MUS_OK) status = rest_hang(v, cloth, precision, 250.0, gravity, &drape);

@@ -146,7 +146,7 @@ static mus_status disc_cloth(verify *v, double spacing, const mus_fabric *fabric
     memcpy(place.rotation, level, sizeof level);
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = spacing;
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     mus_status status = mus_pattern_create(v->context, "disc", &pattern);
     if (status == MUS_OK) status = mus_pattern_add_panel(pattern, "disc", &panel);

@@ -65,9 +65,12 @@ static mus_status grid_law(verify *v, double stretch, double shear, double bend,
     mus_cloth_def def;
     mus_cloth *cloth = NULL;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     def.bending = bending;
-    def.fabric.stretch[0] = stretch, def.fabric.stretch[1] = 0.8 * stretch, def.fabric.shear = shear;
-    for (int k = 0; k < 3; k++) def.fabric.bend[k] = bend;
+    fabric.stretch[0] = stretch, fabric.stretch[1] = 0.8 * stretch, fabric.shear = shear;
+    for (int k = 0; k < 3; k++) fabric.bend[k] = bend;
     const mus_status status = mus_cloth_create_grid(v->context, 5, 5, cell, &def, &cloth);
     return status == MUS_OK ? weightless(v, cloth, out) : status;
 }

@@ -88,8 +88,11 @@ static mus_status grid(verify *v, int32_t n, double cell, double damping, int32_
     mus_cloth_def def;
     mus_cloth *cloth = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric.weight = 0.15;
-    def.fabric.damping = damping;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    fabric.weight = 0.15;
+    fabric.damping = damping;
     const mus_status status = mus_cloth_create_grid(v->context, n, n, cells, &def, &cloth);
     return status == MUS_OK ? hang(v, cloth, precision, threads, gravity, out) : status;
 }

@@ -227,8 +227,11 @@ static mus_status weigh(verify *v, const mus_body *body, double height, double c
     mus_drape_report_init(&after, sizeof after);
     mus_drape_def_init(&def, sizeof def);
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.weight = 0.15;
-    cut.fabric.damping = 0.1;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
+    fabric.weight = 0.15;
+    fabric.damping = 0.1;
     def.precision = 64;
     def.drag = 0.0;
     def.settle_residual = 1e-3;

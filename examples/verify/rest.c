@@ -40,7 +40,7 @@ mus_status rest_panel(verify *v, int32_t n, const double *corners, double gx, do
     if (status == MUS_OK) status = mus_pattern_set_grain(pattern, panel, gx, gy);
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = spacing;
-    def.fabric = *fabric;
+    def.fabric = fabric;
     def.coarser = 0;
     if (status == MUS_OK) status = mus_cloth_create(v->context, pattern, &def, out);
     mus_pattern_destroy(pattern);

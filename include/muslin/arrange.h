@@ -29,7 +29,7 @@ extern "C" {
 MUS_API mus_status mus_arrange_pattern(mus_pattern *pattern, const mus_body *body);
 
 /* Why a garment is on, or is not: the whole list of kinds. */
-#define MUS_REASON_NONE 0 /* nothing was asked yet, or the caller stopped the run */
+#define MUS_REASON_NONE 0 /* nothing was asked yet */
 #define MUS_REASON_SETTLED 1
 #define MUS_REASON_TWISTED_SEAM 2  /* seam: it makes the garment one-sided */
 #define MUS_REASON_PANEL_CROSSES 3 /* panel: its outline crosses itself */
@@ -41,7 +41,8 @@ MUS_API mus_status mus_arrange_pattern(mus_pattern *pattern, const mus_body *bod
 #define MUS_REASON_NOT_SETTLED 8   /* panel, node and place that are farthest from rest, value: the residual */
 #define MUS_REASON_UNSTABLE 9      /* the motion diverged */
 #define MUS_REASON_BAD_INPUT 10    /* any other fault of what was given */
-#define MUS_REASON_COUNT 11
+#define MUS_REASON_STOPPED 11      /* the caller's progress function stopped the run */
+#define MUS_REASON_COUNT 12
 
 /** A reason with its place. */
 typedef struct mus_reason {

@@ -18,8 +18,12 @@ extern "C" {
 #endif
 
 #define MUS_VERSION_MAJOR 0
-#define MUS_VERSION_MINOR 1
+#define MUS_VERSION_MINOR 2
 #define MUS_VERSION_PATCH 0
+
+/* Number of the binary interface: the soname of each library ends in it. It rises by one when a program that was
+ * linked before cannot run with the library any more; functions and fields that are only added leave it as it is. */
+#define MUS_ABI 1
 
 #if defined(_WIN32)
 #define MUS_API
@@ -87,6 +91,7 @@ typedef void *(*mus_alloc_fn)(void *user, void *ptr, size_t old_size, size_t new
 /** The log hook: one line of UTF-8 text without a line end. */
 typedef void (*mus_log_fn)(void *user, int32_t level, const char *text);
 
+/* The allocator, the log hook and the text of the last error, for all objects that are made from it. */
 typedef struct mus_context mus_context;
 
 /** Options of a context. */
@@ -104,7 +109,7 @@ MUS_API void mus_context_def_init(mus_context_def *def, size_t size);
 /**
  * Make a context.
  *
- * `def` may be NULL (all defaults).
+ * `def` may be NULL (all defaults). A def of an earlier release, which is shorter, is taken.
  * Errors:  MUS_ERR_ARG (out NULL); MUS_ERR_VERSION (size); MUS_ERR_MEMORY. *out is NULL after a failure
  * Memory:  one block from the allocator of `def`
  */

@@ -34,29 +34,40 @@ typedef struct mus_fabric {
 /** Zero `fabric`, write size and the values of the default fabric ("jersey"). */
 MUS_API void mus_fabric_init(mus_fabric *fabric, size_t size);
 
-/** Named fabrics: number, name, where the numbers come from; NULL outside the range. */
+/** Number of named fabrics. */
 MUS_API int32_t mus_fabric_count(void);
+
+/** Name of fabric `index` ("jersey"); NULL outside 0 .. count - 1. Static text. */
 MUS_API const char *mus_fabric_name(int32_t index);
+
+/** Where the values of fabric `index` come from, in one paragraph; NULL outside 0 .. count - 1. Static text. */
 MUS_API const char *mus_fabric_source(int32_t index);
 
 /** Fill a fabric (its size set by mus_fabric_init) by name. Errors: MUS_ERR_ARG (NULL or unknown name). */
 MUS_API mus_status mus_fabric_find(const char *name, mus_fabric *out);
 
-/** The values of a fabric one by one, as fabric files have them: number of values, key with its unit
- * ("weight_kg_per_m2"), and where the value of a named fabric comes from ("assumed": nobody measured it for us); NULL
- * outside the range. */
+/** Number of values of a fabric: the numbers of mus_fabric one by one, as fabric files hold them. */
 MUS_API int32_t mus_fabric_value_count(void);
+
+/** Key of a value with its unit ("weight_kg_per_m2"); NULL outside the range. Static text. */
 MUS_API const char *mus_fabric_value_key(int32_t value);
+
+/** Where a value of a named fabric comes from ("assumed": it was chosen, not measured); NULL outside the ranges. Static
+ * text. */
 MUS_API const char *mus_fabric_value_source(int32_t index, int32_t value);
 
-/** Read or set one value. Errors: MUS_ERR_ARG (no such value; outside its range, which the message names: the fabric is
- * as before); MUS_ERR_VERSION. */
+/** Read one value of a fabric. Errors: MUS_ERR_ARG (no such value); MUS_ERR_VERSION. */
 MUS_API mus_status mus_fabric_get(const mus_fabric *fabric, int32_t value, double *out);
+
+/** Set one value of a fabric. Errors: MUS_ERR_ARG (no such value; a number outside the range that the message names);
+ * MUS_ERR_VERSION. After a failure the fabric is as before. */
 MUS_API mus_status mus_fabric_set(mus_context *context, mus_fabric *fabric, int32_t value, double number);
 
-/** All values are in their ranges. Errors: MUS_ERR_ARG naming value and range; MUS_ERR_VERSION. */
+/** Check that all values of a fabric are in their ranges. Errors: MUS_ERR_ARG naming value and range;
+ * MUS_ERR_VERSION. */
 MUS_API mus_status mus_fabric_check(mus_context *context, const mus_fabric *fabric);
 
+/* A pattern cut in a fabric. It does not change once it is made; drapes share it. */
 typedef struct mus_cloth mus_cloth;
 
 /** Models of bending. */
@@ -67,12 +78,13 @@ typedef struct mus_cloth mus_cloth;
 typedef struct mus_cloth_def {
     size_t size;
     double spacing;         /* of the lattice [m], default 0.01, 0.001..0.1 */
-    mus_fabric fabric;      /* default: the default fabric */
+    const mus_fabric *fabric; /* NULL (default): the default fabric; read during the call and not kept */
     int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
     double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
     int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start */
 } mus_cloth_def;
 
+/** Zero `def`, write the defaults and its size. `size` is sizeof(mus_cloth_def) of the caller. */
 MUS_API void mus_cloth_def_init(mus_cloth_def *def, size_t size);
 
 /**
@@ -130,37 +142,61 @@ MUS_API void mus_bare_init(mus_bare *bare, size_t size);
  */
 MUS_API mus_status mus_cloth_create_bare(mus_context *context, const mus_bare *bare, mus_cloth **out);
 
+/** Free a cloth. A drape made of it lives on. NULL is accepted. */
 MUS_API void mus_cloth_destroy(mus_cloth *cloth);
 
+/** Number of nodes; 0 for NULL, as all counts. */
 MUS_API int32_t mus_cloth_node_count(const mus_cloth *cloth);
+
+/** Number of triangles. */
 MUS_API int32_t mus_cloth_triangle_count(const mus_cloth *cloth);
+
+/** Number of panels: 1 of a grid, 0 of bare nodes. */
 MUS_API int32_t mus_cloth_panel_count(const mus_cloth *cloth);
-/** Names of the pattern and of a panel, as cut; "" without a pattern, NULL outside the range. Borrowed. */
+
+/** Name of the pattern that was cut, "" without one. Borrowed until the cloth is destroyed. */
 MUS_API const char *mus_cloth_name(const mus_cloth *cloth);
+
+/** Name of a panel, "" without a pattern; NULL outside 0 .. panels - 1. Borrowed until the cloth is destroyed. */
 MUS_API const char *mus_cloth_panel_name(const mus_cloth *cloth, int32_t panel);
-/** Springs of all kinds, each counted once (a bending stencil counts as one). */
+
+/** Number of springs of all kinds, each counted once; a bending stencil and a hinge count as one. */
 MUS_API int32_t mus_cloth_spring_count(const mus_cloth *cloth);
-/** Pairs of nodes that seams bring together. */
+
+/** Number of pairs of nodes that seams bring together. */
 MUS_API int32_t mus_cloth_pair_count(const mus_cloth *cloth);
+
+/** Spacing of the lattice [m]: that of the def; of a grid the smaller side of its cell; 0 of bare nodes. */
 MUS_API double mus_cloth_spacing(const mus_cloth *cloth);
-/** Mass of the whole cloth [kg]: weight times area. */
+
+/** Mass of the whole cloth [kg]: weight times area; of bare nodes the sum of their masses. */
 MUS_API double mus_cloth_mass(const mus_cloth *cloth);
 
-/** Places of the nodes in their panels (nodes x 2) [m]; panel of each node (nodes); mass of each (nodes) [kg];
- * triangles (triangles x 3), winding as the panel's outline (right side out); seam pairs (pairs x 2) and the seam of
- * each pair (pairs). Borrowed until the cloth is destroyed. */
+/** Positions of the nodes in the planes of their panels, unstrained (nodes x 2) [m]. Borrowed until the cloth is
+ * destroyed, as the five arrays below. */
 MUS_API const double *mus_cloth_rest(const mus_cloth *cloth);
+
+/** Panel of each node (nodes); MUS_NONE for bare nodes. */
 MUS_API const int32_t *mus_cloth_node_panels(const mus_cloth *cloth);
+
+/** Mass of each node (nodes) [kg]. */
 MUS_API const double *mus_cloth_masses(const mus_cloth *cloth);
+
+/** Corners of the triangles (triangles x 3). They wind as the panel's outline does: the right side is out. */
 MUS_API const int32_t *mus_cloth_triangles(const mus_cloth *cloth);
+
+/** The two nodes of each seam pair (pairs x 2). */
 MUS_API const int32_t *mus_cloth_pairs(const mus_cloth *cloth);
+
+/** Seam of the pattern that each pair belongs to (pairs). */
 MUS_API const int32_t *mus_cloth_pair_seams(const mus_cloth *cloth);
 
-/** First node and node count, first triangle and triangle count of a panel: range (4). Nodes of a panel are
- * contiguous. */
+/** Ranges of a panel in the arrays above: range (4) gets first node, number of nodes, first triangle, number of
+ * triangles. Errors: MUS_ERR_ARG (NULL, no such panel). */
 MUS_API mus_status mus_cloth_panel_range(const mus_cloth *cloth, int32_t panel, int32_t *range);
 
-/** Boundary nodes of a panel in the order of its outline: count, and indices (borrowed). */
+/** Boundary nodes of a panel in the order of its outline: *n of them, *nodes borrowed until the cloth is destroyed.
+ * Errors: MUS_ERR_ARG (no such panel). */
 MUS_API mus_status mus_cloth_panel_border(const mus_cloth *cloth, int32_t panel, int32_t *n, const int32_t **nodes);
 
 #ifdef __cplusplus

@@ -16,13 +16,19 @@
 extern "C" {
 #endif
 
-/** Number of named designs; name ("tshirt"), family ("top", "skirt") and title ("T-shirt") of one; NULL outside. */
+/** Number of named designs. */
 MUS_API int32_t mus_design_count(void);
+
+/** Name of a design ("tshirt"); NULL outside 0..count - 1. Constant, as are the texts below. */
 MUS_API const char *mus_design_name(int32_t design);
+
+/** Family of a design ("knit_top"); NULL outside. */
 MUS_API const char *mus_design_family(int32_t design);
+
+/** Title of a design ("T-shirt"); NULL outside. */
 MUS_API const char *mus_design_title(int32_t design);
 
-/** Words of a named design ("top neck=v sleeve=puff"), "" of one that has a recipe of its own, NULL outside. */
+/** Words of a design ("top neck=v sleeve=puff"); NULL outside. */
 MUS_API const char *mus_design_words(int32_t design);
 
 /* Whom a design is for. */
@@ -30,22 +36,27 @@ MUS_API const char *mus_design_words(int32_t design);
 #define MUS_GROUP_MEN 2
 #define MUS_GROUP_CHILDREN 4
 
-/** The groups of a named design, bits of MUS_GROUP_*: it drafts for every table size of them. 0 outside. */
+/** Groups of a design, bits of MUS_GROUP_*: it can be drafted for every table size of them. 0 outside. */
 MUS_API int32_t mus_design_groups(int32_t design);
 
-/** Index of a design by name, MUS_NONE if unknown. */
+/** Index of the design with a name; MUS_NONE if there is none. */
 MUS_API int32_t mus_design_find(const char *name);
 
-/** The axes of words, for a menu: how many, the name of one ("sleeve"), how many options it has, the name of one
- * ("puff"); NULL and 0 outside. Axis 0 is the garment, whose option stands alone as the first word. */
+/** Number of the axes of words. Axis 0 is the garment, whose option stands alone as the first word. */
 MUS_API int32_t mus_design_axis_count(void);
+
+/** Name of an axis ("sleeve"); NULL outside. */
 MUS_API const char *mus_design_axis_name(int32_t axis);
+
+/** Number of the options of an axis; 0 outside. */
 MUS_API int32_t mus_design_option_count(int32_t axis);
+
+/** Name of an option of an axis ("puff"); NULL outside. */
 MUS_API const char *mus_design_option_name(int32_t axis, int32_t option);
 
 /**
- * Words in full: what was left out and is chosen, in the order of the axes; first options are left out but for neck,
- * shape and closure. Words that mean the same give the same text.
+ * Spell words in full: with the options that are chosen for axes that were left out, in the order of the axes. First
+ * options are left out, except those of neck, shape and closure. Words that mean the same give the same text.
  *
  * Shapes:  text, at most `size` bytes with the end; 512 hold any
  * Errors:  MUS_ERR_ARG; MUS_ERR_DESIGN (unknown word: the options are named; two words that exclude one another: both
@@ -61,6 +72,7 @@ typedef struct mus_draft_def {
     double sleeve; /* sleeve length from the shoulder point [m] */
 } mus_draft_def;
 
+/** Set the size of a def and every option to NaN. */
 MUS_API void mus_draft_def_init(mus_draft_def *def, size_t size);
 
 /**
@@ -73,26 +85,26 @@ MUS_API void mus_draft_def_init(mus_draft_def *def, size_t size);
 MUS_API mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape,
                                     const mus_draft_def *def, mus_pattern **out);
 
-/** Draft a garment by words; the rest as mus_design_draft(). Errors: MUS_ERR_DESIGN too for what mus_design_spell()
- * refuses. */
+/** Draft a garment by words; otherwise as mus_design_draft(). MUS_ERR_DESIGN for words that mus_design_spell() refuses. */
 MUS_API mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
                                           const mus_draft_def *def, mus_pattern **out);
 
 /* ---- sizes ---- */
 
 /**
- * Grade rules: how far each point of `from` moves to where `to` has it, the same design drafted for another size.
+ * Grade rules: the displacement of each point of `from` to its position in `to`, the same design drafted for another
+ * size.
  *
- * Points are known by the edges of panels of the same name that end in them; one that `to` does not have gets NaN.
- * Shapes:  rules (points of `from` x 2) [m]; *count is how many points have a rule, may be NULL
+ * Points are matched by the names of their panels and of the edges that end in them; a point without a match gets NaN.
+ * Shapes:  rules (points of `from` x 2) [m]; *count: number of points with a rule, may be NULL
  * Errors:  MUS_ERR_ARG
  */
 MUS_API mus_status mus_design_grade(const mus_pattern *from, const mus_pattern *to, double *rules, int32_t *count);
 
 /**
- * A pattern with each point moved by its rule; what lies between the ends of an edge moves by a mean of both, weighed
- * by the way along the edge; eases become what the lengths then are. For files that carry rules: a size that is drafted
- * is exact.
+ * Copy a pattern with each point moved by its rule. Points between the ends of an edge move by the mean of both rules,
+ * weighted by arc length; the ease of a seam becomes the difference of the new lengths. Meant for files that carry
+ * rules: drafting a size is exact.
  *
  * Shapes:  rules (points x 2) [m], all finite
  * Errors:  MUS_ERR_ARG (the panel is named); MUS_ERR_PATTERN; MUS_ERR_MEMORY
@@ -105,8 +117,8 @@ MUS_API mus_status mus_design_grade_apply(const mus_pattern *pattern, const doub
 #define MUS_EASE_COUNT 3
 
 /**
- * What the garment is wider than the body all round at bust, waist and hip, by a level cut through the panels that
- * stand round the torso as they are placed. NaN at a level that it does not reach.
+ * Ease of a garment at bust, waist and hip: its girth less that of the body, by a horizontal cut through the panels
+ * that are placed upright round the torso. NaN at a height that it does not reach.
  *
  * Shapes:  ease (MUS_EASE_COUNT) [m]
  * Errors:  MUS_ERR_ARG, MUS_ERR_TAPE

@@ -53,6 +53,8 @@ typedef struct mus_drape_def {
     int32_t sew_once;     /* nonzero: sewing gives up when its first try does not close the coarsest cut, for a
                            * caller that has another start; 0 (default): it goes on with straight pulls and finer
                            * cuts */
+    double progress_seconds; /* wall time between two calls of a progress function at least [s], default 0.1; 0: it is
+                              * called at each check of the run */
 } mus_drape_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_drape_def) of the caller. */
@@ -281,9 +283,21 @@ MUS_API mus_status mus_drape_forces(const mus_drape *drape, double *out);
 MUS_API mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const double *points, double *depth,
                                    double *normal);
 
-/** Called during sew and settle a few times a second of wall time at most; nonzero stops the run with MUS_OK.
- * phase: "sew" or "settle"; progress 0..1. */
-typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progress);
+/** What a progress function is told. The arrays are borrowed until it returns. */
+typedef struct mus_progress {
+    size_t size;
+    const char *phase;        /* "sew" or "settle" */
+    double progress;          /* share of the phase that is done, 0..1 */
+    int32_t coarse;           /* nonzero: a coarser cut moves now (mus_cloth_def.coarser); 0: the cloth itself */
+    int32_t nodes;            /* of the cut that moves */
+    int32_t triangles;        /* of that cut */
+    const double *positions;  /* (nodes x 3) [m]; welded nodes share their position */
+    const int32_t *triangle;  /* (triangles x 3) corners */
+} mus_progress;
+
+/** Called during mus_drape_sew() and mus_drape_settle() once in def.progress_seconds of wall time at most. A value
+ * other than 0 stops the run, which then returns MUS_ERR_STOPPED. The result does not depend on the calls. */
+typedef int32_t (*mus_progress_fn)(void *user, const mus_progress *progress);
 
 /**
  * Pull all seams shut and weld them. Gravity is off meanwhile.
@@ -292,8 +306,10 @@ typedef int32_t (*mus_progress_fn)(void *user, const char *phase, double progres
  * other in one plane are moved apart first: the lower one goes down; of two side by side, each goes half of the way. A
  * few sheets of cloth between the last pairs of a seam do not keep it open: the pairs are welded, and crossings are
  * drawn apart as by mus_drape_untangle(). Worn layers do keep it open: a seam that would go through them stays open,
- * and the error tells so. Crossings that are left are counted by mus_drape_crossings(). Errors: MUS_ERR_SEW (the
- * message names the seam and its gap; the state is as far as it got); MUS_ERR_DIVERGED, MUS_ERR_MEMORY
+ * and the error tells so. Crossings that are left are counted by mus_drape_crossings().
+ * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_STOPPED (by
+ *         `progress`; the state is as far as it got); MUS_ERR_DIVERGED, MUS_ERR_MEMORY
+ * Memory: with a progress function 6 doubles a node during the call
  */
 MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
 
@@ -305,8 +321,10 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * been so far from its mean place, and the residual of the nodes that touch neither skin nor plane nor cloth is below
  * settle_residual. (The contact forces on a node wedged between surfaces cannot be recovered from its place.) Where
  * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
- * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_DIVERGED, MUS_ERR_MEMORY
- * Memory:  the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed
+ * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED (by `progress`), MUS_ERR_DIVERGED,
+ *         MUS_ERR_MEMORY
+ * Memory: the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; with a
+ *         progress function 6 doubles a node during the call
  */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 

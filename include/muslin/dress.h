@@ -33,13 +33,15 @@ typedef struct mus_dress_def {
     int32_t precision;          /* of the state, 32 (default) or 64 bits */
     int32_t threads;            /* 1 (default) .. 64; the result does not depend on it */
     double friction;            /* on skin; NaN (default): the fabric's */
-    const mus_drape_def *drape; /* NULL (default); else all options of the drape, and the four above are not read */
+    const mus_drape_def *drape; /* NULL (default); else all options of the drape: the four above are not read */
     int32_t place;              /* MUS_DRESS_PLACE_*, default both */
     int32_t retry;              /* nonzero (default): after a failure from the pattern's start the found one is tried;
                                  * 0: one start alone */
     int32_t open_closures;      /* nonzero: zips and buttons are left open; 0 (default): closed */
     mus_progress_fn progress;   /* of sewing and settling, NULL (default): none. Nonzero stops the run */
     void *progress_user;        /* handed to progress */
+    double progress_seconds;    /* wall time between two calls of progress at least [s], default 0.1. Not read with
+                                 * `drape` */
 } mus_dress_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_dress_def) of the caller. */

@@ -23,10 +23,14 @@ extern "C" {
 
 /** Write the rate dy (n) of the state y (n) at time t: all of dy, nothing else. */
 typedef void (*mus_rate_fn)(void *user, double t, const double *y, double *dy);
+
+/** The same for a state in float. */
 typedef void (*mus_rate32_fn)(void *user, double t, const float *y, float *dy);
 
 /** Energy of the state y (n) at time t, for the guard. It may fall or stay; where it grows the run ends. */
 typedef double (*mus_energy_fn)(void *user, double t, const double *y);
+
+/** The same for a state in float. */
 typedef double (*mus_energy32_fn)(void *user, double t, const float *y);
 
 /** What to integrate, and how. */
@@ -45,6 +49,7 @@ typedef struct mus_integrate_def {
     void *user;               /* handed to the functions */
 } mus_integrate_def;
 
+/** Zero `def`, write the defaults and its size. `size` is sizeof(mus_integrate_def) of the caller. */
 MUS_API void mus_integrate_def_init(mus_integrate_def *def, size_t size);
 
 /** Numbers of work space that a state of n numbers needs (double or float, as the state): the stages of the method and

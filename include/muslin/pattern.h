@@ -1,16 +1,17 @@
 /*
  * muslin/pattern.h: a sewing pattern as a cell complex.
  *
- * Points are 0-cells, edges 1-cells (each a chain of lines, arcs, quadratic and cubic Beziers: a new edge starts only
- * where a seam or an opening starts), panels 2-cells. A panel's attaching map is the cyclic word of its oriented
- * edges; the right side of the cloth is the side from which that word runs counter-clockwise. A seam makes two edges
- * equivalent; the quotient's topology tells what was sewn. A line inside a panel is an edge that its word passes once
- * each way: nothing is cut there, and what is sewn to it is a third sheet (a patch pocket; muslin/edit.h lays one).
+ * Points are 0-cells. Edges are 1-cells: each is a chain of lines, arcs, quadratic and cubic Beziers, and a new edge
+ * starts only where a seam or an opening starts. Panels are 2-cells: a panel's attaching map is the cyclic word of its
+ * oriented edges, and the right side of the cloth is the side from which that word runs counter-clockwise. A seam makes
+ * two edges equivalent. A line inside a panel is an edge that its word passes once each way: nothing is cut there, and
+ * another panel that is sewn to it is a third sheet (a patch pocket; muslin/edit.h lays one).
  * Source: Metaaphanon and Kanongchaiyos 2005, section 5, eq. 13 to 20.
  *
  * Units: metre, in the plane of each panel (x right, y up; y is the warp unless the grain says otherwise).
- * Indices are int32_t, count from 0, and are stable: nothing is ever removed from a pattern by the calls below. The
- * edits of muslin/edit.h cut, join and remove: after one of them indices and borrowed pointers are new, names stay.
+ * Indices are int32_t, count from 0, and are stable: the calls below remove nothing. The edits of muslin/edit.h cut,
+ * join and remove: after one of them indices and borrowed pointers are new, names stay. muslin/topology.h tells what
+ * the sewn pattern is as a surface, and checks it.
  */
 #ifndef MUSLIN_PATTERN_H
 #define MUSLIN_PATTERN_H
@@ -21,37 +22,57 @@
 extern "C" {
 #endif
 
+/** A pattern. One context, and all objects made from it, on one thread at a time. */
 typedef struct mus_pattern mus_pattern;
 
-/* Pieces of an edge, and how many control points stand between the ends of each: line 0, quadratic 1, cubic 2,
- * arc 1 (the point half way along the arc). */
+/* Kinds of pieces of an edge. Control points between the ends of a piece: line 0, quadratic 1, cubic 2, arc 1 (the
+ * point half way along the arc). */
 #define MUS_PIECE_LINE 0
 #define MUS_PIECE_QUADRATIC 1
 #define MUS_PIECE_CUBIC 2
 #define MUS_PIECE_ARC 3
 
-/* How the sides of a seam run. REVERSED: the start of a meets the end of b, right sides out (two panels that are both
- * drawn counter-clockwise). DIRECT: start meets start (a piece laid face to face, or a twist). */
+/* How the two edges of a seam run. REVERSED: the start of a meets the end of b, right sides out (two panels that are
+ * both drawn counter-clockwise). DIRECT: start meets start (a piece laid face to face, or a twist). */
 #define MUS_SEAM_REVERSED 0
 #define MUS_SEAM_DIRECT 1
 
+/**
+ * Make an empty pattern. `name` is UTF-8 of at most 127 bytes; NULL reads as "".
+ *
+ * Errors:  MUS_ERR_ARG (context or out NULL, a name that is too long or not UTF-8), MUS_ERR_MEMORY; *out is NULL then
+ * Memory:  *out is the caller's: mus_pattern_destroy()
+ */
 MUS_API mus_status mus_pattern_create(mus_context *context, const char *name, mus_pattern **out);
+
+/**
+ * Make a copy that is equal to the bit and shares nothing with the pattern. The history of edits is not copied.
+ *
+ * Errors:  MUS_ERR_ARG (pattern or out NULL), MUS_ERR_MEMORY; *out is NULL then
+ * Memory:  *out is the caller's: mus_pattern_destroy(); some 100 kB for a dress
+ */
 MUS_API mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out);
+
+/** Free a pattern and its history; NULL is accepted. */
 MUS_API void mus_pattern_destroy(mus_pattern *pattern);
 
-/** The context that the pattern was made from. */
+/** The context that the pattern was made from; NULL for NULL. */
 MUS_API mus_context *mus_pattern_context(const mus_pattern *pattern);
 
-/** Name of the pattern (never NULL), and setting it. Names anywhere in a pattern are UTF-8 of at most 127 bytes. */
+/** Name of the pattern, "" for NULL; borrowed until the next edit. */
 MUS_API const char *mus_pattern_name(const mus_pattern *pattern);
+
+/** Set the name of the pattern. Names anywhere in a pattern are UTF-8 of at most 127 bytes. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);
 
 /* ---- edit: cells ---- */
 
-/** Add a panel without outline. Errors: MUS_ERR_ARG (name NULL, empty or taken), MUS_ERR_MEMORY. */
+/** Add a panel without outline; *out (may be NULL) is its index. Errors: MUS_ERR_ARG (name NULL, empty or taken),
+ * MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out);
 
-/** Add a point to the plane of a panel. Errors: MUS_ERR_ARG (panel unknown, x or y beyond 1e6 m), MUS_ERR_MEMORY. */
+/** Add a point (x, y) [m] to the plane of a panel; *out (may be NULL) is its index. Errors: MUS_ERR_ARG (panel unknown,
+ * x or y beyond 1e6 m), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
 
 /** An edge to be added: a chain of pieces between two points of one panel. */
@@ -82,19 +103,25 @@ MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def
 /**
  * Give a panel its attaching map: `n` edges in order, direction[i] +1 along or -1 against the edge.
  *
- * Errors: MUS_ERR_ARG (an edge of another panel, or one that does not start where the one before ended; the first
- *         follows the last: an outline is always closed)
+ * An outline is always closed: the first edge follows the last.
+ * Shapes:  edges, directions (n)
+ * Errors:  MUS_ERR_ARG (an edge of another panel, an edge that does not start where the edge before it ended),
+ *          MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t n, const int32_t *edges,
                                            const int32_t *directions);
 
-/** Label of an edge: the opening or role that the edge plays ("hem", "neck", "cuff", "left_armhole"), "" for none. */
+/** Set the label of an edge: the opening or the role that it plays ("hem", "neck", "cuff", "left_armhole"), "" for
+ * none.
+ * Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_set_edge_label(mus_pattern *pattern, int32_t edge, const char *label);
 
-/** Seam allowance of an edge [m]; NaN (the default) leaves it to the sheet. Errors: MUS_ERR_ARG (< 0, > 0.2). */
+/** Set the seam allowance of an edge [m]; NaN (the default) leaves it to the sheet. Errors: MUS_ERR_ARG (< 0, >
+ * 0.2). */
 MUS_API mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t edge, double allowance);
 
-/* Where on the body an edge is held up: girths of the torso, then of the arm or leg that the edge starts round. */
+/* Levels of the body that an edge can be attached to: those of the torso, then those of the arm or leg that the edge
+ * starts round. */
 #define MUS_HOLD_NONE 0
 #define MUS_HOLD_NECK 1   /* a collar, the strap of a halter */
 #define MUS_HOLD_ARMPIT 2 /* a strapless top */
@@ -109,32 +136,38 @@ MUS_API mus_status mus_pattern_set_edge_allowance(mus_pattern *pattern, int32_t 
 #define MUS_HOLD_ANKLE 11
 #define MUS_HOLD_COUNT 12
 
-/** Name of a hold ("waist"), NULL outside the range; and the hold of a name, MUS_NONE without. */
+/** Name of a level MUS_HOLD_* ("waist"); NULL outside the range. */
 MUS_API const char *mus_hold_name(int32_t level);
+
+/** The level MUS_HOLD_* of a name; MUS_NONE without one. */
 MUS_API int32_t mus_hold_find(const char *name);
 
 /**
- * An edge that does not slide down: a drape keeps it from going more than `below` under the level on its body.
+ * Attach an edge to a level of the body: a drape keeps the edge from sliding more than `below` under the level.
  *
- * The edge moves freely along the skin and up. MUS_HOLD_NONE (the default) lets go. A body that has not the level (one
- * of given limbs) holds nothing. hold_label: all edges with that label; `count` (may be NULL) gets how many there are.
+ * The attachment is one-sided: the edge moves freely along the skin and up. MUS_HOLD_NONE (the default) takes it away.
+ * A body without the level (a body of given limbs) holds nothing.
  * Units:   below [m], -1 to 1
  * Errors:  MUS_ERR_ARG
  */
 MUS_API mus_status mus_pattern_set_edge_hold(mus_pattern *pattern, int32_t edge, int32_t level, double below);
+
+/** Attach all edges with a label to a level, as mus_pattern_set_edge_hold() does one. *count (may be NULL) is how many
+ * edges there are. Errors: MUS_ERR_ARG (an empty label, and as there). */
 MUS_API mus_status mus_pattern_hold_label(mus_pattern *pattern, const char *label, int32_t level, double below,
                                           int32_t *count);
 
 /**
- * An elastic along an edge (a casing, a rib): `ratio` times as long as the edge at rest, `stiffness` [N] the force that
- * would stretch it to double length. Stiffness 0 (the default): none.
+ * Put an elastic along an edge (a casing, a rib). Its length at rest is `ratio` times that of the edge; `stiffness` is
+ * the force that would stretch it to double length. Stiffness 0 (the default) takes it away.
  *
  * A soft rib has 20 N, an elastic 2 cm wide 60 N, a waistband that hardly stretches 1000 N.
+ * Units:   stiffness [N]
  * Errors:  MUS_ERR_ARG (ratio outside 0.1 to 1, stiffness outside 0 to 1e6)
  */
 MUS_API mus_status mus_pattern_set_edge_elastic(mus_pattern *pattern, int32_t edge, double ratio, double stiffness);
 
-/* What closes a seam that can be opened: nothing (it is sewn), a zip, buttons. */
+/* Closures of a seam: none (it is sewn), a zip, buttons. */
 #define MUS_CLOSURE_NONE 0
 #define MUS_CLOSURE_ZIP 1
 #define MUS_CLOSURE_BUTTONS 2
@@ -145,22 +178,24 @@ typedef struct mus_seam_def {
     int32_t edge_a;
     int32_t edge_b;
     int32_t direction; /* MUS_SEAM_REVERSED (default) or MUS_SEAM_DIRECT */
-    double ease;       /* length of b less length of a that the design means [m], default 0 */
-    double tolerance;  /* what the check allows beyond ease [m], default 0.0005 */
-    int32_t laid;      /* nonzero: layers of a pleat, a on b. An edge may be in two such seams beside one other */
+    double ease;       /* length of b less length of a that the design intends [m], default 0 */
+    double tolerance;  /* difference beyond the ease that the check allows [m], default 0.0005 */
+    int32_t laid;      /* nonzero: layers of a pleat, a on b. An edge may be in two such seams beside another seam */
     int32_t closure;   /* MUS_CLOSURE_*, default MUS_CLOSURE_NONE */
     int32_t open;      /* nonzero: a closure that is left open: a cloth does not join it; default 0 */
-    int32_t buttons;   /* of MUS_CLOSURE_BUTTONS: done up at so many points alone, evenly from half a gap from both
-                        * ends; 0 (default): along its whole length, as where it laps over; at most 1000 */
+    int32_t buttons;   /* of MUS_CLOSURE_BUTTONS: number of points that alone are joined, spread evenly, half a gap from
+                        * both ends; 0 (default): the whole length, as where a front laps over; at most 1000 */
 } mus_seam_def;
 
+/** Write the defaults: both edges 0, REVERSED, no ease, a tolerance of 0.5 mm, sewn. */
 MUS_API void mus_seam_def_init(mus_seam_def *def, size_t size);
 
-/** Sew two edges (of one panel or two). The topology is that of the garment done up. Errors: MUS_ERR_ARG (unknown edge,
- * an edge with itself, not finite, open or buttons of what is no closure). */
+/** Sew two edges, of one panel or of two; *out (may be NULL) is the index of the seam. Closures count as done up in the
+ * topology. Errors: MUS_ERR_ARG (unknown edge, an edge with itself, a number that is not finite, `open` or `buttons`
+ * without a closure), MUS_ERR_VERSION, MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_seam(mus_pattern *pattern, const mus_seam_def *def, int32_t *out);
 
-/** Leave all closures open (nonzero), or do them up (0); `count` (may be NULL) gets how many there are. */
+/** Leave all closures open (`open` nonzero), or do them up (0); *count (may be NULL) is how many there are. */
 MUS_API mus_status mus_pattern_open_closures(mus_pattern *pattern, int32_t open, int32_t *count);
 
 /* ---- edit: marks and making up ---- */
@@ -169,32 +204,42 @@ MUS_API mus_status mus_pattern_open_closures(mus_pattern *pattern, int32_t open,
 #define MUS_NOTCH_DOUBLE 2
 #define MUS_NOTCH_TRIPLE 3
 
-/** A notch on an edge at arc length s [m] from its start. Errors: MUS_ERR_ARG (s more than 1e-9 outside the edge). */
+/** Put a notch MUS_NOTCH_* on an edge at arc length s [m] from its start; *out (may be NULL) is its index. Errors:
+ * MUS_ERR_ARG (s more than 1e-9 outside the edge, an unknown kind), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_notch(mus_pattern *pattern, int32_t edge, double s, int32_t kind, int32_t *out);
 
-/** An interior line or mark of a panel: n points (n x 2), with a name ("centre front"). n = 1 is a drill point. */
+/**
+ * Draw a mark inside a panel: a line through n points, or a drill point when n is 1. *out (may be NULL) is its index.
+ *
+ * Shapes:  xy (n x 2) [m]
+ * `name` says what it is ("centre front").
+ * Errors:  MUS_ERR_ARG (no point, a point beyond 1e6 m), MUS_ERR_MEMORY
+ */
 MUS_API mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char *name, int32_t n,
                                         const double *xy, int32_t *out);
 
-/** Direction of the warp in the plane of a panel, default (0, 1). Errors: MUS_ERR_ARG (zero or not finite). */
+/** Set the direction of the warp in the plane of a panel, default (0, 1); kept as a unit vector. Errors: MUS_ERR_ARG
+ * (zero or not finite). */
 MUS_API mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y);
 
-/** How a panel is cut: `count` pieces in all; `mirror_of` the panel whose mirror image it is, or MUS_NONE. Panels that
- * mirror another are not printed: the printed one says "cut 2 mirrored". */
+/** Set how a panel is cut: `count` pieces in all (0 to 1000); `mirror_of` is the panel whose mirror image it is, or
+ * MUS_NONE. A mirror image is not printed: the printed panel says "cut 2 mirrored". Errors: MUS_ERR_ARG (also an image
+ * of itself or of another image). */
 MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 
-/** Label of a panel ("body", "arm", "leg", free text). */
+/** Set the label of a panel ("body", "arm", "leg", free text). Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
 
-/** Declare an opening that the sewn garment is to have, by the label of its rim ("neck"; twice for two cuffs). A
- * pattern that declares any is checked as a garment: see mus_pattern_check(). Errors: MUS_ERR_ARG (an empty label). */
+/** Declare an opening that the sewn garment is to have, by the label of its boundary loop ("neck"; twice for two
+ * cuffs). A pattern that declares any is checked as a garment: see mus_pattern_check(). Errors: MUS_ERR_ARG (an empty
+ * label), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);
 
 /**
- * Where a panel starts before sewing.
+ * Where a panel is before sewing.
  *
- * A point (x, y) of the panel goes to  origin + rotation * p,  with  p = (x, y, 0)  when bend is 0, else the panel is
- * rolled round an axis parallel to its y at distance |bend| behind (bend > 0) or before (bend < 0) its plane:
+ * A point (x, y) of the panel goes to  origin + rotation * p.  p = (x, y, 0)  when bend is 0. Otherwise the panel is
+ * rolled round an axis parallel to its y, at distance |bend| behind (bend > 0) or before (bend < 0) its plane:
  * u = x - bend_x,  p = (bend_x + bend sin(u/bend), y, bend (cos(u/bend) - 1)).
  * rotation is row-major: its columns are the images of the panel's x, y and normal.
  */
@@ -204,112 +249,168 @@ typedef struct mus_placement {
     double rotation[9]; /* orthonormal, determinant +1; default identity */
     double bend;        /* radius [m], 0 flat (default) */
     double bend_x;      /* the line x = bend_x keeps its place, default 0 */
-    double fold;        /* of a panel with pleats: it starts folded at each, to this part of its depth, 0 (default:
-                         * flat) to 1; the panel's middle keeps its place */
+    double fold;        /* of a panel with pleats: each starts folded to this part of its depth, 0 (default: flat) to
+                         * 1; the panel's middle keeps its place */
 } mus_placement;
 
+/** Write the defaults: flat at the origin, no rotation. */
 MUS_API void mus_placement_init(mus_placement *placement, size_t size);
+
+/** Set where a panel is before sewing. Errors: MUS_ERR_ARG (a number that is not finite, a matrix that is off a
+ * rotation by more than 1e-6 or mirrors, a bend of less than 1 mm), MUS_ERR_VERSION. */
 MUS_API mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
+
+/** Where a panel is before sewing; out->size is set by mus_placement_init(). Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t panel, mus_placement *out);
 
 /* ---- edit: garments over one another ---- */
 
-#define MUS_LAYERS_MOST 16
+#define MUS_LAYERS_MOST 16 /* layers are 0 to 15; chosen: more than anyone wears */
 
-/** Layer of a panel: 0 (the default) next to the skin, each next one worn over it. A drape with self_contact sews and
- * drapes layer after layer, from inside to outside. Errors: MUS_ERR_ARG (layer outside 0 to 15). */
+/** Set the layer of a panel: 0 (the default) is next to the skin, each next layer is worn over it. A drape with
+ * self_contact sews and drapes layer after layer, from inside to outside. Errors: MUS_ERR_ARG (layer outside 0 to
+ * 15). */
 MUS_API mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t layer);
 
-/** Layer of a panel, MUS_NONE for one that is unknown. */
+/** Layer of a panel; MUS_NONE outside the range. */
 MUS_API int32_t mus_pattern_layer(const mus_pattern *pattern, int32_t panel);
 
 /**
- * Another garment over a pattern: all cells of `other` are added to it, its panels in `layer`.
+ * Put another garment over a pattern: all cells of `other` are added to it, with their panels in `layer`.
  *
- * Indices of the pattern stay; those of `other` go on behind them. A panel whose name is taken gets that of its pattern
- * before it. Openings that the pattern declared are forgotten: garments over one another are no one garment.
+ * Indices of the pattern stay; those of `other` follow behind them. A panel whose name is taken gets the name of its
+ * pattern before its own. Openings that the pattern declared are forgotten: garments over one another are not checked
+ * as one garment.
  * Errors: MUS_ERR_ARG (other NULL, layer outside 0 to 15), MUS_ERR_MEMORY; the pattern is then as it was.
  */
 MUS_API mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int32_t layer);
 
-/* ---- query ---- */
+/* ---- query: counts and names ---- */
 
+/** Number of panels; indices are below it. 0 for NULL. */
 MUS_API int32_t mus_pattern_panel_count(const mus_pattern *pattern);
+/** Number of points. */
 MUS_API int32_t mus_pattern_point_count(const mus_pattern *pattern);
+/** Number of edges. */
 MUS_API int32_t mus_pattern_edge_count(const mus_pattern *pattern);
+/** Number of seams. */
 MUS_API int32_t mus_pattern_seam_count(const mus_pattern *pattern);
+/** Number of notches. */
 MUS_API int32_t mus_pattern_notch_count(const mus_pattern *pattern);
+/** Number of marks. */
 MUS_API int32_t mus_pattern_mark_count(const mus_pattern *pattern);
+/** Number of declared openings. */
 MUS_API int32_t mus_pattern_opening_count(const mus_pattern *pattern);
 
 /** Label of a declared opening; NULL outside the range. */
 MUS_API const char *mus_pattern_opening(const mus_pattern *pattern, int32_t opening);
 
-/** Find by name: MUS_NONE if there is none. */
+/** Panel of a name; MUS_NONE without one. */
 MUS_API int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name);
+
+/** Edge of a name within a panel; MUS_NONE without one. */
 MUS_API int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const char *name);
 
-/** A panel: name, label (NULL outside the range), its outline (borrowed until the next edit; any out may be NULL),
- * grain (2), cut count and mirror_of. */
+/* ---- query: panels and points ---- */
+
+/** Name of a panel; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t panel);
+
+/** Label of a panel, "" without one; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+
+/** The outline of a panel: *n edges and their directions, +1 along or -1 against the edge; n is 0 without an outline.
+ * Borrowed until the next edit; any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges,
                                        const int32_t **directions);
 
-/** What is cut on the table: the outline without lines inside the panel and the bridges to them (an edge and, next in
- * the outline, the same edge back; taken out until there are none). At most `capacity` edges and directions are written
- * (either may be NULL), *count is how many there are. Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline),
- * MUS_ERR_MEMORY. */
+/**
+ * The closed line that is cut on the table: the outline of a panel without lines inside it and the bridges to them.
+ *
+ * An edge followed by the same edge back is taken out of the outline, again and again, until there is none.
+ * Shapes:  edges, directions (capacity), either may be NULL; *count is how many there are
+ * Errors:  MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline), MUS_ERR_MEMORY
+ */
 MUS_API mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions,
                                    int32_t capacity, int32_t *count);
 
+/** Direction of the warp of a panel: out (2), a unit vector. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
+
+/** How many pieces of a panel are cut, and the panel whose mirror image it is or MUS_NONE. Any out may be NULL. Errors:
+ * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
 
-/** A point: its panel and place (2) [m]. */
+/** Panel and place xy (2) [m] of a point. Any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_point(const mus_pattern *pattern, int32_t point, int32_t *panel, double *xy);
 
-/** An edge: panel, ends, name and label. */
+/* ---- query: edges ---- */
+
+/** Panel of an edge; MUS_NONE outside the range. */
 MUS_API int32_t mus_pattern_edge_panel(const mus_pattern *pattern, int32_t edge);
+
+/** Points at the start and the end of an edge. Any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_edge_ends(const mus_pattern *pattern, int32_t edge, int32_t *start, int32_t *end);
+
+/** Name of an edge, "" without one; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_edge_name(const mus_pattern *pattern, int32_t edge);
+
+/** Label of an edge, "" without one; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_edge_label(const mus_pattern *pattern, int32_t edge);
+
+/** Seam allowance of an edge [m]; NaN where it is left to the sheet, and outside the range. */
 MUS_API double mus_pattern_edge_allowance(const mus_pattern *pattern, int32_t edge);
 
-/** What keeps an edge up: MUS_HOLD_* and how far below it [m]; ratio and stiffness [N] of its elastic. Any out may be
- * NULL. */
+/** The level MUS_HOLD_* that an edge is attached to, and how far below it the edge may slide [m]. Any out may be NULL.
+ * Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_edge_hold(const mus_pattern *pattern, int32_t edge, int32_t *level, double *below);
+
+/** Ratio and stiffness [N] of the elastic along an edge; 1 and 0 without one. Any out may be NULL. Errors:
+ * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_edge_elastic(const mus_pattern *pattern, int32_t edge, double *ratio, double *stiffness);
 
-/** The chain of an edge: kinds (npiece) and all its points with both ends (nxy x 2). Borrowed until the next edit. */
+/** The chain of an edge: kinds (npiece) and all its points with both ends, xy (nxy x 2) [m]. Borrowed until the next
+ * edit; any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_edge_pieces(const mus_pattern *pattern, int32_t edge, int32_t *npiece,
                                            const int32_t **kinds, int32_t *nxy, const double **xy);
 
-/** Length of an edge [m] to 1e-9 (closed form for lines and arcs, Gauss-Legendre for the rest); NaN if unknown. */
+/** Length of an edge [m], right to 1e-9: closed form for lines and arcs, Gauss-Legendre quadrature for Beziers. NaN
+ * outside the range. */
 MUS_API double mus_pattern_edge_length(const mus_pattern *pattern, int32_t edge);
 
-/** Points of an edge at `n` relative arc lengths t (0 start .. 1 end): out (n x 2) [m]. */
+/** Points of an edge at n relative arc lengths t (n), 0 the start to 1 the end: out (n x 2) [m]. Errors: MUS_ERR_ARG (a
+ * t outside 0 to 1). */
 MUS_API mus_status mus_pattern_edge_at(const mus_pattern *pattern, int32_t edge, int32_t n, const double *t,
                                        double *out);
 
-/** An edge as a polyline: each curved piece as `chords` chords of equal parameter, each line as one. Writes at most
- * `capacity` points (x 2), both ends included; *count is how many there are. xy NULL counts only. */
+/**
+ * An edge as a polyline: each curved piece as `chords` chords of equal parameter, each line as one chord.
+ *
+ * Shapes:  xy (capacity x 2) [m], both ends included, NULL to count only; *count is how many points there are
+ * Errors:  MUS_ERR_ARG (fewer than 1 chord), MUS_ERR_LIMIT (more than 2^31 points)
+ */
 MUS_API mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, int32_t chords, double *xy,
                                              int32_t capacity, int32_t *count);
 
-/** Area enclosed by a panel [m2], always >= 0, closed form; and its perimeter [m], of edges that are passed one way
- * only. NaN without an outline. */
+/** Area enclosed by the outline of a panel [m2], by a closed form, never negative. NaN without an outline. */
 MUS_API double mus_pattern_panel_area(const mus_pattern *pattern, int32_t panel);
+
+/** Length of the outline of a panel [m], without edges that it passes both ways. NaN without an outline. */
 MUS_API double mus_pattern_panel_perimeter(const mus_pattern *pattern, int32_t panel);
 
-/** A seam's definition (out->size set by the caller through mus_seam_def_init). */
+/* ---- query: seams, notches, marks ---- */
+
+/** The def that a seam was made from; out->size is set by mus_seam_def_init(). Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
 MUS_API mus_status mus_pattern_seam(const mus_pattern *pattern, int32_t seam, mus_seam_def *out);
 
-/** The seam that an edge is in, or MUS_NONE. */
+/** The first seam that an edge is in; MUS_NONE without one. */
 MUS_API int32_t mus_pattern_edge_seam(const mus_pattern *pattern, int32_t edge);
 
+/** Edge, arc length s from its start [m] and kind of a notch. Any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_notch(const mus_pattern *pattern, int32_t notch, int32_t *edge, double *s,
                                      int32_t *kind);
+/** Panel, name and points xy (n x 2) [m] of a mark. Borrowed until the next edit; any out may be NULL. Errors:
+ * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_mark(const mus_pattern *pattern, int32_t mark, int32_t *panel, const char **name,
                                     int32_t *n, const double **xy);
 

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "arrange/arrange_internal.h"
+#include "geom/union_find.h"
 
 #define RING_DART 0.6 /* of the widest panel: a seam that misses by less is a dart's */
 #define RING_LEG                                                                                                       \
@@ -16,25 +17,16 @@
 #define RING_CLOSES 0.5 /* of the largest miss: a seam that misses by less does not close the ring */
 
 
-static int32_t ring_root(int32_t *link, int32_t i)
-{
-    while (link[i] != i) i = link[i] = link[link[i]];
-    return i;
-}
-
-
 /* components: panels that hang together by any seam; sets ring->component of each ring */
 static void ring_components(mus__arrangement *arrangement)
 {
     int32_t *link = arrangement->work;
-    for (int32_t p = 0; p < arrangement->npanel; p++) link[p] = p;
-    for (int32_t i = 0; i < arrangement->nseam; i++) {
-        const int32_t a = ring_root(link, arrangement->edge[arrangement->seam[i].a].panel);
-        const int32_t b = ring_root(link, arrangement->edge[arrangement->seam[i].b].panel);
-        link[a > b ? a : b] = a > b ? b : a;
-    }
+    mus__union_start(arrangement->npanel, link, NULL);
+    for (int32_t i = 0; i < arrangement->nseam; i++)
+        mus__union_join(link, NULL, arrangement->edge[arrangement->seam[i].a].panel,
+                        arrangement->edge[arrangement->seam[i].b].panel, 1);
     for (int32_t p = 0; p < arrangement->npanel; p++)
-        arrangement->ring[arrangement->panel[p].ring].component = ring_root(link, p);
+        arrangement->ring[arrangement->panel[p].ring].component = mus__union_find(link, NULL, p);
 }
 
 

@@ -10,16 +10,13 @@
 static const char *const reason_names[MUS_REASON_COUNT] = {
     "nothing asked",     "settled",       "twisted seam", "panel crosses itself",
     "seam cannot close", "start tangled", "slid off",     "tangled",
-    "not settled",       "unstable",      "bad input"};
+    "not settled",       "unstable",      "bad input",    "stopped"};
 
 
 void mus_reason_init(mus_reason *reason, size_t size)
 {
-    if (reason == NULL || size < sizeof reason->size) return;
     mus_reason own = {.panel = MUS_NONE, .seam = MUS_NONE, .node = MUS_NONE};
-    own.size = size;
-    memset(reason, 0, size);
-    memcpy(reason, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(reason, size, &own, sizeof own);
 }
 
 

@@ -1,6 +1,6 @@
 /*
- * base_internal.h: what every folder of the library shares: the context's insides, memory through it, failing with a
- * sentence, checked sizes. Included by all of lib/, never by a public header.
+ * base_internal.h: the context's fields, memory through it, failing with a sentence, reading option structs. Every
+ * folder of lib/ includes it; no public header does.
  */
 #ifndef MUS_BASE_INTERNAL_H
 #define MUS_BASE_INTERNAL_H
@@ -52,7 +52,7 @@ char *mus__text(mus_context *context, const char *text);
 
 /* ---- errors and log ---- */
 
-/* write the context's error text and return `status` */
+/* write the context's error text and return `status`; the status alone for NULL */
 mus_status mus__fail(mus_context *context, mus_status status, const char *format, ...) MUS_PRINTF(3, 4);
 /* MUS_ERR_MEMORY with a sentence */
 mus_status mus__fail_memory(mus_context *context, const char *what);
@@ -60,8 +60,13 @@ void mus__log(mus_context *context, int32_t level, const char *format, ...) MUS_
 
 /* ---- defs ---- */
 
-/* copy a caller's def of any released size into `own` (already holding the defaults, `own_size` bytes). Fields are
- * only ever appended, so a smaller known size fills what it has. `smallest` is the size of the first release. */
+/* begin a caller's struct of `size` bytes: zero it, copy the defaults `own` (`own_size` bytes, cut to `size`), write
+ * `size` to its first field. Nothing for NULL or a size that has no room for itself */
+void mus__def_init(void *def, size_t size, const void *own, size_t own_size);
+
+/* copy a caller's def of any released size into `own`, which holds the defaults (`own_size` bytes). Fields are only
+ * ever appended, so a shorter def sets the fields that it has. `smallest` is the size of the first release. NULL: the
+ * defaults stay. `name` stands in the message. Errors: MUS_ERR_VERSION */
 mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_t smallest, const void *def,
                          const char *name);
 

@@ -1,8 +1,8 @@
 /*
  * context.c: the context: allocator and log hooks, text of the last error, count of bytes held.
  *
- * Every block carries a 16-byte head with its size, so that the hook gets the old size and mus_context_bytes() is
- * exact without the callers keeping sizes.
+ * Every block begins with a head of 16 bytes that holds its size. So the allocator hook is told the old size, and
+ * mus_context_bytes() is exact, without the callers keeping sizes.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,10 @@
 
 #include "base/base_internal.h"
 
-#define HEAD 16 /* keeps the alignment of any type */
+/* [bytes] before each block: its size. 16 keeps the alignment of any type */
+#define HEAD 16
+/* [bytes] of mus_context_def in release 0.2, the smallest that mus_context_create() takes */
+#define CONTEXT_DEF_FIRST (offsetof(mus_context_def, log_user) + sizeof(void *))
 
 
 static void *libc_alloc(void *user, void *ptr, size_t old_size, size_t new_size)
@@ -27,9 +30,8 @@ static void *libc_alloc(void *user, void *ptr, size_t old_size, size_t new_size)
 
 void mus_context_def_init(mus_context_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    memset(def, 0, size);
-    def->size = size;
+    mus_context_def own = {0};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -40,10 +42,8 @@ mus_status mus_context_create(const mus_context_def *def, mus_context **out)
 
     mus_context_def own;
     mus_context_def_init(&own, sizeof own);
-    if (def != NULL) {
-        if (def->size != sizeof own) return MUS_ERR_VERSION;
-        own = *def;
-    }
+    const mus_status status = mus__def_read(NULL, &own, sizeof own, CONTEXT_DEF_FIRST, def, "mus_context_def");
+    if (status != MUS_OK) return status;
     if (own.alloc == NULL) own.alloc = libc_alloc;
 
     mus_context *context = own.alloc(own.alloc_user, NULL, 0, sizeof *context);
@@ -147,6 +147,7 @@ mus_status mus__fail(mus_context *context, mus_status status, const char *format
 {
     /* through a buffer: an argument may be the old error text itself */
     char text[MUS_ERROR_BYTES];
+    if (context == NULL) return status;
     va_list list;
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);

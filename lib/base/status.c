@@ -39,6 +39,15 @@ void mus_version(int32_t *version)
 }
 
 
+void mus__def_init(void *def, size_t size, const void *own, size_t own_size)
+{
+    if (def == NULL || size < sizeof size) return;
+    memset(def, 0, size);
+    memcpy(def, own, size < own_size ? size : own_size);
+    memcpy(def, &size, sizeof size);
+}
+
+
 mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_t smallest, const void *def,
                          const char *name)
 {

@@ -1,11 +1,12 @@
 /*
  * block_bodice.c: the bodice block: a front and a back half from neck to waist, darted for women, without darts for
- * men and children and as the ground of knit tops.
+ * men, children and knit tops.
  *
  * Back: neck, shoulder, armhole in two cubics that meet upright at the arm pitch, side, waist. Front the same, raised
- * and opened at the side by the bust dart about the bust point, so that closing the dart restores a side seam equal to
- * the back's. The front neck depth is solved so that the whole neckline has the neck girth plus ease. What a step
- * cannot draw is named with its measures. Formulas: man page mus_design(3).
+ * and opened at the side by the bust dart about the bust point, so that the side seam is as long as the back's when the
+ * dart is closed. The front neck depth is solved so that the whole neckline has the neck girth plus ease. A step that
+ * cannot be drawn fails with a message that names its measures. Formulas: man page mus_design(3). Method: flat drafting
+ * as in Aldrich, Metric Pattern Cutting; armhole by pitch points as in FreeSewing 4 (design brian).
  */
 #include <math.h>
 #include <string.h>
@@ -13,11 +14,11 @@
 #include "block/block_bodice.h"
 #include "geom/vec.h"
 
-/* sewn bust and waist darts of the front end this far from the bust point: the cloth rounds itself there */
+/* [m] distance of the sewn dart points of the front from the bust point; dressmaking practice is 2 to 3 cm */
 #define POINT_BACK (2.0 * MUS__CM)
 
 
-/* turn p about o by angle a */
+/* p rotated about o by angle a [rad] */
 static void bodice_turn(const double *p, const double *o, double a, double *out)
 {
     double c = cos(a), s = sin(a), x = p[0] - o[0], y = p[1] - o[1];
@@ -67,7 +68,8 @@ static void bodice_dart(mus__bodice_half *half, double x, double width, double t
 }
 
 
-/* side shaping and waist dart: t is what bust and waist differ by in a half. A dart below 8 mm is not worth sewing */
+/* splits t, the difference of bust and waist in one half, into side shaping and waist dart. No dart is narrower than
+ * 8 mm */
 static void bodice_shaping(double t, bool darts, mus__bodice *out)
 {
     out->side_in = 0.0, out->dart_width = 0.0;
@@ -149,7 +151,8 @@ static mus_status bodice_bust(mus_context *context, const mus__measures *measure
                          mus__millimetres(2.0 * bs2), mus__millimetres(bd), mus__millimetres(m[MUS_MEASURE_BUST]));
     double q = sqrt(q2);
 
-    /* a measured front waist wins; else 1 degree a centimetre of bust less underbust, less 1 */
+    /* the angle follows from a measured front waist length; else it is 1 degree for each centimetre of (bust -
+     * underbust - 1 cm) */
     double drop = (m[MUS_MEASURE_BUST] - m[MUS_MEASURE_UNDERBUST]) / MUS__CM - 1.0;
     double cup = fmax(0.0, fmin(30.0, drop)) * MUS__DEGREE;
     front->slope = m[MUS_MEASURE_SHOULDER_SLOPE] + 2.0 * MUS__DEGREE;
@@ -173,7 +176,8 @@ static mus_status bodice_bust(mus_context *context, const mus__measures *measure
 }
 
 
-/* side seam of the front, its bust dart opened about the bust point at bust level, 3 cm below the armhole at least */
+/* side seam of the front with the bust dart open: its mouth at the height of the bust point, at least 3 cm below the
+ * armhole */
 static mus_status bodice_front_side(mus_context *context, const mus__measures *measures, double width, mus__bodice *out)
 {
     mus__bodice_half *front = &out->front;
@@ -192,7 +196,7 @@ static mus_status bodice_front_side(mus_context *context, const mus__measures *m
     memcpy(front->mouth, upper, sizeof upper);
     memcpy(front->mouth + 2, lower, sizeof lower);
 
-    /* the sewn point is backed off along the bisector, so both legs stay equal */
+    /* the sewn point lies on the bisector, so that both legs have one length */
     double middle[2] = {0.5 * (upper[0] + lower[0]), 0.5 * (upper[1] + lower[1])};
     double back_off = fmin(POINT_BACK / mus__dist2(middle, front->bust), 0.6);
     for (int i = 0; i < 2; i++) front->apex[i] = front->bust[i] + back_off * (middle[i] - front->bust[i]);

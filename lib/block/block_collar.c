@@ -1,6 +1,6 @@
 /*
  * block_collar.c: collar stand, collar leaf and hood as plain geometry, each drawn to the length of the edge that it is
- * sewn to: one breadth is solved for, all else follows from it.
+ * sewn to. One breadth is solved for; the other figures follow from it.
  *
  *    stand                       leaf                         hood
  *    ____________                inner                         ____
@@ -15,7 +15,7 @@
 
 #include "block/block_collar.h"
 
-/* edge of a collar with one free breadth x */
+/* an edge of a collar whose breadth x is unknown */
 typedef struct collar_problem {
     double length, rise;
 } collar_problem;

@@ -1,5 +1,5 @@
 /*
- * block_collar.h: blocks of what stands at the neck: stand, leaf, hood.
+ * block_collar.h: the collar blocks: stand, leaf and hood.
  *
  * Drawn in metre with the centre back at x = 0, the left half towards x > 0.
  */
@@ -10,12 +10,12 @@
 #include "block/measures.h"
 
 typedef struct mus__stand_def {
-    double length; /* of the bottom edge, centre back to front */
-    double height; /* at the centre back; 0.85 of it in front */
-    double rise;   /* of the bottom edge at the front: 0 stands away from the neck, 3 cm close to it */
+    double length; /* length of the bottom edge from centre back to front */
+    double height; /* height at the centre back; the front is 0.85 of it */
+    double rise;   /* of the bottom edge at the front: with 0 the stand leans off the neck, with 3 cm it follows it */
 } mus__stand_def;
 
-/* a collar that stands: mandarin, or what a shirt collar's leaf is sewn to */
+/* a standing collar: a mandarin collar, or the stand of a shirt collar */
 typedef struct mus__stand {
     double bottom[8], top[8]; /* centre back to front */
     double bottom_length, top_length;
@@ -39,15 +39,15 @@ typedef struct mus__leaf {
 mus_status mus__leaf_draft(mus_context *context, const mus__leaf_def *def, mus__leaf *out);
 
 typedef struct mus__hood_def {
-    double length; /* of the neck edge, front to centre back */
-    double head;   /* girth */
+    double length; /* length of the neck edge from front to centre back */
+    double head;   /* girth of the head */
 } mus__hood_def;
 
-/* a half hood with its face edge on the line x = 0 or so and its back at x = width */
+/* half a hood: its face edge near the line x = 0, its back at x = width */
 typedef struct mus__hood {
     double neck[8];  /* front to centre back */
     double crown[8]; /* centre back up and forward */
-    double top[2];   /* where the crown, going on straight, meets the face edge */
+    double top[2];   /* corner of the straight end of the crown and the face edge */
     double width, height;
     double neck_length, crown_length, face_length;
 } mus__hood;

@@ -1,10 +1,11 @@
 /*
- * block_skirt.c: the straight skirt: front and back halves from the top edge over the hip to the hem, the difference
- * of waist and hip taken up by the side seam and one or two darts, or by the side alone.
+ * block_skirt.c: the straight skirt: front and back halves from the top edge over the hip to the hem, with
+ * the difference of waist and hip taken up by the side seam and one or two darts, or by the side seam alone.
  *
  * The waist edge is a cubic that rises to the side; its width is solved so that its length is the waist with the darts
- * open. Front and back differ by half a centimetre either way, with equal side seams by construction. With flare the
- * hem rises at the side and meets it square. Formulas: man page mus_design(3).
+ * open. Front and back differ by half a centimetre either way, with equal side seams by construction. The hem of
+ * a flared skirt rises at the side and meets the side seam at a right angle. Formulas: man page mus_design(3). Method:
+ * flat drafting as in Aldrich, Metric Pattern Cutting for Women's Wear (straight skirt block).
  */
 #include <math.h>
 #include <string.h>
@@ -58,8 +59,8 @@ static mus_status skirt_dart(mus_context *context, mus__skirt_half *half, double
 }
 
 
-/* one dart in the middle of the net waist, or two at 0.36 and 0.70 of it; where the first has a place to be at, the
- * second is half way from it to the side */
+/* one dart in the middle of the sewn waist, or two at 0.36 and 0.70 of it. When the place of the first dart is given,
+ * the second lies half way between it and the side */
 static mus_status skirt_darts(mus_context *context, const mus__skirt_def *def, bool front, double net,
                               mus__skirt_half *half)
 {
@@ -76,7 +77,8 @@ static mus_status skirt_darts(mus_context *context, const mus__skirt_def *def, b
 }
 
 
-/* how much of t the side takes, and how much the darts; a dart below 1 cm is left to the side */
+/* splits t, the difference of hip and waist in one half, into the part of the side (returned) and that of the darts.
+ * The side takes all of it when the darts would be narrower than 1 cm */
 static double skirt_side_in(const mus__skirt_def *def, double t, mus__skirt_half *half)
 {
     half->dart_width = 0.0;
@@ -88,7 +90,7 @@ static double skirt_side_in(const mus__skirt_def *def, double t, mus__skirt_half
 }
 
 
-/* mean half width of front and back at hip level; a waist that is nearly as large as the hip counts for it */
+/* mean width of a half at the hip level, for the larger of hip and 0.98 waist */
 static double skirt_hip(const mus__skirt_def *def)
 {
     return (fmax(def->hip, 0.98 * def->waist) + def->hip_ease) / 4.0;
@@ -121,8 +123,8 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
 
 static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bool front, mus__skirt_half *half)
 {
-    /* half widths: front 5 mm more, back 5 mm less, and what else they differ by: at waist and hip alike, so that both
-     * sides take in the same and are as long as each other */
+    /* the front half is 5 mm and def->shift wider than the mean, the back half narrower, at waist and hip alike:
+     * both side seams are then taken in by one amount and have one length */
     double shift = front ? 0.5 * MUS__CM + def->shift : -0.5 * MUS__CM - def->shift;
     double net = (def->waist + def->waist_ease) / 4.0 + shift;
     half->hip = skirt_hip(def) + shift;

@@ -9,14 +9,14 @@
 #include "block/block_bodice.h"
 
 typedef struct mus__skirt_def {
-    double waist, hip;  /* girths of the body at the top edge and at the hip */
-    double depth;       /* top edge to hip level */
+    double waist, hip;  /* girths of the body at the top edge and at the hip [m] */
+    double depth;       /* from the top edge to the hip level */
     double waist_ease, hip_ease;
-    double length;      /* top edge to hem, at the centre */
-    double flare;       /* hem wider than the hip by, a half */
-    double rise;        /* top edge higher at the side by */
-    double shift;       /* waist of the front wider by, of the back narrower: beyond the block's own 5 mm */
-    double dart_at[2];  /* front, back: the first dart so far from the centre, darts closed; 0: the block's own place */
+    double length;      /* from the top edge to the hem, at the centre */
+    double flare;       /* width of the hem less that of the hip, in one half */
+    double rise;        /* height of the top edge at the side above its centre */
+    double shift;       /* moves waist from the back half to the front half, beside the 5 mm of the block */
+    double dart_at[2];  /* front, back: first dart from the centre, darts closed; 0: as in the block */
     bool darts;
 } mus__skirt_def;
 
@@ -27,7 +27,7 @@ typedef struct mus__skirt_half {
     double side_low[8];  /* hip to hem */
     double hem[8];       /* centre to side */
     double hip, hem_width;
-    double dart_width; /* all darts */
+    double dart_width; /* of all darts of the half */
     int32_t ndart;
     double dart[MUS__DARTS][6];  /* inner mouth, point, outer mouth; from the centre outwards */
     double dart_s[MUS__DARTS][2]; /* arc lengths of the mouths along `waist` */

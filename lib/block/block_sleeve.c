@@ -2,8 +2,9 @@
  * block_sleeve.c: the set-in sleeve: a cap of two cubics with level handles, fitted to the two armhole halves, and an
  * underarm that runs straight to the hem.
  *
- * The cap height is solved so that the whole cap has the length of the armhole (with what ease is meant), and the
- * crown is moved sideways until its front half has the front's share: the crown is then the shoulder notch.
+ * The cap height is solved so that the whole cap has the length of the armhole and its ease, and the crown is
+ * moved sideways until the front half of the cap has its length: the crown is then the shoulder notch. Method: cap
+ * fitted by iteration as in FreeSewing 4 (library sleeve).
  *
  *            T (crown, height)
  *         __/ \__
@@ -69,7 +70,7 @@ mus_status mus__sleeve_draft(mus_context *context, const mus__sleeve_def *def, m
                          "sleeve cap: an armhole of %d mm does not reach round a sleeve %d mm wide (upper_arm)",
                          mus__millimetres(target), mus__millimetres(w));
 
-    /* height by the whole length, crown by the front half: the crown takes 0.8 of the front's error each time */
+    /* solves the height for the whole length, then moves the crown by 0.8 of the error of the front half, in turn */
     sleeve_cap_problem problem = {w, 0.0, target, 0.0};
     double height = 0.0, error = 1.0;
     for (int i = 0; i < 60 && fabs(error) > 1e-10; i++) {

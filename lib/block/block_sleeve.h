@@ -10,9 +10,9 @@
 #include "block/measures.h"
 
 typedef struct mus__sleeve_def {
-    double front, back; /* length of the two cap halves */
-    double width;       /* on the biceps line */
-    double length;      /* crown to hem */
+    double front, back; /* lengths of the front and back halves of the cap [m] */
+    double width;       /* width on the biceps line */
+    double length;      /* from the crown to the hem */
     double hem;         /* width at the hem */
 } mus__sleeve_def;
 

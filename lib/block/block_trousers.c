@@ -5,7 +5,7 @@
  *       (hip)  |   \            front's, its side at the waist is lifted until its outseam is as long as the front's,
  *       fork __|    | hip       with the waist at its exact length. So seams match by construction. A leg that is
  *            \      |           cut above the hem is cut at a level of the front and at the same arc lengths of the
- *      knee   |    |            back. Source: drafting.md section 3.6; formulas in the man page mus_design(3).
+ *      knee   |    |            back. Formulas: man page mus_design(3). Method: FreeSewing 4 (titan).
  *       hem   |____|
  */
 #include <math.h>
@@ -84,7 +84,8 @@ static double leg_outseam_excess(const void *data, double y)
 }
 
 
-/* what the side takes of t, at most `part` of it and `most`; the rest goes to darts, if they are 0.8 cm or more */
+/* splits t into the part of the side, at most `part` of it and `most`, and that of the darts, if they are 0.8 cm wide
+ * or more */
 static double leg_side_in(bool darts, double t, double part, double most, mus__trousers_half *half)
 {
     half->dart_width = 0.0;
@@ -97,7 +98,7 @@ static double leg_side_in(bool darts, double t, double part, double most, mus__t
 
 
 /* a dart of `width` about arc length `at` of the waist line from the centre, `length` along its perpendicular; a dart
- * that would be wider than long is left to the waist edge as ease of nothing: it is not drawn and said so */
+ * that would be wider than long is an error */
 static bool leg_dart(mus__trousers_half *half, double at, double width, double length)
 {
     const double *centre = half->centre, ux = half->side[0] - centre[0], uy = half->side[1] - centre[1];

@@ -10,13 +10,13 @@
 
 typedef struct mus__trousers_def {
     double waist, hip, hip_ease; /* girths of the body at the top edge and at the hip; total ease on the hip */
-    double net[2];               /* top edge of front and back, darts sewn */
+    double net[2];               /* sewn length of the top edge, front and back half */
     double top;                  /* level of the top edge at centre front */
     double rise;                 /* crotch line below the natural waist, its ease included */
     double inleg;                /* crotch line to hem */
     double thigh;                /* girth of the body that the crotch line must clear by 3 cm */
     double knee[2], hem[2];      /* widths of front and back, across */
-    double end;                  /* where the leg is cut, as a part of inleg: 1 at the hem */
+    double end;                  /* where the leg ends, as a part of inleg: 1 at the hem */
     bool darts;
 } mus__trousers_def;
 
@@ -46,7 +46,7 @@ typedef struct mus__trousers {
     double crotch; /* level of the crotch line */
 } mus__trousers;
 
-/* widths for leg girths `knee` and `hem`: the back 2 cm wider than the front */
+/* Sets the widths for girths `knee` and `hem` of the leg [m]: the back is 2 cm wider than the front. */
 void mus__trousers_widths(mus__trousers_def *def, double knee, double hem);
 mus_status mus__trousers_draft(mus_context *context, const mus__trousers_def *def, mus__trousers *out);
 

@@ -1,10 +1,10 @@
 /*
- * chain.c: small tools of the blocks: cubics by their points, parts of a cubic by arc length, a bracketed root,
- * chains of curves with their mirror images.
+ * chain.c: curves that the blocks are drawn with: cubics by their points, parts of a cubic by arc length, chains of
+ * curves and their mirror images; and a bracketed root finder.
  *
- * The root finder is the secant method kept inside its bracket, the stale end's value halved (Illinois): a draft asks
- * for some ten roots, each in about ten evaluations. Source: Dowell and Jarratt, A modified regula falsi method, BIT
- * 11, 1971.
+ * The root finder is the secant method kept inside its bracket, the value of the end that stays is halved (Illinois
+ * rule). A draft solves about ten roots, each in about ten evaluations. Source: Dowell and Jarratt, A modified regula
+ * falsi method, BIT 11, 1971.
  */
 #include <math.h>
 #include <string.h>
@@ -34,7 +34,7 @@ void mus__cubic_part(const double *cubic, double s0, double s1, double *out)
     double t0 = s0 <= 0.0 ? 0.0 : mus__curve_param(MUS__CUBIC, cubic, s0);
     double t1 = s1 >= length ? 1.0 : mus__curve_param(MUS__CUBIC, cubic, s1);
 
-    /* cut off what is behind t1, then what is before t0 */
+    /* keep the part up to t1, then the part from t0 on */
     double head[8], rest[8];
     mus__curve_split(MUS__CUBIC, cubic, t1, head, rest);
     mus__curve_split(MUS__CUBIC, head, t0 / t1, rest, out);

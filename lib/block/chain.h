@@ -12,9 +12,9 @@
 
 void mus__cubic_set(double *out, const double *start, double ax, double ay, double bx, double by, const double *end);
 double mus__cubic_length(const double *cubic);
-/* the part of a cubic between arc lengths s0 < s1 */
+/* Writes the part of a cubic between arc lengths s0 < s1 [m] to `out`. */
 void mus__cubic_part(const double *cubic, double s0, double s1, double *out);
-/* root of f between lo and hi; false when f has the same sign at both */
+/* Solves f(data, x) = 0 for x between lo and hi; false when f has the same sign at both. */
 bool mus__solve(double (*f)(const void *data, double x), const void *data, double lo, double hi, double *root);
 
 #define MUS__CHAIN_PIECES 4
@@ -30,21 +30,21 @@ typedef struct mus__chain {
 void mus__chain_line(mus__chain *chain, const double *start, const double *end);
 void mus__chain_cubic(mus__chain *chain, const double *cubic);
 void mus__chain_arc(mus__chain *chain, const double *start, const double *middle, const double *end);
-/* `chain` then `next`, which starts where `chain` ends */
+/* Appends `next`, which starts at the end of `chain`. */
 void mus__chain_append(mus__chain *chain, const mus__chain *next);
 void mus__chain_reverse(mus__chain *chain);
-/* x to -x, and reversed: the same edge of the other half, walked counter-clockwise */
+/* Mirrors in x = 0 and reverses: the edge of the other half, counter-clockwise again. */
 void mus__chain_mirror(mus__chain *chain);
-/* a chain that ends on the centre line, and after it its mirror image */
+/* Appends the mirror image of a chain that ends on the centre line. */
 void mus__chain_unfold(mus__chain *chain);
 
-/* cubics through n (2..5) points with unit tangents; ds (n - 1): arc length from each to the next */
+/* Draws cubics through n (2..5) points xy (n x 2) with unit tangents (n x 2); ds (n - 1): arc lengths between them. */
 void mus__chain_through(mus__chain *chain, int32_t n, const double *xy, const double *tangent, const double *ds);
 double mus__chain_length(const mus__chain *chain);
 
-/* x of every point more by `dx` */
+/* Adds `dx` to the x of every point. */
 void mus__chain_shift(mus__chain *chain, double dx);
-/* the first `s` of a chain */
+/* Writes the first `s` [m] of a chain to `out`. */
 void mus__chain_cut(const mus__chain *chain, double s, mus__chain *out);
 
 #endif

@@ -19,11 +19,11 @@ typedef struct mus__measures {
     bool front_waist_given;      /* the front waist length was measured, so it decides the dart angle */
 } mus__measures;
 
-/* copies all measures of a complete tape */
+/* Copies all measures of a complete tape. */
 void mus__measures_read(const mus_tape *tape, mus__measures *out);
-/* factor for constant eases of the recipes: 1 from a bust of 80 cm on, bust / 80 cm below */
+/* Factor k of eases that are given in centimetres: min(1, bust / 80 cm), so that small bodies have less. */
 double mus__measures_scale(const mus__measures *measures);
-/* x [m] rounded to whole millimetres, for messages; limited to +-100 km */
+/* x [m] rounded to whole millimetres, for messages; limited to 100 km. */
 int mus__millimetres(double x);
 
 #endif

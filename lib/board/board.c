@@ -16,8 +16,8 @@
  *
  * Callers: lib/edit (a public edit is one or two calls of this room) and the drafting rooms (a design is drawn here).
  *
- * Records stand in growing arrays, so a pointer to one holds only until the next is added: the code of this room goes by
- * index. A table has some tens of panels and some hundreds of sides, so finding walks the list.
+ * Records stand in growing arrays, so a pointer to one holds only until the next is added: the code of this room goes
+ * by index. A table has some tens of panels and some hundreds of sides, so finding walks the list.
  */
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /*
  * board.h: the cutting table as an object, drawing on it, and its way from and to a pattern.
  *
- * A pattern (mus_pattern) never loses a cell; a board does nothing else. It is read from a pattern or begun empty,
+ * A pattern (mus_pattern) never loses a cell; on a board cells come and go. It is read from a pattern or begun empty,
  * worked on, and written back as a new pattern. All edits of muslin/edit.h and all designs are sequences of the calls
  * of this room.
  *
@@ -46,7 +46,7 @@ void mus__board_part_twins(mus__board *board, int32_t panel);
 
 /* ---- board_draw.c ---- */
 
-/* a panel without sides: its index */
+/* add a panel without sides; returns its index */
 int32_t mus__board_panel_add(mus__board *board, const char *name, const char *label);
 /* append a side to a panel that is being drawn: its first point must lie where the last side ended. The board fails
  * when the gap is above 1e-6 m. kinds (npiece), xy (nxy x 2) with both ends. Returns the side */
@@ -60,8 +60,8 @@ int32_t mus__board_line_add(mus__board *board, int32_t panel, const char *name, 
 /* set the name and the label of a side; NULL leaves either */
 void mus__board_rename(mus__board *board, int32_t side, const char *name, const char *label);
 
-/* the sides of one panel that carry `label` one after another, in walking order from the first after a side that does
- * not; how many (at most `room` are written). A closed dart between two of them is passed over */
+/* find the run of sides of a panel that carry `label`, in walking order from the first whose predecessor does not carry
+ * it. Returns their number; at most `room` are written. A closed dart between two of them is skipped */
 int32_t mus__board_run(const mus__board *board, int32_t panel, const char *label, int32_t *sides, int32_t room);
 /* point and unit tangent at arc length s of a side as walked; either may be NULL */
 void mus__board_at(const mus__board *board, int32_t side, double s, double *xy, double *tangent);
@@ -70,9 +70,9 @@ int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t 
 int32_t mus__board_mark_add(mus__board *board, int32_t panel, const char *name, int32_t n, const double *xy);
 void mus__board_opening_add(mus__board *board, const char *label);
 
-/* a side of `chain`, which is taken over even when this fails: without name, label, neighbours, seam and notches */
+/* add a side of `chain` without name, neighbours, seam and notches. The chain is taken over even when this fails */
 int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *chain);
-/* let `next` come after `side` in the ring: its start is set to the end of `side`, bit for bit */
+/* link `next` after `side` in the ring; its start is set to the end of `side`, bit for bit */
 void mus__board_follow(mus__board *board, int32_t side, int32_t next);
 
 /* ---- board_pattern.c ---- */

@@ -1,6 +1,6 @@
 /*
- * board_chain.c: chains of pieces (lines, arcs, Beziers) as a cutting table handles them: measured, turned round,
- * moved, divided and put together.
+ * board_chain.c: chains of pieces (lines, arcs, Beziers) on the cutting table: measured, reversed, moved, split,
+ * joined.
  *
  * One block holds the points (nxy x 2) and behind them the kinds (npiece). Points are kept to the bit as they were
  * given, and a piece is divided exactly (de Casteljau; an arc by equal angle), so length and area stay.
@@ -12,13 +12,14 @@
 #include "geom/curve.h"
 #include "geom/vec.h"
 
-/* a place this near to a joint of pieces is that joint [m]: lengths themselves are known to 1e-12 */
+/* [m] a place within this of a joint of pieces is the joint: lengths are right to 1e-12 */
 #define CHAIN_JOINT 1e-10
-/* two lines are one straight line when their joint is off it by no more than this part of the whole */
+/* largest distance of the joint of two lines from their common chord, over its length, when they are one straight line:
+ * rounding */
 #define CHAIN_STRAIGHT 1e-13
 
 
-/* a block without contents */
+/* allocate a chain without contents; false when the board fails */
 static bool chain_room(mus__board *board, int32_t npiece, int32_t nxy, mus__board_chain *out)
 {
     *out = (mus__board_chain){0};
@@ -80,13 +81,13 @@ double mus__board_chain_length(const mus__board_chain *chain)
 }
 
 
-/* the piece that holds arc length s: its index, *p its points, *at the arc length from its start. A piece that ends
- * within CHAIN_JOINT of s is not it, but for the last */
+/* index of the piece that holds arc length s; *p gets its points, *at the arc length from its start. A piece that ends
+ * within CHAIN_JOINT of s does not hold it, except the last */
 static int32_t chain_piece(const mus__board_chain *chain, double s, const double **p, double *at)
 {
     *p = chain->xy;
     for (int32_t i = 0;; i++) {
-        /* the last takes all that is left: its length need not be known */
+        /* the last piece takes the remaining arc length */
         *at = s;
         if (i + 1 == chain->npiece) return i;
         const double own = mus__curve_length(chain->kinds[i], *p);
@@ -97,7 +98,7 @@ static int32_t chain_piece(const mus__board_chain *chain, double s, const double
 }
 
 
-/* unit tangent at t; where the derivative is nothing (a control point on its end), that of a point a little further */
+/* unit tangent at t; where the derivative is 0 (a control point on its end), the direction of a short chord there */
 static void chain_tangent(int32_t kind, const double *p, double t, double *out)
 {
     mus__curve_tangent(kind, p, t, out);

@@ -1,8 +1,8 @@
 /*
- * board_cut.c: panels apart and together: cut along a chain, joined at a seam, turned in their plane, taken away.
+ * board_cut.c: panels cut apart along a chain, joined at a seam, removed.
  *
- * Cutting and joining change rings only: a cut from corner P to corner Q puts the chain into what stays and, turned
- * round, into what goes,
+ * Cutting and joining change rings only. A cut from corner P to corner Q adds the chain to the ring that stays and, in
+ * reverse, to the ring that goes,
  *
  *          from ... to                      stays: to ... from, chain P to Q
  *        P -------------- Q                 goes:  from ... to, chain Q to P
@@ -19,9 +19,9 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-#define CUT_CONGRUENT 1e-6 /* sides that are joined lie on each other within this [m] */
-#define CUT_CHORDS 16      /* of each curved piece where a mark is looked for inside a panel */
-#define CUT_SAMPLES 8      /* places along a side at which congruence is asked */
+#define CUT_CONGRUENT 1e-6 /* [m] largest distance between two sides that are joined; chosen: above rounding */
+#define CUT_CHORDS 16      /* a curved piece, when a mark is looked for inside a panel */
+#define CUT_SAMPLES 8      /* intervals along a side at whose ends congruence is tested */
 
 
 /* every side of a ring belongs to `panel` */
@@ -35,7 +35,7 @@ static void cut_claim(mus__board *board, int32_t first, int32_t panel)
 }
 
 
-/* is a point inside a panel? Its curves as chords. False when the board fails */
+/* is a point inside a panel, with its curves taken as chords? False when the board fails */
 static bool cut_inside(mus__board *board, int32_t panel, const double *p)
 {
     int64_t n = 0;
@@ -68,7 +68,7 @@ static bool cut_inside(mus__board *board, int32_t panel, const double *p)
 }
 
 
-/* marks whose middle lies in the panel that was cut off go along */
+/* give the marks whose mean point lies in the new panel to it */
 static void cut_marks(mus__board *board, int32_t panel, int32_t made)
 {
     for (int32_t i = 0; i < board->nmark && board->status == MUS_OK; i++) {
@@ -127,7 +127,7 @@ int32_t mus__board_cut(mus__board *board, int32_t from, int32_t to, const mus__b
         return MUS_NONE;
     }
 
-    /* the panel that goes is made up as the one that it came from */
+    /* the new panel has the attributes of the old one */
     mus__board_part_twins(board, panel);
     mus__board_panel *own = &board->panel[panel], *other = &board->panel[made];
     other->attr = own->attr;
@@ -209,7 +209,7 @@ static bool cut_onto(const mus__board *board, int32_t a, int32_t b, double *map)
 }
 
 
-/* both sides of a seam go, and the rings on both sides of them are tied: prev(a) to next(b), prev(b) to next(a) */
+/* remove both sides of a seam and link the rings: prev(a) to next(b), prev(b) to next(a) */
 static void cut_tie(mus__board *board, int32_t a, int32_t b)
 {
     const int32_t before_a = board->side[a].prev, after_a = board->side[a].next;
@@ -236,7 +236,7 @@ static void cut_tie(mus__board *board, int32_t a, int32_t b)
 }
 
 
-/* sides one after the other that are sewn to one another and lie on each other are cloth that hangs together */
+/* remove pairs of consecutive sides that are sewn to one another and lie on each other: there the cloth is whole */
 static void cut_zip(mus__board *board, int32_t side)
 {
     while (side != MUS_NONE) {
@@ -283,7 +283,7 @@ void mus__board_join(mus__board *board, int32_t side)
     cut_tie(board, side, other);
     for (int32_t i = 0; i < 2; i++)
         if (board->side[before[i]].panel == panel) cut_zip(board, before[i]);
-    /* the word begins where it did, if that is still there */
+    /* the word begins at the same side as before, if it is still there */
     for (int32_t i = 0; i < board->nside && board->side[board->panel[panel].first].panel != panel; i++)
         if (board->side[i].panel == panel) board->panel[panel].first = i;
 }

@@ -1,10 +1,10 @@
 /*
- * board_dart.c: darts: moved about their point, added, shortened, given up to gathers, made part of a seam.
+ * board_dart.c: darts: rotated about their point, added, shortened, released to gathers, made part of a seam.
  *
- * Pivot: with the point O, mouth ends A1 and A2 and a place Q on another side, the panel is cut from O to Q; one of the
- * two parts is turned about O by a fraction of the dart's angle t, so that the mouth closes by it and the same angle
- * opens at Q: |OQ'| = |OQ''|, new mouth 2 |OQ| sin(t / 2). Nothing but that rigid turn moves, so area, lengths and the
- * sum of the angles at O are kept, and the quotient stays what it was:
+ * Rotation: O is the point of the dart, A1 and A2 the ends of its mouth, Q a place on another side. The panel is cut
+ * from O to Q, and one of the two parts is turned about O by a fraction of the dart's angle t. The mouth closes by that
+ * angle and the same angle opens at Q: |OQ'| = |OQ''|, the new mouth is 2 |OQ| sin(t / 2) wide. The turn is rigid, so
+ * area, lengths and the sum of the angles at O stay, and so does the quotient:
  *
  *          Q                       Q' Q''
  *      ____|____               ____| /____
@@ -26,15 +26,15 @@
 #include "board/board_sew.h"
 #include "geom/vec.h"
 
-/* places that are one place [m]: points of two darts that meet, a cut at the end of a side */
+/* [m] two places within this are one: points of two darts, a cut and the end of a side; chosen: above rounding */
 #define DART_SAME 1e-6
-/* legs whose lengths differ by more [m] do not close */
+/* [m] largest difference of the legs of a dart that can be closed; chosen: what a cutter trues by eye */
 #define DART_LEGS 2e-3
-/* mouth sides that meet at a sharper corner than this (cosine of 45 degrees) are not one side */
+/* cosine of the largest angle, 45 degrees, between two sides beside a closed mouth that become one; chosen */
 #define DART_CORNER 0.70710678
-/* legs that cross by less [rad] lie on each other */
+/* [rad] legs that cross by less lie on each other; chosen: above rounding */
 #define DART_SLIT 1e-9
-/* a dart is no shorter [m] */
+/* [m] least depth of a dart; chosen: no shorter one is sewn */
 #define DART_SHORTEST 5e-3
 
 /* a dart as it lies on the board */
@@ -54,8 +54,8 @@ static bool dart_is(const mus__board *board, int32_t leg)
 }
 
 
-/* the angle from u = a - o to v = b - o, in the sense of the word (turn +1 or -1), 0 to 2 pi: a dart of more than half
- * a turn is one too. What is a little below 0 is a slit whose legs lie on each other */
+/* angle [rad] from u = a - o to v = b - o in the direction of the word (turn +1 or -1), 0 to 2 pi: a dart may have more
+ * than half a turn. An angle above -DART_SLIT reads as 0: a slit whose legs lie on each other */
 static double dart_between(const double *a, const double *o, const double *b, double turn)
 {
     const double u[2] = {a[0] - o[0], a[1] - o[1]}, v[2] = {b[0] - o[0], b[1] - o[1]};
@@ -101,7 +101,8 @@ double mus__board_dart_angle(const mus__board *board, int32_t leg)
 
 /* ---- legs and mouths ---- */
 
-/* "name_d1" and "name_d2", or the next pair that is free in the panel; a long name loses its end, not half a letter */
+/* "name_d1" and "name_d2", or the next pair of numbers that is free in the panel; a long name is cut at a whole
+ * character */
 static void dart_names(const mus__board *board, int32_t panel, const char *name, char (*out)[MUS__NAME_BYTES])
 {
     size_t n = strlen(name);
@@ -133,8 +134,8 @@ static int32_t dart_line_after(mus__board *board, int32_t side, const char *name
 }
 
 
-/* legs of a new dart between two sides whose ends are its mouth, sewn, which is cut `allowance` beside them; gives back
- * the leg from the mouth */
+/* add the two sewn legs of a dart after side `before`, whose end and whose next side's start are its mouth; `allowance`
+ * [m] is that of the legs. Returns the leg from the mouth */
 static int32_t dart_legs(mus__board *board, int32_t before, const double *point, const char *name, double allowance)
 {
     if (board->status != MUS_OK) return MUS_NONE;
@@ -151,7 +152,7 @@ static int32_t dart_legs(mus__board *board, int32_t before, const double *point,
 }
 
 
-/* length of a name without the number at its end ("side1", "waist_2"), so that parts of one side are known */
+/* length of a name without the number at its end: "side1" and "side_2" are parts of one side */
 static size_t dart_stem(const char *name)
 {
     size_t n = strlen(name);
@@ -176,14 +177,14 @@ static bool dart_were_one(const mus__board *board, int32_t side)
 }
 
 
-/* the mouth of a dart that is closed: `before` and the side that now follows it */
+/* merge `before` with the side that follows it after a dart between them has closed, if they were one side */
 static void dart_mouth_close(mus__board *board, int32_t before)
 {
     if (board->status == MUS_OK && dart_were_one(board, before)) mus__board_merge(board, before);
 }
 
 
-/* take both legs out: what was before the dart is followed by what was after it */
+/* remove both legs and link the sides beside the dart. Returns the side before it */
 static int32_t dart_remove(mus__board *board, const dart_view *dart)
 {
     if (board->status != MUS_OK) return MUS_NONE;
@@ -197,7 +198,7 @@ static int32_t dart_remove(mus__board *board, const dart_view *dart)
 }
 
 
-/* ---- pivot ---- */
+/* ---- rotating ---- */
 
 /* the two parts of the panel: sides p0..p1 from the dart's second leg on, r0..r1 up to its first */
 typedef struct dart_cut {
@@ -212,7 +213,7 @@ static bool dart_same_point(const mus__board *board, int32_t leg, const dart_vie
 }
 
 
-/* divide the panel at arc length s of `target` and the dart's point */
+/* divide the ring at arc length s of `target`; false when the board fails */
 static bool dart_cut_at(mus__board *board, const dart_view *dart, int32_t target, double s, dart_cut *cut)
 {
     const mus__board_side *side = &board->side[target];
@@ -221,7 +222,7 @@ static bool dart_cut_at(mus__board *board, const dart_view *dart, int32_t target
     bool at_start = s <= DART_SAME, at_end = s >= length - DART_SAME;
     cut->p0 = dart->back, cut->r1 = dart->leg, cut->other = MUS_NONE;
 
-    /* the mouth of the same dart is no place to go to */
+    /* a dart cannot be moved to its own mouth */
     if ((at_end && after == dart->leg) || (at_start && before == dart->back)) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m along side %s is its own mouth",
                         board->side[dart->leg].name, board->panel[dart->panel].name, s, side->name);
@@ -259,8 +260,9 @@ static bool dart_run_has(const mus__board *board, int32_t first, int32_t last, i
 }
 
 
-/* turn the part that does not hold `keep`, so that the dart closes by `fraction`. Closed whole it is turned by the
- * quotient of the legs as complex numbers, whose angle is exact; legs of two lengths meet half way */
+/* turn one part, so that the dart closes by `fraction`; `still` says that the first part stays. A dart that closes
+ * whole is turned by the quotient of its legs as complex numbers, whose angle is exact; legs of two lengths meet half
+ * way */
 static void dart_turn(mus__board *board, const dart_view *dart, const dart_cut *cut, bool still, double fraction)
 {
     mus__board_motion motion = {.centre = {dart->point[0], dart->point[1]}};
@@ -316,7 +318,7 @@ int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, d
     mus__board_part_twins(board, dart.panel);
     dart_turn(board, &dart, &cut, still, fraction);
 
-    /* what opens at Q, and what closes at the old mouth */
+    /* the dart at Q opens, the old mouth closes */
     int32_t made = cut.other;
     if (made != MUS_NONE)
         mus__board_part_move_end(board, made, true, dart.point);
@@ -328,9 +330,9 @@ int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, d
 }
 
 
-/* ---- adding, shortening, giving up ---- */
+/* ---- adding, shortening, releasing ---- */
 
-/* cut the end (or the start) of a side off: `less` of its length. Notches there come to stand at the new end */
+/* cut `less` [m] off the end (or the start) of a side. Notches on that part move to the new end */
 static void dart_trim(mus__board *board, int32_t side, bool end, double less)
 {
     if (board->status != MUS_OK || !(less > 0.0)) return;
@@ -373,7 +375,7 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     mus__board_part_clear(board, panel, "dart", point, a);
     mus__board_part_clear(board, panel, "dart", point, b);
 
-    /* the mouth out of the side; a seam that it is in takes its width as ease */
+    /* take the mouth out of the side; its width is subtracted from the ease of the seam */
     mus__board_part_twins(board, panel);
     int32_t after = mus__board_split(board, side, s, NULL);
     dart_trim(board, side, true, 0.5 * width);
@@ -381,7 +383,7 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     mus__board_part_ease(board, side, -0.5 * width);
     mus__board_part_ease(board, after, -0.5 * width);
 
-    /* legs that differ are trued: both mouth ends come to the mean distance from the point */
+    /* true the legs: move both ends of the mouth to their mean distance from the point */
     double to_a = mus__dist2(a, point), to_b = mus__dist2(b, point), mean = 0.5 * (to_a + to_b);
     for (int i = 0; i < 2 && fabs(to_a - to_b) > 1e-12; i++) {
         a[i] = point[i] + mean / to_a * (a[i] - point[i]);
@@ -411,7 +413,7 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
                         board->side[leg].name, board->panel[dart.panel].name, back);
         return;
     }
-    /* one that is made longer may meet something */
+    /* a longer dart may cross the outline */
     if (back < 0.0) mus__board_part_clear(board, dart.panel, "dart", point, dart.a);
     if (back < 0.0) mus__board_part_clear(board, dart.panel, "dart", point, dart.b);
     mus__board_part_twins(board, dart.panel);
@@ -437,7 +439,7 @@ int32_t mus__board_dart_release(mus__board *board, int32_t leg)
         return board->status == MUS_OK ? before : MUS_NONE;
     }
 
-    /* across the mouth: the side before it goes on straight to the side after it; notches say where the fullness is */
+    /* the side before the mouth is extended by a line across it; two notches mark the fullness */
     const int32_t kind = MUS_PIECE_LINE;
     const double xy[4] = {dart.a[0], dart.a[1], dart.b[0], dart.b[1]};
     mus__board_chain line, whole = {0};
@@ -460,7 +462,7 @@ int32_t mus__board_dart_release(mus__board *board, int32_t leg)
 
 /* ---- a dart as part of a seam ---- */
 
-/* the panel of the part `from`..just before `to`, which both start at one place; no side is made */
+/* make panel `name` of the sides from `from` to just before `to`, which start at one point. Returns it */
 static int32_t dart_part(mus__board *board, int32_t from, int32_t to, const char *name)
 {
     if (board->status != MUS_OK) return MUS_NONE;
@@ -488,7 +490,7 @@ static int32_t dart_part(mus__board *board, int32_t from, int32_t to, const char
 }
 
 
-/* one seam of all that joins the two panels from `side` on */
+/* merge the sides from `side` on that join the two panels into one seam */
 static void dart_seam(mus__board *board, int32_t side, const char *name)
 {
     while (board->status == MUS_OK && mus__board_mergeable(board, side) && mus__board_partner(board, side) != MUS_NONE)
@@ -516,7 +518,7 @@ int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, cons
         return board->status == MUS_OK ? made : MUS_NONE;
     }
 
-    /* nothing to cut: the seam goes on in a dart whose point is this one's */
+    /* without a cut the seam continues in a dart with the same point */
     double gap = mus__dist2(dart.point, mus__board_start(board, to));
     if (!(gap <= DART_SAME)) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: its point is %g m from the start of side %s",

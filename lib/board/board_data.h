@@ -2,11 +2,11 @@
  * board_data.h: the cutting table: a pattern laid out as records that may be cut, turned, joined and mirrored.
  *
  * The structure is that of half-edges (de Berg and others, Computational Geometry, 2008, chapter 2): a panel is a ring
- * of sides, and a side is one edge as its panel's outline walks it: counter-clockwise, the cloth to its left; its end is
- * the start of the next side, bit for bit. (An outline that runs clockwise, as an imported one may, is kept so: then the
- * cloth is to its right.) Two sides that are sewn are joined by a record of their seam; REVERSED (right sides out) means
- * that the start of a meets the end of b. A dart is two sides one after the other that are sewn together; the vertex
- * between them is its point. Lengths in metre, angles in radian, counter-clockwise positive.
+ * of sides, and a side is one edge as its panel's outline walks it: counter-clockwise, the cloth to its left; its end
+ * is the start of the next side, bit for bit. (An outline that runs clockwise, as an imported one may, is kept so: then
+ * the cloth is to its right.) Two sides that are sewn are joined by a record of their seam; REVERSED (right sides out)
+ * means that the start of a meets the end of b. A dart is two sides one after the other that are sewn together; the
+ * vertex between them is its point. Lengths in metre, angles in radian, counter-clockwise positive.
  *
  * Indices of sides, panels and seams stay as they are while the board lives; a removed side has panel == MUS_NONE, a
  * removed seam a == MUS_NONE. mus__board_write() leaves both out.
@@ -16,7 +16,7 @@
 
 #include "pattern/pattern_internal.h"
 
-/* the role of a side on the centre line when the half garment is doubled: none, one piece cut on the fold, two pieces
+/* the role of a side on the centre line when a half garment is doubled: none, one piece cut on the fold, two pieces
  * sewn together, two pieces left open (a front that buttons is open) */
 #define MUS__CENTRE_NONE 0
 #define MUS__CENTRE_FOLD 1
@@ -30,7 +30,7 @@ typedef struct mus__board_chain {
     double *xy; /* the block that holds kinds too; owned */
 } mus__board_chain;
 
-/* the same where somebody else owns the points */
+/* a chain whose points the caller owns */
 typedef struct mus__board_path {
     int32_t npiece;
     const int32_t *kinds;
@@ -43,7 +43,7 @@ typedef struct mus__board_side {
     int32_t panel; /* MUS_NONE: removed */
     int32_t prev, next;
     int32_t centre;   /* MUS__CENTRE_*; not kept in a pattern */
-    int32_t knot;     /* corners (starts of sides) of one knot and one place are one point of the panel; or MUS_NONE */
+    int32_t knot;     /* corners (starts of sides) of equal knot and place are one point of the panel; or MUS_NONE */
     bool backward;    /* the edge of the pattern runs against the outline */
     mus__edge_attributes attr; /* kept by reading, splits, doubling and writing */
     mus__board_chain chain;
@@ -54,7 +54,7 @@ typedef struct mus__board_panel {
     char name[MUS__NAME_BYTES];
     int32_t first; /* a side of it, where its word begins; MUS_NONE: removed */
     int32_t mirror_of;
-    int32_t single; /* 1: on one half of a garment only, mus__board_double() leaves it alone */
+    int32_t single; /* 1: the panel is on one half of the garment only; mus__board_double() does not mirror it */
     mus__panel_attributes attr;
 } mus__board_panel;
 
@@ -68,7 +68,7 @@ typedef struct mus__board_seam {
 
 typedef struct mus__board_notch {
     int32_t side, kind; /* side == MUS_NONE: removed */
-    double s;           /* from the start of the side as walked */
+    double s;           /* [m] from the start of the side as walked */
 } mus__board_notch;
 
 typedef struct mus__board_mark {

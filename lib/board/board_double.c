@@ -18,9 +18,9 @@
 #include "board/board_sew.h"
 #include "geom/vec.h"
 
-#define DOUBLE_STRAIGHT 1e-6 /* a fold is straight within this, and marks on it are on it [m] */
+#define DOUBLE_STRAIGHT 1e-6 /* [m] a fold is straight, and a mark lies on it, within this; chosen: above rounding */
 
-/* what stands in a mirror: the map of the plane, and for each side that was there its image */
+/* a reflection: the map of the plane, and the image of each side that existed before it */
 typedef struct double_mirror {
     double map[6];
     int32_t *image; /* (nside at the start) MUS_NONE without one */
@@ -28,7 +28,7 @@ typedef struct double_mirror {
 } double_mirror;
 
 
-/* image lists for the sides that are there now */
+/* start the list of images, for the sides on the board now */
 static bool double_begin(mus__board *board, double_mirror *mirror)
 {
     const double map[6] = {-1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
@@ -44,7 +44,8 @@ static bool double_begin(mus__board *board, double_mirror *mirror)
 }
 
 
-/* the reflection in the straight line of a side; exact for an upright one */
+/* the reflection in a straight side as a map; exact for an upright side. False, and the board fails, when the side is
+ * sewn or bent */
 static bool double_axis(mus__board *board, int32_t side, double *map)
 {
     const mus__board_chain *chain = &board->side[side].chain;
@@ -137,7 +138,7 @@ static void double_marks(mus__board *board, const double_mirror *mirror, int32_t
 }
 
 
-/* seams of which both sides have an image; those within `panel` only, unless it is MUS_NONE */
+/* repeat the seams of which both sides have an image; with `panel` only those within it */
 static void double_seams(mus__board *board, const double_mirror *mirror, int32_t panel)
 {
     const int32_t nseam = board->nseam;
@@ -168,7 +169,7 @@ static void double_place(const mus_placement *from, mus_placement *to)
 }
 
 
-/* the image of a panel as a panel of its own */
+/* add the image of a panel as a panel `name` */
 static int32_t double_panel(mus__board *board, double_mirror *mirror, int32_t panel, const char *name)
 {
     const int32_t first = board->panel[panel].first;
@@ -235,7 +236,7 @@ static void double_rename(mus__board *board, int32_t side)
 }
 
 
-/* unfold a panel in a side, without a word about seams; the side goes */
+/* unfold a panel in a side, which is removed; seams are left to the caller */
 static void double_unfold(mus__board *board, double_mirror *mirror, int32_t fold)
 {
     const int32_t panel = board->side[fold].panel, first = board->side[fold].next, last = board->side[fold].prev;
@@ -262,8 +263,8 @@ static void double_unfold(mus__board *board, double_mirror *mirror, int32_t fold
 }
 
 
-/* a side and its image that meet on a fold become one side, where what they are sewn to allows it. Names first: of two
- * that are sewn to one another one is made by the other's merging */
+/* merge each side with its image where they meet on a fold, if their seams allow it. Names are set first: of two such
+ * pairs that are sewn to one another, merging one merges the other */
 static void double_merge(mus__board *board, const double_mirror *mirror)
 {
     for (int32_t pass = 0; pass < 2; pass++) {
@@ -299,7 +300,7 @@ void mus__board_unfold(mus__board *board, int32_t side)
 
 /* ---- a whole garment ---- */
 
-/* folds that go on over a vertex become one side */
+/* merge folds that continue over a vertex */
 static void double_fold_merge(mus__board *board)
 {
     for (int32_t i = 0; i < board->nside && board->status == MUS_OK; i++) {
@@ -321,7 +322,7 @@ static int32_t double_fold_of(const mus__board *board, int32_t panel)
 }
 
 
-/* a panel that has no fold becomes NAME_left, its image NAME_right */
+/* rename a panel without a fold NAME_left, and add its image NAME_right */
 static void double_pair(mus__board *board, double_mirror *mirror, int32_t panel)
 {
     char name[2][MUS__NAME_BYTES + 8];
@@ -360,7 +361,8 @@ void mus__board_double(mus__board *board)
             double_pair(board, &mirror, i);
     }
 
-    /* seams of the half hold on the other half; centres are sewn across, a second fold of a panel as well */
+    /* repeat the seams of the half on the other half; sew centre sides to their images, and a second fold of a panel
+     * too */
     double_seams(board, &mirror, MUS_NONE);
     for (int32_t i = 0; i < mirror.nside && board->status == MUS_OK; i++) {
         const int32_t centre = board->side[i].centre, image = mirror.image[i];

@@ -8,7 +8,7 @@
 #include "board/board_chain.h"
 #include "geom/vec.h"
 
-/* where one side ends and the next starts may differ by rounding of what drew them, and by no more [m] */
+/* [m] largest gap between the end of a side and the start of the next: rounding of the drawing, and no more */
 #define BOARD_GAP 1e-6
 
 
@@ -20,7 +20,7 @@ static bool board_room(mus__board *board, void *array, int32_t *room, int32_t co
 }
 
 
-/* a name into a record; NULL is "" */
+/* copy a name into a record; NULL reads as "" */
 static bool board_name(mus__board *board, const char *name, char *out)
 {
     const size_t n = name != NULL ? strlen(name) : 0;
@@ -99,7 +99,7 @@ int32_t mus__board_side_add(mus__board *board, int32_t panel, const char *name, 
         mus__board_fail(board, MUS_ERR_ARG, "side %s of panel %s: its length is %g m, it must be above 0",
                         board->side[side].name, board->panel[panel].name, board->side[side].length);
 
-    /* the last side of a panel that is being drawn has no next; the first knows it as the one before */
+    /* the last side of a panel that is being drawn has no next; it is the prev of the first */
     mus__board_panel *own = &board->panel[panel];
     if (own->first == MUS_NONE) {
         own->first = board->side[side].prev = side;
@@ -204,13 +204,13 @@ void mus__board_at(const mus__board *board, int32_t side, double s, double *xy, 
 }
 
 
-/* does a closed dart begin with `side`: is all from it to the side it is sewn to sewn within? The side behind it, or
- * MUS_NONE. step +1 walks along the outline, -1 against it */
+/* does a closed dart begin with `side`: are all sides from it to its partner sewn to one another? Returns the side
+ * after the dart, along the outline or against it, or MUS_NONE */
 static int32_t board_past_dart(const mus__board *board, int32_t side, bool along)
 {
     int32_t open = 0, count = 0, at = side;
     const int32_t limit = board->nside;
-    /* brackets: each side opens or closes the pair that it is in; a pair is open until its other side is met */
+    /* as with brackets: the first side of a pair opens it, the second closes it */
     do {
         const int32_t partner = mus__board_partner(board, at);
         if (partner == MUS_NONE || board->side[partner].panel != board->side[at].panel) return MUS_NONE;
@@ -224,7 +224,7 @@ static int32_t board_past_dart(const mus__board *board, int32_t side, bool along
 }
 
 
-/* the labelled side that comes after (before) `side`, closed darts passed over; MUS_NONE when there is none */
+/* the side with the label that follows (precedes) `side`, closed darts skipped; MUS_NONE without one */
 static int32_t board_run_next(const mus__board *board, int32_t side, const char *label, bool along)
 {
     int32_t at = along ? board->side[side].next : board->side[side].prev;

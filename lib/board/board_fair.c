@@ -20,10 +20,10 @@
 #include "geom/curve.h"
 #include "geom/vec.h"
 
-#define FAIR_PLACES 129 /* along a side: an armhole each 4 mm */
-#define FAIR_STEPS 12   /* turns of parameters and handles */
-#define FAIR_DEPTH 5    /* 32 cubics at most */
-/* sine of the angle at which two pieces meet in a corner: half a degree, which no eye sees */
+#define FAIR_PLACES 129 /* places along a side: every 4 mm of an armhole */
+#define FAIR_STEPS 12   /* iterations of parameters and handles; chosen: more change no digit that is printed */
+#define FAIR_DEPTH 5    /* halvings of a side: 32 cubics at most; chosen */
+/* sine of the least angle between two pieces that is a corner: half a degree, below what an eye sees */
 #define FAIR_CORNER 0.0087
 
 typedef struct fair_line {
@@ -52,8 +52,8 @@ static bool fair_cornered(const mus__board_chain *chain)
 }
 
 
-/* handles of the cubic from place a to place b with tangents u, v: the least squares' 2 x 2 system, or a third of the
- * chord where that has no good answer */
+/* handles a, b of the cubic between two places with tangents u, v: the 2 x 2 system of least squares, or a third of the
+ * chord where the system is singular or gives a negative handle */
 static void fair_handles(const fair_line *line, int32_t a, int32_t b, const double *u, const double *v, double *cubic)
 {
     const double *p = line->place[a], *q = line->place[b];
@@ -77,7 +77,8 @@ static void fair_handles(const fair_line *line, int32_t a, int32_t b, const doub
 }
 
 
-/* the parameter of each place to its foot on the cubic, one Newton step; how far off the worst is */
+/* move the parameter of each place towards its foot on the cubic by one Newton step. Returns the greatest distance
+ * [m] */
 static double fair_feet(fair_line *line, int32_t a, int32_t b, const double *cubic)
 {
     double worst = 0.0;

@@ -1,14 +1,14 @@
 /*
- * board_inner.c: lines inside a panel on the cutting table, where a cut goes to the rim.
+ * board_inner.c: lines inside a panel on the cutting table, and where a cut from their corner opens the ring.
  *
- * A line inside (inner.c) hangs from a corner v of the rim as a hair: out over sides o1 .. ok and back over bk .. b1,
- * each b the bridge of its o. The cloth hangs together there. What is cut from the rim to a hair would be cut on one
- * side of it only, and the panel opened along the hair; so a cut to it is none. What leaves v, a cut or another hair,
- * goes between two hairs or beside them; its way says where:
+ * A line inside a panel hangs from a corner v of the cut line as a hair: out over sides o1 .. ok and back over bk ..
+ * b1, each b the bridge twin of its o. The cloth is whole there. A cut from the cut line to a hair would cut one side
+ * of the hair only and open the panel along it, so it is refused. A cut, or another hair, that leaves v runs between
+ * two hairs or beside them; its direction tells where:
  *
  *                          before            the word:  before, hair 1, hair 2, after
  *                    ------------> v
- *                     hair 1 .'   /|         what goes between the hairs opens the ring before hair 2
+ *                     hair 1 .'   /|         a cut between the hairs opens the ring before hair 2
  *                           '    / v  after
  *                          hair 2
  */
@@ -17,7 +17,7 @@
 #include "board/board_part.h"
 #include "geom/vec.h"
 
-#define INNER_SAME 1e-9 /* [rad]: ways so near are one; round the tip of a hair it is 2 pi */
+#define INNER_SAME 1e-9 /* [rad] directions within this are one; the angle round the tip of a hair is 2 pi */
 
 
 /* the other side of the bridge that a side is in, or MUS_NONE */
@@ -41,7 +41,8 @@ static bool inner_passes(const mus__board *board, int32_t first, int32_t last, i
 }
 
 
-/* is the walk from `out` to `back` a hair: is each side between them one way of a bridge, its other way there too? */
+/* is the walk from `out` to `back` a hair: is each side between them in a bridge whose other side is between them
+ * too? */
 static bool inner_hair(const mus__board *board, int32_t out, int32_t back)
 {
     for (int32_t i = board->side[out].next; i != back; i = board->side[i].next) {
@@ -52,7 +53,7 @@ static bool inner_hair(const mus__board *board, int32_t out, int32_t back)
 }
 
 
-/* is `side` part of a hair, or with `corner` its start a place of one, which the root is not? */
+/* is `side` part of a hair? With `corner`: is its start a corner of a hair, other than the root? */
 static bool inner_has(const mus__board *board, int32_t side, bool corner)
 {
     const int32_t panel = board->side[side].panel;
@@ -78,7 +79,7 @@ void mus__board_rim_side(mus__board *board, int32_t side, const char *what)
 }
 
 
-/* angle from u to v, `least` to 2 pi + least, against the clock when turn is 1 */
+/* angle [rad] from u to v, from `least` to 2 pi + least, counter-clockwise when turn is 1 */
 static double inner_angle(const double *u, const double *v, double turn, double least)
 {
     const double angle = atan2(turn * (u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]);
@@ -86,7 +87,7 @@ static double inner_angle(const double *u, const double *v, double turn, double 
 }
 
 
-/* does the way from the start of a side to a point leave between that side and the one before it? */
+/* does the direction from the start of a side to a point lie between that side and the side before it? */
 static bool inner_between(const mus__board *board, int32_t side, const double *towards, double turn)
 {
     const double *v = mus__board_start(board, side), way[2] = {towards[0] - v[0], towards[1] - v[1]};
@@ -101,7 +102,7 @@ static bool inner_between(const mus__board *board, int32_t side, const double *t
 
 int32_t mus__board_corner(const mus__board *board, int32_t side, const double *towards)
 {
-    /* with the clock where the word runs against it: the panel is on its left */
+    /* clockwise where the word runs counter-clockwise: the panel is on its left */
     const double turn = mus__board_area(board, board->side[side].panel) < 0.0 ? 1.0 : -1.0;
     const double *v = mus__board_start(board, side);
     const int32_t knot = board->side[side].knot;

@@ -1,12 +1,12 @@
 /*
- * board_part.c: a part of a panel: what lies on one side of a line through it is turned and shifted as one rigid piece.
+ * board_part.c: a part of a panel, on one side of a line through it, is turned and shifted as one rigid piece.
  *
- * Pivoting a dart and spreading a slash move a run of sides, and with it the marks that lie in the part. Which part a
- * mark lies in is asked of polygons: the outline of the part with 64 chords to each curved piece. The lengths of sides
- * that are moved stay as they are to the bit.
+ * Rotating a dart and spreading a slash move a run of sides, and the marks that lie in the part. The part that a mark
+ * lies in is found by polygons: the outlines of the parts with 64 chords to each curved piece. The lengths of moved
+ * sides stay to the bit.
  *
- * Before anything is moved the line that is to be cut is asked for: it has to lie within the panel, or the "part" would
- * be none.
+ * The line of the cut is tested before any side moves: it must lie inside the panel, because otherwise it divides no
+ * part from another.
  */
 #include <math.h>
 #include <string.h>
@@ -16,11 +16,11 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-/* a chord of a 64th of a piece is off by 0.02 mm on the roundest armhole */
+/* chords of a curved piece: the sagitta is 0.02 mm on the roundest armhole */
 #define PART_CHORDS 64
-/* so much [m] at both ends of a cut may run along the outline, which the chords show a little off */
+/* [m] at both ends of a cut that may run along the outline, whose chords are a little off */
 #define PART_NEAR 5e-4
-/* a cut whose middle is this near [m] to the outline runs along it */
+/* [m] a cut whose middle is within this of the outline runs along it */
 #define PART_ALONG 1e-5
 
 
@@ -41,7 +41,7 @@ double mus__board_area(const mus__board *board, int32_t panel)
 }
 
 
-/* x' = o + shift + R (x - o): what stands at o comes to o + shift to the bit */
+/* x' = o + shift + R (x - o), so that the point o goes to o + shift to the bit */
 static void part_turn_points(const mus__board_motion *motion, int32_t n, double *xy)
 {
     const double *o = motion->centre, c = motion->cosine, s = motion->sine;
@@ -79,7 +79,7 @@ void mus__board_part_add(mus__board *board, mus__board_part *part, const mus__bo
         return;
     }
 
-    /* all points but the last, which is the first of what follows */
+    /* all points but the last, which is the first of the next chain */
     const double *p = chain->xy;
     for (int32_t i = 0; i < chain->npiece; i++) {
         int32_t kind = chain->kinds[i], n = kind == MUS__LINE ? 1 : PART_CHORDS;
@@ -105,7 +105,7 @@ void mus__board_part_end(mus__board *board, mus__board_part *part)
 }
 
 
-/* does p lie in the moving part rather than in the other? On the line between them it does not */
+/* does p lie in the moving part? A point on the line between the parts does not */
 static bool part_has(const mus__board_part *moving, const mus__board_part *still, const double *p)
 {
     bool in = mus__polygon_winding(moving->n, moving->xy, p) != 0;

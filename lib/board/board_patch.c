@@ -1,15 +1,15 @@
 /*
- * board_patch.c: a patch laid on a panel: a line drawn into the panel, and a piece that is sewn to it.
+ * board_patch.c: a patch laid on a panel: a line drawn into the panel, and a second panel that is sewn to it.
  *
- * The word of the panel leaves the rim at a corner v, over a bridge b to the nearer end of the line, along the line and
- * back over both:
+ * The word of the panel leaves the cut line at a corner v, runs over a bridge b to the nearer end of the line, along
+ * the line, and back over both:
  *
  *      .. v  b l1 l2 .. lk lk' .. l2' l1' b'  v ..          x' is the side that lies on x, walked the other way
  *
- * Each of them is one edge of the pattern, passed both ways, so nothing is cut; what is sewn to l is a third sheet. The
- * piece is what the line and a straight mouth between its ends enclose, drawn where it lies, and starts a little
- * outside the panel: its placement is that of the panel moved along the right side's normal. Of a rolled panel the roll
- * is wider by as much, and the piece's middle stays before the place where it lies.
+ * Each of them is one edge of the pattern, passed both ways, so nothing is cut; the patch is a third sheet at l. The
+ * patch is the polygon of the line and a straight mouth between its ends. Its placement is that of the panel, moved by
+ * PATCH_LIFT along the normal of the right side. Of a rolled panel the radius grows by PATCH_LIFT, and the middle of
+ * the patch stays before its place on the panel.
  */
 #include <math.h>
 #include <stdio.h>
@@ -22,15 +22,15 @@
 #include "geom/predicate.h"
 #include "geom/vec.h"
 
-#define PATCH_LIFT 0.006 /* [m]: clear of the panel for any thickness of cloth */
-#define PATCH_CLEAR 0.002 /* [m] from the rim: nearer than this no seam is sewn beside another */
-#define PATCH_MOST 256   /* points of a line */
+#define PATCH_LIFT 0.006 /* [m] distance of a patch from its panel; chosen: above the thickness of any cloth */
+#define PATCH_CLEAR 0.002 /* [m] least distance of a line from the outline; chosen: no seam is sewn nearer to another */
+#define PATCH_MOST 256   /* most points of a line; chosen */
 
 
-/* does the segment p q meet a b, which shares no end with it? */
+/* does segment p q meet segment a b? They share no end */
 static bool patch_meets(const double *p, const double *q, const double *a, const double *b)
 {
-    /* on one line they may be apart */
+    /* segments on one line may be apart */
     for (int32_t d = 0; d < 2; d++)
         if (fmax(p[d], q[d]) < fmin(a[d], b[d]) || fmax(a[d], b[d]) < fmin(p[d], q[d])) return false;
     const double a1 = mus__orient2d(p, q, a), b1 = mus__orient2d(p, q, b);
@@ -46,7 +46,7 @@ static bool patch_same(const double *p, const double *q)
 }
 
 
-/* is the way from p to corner v free of the outline and of the line whose first point p is? */
+/* does the segment from p, the first point of the line, to corner v meet neither the outline nor the line? */
 static bool patch_sees(const mus__board_part *rim, int32_t n, const double *line, const double *v)
 {
     for (int32_t i = 0; i < rim->n; i++) {
@@ -105,7 +105,7 @@ static int32_t patch_side(mus__board *board, int32_t panel, const char *name, co
 }
 
 
-/* bridge and line into the ring before `from`: sides[i] (n - 1) from point i to the next, on the way out */
+/* add bridge and line to the ring before `from`: sides[i] (n - 1) runs from point i to the next, on the way out */
 static void patch_draw(mus__board *board, int32_t from, int32_t n, const double *line, const char *name, int32_t *sides)
 {
     const int32_t panel = board->side[from].panel, before = board->side[from].prev, knot = board->nknot;
@@ -137,7 +137,7 @@ static void patch_draw(mus__board *board, int32_t from, int32_t n, const double 
 }
 
 
-/* outside the panel, along the normal of its right side (turn -1: of the other) */
+/* place the patch along the normal of the right side of its panel (turn -1: of the wrong side) */
 static void patch_place(mus__board *board, int32_t panel, int32_t made, double turn, double middle)
 {
     const mus_placement *from = &board->panel[panel].attr.placement;
@@ -155,7 +155,7 @@ static void patch_place(mus__board *board, int32_t panel, int32_t made, double t
 }
 
 
-/* the piece: the line, and its mouth back */
+/* the panel of the patch: the line, and the mouth back */
 static int32_t patch_piece(mus__board *board, int32_t panel, int32_t n, const double *line, const char *name,
                            int32_t *sides)
 {
@@ -185,7 +185,7 @@ static bool patch_inside(const mus__board_part *rim, const double *p)
 }
 
 
-/* does the way from p to q cross the outline? */
+/* does the segment from p to q cross the outline? */
 static bool patch_crosses(const mus__board_part *rim, const double *p, const double *q)
 {
     for (int32_t i = 0; i < rim->n; i++)
@@ -209,7 +209,7 @@ bool mus__board_patch_fits(mus__board *board, int32_t panel, int32_t n, const do
 }
 
 
-/* is the line one to sew a patch to? */
+/* can a patch be sewn to the line? The board fails when it cannot */
 static bool patch_fits(mus__board *board, int32_t panel, const mus__board_part *rim, int32_t n, const double *xy)
 {
     const char *name = board->panel[panel].name;
@@ -247,7 +247,7 @@ int32_t mus__board_patch(mus__board *board, int32_t panel, int32_t n, const doub
     mus__board_part_run(board, &rim, board->panel[panel].first, board->side[board->panel[panel].first].prev);
     if (board->status != MUS_OK || !patch_fits(board, panel, &rim, n, line)) goto done;
 
-    /* the piece runs round as the panel does; the line is drawn from the end that a corner of the panel is seen from */
+    /* the patch runs round as the panel does; the line is drawn from the end that sees a corner of the panel */
     if (mus__polygon_area(n, line) * mus__board_area(board, panel) < 0.0) patch_turn_round(n, line);
     made = patch_piece(board, panel, n, line, name, own);
     int32_t from = patch_corner(board, panel, &rim, n, line);

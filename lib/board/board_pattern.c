@@ -1,14 +1,14 @@
 /*
  * board_pattern.c: a pattern onto the cutting table, and from the table a new pattern.
  *
- * Each place in the word of a panel becomes a side, walked as the word goes: an edge that is passed against its
- * direction is turned round, and the seams and notches on it are told so. An edge that a word passes twice (the bridge
- * to a hole) becomes two sides and a seam between them that is marked as a bridge; while both are still the same line
- * of one panel they are written as one edge again. Corners remember the point that they were, so that an outline that
- * comes back to a point still does when it is written.
+ * Each position in the word of a panel becomes a side in the direction of the word: an edge that is passed against its
+ * direction is reversed, and so are its seams and notches. An edge that a word passes twice (the bridge to a hole)
+ * becomes two sides and a seam between them that is marked as a bridge; as long as both are the same line of one panel,
+ * they are written as one edge again. Corners keep the index of their point (knot), so that an outline that comes back
+ * to a point is written with one point there.
  *
- * What is written goes through the public calls, which check it; a table read and written is the pattern that it was,
- * with its cells in the order panel by panel, word by word.
+ * Writing uses the public calls, which check the pattern. A table that is read and written is the same pattern, with
+ * its cells in the order of panels and of their words.
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,7 @@
 
 /* ---- reading ---- */
 
-/* one place of a word as a side; first (nedge) knows the first side of each edge */
+/* add one position of a word as a side; first (nedge) gets the first side of each edge */
 static void board_read_side(mus__board *board, const mus_pattern *pattern, int32_t edge, int32_t turn, int32_t *first)
 {
     const mus__edge *from = &pattern->edge[edge];
@@ -27,7 +27,7 @@ static void board_read_side(mus__board *board, const mus_pattern *pattern, int32
     if (chain.xy == NULL) return;
     if (turn < 0) mus__board_chain_reverse(&chain);
 
-    /* room for all is there already; lengths are known */
+    /* there is room for all sides; the length is that of the edge */
     const int32_t index = board->nside++;
     mus__board_side *side = &board->side[index];
     *side = (mus__board_side){.panel = from->panel,
@@ -113,7 +113,7 @@ void mus__board_read(mus__board *board, const mus_pattern *pattern)
     int64_t nside = 0;
     for (int32_t i = 0; i < pattern->npanel; i++) nside += pattern->panel[i].noutline;
 
-    /* bridges stand behind the seams of the pattern, whose indices stay */
+    /* bridges follow the seams of the pattern, whose indices stay */
     int32_t *first = mus__new(context, pattern->nedge, sizeof *first);
     if (first == NULL ||
         mus__reserve(context, &board->panel, &board->panel_room, pattern->npanel, sizeof *board->panel) != MUS_OK ||
@@ -137,7 +137,7 @@ void mus__board_read(mus__board *board, const mus_pattern *pattern)
 
 /* ---- writing ---- */
 
-/* where each record went; arrays are parts of one block */
+/* the pattern under construction, and the cell of each record; arrays are parts of one block */
 typedef struct board_writer {
     mus__board *board;
     mus_pattern *pattern;
@@ -150,7 +150,7 @@ typedef struct board_writer {
 } board_writer;
 
 
-/* the corner of ring[k]: that of an earlier side when it is the same point, else a new one */
+/* the point of the corner of ring[k]: that of an earlier side with the same knot and place, otherwise a new point */
 static mus_status board_write_point(board_writer *w, int32_t panel, int32_t k)
 {
     const mus__board *board = w->board;
@@ -166,8 +166,8 @@ static mus_status board_write_point(board_writer *w, int32_t panel, int32_t k)
 }
 
 
-/* the bridge to an earlier side of the ring that is one edge with this, on the same points: *twin; or MUS_NONE. In a
- * mirror image the later side comes first */
+/* the bridge of ring[k] to *twin, a side that is written already and lies on the same points; MUS_NONE without one. In
+ * a mirror image the later side comes first */
 static int32_t board_write_bridge(const board_writer *w, int32_t k, int32_t *twin)
 {
     const mus__board *board = w->board;
@@ -188,7 +188,7 @@ static int32_t board_write_bridge(const board_writer *w, int32_t k, int32_t *twi
 }
 
 
-/* ring[k] as an edge of its own */
+/* write ring[k] as an edge */
 static mus_status board_write_edge(board_writer *w, int32_t k)
 {
     mus__board *board = w->board;
@@ -262,7 +262,7 @@ static mus_status board_write_panel(board_writer *w, int32_t index)
 
 static mus_status board_write_seam(board_writer *w, const mus__board_seam *from)
 {
-    /* a bridge that is one edge again is no seam */
+    /* a bridge that is written as one edge is no seam */
     const int32_t edge_a = w->edge[from->a], edge_b = w->edge[from->b];
     if (from->bridge && edge_a == edge_b) return MUS_OK;
     mus_seam_def seam;

@@ -1,16 +1,16 @@
 /*
  * board_pleat.c: pleats laid on the cutting table.
  *
- * A pleat of depth d whose outer fold is at s: the side goes to the fold, comes back under itself for d, and goes on:
+ * A pleat of depth d has its outer fold at s: the side runs to the fold, back under itself for d, and on:
  *
  *          s-d        s                    over    ------------->  q0
  *      -----|----q0---|                    under        <-------|  q1
  *               |--q1-|--                               |------->  q2, and on
  *               |--q2---|-- ..
  *
- * Three parts of the side, each d long, lie on one another; as classes: q1 is sewn to q0 and q2 to q1, each as the legs
- * of a dart are, and q0 to what the side is sewn to. There four sheets meet, and the seam is shorter than the side by
- * 2 d. Laid under what comes after it the same is walked the other way round.
+ * Three parts of the side, each d long, lie on one another: q1 is sewn to q0 and q2 to q1, as the legs of a dart are,
+ * and q0 takes the place of the side in its seam. Four sheets meet there, and the seam is shorter than the side by 2 d.
+ * A pleat under the part after it is the same walked the other way round.
  */
 #include <math.h>
 
@@ -19,11 +19,11 @@
 #include "board/board_sew.h"
 
 #define PLEAT_MOST 256
-#define PLEAT_NEAR 1e-6 /* [m]: folds nearer than this are one */
+#define PLEAT_NEAR 1e-6 /* [m] folds within this are one; chosen: above rounding */
 
 
-/* places where the side parts, ascending: four to a pleat, those that coincide once; how many, 0 when the board fails
- */
+/* arc lengths at which the side is split, ascending: four to a pleat, equal ones once. Returns their number, 0 when the
+ * board fails */
 static int32_t pleat_places(mus__board *board, int32_t side, int32_t n, const double *s, const double *depth,
                             double *place)
 {
@@ -49,7 +49,7 @@ static int32_t pleat_places(mus__board *board, int32_t side, int32_t n, const do
 }
 
 
-/* the part that begins at arc length `at` of what was the side */
+/* the part that begins at arc length `at` of the original side */
 static int32_t pleat_part(const mus__board *board, int32_t side, int32_t count, double at)
 {
     double begin = 0.0;
@@ -61,7 +61,7 @@ static int32_t pleat_part(const mus__board *board, int32_t side, int32_t count, 
 }
 
 
-/* layer `over` and the next, `under`, folded between them */
+/* sew layer `under` to layer `over`, with the fold between them */
 static void pleat_fold(mus__board *board, int32_t over, int32_t under)
 {
     const int32_t seam = mus__board_seam_add(board, over, under, MUS_SEAM_REVERSED, 0.0);
@@ -69,7 +69,7 @@ static void pleat_fold(mus__board *board, int32_t over, int32_t under)
 }
 
 
-/* is a part one that lies under another? */
+/* does a part lie under another? */
 static bool pleat_hidden(const int32_t *hidden, int32_t n, int32_t side)
 {
     for (int32_t i = 0; i < n; i++)

@@ -1,20 +1,19 @@
 /*
- * board_sew.c: seams on the cutting table: sides joined, opened, divided and made one again, with what they are sewn
- * to.
+ * board_sew.c: seams on the cutting table: sides sewn, opened, split and merged together with their partners.
  *
- * Along a seam places correspond by relative arc length: t of one side lies on t (DIRECT) or 1 - t (REVERSED) of the
- * other. A vertex put into one side is put into all that are sewn to it, and to those, through as many sheets as meet
- * there; the same goes for taking one out. The ease of a seam is divided in proportion.
+ * Along a seam, places correspond by relative arc length: t of one side lies on t (DIRECT) or 1 - t (REVERSED) of the
+ * other. A split of one side splits all sides that are sewn to it, directly or through others, as many sheets as meet
+ * there; a merge does the reverse. The ease of a seam is divided in proportion.
  */
 #include <math.h>
 #include <string.h>
 
 #include "board/board_sew.h"
 
-#define SEW_SHEETS 64   /* sides that may be sewn to one another in one place */
-#define SEW_LEAST 1e-6  /* shortest part that a split may leave [m] */
-#define SEW_JOINT 0.001 /* joints of two runs nearer than this are taken as the same [m] */
-#define SEW_TOLERANCE 0.0005
+#define SEW_SHEETS 64   /* most sides sewn to one another at one place; chosen: a pleat has 4 */
+#define SEW_LEAST 1e-6  /* [m] shortest part that a split may leave */
+#define SEW_JOINT 0.001 /* [m] joints of two runs within this are one; chosen: below any seam that is sewn */
+#define SEW_TOLERANCE 0.0005 /* [m] as the default of mus_seam_def */
 
 
 int32_t mus__board_seam_add(mus__board *board, int32_t a, int32_t b, int32_t direction, double ease)
@@ -53,7 +52,7 @@ void mus__board_seam_drop(mus__board *board, int32_t side)
 }
 
 
-/* ---- a vertex more ---- */
+/* ---- splitting ---- */
 
 /* one of the sides that meet at the place of a split */
 typedef struct sew_place {
@@ -63,7 +62,7 @@ typedef struct sew_place {
 } sew_place;
 
 
-/* where is `side` in the list? */
+/* index of `side` in the list, or MUS_NONE */
 static int32_t sew_listed(const sew_place *place, int32_t n, int32_t side)
 {
     for (int32_t i = 0; i < n; i++)
@@ -72,7 +71,8 @@ static int32_t sew_listed(const sew_place *place, int32_t n, int32_t side)
 }
 
 
-/* all sides that are sewn, through any number of seams, to place[0]: how many, 0 when the board fails */
+/* list all sides that are sewn, through any number of seams, to place[0]. Returns their number, 0 when the board
+ * fails */
 static int32_t sew_places(mus__board *board, sew_place *place)
 {
     int32_t n = 1;
@@ -105,7 +105,7 @@ static int32_t sew_places(mus__board *board, sew_place *place)
 }
 
 
-/* is a side still the line of the one that a bridge joins it to, which is split already? */
+/* does a side still lie on its twin of a bridge, which is split already? */
 static bool sew_bridged(const mus__board *board, const sew_place *list, const sew_place *place)
 {
     if (place->from == MUS_NONE || !board->seam[place->seam].bridge) return false;
@@ -164,7 +164,7 @@ static void sew_split_one(mus__board *board, sew_place *list, int32_t index, con
         return;
     }
 
-    /* the ring, then what both parts have in common */
+    /* the ring, then the properties that both parts share */
     mus__board_side *a = &board->side[side], *b = &board->side[made];
     mus__free(board->context, a->chain.xy);
     a->chain = before;
@@ -237,7 +237,7 @@ int32_t mus__board_split(mus__board *board, int32_t side, double s, const char *
 }
 
 
-/* ---- a vertex less ---- */
+/* ---- merging ---- */
 
 /* sides one after the other that become one, and seams of them that do */
 typedef struct sew_merge {
@@ -254,7 +254,7 @@ static int32_t sew_seam_count(const mus__board *board, int32_t side)
 }
 
 
-/* a pair into the list; false when it does not fit with those that are there */
+/* add a pair to the list; false when one of its sides is in another pair */
 static bool sew_pair_add(sew_merge *m, int32_t first, int32_t second)
 {
     for (int32_t i = 0; i < m->npair; i++) {
@@ -269,7 +269,7 @@ static bool sew_pair_add(sew_merge *m, int32_t first, int32_t second)
 }
 
 
-/* seam k of the first side of a pair: which seam of the second goes on where it ends? */
+/* find the seam of the second side of a pair that continues seam k of the first; false without one */
 static bool sew_pair_seam(const mus__board *board, sew_merge *m, int32_t first, int32_t second, int32_t k)
 {
     const mus__board_seam *seam = &board->seam[k];
@@ -291,7 +291,7 @@ static bool sew_pair_seam(const mus__board *board, sew_merge *m, int32_t first, 
 }
 
 
-/* what becomes one with `side` and the next; false when that cannot be */
+/* collect the pairs and seams that merge together with `side` and the next; false when they cannot */
 static bool sew_gather(const mus__board *board, int32_t side, sew_merge *m)
 {
     m->npair = m->nseam = 0;

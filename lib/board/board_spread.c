@@ -1,14 +1,15 @@
 /*
  * board_spread.c: fullness and length: slash and spread, lengthen and shorten, draw a side again.
  *
- * Slash P-Q of length L, opened by w0 at P and w1 at Q: the part to the right of P-Q (the word runs counter-clockwise)
- * is turned about P by d, 2 sin(d / 2) = (w1 - w0) / L, clockwise, and P goes to P'' at distance w0, square to the
- * middle of the two legs. That is the rotation about the place where the legs meet, written so that parallel legs
- * (w0 = w1, a plain shift) are nothing special. The gap is a trapezoid with two legs of length L: the area grows by
+ * A slash P-Q of length L opens by w0 at P and w1 at Q. The part to the right of P-Q (the word runs counter-clockwise)
+ * is turned clockwise about P by d, 2 sin(d / 2) = (w1 - w0) / L, and P goes to P'' at distance w0, square to the
+ * middle of the two legs. This is the rotation about the point where the legs meet, written so that parallel legs (w0 =
+ * w1, a shift) are no special case. The gap is a trapezoid with two legs of length L: the area grows by
  *
  *     L cos(d / 2) (w0 + w1) / 2 .
  *
- * The sides that are slashed stay one side each: first part, a line across the gap, second part. All else is rigid.
+ * Each slashed side stays one side: its first part, a line across the gap, its second part. All other sides move
+ * rigidly.
  */
 #include <math.h>
 #include <string.h>
@@ -18,9 +19,9 @@
 #include "geom/curve.h"
 #include "geom/vec.h"
 
-/* an opening narrower than this [m] is a hinge */
+/* [m] an opening narrower than this is a hinge; chosen: above rounding */
 #define SPREAD_HINGE 1e-9
-/* a slash this near to an end of a side [m] leaves that side whole */
+/* [m] a slash within this of an end of a side leaves the side whole; chosen: above rounding */
 #define SPREAD_END 1e-6
 
 /* a place of the outline that opens: before the side `after`, which may be a part of another for a while */
@@ -133,7 +134,7 @@ static void spread_close(mus__board *board, const spread_joint *joint)
 }
 
 
-/* what moves: turned about P by -d and shifted so that P comes to P'' */
+/* the motion of the part: turned about P by -d, and shifted so that P comes to P'' */
 static void spread_motion(const double *p, const double *q, double w0, double w1, double turn, mus__board_motion *out)
 {
     double length = mus__dist2(p, q), u[2] = {(q[0] - p[0]) / length, (q[1] - p[1]) / length};
@@ -146,7 +147,7 @@ static void spread_motion(const double *p, const double *q, double w0, double w1
 }
 
 
-/* is a slash of these numbers one that can be opened? */
+/* can a slash be opened by these widths? The board fails when it cannot */
 static bool spread_check(mus__board *board, int32_t from, double s0, int32_t to, double s1, double w0, double w1)
 {
     if (!mus__board_has_side(board, from) || !mus__board_has_side(board, to)) return false;
@@ -185,7 +186,7 @@ void mus__board_spread(mus__board *board, int32_t from, double s0, int32_t to, d
         return;
     }
 
-    /* the ring opens at both places; of two on one side the later first, so that the first part keeps its lengths */
+    /* open the ring at both places; of two on one side the later first, so that the first part keeps its arc lengths */
     spread_joint at_from, at_to;
     bool late = from == to && s1 > s0;
     bool open = late ? spread_divide(board, to, s1, p, &at_to) && spread_divide(board, from, s0, q, &at_from)
@@ -204,7 +205,7 @@ void mus__board_spread(mus__board *board, int32_t from, double s0, int32_t to, d
     mus__board_part_end(board, &moving);
     mus__board_part_end(board, &still);
 
-    /* closed again, along one side the earlier place first */
+    /* close it again, along one side the earlier place first */
     bool backward = from == to && !late;
     spread_close(board, backward ? &at_to : &at_from);
     spread_close(board, backward ? &at_from : &at_to);
@@ -275,7 +276,7 @@ void mus__board_lengthen(mus__board *board, int32_t panel, const double *point, 
         }
     }
 
-    /* shortened by more than there is, the panel has turned over */
+    /* a panel that is shortened by more than its length turns over */
     double after = mus__board_area(board, panel);
     if (board->status == MUS_OK && !(after * area > 0.0))
         mus__board_fail(board, MUS_ERR_ARG, "lengthen panel %s: %g m leave nothing of it", board->panel[panel].name,
@@ -297,7 +298,7 @@ void mus__board_redraw(mus__board *board, int32_t side, int32_t npiece, const in
     board->side[side].chain = chain;
     mus__board_part_changed(board, side);
 
-    /* the neighbours follow its ends; a panel of one side has none */
+    /* move the ends of the neighbours along; a panel of one side has none */
     int32_t prev = board->side[side].prev, next = board->side[side].next;
     const double *start = mus__board_start(board, side), *end = mus__board_end(board, side);
     if (prev == side) {

@@ -18,11 +18,8 @@
 
 void mus_limb_init(mus_limb *limb, size_t size)
 {
-    if (limb == NULL || size < sizeof limb->size) return;
-    mus_limb own = {.size = sizeof own, .name = "limb", .axis = {0.0, 1.0, 0.0}, .side = {1.0, 0.0, 0.0}};
-    memset(limb, 0, size);
-    memcpy(limb, &own, size < sizeof own ? size : sizeof own);
-    limb->size = size;
+    mus_limb own = {.name = "limb", .axis = {0.0, 1.0, 0.0}, .side = {1.0, 0.0, 0.0}};
+    mus__def_init(limb, size, &own, sizeof own);
 }
 
 

@@ -15,11 +15,8 @@
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_body_def own = {.size = sizeof own, .samples = 96, .ring_spacing = 0.01};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
-    def->size = size;
+    mus_body_def own = {.samples = 96, .ring_spacing = 0.01};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

@@ -1,28 +1,29 @@
 /*
  * bare.c: a cloth of bare nodes, springs, bends and pins, all the caller's own.
  *
- * What `muslin verify` and experiments build chains, pendulums and rods with. All elements are irregular: springs with
- * a dashpot of their own; a bend is a hinge with its middle node at both ends of the edge, -1 each, which is the same
- * sum a - 2 b + c and the same bound on stiffness.
+ * `muslin verify` builds chains, pendulums and rods of it. No element is in a run: springs have a dashpot each; a bend
+ * is a hinge with its middle node at both ends of the edge, coefficient -1 each, which is the same sum a - 2 b + c and
+ * the same bound on stiffness.
  */
 #include <string.h>
 
 #include "cloth/cloth_internal.h"
 
+/* counts at most: the force program counts elements in 32 bits */
 #define BARE_MOST_NODES (1 << 24)
 #define BARE_MOST_SPRINGS (1 << 28)
 #define BARE_MOST_BENDS (1 << 26)
-/* float keeps 1 / mass and k / mass normal numbers in these */
+/* [kg] least mass; [kg], [N/m], [N s/m] largest mass and stiffness: 1 / mass and k / mass stay normal floats */
 #define BARE_LEAST_MASS 1e-15
 #define BARE_MOST 1e15
+/* [m] largest coordinate and rest length. Chosen: its square is a normal float */
 #define BARE_FAR 1e12
 
 
 void mus_bare_init(mus_bare *bare, size_t size)
 {
-    if (bare == NULL || size < sizeof bare->size) return;
-    memset(bare, 0, size);
-    bare->size = size;
+    mus_bare own = {0};
+    mus__def_init(bare, size, &own, sizeof own);
 }
 
 

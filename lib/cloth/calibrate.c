@@ -16,12 +16,15 @@
 
 #include "cloth/mesh.h"
 
+/* rounds of the fit; hinges at a limit drop out from round to round. Chosen */
 #define CALIBRATE_ROUNDS 8
+/* range of a hinge's stiffness, over its first value. Chosen: no hinge may vanish or lower the step bound much */
 #define CALIBRATE_LEAST 0.5
 #define CALIBRATE_MOST 2.0
-/* fewer hinges than this are left alone */
+/* hinges of a panel below which it is not calibrated: four sums cannot be met by so few. Chosen */
 #define CALIBRATE_FEWEST 12
-/* of the diagonal: what a panel cannot do, as a strap one triangle wide, is left */
+/* ridge added to the normal equations, over their diagonal: a direction in which no hinge of the panel bends (a strap
+ * one triangle wide) is left as it is. Chosen: far above rounding, far below the change of any other direction */
 #define CALIBRATE_RIDGE 1e-6
 
 /* along weft, warp, and both bias directions */
@@ -55,7 +58,7 @@ static mus_status calibrate_axis(const mus__mesh *mesh, int32_t panel, double *a
 }
 
 
-/* what the hinges of a panel are to give together */
+/* the sums of k p that the hinges of a panel should have, one for each direction (4) [N m m2] */
 static void calibrate_target(const mus__mesh *mesh, int32_t panel, const double *axis, double *target)
 {
     const mus_cloth *cloth = mesh->cloth;

@@ -1,8 +1,14 @@
 /*
- * cloth.c: cut a pattern in cloth, answer questions about it, share and destroy it.
+ * cloth.c: cut a pattern in a fabric; read, share and destroy the cloth. A stranger to this folder starts here.
  *
- * The pattern is checked on a copy (a check writes its faults into the pattern), then each panel is meshed and its
- * springs made while its lattice is at hand; seams come last, when all panels have nodes.
+ * Files in the order of use: fabric_table.c and fabric_value.c (measured fabrics), fabric.c (spring constants of a
+ * fabric), lattice.c (nodes and cells inside a panel), mesh.c and line.c (nodes and triangles of a panel), spring.c and
+ * strip.c (its springs), pairs.c (seams), calibrate.c (bending rigidity of a panel), pleat.c, held.c (gathers,
+ * elastics, attachments), coarse.c (coarser cuts). grid.c and bare.c make a cloth without a pattern. lib/drape moves
+ * the cloth.
+ *
+ * The pattern is checked first. Each panel is then meshed, and its springs are made while its lattice is in memory.
+ * Seams come last, when all panels have nodes.
  */
 #include <math.h>
 #include <string.h>
@@ -13,21 +19,22 @@
 
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_cloth_def own = {
-        .size = size, .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
-    mus_fabric_init(&own.fabric, sizeof own.fabric);
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+        .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own)
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric)
 {
     mus_cloth_def_init(own, sizeof *own);
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
-    if (status == MUS_OK) status = mus_fabric_check(context, &own->fabric);
+    mus_fabric_init(fabric, sizeof *fabric);
+    if (status == MUS_OK)
+        status = mus__def_read(context, fabric, sizeof *fabric, sizeof *fabric, own->fabric, "mus_fabric");
+    if (status == MUS_OK) status = mus_fabric_check(context, fabric);
     if (status != MUS_OK) return status;
+    own->fabric = fabric;
     if (own->bending != MUS_BEND_PLATE && own->bending != MUS_BEND_PAPER)
         return mus__fail(context, MUS_ERR_ARG, "bending %d is neither plate (0) nor paper (1)", (int)own->bending);
     if (!(own->paper_curvature >= 0.1 && own->paper_curvature <= 1000.0))
@@ -62,7 +69,7 @@ static mus_status cloth_check(mus_context *context, const mus_pattern *pattern)
 }
 
 
-/* names of the pattern and its panels, for sentences; the warp of each, for strains */
+/* copy the names of the pattern and its panels, for messages, and the warp direction of each panel, for strains */
 static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 {
     cloth->names = mus__new(cloth->context, (int64_t)cloth->npanel + 1, MUS__CLOTH_NAME);
@@ -84,7 +91,7 @@ static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 }
 
 
-/* all panels, then all seams, then the limit */
+/* mesh all panels, then join them along seams, then adjust the springs */
 static mus_status cloth_build(mus__mesh *mesh)
 {
     mus_cloth *cloth = mesh->cloth;
@@ -110,6 +117,16 @@ static mus_status cloth_build(mus__mesh *mesh)
 }
 
 
+/* the coarser cuts of a cloth. A pattern that cannot be meshed so coarsely has none. Errors: MUS_ERR_MEMORY */
+static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, const mus_cloth_def *def)
+{
+    mus_cloth_def coarse = *def;
+    if (!mus__cloth_coarser(cloth, def, &coarse.spacing)) return MUS_OK;
+    const mus_status status = mus_cloth_create(cloth->context, pattern, &coarse, &cloth->coarse);
+    return status == MUS_ERR_MEMORY ? status : MUS_OK;
+}
+
+
 mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def, mus_cloth **out)
 {
     if (out != NULL) *out = NULL;
@@ -118,7 +135,8 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", pattern == NULL ? "pattern" : "out");
 
     mus_cloth_def own;
-    mus_status status = mus__cloth_def_read(context, def, &own);
+    mus_fabric fabric;
+    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
     if (status != MUS_OK) return status;
     if (!(own.spacing >= 0.001 && own.spacing <= 0.1))
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
@@ -130,7 +148,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         .context = context, .pattern = pattern, .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
-    cloth->fabric = own.fabric, cloth->spacing = own.spacing;
+    cloth->fabric = fabric, cloth->spacing = own.spacing;
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
     mesh.cloth = cloth;
@@ -140,10 +158,10 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         status = mus__fail_memory(context, "a cloth");
     if (status == MUS_OK) status = cloth_names(cloth, pattern);
     if (status == MUS_OK) status = cloth_build(&mesh);
-    if (status == MUS_OK) status = mus__cloth_coarsen(context, pattern, &own, cloth);
-    /* said once: by the coarsest cut */
+    if (status == MUS_OK) status = cloth_coarsen(cloth, pattern, &own);
+    /* a warning comes once: from the coarsest cut */
     const double cell[2] = {own.spacing, own.spacing};
-    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &own.fabric, cell);
+    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &fabric, cell);
     mus__free(context, mesh.edge);
     mus__free(context, mesh.wing);
     mus__free(context, mesh.first_rim);

@@ -39,27 +39,24 @@ typedef struct mus__spring {
     double k, rest;
 } mus__spring;
 
-typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0]-node[1], wings node[2..3];
-                             a bare bend has its middle as both ends of the edge, with -1 each */
+typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0..1], wings node[2..3]; a bend of
+                             bare nodes has its middle node at both ends of the edge, coefficient -1 each */
     int32_t node[4];
     double coef[4];
     double k;
 } mus__hinge;
 
-/* a node that is held up (MUS_HOLD_*), `below` its level; the length of edge that it stands for */
-typedef struct mus__hold {
-    int32_t node, level, right;
-    double below, length;
+typedef struct mus__hold { /* attachment of a node to a level (MUS_HOLD_*) of the body */
+    int32_t node, level, right; /* right: nonzero on the right limb of a pair */
+    double below, length;       /* [m] distance below the level; length of edge that the node stands for */
 } mus__hold;
 
-/* a pleat of a panel: its folds are lines square to `along` (a unit), so far along it from the panel's origin; pleats
- * of a panel come in order */
-typedef struct mus__pleat {
+typedef struct mus__pleat { /* its two folds are lines at right angles to `along` (a unit vector) */
     int32_t panel;
-    double along[2], outer, inner;
+    double along[2], outer, inner; /* [m] distances of the folds along it from the panel's origin */
 } mus__pleat;
 
-typedef struct mus__row { /* one maximal stretch of neighbouring lattice nodes in a lattice row */
+typedef struct mus__row { /* neighbouring lattice nodes in a lattice row, as many as there are without a gap */
     int32_t first, count;
 } mus__row;
 
@@ -74,7 +71,7 @@ typedef struct mus__panel_mesh {
 
 struct mus_cloth {
     mus_context *context;
-    int32_t references;        /* a cloth does not change once built: drapes share it */
+    int32_t references;        /* owners: a cloth does not change once built, so drapes share it */
     mus_fabric fabric;
     double spacing;
     double mass_total;
@@ -86,10 +83,10 @@ struct mus_cloth {
     int32_t *node_panel;       /* (nnode) */
     int32_t *triangle;         /* (ntriangle x 3) */
     int32_t *border;           /* (nborder) nodes of the outlines, panel after panel */
-    mus__row *row;             /* (nrow) ascending, covering every lattice node once */
-    mus__spring_run *run;      /* (nrun) lattice springs with full stiffness on both sides */
+    mus__row *row;             /* (nrow) ascending; each lattice node is in one of them */
+    mus__spring_run *run;      /* (nrun) springs between two full cells, or diagonals of one */
     mus__bend_run *bend;       /* (nbend) */
-    mus__spring *spring;       /* (nspring) strip, border, and lattice edges next to the strip */
+    mus__spring *spring;       /* (nspring) of the strip, the border, and lattice edges beside the strip */
     mus__hinge *hinge;         /* (nhinge) bending in the strip */
     mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams, acting once the seam is welded */
     int32_t *pair;             /* (npair x 2) */
@@ -101,19 +98,16 @@ struct mus_cloth {
     char *names;               /* (npanel + 1 x MUS__CLOTH_NAME) of the pattern, then of its panels; NULL without one */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 
-    /* of bare nodes only, else NULL: no panel places them and no fabric damps them */
+    /* of bare nodes only, else NULL: they have neither panels nor a fabric */
     int32_t npin;
     double *place;             /* (nnode x 3) */
     double *dashpot;           /* (nspring) [N s/m] */
     int32_t *pin;              /* (npin) */
 };
 
-/* a cloth with one owner and nothing in it, and its own `spacing` and fabric left zero; NULL without memory */
+/* an empty cloth with one owner; NULL without memory */
 mus_cloth *mus__cloth_new(mus_context *context);
-/* defaults, then the caller's def, checked without its spacing */
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own);
-
-/* one more owner; mus_cloth_destroy() gives one up and frees at the last */
+/* add an owner. mus_cloth_destroy() removes one, and frees the cloth with the last */
 mus_cloth *mus__cloth_retain(const mus_cloth *cloth);
 
 /* layer of a node's panel */

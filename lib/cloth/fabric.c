@@ -12,16 +12,17 @@
  *     k_d = G (a^2 + b^2) / (2 a b),            k = C11 b / a - G a / b,
  *     bias stencils  beta / (4 a b),            along the line  (B - beta a^2 / (2 b^2)) b / a^3.
  *
- * What a lattice of central springs cannot be is clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric that
- * shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft). A cloth
- * made so says it in the log.
+ * Values that a lattice of central springs cannot have are clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric
+ * that shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft). A
+ * cloth whose values are clamped logs a warning.
  */
 #include <math.h>
 
 #include "cloth/fabric.h"
 
+/* least stiffness of a line spring, over C11 b / a. Chosen: a fabric with more shear than stretch has line springs */
 #define FABRIC_LEAST_STRETCH 0.1
-/* shear that a triangle of the strip has at least, of its stretch: without any, border nodes would hang on nothing */
+/* least shear of a triangle of the strip, over its least stretch: without shear, border nodes could move freely */
 #define FABRIC_LEAST_SHEAR 1e-3
 
 

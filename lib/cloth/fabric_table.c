@@ -134,11 +134,9 @@ static void fabric_fill(const fabric_row *row, mus_fabric *out)
 
 void mus_fabric_init(mus_fabric *fabric, size_t size)
 {
-    if (fabric == NULL || size < sizeof fabric->size) return;
-    mus_fabric own = {.size = size};
+    mus_fabric own = {0};
     fabric_fill(&fabric_table[0], &own);
-    memset(fabric, 0, size);
-    memcpy(fabric, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(fabric, size, &own, sizeof own);
 }
 
 

@@ -15,7 +15,9 @@
 
 #include "cloth/mesh.h"
 
+/* nodes of a grid at most: the force program counts elements in 32 bits */
 #define GRID_MOST_NODES (1 << 24)
+/* [m] shortest and longest side of a cell. Chosen: far below a thread, far above a garment */
 #define GRID_LEAST_CELL 1e-6
 #define GRID_MOST_CELL 10.0
 
@@ -213,13 +215,14 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
     if (cell == NULL || out == NULL)
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", cell == NULL ? "cell" : "out");
     mus_cloth_def own;
-    mus_status status = mus__cloth_def_read(context, def, &own);
+    mus_fabric fabric;
+    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
     if (status == MUS_OK) status = grid_check(context, rows, columns, cell);
     if (status != MUS_OK) return status;
 
     grid g = {.cloth = mus__cloth_new(context), .rows = rows, .columns = columns, .cell = cell};
     if (g.cloth != NULL) {
-        g.cloth->fabric = own.fabric;
+        g.cloth->fabric = fabric;
         g.cloth->spacing = fmin(cell[0], cell[1]);
     }
     if (g.cloth == NULL || !grid_take(&g)) {
@@ -235,11 +238,14 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         grid_bends(&g, r);
         grid_skips(&g, r);
     }
-    status = mus__grid_coarsen(context, rows, columns, cell, &own, g.cloth);
+    double coarse_cell[2];
+    int32_t r = rows, c = columns;
+    if (mus__grid_coarser(g.cloth, &own, &r, &c, cell, coarse_cell))
+        status = mus_cloth_create_grid(context, r, c, coarse_cell, &own, &g.cloth->coarse);
 
-    /* said once: by the coarsest cut; a single line has nothing to clamp */
+    /* a warning comes once: from the coarsest cut; a single row of nodes has nothing to clamp */
     if (status == MUS_OK && g.cloth->coarse == NULL && rows > 1 && columns > 1)
-        mus__fabric_note(context, &own.fabric, cell);
+        mus__fabric_note(context, &fabric, cell);
     if (status == MUS_OK) *out = g.cloth;
     else mus_cloth_destroy(g.cloth);
     return status;

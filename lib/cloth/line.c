@@ -1,12 +1,13 @@
 /*
- * line.c: the rim of each panel, and the lines inside it that something is sewn to: their nodes and wings.
+ * line.c: the rim of each panel, which is its outline without bridges, and the lines inside a panel to which another
+ * edge is sewn: their nodes and wings.
  *
- * A line inside a panel is an edge that its outline passes once each way. Where something is sewn to it (a patch), it
- * has nodes: one at each step, which the cloth on both sides shares, so that three sheets meet there once they are
- * welded. Bridges, and lines that nothing is sewn to, have none: there the cloth is one piece as any other.
+ * A line inside a panel is an edge that the outline passes once in each direction. When an edge is sewn to the line (a
+ * patch pocket), the line has a node at each step, which the cloth on both sides shares; after welding three sheets
+ * meet there. Bridges and lines without a seam have no nodes: the cloth goes on through them.
  *
- * Nodes are numbered within their panel behind the border, in the order of the outline; a line that ends on the rim, or
- * on another line, has the node of that point.
+ * Nodes of lines are numbered after the border nodes of their panel, in the order of the outline. A line that ends on
+ * the rim or on another line shares the node of that point.
  */
 #include <math.h>
 #include <string.h>

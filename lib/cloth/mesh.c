@@ -1,13 +1,13 @@
 /*
- * mesh.c: panels to nodes and triangles.
+ * mesh.c: the nodes and triangles of each panel.
  *
- * Border nodes stand at equal arc length along each edge of the pattern, in as many intervals as the spacing asks;
- * both sides of a seam take the greater of their two numbers, so partners always stand at equal relative arc length
- * and a gathered side is simply finer. Inside, lattice.c says which places are nodes and which cells are full. The
- * strip between is triangulated: border nodes as the polygon, lattice nodes not surrounded by full cells as points,
- * edges between a full cell and the strip as sides that must be there, and lines inside the panel (line.c) as points
- * and sides. Triangles that come to lie in full cells are
- * dropped, and each full cell gets two of its own, diagonals in a checkerboard.
+ * Border nodes stand at equal arc length along each edge of the pattern, in as many intervals as the spacing asks. Both
+ * sides of a seam take the greater of their two numbers of intervals, so partners stand at equal relative arc length,
+ * and a gathered side is meshed finer. Inside the panel lattice.c chooses the nodes and the full cells. The strip
+ * between border and full cells is triangulated: its polygon is the border, its points are the lattice nodes that full
+ * cells do not enclose, and edges between a full cell and the strip are constraints; lines inside the panel (line.c)
+ * add points and constraints. Triangles inside full cells are dropped; each full cell is two triangles, with diagonals
+ * in a checkerboard.
  *
  * Masses: a quarter of a full cell to each of its corners (so that every inner node weighs the same), a third of a
  * strip triangle to each of its own; then scaled to the true area of the panel, which chords of a curved edge miss.
@@ -19,7 +19,7 @@
 #include "geom/polygon.h"
 #include "geom/triangulate.h"
 
-/* nodes of a cloth at most: the drape's gather lists count elements in 32 bits */
+/* nodes of a cloth at most: the force program counts elements in 32 bits */
 #define MESH_MOST_NODES (1 << 24)
 
 
@@ -68,7 +68,7 @@ mus_status mus__mesh_edges(mus__mesh *mesh)
     for (int32_t p = 0; status == MUS_OK && p < mus_pattern_panel_count(mesh->pattern); p++)
         status = mesh_intervals(mesh, p);
 
-    /* both sides of a seam take the greater number; where an edge is in more than one, all that hang together do */
+    /* both sides of a seam take the greater number; edges that several seams connect take the greatest of all */
     for (bool more = true; more;) {
         more = false;
         for (int32_t s = 0; status == MUS_OK && s < mus_pattern_seam_count(mesh->pattern); s++) {
@@ -154,8 +154,8 @@ static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, in
 }
 
 
-/* what the triangulation of the strip works on: border points, those of lines, then the lattice nodes that full cells
- * do not enclose */
+/* input of the strip's triangulation: border points, points of lines, then the lattice nodes that full cells do not
+ * enclose */
 typedef struct mesh_strip {
     int32_t n, nborder, nline, nside, count; /* nline: with the border */
     double *xy;        /* (n x 2) */

@@ -1,5 +1,5 @@
 /*
- * mesh.h: a cloth in the making: what is kept from panel to panel until it is built.
+ * mesh.h: a cloth while it is built: the records that pass from panel to panel, and the steps in their order.
  */
 #ifndef MUS_CLOTH_MESH_H
 #define MUS_CLOTH_MESH_H
@@ -65,18 +65,20 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
 mus_status mus__mesh_calibrate(mus__mesh *mesh);
 /* calibrate.c: (sum coef_i z_i)^2 on cylinders of curvature 1 along weft, warp, both bias (4); axis is warp */
 void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, const double *xy, double *out);
-/* strip.c: soften what would ask for a much smaller step than the lattice does */
+/* strip.c: soften springs and hinges that would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
-/* coarse.c: the coarser cut of a cloth, where it has one. Errors: MUS_ERR_MEMORY alone */
-mus_status mus__cloth_coarsen(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
-                              mus_cloth *cloth);
-mus_status mus__grid_coarsen(mus_context *context, int32_t rows, int32_t columns, const double *cell,
-                             const mus_cloth_def *def, mus_cloth *cloth);
+/* cloth.c: the defaults, then the caller's options, with its fabric in *fabric; all are checked but the spacing */
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
+/* coarse.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
+bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing);
+/* coarse.c: the same for a grid: nodes of both directions and cell (2) [m] of the coarser one */
+bool mus__grid_coarser(const mus_cloth *cloth, const mus_cloth_def *def, int32_t *rows, int32_t *columns,
+                       const double *cell, double *coarse_cell);
 /* pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
-/* pleat.c: where the pleats that are laid fold */
+/* pleat.c: the folds of pleats that are laid */
 mus_status mus__mesh_pleats(mus__mesh *mesh);
-/* held.c: gathered sides, elastics and held nodes; the limit on stiffness does not reach elastics: it comes before */
+/* held.c: gathered sides, elastics and attachments. It comes after mus__mesh_limit(), which must not soften elastics */
 mus_status mus__mesh_held(mus__mesh *mesh);
 
 #endif

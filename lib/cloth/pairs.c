@@ -82,8 +82,8 @@ static double pairs_rigidity(const mus__mesh *mesh, int32_t edge, int32_t k)
 
 
 /*
- * What a hinge over the seam gives one of its panels under a uniform curvature: its edge nodes and own wing as they lie
- * in the panel, the other wing where the hinge makes it flat (sum c_i x_i = 0).
+ * The bending energy of a seam's hinge under a uniform curvature of one of its panels, for calibrate.c: edge nodes and
+ * the panel's own wing lie as in the panel, the other wing where the hinge is flat (sum c_i x_i = 0).
  */
 static void pairs_curvature(mus__mesh *mesh, int32_t edge, const int32_t *node, const mus__hinge *hinge, int own)
 {
@@ -127,7 +127,7 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
     if (!mus__mesh_hinge(mesh, node, length, foot, height, rigidity, hinge)) return;
     cloth->nseam_hinge++;
 
-    /* a patch is beside what its panels are calibrated for */
+    /* the hinge of a patch is not part of its panel's calibration */
     if (line_a || line_b) return;
 
     /* the same two ends of the interval, as nodes of b */

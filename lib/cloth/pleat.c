@@ -1,9 +1,9 @@
 /*
- * pleat.c: where the pleats of a cloth fold, for its start.
+ * pleat.c: the fold lines of pleats, for the arrangement of the cloth before sewing.
  *
- * Three edges one after the other on a rim that are sewn to one another in turn, laid, are a pleat; the upper of the
- * first pair is what shows. Folds run square to the edge: each is told by how far along the edge its line lies. Pleats
- * of a panel are those of one edge, in order along it.
+ * A pleat is three consecutive edges of a rim that laid seams join in turn; the upper edge of the first pair is the
+ * visible one. Folds run at right angles to the edge; a fold is stored as its distance along the edge. All pleats of a
+ * panel lie on one edge, in order along it.
  */
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,8 @@
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
-#define PLEAT_ALONG 0.99 /* cosine: pleats of one edge lie along one line */
+/* least cosine between edges of consecutive pleats. Chosen: within 8 degrees they count as one straight edge */
+#define PLEAT_ALONG 0.99
 
 
 /* is edge a laid on edge b (+1), or b on a (-1)? */

@@ -119,7 +119,7 @@ mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t 
     mus_status status = run_springs(mesh, lattice, first_node, MUS__SPRING_WEFT);
     if (status == MUS_OK) status = run_springs(mesh, lattice, first_node, MUS__SPRING_WARP);
 
-    /* what the fabric does not have makes no springs */
+    /* a stiffness of 0 makes no springs */
     for (int k = 0; k < 2; k++)
         if (status == MUS_OK && constant->shear > 0.0) status = run_diagonals(mesh, lattice, first_node, k == 0);
     const int64_t step[4] = {lattice->columns, 1, lattice->columns + 1, lattice->columns - 1};

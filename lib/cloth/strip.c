@@ -19,13 +19,14 @@
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
-/* stiffness over mass at any node at most, in lattices: the step bound goes with the root, so a strip never costs more
- * than a factor 1.5 in steps. Without it, one edge of half a millimetre would rule the whole garment; its spring is
- * what is softened, the long ones beside it stay. Of 137 GarmentCode patterns at 10 mm, 54 have no such node */
+/* largest ratio of stiffness to mass at a node, over that of an inner lattice node. The step bound goes with its square
+ * root, so the strip costs at most a factor of 1.5 in steps. Without the limit one edge of half a millimetre would set
+ * the step of the whole garment; its spring is softened, longer ones beside it are kept. Chosen: of 137 GarmentCode
+ * patterns at 10 mm, 54 have no node above it */
 #define STRIP_LIMIT 2.25
-/* rounds in which a node's level rises to what its stiffest springs may keep; four reach it for all but odd fans */
+/* rounds in which the cap of a node rises to its final value. Measured: four suffice but for rare fans of triangles */
 #define STRIP_PASSES 5
-/* a triangle flatter than this part of the spacing squared gives no hinge: its angles mean nothing */
+/* least area of a triangle that gives a hinge, over the spacing squared: the angles of a flatter one are rounding */
 #define STRIP_SLIVER 1e-6
 
 /* one side of one triangle */
@@ -189,7 +190,8 @@ mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const m
 }
 
 
-/* row sums of the step bound (numerics X5) that runs and their stencils put on each node */
+/* add to each node (nnode) the row sums of the stiffness matrix of runs and their stencils, which bound its largest
+ * eigenvalue (Gershgorin) [N/m] */
 static void strip_fixed(const mus_cloth *cloth, double *sum)
 {
     for (int32_t r = 0; r < cloth->nrun; r++)
@@ -226,39 +228,40 @@ static int32_t strip_parts(mus_cloth *cloth, int32_t e, double **k, int32_t *nod
 
 
 /*
- * The level of each node: no part above it, and the parts below it as they are, then fill the node's room. It rises
- * from room / parts, as what stays below leaves room for the rest; stopped early it is too low, never too high.
+ * The cap of each node (nnode): when all parts above it are lowered to it, the sum of the node's parts equals its room.
+ * It rises from room / parts in each round, because parts below the cap leave more room for the others; after too few
+ * rounds it is too low, never too high.
  */
-static void strip_levels(mus_cloth *cloth, const double *room, double *level, double *low, int32_t *high)
+static void strip_caps(mus_cloth *cloth, const double *room, double *cap, double *low, int32_t *high)
 {
     int32_t count = cloth->nspring + cloth->nhinge + cloth->nseam_hinge, node[4];
     double part[4], *k;
-    for (int32_t i = 0; i < cloth->nnode; i++) level[i] = 0.0;
+    for (int32_t i = 0; i < cloth->nnode; i++) cap[i] = 0.0;
     for (int pass = 0; pass < STRIP_PASSES; pass++) {
         for (int32_t i = 0; i < cloth->nnode; i++) low[i] = 0.0, high[i] = 0;
         for (int32_t e = 0; e < count; e++)
             for (int32_t n = strip_parts(cloth, e, &k, node, part); n-- > 0;) {
-                if (part[n] <= level[node[n]])
+                if (part[n] <= cap[node[n]])
                     low[node[n]] += part[n];
                 else
                     high[node[n]]++;
             }
         for (int32_t i = 0; i < cloth->nnode; i++)
-            level[i] = high[i] > 0 ? fmax(room[i] - low[i], 0.0) / high[i] : (double)INFINITY;
+            cap[i] = high[i] > 0 ? fmax(room[i] - low[i], 0.0) / high[i] : (double)INFINITY;
     }
 }
 
 
-/* bring each element down to the lowest of what its nodes allow */
-static void strip_soften(mus_cloth *cloth, const double *sum, const double *room, const double *level)
+/* lower each element to the smallest cap of its nodes */
+static void strip_soften(mus_cloth *cloth, const double *sum, const double *room, const double *cap)
 {
     int32_t count = cloth->nspring + cloth->nhinge + cloth->nseam_hinge, node[4];
     double part[4], *k;
     for (int32_t e = 0; e < count; e++) {
         double factor = 1.0;
         for (int32_t n = strip_parts(cloth, e, &k, node, part); n-- > 0;)
-            if (sum[node[n]] > room[node[n]] && part[n] > level[node[n]])
-                factor = fmin(factor, level[node[n]] / part[n]);
+            if (sum[node[n]] > room[node[n]] && part[n] > cap[node[n]])
+                factor = fmin(factor, cap[node[n]] / part[n]);
         *k *= factor;
     }
 }
@@ -272,7 +275,7 @@ mus_status mus__mesh_limit(mus__mesh *mesh)
     double *work = mus__new(mesh->context, 4 * (int64_t)cloth->nnode, sizeof *work);
     int32_t *high = mus__new(mesh->context, cloth->nnode, sizeof *high), node[4];
     if (work != NULL && high != NULL) {
-        double *room = work, *sum = room + cloth->nnode, *level = sum + cloth->nnode, *low = level + cloth->nnode;
+        double *room = work, *sum = room + cloth->nnode, *cap = sum + cloth->nnode, *low = cap + cloth->nnode;
 
         /* an inner node: two springs each way, four diagonals, stencils 4 + 8 + 4 in four directions */
         double inner = 4.0 * (c->k[0] + c->k[1]) + 8.0 * c->shear + 16.0 * (c->bend[0] + c->bend[1] + 2.0 * c->cross) +
@@ -290,8 +293,8 @@ mus_status mus__mesh_limit(mus__mesh *mesh)
                 over = over || sum[node[n]] > room[node[n]];
             }
         if (over) {
-            strip_levels(cloth, room, level, low, high);
-            strip_soften(cloth, sum, room, level);
+            strip_caps(cloth, room, cap, low, high);
+            strip_soften(cloth, sum, room, cap);
         }
     }
     bool done = work != NULL && high != NULL;

@@ -19,13 +19,13 @@
 
 
 /* box of a part: its axis from end to end, widened by the reach in the contour's plane */
-static void part_box(const mus__collider_part *home, const mus__field_f64 *field, double skin, double *box)
+static void part_box(const mus__collider_part *home, const mus__field_f64 *field, double offset, double *box)
 {
     for (int32_t i = 0; i < 3; i++) {
         const double start = field->origin[i];
         const double e0 = start + home->end[0] * field->axis[i], e1 = start + home->end[1] * field->axis[i];
         const double across = sqrt(field->side[i] * field->side[i] + field->front[i] * field->front[i]);
-        const double wide = across * (home->reach + skin) + skin;
+        const double wide = across * (home->reach + offset) + offset;
         box[i] = (e0 < e1 ? e0 : e1) - wide;
         box[i + 3] = (e0 < e1 ? e1 : e0) + wide;
     }

@@ -14,8 +14,9 @@
 #define OFFSET_CAP_FALL 0.4999 /* bound of k of a cap, which must be below 1/2 for its half axis to be finite */
 #define OFFSET_CLOSE 1e-3      /* [rings] the iteration ends when s' moves by less: micrometres */
 #define OFFSET_ROUNDS 8        /* iterations at most; it converges by a factor of the surface's slope */
-#define OFFSET_SAFE 0.5        /* of the least radius: a node less deep in a limb has its nearest skin behind it */
-#define OFFSET_FAR 1e30        /* [m] beyond every radius */
+#define OFFSET_SAFE                                                                                                    \
+    0.5 /* of the least radius: the skin that is nearest to a node no deeper than this is the one it passed */
+#define OFFSET_FAR 1e30 /* [m] beyond every radius */
 
 /* gradients of F at the rings of one column of a table */
 typedef struct offset_slope {

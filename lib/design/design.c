@@ -1,7 +1,6 @@
 /*
  * design.c: a design drafted: tape to measures and skeleton, eases, the parts that its words ask for (lib/style) on a
- * cutting table as a left half, doubled, written as a pattern and checked. Five named designs have a recipe of their
- * own instead (garment_top.c, garment_skirt.c).
+ * cutting table as a left half, doubled, written as a pattern and checked.
  *
  * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
  * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
@@ -10,36 +9,9 @@
 #include <string.h>
 
 #include "design/draft.h"
-#include "design/recipe.h"
 #include "design/words.h"
 #include "style/parts.h"
 
-/* recipes of the first designs of the list, in order */
-static void (*const design_recipe[])(mus__draft *draft) = {
-    mus__draft_tshirt, mus__draft_sleeveless, mus__draft_bodice, mus__draft_skirt, mus__draft_skirt_plain,
-};
-
-#define DESIGN_RECIPES ((int32_t)(sizeof design_recipe / sizeof design_recipe[0]))
-
-
-/* a design that has a recipe of its own */
-static mus_status design_draft_recipe(mus_context *context, int32_t design, const mus_tape *tape,
-                                      const mus_draft_def *def, mus_pattern **out)
-{
-    mus__draft draft;
-    memset(&draft, 0, sizeof draft);
-    draft.context = context;
-    draft.status = mus__design_read(context, tape, def, &draft.def, &draft.measures, &draft.skeleton);
-    if (draft.status == MUS_OK) draft.status = mus_pattern_create(context, mus_design_name(design), &draft.pattern);
-    if (draft.status == MUS_OK) design_recipe[design](&draft);
-    if (draft.status == MUS_OK) draft.status = mus__design_check(context, draft.pattern);
-    if (draft.status == MUS_OK) *out = draft.pattern;
-    else mus_pattern_destroy(draft.pattern);
-    return draft.status;
-}
-
-
-/* ---- words ---- */
 
 /* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18
  * to 22 cm over the body: it goes over a shirt and a jacket */
@@ -47,8 +19,10 @@ static void design_eases(mus__half *half)
 {
     static const struct {
         double bust, bust_plain, waist, hip;
-    } ease[2][4] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}, {22.0, 26.0, 20.0, 20.0}},
-                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}, {22.0, 22.0, 18.0, 18.0}}};
+    } ease[2][5] = {{{6.0, 12.0, 4.0, 4.0}, {4.0, 8.0, 2.0, 3.0}, {12.0, 20.0, 10.0, 10.0}, {22.0, 26.0, 20.0, 20.0},
+                     {6.0, 12.0, 4.0, 4.0}},
+                    {{8.0, 8.0, 4.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, {16.0, 16.0, 10.0, 10.0}, {22.0, 22.0, 18.0, 18.0},
+                     {8.0, 8.0, 4.0, 4.0}}};
     const int32_t *option = half->style.option, garment = option[MUS__AXIS_GARMENT];
     const int32_t cloth = option[MUS__AXIS_CLOTH], level = option[MUS__AXIS_EASE];
     const double *m = half->measures.v, k = mus__measures_scale(&half->measures) * MUS__CM;
@@ -95,7 +69,8 @@ static void design_make(mus__half *half)
     if (skirt || legs) mus__band_attach(half);
     mus__pocket_attach(half);
     if (waist) mus__board_opening_add(&half->board, "waist");
-    for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, "hem");
+    const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
+    for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, block ? "waist" : "hem");
     mus__board_double(&half->board);
     mus__closure_finish(half);
     mus__pocket_finish(half);
@@ -152,7 +127,6 @@ mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape
     if (design < 0 || design >= mus_design_count())
         return mus__fail(context, MUS_ERR_ARG, "design %d, expected 0 to %d", (int)design,
                          (int)mus_design_count() - 1);
-    if (design < DESIGN_RECIPES) return design_draft_recipe(context, design, tape, def, out);
     const mus_status status = mus__style_read(context, mus_design_words(design), &style);
     if (status != MUS_OK) return status;
     return mus__style_draft(context, mus_design_name(design), &style, tape, def, out);

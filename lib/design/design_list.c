@@ -1,6 +1,5 @@
 /*
- * design_list.c: the list of named designs as one: names, families, titles, words, groups; and the axes of words as a
- * program asks for them.
+ * design_list.c: the public list of named designs (names, families, titles, words, groups) and of the axes of words.
  */
 #include <string.h>
 

@@ -18,7 +18,7 @@
 
 typedef struct mus__design_row {
     const char *name, *family, *title;
-    const char *words; /* "" of a design that has a recipe of its own */
+    const char *words;
     int32_t groups;    /* bits of MUS_GROUP_* */
 } mus__design_row;
 

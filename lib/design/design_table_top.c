@@ -64,12 +64,12 @@
     ROW(TUNIC, __VA_ARGS__, W | C, SLEEVE_BELL)
 
 const mus__design_row mus__designs_top[] = {
-    /* recipes of their own, design.c lists them in the same order */
-    {"tshirt", "top", "T-shirt", "", W | M | C},
-    {"sleeveless", "top", "Sleeveless top", "", W | M | C},
-    {"bodice", "block", "Bodice block", "", W | M | C},
-    {"skirt", "skirt", "Straight skirt", "", W | M | C},
-    {"skirt_plain", "skirt", "A-line skirt without darts", "", W | M | C},
+    /* T-shirt and blocks */
+    {"tshirt", "top", "T-shirt", "top sleeve=tee shape=boxy cloth=knit", W | M | C},
+    {"sleeveless", "top", "Sleeveless top", "top shape=boxy cloth=knit", W | M | C},
+    {"bodice", "block", "Bodice block", "top top_length=waist ease=block", W | M | C},
+    {"skirt", "skirt", "Straight skirt", "skirt skirt=block band=none", W | M | C},
+    {"skirt_plain", "skirt", "A-line skirt without darts", "skirt skirt=plain band=none", W | M | C},
 
     /* tops, classics by their names */
     {"tank", "knit_top", "Tank top", "top neck=scoop sleeve=none cloth=knit", W | M | C},

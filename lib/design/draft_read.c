@@ -1,6 +1,6 @@
 /*
- * draft_read.c: options of a draft checked, measures and skeleton of a tape completed on a copy; the drafted pattern's
- * first fault as the failure of its design.
+ * draft_read.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a copy;
+ * and checks its result, the pattern.
  */
 #include "design/draft.h"
 #include "muslin/topology.h"
@@ -11,14 +11,12 @@
 
 void mus_draft_def_init(mus_draft_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     const mus_draft_def own = {size, NAN, NAN, NAN};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
-/* an option that was given must be a length that could be meant */
+/* options that are given must be plausible lengths */
 static mus_status draft_check_def(mus_context *context, const mus_draft_def *def)
 {
     const struct {

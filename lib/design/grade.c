@@ -1,15 +1,13 @@
 /*
- * grade.c: one design in a row of sizes: grade rules between two drafts, rules applied, and the ease of a draft.
+ * grade.c: one design in several sizes: grade rules between two drafts, rules applied, and the ease of a draft.
  *
- * Each size is drafted anew; that is the truth. A grade rule is how far a point of an outline moves from one draft to
- * the next, which is what factories exchange. Applied, the ends of the edges move by their rules, and what lies between
- * them by a mean of both, weighed by the way along the edge.
+ * Each size is drafted anew, which is exact. A grade rule is the displacement of a point of an outline from one draft
+ * to the next; factories exchange them. When rules are applied, the ends of an edge move by their rules, and the points
+ * between them by the mean of both, weighted by the arc length along the edge.
  *
- * Ease is the girth of the garment at a level less that of the body. The girth is the length of a level cut through all
- * panels that stand upright as they are placed; sleeves lie along the arm and are passed over. Darts are open on the
- * table, so what they take in is not counted.
- *
- * Source: grading by measurement and by rules, section 4.10 of the project's drafting reference.
+ * Ease is the girth of the garment at a level less that of the body. The girth is the length of a horizontal cut
+ * through all panels that are placed upright; sleeves lie along the arm and are skipped. Darts are open in the pattern,
+ * so their intake is not counted.
  */
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,5 @@
 /*
- * words.c: words to options and back: the axes of style.h as texts, which garment has which, and reading a line of
- * words. What goes with what is in style_rules.c.
+ * words.c: reads a line of words to a style and spells a style in words. Which words go together: word_rules.c.
  */
 #include <stdio.h>
 #include <string.h>
@@ -27,7 +26,7 @@ void mus__style_spell(const mus__style *style, char *text, size_t size)
     text[0] = '\0';
     words_append(text, size, mus__style_word(MUS__AXIS_GARMENT, garment));
     for (int32_t a = 1; a < MUS__AXIS_COUNT; a++) {
-        /* what reading chooses by itself is always said */
+        /* axes whose option reading chooses are always spelled */
         const bool chosen = a == MUS__AXIS_NECK || a == MUS__AXIS_SHAPE || a == MUS__AXIS_CLOSURE;
         if (!mus__style_has(garment, a) || (style->option[a] == 0 && !chosen)) continue;
         words_append(text, size, " ");
@@ -117,12 +116,14 @@ static mus_status words_read_word(mus_context *context, const char *word, size_t
 }
 
 
-/* the i-th choice of an axis that nobody named; MUS_NONE after the last */
+/* the i-th choice of an axis that was not named; MUS_NONE after the last */
 static int32_t words_choice(const mus__style *style, int32_t axis, int32_t i)
 {
-    static const int32_t closures[2][4] = {
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_BACK, MUS__CLOSURE_FRONT, MUS__CLOSURE_SIDE},
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE},
+    static const int32_t closures[2][5] = {
+        {MUS__CLOSURE_NONE, MUS__CLOSURE_BACK, MUS__CLOSURE_FRONT, MUS__CLOSURE_SIDE,
+         MUS__CLOSURE_SEAMS},
+        {MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE,
+         MUS__CLOSURE_SEAMS},
     };
     if (mus__style_word(axis, i) == NULL) return MUS_NONE;
     if (axis == MUS__AXIS_CLOSURE) return closures[style->option[0] == MUS__GARMENT_TROUSERS][i];
@@ -131,7 +132,8 @@ static int32_t words_choice(const mus__style *style, int32_t axis, int32_t i)
 }
 
 
-/* neck, shape and closure, as far as they were not named: the first three that go with the rest */
+/* chooses neck, shape and closure, unless they were named: the first options that break no rule; false if there are
+ * none */
 static bool words_choose(mus__style *style, uint32_t named)
 {
     static const int32_t axes[3] = {MUS__AXIS_NECK, MUS__AXIS_SHAPE, MUS__AXIS_CLOSURE};
@@ -173,7 +175,7 @@ mus_status mus__style_read(mus_context *context, const char *words, mus__style *
     }
     if (status != MUS_OK) return status;
 
-    /* the words that were named among themselves, then with what was left out */
+    /* check the named words among themselves, then choose the options that were left out */
     status = mus__style_explain(context, &style, mus__style_broken(&style, named));
     if (status == MUS_OK && !words_choose(&style, named)) status = mus__style_check(context, &style);
     if (status == MUS_OK) *out = style;

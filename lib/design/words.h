@@ -7,18 +7,19 @@
 #include "base/base_internal.h"
 #include "half/style.h"
 
-/* "dress neck=v sleeve=puff": the first word is the garment. An axis that is not named takes its first option, but for
- * closure, shape and neck, which take the first that goes with what is named (a knit top asks for boxy first). Axes
- * that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the options are named; two words that
- * exclude one another: both named, and why) */
+/* Reads words such as "dress neck=v sleeve=puff"; the first word is the garment. An axis that is not named takes its
+ * first option, except closure, shape and neck, which take the first option that goes with the named words (a knit
+ * top tries boxy first). Axes that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the
+ * options are named; two words that exclude one another: both named, and why) */
 mus_status mus__style_read(mus_context *context, const char *words, mus__style *out);
 /* MUS_OK, or MUS_ERR_DESIGN with the two words that exclude one another, and why */
 mus_status mus__style_check(mus_context *context, const mus__style *style);
-/* index of a rule that the style breaks, looking at the axes in the bits of `axes` alone; MUS_NONE if there is none */
+/* Index of the first rule on the axes in the bits of `axes` that the style breaks; MUS_NONE: it breaks none. */
 int32_t mus__style_broken(const mus__style *style, uint32_t axes);
-/* the rule as the context's error; MUS_OK for MUS_NONE */
+/* Sets the reason of a rule as the error of the context and returns MUS_ERR_DESIGN; MUS_OK for MUS_NONE. */
 mus_status mus__style_explain(mus_context *context, const mus__style *style, int32_t rule);
-/* all that is not an axis' first option, in words; cut off at `size` bytes with the end */
+/* Spells the options that are not the first of their axis, and those of neck, shape and closure; at most `size` bytes
+ * with the end. */
 void mus__style_spell(const mus__style *style, char *text, size_t size);
 
 #endif

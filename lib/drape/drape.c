@@ -23,9 +23,7 @@
 
 void mus_drape_def_init(mus_drape_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_drape_def own = {0};
-    own.size = size;
     own.gravity[1] = -9.81;
     own.precision = 32;
     own.threads = 1;
@@ -39,8 +37,8 @@ void mus_drape_def_init(mus_drape_def *def, size_t size)
     own.settle_residual = 0.02;
     own.thickness = 0.002;
     own.self_friction = NAN;
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    own.progress_seconds = 0.1;
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -73,6 +71,7 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
     if (status == MUS_OK) status = check_number(context, "seam_pull", def->seam_pull, 1e-3, 1e5);
     if (status == MUS_OK) status = check_number(context, "sew_seconds", def->sew_seconds, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "settle_seconds", def->settle_seconds, 0.0, 1e4);
+    if (status == MUS_OK) status = check_number(context, "progress_seconds", def->progress_seconds, 0.0, 1e4);
     if (status == MUS_OK) status = check_number(context, "settle_residual", def->settle_residual, 1e-12, 10.0);
     if (status == MUS_OK) status = check_number(context, "thickness", def->thickness, LEAST_THICKNESS, 0.05);
     if (status == MUS_OK && !isnan(def->self_friction) && def->self_friction != INFINITY)

@@ -67,16 +67,22 @@ void mus__drape_push(mus_drape *drape)
 }
 
 
-void mus__drape_publish(mus_drape *drape)
+void mus__drape_read(const mus_drape *drape, double *x, double *v)
 {
-    drape->sim.ops->get(&drape->sim, drape->x, drape->v);
+    drape->sim.ops->get(&drape->sim, x, v);
     if (!drape->welded) return;
     for (int32_t i = 0; i < drape->n; i++) {
         const int32_t r = drape->rep[i];
         if (r == i) continue;
-        memcpy(drape->x + 3 * i, drape->x + 3 * r, 3 * sizeof *drape->x);
-        memcpy(drape->v + 3 * i, drape->v + 3 * r, 3 * sizeof *drape->v);
+        memcpy(x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)r, 3 * sizeof *x);
+        memcpy(v + 3 * (ptrdiff_t)i, v + 3 * (ptrdiff_t)r, 3 * sizeof *v);
     }
+}
+
+
+void mus__drape_publish(mus_drape *drape)
+{
+    mus__drape_read(drape, drape->x, drape->v);
 }
 
 

@@ -81,6 +81,8 @@ mus__placed_cloth mus__drape_placed(const mus_drape *drape);
 
 /* sim to x and v; a welded node gets the place of its representative */
 void mus__drape_publish(mus_drape *drape);
+/* the same into x, v (n x 3) of the caller */
+void mus__drape_read(const mus_drape *drape, double *x, double *v);
 /* x and v to the sim */
 void mus__drape_push(mus_drape *drape);
 /* the next step takes masses, bound and energy anew */

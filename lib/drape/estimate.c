@@ -20,9 +20,8 @@
 
 void mus_estimate_init(mus_estimate *estimate, size_t size)
 {
-    if (estimate == NULL || size < sizeof estimate->size) return;
-    memset(estimate, 0, size);
-    estimate->size = size;
+    mus_estimate own = {0};
+    mus__def_init(estimate, size, &own, sizeof own);
 }
 
 

@@ -14,9 +14,8 @@
 
 void mus_drape_report_init(mus_drape_report *report, size_t size)
 {
-    if (report == NULL || size < sizeof report->size) return;
-    memset(report, 0, size);
-    report->size = size;
+    mus_drape_report own = {0};
+    mus__def_init(report, size, &own, sizeof own);
 }
 
 

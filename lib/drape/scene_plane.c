@@ -16,11 +16,8 @@
 
 void mus_plane_init(mus_plane *plane, size_t size)
 {
-    if (plane == NULL || size < sizeof plane->size) return;
     const mus_plane own = {sizeof own, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, -1.0, 0.0};
-    memset(plane, 0, size);
-    memcpy(plane, &own, size < sizeof own ? size : sizeof own);
-    plane->size = size;
+    mus__def_init(plane, size, &own, sizeof own);
 }
 
 

@@ -9,6 +9,7 @@
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "drape/weld.h"
+#include "geom/union_find.h"
 
 
 double mus__weld_pair_stiffness(const mus_drape *drape)
@@ -21,27 +22,14 @@ double mus__weld_pair_stiffness(const mus_drape *drape)
 void mus__weld_open(mus_drape *drape)
 {
     drape->welded = 0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        drape->rep[i] = i;
-        drape->mass[i] = drape->cloth->mass[i];
-    }
+    mus__union_start(drape->n, drape->rep, NULL);
+    for (int32_t i = 0; i < drape->n; i++) drape->mass[i] = drape->cloth->mass[i];
     mus__program_weld(drape->cloth, NULL, &drape->program);
     mus__drape_self_weld(drape);
 
     const double k = mus__weld_pair_stiffness(drape);
     for (int32_t p = 0; p < drape->program.npair; p++) drape->program.pair[p].k = k;
     drape->program.seam_pull = drape->def.seam_pull;
-}
-
-
-/* the root of a node, with path halving */
-static int32_t find_root(int32_t *rep, int32_t i)
-{
-    while (rep[i] != i) {
-        rep[i] = rep[rep[i]];
-        i = rep[i];
-    }
-    return i;
 }
 
 
@@ -55,15 +43,11 @@ static void weld_below(mus_drape *drape, int32_t waits)
         if (waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
                           mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
             continue;
-        const int32_t a = find_root(rep, cloth->pair[2 * p]), b = find_root(rep, cloth->pair[2 * p + 1]);
-        if (a < b)
-            rep[b] = a;
-        else
-            rep[a] = b;
+        mus__union_join(rep, NULL, cloth->pair[2 * p], cloth->pair[2 * p + 1], 1);
     }
 
     /* mass, momentum and centre of mass of each class, summed in ascending order */
-    for (int32_t i = 0; i < drape->n; i++) rep[i] = find_root(rep, i);
+    for (int32_t i = 0; i < drape->n; i++) mus__union_find(rep, NULL, i);
     double *x = drape->x, *v = drape->v, *mass = drape->mass;
     for (int32_t i = 0; i < drape->n; i++) {
         const int32_t r = rep[i];

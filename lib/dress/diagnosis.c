@@ -91,6 +91,10 @@ static void diagnosis_of(mus_drape *drape, mus_status status, const char *text)
             mus_reason_init(&drape->reason, sizeof drape->reason);
         return;
     }
+    if (status == MUS_ERR_STOPPED) {
+        mus__diagnosis_set(drape, MUS_REASON_STOPPED, MUS_NONE, MUS_NONE, MUS_NONE, 0.0, text);
+        return;
+    }
     if (status == MUS_ERR_DIVERGED) {
         mus__diagnosis_set(drape, MUS_REASON_UNSTABLE, MUS_NONE, MUS_NONE, MUS_NONE, 0.0, text);
     } else if (status == MUS_ERR_SEW) {

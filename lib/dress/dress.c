@@ -50,27 +50,22 @@ typedef struct dress_trial {
 
 void mus_dress_def_init(mus_dress_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_dress_def own = {0};
-    own.size = size;
     own.spacing = 0.01;
     own.precision = 32;
     own.threads = 1;
     own.friction = NAN;
+    own.progress_seconds = 0.1;
     own.place = MUS_DRESS_PLACE_BOTH;
     own.retry = 1;
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
 void mus_dress_report_init(mus_dress_report *report, size_t size)
 {
-    if (report == NULL || size < sizeof report->size) return;
     mus_dress_report own = {.kept = MUS_NONE};
-    own.size = size;
-    memset(report, 0, size);
-    memcpy(report, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(report, size, &own, sizeof own);
 }
 
 
@@ -83,10 +78,10 @@ static double dress_time(void)
 
 
 /* the caller's progress function; remembers that it stopped the run */
-static int32_t dress_progress(void *user, const char *phase, double progress)
+static int32_t dress_progress(void *user, const mus_progress *progress)
 {
     dress_call *call = user;
-    if (call->stopped == 0) call->stopped = call->def.progress(call->def.progress_user, phase, progress);
+    if (call->stopped == 0) call->stopped = call->def.progress(call->def.progress_user, progress);
     return call->stopped;
 }
 
@@ -110,7 +105,7 @@ static mus_status dress_cut(dress_call *call, const mus_pattern *pattern, bool p
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = call->def.spacing;
-    if (call->def.fabric != NULL) cut.fabric = *call->def.fabric;
+    cut.fabric = call->def.fabric;
     mus_status status = mus_cloth_create(call->context, pattern, &cut, &trial->cloth);
     call->report.cut_seconds += dress_time() - start;
     if (status != MUS_OK) return status;
@@ -137,7 +132,7 @@ static mus_status dress_sew(dress_call *call, mus_drape *drape)
     double start = dress_time();
     mus_status status = mus_drape_sew(drape, progress, call);
     call->report.sew_seconds += dress_time() - start;
-    if (status != MUS_OK || call->stopped) return status;
+    if (status != MUS_OK) return status;
     start = dress_time();
     status = mus_drape_settle(drape, progress, call);
     call->report.settle_seconds += dress_time() - start;
@@ -146,7 +141,7 @@ static mus_status dress_sew(dress_call *call, mus_drape *drape)
 
 
 /* the reason why a start ended as it did, when mus_drape_start() found no fault */
-static void dress_reason(const dress_call *call, const mus_pattern *pattern, dress_trial *trial)
+static void dress_reason(const mus_pattern *pattern, dress_trial *trial)
 {
     mus_reason *why = &trial->reason;
     mus_reason_init(why, sizeof *why);
@@ -155,13 +150,10 @@ static void dress_reason(const dress_call *call, const mus_pattern *pattern, dre
     else if (trial->status == MUS_ERR_PATTERN)
         mus_pattern_reason(pattern, why);
     if (trial->status == MUS_OK && why->kind == MUS_REASON_TANGLED) trial->status = MUS_ERR_TANGLED;
-    if (call->stopped) trial->status = MUS_ERR_STOPPED;
     if (trial->status == MUS_OK)
         why->kind = MUS_REASON_SETTLED;
     else if (trial->status == MUS_ERR_DIVERGED)
         why->kind = MUS_REASON_UNSTABLE;
-    else if (trial->status == MUS_ERR_STOPPED)
-        why->kind = MUS_REASON_NONE;
     else if (why->kind == MUS_REASON_NONE || why->kind == MUS_REASON_SETTLED)
         why->kind = MUS_REASON_BAD_INPUT;
 }
@@ -173,7 +165,6 @@ static void dress_text(dress_trial *trial)
     mus_reason *why = &trial->reason;
     const char *text = NULL;
     if (trial->refused || trial->status == MUS_ERR_TANGLED) text = why->text;
-    if (trial->status == MUS_ERR_STOPPED) text = mus_status_text(trial->status);
     if (text != NULL) snprintf(trial->text, sizeof trial->text, "%s", text);
     if (trial->status != MUS_OK && why->text[0] == '\0') snprintf(why->text, sizeof why->text, "%.255s", trial->text);
 }
@@ -188,7 +179,7 @@ static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t pla
     if (trial->status == MUS_OK) trial->status = dress_look(trial);
     if (trial->status == MUS_OK) trial->status = dress_sew(call, trial->drape);
     snprintf(trial->text, sizeof trial->text, "%s", mus_context_error(call->context));
-    if (!trial->refused) dress_reason(call, pattern, trial);
+    if (!trial->refused) dress_reason(pattern, trial);
     dress_text(trial);
 
     mus_dress_report *report = &call->report;
@@ -287,6 +278,7 @@ static mus_status dress_options(dress_call *call, const mus_dress_def *def)
     call->drape.threads = call->def.threads;
     call->drape.friction = call->def.friction;
     call->drape.self_contact = call->def.self_contact;
+    call->drape.progress_seconds = call->def.progress_seconds;
     status = mus__def_read(call->context, &call->drape, sizeof call->drape, sizeof call->drape, call->def.drape,
                            "drape def");
     const int32_t place = call->def.place;

@@ -325,7 +325,7 @@ static mus_status settle_here(mus_drape *drape, mus__progress *run, const settli
         if (drape->relax.settled || run->stop || run->slid) break;
         status = settle_batch(drape, run, goal, &t, &now);
         if (status != MUS_OK) break;
-        mus__progress_report(run, t / goal->seconds);
+        mus__progress_report(run, drape, t / goal->seconds);
     }
     drape->sim.plane_cache = NULL;
     if (status != MUS_OK) return status;
@@ -387,7 +387,8 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     const settling goal = {drape->relax.far ? FALL_SECONDS : 0.0, drape->def.settle_seconds, drape->def.settle_residual,
                            REST_DRIFT};
     mus__progress run;
-    mus__progress_start(&run, "settle", progress, user);
+    status = mus__progress_start(&run, drape, "settle", progress, user);
+    if (status != MUS_OK) return status;
     mus_reason_init(&drape->reason, sizeof drape->reason);
     if (drape->relax.far) {
         status = settle_cuts(drape, &run, &goal);
@@ -396,5 +397,6 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
         mus__drape_publish(drape);
     }
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->relax.far = 0;
+    status = mus__progress_end(&run, drape, status, drape->relax.settled);
     return mus__diagnosis_status(drape, status);
 }

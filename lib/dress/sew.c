@@ -207,7 +207,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
         if (way != SEW_STRAIGHT) mus__seam_route(drape, way == SEW_HUNG && t < RAMP_SECONDS, check++);
         status = sew_batch(drape, run, &t, &open);
         if (status == MUS_OK && !patient && lateness(t, all) > NEAR_LATE && near_closed(drape)) break;
-        if (status == MUS_OK) mus__progress_report(run, 1.0 - (double)open / pairs);
+        if (status == MUS_OK) mus__progress_report(run, drape, 1.0 - (double)open / pairs);
     }
     *time = t;
     drape->sim.plane_cache = NULL;
@@ -354,7 +354,8 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
     mus_status status = mus__scene_require_rest(drape, "sew");
     if (status != MUS_OK) return status;
     mus__progress run;
-    mus__progress_start(&run, "sew", progress, user);
+    status = mus__progress_start(&run, drape, "sew", progress, user);
+    if (status != MUS_OK) return status;
     mus_reason_init(&drape->reason, sizeof drape->reason);
     const mus__placed_cloth placed = mus__drape_placed(drape);
     mus__arrange_check(&placed, &drape->start);
@@ -364,6 +365,7 @@ mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user)
         if (drape->self != NULL && drape->clock.count == 0) status = sew_arrange(drape, &placed);
         if (status == MUS_OK) status = sew_cuts(drape, &run);
     }
+    status = mus__progress_end(&run, drape, status, drape->welded && drape->program.open_from == 0);
     mus__diagnosis_status(drape, status);
     return status;
 }

@@ -1,10 +1,13 @@
 /*
- * edit.c: an edit from beginning to end: the pattern onto the cutting table, places of its outlines as sides, and back
- * as the new contents of the pattern.
+ * edit.c: the beginning and the end of every edit: the pattern is read onto the cutting table, places of its outlines
+ * are looked up as sides, and the table is written back as the new contents of the pattern.
  *
- * mus__board_read() makes the sides panel by panel, place by place of each word; mus__board_write() writes the panels
- * that are left in their order, each word from its first side on. So the side of an edge is the first place that has
- * it, and the edge of a side stands in the new word where the side stands in its ring.
+ * The room: edit.c; edit_dart.c, edit_panel.c, edit_spread.c, edit_point.c and edit_seam.c hold the calls of
+ * muslin/edit.h, each a few calls of lib/board; history.c undoes and redoes.
+ *
+ * mus__board_read() makes the sides panel by panel, in the order of each word. mus__board_write() writes the remaining
+ * panels in their order, each word from its first side. So the side of an edge is the first position that has the edge,
+ * and the edge of a side stands in the new word where the side stands in its ring.
  */
 #include <string.h>
 
@@ -12,9 +15,9 @@
 #include "board/board_sew.h"
 #include "edit/editing.h"
 
-/* an arc length this far beyond the end of its edge is at the end, as for notches */
+/* [m] an arc length this far beyond the end of its edge is at the end, as for notches */
 #define EDIT_END 1e-9
-/* a place this near to a corner [m] is the corner */
+/* [m] a place within this of a corner is the corner; chosen: above rounding */
 #define EDIT_CORNER 1e-6
 
 
@@ -94,8 +97,8 @@ int32_t mus__edit_leg(mus__editing *e, int32_t edge)
 }
 
 
-/* the side that starts at a place: split there unless it is a corner. A side that was divided since, because it is sewn
- * to one that was, has its second part after it */
+/* the side that starts at arc length `at` of a side, which is split there unless a corner is near. A side that was
+ * split before, together with a side that it is sewn to, continues in the next side */
 static int32_t edit_corner(mus__board *board, int32_t side, double at)
 {
     if (board->status != MUS_OK) return MUS_NONE;
@@ -119,7 +122,7 @@ void mus__edit_corners(mus__editing *e, int32_t edge_a, double s_a, int32_t edge
         mus__board_fail(board, MUS_ERR_ARG, "side %s is of panel %s, side %s of another", board->side[side_a].name,
                         board->panel[board->side[side_a].panel].name, board->side[side_b].name);
 
-    /* of two places on one side the later first: the first part keeps its lengths */
+    /* of two places on one side split at the later one first: the first part keeps its arc lengths */
     bool late = side_a == side_b && at_b > at_a;
     if (late) *b = edit_corner(board, side_b, at_b);
     *a = edit_corner(board, side_a, at_a);
@@ -152,10 +155,8 @@ double *mus__edit_chain(mus__editing *e, const double *start, const double *end,
 
 void mus_cut_def_init(mus_cut_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_cut_def own = {.size = size, .edge_a = MUS_NONE, .edge_b = MUS_NONE};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_cut_def own = {.edge_a = MUS_NONE, .edge_b = MUS_NONE};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -193,7 +194,7 @@ void mus__edit_cut_check(mus__editing *e, int32_t panel, int32_t made)
     mus__board *board = &e->board;
     if (board->status != MUS_OK) return;
 
-    /* what lies outside is wound the other way round */
+    /* a part that lies outside the panel is wound the other way round */
     if (!(mus__board_area(board, panel) * e->area > 0.0 && mus__board_area(board, made) * e->area > 0.0))
         mus__board_fail(board, MUS_ERR_ARG, "cut of panel %s: the line lies outside it", board->panel[panel].name);
     if (e->crossed) return;
@@ -203,7 +204,7 @@ void mus__edit_cut_check(mus__editing *e, int32_t panel, int32_t made)
 
 /* ---- the end ---- */
 
-/* the index that a panel of the board has in what it was written as */
+/* the index of a panel of the board in the written pattern */
 static int32_t edit_panel_of(const mus__board *board, int32_t panel)
 {
     int32_t index = 0;
@@ -222,7 +223,7 @@ static int32_t edit_edge_of(const mus__board *board, const mus_pattern *written,
 }
 
 
-/* do the outlines that are watched cross nothing? */
+/* refuse an edit after which a watched outline crosses itself */
 static mus_status edit_watch(const mus__editing *e, const mus_pattern *written)
 {
     for (int32_t i = 0; i < e->nwatch; i++) {
@@ -242,7 +243,7 @@ static mus_status edit_watch(const mus__editing *e, const mus_pattern *written)
 }
 
 
-/* the new contents in, the old ones into the history */
+/* put the new contents into the pattern and the old ones into its history */
 static void edit_take(mus__editing *e, mus_pattern *written)
 {
     mus__pattern_swap(e->pattern, written);

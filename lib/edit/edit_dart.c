@@ -1,9 +1,9 @@
 /*
- * edit_dart.c: the dart moves of muslin/edit.h, each some calls of the cutting table (board_dart.c) in one step.
+ * edit_dart.c: the edits of darts (muslin/edit.h), each a few calls of the cutting table (board_dart.c).
  *
- * A split into several takes the targets of one edge from its far end backwards, so that arc lengths counted from its
- * start stay true while it is divided, and each closes its part of what is left: with fractions f_i of the whole angle
- * f_i / (1 - f_1 - ... - f_(i-1)).
+ * A split into several darts takes the targets of one edge from its far end backwards, so that arc lengths from its
+ * start stay true while it is divided. Dart i closes f_i / (1 - f_1 - ... - f_(i-1)) of the angle that is left, where
+ * f_i is its fraction of the whole angle.
  */
 #include <math.h>
 #include <string.h>
@@ -13,9 +13,9 @@
 #include "edit/editing.h"
 #include "geom/vec.h"
 
-#define EDIT_SAME 1e-6 /* points of two darts that are one [m] */
-#define EDIT_TARGETS 64
-/* fractions that are together this near to 1 close the dart whole */
+#define EDIT_SAME 1e-6  /* [m] the points of two darts within this are one; chosen: above rounding */
+#define EDIT_TARGETS 64 /* most targets of a split; chosen */
+/* fractions whose sum is this near to 1 close the dart whole: rounding of the sum */
 #define EDIT_WHOLE 1e-12
 
 
@@ -26,7 +26,7 @@ mus_status mus_pattern_dart(const mus_pattern *pattern, int32_t leg, double *ang
         if (out[i] != NULL) *out[i] = own[i];
     if (pattern == NULL) return MUS_ERR_ARG;
 
-    /* asked on a table, which leaves the pattern alone */
+    /* measure on a table, which leaves the pattern as it is */
     mus_status status = mus__pattern_known(pattern, "edge", leg, pattern->nedge);
     if (status != MUS_OK) return status;
     mus__board board;
@@ -93,7 +93,7 @@ typedef struct edit_target {
 } edit_target;
 
 
-/* later places of one side first, else as given */
+/* sort: later places of one side first, otherwise in the order given */
 static void edit_sort_targets(edit_target *list, int32_t n)
 {
     for (int32_t i = 1; i < n; i++) {
@@ -105,7 +105,7 @@ static void edit_sort_targets(edit_target *list, int32_t n)
 }
 
 
-/* targets of one side stand one after another, in any order of sides */
+/* bring the targets of each side together, and sort them */
 static void edit_group_targets(edit_target *list, int32_t n)
 {
     for (int32_t i = 0; i < n; i++) {

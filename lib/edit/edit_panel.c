@@ -1,9 +1,9 @@
 /*
  * edit_panel.c: panels separated, joined, mirrored, unfolded, faced, patched and removed (muslin/edit.h).
  *
- * A facing is the strip along an edge, seen from behind: the panel is mirrored, cut along the offset of the edge, and
- * the rest thrown away. The offset runs through points of distance w square to the edge, every OFFSET_STEP, joined by
- * cubics with the edge's own tangents; its ends are on the edges beside it, where the strip is to end:
+ * A facing is the strip along an edge, seen from behind: the panel is mirrored and cut along the offset of the edge,
+ * and the other part is removed. The offset runs through points at distance w square to the edge, every OFFSET_STEP,
+ * joined by cubics with the tangents of the edge. Its ends lie on the edges beside the edge:
  *
  *     q(s) = p(s) + w n(s),    q'(s) = (1 - w k(s)) p'(s),
  *
@@ -19,9 +19,9 @@
 #include "edit/editing.h"
 #include "geom/vec.h"
 
-#define OFFSET_STEP 0.015 /* [m]: on an arc of 5 cm radius the cubics are off by 1e-6 m */
-#define OFFSET_MOST 512
-#define FACING_BEHIND 0.005 /* [m] */
+#define OFFSET_STEP 0.015   /* [m] between points of an offset: on an arc of 5 cm radius the cubics are off by 1e-6 m */
+#define OFFSET_MOST 512     /* points of an offset: an edge of 7.7 m */
+#define FACING_BEHIND 0.005 /* [m] distance of a facing behind its panel; chosen: clear of the thickness of any cloth */
 
 
 mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam)
@@ -53,7 +53,7 @@ mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, in
 }
 
 
-/* a seam of the pattern, which has the same index on the board */
+/* check a seam of the pattern, which has the same index on the board; MUS_NONE when the board fails */
 static int32_t edit_seam(mus__editing *e, int32_t seam)
 {
     if (e->board.status == MUS_OK) e->board.status = mus__pattern_known(e->pattern, "seam", seam, e->pattern->nseam);
@@ -122,7 +122,7 @@ mus_status mus_pattern_remove_seam(mus_pattern *pattern, int32_t seam)
 
 /* ---- facing ---- */
 
-/* n + 1 places of a side and the unit tangents there, `width` to the left; false when they fold */
+/* the offset of a side by `width` [m] to its left as n cubics, xy (3 n + 1 points); false when the offset folds back */
 static bool edit_offset(mus__board *board, int32_t side, double width, int32_t n, const double *first,
                         const double *last, double *xy)
 {
@@ -151,7 +151,7 @@ static bool edit_offset(mus__board *board, int32_t side, double width, int32_t n
 }
 
 
-/* cut the strip along `side` off its panel, from the side before it to the side after it; the rest goes */
+/* cut the strip along `side` off its panel, from the side before it to the side after it, and remove the other part */
 static void edit_strip(mus__editing *e, int32_t side, double width, const char *name)
 {
     mus__board *board = &e->board;
@@ -184,8 +184,8 @@ static void edit_strip(mus__editing *e, int32_t side, double width, const char *
 }
 
 
-/* the image of a side in the mirrored panel, whose ring is the other's walked backwards from the side before its first
- */
+/* the image of a side in the mirrored panel: its ring is the ring of the original walked backwards from the last
+ * side */
 static int32_t edit_image(const mus__board *board, int32_t mirror, int32_t side)
 {
     if (board->status != MUS_OK) return MUS_NONE;
@@ -252,7 +252,7 @@ mus_status mus_pattern_add_facing(mus_pattern *pattern, int32_t edge, double wid
                             title, of, width, least - 1e-3);
     }
 
-    /* the mirror image has a name that nothing else has: it goes again */
+    /* the mirror image has a name that no other panel has */
     if (board->status == MUS_OK) {
         char spare[MUS__NAME_BYTES] = "facing ";
         for (size_t i = 7; mus__board_find_panel(board, spare) != MUS_NONE && i + 1 < sizeof spare; i++) spare[i] = '+';

@@ -1,6 +1,6 @@
 /*
- * edit_point.c: points and edges (muslin/edit.h): moved, drawn again, divided, made one. Dragging a point on a screen
- * is one of these calls for each place that it passes.
+ * edit_point.c: the edits of points and edges (muslin/edit.h): moved, drawn again, split, merged. A program in which a
+ * point is dragged on a screen makes one of these calls for each place of the pointer.
  */
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "geom/curve.h"
 
 
-/* is (x, y) a place that a point can have? */
+/* is (x, y) within MUS__FARTHEST? The board fails when it is not */
 static bool edit_near(mus__board *board, const char *what, int32_t index, double x, double y)
 {
     if (board->status == MUS_OK && !mus__pattern_near(x, y))
@@ -46,7 +46,7 @@ mus_status mus_pattern_move_point(mus_pattern *pattern, int32_t point, double x,
 }
 
 
-/* the nearest place to `to` that is as far from one end of an arc as from the other: on the bisector of its chord */
+/* the point nearest to (x, y) on the bisector of the chord of an arc p (3 x 2): equally far from both ends */
 static void edit_arc_middle(const double *p, double x, double y, double *out)
 {
     const double middle[2] = {0.5 * (p[0] + p[4]), 0.5 * (p[1] + p[5])};
@@ -57,7 +57,7 @@ static void edit_arc_middle(const double *p, double x, double y, double *out)
 }
 
 
-/* point `index` of a chain to (x, y); a joint takes the control points on both sides along */
+/* move point `index` of a chain to (x, y); a joint moves the control points on both sides along */
 static void edit_move_inner(mus__board_chain *chain, int32_t index, double x, double y)
 {
     double *p = chain->xy, *at = chain->xy + 2 * (size_t)index;
@@ -128,7 +128,7 @@ mus_status mus_pattern_redraw_edge(mus_pattern *pattern, int32_t edge, int32_t n
     mus__board *board = &e.board;
     const int32_t side = mus__edit_side(&e, edge);
     if (side != MUS_NONE) {
-        /* as the edge runs, then as the outline does */
+        /* in the direction of the edge, then of the outline */
         const bool backward = board->side[side].backward;
         const double *start = mus__board_start(board, side), *end = mus__board_end(board, side);
         double *all = mus__edit_chain(&e, backward ? end : start, backward ? start : end, npiece, kinds, nxy, xy);

@@ -1,10 +1,10 @@
 /*
  * edit_seam.c: seams walked and trued (muslin/edit.h).
  *
- * Walking compares the two sides at their notches: with lengths a and b, place s of one lies on s b / a of the other
- * (counted from its end when the seam is reversed), ease spread evenly. Truing moves one end of a side along its
- * tangent there by d until its length is the one asked for; since moving an end by d changes the length by about d, the
- * step d += wanted - length(d) converges fast.
+ * Walking compares two sides at their notches: with lengths a and b, place s of one lies on s b / a of the other
+ * (counted from its end when the seam is reversed); ease is spread evenly. Truing moves one end of a side along the
+ * tangent there by d until its length is the wanted one. Moving an end by d changes the length by about d, so the step
+ * d += wanted - length(d) converges fast.
  */
 #include <math.h>
 #include <string.h>
@@ -14,15 +14,14 @@
 #include "geom/vec.h"
 
 #define TRUE_STEPS 100
-#define TRUE_ENOUGH 1e-12 /* [m] */
+#define TRUE_ENOUGH 1e-12 /* [m] error of a trued length at which the iteration ends: rounding */
 #define WALK_NOTCHES 64
 
 
 void mus_seam_walk_init(mus_seam_walk *walk, size_t size)
 {
-    if (walk == NULL || size < sizeof walk->size) return;
-    memset(walk, 0, size);
-    walk->size = size;
+    mus_seam_walk own = {0};
+    mus__def_init(walk, size, &own, sizeof own);
 }
 
 
@@ -37,7 +36,8 @@ static double walk_corner(const mus__board *board, int32_t side)
 }
 
 
-/* arc lengths of the notches on a side, ascending, from its end when `turned`; how many (WALK_NOTCHES at most) */
+/* arc lengths of the notches on a side, ascending, from its end when `turned`. Returns their number, at most
+ * WALK_NOTCHES */
 static int32_t walk_notches(const mus__board *board, int32_t side, bool turned, double *s)
 {
     int32_t n = 0;
@@ -86,7 +86,7 @@ mus_status mus_pattern_walk_seam(const mus_pattern *pattern, int32_t seam, mus_s
 }
 
 
-/* move the end (or the start) of a side along its tangent until the side is `wanted` long; the neighbour follows */
+/* move the end (or the start) of a side along its tangent until the side is `wanted` [m] long; the neighbour follows */
 static void edit_true(mus__board *board, int32_t side, bool end, double wanted)
 {
     if (board->status != MUS_OK) return;

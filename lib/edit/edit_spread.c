@@ -1,9 +1,9 @@
 /*
  * edit_spread.c: fullness and length (muslin/edit.h): slash and spread, flare, pleat, lengthen.
  *
- * A flare is n slashes at even places of both edges, i + 1 parts of n + 1, taken from the last one back, so that arc
- * lengths counted from the start of the hem stay true; each is hinged and opens by an n-th. A pleat is a slash opened
- * by twice its depth.
+ * A flare is n slashes at the places (i + 1) / (n + 1) of both edges, taken from the last to the first, so that arc
+ * lengths from the start of the hem stay true. Each is hinged and opens by 1 / n of the amount. A pleat is a slash that
+ * is opened by twice its depth.
  */
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #include "geom/vec.h"
 
 #define FLARE_MOST 64
-#define PLEATS_MOST 256 /* on one edge */
+#define PLEATS_MOST 256 /* most pleats on one edge; chosen */
 #define FLARE_WITHIN                                                                                                   \
     0.008 /* [m]: a hem is drawn by eye; a slash a hand's breadth from the next leaves corners of 5 mm */
 
@@ -52,7 +52,7 @@ mus_status mus_pattern_flare(mus_pattern *pattern, int32_t hem, int32_t hinge, i
 }
 
 
-/* the lines of a pleat that was spread between places p and q of two sides: where it is laid, and its fold */
+/* draw the marks of a pleat that was spread between places p and q of two sides: two lines "pleat" and a line "fold" */
 static void edit_pleat_marks(mus__board *board, int32_t a, double s_a, int32_t b, double s_b, double w_a, double w_b)
 {
     if (board->status != MUS_OK) return;

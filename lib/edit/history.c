@@ -1,15 +1,15 @@
 /*
- * history.c: what a pattern was before its last edits.
+ * history.c: the states of a pattern before its last edits: undo and redo.
  *
- * An edit makes a new pattern and swaps the contents, so the old one is at hand as a whole and keeping it costs nothing
- * but its bytes (some 100 kB for a dress). Undo swaps again: what comes back is the very memory that was there, to the
- * bit. Of two lists the last entry is next; a full list loses its first.
+ * An edit makes a new pattern and exchanges the contents, so the old state is there as a whole, and keeping it costs
+ * only its bytes (some 100 kB for a dress). Undo exchanges the contents again: every bit is as it was. The last entry
+ * of each list is the next one to use; a full list loses its first.
  */
 #include <string.h>
 
 #include "edit/editing.h"
 
-#define HISTORY_MOST 1000
+#define HISTORY_MOST 1000 /* most edits kept; chosen: 100 MB of a dress */
 
 
 void mus__pattern_swap(mus_pattern *a, mus_pattern *b)
@@ -63,7 +63,7 @@ mus_status mus_pattern_keep_history(mus_pattern *pattern, int32_t depth)
 }
 
 
-/* the last of one list becomes the pattern, which goes to the end of the other */
+/* exchange the pattern with the last entry of one list, and append the old state to the other list */
 static mus_status history_step(mus_pattern *pattern, const char *what, mus_pattern **from, int32_t *nfrom,
                                mus_pattern **to, int32_t *nto)
 {

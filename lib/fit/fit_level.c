@@ -39,9 +39,8 @@ typedef struct fit_end {
 
 void mus_fit_level_init(mus_fit_level *level, size_t size)
 {
-    if (level == NULL || size < sizeof level->size) return;
-    memset(level, 0, size);
-    level->size = size;
+    mus_fit_level own = {0};
+    mus__def_init(level, size, &own, sizeof own);
 }
 
 

@@ -1,9 +1,10 @@
 /*
  * boundary.c: walks along the boundary loop of the half as sewn so far, over its seams, from panel to panel.
  *
- * A neckline may be one side in front and one behind, or many, when shaping cut the panels apart; armholes alike. What
- * is sewn to them asks for the whole edge: its length, its places, its shape laid flat. A walk takes the next side of
- * the panel; while that is sewn it goes on behind the side's partner, which is turning about the corner.
+ * A neckline is one half-edge in front and one behind, or many after shaping has cut the panels apart; an armhole
+ * likewise. A collar or sleeve is drafted to the whole edge: its length, its points, its shape laid flat. A walk takes
+ * the next half-edge of the panel. While that one is sewn, it continues after its partner, that is, it turns about the
+ * corner.
  *
  *       neck of back        neck of front
  *      _________________ | _________________         next of the last side of the back: shoulder, sewn;
@@ -16,7 +17,7 @@
 #include "geom/vec.h"
 #include "half/boundary.h"
 
-/* joints nearer than this are the same [m] */
+/* [m] joints nearer than this are one; below the length of any edge of a draft */
 #define BOUNDARY_JOINT 1e-3
 
 
@@ -29,7 +30,7 @@ static bool boundary_on(const mus__half *half, const char *panels, const char *l
 }
 
 
-/* the side after (step +1) or before an open side on the boundary: sewn sides are crossed to the panel beyond them */
+/* the open half-edge after (step > 0) or before an open half-edge on the boundary loop; sewn ones are crossed */
 static int32_t boundary_step(const mus__board *board, int32_t side, int step)
 {
     int32_t at = side;
@@ -45,7 +46,7 @@ static int32_t boundary_step(const mus__board *board, int32_t side, int step)
 
 int32_t mus__half_boundary(const mus__half *half, const char *panels, const char *label, int32_t *sides, int32_t room)
 {
-    /* where it begins: the side before is no part of it; of a ring, at the first side of a front */
+    /* a run begins after a half-edge that is no part of it; a ring begins at the first half-edge of a front */
     const mus__board *board = &half->board;
     int32_t first = MUS_NONE, n = 0;
     if (board->status != MUS_OK) return 0;
@@ -73,7 +74,8 @@ static double boundary_length(const mus__board *board, int32_t side)
 }
 
 
-/* over the seam that side `k` is in: the panel of its partner laid so that both sides leave the corner alike */
+/* crosses the seam of half-edge k: updates turn and shift so that the panel of its partner lies beside, both half-edges
+ * with one tangent at the corner */
 static void boundary_cross(const mus__board *board, int32_t k, double *turn, double *shift)
 {
     const int32_t partner = mus__board_partner(board, k);
@@ -101,7 +103,7 @@ void mus__boundary_read(mus__half *half, const char *label, mus__boundary *out)
     }
     double turn = 0.0, shift[2] = {0.0, 0.0};
     for (int32_t i = 0; i < out->n; i++) {
-        /* from the last open side to this one, the panels of the seams on the way laid beside */
+        /* lay the panels between the last open half-edge and this one beside one another */
         out->over[i] = MUS_NONE;
         int32_t side = i > 0 ? board->side[out->side[i - 1]].next : out->side[0];
         for (int32_t guard = 0; guard < board->nside && side != out->side[i]; guard++) {

@@ -23,22 +23,23 @@ typedef struct mus__boundary {
     int32_t n;
     int32_t side[MUS__BOUNDARY_SIDES];
     int32_t over[MUS__BOUNDARY_SIDES]; /* sewn half-edge passed on the way to this one; MUS_NONE: none */
-    double s[MUS__BOUNDARY_SIDES + 1]; /* arc length where each starts, and of the whole */
+    double s[MUS__BOUNDARY_SIDES + 1]; /* arc length at the start of each, and of the whole [m] */
     double turn[MUS__BOUNDARY_SIDES], shift[MUS__BOUNDARY_SIDES][2];
 } mus__boundary;
 
-/* fails when there is no open side with `label`, or there are too many */
+/* Reads the run with `label`. The board fails when there is none, or when it has too many half-edges. */
 void mus__boundary_read(mus__half *half, const char *label, mus__boundary *out);
-/* put a joint at arc length s, unless there is one within 1 mm: number of the side that starts there */
+/* Splits the run at arc length s, unless a joint lies within 1 mm. Returns the number of the half-edge that starts
+ * there. */
 int32_t mus__boundary_split(mus__board *board, mus__boundary *loop, double s);
-/* number of the first side that is come to over a seam with `label`, or MUS_NONE */
+/* Number of the first half-edge that follows a seam with `label`, or MUS_NONE. */
 int32_t mus__boundary_over(const mus__board *board, const mus__boundary *loop, const char *label);
-/* number of the side that starts nearest to `part` of the whole length, within `off` of it, or MUS_NONE */
+/* Number of the half-edge whose start is nearest to `part` (0..1) of the length, within `off` (0..1), or MUS_NONE. */
 int32_t mus__boundary_near(const mus__boundary *loop, double part, double off);
-/* arc length of the first notch of `kind` on sides first..last - 1; NaN: there is none */
+/* Arc length of the first notch of `kind` on half-edges first..last - 1; NaN when there is none. */
 double mus__boundary_notch(const mus__board *board, const mus__boundary *loop, int32_t first, int32_t last,
                            int32_t kind);
-/* at arc length s, laid flat; tangent is a unit vector */
+/* Writes the point and the unit tangent at arc length s, laid flat. */
 void mus__boundary_at(const mus__board *board, const mus__boundary *loop, double s, double *xy, double *tangent);
 
 #endif

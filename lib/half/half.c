@@ -1,5 +1,5 @@
 /*
- * half.c: small steps on the half garment in the making.
+ * half.c: small steps that the parts of a half garment share.
  */
 #include "half/half.h"
 

@@ -1,8 +1,8 @@
 /*
- * half.h: the half garment in the making: what the parts of lib/style work on.
+ * half.h: the half garment under drafting, which the parts of lib/style work on.
  *
  * A garment is drafted as its left half on a cutting table (board.h): blocks are drawn, the words work on them by
- * separating and rotating, and at the end the half is doubled. Founding paper, section 5.2.
+ * separating and rotating, and at the end the half is doubled.
  *
  * Frame of every panel of the half: the blocks' (x from the centre line outwards, y up), as seen from outside: "front"
  * is the wearer's left front with x >= 0 to the side; "back" is the left back, so its x is mirrored: x <= 0 to the
@@ -39,30 +39,30 @@ typedef struct mus__half {
     mus_context *context;
     mus__measures measures;
     mus__skeleton skeleton;
-    mus_draft_def def; /* the caller's wishes; NaN where there is none */
+    mus_draft_def def; /* options of the caller; NaN: not given */
     mus__style style;
     mus__board board;
     mus__bodice bodice;             /* of a garment with a top */
-    double bust_ease;               /* total, of the ease level and the cloth, or the caller's wish for a top */
-    double waist_ease, hip_ease;    /* total, one value for top and skirt or trousers, so that they meet. Where a top
-                                       has no waist darts, mus__top_draft() sets waist_ease to what it has become */
-    double neck_gathers;            /* length that the front neck is gathered to over its own; 0: it is not */
-    double waist_level;             /* height above the floor of y = 0 of torso panels [m] */
+    double bust_ease;               /* ease on the bust girth [m], by the words or as given by the caller */
+    double waist_ease, hip_ease;    /* ease on waist and hip [m], one for a top and the skirt sewn to it.
+                                       mus__top_draft() sets waist_ease to that of the waist as drawn */
+    double neck_gathers;            /* length of the front neck before gathering less after [m]; 0: no gathers */
+    double waist_level;             /* height above the floor of y = 0 of the torso panels [m] */
 } mus__half;
 
 /* whether the style of the half has `option` on `axis` */
 bool mus__style_is(const mus__half *half, int32_t axis, int32_t option);
-/* a block failed, its sentence is in the context: the board has failed too */
+/* Sets the status of the board to that of a block that failed; its message is in the context. */
 void mus__half_failed(mus__half *half, mus_status status);
 
-/* what becomes of a side at the centre line (MUS__CENTRE_*) */
+/* Sets how a half-edge on the centre line is doubled (MUS__CENTRE_*). */
 void mus__half_centre(mus__half *half, int32_t panel, const char *name, int32_t centre);
-/* sew two sides by name, right sides out; ease = length of b less length of a that is meant */
+/* Sews half-edge `a` to `b` by name, right sides out; ease: intended length of b less that of a [m]. */
 void mus__half_sew(mus__half *half, int32_t panel_a, const char *a, int32_t panel_b, const char *b, double ease);
-/* both legs of the darts "d1" "d2", "d3" "d4" of a panel */
+/* Sews the legs of the darts "d1" "d2" and "d3" "d4" of a panel. */
 void mus__half_darts(mus__half *half, int32_t panel);
 
-/* a side that starts where the last one of the panel ended */
+/* Adds a half-edge at the end of the last one of the panel; returns it. label NULL: none. */
 int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, const char *label, double allowance,
                         const mus__chain *chain);
 

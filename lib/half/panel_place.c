@@ -1,10 +1,10 @@
 /*
- * panel_place.c: where the panels of a half garment start round the body.
+ * panel_place.c: start positions of the panels of a half garment round the body.
  *
- * Panels start outside the body and face outwards. Torso panels stand off by the body's depth, their sides bent
- * towards each other before and behind the arms; hips panels are bent to half a ring each; sleeves are rolls about the
- * arm, collars and bands rolls about an upright axis. Only the wearer's left half is placed: the doubling mirrors it. A
- * back panel has its x to the wearer's right, so x <= 0 is the left.
+ * Panels start outside the body with their right sides out. Torso panels stand off by the depth of the body, bent so
+ * that their sides pass before and behind the arms. Hip panels are bent to half a ring each. Sleeves are rolled about
+ * the arm, collars and bands about an upright axis. Only the wearer's left half is placed; doubling mirrors it. The x
+ * axis of a back panel points to the wearer's right, so its left half has x <= 0.
  */
 #include <math.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "half/panel_place.h"
 
 
-/* columns of the rotation: images of the panel's x, y and normal */
+/* sets the placement; x, y, normal: images of the axes of the panel, the columns of its rotation */
 static void panel_place_set(mus__half *half, int32_t panel, const double *x, const double *y, const double *normal,
                       const double *origin, double bend, double bend_x)
 {
@@ -42,7 +42,7 @@ static void panel_place_upright(mus__half *half, int32_t panel, bool front, doub
 }
 
 
-/* depth of a torso is below 0.15 of its largest girth */
+/* distance of torso panels from the axis of the torso [m]: its depth is below 0.15 of its largest girth */
 static double panel_place_off(const mus__half *half)
 {
     const double *m = half->measures.v;
@@ -52,7 +52,7 @@ static double panel_place_off(const mus__half *half)
 
 void mus__panel_place_torso(mus__half *half, int32_t panel, bool front, double width, double height)
 {
-    /* the sides come back by a third of the half width */
+    /* a bend of 1.5 half widths brings the sides back by a third of the half width */
     const double off = panel_place_off(half), z = half->skeleton.torso_z + (front ? off : -off);
     panel_place_upright(half, panel, front, 0.0, height, z, 1.5 * width, 0.0);
 }

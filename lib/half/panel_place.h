@@ -1,23 +1,29 @@
 /*
- * panel_place.h: where panels of the half start round the body (those of the other half are mirrored by the doubling).
+ * panel_place.h: start positions of the panels of the half round the body. Doubling mirrors them to the other half.
  */
 #ifndef MUS_PANEL_PLACE_H
 #define MUS_PANEL_PLACE_H
 
 #include "half/half.h"
 
+/* Bends a front or back before or behind the torso: `width` is half its width, y = 0 at `height` above the floor
+ * [m]. */
 void mus__panel_place_torso(mus__half *half, int32_t panel, bool front, double width, double height);
+/* Bends a front or back to half a ring round the hips; `width`: widest half front and half back together [m]. */
 void mus__panel_place_hips(mus__half *half, int32_t panel, bool front, double width, double height);
+/* Rolls a sleeve of `width` round the left arm with its crown (crown_x, crown_y) at the shoulder point. */
 void mus__panel_place_arm(mus__half *half, int32_t panel, double crown_x, double crown_y, double width);
-/* rolled about an upright axis at the height of neck or waist: a band or collar, x = 0 at centre front or back */
+/* Rolls a band or collar about an upright axis through neck or torso, x = 0 at centre front or back, y = 0 at `height`
+ * above the floor; `girth` of the roll [m]. */
 void mus__panel_place_ring(mus__half *half, int32_t panel, bool front, double girth, double height);
 
-/* face azimuth `around` from the front to the left, the top leaned in by `tilt`, bent by `bend` */
+/* Turns a panel to azimuth `around` (from the front to the left), leans its top in by `tilt` [rad] and bends it by
+ * radius `bend` [m]. */
 void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt, const double *origin, double bend);
-/* half a ring round the waist */
+/* Bends a front or back to half a ring of `girth` round the waist, y = 0 at `height`. */
 void mus__lower_place_waist(mus__half *half, int32_t panel, bool front, double girth, double height);
-/* before or behind the left leg: the crease (from the centre line) over it, the fork `inner` from the crease; `girth`
- * of front and back on the crotch line; `away` the least distance before or behind the body's middle plane */
+/* Places a trouser leg before or behind the left leg. crease: x of its crease; inner: from the crease to the fork;
+ * girth: of front and back on the crotch line; away: least distance from the middle plane of the body [m]. */
 void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double crease, double inner, double girth,
                           double away);
 

@@ -1,12 +1,12 @@
 /*
- * style.c: the axes of style.h as texts, and which garment has which axis.
+ * style.c: the axes of style.h as texts, and which axes each garment has.
  */
 #include "half/style.h"
 
 #include <stddef.h>
 
 
-#define STYLE_MOST 17 /* options of an axis */
+#define STYLE_MOST 19 /* options of the longest axis, skirt */
 #define STYLE_BIT(x) (UINT32_C(1) << (x))
 
 static const struct {

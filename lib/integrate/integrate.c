@@ -67,13 +67,10 @@ static double integrate_time(const mus_integrate_def *def, double k)
 
 void mus_integrate_def_init(mus_integrate_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
     mus_integrate_def own = {0};
-    own.size = size;
     own.guard_every = 32;
     own.energy_growth = 1.5;
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

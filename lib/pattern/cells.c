@@ -12,8 +12,8 @@
 #include "geom/curve.h"
 #include "pattern/pattern_internal.h"
 
-/* an arc is told by the point half way along it, so that is as far from one end as from the other; relative, and wide
- * enough for files with rounded numbers */
+/* largest relative difference of the distances from the middle point of an arc to its ends; chosen: wide enough for
+ * files with rounded numbers */
 #define ARC_SLACK 1e-6
 
 
@@ -64,7 +64,7 @@ mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, 
 }
 
 
-/* do the arcs of a chain have their middle point in the middle? */
+/* is the middle point of each arc equally far from its ends? */
 static mus_status cell_arcs_check(const mus_pattern *pattern, const mus__edge *edge)
 {
     const double *p = edge->xy;
@@ -141,10 +141,8 @@ static void cell_chain_fill(const mus_pattern *pattern, mus__edge *edge, const i
 
 void mus_edge_def_init(mus_edge_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_edge_def own = {.size = size, .start = MUS_NONE, .end = MUS_NONE};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_edge_def own = {.start = MUS_NONE, .end = MUS_NONE};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
@@ -237,7 +235,7 @@ mus_status mus_pattern_set_outline(mus_pattern *pattern, int32_t panel, int32_t 
     status = cell_word_check(pattern, panel, n, edges, directions);
     if (status != MUS_OK) return status;
 
-    /* the old word goes last: the new one may have been read from it */
+    /* the old word is freed last: the new one may have been read from it */
     int32_t *outline = mus__new(context, 2 * (int64_t)n, sizeof *outline);
     if (outline == NULL) return mus__fail_memory(context, "an outline");
     memcpy(outline, edges, (size_t)n * sizeof *edges);

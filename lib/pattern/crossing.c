@@ -13,7 +13,7 @@
 #include "geom/union_find.h"
 #include "pattern/pattern_internal.h"
 
-/* chords of a curved piece: sag of a quarter circle is r / 5200, below a millimetre for anything worn */
+/* chords of a curved piece: the sagitta of a chord of a quarter circle is r / 5200, below 1 mm for any garment */
 #define CROSSING_CHORDS 40
 
 typedef struct crossing_segment {
@@ -22,7 +22,7 @@ typedef struct crossing_segment {
 } crossing_segment;
 
 
-/* a segment in the order of the sweep */
+/* a segment in the order of the sweep, by its left end */
 typedef struct crossing_place {
     double left;
     int32_t segment;
@@ -41,7 +41,7 @@ static double crossing_right(const crossing_segment *s)
 }
 
 
-/* left end, then index of the chord, so that the order is one whatever the sort does */
+/* by left end, then by index of the chord: a strict order, whatever the sort does */
 static bool crossing_before(const crossing_segment *s, const crossing_place *x, const crossing_place *y)
 {
     if (x->left != y->left) return x->left < y->left;
@@ -50,7 +50,7 @@ static bool crossing_before(const crossing_segment *s, const crossing_place *x, 
 }
 
 
-/* where the run that begins at `from` ends: each place of it is before the next */
+/* end of the ascending run that begins at `from` */
 static int32_t crossing_run(const crossing_segment *s, const crossing_place *place, int32_t from, int32_t n)
 {
     int32_t end = from + 1;
@@ -59,7 +59,7 @@ static int32_t crossing_run(const crossing_segment *s, const crossing_place *pla
 }
 
 
-/* runs that go the wrong way are turned round: where an outline comes back, all chords are one */
+/* reverse the descending runs: where an outline comes back, all its chords are one such run */
 static void crossing_turn(const crossing_segment *s, crossing_place *place, int32_t n)
 {
     for (int32_t from = 0, end; from < n; from = end) {

@@ -1,10 +1,10 @@
 /*
- * cut_outline.c: lines inside a panel: edges that its outline passes once each way.
+ * cut_outline.c: the outline of a panel without the lines inside it.
  *
- * An outline may leave its rim along a bridge, pass a line inside the panel and come back over both. Seen as a surface
- * nothing was cut: the line has the panel on both sides, two sheets of one edge. A patch pocket is sewn to such a line
- * and is the third sheet there. What is left of the word when an edge and the same edge back, one after the other, are
- * taken out until none is left (free reduction of a cyclic word), is the rim: what is cut on the table.
+ * An outline may leave the cut line along a bridge, pass a line inside the panel and come back over both. Nothing is
+ * cut there: the line has the panel on both sides, two sheets of one edge, and a patch pocket that is sewn to it is the
+ * third. The line that is cut on the table is the free reduction of the cyclic word: an edge followed by the same edge
+ * back is taken out, until there is none.
  */
 #include <math.h>
 #include <string.h>
@@ -12,8 +12,8 @@
 #include "pattern/pattern_internal.h"
 
 
-/* the places of the rim in the word of a panel, in order, into kept (noutline): how many. They are kept[*first] ..,
- * since what cancels over the start of the word stands before */
+/* positions of the reduced word in the word of a panel, in order, into kept (noutline). Returns their number; they
+ * begin at kept[*first], because edges that cancel over the start of the word are left before it */
 static int32_t inner_reduce(const mus__panel *panel, int32_t *kept, int32_t *first)
 {
     const int32_t n = panel->noutline, *edge = panel->outline, *turn = panel->outline + n;

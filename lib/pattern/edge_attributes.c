@@ -3,9 +3,9 @@
  * elastic along it.
  *
  * A hold keeps a garment up: a waistband does not slide below the waist, a strapless top not below the armpits. An
- * elastic draws an edge in: a casing or a rib is shorter than the cloth that it is sewn to. Both are said of edges, by a
- * named level of the body and by a ratio of lengths, never by a height in metre: the pattern knows no body. A drape finds
- * the level on its own body, and a cloth makes springs of the elastic.
+ * elastic draws an edge in: a casing or a rib is shorter than the cloth that it is sewn to. Both are said of edges, by
+ * a named level of the body and by a ratio of lengths, never by a height in metre: the pattern knows no body. A drape
+ * finds the level on its own body, and a cloth makes springs of the elastic.
  */
 #include <math.h>
 #include <string.h>

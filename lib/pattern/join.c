@@ -1,8 +1,8 @@
 /*
- * layer.c: several garments as one pattern, each a layer farther out than the one before.
+ * join.c: several garments as one pattern, each a layer farther out than the one before.
  *
- * A layer is a number of a panel: 0 is worn next to the skin. It says nothing of shape: a shirt is the same pattern
- * under a coat. A drape sews the layers one after another, from inside to outside (lib/dress/layers.c).
+ * The layer of a panel is a number; layer 0 is worn next to the skin. It does not change the shape: a shirt is the same
+ * pattern under a coat. A drape sews the layers one after another, from inside to outside.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "pattern/pattern_internal.h"
 
 
-/* the first bytes of a text, up to `most` of them, whole characters */
+/* number of bytes of the whole characters of a text within its first `most` bytes */
 static int layer_bytes(const char *text, size_t most)
 {
     size_t n = strlen(text);
@@ -20,7 +20,7 @@ static int layer_bytes(const char *text, size_t most)
 }
 
 
-/* a name that no panel has: as it is, with that of its pattern before it, or numbered */
+/* a name that no panel of the pattern has: the name, or with the name of its garment before it, or with a number */
 static void layer_name(const mus_pattern *pattern, const char *garment, const char *name, char *out)
 {
     char own[MUS__NAME_BYTES];
@@ -55,7 +55,7 @@ static mus_status layer_room(mus_pattern *p, const mus_pattern *more)
 }
 
 
-/* cells of `more` behind those of p, which has room for them; blocks change owner */
+/* append the cells of `more` to those of p, which has room for them; p owns the blocks afterwards */
 static void layer_move(mus_pattern *p, mus_pattern *more, int32_t layer)
 {
     const int32_t panel = p->npanel, point = p->npoint, edge = p->nedge, seam = p->nseam;

@@ -5,7 +5,7 @@
 
 #include "pattern/pattern_internal.h"
 
-/* a notch this far beyond the end of its edge is at the end: lengths themselves are known to 1e-9 m */
+/* [m] a notch this far beyond the end of its edge is at the end: the error of a length */
 #define END_SLACK 1e-9
 
 

@@ -6,9 +6,9 @@
 
 #include "pattern/pattern_internal.h"
 
-/* how far the matrix of a placement may be from a rotation: files give angles and entries to 6 digits or more */
+/* largest error of R^T R - 1 of a placement: files give angles and entries to 6 digits or more */
 #define ROTATION_SLACK 1e-6
-/* a panel rolled tighter than this is no garment, and the roll would be divided by almost nothing */
+/* [m] least radius that a panel is rolled on; chosen: below any garment, and above a division by almost 0 */
 #define SMALLEST_BEND 0.001
 
 
@@ -22,7 +22,8 @@ mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, cons
 {
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
-    if (status == MUS_OK) status = mus__pattern_take_name(pattern, "panel label", label, pattern->panel[panel].attr.label);
+    if (status == MUS_OK)
+        status = mus__pattern_take_name(pattern, "panel label", label, pattern->panel[panel].attr.label);
     if (status == MUS_OK) mus__pattern_edited(pattern);
     return status;
 }
@@ -44,7 +45,7 @@ mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, 
         return mus__fail(pattern->context, MUS_ERR_ARG, "grain of panel %s: (%g, %g) is no direction",
                          pattern->panel[panel].name, x, y);
 
-    /* kept as given when it is a unit vector already, so that writing and reading changes no bit */
+    /* a unit vector is kept as given, so that writing and reading a file changes no bit */
     bool unit = fabs(length - 1.0) < 4.0e-16;
     pattern->panel[panel].attr.grain[0] = unit ? x : x / length;
     pattern->panel[panel].attr.grain[1] = unit ? y : y / length;
@@ -77,7 +78,7 @@ mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t coun
         return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to 1000", own->name,
                          (int)count);
 
-    /* a mirror of a mirror would leave both unprinted */
+    /* an image of an image would leave both unprinted */
     if (mirror_of == panel || (mirror_of != MUS_NONE && pattern->panel[mirror_of].mirror_of != MUS_NONE))
         return mus__fail(context, MUS_ERR_ARG, "panel %s: it cannot mirror panel %s, which %s", own->name,
                          pattern->panel[mirror_of].name, mirror_of == panel ? "is itself" : "mirrors another");
@@ -110,10 +111,8 @@ void mus__panel_attributes_init(mus__panel_attributes *attr)
 
 void mus_placement_init(mus_placement *placement, size_t size)
 {
-    if (placement == NULL || size < sizeof placement->size) return;
-    mus_placement own = {.size = size, .rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
-    memset(placement, 0, size);
-    memcpy(placement, &own, size < sizeof own ? size : sizeof own);
+    mus_placement own = {.rotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    mus__def_init(placement, size, &own, sizeof own);
 }
 
 

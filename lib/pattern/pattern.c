@@ -1,5 +1,5 @@
 /*
- * pattern.c: a pattern as an object: create, copy, destroy, find by name; and the helpers that all of lib/pattern share.
+ * pattern.c: a pattern as an object: create, copy, destroy, find by name; and helpers that all of lib/pattern shares.
  *
  * The room, in the order of use:
  *   pattern.c                               the object, its memory, names

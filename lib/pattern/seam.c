@@ -14,10 +14,8 @@
 
 void mus_seam_def_init(mus_seam_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_seam_def own = {.size = size, .edge_a = MUS_NONE, .edge_b = MUS_NONE, .tolerance = 0.0005};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_seam_def own = {.edge_a = MUS_NONE, .edge_b = MUS_NONE, .tolerance = 0.0005};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 

@@ -19,9 +19,8 @@
 
 void mus_pose_init(mus_pose *pose, size_t size)
 {
-    if (pose == NULL || size < sizeof pose->size) return;
-    memset(pose, 0, size);
-    pose->size = size;
+    mus_pose own = {0};
+    mus__def_init(pose, size, &own, sizeof own);
 }
 
 

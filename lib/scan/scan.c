@@ -19,21 +19,17 @@
 
 void mus_scan_def_init(mus_scan_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_scan_def own = {.size = sizeof own, .spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 96};
+    mus_scan_def own = {.spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 96};
     own.ring_spacing = 0.01;
     own.distances = 1;
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
-    def->size = size;
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
 void mus_scan_report_init(mus_scan_report *report, size_t size)
 {
-    if (report == NULL || size < sizeof report->size) return;
-    memset(report, 0, size);
-    report->size = size;
+    mus_scan_report own = {0};
+    mus__def_init(report, size, &own, sizeof own);
 }
 
 

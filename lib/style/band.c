@@ -1,16 +1,15 @@
 /*
- * band.c: what finishes the waist of a skirt or of trousers: a straight band, a shaped one, a facing, elastic.
+ * band.c: the finish of the waist of a skirt or trousers: a straight band, a shaped band, a facing, elastic, or none.
  *
- * A band is a ring on the waist. A straight or elastic one is a strip; a shaped one a strip of a cone, which is as long
- * below as the body and its ease are where the garment begins, and as long above as they are where the band ends:
+ * A band is a ring on the waist. A straight or elastic band is a strip. A shaped band is a strip of a cone whose lower
+ * and upper edges l0, l1 have the girth of the body and its ease at their heights, h apart:
  *
  *   angle = (l1 - l0) / h, radii l0 / angle and l1 / angle of lower and upper edge
  *
- * A high rise is a higher band, shaped but for elastic. The garment is eased, gathered or pleated into the band by
- * what its waist is longer. A facing lies inside and is no ring of its own: the line to cut it along is marked on the
- * pieces; only a waist that is gathered, which a facing cannot hold, or that rises above its line gets a narrow band
- * instead.
- * Source: drafting.md section 3.8.
+ * A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is eased, gathered or
+ * pleated into it. A facing lies inside and is not a panel: the line to cut it along is marked on the pieces. A waist
+ * that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
+ * mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +17,7 @@
 #include "style/lower.h"
 
 #define BAND_FACING (5.0 * MUS__CM)
-#define BAND_SETTLES (1.0 * MUS__CM) /* what a waist may sink before it is held */
+#define BAND_SETTLES (1.0 * MUS__CM) /* [m] how far a waist may sink before its attachment holds it; chosen */
 #define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
 #define BAND_ELASTIC_RATIO 0.9
 #define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
@@ -30,8 +29,8 @@ typedef struct band_plan {
 } band_plan;
 
 
-/* where front and back meet along the waist as it runs from centre back to centre front, as a part of it: the joint
- * nearest to `expected`, or that itself */
+/* part of the waist, from centre back to centre front, at which front and back meet: the joint nearest to `expected`,
+ * else `expected` */
 static double band_joint(const mus__half *half, int32_t n, const int32_t *waist, double expected)
 {
     double length = 0.0, at = 0.0, best = expected, distance = 0.03;
@@ -46,7 +45,7 @@ static double band_joint(const mus__half *half, int32_t n, const int32_t *waist,
 }
 
 
-/* height of the band and its lengths at both edges: the body's girth there and the ease of the waist */
+/* sets the height of the band and the lengths of its edges: girth of the body at their heights and ease of the waist */
 static void band_plan_make(const mus__half *half, bool full, double part, band_plan *plan)
 {
     /* straight, contour, facing, elastic: as high as that for a natural or low rise, and for a high one */
@@ -105,7 +104,7 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
 }
 
 
-/* the edge at `level` is held up; the elastic is in it */
+/* attaches the edge to the height `level` of the body; an elastic band gets its elastic */
 static void band_stay(mus__half *half, int32_t side, double level)
 {
     mus__edge_attributes *stay = &half->board.side[side].attr;
@@ -117,7 +116,7 @@ static void band_stay(mus__half *half, int32_t side, double level)
 }
 
 
-/* the lower edge of a facing, as a mark on the pieces: below the waist by its depth */
+/* marks the lower edge of a facing on the pieces, below the waist by its depth */
 static void band_facing_mark(mus__half *half, int32_t n, const int32_t *waist)
 {
     mus__board *board = &half->board;
@@ -141,6 +140,7 @@ void mus__band_attach(mus__half *half)
     mus__board *board = &half->board;
     int32_t waist[MUS__WAIST_SIDES];
     if (board->status != MUS_OK || mus__lower_has_top(half)) return;
+    if (half->style.option[MUS__AXIS_BAND] == MUS__BAND_NONE) return;
     const int32_t n = mus__lower_waist(half, 0, board->npanel, waist);
     if (board->status == MUS_OK && n == 0)
         mus__board_fail(board, MUS_ERR_DESIGN, "band: no waist to sew it to");

@@ -2,8 +2,8 @@
  * cape.c: a cape: front and back halves of three quarters of a circle that hang from the shoulders.
  *
  * The side seam goes straight on along the shoulder line of the bodice block, from the side neck point to the hem; the
- * hem is drawn about the side neck point and meets centre and seam square. A cape that does not open in front is
- * opened at the neck until the head passes. Source: the classics of the drafting reference, section 5.
+ * hem is drawn about the side neck point and meets centre and seam square. The neck of a cape that does not
+ * open in front is widened until the head passes.
  */
 #include <math.h>
 #include <string.h>
@@ -26,7 +26,8 @@ static double cape_length(const mus__half *half)
 }
 
 
-/* scoop: 2.5 cm along the shoulder and 5 cm down; then until the head passes */
+/* opens the neck: a scoop is 2.5 cm along the shoulder and 5 cm down; without a closure then on until the head
+ * passes */
 static void cape_neck(mus__half *half)
 {
     const double k = mus__measures_scale(&half->measures) * MUS__CM;
@@ -50,7 +51,7 @@ static void cape_neck(mus__half *half)
 }
 
 
-/* neck, centre, hem and seam of a half, in the block's frame */
+/* draws neck, centre, hem and seam of a half in the frame of the block; returns the panel */
 static int32_t cape_panel(mus__half *half, bool front, double length)
 {
     const mus__bodice_half *block = front ? &half->bodice.front : &half->bodice.back;

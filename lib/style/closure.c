@@ -1,10 +1,9 @@
 /*
- * closure.c: what becomes of the centre lines of a top: on the fold, or sewn up as a closure that is done up.
+ * closure.c: the centre lines of a top: a fold, a closure drawn done up, or a plain seam.
  *
  * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
- * which a cloth can leave open. What lies
- * beyond it is allowance: a button stand of 1.75 cm, turned under by as much and 1 cm more. Buttons and the end of a
- * side zip are marked. Source: drafting reference 3.3, 5.4.
+ * which a cloth can leave open. The part beyond the centre is allowance: a button stand of 1.75 cm, turned under by as
+ * much and 1 cm more. Buttons and the ends of a side zip are marked. Method: FreeSewing 4 (simon).
  */
 #include <math.h>
 #include <string.h>
@@ -14,10 +13,10 @@
 #define CLOSURE_STAND (1.75 * MUS__CM)
 #define CLOSURE_ZIP (1.5 * MUS__CM)
 #define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
-#define CLOSURE_BUTTONS (8.5 * MUS__CM) /* apart, at most */
+#define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
 
 
-/* buttons on the centre line from 1.5 cm below the neck to 4 cm above a hem, evenly */
+/* marks buttons on the centre line at even distances from 1.5 cm below the neck to 4 cm above the hem */
 static void closure_buttons(mus__half *half, int32_t side)
 {
     mus__board *board = &half->board;
@@ -42,14 +41,16 @@ void mus__closure_set(mus__half *half)
         if (side->panel == MUS_NONE || strcmp(side->attr.label, "centre") != 0) continue;
         const bool front = strncmp(board->panel[side->panel].name, "front", 5) == 0;
         const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
-        side->centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
+        const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
+        side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
         side->attr.allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        if (seam) side->attr.allowance = MUS__TOP_SEAM;
         if (opens && front) closure_buttons(half, i);
     }
 }
 
 
-/* does a name end so? */
+/* whether a name has the ending `end` */
 static bool closure_ends(const char *name, const char *end)
 {
     const size_t n = strlen(name), m = strlen(end);
@@ -57,7 +58,7 @@ static bool closure_ends(const char *name, const char *end)
 }
 
 
-/* a notch where a side of the front crosses the height y, and where it is sewn to */
+/* puts a notch at height y on a half-edge of the front, and on its partner */
 static void closure_notch(mus__board *board, int32_t side, double y)
 {
     double lo = 0.0, hi = board->side[side].length, at[2];
@@ -79,7 +80,7 @@ static void closure_notch(mus__board *board, int32_t side, double y)
 }
 
 
-/* what the centre seams of a top are closed with: buttons before, a zip behind */
+/* sets the closures of the centre seams: buttons in front, a zip behind */
 static void closure_seams(mus__half *half)
 {
     mus__board *board = &half->board;
@@ -101,7 +102,7 @@ void mus__closure_finish(mus__half *half)
 {
     if (half->board.status == MUS_OK) closure_seams(half);
 
-    /* the ends of a zip 18 cm long about the waist, in the left side seam */
+    /* marks the ends of a zip of 18 cm about the waist in the left side seam */
     mus__board *board = &half->board;
     const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);
     if (board->status != MUS_OK || lower || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SIDE)) return;

@@ -1,11 +1,10 @@
 /*
- * collar.c: collars that stand, drafted to the neckline that is on the cutting table: mandarin, shirt (a stand
- * and the leaf that falls over it) and turtleneck.
+ * collar.c: standing collars, drafted to the neckline on the cutting table: mandarin, shirt (a stand and the leaf that
+ * falls over it) and turtleneck. mus__collar_attach() is where a collar word is looked up: a new collar is added there.
  *
- * The bottom edge has the length of half the neckline, centre back to centre front, whatever panels it runs over. The
- * collar is cut on the fold behind, or in front when the garment opens behind; where it has no fold its ends are free,
- * but for the turtleneck, which is sewn to a ring. What was the neck opening is then the collar's free edge: it has the
- * label "neck".
+ * The bottom edge has the length of half the neckline, centre back to centre front, over all its panels. The collar is
+ * cut on the fold behind, or in front when the garment opens behind. Its other ends are free, except those of the
+ * turtleneck, which are sewn to a ring. The free edge of the collar is then the neck opening, with the label "neck".
  */
 #include <math.h>
 #include <string.h>
@@ -13,18 +12,18 @@
 #include "style/collar.h"
 
 #define COLLAR_SEAM 0.007
-/* a rib round the neck: part of the neckline */
+/* length of a rib round the neck as part of the neckline; chosen, within the stretch of a knit */
 #define TURTLENECK_PART 0.87
 
 
-/* height above the floor of a collar's lower edge: between the nape and the pit of the neck */
+/* height of the lower edge of a collar above the floor [m]: between the nape and the pit of the neck */
 static double collar_height(const mus__half *half)
 {
     return half->skeleton.neck_side;
 }
 
 
-/* a ring round the neck clears what it is sewn to */
+/* places a ring round the neck outside the panels that it is sewn to */
 static double collar_girth(const mus__half *half, const mus__neck *neck)
 {
     return fmax(2.0 * neck->length, half->measures.v[MUS_MEASURE_NECK]) + 4.0 * MUS__CM;
@@ -139,7 +138,7 @@ static void collar_turtleneck(mus__half *half, mus__neck *neck)
 }
 
 
-/* does the garment open on the centre side that `side` ends or begins at? */
+/* whether the garment opens at the centre line that half-edge `side` ends or begins at */
 static bool collar_opens(const mus__half *half, int32_t side, int32_t closure)
 {
     const int32_t centre = half->board.side[side].centre;

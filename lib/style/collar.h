@@ -9,17 +9,17 @@
 #include "half/panel_place.h"
 #include "style/parts.h"
 
-/* what a collar is drafted to */
+/* the neckline that a collar is drafted to */
 typedef struct mus__neck {
     mus__boundary loop;      /* the neckline, centre back to centre front */
-    double length;     /* of the half */
+    double length;     /* of the half [m] */
     double shoulder;   /* arc length where the shoulder seam meets it */
-    bool front_open, back_open; /* the garment opens there */
+    bool front_open, back_open; /* whether the garment opens at the centre */
 } mus__neck;
 
-/* collars that lie: Peter Pan, sailor, shawl */
+/* Peter Pan, sailor and shawl collars, which lie on the shoulders */
 void mus__collar_flat(mus__half *half, mus__neck *neck);
-/* two pieces with a seam over the head */
+/* the hood: two pieces with a seam over the head */
 void mus__hood_attach(mus__half *half, mus__neck *neck);
 
 #endif

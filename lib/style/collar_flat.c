@@ -18,7 +18,7 @@
 #define FLAT_SEAM 0.007
 #define FLAT_STEPS 96 /* of the integration along the neck edge */
 #define FLAT_ABOVE 4.0 /* [cm at size 40]: so far above the body's panels a collar starts */
-#define FLAT_TILT 0.7  /* its back is turned down by this angle, */
+#define FLAT_TILT 0.7  /* [rad] its back is turned down by this angle, */
 #define FLAT_BEND 1.6  /* its sides round a roll of so many radii of the neck. Flatter ones stand up after sewing (2.2),
                         * closer ones are caught on the shoulders (1.1) */
 
@@ -181,10 +181,10 @@ static void flat_heights(const mus__board *board, int32_t panel, double *y)
 
 
 /*
- * Before the body is sewn the collar is above the highest of the body's panels as they are placed, so that none comes
- * through it: it falls on to the shoulders from above. On the shoulders it is a cone, which has two ways round, and one
- * that starts level stands up round the neck: it starts with its back and its sides turned down, bent about a line from
- * front to back.
+ * Places the collar above the highest panel of the body, so that no panel comes through it while the body is sewn; it
+ * then falls on to the shoulders. A collar on the shoulders is a cone, which is stable with its edge up or down, and
+ * one that starts level ends up standing round the neck. So it starts with its back and its sides turned down, bent
+ * about a line from front to back.
  */
 static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
 {

@@ -1,6 +1,6 @@
 /*
  * cuff.c: cuffs and ribs: a straight band whose ends are sewn together at the underarm, its long edge sewn to the
- * sleeve's, which is gathered, or for a rib stretched the other way, to its length.
+ * end of the sleeve. The sleeve is gathered to the cuff; a rib is stretched to the sleeve.
  */
 #include <string.h>
 

@@ -1,17 +1,17 @@
 /*
- * lower.c: what skirts, trousers and bands have in common: the body's girth at a level,
- * the waist as a run that goes on from panel to panel.
+ * lower.c: what skirts, trousers and bands share: the girth of the body at a level, and the waist as a run of
+ * half-edges over several panels.
  *
  * The waist is walked as the boundary loop is: from a half-edge to the next of its panel, and where that is sewn, to
- * the one after its partner. So it passes side seams, cuts and darts, and stops at the centre line. The bodice's runs
- * from centre front over the side to centre back, that of what hangs on it the other way.
+ * the one after its partner. So it passes side seams, cuts and darts, and stops at the centre line. The waist of
+ * a bodice runs from centre front over the side to centre back, that of the skirt or trousers below the other way.
  */
 #include <math.h>
 #include <string.h>
 
 #include "style/lower.h"
 
-#define WALK_LONGEST 400 /* sides that a boundary may have before a walk gives up */
+#define WALK_LONGEST 400 /* half-edges after which a walk along a boundary loop gives up; drafts have below 60 */
 
 
 void mus__lower_top(mus__outline *outline, int32_t n, const double (*dart)[6], const mus__chain *part)
@@ -86,7 +86,7 @@ static bool lower_is_waist(const mus__half *half, int32_t side, int32_t first, i
 }
 
 
-/* next side of the boundary, forward or back: over every seam in between */
+/* next open half-edge of the boundary loop, forward or back, over every seam in between */
 static int32_t lower_step(const mus__half *half, int32_t side, bool forward)
 {
     const mus__board *board = &half->board;
@@ -125,7 +125,7 @@ int32_t mus__lower_waist(const mus__half *half, int32_t first, int32_t last, int
 }
 
 
-/* does a side of the bodice's waist belong to the front? Its frame tells: x > 0 */
+/* whether a half-edge of the waist of the bodice belongs to the front, which has x > 0 */
 static bool lower_is_front(const mus__half *half, int32_t side)
 {
     const double *a = mus__board_start(&half->board, side), *b = mus__board_end(&half->board, side);
@@ -133,7 +133,7 @@ static bool lower_is_front(const mus__half *half, int32_t side)
 }
 
 
-/* the bodice stands on the board before anything is hung on it: its panels come first */
+/* the waist of the bodice, which is on the board before anything is sewn to it */
 static int32_t lower_bodice_waist(const mus__half *half, int32_t *sides)
 {
     return mus__lower_waist(half, 0, half->board.npanel, sides);
@@ -190,7 +190,8 @@ void mus__lower_waist_sew(mus__half *half, int32_t first)
 
 double mus__skirt_length(const mus__half *half)
 {
-    /* parts of the stature, from the waist: to the knee, mini, midi, maxi; of a hem that falls, its middle */
+    /* lengths from the waist as parts of the stature: knee, mini, midi, maxi, and the middle of a high-low hem;
+     * chosen */
     static const double part[] = {0.34, 0.24, 0.46, 0.59, 0.40};
     const double *m = half->measures.v;
     const double length = isnan(half->def.length) ? part[half->style.option[MUS__AXIS_LENGTH]] * m[MUS_MEASURE_STATURE]

@@ -1,10 +1,10 @@
 /*
- * neckline.c: what lies between the underarm and the centre of a front or back: armhole, shoulder, the ten necklines.
+ * neckline.c: armhole, shoulder and the ten necklines of a front or back.
  *
  * Each neckline moves the side neck along the shoulder (as much in front as behind, so that shoulders match), lowers
  * the centres, and draws its own front edge; behind it stays one curve. Where nothing opens, the neckline is lowered on
  * until the head passes. A deep neckline of a darted woven top is first tightened: a wedge at its edge is closed about
- * the bust point, which the bust dart takes up. Source: drafting reference 4.6, 5.1.
+ * the bust point, and the bust dart opens by its angle. Widths and depths: man page mus_design(3); chosen.
  */
 #include <math.h>
 #include <string.h>
@@ -13,13 +13,13 @@
 #include "geom/vec.h"
 #include "style/top.h"
 
-#define JERSEY_STRETCH 1.15 /* a jersey neckline stretches so far over the head */
+#define JERSEY_STRETCH 1.15 /* stretch of a knit neckline over the head, as a factor; chosen */
 #define HEAD_STEPS 60
 
-/* what a neckline asks for [cm], on a grown body */
+/* figures of a neckline [cm] on an adult; chosen */
 typedef struct neckline_row {
-    double along, front, back; /* side neck along the shoulder, centre front and back lower by */
-    double wedge;              /* contour, closed about the bust point */
+    double along, front, back; /* side neck point along the shoulder; centre front and back lower by */
+    double wedge;              /* width of the wedge that is closed about the bust point */
 } neckline_row;
 
 static const neckline_row neckline_rows[] = {
@@ -77,8 +77,8 @@ static void neckline_line(mus__chain *chain, const double *start, const double *
 
 /* ---- contour ---- */
 
-/* close a wedge of `width` at the neck about the bust point: all above the bust dart turns towards the centre, and the
- * bust dart opens by as much */
+/* closes a wedge of `width` at the neck about the bust point: the part above the bust dart turns towards the centre,
+ * and the bust dart opens by that angle */
 static void neckline_contour(mus__bodice_half *front, double width)
 {
     if (!(front->theta > 0.0)) return;
@@ -234,7 +234,7 @@ static void neckline_strapless(mus__half *half, mus__top *top)
 
 /* ---- all of it ---- */
 
-/* move side necks and centres as the row asks */
+/* moves side neck points and centres by the row of the style */
 static void neckline_move(mus__half *half, const mus__top *top, bool closed)
 {
     const int32_t style = half->style.option[MUS__AXIS_NECK];
@@ -272,7 +272,7 @@ static void neckline_edges(mus__half *half, mus__top *top)
 }
 
 
-/* lower the neckline until the head passes */
+/* lowers the neckline until the head passes */
 static void neckline_pass(mus__half *half, mus__top *top)
 {
     const double *m = half->measures.v, need = m[MUS_MEASURE_HEAD] + 2.0 * MUS__CM;
@@ -318,7 +318,7 @@ void mus__neckline_draw(mus__half *half, mus__top *top)
 }
 
 
-/* a strapless top is boned: its upper edge does not go more than 5 mm below where it is drawn. The back of a halter has
+/* attaches the upper edge of a strapless top, which is boned, at 5 mm below its drawn height. The back of a halter gets
  * an elastic in its upper edge */
 void mus__neckline_hold(mus__half *half)
 {
@@ -338,7 +338,7 @@ void mus__neckline_hold(mus__half *half)
 }
 
 
-/* round the back of the neck, as long as its half: x = 0 at the centre back, x < 0 to the left */
+/* the strap round the back of the neck, as long as half the neckline: x = 0 at the centre back, x < 0 to the left */
 void mus__neckline_strap(mus__half *half)
 {
     mus__board *board = &half->board;

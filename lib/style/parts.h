@@ -7,39 +7,39 @@
 
 #include "half/half.h"
 
-/* top.c, neckline.c, shaping.c: the body of a top, dress or jumpsuit: panels "front", "back" (and what shaping cuts
- * off them), sewn at shoulder and side, darts sewn, placed round the torso; without sleeve and collar. Down to the hem
- * (top) or the waist line with label "waist" (dress, jumpsuit) */
+/* top.c: the body of a top, dress or jumpsuit without sleeves and collar: panels "front" and "back" (and the panels
+ * that shaping cuts off them), darts, shoulders and sides sewn, placed round the torso. It ends at the hem, or at a
+ * waist line with label "waist" */
 void mus__top_draft(mus__half *half);
 
-/* the band that holds the gathers of a neck, when it has any: after the sleeves, of which raglan ones share the neck */
+/* shaping_gather.c: the band that a gathered neck is sewn to; after the sleeves, since raglan sleeves share the neck */
 void mus__neck_band_attach(mus__half *half);
 
 /* cape.c: front and back of a cape with their neck runs, sewn on the shoulders; without collar */
 void mus__cape_draft(mus__half *half);
 
-/* what concerns one side of the whole garment alone, after mus__board_double(): the end of a side zip */
+/* closure.c: after mus__board_double(): closures of the centre seams, the ends of a zip in the left side seam */
 void mus__closure_finish(mus__half *half);
 
-/* sleeve.c: from the armhole runs of the half: the sleeve of its style drafted to their lengths, sewn in,
- * underarm sewn, placed round the arm, with its cuff; raglan and dolman recut front and back */
+/* sleeve.c: the sleeve with its cuff, drafted to the lengths of the armhole, sewn in and placed round the arm; raglan
+ * and dolman sleeves recut front and back */
 void mus__sleeve_attach(mus__half *half);
 
-/* collar.c: from the neck runs: collar, hood or rib band sewn to them */
+/* collar.c: the collar, hood or rib on the neckline */
 void mus__collar_attach(mus__half *half);
 
-/* skirt.c: the half of a skirt (front and back, or its gores or sectors) with its top edge labelled "waist"; of a
- * dress, sewn to the waist runs of the bodice that is on the board */
+/* skirt.c: the half of a skirt (front and back, or its gores or sectors) with its top edge labelled "waist"; that of a
+ * dress is sewn to the waist of the bodice */
 void mus__skirt_attach(mus__half *half);
 
-/* trousers.c: the left leg: front and back, inseam, outseam, crotch sides CENTRE_SEAM; of a jumpsuit, sewn to the
- * waist runs of the bodice */
+/* trousers.c: the left leg: front and back, sewn at inseam and outseam, crotch edges MUS__CENTRE_SEAM; that of a
+ * jumpsuit is sewn to the waist of the bodice */
 void mus__trousers_attach(mus__half *half);
 
-/* band.c: waistband or facing on the waist runs of a skirt or trousers; cuffs; patch pockets */
+/* band.c: waistband or facing of a skirt or trousers */
 void mus__band_attach(mus__half *half);
+/* pocket.c: marks of patch pockets on the half; their panels on the whole garment, after mus__board_double() */
 void mus__pocket_attach(mus__half *half);
-/* the pockets themselves, on the whole garment, after mus__board_double() */
 void mus__pocket_finish(mus__half *half);
 
 #endif

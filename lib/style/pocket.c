@@ -1,12 +1,11 @@
 /*
  * pocket.c: patch pockets: where they go on the half, and on the whole garment the pieces themselves.
  *
- * A patch is a third sheet on the garment: at three of its sides three sheets meet (board_patch.c). On the half it is
- * a line, 13 x 15 cm, below the hip line behind, on the thigh of a skirt's front. Once the garment is whole, each such
- * line gets its piece; the line stays as the mark on paper of where it is laid. Where the panel is too small for it, as
- * one that was cut apart may be, it is the mark alone; so it is on the seat of trousers, where the cloth is tight and a
- * piece of the same length over it does not come to rest with cloth on cloth (jeans at 20 mm: residual 0.26). It
- * changes no opening and no handle (drafting.md section 8).
+ * A patch lies on another panel; at three of its edges three sheets meet (board_patch.c). On the half a pocket is a
+ * mark of 13 x 15 cm, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
+ * gets a panel; the mark stays and shows where to sew it. A panel that is too small for the pocket keeps the mark
+ * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
+ * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
  */
 #include <math.h>
 #include <stdio.h>
@@ -19,7 +18,7 @@
 #define POCKET_MOVES 8
 
 
-/* moved by at most POCKET_MOVES steps each way, least first, until it lies within its panel, all sides of it */
+/* moves the mark by at most POCKET_MOVES steps each way, shortest way first, until it lies within its panel */
 static void pocket_within(mus__half *half, int32_t panel, double *xy)
 {
     const double step = POCKET_STEP * mus__lower_scale(half), w = xy[4] - xy[0], h = xy[1] - xy[3];

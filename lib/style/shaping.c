@@ -1,12 +1,12 @@
 /*
- * shaping.c: where the shaping of a bodice goes: the ten shapes, by moving darts and cutting panels apart.
+ * shaping.c: the ten shapes of a bodice, made by rotating darts and cutting panels apart.
  *
- * Every shape begins as the block: a front whose bust dart opens at the side, its point on the bust point. The dart is
- * turned about that point to where the word says (waist, shoulder, neck, centre, a line low on the side), let out as
- * gathers or flare, or run on into a seam that cuts the panel (shaping_cut.c, shaping_gather.c). Waist darts that a
- * shape keeps are drawn with the panel. What a shape asks for and a body has not (a bust dart of a flat chest) is left
- * out. At the end points stop short of the bust point, where the cloth rounds itself. Founding paper, section 5
- * (designs by separating and rotating patterns); drafting reference 4.1 to 4.4, 5.2.
+ * Every shape begins as the block: a front whose bust dart opens at the side, with its point on the bust point. The
+ * dart is rotated about that point (shaping_dart.c) to the waist, shoulder, neck, centre or low side, released as
+ * gathers or flare (shaping_gather.c), or continued as a seam that cuts the panel (shaping_cut.c). Waist darts that a
+ * shape keeps are drawn with the panel. A dart that the body does not have, such as the bust dart of a flat chest, is
+ * left out. Sewn darts end short of the bust point, where the cloth is rounded. Method: pivoting darts, as in Aldrich,
+ * Metric Pattern Cutting.
  */
 #include <math.h>
 #include <string.h>
@@ -15,7 +15,7 @@
 #include "geom/vec.h"
 #include "style/top.h"
 
-#define SHAPING_BACK (2.0 * MUS__CM) /* sewn darts end so far from the bust point */
+#define SHAPING_BACK (2.0 * MUS__CM) /* [m] sewn dart points from the bust point; practice is 2 to 3 cm */
 
 
 static bool shaping_darted(const mus__half *half)
@@ -26,7 +26,7 @@ static bool shaping_darted(const mus__half *half)
 
 void mus__shaping_plan(const mus__half *half, mus__top *top)
 {
-    /* a waist dart that becomes part of a seam is not drawn, nor one from a hem that a French dart cannot take in */
+    /* a waist dart that becomes part of a seam is not drawn, nor a long one from the hem beside a French dart */
     const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
     const bool princess = shape == MUS__SHAPE_PRINCESS_SHOULDER || shape == MUS__SHAPE_PRINCESS_ARMHOLE;
     const bool merged = shaping_darted(half) && (shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_FRENCH);
@@ -35,7 +35,7 @@ void mus__shaping_plan(const mus__half *half, mus__top *top)
     top->waist_darts[MUS__TOP_FRONT] = top->darts && !princess && !cut && !long_french;
     top->waist_darts[MUS__TOP_BACK] = top->darts && !princess;
 
-    /* darts that are to be one have one point */
+    /* darts that will be merged share their point */
     top->meet = merged;
     top->point_back = shape == MUS__SHAPE_SIDE_WAIST || shape == MUS__SHAPE_EMPIRE ? SHAPING_BACK : 0.0;
 }
@@ -43,7 +43,7 @@ void mus__shaping_plan(const mus__half *half, mus__top *top)
 
 /* ---- darts ---- */
 
-/* all into the waist: the bust dart is turned into the waist dart, or to the lower edge where there is none */
+/* waist: the bust dart is rotated into the waist dart, or to the lower edge when there is none */
 static void shaping_waist(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
@@ -57,7 +57,7 @@ static void shaping_waist(mus__half *half, mus__top *top)
 }
 
 
-/* bust and waist dart together low on the side, 5 cm above the waist */
+/* french: bust and waist dart are merged low on the side, 5 cm above the waist */
 static void shaping_french(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
@@ -78,7 +78,7 @@ static void shaping_french(mus__half *half, mus__top *top)
 }
 
 
-/* the bust dart to the middle of the shoulder */
+/* shoulder_waist: the bust dart is rotated to the middle of the shoulder */
 static void shaping_shoulder(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
@@ -91,7 +91,7 @@ static void shaping_shoulder(mus__half *half, mus__top *top)
 }
 
 
-/* loose: 0.65 of the bust dart to the lower edge as flare, the rest eased into the armhole */
+/* boxy: 0.65 of the bust dart becomes flare at the lower edge, the rest is eased into the armhole; chosen */
 static void shaping_boxy(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
@@ -102,7 +102,7 @@ static void shaping_boxy(mus__half *half, mus__top *top)
     if (leg == MUS_NONE) return;
     mus__shaping_smooth(board, mus__board_dart_release(board, leg));
 
-    /* without an armhole all that is left goes into the lower edge too */
+    /* without an armhole, the rest becomes flare too */
     const int32_t arm = mus__shaping_side(half, top, MUS__TOP_FRONT, "arm");
     if (arm == MUS_NONE || board->status != MUS_OK) return;
     const double s = fmin(front->arm_low_length, 0.7 * board->side[arm].length);

@@ -4,7 +4,7 @@
  * A princess line takes the bust dart and the waist dart into one seam: the bust dart is turned to where the seam
  * begins and runs on to the lower edge; the edges of both panels are then drawn fair, each a curve above and below the
  * bust point with one tangent there, so their lengths differ by millimetres, which the seam eases. Behind, the seam
- * runs through the waist dart. Source: drafting reference 3.3, 4.4, 5.2.
+ * runs through the waist dart.
  */
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * shaping_dart.c: what the shapes are made with: a half-edge of front or back found by name, the bust dart rotated
- * about its point, and an outline redrawn smooth where a dart was opened and released.
+ * shaping_dart.c: steps that the shapes share: finding a half-edge of front or back by name, rotating the bust dart
+ * about its point, and redrawing an edge smooth after a dart was released from it.
  */
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 
 int32_t mus__shaping_side(const mus__half *half, const mus__top *top, int32_t which, const char *name)
 {
-    const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
+    const bool alone = mus__top_hem(half);
     return mus__board_find(&half->board, top->panel[which], strcmp(name, "low") == 0 ? alone ? "hem" : "waist" : name);
 }
 
@@ -26,7 +26,7 @@ int32_t mus__shaping_turn(mus__half *half, mus__top *top, int32_t target, double
 }
 
 
-/* sides of one label after `side` become one with it */
+/* merges the half-edges of the same label that follow `side` into it */
 static void shaping_whole(mus__board *board, int32_t side)
 {
     if (side == MUS_NONE) return;

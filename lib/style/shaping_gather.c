@@ -1,10 +1,10 @@
 /*
- * shaping_gather.c: the bust dart let out as gathers at the neck or at the centre front, and what holds them.
+ * shaping_gather.c: the bust dart released as gathers at the neck or at the centre front, and the band or strip that
+ * holds them.
  *
- * The dart is turned to three places of the edge, a third each, and each of the three is let out, so the edge is longer
- * than the one that it was by their mouths. Gathers need something to be gathered to: at the neck a band round it, 2.5
- * cm high and as long as the neck was; at the centre a straight strip that is cut off the front first. Drafting
- * reference 4.2, 5.2.
+ * The dart is rotated to three points of the edge, a third each, and released, so that the edge becomes longer by the
+ * three mouths. It is gathered to its former length: at the neck to a band 2.5 cm high, at the centre front to a
+ * straight strip that is cut off the front first.
  */
 #include <math.h>
 #include <stdio.h>

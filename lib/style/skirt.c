@@ -1,9 +1,8 @@
 /*
- * skirt.c: the half of a skirt by its word: which of the skirts is drawn, and the straight one with its kin.
+ * skirt.c: the half of a skirt by its word; the straight skirts are drawn here.
  *
- * Each draws front and back (or gores, or sectors) on the cutting table with its top edge labelled "waist", sews what
- * belongs together, and stands it round the hips. Under a bodice the top edge is sewn to its waist.
- * Source: drafting.md sections 3.4, 3.5; formulas in the man page mus_design(3).
+ * Each skirt draws its panels on the cutting table with the top edge labelled "waist", sews them to one another and
+ * places them round the hips. Under a bodice the top edge is sewn to its waist. Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -15,7 +14,7 @@
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
 
 
-/* the block for this half: its waist under a bodice as long as that one's, its darts below that one's */
+/* figures of the skirt block: under a bodice its waist has the length of the bodice's and its darts lie below them */
 static mus__skirt_def skirt_block(const mus__half *half, double flare)
 {
     const double *m = half->measures.v, level = mus__lower_level(half);
@@ -56,8 +55,9 @@ static void skirt_waist_parts(const mus__skirt_half *block, mus__chain *part)
 }
 
 
-/* hem, side, waist with its darts, centre down to the slit (0: none), which makes it a seam */
-static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, bool front, double slit)
+/* hem, side, waist with its darts, centre down to the slit (0: none), which makes it a seam; a back is cut in two
+ * halves unless it is `whole` */
+static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, bool front, double slit, bool whole)
 {
     mus__outline outline;
     mus__chain chain, low, part[MUS__DARTS + 1];
@@ -76,11 +76,11 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     if (slit > 0.0) mus__outline_line(&outline, "slit", "hem", SKIRT_ALLOWANCE, open, bottom);
 
     const int32_t panel = mus__outline_panel(half, &outline, front ? "skirt_front" : "skirt_back", "skirt", !front);
-    mus__half_centre(half, panel, "centre", front && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
+    mus__half_centre(half, panel, "centre", (front || whole) && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
 
-    /* the hip: the front's side is walked up, the back's down */
+    /* notch at the hip level: the outline runs up the side of a front and down that of a back */
     const double hip = front ? block->side_length - block->side_high_length : block->side_high_length;
     mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"), hip,
                          front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
@@ -88,15 +88,15 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
 }
 
 
-/* slits of front and back (2) from the hem up; the front's panel */
-static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, const double *slit)
+/* draws and sews front and back; slit (2): heights of their slits above the hem; returns the panel of the front */
+static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, const double *slit, bool whole)
 {
     mus__skirt block;
     const mus_status status = mus__skirt_draft(half->context, def, &block);
     mus__half_failed(half, status);
     if (status != MUS_OK) return MUS_NONE;
-    const int32_t front = skirt_panel_draw(half, &block.front, true, slit[0]);
-    const int32_t back = skirt_panel_draw(half, &block.back, false, slit[1]);
+    const int32_t front = skirt_panel_draw(half, &block.front, true, slit[0], whole);
+    const int32_t back = skirt_panel_draw(half, &block.back, false, slit[1], whole);
     mus__half_sew(half, front, "side", back, "side", 0.0);
     const double width = fmax(block.front.hem_width, block.front.hip) + fmax(block.back.hem_width, block.back.hip);
     const double height = half->waist_level + mus__lower_level(half);
@@ -106,8 +106,8 @@ static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, c
 }
 
 
-/* straight; pencil: the hem 2.5 cm in a half; a-line: out by an eighth of what is below the hip, the waist taken in by
- * the side and the darts. A narrow hem that reaches the knee has a slit at the centre back */
+/* straight; pencil: the hem is 2.5 cm narrower, a half; a_line: it is wider by 0.18 of the length below the hip, a
+ * half. A narrow hem that reaches the knee has a slit at the centre back */
 void mus__skirt_straight(mus__half *half)
 {
     const int32_t kind = half->style.option[MUS__AXIS_SKIRT];
@@ -117,12 +117,37 @@ void mus__skirt_straight(mus__half *half)
     if (kind == MUS__SKIRT_A_LINE) def.flare = 0.18 * below;
     else if (below > 0.12 * half->measures.v[MUS_MEASURE_STATURE]) slit[1] = fmax(18.0 * MUS__CM * scale, 0.4 * below);
     if (kind == MUS__SKIRT_PENCIL) def.flare = -fmin(2.5 * MUS__CM * scale, 0.06 * below);
-    skirt_straight_draw(half, &def, slit);
+    skirt_straight_draw(half, &def, slit, false);
 }
 
 
-/* what laps over from the left front to the right one, from the end of the centre seam down: a sector about that end,
- * so that it hangs no lower than the hem; one for a hem that falls is shorter at its edge. It is cut once */
+/* the skirt block itself, front and back whole, without an opening: 0.36 of the stature long, 4 cm of ease on the hip.
+ * It hangs on the waist by being tighter than the hip: where that is hardly wider, it has no ease there. plain: A-line
+ * without darts; its top edge is wider than the waist by 0.15 of the difference of hip and waist and rests above the
+ * hip, so it is at most 0.95 of the hip; the hem is 0.10 of the length wider than the hip, a half */
+static void skirt_block_alone(mus__half *half)
+{
+    static const double slit[2] = {0.0, 0.0};
+    const double *m = half->measures.v, waist = m[MUS_MEASURE_WAIST], hip = m[MUS_MEASURE_HIP];
+    const bool plain = mus__style_is(half, MUS__AXIS_SKIRT, MUS__SKIRT_PLAIN);
+    mus__skirt_def def;
+    memset(&def, 0, sizeof def);
+    def.waist = waist;
+    def.hip = hip;
+    def.depth = m[MUS_MEASURE_WAIST_TO_HIP];
+    def.waist_ease = plain ? fmin(0.15 * (hip - waist), 0.95 * hip - waist)
+                           : fmin(2.0 * MUS__CM, 0.1 * fmax(0.0, hip - waist));
+    def.hip_ease = isnan(half->def.ease) ? 4.0 * MUS__CM : half->def.ease;
+    def.length = isnan(half->def.length) ? 0.36 * m[MUS_MEASURE_STATURE] : half->def.length;
+    def.rise = 1.2 * MUS__CM;
+    def.flare = plain ? 0.10 * def.length : 0.0;
+    def.darts = !plain;
+    skirt_straight_draw(half, &def, slit, true);
+}
+
+
+/* the part of the left front that laps over the right one, below the end of the centre seam: a sector about that
+ * end, so that it does not hang below the hem; shorter at its edge for a high-low hem. It is cut once */
 static void skirt_lap(mus__half *half, int32_t front, double top, double bottom, double width)
 {
     const double height = top - bottom, angle = fmin(width / height, 0.6);
@@ -144,22 +169,22 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
     half->board.panel[lap].single = 1;
     mus__half_sew(half, front, "slit", lap, "join", 0.0);
 
-    /* as the front, and 2 cm before it */
+    /* placed as the front and 2 cm before it */
     half->board.panel[lap].attr.placement = half->board.panel[front].attr.placement;
     half->board.panel[lap].attr.placement.origin[2] += 0.02;
     half->board.panel[lap].attr.placement.bend += 0.02;
 }
 
 
-/* a front that laps over: the fronts are sewn together at the centre half way to the hip, and from there on the left
- * one goes on over the right */
+/* a wrap skirt: the fronts are sewn together at the centre half way to the hip; below, the left one laps over the
+ * right */
 void mus__skirt_wrap(mus__half *half)
 {
     mus__skirt_def def = skirt_block(half, 0.0);
     const double below = fmax(0.0, def.length - def.depth);
     const double slit[2] = {def.length - 0.5 * def.depth, 0.0};
     def.flare = 0.10 * below;
-    const int32_t front = skirt_straight_draw(half, &def, slit);
+    const int32_t front = skirt_straight_draw(half, &def, slit, false);
     if (half->board.status != MUS_OK) return;
     skirt_lap(half, front, slit[0] - def.length, -def.length, 0.16 * (def.waist + def.hip));
 }
@@ -184,6 +209,8 @@ void mus__skirt_attach(mus__half *half)
     case MUS__SKIRT_BOX:
     case MUS__SKIRT_TIERED: mus__skirt_gathered(half); break;
     case MUS__SKIRT_WRAP: mus__skirt_wrap(half); break;
+    case MUS__SKIRT_BLOCK:
+    case MUS__SKIRT_PLAIN: skirt_block_alone(half); break;
     default: mus__skirt_straight(half); break;
     }
     mus__lower_waist_sew(half, first);

@@ -1,9 +1,9 @@
 /*
  * skirt_gather.c: skirts whose top edge is longer than the waist: gathered, in knife or box pleats, in tiers.
  *
- * A front and a back are rectangles, so many times as wide as the waist they are sewn to: gathers 1.8, box pleats 2.4,
- * knife pleats 3. The difference is the ease of the seam above. Pleats are notched along the top edge. Tiers: three
- * strips, the first 1.4 times the waist, each further one 1.5 times the one above. Source: drafting.md section 3.5.
+ * Front and back are rectangles, wider than the waist that they are sewn to: gathers 1.8 times, box pleats 2.4, knife
+ * pleats 3. The difference is the ease of the seam above. Pleats are notched along the top edge. A tiered skirt has
+ * three strips, the first 1.4 times the waist, each further one 1.5 times the one above. Ratios: dressmaking practice.
  */
 #include <math.h>
 #include <string.h>
@@ -12,13 +12,22 @@
 #include "style/lower.h"
 
 #define RUFFLE_TIERS 3
-#define RUFFLE_PLEAT (4.0 * MUS__CM) /* of a pleat that shows */
+#define RUFFLE_PLEAT (4.0 * MUS__CM) /* [m] visible width of a pleat */
 
 typedef struct ruffle_strip {
     const char *name;
     double width, top, centre, side; /* levels: of its top edge, of its lower edge at the centre and at the side */
     const char *top_label, *low_label;
 } ruffle_strip;
+
+/* front and back of one strip */
+typedef struct ruffle_tier {
+    const char *const *names; /* (2) of the panels */
+    double ratio;             /* width of its top edge over the waist */
+    double top, length;       /* level of its top edge, length at the side [m] */
+    double fall;              /* how much longer the back is than the side, the front shorter [m] */
+    const char *low_label;    /* of its lower edge */
+} ruffle_tier;
 
 
 /* hem (level at the centre, sloping to the side), side, top, centre */
@@ -44,7 +53,7 @@ static int32_t ruffle_draw(mus__half *half, const ruffle_strip *strip, bool fron
 }
 
 
-/* notches where the pleats fold: each takes `fold` of cloth beside what shows of it */
+/* notches at the folds of the pleats, each of which takes `fold` [m] of cloth beside its visible width */
 static void ruffle_pleats(mus__half *half, int32_t panel, double width, double ratio)
 {
     const int32_t side = mus__board_find(&half->board, panel, "waist");
@@ -57,20 +66,21 @@ static void ruffle_pleats(mus__half *half, int32_t panel, double width, double r
 }
 
 
-/* front and back of one strip, sewn at the side, round the hips; ratio: what its top is larger than net (2) */
-static void ruffle_pair(mus__half *half, const char *const *names, const double *net, double ratio, double top,
-                        double length, double fall, const char *low_label, int32_t *panels)
+/* draws front and back of a strip, sews them at the side and places them round the hips; net (2): sewn lengths of the
+ * waist [m]; panels (2) gets them */
+static void ruffle_pair(mus__half *half, const double *net, const ruffle_tier *tier, int32_t *panels)
 {
+    const double ratio = tier->ratio, top = tier->top, length = tier->length, fall = tier->fall;
     const double level = mus__lower_level(half);
     for (int i = 0; i < 2; i++) {
         const bool front = i == 0;
-        const ruffle_strip strip = {.name = names[i],
+        const ruffle_strip strip = {.name = tier->names[i],
                                     .width = ratio * net[i],
                                     .top = top,
                                     .centre = top - length + (front ? fall : -fall),
                                     .side = top - length,
                                     .top_label = top == 0.0 ? "waist" : "tier",
-                                    .low_label = low_label};
+                                    .low_label = tier->low_label};
         panels[i] = ruffle_draw(half, &strip, front);
     }
     mus__half_sew(half, panels[0], "side", panels[1], "side", 0.0);
@@ -86,8 +96,12 @@ static void ruffle_tiers(mus__half *half, const double *net, double first, doubl
     double ratio = first;
     int32_t above[2] = {MUS_NONE, MUS_NONE}, panels[2];
     for (int32_t t = 0; t < RUFFLE_TIERS; t++) {
-        ruffle_pair(half, names[t], net, ratio, -t * length / RUFFLE_TIERS, length / RUFFLE_TIERS, 0.0,
-                    t + 1 < RUFFLE_TIERS ? "tier" : "hem", panels);
+        const ruffle_tier tier = {.names = names[t],
+                                  .ratio = ratio,
+                                  .top = -t * length / RUFFLE_TIERS,
+                                  .length = length / RUFFLE_TIERS,
+                                  .low_label = t + 1 < RUFFLE_TIERS ? "tier" : "hem"};
+        ruffle_pair(half, net, &tier, panels);
         for (int i = 0; i < 2 && t > 0; i++)
             mus__half_sew(half, above[i], "hem", panels[i], "waist", (ratio - ratio / 1.5) * net[i]);
         memcpy(above, panels, sizeof above);
@@ -105,7 +119,7 @@ void mus__skirt_gathered(mus__half *half)
     double ratio = kind == MUS__SKIRT_GATHERED ? 1.8 : kind == MUS__SKIRT_BOX ? 2.4 : 3.0;
     if (kind == MUS__SKIRT_TIERED) ratio = 1.4;
 
-    /* it must clear the hip by 4 cm, as a drawn-up casing must for it to be put on */
+    /* the top edge clears the hip by 4 cm, so that a skirt with elastic can be put on */
     const double hip = 0.5 * (fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]) + 4.0 * MUS__CM);
     ratio = fmax(ratio, hip / (net[0] + net[1]));
     if (kind == MUS__SKIRT_TIERED) {
@@ -114,7 +128,8 @@ void mus__skirt_gathered(mus__half *half)
     }
     int32_t panels[2];
     const double fall = half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW ? 0.18 * length : 0.0;
-    ruffle_pair(half, names, net, ratio, 0.0, length, fall, "hem", panels);
+    const ruffle_tier tier = {.names = names, .ratio = ratio, .length = length, .fall = fall, .low_label = "hem"};
+    ruffle_pair(half, net, &tier, panels);
     for (int i = 0; i < 2 && kind != MUS__SKIRT_GATHERED; i++)
         ruffle_pleats(half, panels[i], ratio * net[i], ratio);
 }

@@ -3,11 +3,11 @@
  *
  *      w ___ w      Every edge of every gore has one curve, moved sideways: from the waist out by the same t to the
  *       /   \       hip, down, and out to the hem. So all seams match whatever the gores' widths are: under a bodice
- *      (  h  )      the joints lie where its darts or seams are, and the side seams meet. t is what the hip is larger
- *      /_____\      than the waist, shared among all edges.
+ *      (  h  )      the joints lie where its darts or seams are, and the side seams meet. t is the hip
+ *      /_____\      less the waist, shared equally among all edges.
  *
- * Six gores have one in front and one behind on the fold; four and eight have centre seams. Gores stand round the hips
- * with their hems side by side. Source: drafting.md sections 3.4 (gores) and 3.5 (godet).
+ * Six gores have one in front and one behind on the fold; four and eight have centre seams. Gores are placed round
+ * the hips with their hems side by side.
  */
 #include <math.h>
 #include <string.h>

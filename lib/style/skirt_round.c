@@ -8,9 +8,9 @@
  *   L  /         \     (hi-low), its radius goes with the cosine of the way round, drawn as cubics through points and
  *     (___________)    tangents.
  *
- * Sectors stand as a cone does, tilted out by asin f, but no flatter than lets the hands be above it; what is then too
- * wide for a quarter of the way round is rolled about the middle line until its hem's corners meet the next one's.
- * Source: drafting.md section 3.5.
+ * Sectors are placed as parts of a cone, tilted out by asin f, but steep enough to stay below the hands. A sector that
+ * is then wider than a quarter of the way round is rolled about its middle line until its hem meets the next sector's.
+ * Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>

@@ -1,11 +1,11 @@
 /*
- * sleeve.c: sleeves of a half garment: the armhole that is on the cutting table is measured, a cap is drafted to
- * it and sewn in, the underarm closed, the sleeve rolled round the arm.
+ * sleeve.c: sleeves of a half garment: the armhole on the cutting table is measured, a cap is drafted to it and sewn
+ * in, the underarm is sewn, and the sleeve is rolled round the arm.
  *
- * The armhole is read as one line from the underarm over the front to the shoulder and down the back, whatever panels
- * it runs over. A cap with ease, or gathered, is cut at the pitches (where the armhole has its notches): below them it
- * is sewn length to length, all that is longer lies between them and the crown. Without ease it is one piece before and
- * one behind. Formulas: man page mus_design(3).
+ * The armhole is read as one line from the underarm over the front to the shoulder and down the back, over all its
+ * panels. A cap with ease or gathers is parted at the pitches, where the armhole has its notches: below them cap and
+ * armhole have one length, and the ease lies between the pitches and the crown. A cap without ease has one edge in
+ * front and one behind. Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -14,14 +14,14 @@
 
 #define SLEEVE_SEAM 0.010
 #define SLEEVE_HEM 0.025
-/* pitch without a notch: part of the armhole from the underarm up, before and behind */
+/* pitch of an armhole without a notch, as part of its length from the underarm up: near that of the bodice block */
 #define PITCH_FRONT 0.47
 #define PITCH_BACK 0.48
 
 
 /* ---- the plan ---- */
 
-/* arc length of the pitch on sides first..last - 1: the notch, or else a joint near where it would be */
+/* arc length of the pitch on half-edges first..last - 1: the notch, else the joint nearest to the usual place */
 static double plan_pitch(const mus__half *half, const mus__boundary *arm, int32_t first, int32_t last, bool front)
 {
     const double s0 = arm->s[first], s1 = arm->s[last], length = s1 - s0;
@@ -36,19 +36,20 @@ static double plan_pitch(const mus__half *half, const mus__boundary *arm, int32_
 }
 
 
-/* knit and loose tops have a flat cap without ease */
+/* whether the cap is flat and has no ease: of knit and loose tops */
 static bool plan_flat(const mus__half *half)
 {
     const int32_t *option = half->style.option, sleeve = option[MUS__AXIS_SLEEVE];
     return option[MUS__AXIS_CLOTH] == MUS__CLOTH_KNIT || option[MUS__AXIS_SHAPE] == MUS__SHAPE_BOXY ||
-           sleeve == MUS__SLEEVE_RAGLAN || sleeve == MUS__SLEEVE_CAP;
+           sleeve == MUS__SLEEVE_RAGLAN || sleeve == MUS__SLEEVE_CAP || sleeve == MUS__SLEEVE_TEE;
 }
 
 
-/* breadth on the biceps line: the arm with 1.15 of its girth, or for a flat cap between 4 and 12 cm of room */
+/* breadth on the biceps line [m]: by the ease word 1.10 to 1.45 of the upper arm; of a flat cap 4 to 12 cm more than
+ * it */
 static double plan_width(const mus__half *half, double cap, bool flat)
 {
-    static const double room[] = {1.15, 1.10, 1.24, 1.45}; /* regular, slim, loose, coat */
+    static const double room[] = {1.15, 1.10, 1.24, 1.45, 1.15}; /* regular, slim, loose, coat, block */
     const double arm = half->measures.v[MUS_MEASURE_UPPER_ARM], k = mus__measures_scale(&half->measures);
     const int32_t ease = half->style.option[MUS__AXIS_EASE];
     double width = room[ease] * arm;
@@ -61,10 +62,11 @@ static double plan_width(const mus__half *half, double cap, bool flat)
 }
 
 
-/* part of the arm's length from the crown to the hem */
+/* length of the sleeve from the crown as part of the arm length; chosen */
 static double plan_part(int32_t sleeve)
 {
     switch (sleeve) {
+    case MUS__SLEEVE_TEE:
     case MUS__SLEEVE_SHORT: return 0.36;
     case MUS__SLEEVE_PUFF: return 0.34;
     case MUS__SLEEVE_ELBOW: return 0.56;
@@ -76,7 +78,8 @@ static double plan_part(int32_t sleeve)
 }
 
 
-/* a cuff closes round the arm with 5 cm of room, and the hand goes through; a rib is 0.8 of the hem that it draws in */
+/* sets the cuff and the hem above it: a cuff is 5 cm longer than the girth of the arm and the hand passes it; a rib is
+ * 0.8 of the hem that it draws in */
 static void plan_cuff(mus__half *half, double part, double hand, mus__sleeve_plan *plan, double *hem)
 {
     const double *m = half->measures.v, k = mus__measures_scale(&half->measures);
@@ -100,7 +103,15 @@ static void plan_cuff(mus__half *half, double part, double hand, mus__sleeve_pla
 }
 
 
-/* block of the sleeve: the hem narrows from the biceps to the hand with the length */
+/* hem [m] of a T-shirt's sleeve that is `part` of the arm long: it narrows from the biceps line towards the hand by the
+ * length, by 0.15 of the way at least */
+static double plan_tee_hem(double width, double hand, double part)
+{
+    return width + fmax(0.15, fmin(1.0, part - 0.25)) * (fmin(hand, width) - width);
+}
+
+
+/* drafts the block of the sleeve; its hem narrows from the biceps towards the hand with the length */
 static void plan_block(mus__half *half, mus__sleeve_plan *plan)
 {
     const double *m = half->measures.v, k = mus__measures_scale(&half->measures), arm = m[MUS_MEASURE_ARM];
@@ -117,10 +128,11 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
     def.length = fmax(part * arm, least);
     plan->reach = fmin(1.0, fmax(0.05, (def.length - height) / fmax(arm - height, 1.0 * MUS__CM)));
     const bool coat = half->style.option[MUS__AXIS_EASE] == MUS__EASE_COAT;
-    const double over = coat ? 6.0 * k * MUS__CM : 0.0; /* the cuff under it */
+    const double over = coat ? 6.0 * k * MUS__CM : 0.0; /* room for the cuff of the shirt under it */
     const double hand = fmax(1.2 * m[MUS_MEASURE_WRIST], m[MUS_MEASURE_HAND] + 1.5 * MUS__CM) + over;
     const double taper = plan->reach < 0.6 ? 2.0 * k * MUS__CM : 0.0;
     def.hem = fmax(def.width + plan->reach * (fmin(hand, def.width) - def.width) - taper, hand);
+    if (sleeve == MUS__SLEEVE_TEE) def.hem = plan_tee_hem(def.width, hand, def.length / arm);
     plan_cuff(half, part, hand, plan, &def.hem);
     const double blouse = sleeve == MUS__SLEEVE_BISHOP ? 3.0 * k * MUS__CM : 0.0;
     def.length = fmax(def.length - plan->cuff_depth + blouse, least);
@@ -136,7 +148,7 @@ void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
     mus__boundary_read(half, "armhole", arm);
     if (board->status != MUS_OK) return;
 
-    /* the shoulder is where the front meets the back; a yoke goes over it, with a joint there */
+    /* the shoulder is the joint of front and back; a yoke goes over it, with a joint near the middle of the armhole */
     out->shoulder = mus__boundary_over(board, arm, "shoulder");
     if (out->shoulder == MUS_NONE) out->shoulder = mus__boundary_near(arm, 0.51, 0.1);
     if (out->shoulder == MUS_NONE || out->shoulder == 0) {
@@ -158,7 +170,7 @@ void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
 
 /* ---- sewing in ---- */
 
-/* fullness by style; low parts of the cap have the length of the armhole below the pitches */
+/* outline of the sleeve with the fullness of its word */
 static void sleeve_cut(const mus__half *half, const mus__sleeve_plan *plan, mus__sleeve_cut *cut)
 {
     const double k = mus__measures_scale(&half->measures), *m = half->measures.v;
@@ -183,8 +195,8 @@ static void sleeve_cut(const mus__half *half, const mus__sleeve_plan *plan, mus_
 }
 
 
-/* sides of the panel in order; `parted`: caps in two parts each. cap[] gets them in the order of the cut, MUS_NONE for
- * the low parts that are not there */
+/* adds the panel of a sleeve; `parted`: each half of the cap in two edges. cap (MUS__CAP_PARTS) gets the half-edges of
+ * the cap, MUS_NONE for low parts that are not there. Returns the panel */
 static int32_t sleeve_panel(mus__half *half, const mus__sleeve_cut *cut, bool parted, int32_t *cap)
 {
     static const char *const names[MUS__CAP_PARTS] = {"capB_low", "capB", "capF", "capF_low"};
@@ -218,7 +230,7 @@ static int32_t sleeve_panel(mus__half *half, const mus__sleeve_cut *cut, bool pa
 }
 
 
-/* cap parts to the armhole, below the pitches and above */
+/* sews the parts of the cap to the armhole, below and above the pitches */
 static void sleeve_sew(mus__half *half, mus__sleeve_plan *plan, const int32_t *cap, bool parted)
 {
     mus__board *board = &half->board;
@@ -244,7 +256,7 @@ static void sleeve_sew(mus__half *half, mus__sleeve_plan *plan, const int32_t *c
 }
 
 
-/* a sleeve of its own, sewn all round the armhole */
+/* a set-in sleeve, sewn all round the armhole */
 static void sleeve_set_in(mus__half *half, mus__sleeve_plan *plan)
 {
     mus__board *board = &half->board;
@@ -259,7 +271,7 @@ static void sleeve_set_in(mus__half *half, mus__sleeve_plan *plan)
     if (board->status != MUS_OK) return;
     sleeve_sew(half, plan, cap, parted);
 
-    /* rolled so close that the hem reaches round the arm more than half way, too */
+    /* the roll is close enough for the hem to reach more than half round the arm */
     const double arm = half->measures.v[MUS_MEASURE_UPPER_ARM] + 2.0 * MUS__CM;
     const double roll = fmin(cut.width, fmax(arm, 1.5 * mus__chain_length(&cut.hem)));
     mus__panel_place_arm(half, panel, cut.crown[0], cut.crown[1], roll);
@@ -294,7 +306,7 @@ static void sleeve_cap_alone(mus__half *half, mus__sleeve_plan *plan)
 }
 
 
-/* what is open when the sleeve is on: two cuffs, or the armholes, which a halter has one of and a strapless top none */
+/* openings of the sleeves: two cuffs, or the armholes, of which a halter has one and a strapless top none */
 static void sleeve_openings(mus__half *half)
 {
     const int32_t style = half->style.option[MUS__AXIS_SLEEVE], neck = half->style.option[MUS__AXIS_NECK];

@@ -9,28 +9,28 @@
 #include "half/panel_place.h"
 #include "style/parts.h"
 
-/* what the style and the armhole ask of a sleeve */
+/* figures of a sleeve by its style and its armhole */
 typedef struct mus__sleeve_plan {
     mus__boundary arm;               /* the armhole, from the front underarm round */
-    int32_t shoulder;           /* number of its first side behind */
-    double front, back;         /* its lengths before and behind */
-    double front_low, back_low; /* underarm to pitch */
-    double ease;                /* of the cap, as a part of it */
-    double reach;               /* how far down the arm it goes, from the biceps line 0 to the wrist 1 */
-    double cuff_length, cuff_depth; /* 0: none */
+    int32_t shoulder;           /* number of its first half-edge behind the shoulder */
+    double front, back;         /* lengths of its front and back [m] */
+    double front_low, back_low; /* arc lengths from the underarm to the pitch [m] */
+    double ease;                /* ease of the cap, as a part of the armhole */
+    double reach;               /* end of the sleeve along the arm, from 0 at the biceps line to 1 at the wrist */
+    double cuff_length, cuff_depth; /* [m]; 0: no cuff */
     mus__sleeve block;              /* without its cuff */
 } mus__sleeve_plan;
 
 void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out);
 
-/* ---- sleeve_raglan.c, sleeve_dolman.c: sleeves that take part of the front and back along ---- */
+/* ---- sleeve_raglan.c, sleeve_dolman.c: sleeves that recut front and back ---- */
 
 void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan);
 void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan);
 
-/* ---- cuff_style.c ---- */
+/* ---- cuff.c ---- */
 
-/* a band of `length` sewn to the cuff edge of the half, `down` below the crown along the arm */
+/* Sews a band of `length` and `depth` to the end of the sleeve, placed `down` below the crown along the arm [m]. */
 void mus__cuff_attach(mus__half *half, double length, double depth, double down);
 
 #endif

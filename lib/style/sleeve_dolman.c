@@ -1,7 +1,7 @@
 /*
- * sleeve_dolman.c: the sleeve is drawn on to front and back. The shoulder goes on along the top of the arm, bent down
- * as the arm is held; the underarm lies lower on the side seam and is round. A bust dart in the way is turned further
- * down. Front and back have the same top, and undersides of the same length.
+ * sleeve_dolman.c: the dolman sleeve, drawn in one with front and back. The shoulder continues along the top of the
+ * arm, bent down by the angle of the arm; the underarm lies lower on the side seam and is round. A bust dart in its way
+ * is rotated further down. Front and back have the same top edge, and undersides of one length.
  *
  *        neck ___ shoulder
  *            |   \___

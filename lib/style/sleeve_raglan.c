@@ -1,7 +1,8 @@
 /*
- * sleeve_raglan.c: front and back are cut from the neck, 3.5 cm from the shoulder, in a bowed line to the pitch of the
- * armhole. What is cut off is moved to the cap, pitch on pitch, until its shoulder point lies over the crown; between
- * the two shoulder lines there is then a dart, which goes on over the ball of the shoulder.
+ * sleeve_raglan.c: the raglan sleeve. Front and back are cut in a bowed line from the neck, 3.5 cm from the shoulder,
+ * to the pitch of the armhole. The corners that are cut off are moved to the cap, pitch on pitch, until their shoulder
+ * points lie over the crown. The gap between the two shoulder lines is a dart that continues over the ball of the
+ * shoulder.
  *
  *          neckB  /\  neckF
  *                /  \

@@ -4,7 +4,7 @@
  * The bodice block of the person (darted for women) is drawn down to the hem with the neckline of the style; the bust
  * dart opens at the side and is then moved, split, eased or turned into a seam (shaping.c). Below the waist the side
  * curves to the hip, or runs straight in a boxy top. Front and back sides are congruent when the darts are closed, so
- * side seams match by construction. Formulas: man page mus_design(3); drafting reference 3.1, 3.9, 3.10.
+ * side seams match by construction. Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -13,15 +13,15 @@
 #include "geom/vec.h"
 #include "style/top.h"
 
-/* crotch and shoulder of a jumpsuit are tied: its body is longer, so that one can bend and sit */
+/* [m] extra length of the body of a jumpsuit, which ties crotch and shoulder, for bending and sitting; chosen */
 #define TORSO_BLOUSE (2.5 * MUS__CM)
 
 
 /* ---- blocks ---- */
 
-/* a seam on the shoulder does not go beyond the shoulder point, where the arm turns down: up to 0.15 shorter. A loose
- * top, and one without sleeves, lies on the shoulder: its line 4.6 degrees flatter than the tape's, since the arm is
- * off the body */
+/* adapts the shoulder: its seam ends at the shoulder point, where the arm turns down, but is at most 0.15 shorter than
+ * measured. A loose top, or one without sleeves, has a shoulder line 0.08 rad (4.6 degrees) flatter than the tape's,
+ * since the arms are drawn away from the body; chosen */
 static void torso_shoulder(const mus__half *half, bool loose, mus__measures *measures)
 {
     double *m = measures->v;
@@ -32,11 +32,11 @@ static void torso_shoulder(const mus__half *half, bool loose, mus__measures *mea
 }
 
 
-/* y of the lower edge: the waist of a dress or jumpsuit, else by the caller's wish or the word */
+/* y of the lower edge [m]: 0 for a dress, a jumpsuit or a block, else the length given by the caller or by the word */
 static double torso_hem(const mus__half *half, double scale)
 {
     const double hip = half->measures.v[MUS_MEASURE_WAIST_TO_HIP];
-    if (!mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP)) return 0.0;
+    if (!mus__top_hem(half)) return 0.0;
     if (!isnan(half->def.length)) return -half->def.length;
     switch (half->style.option[MUS__AXIS_TOP_LENGTH]) {
     case MUS__TOP_LENGTH_CROP: return fmin(4.0 * scale * MUS__CM, 0.25 * half->bodice.underarm);
@@ -47,7 +47,7 @@ static double torso_hem(const mus__half *half, double scale)
 }
 
 
-/* the block of the person: darted for women, but for a loose knit; a boxy one lies loosely on the shoulder */
+/* drafts the bodice block with the eases of the style; darted for women, except for boxy knits */
 static void torso_blocks(mus__half *half, mus__top *top)
 {
     mus__measures measures = half->measures;
@@ -55,8 +55,9 @@ static void torso_blocks(mus__half *half, mus__top *top)
     const double k = mus__measures_scale(&measures);
     const bool boxy = mus__style_is(half, MUS__AXIS_SHAPE, MUS__SHAPE_BOXY);
     const bool bare = mus__style_is(half, MUS__AXIS_SLEEVE, MUS__SLEEVE_NONE);
+    const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
     mus__bodice_def_init(&def, &measures);
-    torso_shoulder(half, boxy || bare, &measures);
+    if (!block) torso_shoulder(half, boxy || bare, &measures);
     if (mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_JUMPSUIT)) {
         measures.v[MUS_MEASURE_BACK_WAIST] += TORSO_BLOUSE * k;
         measures.v[MUS_MEASURE_FRONT_WAIST] += TORSO_BLOUSE * k;
@@ -67,7 +68,7 @@ static void torso_blocks(mus__half *half, mus__top *top)
         def.scye_ease = 1.5 * k * MUS__CM;
         def.balance = 0.4 * MUS__CM;
         def.darts = def.darts && mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_WOVEN);
-    } else if (bare) {
+    } else if (bare && !block) {
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
     if (mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_COAT)) {
@@ -93,8 +94,8 @@ static void torso_blocks(mus__half *half, mus__top *top)
 }
 
 
-/* side seam: in at the waist, out to the hip. A block without darts is taken in by as much at the side as a darted one
- * is, a dress or jumpsuit by what the waist asks for, but not steeper than 0.18; what is left is ease of the waist */
+/* shaping of the side seam at waist and hip. The side of a top without darts is taken in by 0.35 of the difference of
+ * bust and waist, that of a dress or jumpsuit by all of it, but with a slope of at most 0.18; the rest is waist ease */
 static void torso_sides(mus__half *half, mus__top *top)
 {
     const mus__bodice *bodice = &half->bodice;
@@ -107,7 +108,7 @@ static void torso_sides(mus__half *half, mus__top *top)
     top->side_in = bodice->side_in;
     if (boxy) {
         top->side_in = 0.0;
-    } else if (!top->darts) {
+    } else if (!top->darts && !mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK)) {
         top->side_in = top_alone ? fmax(0.0, fmin(0.35 * t, 2.5 * MUS__CM)) : fmin(t, 0.18 * bodice->underarm);
     }
 
@@ -122,7 +123,7 @@ static void torso_sides(mus__half *half, mus__top *top)
 /* ---- edges ---- */
 
 
-/* darts that were drawn are sewn */
+/* sews the darts that were drawn */
 static void torso_sew_darts(mus__half *half, int32_t panel)
 {
     static const char *const legs[][2] = {{"wd1", "wd2"}, {"wd3", "wd4"}, {"bd1", "bd2"}};
@@ -173,7 +174,7 @@ static void torso_draw(mus__half *half, mus__top *top, int32_t which)
 }
 
 
-/* sew what the boundary of the fronts and of the backs has under one label */
+/* sews the runs of one label of fronts and backs */
 static void torso_sew(mus__half *half, const char *label)
 {
     int32_t front[MUS__TOP_RUN], back[MUS__TOP_RUN];
@@ -195,7 +196,7 @@ static void torso_place(mus__half *half, const mus__top *top)
 }
 
 
-/* the ease that the waist line has become: shaping that is left out, or flare, makes it wider */
+/* sets the waist ease to that of the waist line as drawn, which is wider without darts or with flare */
 static void torso_waist(mus__half *half)
 {
     int32_t sides[MUS__TOP_RUN];
@@ -229,6 +230,6 @@ void mus__top_draft(mus__half *half)
     torso_place(half, &top);
     torso_waist(half);
 
-    /* a step that finds no room says so by an argument that is out of range */
+    /* a step that finds no room reports an argument out of range: the design is infeasible */
     if (half->board.status == MUS_ERR_ARG) half->board.status = MUS_ERR_DESIGN;
 }

@@ -143,12 +143,19 @@ void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus
 }
 
 
+bool mus__top_hem(const mus__half *half)
+{
+    return mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP) &&
+           !mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
+}
+
+
 /* the lower edge from the centre to the side, with the waist darts of the block: w1, wd1, wd2, w2, ... */
 void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end,
                       mus__outline *outline)
 {
     static const char *const edges[] = {"w1", "w2", "w3"}, *const legs[] = {"wd1", "wd2", "wd3", "wd4"};
-    const bool alone = mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP);
+    const bool alone = mus__top_hem(half);
     const mus__bodice_half *block = which == MUS__TOP_FRONT ? &half->bodice.front : &half->bodice.back;
     const char *label = alone ? "hem" : "waist";
     const double allowance = alone ? MUS__TOP_HEM : MUS__TOP_SEAM;

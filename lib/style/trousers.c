@@ -8,7 +8,7 @@
  *
  * Front and back are sewn at inseam and outseam; the crotch sides are centre seams, which the doubling sews. Under a
  * bodice the waist is sewn to its waist, the rise 3 cm longer, since shoulder and crotch are then tied to each other.
- * Source: drafting.md sections 3.6, 3.10; formulas in the man page mus_design(3).
+ * Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>

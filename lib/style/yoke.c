@@ -1,8 +1,8 @@
 /*
  * yoke.c: a shirt yoke: the upper back and a strip of the front over the shoulder in one piece.
  *
- * The back is cut level at a quarter of its armhole below the shoulder point; the front 2 cm below the shoulder, along
- * it; what is cut off the two is joined at the shoulder, which is then a seam no more. Drafting reference 3.3.
+ * The back is cut horizontally at a quarter of its armhole below the shoulder point, the front along the shoulder, 2 cm
+ * below it. The two parts cut off are joined at the shoulder, which is no seam any more. Method: FreeSewing 4 (simon).
  */
 #include <math.h>
 #include <string.h>

@@ -17,55 +17,58 @@ typedef struct tape_pair {
     double factor, add;
 } tape_pair;
 
-#define M(name) MUS_MEASURE_##name
+#define TAPE_M(name) MUS_MEASURE_##name
 
 static const tape_pair tape_errors[] = {
-    {M(HIP), M(WAIST), 3.0, 0.0},
-    {M(WAIST), M(HIP), 2.5, 0.0},
-    {M(BUST), M(WAIST), 3.0, 0.0},
-    {M(NECK), M(BUST), 0.9, 0.0},
-    {M(UNDERBUST), M(BUST), 1.0, 0.0},
-    {M(BUST_SPAN), M(BUST), 0.5, 0.0},
-    {M(SHOULDER), M(STATURE), 1.0 / 6, 0.0},
-    {M(WAIST_HEIGHT), M(STATURE), 1.0, 0.0},
-    {M(WAIST_TO_HIP), M(RISE), 1.0, 4.0},
-    {M(WRIST), M(UPPER_ARM), 1.0, 0.0},
-    {M(ANKLE), M(CALF), 1.0, 2.0},
-    {M(ELBOW), M(ARM), 0.70, 0.0},
-    {M(INLEG), M(STATURE), 0.56, 0.0},
-    {M(BUST), M(STATURE), 1.3, 0.0},
-    {M(WAIST), M(STATURE), 1.3, 0.0},
-    {M(HIP), M(STATURE), 1.3, 0.0},
-    {M(NAPE_HEIGHT), M(STATURE), 1.0, 0.0},
-    {M(WAIST_HEIGHT), M(NAPE_HEIGHT), 1.0, 0.0},
-    {M(WAIST_HEIGHT), M(BUST_HEIGHT), 1.0, 0.0},
-    {M(BUST_HEIGHT), M(NAPE_HEIGHT), 1.0, 0.0},
+    {TAPE_M(HIP), TAPE_M(WAIST), 3.0, 0.0},
+    {TAPE_M(WAIST), TAPE_M(HIP), 2.5, 0.0},
+    {TAPE_M(BUST), TAPE_M(WAIST), 3.0, 0.0},
+    {TAPE_M(NECK), TAPE_M(BUST), 0.9, 0.0},
+    {TAPE_M(UNDERBUST), TAPE_M(BUST), 1.0, 0.0},
+    {TAPE_M(BUST_SPAN), TAPE_M(BUST), 0.5, 0.0},
+    {TAPE_M(SHOULDER), TAPE_M(STATURE), 1.0 / 6, 0.0},
+    {TAPE_M(WAIST_HEIGHT), TAPE_M(STATURE), 1.0, 0.0},
+    {TAPE_M(WAIST_TO_HIP), TAPE_M(RISE), 1.0, 4.0},
+    {TAPE_M(WRIST), TAPE_M(UPPER_ARM), 1.0, 0.0},
+    {TAPE_M(ANKLE), TAPE_M(CALF), 1.0, 2.0},
+    {TAPE_M(ELBOW), TAPE_M(ARM), 0.70, 0.0},
+    {TAPE_M(INLEG), TAPE_M(STATURE), 0.56, 0.0},
+    {TAPE_M(BUST), TAPE_M(STATURE), 1.3, 0.0},
+    {TAPE_M(WAIST), TAPE_M(STATURE), 1.3, 0.0},
+    {TAPE_M(HIP), TAPE_M(STATURE), 1.3, 0.0},
+    {TAPE_M(NAPE_HEIGHT), TAPE_M(STATURE), 1.0, 0.0},
+    {TAPE_M(WAIST_HEIGHT), TAPE_M(NAPE_HEIGHT), 1.0, 0.0},
+    {TAPE_M(WAIST_HEIGHT), TAPE_M(BUST_HEIGHT), 1.0, 0.0},
+    {TAPE_M(BUST_HEIGHT), TAPE_M(NAPE_HEIGHT), 1.0, 0.0},
 };
 
-static const tape_pair tape_low_errors[] = {{M(BUST), M(STATURE), 0.2, 0.0},
-                                            {M(WAIST), M(STATURE), 0.2, 0.0},
-                                            {M(HIP), M(STATURE), 0.2, 0.0},
-                                            {M(ELBOW), M(ARM), 0.45, 0.0}};
+static const tape_pair tape_low_errors[] = {{TAPE_M(BUST), TAPE_M(STATURE), 0.2, 0.0},
+                                            {TAPE_M(WAIST), TAPE_M(STATURE), 0.2, 0.0},
+                                            {TAPE_M(HIP), TAPE_M(STATURE), 0.2, 0.0},
+                                            {TAPE_M(ELBOW), TAPE_M(ARM), 0.45, 0.0}};
 
 static const tape_pair tape_warnings[] = {
-    {M(HIGH_BUST), M(BUST), 1.0, 3.0},
-    {M(FRONT_WAIST), M(BACK_WAIST), 1.0, 12.0},
-    {M(BACK_WAIST), M(FRONT_WAIST), 1.0, 12.0},
-    {M(BUST_DEPTH), M(FRONT_WAIST), 1.0, -8.0},
-    {M(BUST), M(UNDERBUST), 1.0, 30.0},
-    {M(WAIST), M(BUST), 1.2, 0.0},
-    {M(WAIST), M(HIP), 1.2, 0.0},
-    {M(NECK), M(BUST), 0.55, 0.0},
-    {M(THIGH), M(HIP), 0.75, 0.0},
-    {M(KNEE), M(THIGH), 1.0, 0.0},
-    {M(CALF), M(KNEE), 1.0, 6.0},
-    {M(CROTCH_LENGTH), M(RISE), 3.2, 0.0},
+    {TAPE_M(HIGH_BUST), TAPE_M(BUST), 1.0, 3.0},
+    {TAPE_M(FRONT_WAIST), TAPE_M(BACK_WAIST), 1.0, 12.0},
+    {TAPE_M(BACK_WAIST), TAPE_M(FRONT_WAIST), 1.0, 12.0},
+    {TAPE_M(BUST_DEPTH), TAPE_M(FRONT_WAIST), 1.0, -8.0},
+    {TAPE_M(BUST), TAPE_M(UNDERBUST), 1.0, 30.0},
+    {TAPE_M(WAIST), TAPE_M(BUST), 1.2, 0.0},
+    {TAPE_M(WAIST), TAPE_M(HIP), 1.2, 0.0},
+    {TAPE_M(NECK), TAPE_M(BUST), 0.55, 0.0},
+    {TAPE_M(THIGH), TAPE_M(HIP), 0.75, 0.0},
+    {TAPE_M(KNEE), TAPE_M(THIGH), 1.0, 0.0},
+    {TAPE_M(CALF), TAPE_M(KNEE), 1.0, 6.0},
+    {TAPE_M(CROTCH_LENGTH), TAPE_M(RISE), 3.2, 0.0},
 };
 
 static const tape_pair tape_low_warnings[] = {
-    {M(HIP), M(WAIST), 0.85, 0.0}, {M(THIGH), M(HIP), 0.45, 0.0}, {M(CROTCH_LENGTH), M(RISE), 1.6, 0.0}};
+    {TAPE_M(HIP), TAPE_M(WAIST), 0.85, 0.0},
+    {TAPE_M(THIGH), TAPE_M(HIP), 0.45, 0.0},
+    {TAPE_M(CROTCH_LENGTH), TAPE_M(RISE), 1.6, 0.0},
+};
 
-#undef M
+#undef TAPE_M
 
 #define TAPE_COUNT(list) ((int)(sizeof(list) / sizeof *(list)))
 

@@ -1,8 +1,9 @@
 /*
- * check.c: is a pattern fit to cut and sew? Each fault with the cell it is at and a sentence for the person at the
- * table, in the order panels, edges, seams, the garment as a whole (garment.c).
+ * check.c: is a pattern fit to cut and sew? Each fault has the cell that it is at and a sentence for the person at the
+ * table. Faults come in the order of panels, edges, seams, the garment as a whole (check_garment.c).
  *
- * Numbers in the sentences are written by hand: they read the same in every locale.
+ * The check stands in lib/topology, not in lib/pattern, because loose edges, twisted seams and all faults of a garment
+ * are questions about the quotient. It reads the pattern and changes nothing in it.
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,9 +11,9 @@
 
 #include "topology/faults.h"
 
-/* 1 cm2: smaller than any piece that is cut, larger than what a slip of the pencil encloses */
+/* [m2] least area of a panel, 1 cm2: below any panel that is cut, above the area that a slip of the pencil encloses */
 #define SMALLEST_AREA 1e-4
-/* lengths are known to this [m] */
+/* [m] error of a length */
 #define LENGTH_SLACK 1e-9
 
 

@@ -1,29 +1,31 @@
 /*
- * garment.c: what a pattern is meant to be as a garment, and the faults of one that it is not.
+ * check_garment.c: the faults of a pattern that declares its openings, as a garment.
  *
- * Characteristic, sides and number of openings do not tell a T-shirt from one with a sleeve left off: an armhole is
- * open in place of a cuff. So a pattern may declare its openings, by the labels of their rims ("hem", "neck", "cuff",
- * "cuff"); one that declares any is checked as a garment: it hangs together, has no handle, is no closed bag, and has
- * just those openings. An opening goes by the label that is longest round it.
+ * Euler characteristic, orientation and number of openings do not tell a T-shirt from one with a sleeve left off: an
+ * armhole is open in place of a cuff. So a pattern may declare its openings, by the labels of their boundary loops
+ * ("hem", "neck", "cuff", "cuff"). A pattern that declares any is checked as a garment: it is connected, it has no
+ * handle, no closed bag, and exactly those openings. The label of a loop is the label with the greatest length along
+ * it.
  *
- * What is sewn to a line inside a panel, a patch pocket, is a third sheet there, and changes no opening and no handle;
- * nor does the layer of a pleat that lies on another that is sewn already. Those are of the garment without such seams.
+ * A patch pocket, which is sewn to a line inside a panel, is a third sheet there and changes no opening and no handle;
+ * nor does the layer of a pleat that lies on a sewn layer. Openings and handles are those of the garment without such
+ * seams.
  *
- * A handle (genus) is what comes of pieces cut mirrored: right sides are out, and the ends of their seams change
- * places. The pieces named are a smallest set, of one panel or two, that makes the handle go when it is turned over,
- * that is when each seam between the set and the rest is turned end for end. Source: drafting.md section 8.
+ * Panels that are cut mirrored make a handle (genus): right sides are out, and the ends of their seams change places.
+ * The fault names a smallest set, of one panel or two, whose turning over removes the handle: turning a set over
+ * reverses the direction of each seam between the set and the other panels.
  */
 #include <stdio.h>
 #include <string.h>
 
 #include "topology/faults.h"
 
-#define GARMENT_PAIRS 64    /* panels up to which pairs are tried: 2000 topologies of some 10 us */
-#define GARMENT_SINGLES 500 /* and single ones */
-#define GARMENT_NAMED 3     /* cells that a sentence lists before it counts */
+#define GARMENT_PAIRS 64    /* most panels of a pattern whose pairs are tried: 2000 topologies of some 10 us each */
+#define GARMENT_SINGLES 500 /* most panels of a pattern whose single panels are tried */
+#define GARMENT_NAMED 3     /* cells that a sentence names before it only counts them */
 
 
-/* edges of a loop: a block to free, NULL without memory */
+/* the n edges of a loop and its length [m]: a block to free, NULL when *status is not MUS_OK */
 static int32_t *garment_loop(const mus_pattern *pattern, int32_t loop, int32_t *n, double *length, mus_status *status)
 {
     *n = 0;
@@ -36,7 +38,7 @@ static int32_t *garment_loop(const mus_pattern *pattern, int32_t loop, int32_t *
 }
 
 
-/* the label that is longest round a loop, "" when no edge of it has one */
+/* the label with the greatest length along a loop, "" when no edge of it has one */
 static const char *garment_label(const mus_pattern *pattern, int32_t n, const int32_t *edges)
 {
     const char *best = "";
@@ -45,7 +47,8 @@ static const char *garment_label(const mus_pattern *pattern, int32_t n, const in
         const char *label = pattern->edge[edges[i]].attr.label;
         double length = 0.0;
         for (int32_t j = 0; j < n; j++)
-            if (strcmp(pattern->edge[edges[j]].attr.label, label) == 0) length += mus_pattern_edge_length(pattern, edges[j]);
+            if (strcmp(pattern->edge[edges[j]].attr.label, label) == 0)
+                length += mus_pattern_edge_length(pattern, edges[j]);
         if (label[0] == '\0' || length <= most) continue;
         best = label, most = length;
     }
@@ -84,7 +87,7 @@ static void garment_list(const mus_pattern *pattern, bool panels, int32_t n, con
 }
 
 
-/* pieces that no seam joins to the largest */
+/* components other than the one with most panels */
 static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, mus_faults *faults)
 {
     int32_t bridge, main = 0, most = 0;
@@ -115,14 +118,14 @@ static mus_status garment_pieces(const mus_pattern *pattern, mus__quotient *q, m
 }
 
 
-/* handles of all pieces together */
+/* number of handles of all components together */
 static int32_t garment_handles(const mus_topology *t)
 {
     return t->components - (t->loops + t->euler) / 2;
 }
 
 
-/* handles once panels a and b (MUS_NONE: a alone) are turned over; `seams` (nseam) is work */
+/* number of handles when panels a and b (MUS_NONE: a alone) are turned over; `seams` (nseam) is scratch */
 static mus_status garment_turned(const mus_pattern *pattern, int32_t a, int32_t b, mus_seam_def *seams, int32_t *out)
 {
     for (int32_t i = 0; i < pattern->nseam; i++) {
@@ -141,7 +144,8 @@ static mus_status garment_turned(const mus_pattern *pattern, int32_t a, int32_t 
 }
 
 
-/* panels (2) that make the handles go when they are turned over: those that mirror each other before any two */
+/* the panels, out (2), whose turning over removes the handles: single panels first, then panels that mirror each other,
+ * then any two */
 static mus_status garment_mirrored(const mus_pattern *pattern, int32_t *out)
 {
     out[0] = out[1] = MUS_NONE;
@@ -218,7 +222,7 @@ static mus_status garment_opening(const mus_pattern *pattern, int32_t loop, cons
 }
 
 
-/* is an edge in a seam that is not left out? */
+/* is an edge in a seam of this pattern? */
 static bool garment_sewn(const mus_pattern *pattern, int32_t edge)
 {
     for (int32_t i = 0; i < pattern->nseam; i++)
@@ -227,7 +231,7 @@ static bool garment_sewn(const mus_pattern *pattern, int32_t edge)
 }
 
 
-/* is a loop the rim of a patch, whose seams to a line inside a panel are left out here? */
+/* is a loop the boundary of a patch, whose seams to a line inside a panel are left out here? */
 static bool garment_patch(const mus_pattern *pattern, int32_t n, const int32_t *edges)
 {
     bool left = false;
@@ -239,7 +243,7 @@ static bool garment_patch(const mus_pattern *pattern, int32_t n, const int32_t *
 }
 
 
-/* openings against those declared; taken (nopening) is zero */
+/* compare the loops with the declared openings; taken (nopening) is zero, strange (loops) is scratch */
 static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, int32_t *taken, int32_t *strange,
                                    mus_faults *faults)
 {
@@ -261,11 +265,11 @@ static mus_status garment_openings(const mus_pattern *pattern, int32_t loops, in
             strange[left++] = loop;
     }
 
-    /* each that is not declared stands for a declared one that is not there, as long as there are any */
+    /* a loop that is not declared is reported in place of a declared one that is missing, as long as there are any */
     for (int32_t i = 0; i < left; i++) {
         while (next < pattern->nopening && taken[next]) next++;
-        mus_status status =
-            garment_opening(pattern, strange[i], next < pattern->nopening ? pattern->opening[next].label : NULL, faults);
+        const char *missing = next < pattern->nopening ? pattern->opening[next].label : NULL;
+        mus_status status = garment_opening(pattern, strange[i], missing, faults);
         if (status != MUS_OK) return status;
         if (next < pattern->nopening) taken[next] = 1;
     }
@@ -295,7 +299,7 @@ static mus_status garment_bags(const mus_pattern *pattern, mus_faults *faults)
 }
 
 
-/* handles and openings of the garment whose seams to lines inside panels are left out */
+/* handles and openings; the pattern has no seams to lines inside panels */
 static mus_status garment_surface(const mus_pattern *pattern, mus_faults *faults)
 {
     mus_topology t;

@@ -6,7 +6,7 @@
 
 #include "topology/quotient.h"
 
-#define MUS__FAULT_BYTES 768 /* [bytes] of a sentence: room for five names of MUS__NAME_BYTES and the words round them */
+#define MUS__FAULT_BYTES 768 /* [bytes] of a sentence: five names of MUS__NAME_BYTES and the words between them */
 
 typedef struct mus__fault {
     int32_t kind, panel, edge, seam;

@@ -5,13 +5,13 @@
  * What counts: panels as cyclic words seen from the right side, labels of panels and edges, which edges are one class
  * and which way they run in it. Lengths do not count. Any number of sheets may meet at an edge.
  *
- * Method: a walk from a position of a word (a flag) writes that panel's word; a class that is met first gets the next
- * number and the panels behind it are queued, each entered where it lies at the class. So the flag fixes the word of
- * its whole piece, and the least word over the flags is canonical. Flags are few: colours by hashing neighbours round
- * by round (next, before, the other sheets) leave those of the rarest colour. Where three sheets or more meet, panels
- * are taken in the order of their colours, and of equal ones each is tried first; one whose first word is the same
- * as that of the one before it is its twin by symmetry and is passed over. Pieces are sorted. A pattern and its mirror
- * image are walked both ways when asked.
+ * Method: a walk from a position of a word (a flag) writes that panel's word. A class that is met for the first time
+ * gets the next number, and the panels behind it are queued, each entered where it lies at the class. So the flag fixes
+ * the word of its whole component, and the least word over all flags is canonical. Few flags are tried: positions are
+ * coloured by hashes of their neighbours (next, previous, the other sheets), refined until no colour splits, and only
+ * flags of the rarest colour are walked. Where three sheets or more meet, panels are taken in the order of their
+ * colours. Among panels of equal colour each is tried first; one whose first word equals that of the previous one is
+ * its image by symmetry and is skipped. Components are sorted. With `mirror` the words are walked both ways.
  *
  * Source: word of a flag: Brinkmann and McKay, Fast generation of planar graphs, 2007, section 3; passing over twins:
  * McKay, Practical graph isomorphism, 1981.
@@ -21,22 +21,20 @@
 
 #include "topology/form.h"
 
-/* words tried for one piece before it is called too symmetric: some seconds of work */
+/* most words tried for one component before it is refused as too symmetric: some seconds of work */
 #define FORM_TRIES 200000
-/* first byte of the form: another number when the form changes */
+/* first byte of the form; a change of the form changes it */
 #define FORM_VERSION 1
 
 
 void mus_form_def_init(mus_form_def *def, size_t size)
 {
-    if (def == NULL || size < sizeof def->size) return;
-    mus_form_def own = {.size = size, .mirror = 1, .labels = 1};
-    memset(def, 0, size);
-    memcpy(def, &own, size < sizeof own ? size : sizeof own);
+    mus_form_def own = {.mirror = 1, .labels = 1};
+    mus__def_init(def, size, &own, sizeof own);
 }
 
 
-/* a neighbour's colour by its place; the finish of MurmurHash3 (Appleby 2011) */
+/* hash of two numbers; its last three lines are the finish of MurmurHash3 (Appleby 2011) */
 static uint64_t form_mix(uint64_t a, uint64_t b)
 {
     uint64_t h = a * UINT64_C(0x9e3779b97f4a7c15) + b;
@@ -66,7 +64,7 @@ static int form_by_value(const void *a, const void *b)
 }
 
 
-/* different colours; `sorted` (nword) is work */
+/* number of different colours; `sorted` (nword) is scratch */
 static int32_t form_count(const mus__form *f)
 {
     int32_t count = 0;
@@ -77,7 +75,7 @@ static int32_t form_count(const mus__form *f)
 }
 
 
-/* refine f->color until no colour falls apart any more */
+/* refine f->color until the number of colours stays */
 static void form_refine(const mus__form *f)
 {
     const mus__quotient *q = &f->q;
@@ -115,8 +113,8 @@ static void form_colors(const mus__form *f)
 
 /* ---- the walk ---- */
 
-/* of the members of a class whose panels are not entered yet, those of the least colour: how many; pick gets number
- * `choice` of them */
+/* number of members of a class with the least colour whose panels are not entered yet; *pick gets number `choice` of
+ * them */
 static int32_t form_candidates(const mus__form *f, int32_t class, int32_t choice, int32_t *pick)
 {
     uint64_t least = 0;
@@ -132,7 +130,7 @@ static int32_t form_candidates(const mus__form *f, int32_t class, int32_t choice
 }
 
 
-/* set a position apart from those of its colour, and refine */
+/* give a position a colour of its own, and refine */
 static void form_mark(mus__form *f, int32_t k)
 {
     f->color[k] = form_mix(f->color[k], (uint64_t)(++f->nmark));
@@ -140,18 +138,18 @@ static void form_mark(mus__form *f, int32_t k)
 }
 
 
-/* queue the panels behind a class that is met first */
+/* queue the panels behind a class that is met for the first time */
 static mus_status form_enter(mus__form *f, int32_t class)
 {
     int32_t pick = MUS_NONE, count;
     while ((count = form_candidates(f, class, 0, &pick)) > 0) {
         if (count > 1 && f->nmark == 0) {
-            /* colours do not know yet where the walk began */
+            /* mark the start of the walk, which the colours do not tell yet */
             form_mark(f, f->entry[f->order[0]]);
             continue;
         }
         if (count > 1) {
-            /* a choice: the one that this try makes */
+            /* several panels are alike: take the one that this try takes */
             mus_status status =
                 mus__reserve(f->context, &f->choice, &f->choice_room, (int64_t)f->nchoice + 1, sizeof *f->choice);
             if (status != MUS_OK) return status;
@@ -169,8 +167,8 @@ static mus_status form_enter(mus__form *f, int32_t class)
 }
 
 
-/* the word of the piece of position `start` into f->word, with the choices that are fixed: how many panels, then each
- * panel's label, sides and edges */
+/* write the word of the component of position `start` into f->word, with the first `fixed` choices given: number of
+ * panels, then of each panel its label, number of edges and edges */
 static mus_status form_walk(mus__form *f, int32_t start)
 {
     const mus__quotient *q = &f->q;
@@ -186,7 +184,8 @@ static mus_status form_walk(mus__form *f, int32_t start)
         f->word[n++] = f->panel_label[panel];
         f->word[n++] = q->first[panel + 1] - q->first[panel];
         do {
-            /* label, class, and how it runs in it: 0 met first, 1 against that, 2 along, 3 folded, 4 a rim */
+            /* label, class, and direction in it: 0 met first, 1 against the first, 2 along it, 3 folded, 4 a boundary
+             * edge */
             int32_t class = q->root[q->edge[k]], number = f->class_number[class], way = 4;
             if (q->sheets[class] > 1) way = f->folded[class] ? 3 : 0;
             if (q->sheets[class] > 1 && number == MUS_NONE) {
@@ -218,10 +217,10 @@ static int form_compare(const int32_t *a, int32_t na, const int32_t *b, int32_t 
 }
 
 
-/* after a walk whose choices up to `fixed` were given: the next choices to try; false when all were */
+/* after a walk whose first `fixed` choices were given: set the next choices to try; *more is false after the last */
 static mus_status form_next_choice(mus__form *f, bool *more)
 {
-    /* the first word below each choice that is new */
+    /* keep the first word below each new choice */
     int32_t level = f->nchoice - 1, turned = f->fixed - 1;
     for (int32_t i = f->fixed; i < f->nchoice; i++) {
         mus__form_choice *choice = &f->choice[i];
@@ -232,7 +231,8 @@ static mus_status form_next_choice(mus__form *f, bool *more)
         choice->first_length = f->nword;
     }
 
-    /* the one that was turned last begins with the word of its elder: a twin, and nothing below it is new */
+    /* the option that was taken last begins with the word of the previous one: an image by symmetry, with nothing new
+     * below */
     if (turned >= 0 && turned < f->nchoice) {
         const mus__form_choice *choice = &f->choice[turned];
         if (form_compare(choice->word, choice->first_length, f->word, f->nword) == 0) level = turned;
@@ -245,7 +245,7 @@ static mus_status form_next_choice(mus__form *f, bool *more)
 }
 
 
-/* the least word of a piece from position `start`, against f->best */
+/* compare the least word of a component from position `start` with f->best, and keep the lesser */
 static mus_status form_from(mus__form *f, int32_t start)
 {
     f->fixed = 0;
@@ -267,7 +267,7 @@ static mus_status form_from(mus__form *f, int32_t start)
 }
 
 
-/* of the colours of a piece's positions the rarest, of equally rare ones the least; f->sorted is spent */
+/* the rarest colour of the positions of a component, among equally rare colours the least. Overwrites f->sorted */
 static uint64_t form_rarest(const mus__form *f, int32_t npanel, const int32_t *panels)
 {
     int32_t n = 0, rarest = 0;
@@ -283,10 +283,10 @@ static uint64_t form_rarest(const mus__form *f, int32_t npanel, const int32_t *p
 }
 
 
-/* the least word of the piece of a panel into f->best */
+/* write the least word of the component of a panel into f->best */
 static mus_status form_piece(mus__form *f, int32_t panel, int32_t *done)
 {
-    /* its panels, by a walk; kept, since the walks to come use the same list */
+    /* its panels, by a walk; copied, since later walks use the same list */
     f->fixed = 0, f->nbest = -1, f->tries = 0;
     mus_status status = form_walk(f, f->q.first[panel]);
     int32_t npanel = f->norder;
@@ -303,7 +303,7 @@ static mus_status form_piece(mus__form *f, int32_t panel, int32_t *done)
 }
 
 
-/* ---- all pieces ---- */
+/* ---- all components ---- */
 
 static int form_by_word(const void *a, const void *b)
 {
@@ -312,7 +312,7 @@ static int form_by_word(const void *a, const void *b)
 }
 
 
-/* words of all pieces, sorted, one after another into `out` (total); done (npanel) is work */
+/* write the words of all components, sorted, one after another into `out` (total); done (npanel) is scratch */
 static mus_status form_pieces(mus__form *f, int32_t *done, int32_t *out, int32_t *total)
 {
     mus_context *context = f->context;
@@ -344,7 +344,7 @@ static mus_status form_pieces(mus__form *f, int32_t *done, int32_t *out, int32_t
 }
 
 
-/* the least of the words walked this way and, when asked, the other; out (f->most), work (f->most) */
+/* the lesser of the words walked along and, with `mirror`, against; out (f->most), work (f->most) is scratch */
 static mus_status form_both(mus__form *f, bool mirror, int32_t *done, int32_t *out, int32_t *work, int32_t *n)
 {
     int32_t other = 0;
@@ -363,7 +363,7 @@ static mus_status form_both(mus__form *f, bool mirror, int32_t *done, int32_t *o
 
 /* ---- bytes and hash ---- */
 
-/* where the bytes go: those beyond `capacity` are counted and hashed only */
+/* output: bytes beyond `capacity` are counted and hashed only */
 typedef struct form_sink {
     uint8_t *bytes;
     size_t capacity, count;
@@ -371,7 +371,7 @@ typedef struct form_sink {
 } form_sink;
 
 
-/* FNV-1a twice, the second run of bytes turned over */
+/* FNV-1a (Fowler, Noll, Vo 1991) twice, the second time of complemented bytes */
 static void form_put(form_sink *sink, uint8_t byte)
 {
     if (sink->bytes != NULL && sink->count < sink->capacity) sink->bytes[sink->count] = byte;
@@ -381,7 +381,7 @@ static void form_put(form_sink *sink, uint8_t byte)
 }
 
 
-/* a number: one byte below 255, else 255 and four */
+/* a number: one byte when below 255, else 255 and four bytes */
 static void form_put_number(form_sink *sink, int32_t value)
 {
     if (value < 255) {

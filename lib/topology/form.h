@@ -1,13 +1,13 @@
 /*
- * form.h: what the walks of form.c stand on: the quotient with members of each class, labels as numbers, and the
- * arrays of a walk.
+ * form.h: the data of the canonical form: the quotient with the members of each class, labels as numbers, and the
+ * arrays of a walk (form.c tells the method).
  */
 #ifndef MUS_TOPOLOGY_FORM_H
 #define MUS_TOPOLOGY_FORM_H
 
 #include "topology/quotient.h"
 
-/* a place where equal sheets were to choose from */
+/* a place of a walk where panels of equal colour were to choose from */
 typedef struct mus__form_choice {
     int32_t options, taken;
     int32_t *word; /* (first_length) the first word below its first option */
@@ -24,7 +24,7 @@ typedef struct mus__form {
     const mus_pattern *pattern;
     mus__quotient q;
     int32_t way;  /* +1 along the words, -1 against them: the mirror image */
-    int64_t most; /* numbers in the words of all pieces: at most 3 a panel and 3 a position */
+    int64_t most; /* bound of the numbers in the words of all components: 3 a panel and 3 a position */
 
     /* labels: sorted texts, and the number of each */
     int32_t nlabel;
@@ -39,7 +39,7 @@ typedef struct mus__form {
     int32_t *member;       /* (nword) positions by class */
 
     /* colours */
-    uint64_t *base, *color, *next_color, *sorted; /* (nword) of the piece, of a walk that marks some; work */
+    uint64_t *base, *color, *next_color, *sorted; /* (nword) of the component; of the walk at hand; scratch */
 
     /* a walk */
     int32_t norder, nmet, nmark, nword, nbest, fixed, nchoice, choice_room, tries;

@@ -16,7 +16,7 @@
 #include "topology/homology.h"
 #include "topology/quotient.h"
 
-/* an operator is filled into triples (n x 3): row, column, value */
+/* the cells of the complex; an operator is triples (n x 3): row, column, value */
 typedef struct chain {
     int32_t cells[3];
     int32_t *point; /* (npoint) cell of the class whose root it is, MUS_NONE for no cell */
@@ -28,13 +28,12 @@ typedef struct chain {
 
 void mus_homology_init(mus_homology *homology, size_t size)
 {
-    if (homology == NULL || size < sizeof homology->size) return;
-    memset(homology, 0, size);
-    homology->size = size;
+    mus_homology own = {0};
+    mus__def_init(homology, size, &own, sizeof own);
 }
 
 
-/* classes whose edge is sewn to itself end over end: fold (nedge) gets 1 */
+/* set fold (nedge) to 1 for the classes whose edge is sewn to itself end over end */
 static void chain_folds(const mus_pattern *pattern, const mus__quotient *q, int32_t *fold)
 {
     for (int32_t i = 0; i < pattern->nseam; i++) {
@@ -108,7 +107,7 @@ static int32_t chain_words(const mus_pattern *pattern, const mus__quotient *q, c
             own[2] += q->turn[k] * q->sign[edge];
         }
 
-        /* there and back is nothing */
+        /* a folded edge is passed there and back: its sum is 0 */
         int32_t kept = first;
         for (int32_t j = first; j < n; j++) {
             if (triple[3 * (size_t)j + 2] == 0) continue;

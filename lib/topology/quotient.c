@@ -1,12 +1,13 @@
 /*
  * quotient.c: the pattern with its seams glued: classes of edges and points, sheets at each class, sides of panels.
  *
- * A seam makes two edges one class, with a sign (link.c), and their ends one class of points each (paper, eq. 19 and
- * 20). An edge that a word passes twice (the bridge to a hole) is two sheets of one class by itself.
+ * A seam makes two edges one class, with a sign (geom/union_find.c), and makes their ends two classes of points
+ * (Metaaphanon and Kanongchaiyos 2005, eq. 19 and 20). An edge that a word passes twice (the bridge to a hole) is two
+ * sheets of one class by itself.
  *
- * Sides: two panels that meet at an edge have the same side out when their words run against each other there. That
- * 2-colours the panels, or fails: then the garment is one-sided. What is sewn to a line inside a panel may lie on it
- * either way; it is taken to have its right side out.
+ * Sides: two panels that meet at an edge have the same side out when their words run against each other there. This
+ * relation 2-colours the panels, or contradicts itself: then the garment is one-sided. A panel that is sewn to a line
+ * inside another may lie on it either way; it is taken to have its right side out.
  */
 #include "geom/union_find.h"
 #include "topology/quotient.h"
@@ -123,7 +124,8 @@ mus_status mus__quotient_make(const mus_pattern *pattern, bool partial, mus__quo
 }
 
 
-/* positions of the two sides of a seam; false when one of them is loose. *relation is +1 for same side out */
+/* positions of the two edges of a seam; false when one is in no outline. *relation is +1 for the same side out, else
+ * -1 */
 static bool quotient_seam(const mus__quotient *q, const mus_seam_def *seam, int32_t *j, int32_t *k, int32_t *relation)
 {
     *j = q->place[seam->edge_a];
@@ -141,7 +143,7 @@ int32_t mus__quotient_sides(const mus_pattern *pattern, mus__quotient *q, int32_
     *bridge = MUS_NONE;
     mus__union_start(pattern->npanel, q->link, q->bias);
 
-    /* seams with the same side out first: so it is the odd ones that are found to contradict */
+    /* seams with the same side out first, so that the others are found to contradict */
     for (int32_t pass = 1; pass >= -1; pass -= 2) {
         for (int32_t i = 0; i < pattern->nseam; i++) {
             if (!quotient_seam(q, &pattern->seam[i], &j, &k, &relation) || relation != pass) continue;

@@ -3,7 +3,7 @@
  *
  * For boundary operators of patterns (tens of rows) and of their meshes (thousands; most entries 1 or -1, most pivots
  * units, so the rows stay short). Each round takes the entry of least size, of the shortest row that has one, and
- * clears its column by rows and its row by columns:
+ * clears its column by row operations and its row by column operations:
  *
  *     row_i -= floor(a_ic / p) row_r          column_j -= floor(a_rj / p) column_c
  *

@@ -1,15 +1,23 @@
 /*
- * topology.c: what the sewn pattern is as a surface: V, E, F, Euler characteristic, pieces, openings, sides, genus.
+ * topology.c: the sewn pattern as a surface: V, E, F, Euler characteristic, components, openings, orientation, genus.
  *
- * Cells are counted by class: V - E + F. A boundary edge is a class with one sheet. A boundary loop is walked along
- * the word of a panel; where the next edge is sewn, the walk turns round the point: over to the other sheet, and on
- * along that panel's word (against it when the seam flips the side), until an edge with one sheet comes.
+ * The room, in the order of use:
+ *   quotient.c                 the pattern with its seams glued
+ *   topology.c                 counts and boundary loops
+ *   smith.c, homology.c        homology over the integers
+ *   form_data.c, form.c        canonical form
+ *   faults.c, check.c, check_garment.c   the faults of a pattern, as an object
+ * Callers: cloth and print (checks), the drafting rooms (checks), arrange (openings), the catalogue (canonical form).
  *
- *         panel A    |  panel B          walk  a1 -> (seam) -> b1:  both are rim edges of one opening
+ * Cells are counted by class: V - E + F. A boundary edge is a class with one sheet. A boundary loop is walked along the
+ * word of a panel. Where the next edge is sewn, the walk turns round the point: it crosses to the other sheet and goes
+ * on along that panel's word (against it when the seam flips the side), until it meets an edge with one sheet.
+ *
+ *         panel A    |  panel B          walk  a1 -> (seam) -> b1:  both are boundary edges of one opening
  *      ---- a1 ----> * ---- b1 ---->
  *
- * genus = (2 - loops - euler) / 2 for one orientable piece. Source: Hatcher, Algebraic Topology, 2002, sections 0 and
- * 2.2; Metaaphanon and Kanongchaiyos 2005, section 5.1.
+ * genus = (2 - loops - euler) / 2 for one orientable component. Source: Hatcher, Algebraic Topology, 2002, sections 0
+ * and 2.2; Metaaphanon and Kanongchaiyos 2005, section 5.1.
  */
 #include <string.h>
 
@@ -19,14 +27,13 @@
 
 void mus_topology_init(mus_topology *topology, size_t size)
 {
-    if (topology == NULL || size < sizeof topology->size) return;
-    mus_topology own = {.size = size, .genus = MUS_NONE};
-    memset(topology, 0, size);
-    memcpy(topology, &own, size < sizeof own ? size : sizeof own);
+    mus_topology own = {.genus = MUS_NONE};
+    mus__def_init(topology, size, &own, sizeof own);
 }
 
 
-/* true when no edge has more than two sheets; otherwise *edge is one that has */
+/* true when no edge has more than two sheets; otherwise *edge is one that has, or MUS_NONE for an edge glued to
+ * itself */
 static bool topology_two_sheets(const mus_pattern *pattern, const mus__quotient *q, int32_t *edge)
 {
     *edge = MUS_NONE;
@@ -37,7 +44,7 @@ static bool topology_two_sheets(const mus_pattern *pattern, const mus__quotient 
 }
 
 
-/* the rim position after rim position k, walking with *step along or against the words */
+/* the boundary position after boundary position k, walking with *step along or against the words */
 static int32_t topology_rim_next(const mus__quotient *q, int32_t k, int32_t *step)
 {
     k = mus__quotient_next(q, k, *step);
@@ -51,8 +58,8 @@ static int32_t topology_rim_next(const mus__quotient *q, int32_t k, int32_t *ste
 }
 
 
-/* number of rims, by the lowest position of each; q->link marks what was walked. With two sheets an edge at most.
- * *start gets the first position of rim `wanted` when there is one */
+/* number of boundary loops, in the order of the lowest position of each; with at most two sheets an edge. q->link marks
+ * walked positions. *start gets the first position of loop `wanted` when there is one */
 static int32_t topology_rims(mus__quotient *q, int32_t wanted, int32_t *start)
 {
     int32_t count = 0;
@@ -71,8 +78,8 @@ static int32_t topology_rims(mus__quotient *q, int32_t wanted, int32_t *start)
 }
 
 
-/* classes of corners (position k: the corner where it starts) when sheets alone are glued: as many as there are
- * points, or a point is a pinch. With two sheets an edge at most. */
+/* number of classes of corners (corner k is where position k starts) when only sheets are glued. A point with two such
+ * classes is a pinch. With at most two sheets an edge */
 static int32_t topology_corners(mus__quotient *q, int32_t nedge)
 {
     mus__union_start(q->nword, q->link, q->bias);
@@ -105,7 +112,8 @@ static int32_t topology_points(const mus_pattern *pattern, mus__quotient *q)
 }
 
 
-/* edges sewn to themselves end over end: half an edge each, whose middle is a point. q->sheet is spent here */
+/* number of edges sewn to themselves end over end: each is half an edge, whose middle is a point. Overwrites
+ * q->sheet */
 static int32_t topology_folds(const mus_pattern *pattern, mus__quotient *q)
 {
     int32_t count = 0;
@@ -120,7 +128,7 @@ static int32_t topology_folds(const mus_pattern *pattern, mus__quotient *q)
 }
 
 
-/* pieces of the colouring in q->link */
+/* number of components, which mus__quotient_sides() left in q->link */
 static int32_t topology_pieces(const mus_pattern *pattern, const mus__quotient *q)
 {
     int32_t count = 0;
@@ -148,7 +156,7 @@ mus_status mus_pattern_topology(const mus_pattern *pattern, mus_topology *out)
     own.faces = pattern->npanel;
     own.euler = own.vertices - own.edges + own.faces;
 
-    /* where three sheets meet no walk round a point is the right one */
+    /* where three sheets meet, the walk round a point is not unique */
     own.loops = MUS_NONE;
     if (topology_two_sheets(pattern, &q, &edge)) {
         own.manifold = topology_corners(&q, pattern->nedge) == own.vertices;

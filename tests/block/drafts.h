@@ -1,6 +1,6 @@
 /*
  * drafts.h: what the tests of the designs share: tapes and measures of the table sizes, drafts by name, edges by panel
- * and name. Lengths in the tables of golden numbers are centimetres, as in the drafting reference.
+ * and name. Lengths in the tables of golden numbers are centimetres.
  */
 #ifndef MUS_TESTS_DRAFTS_H
 #define MUS_TESTS_DRAFTS_H
@@ -15,7 +15,7 @@
 #include "support.h"
 
 #define CM 0.01
-#define RECIPES 5 /* the first designs, which have recipes of their own; the rest: tests/design/test_designs.c */
+#define FIRST 5 /* the first designs, T-shirt to A-line skirt: every size here; the rest: tests/design/test_designs.c */
 #define GOLDEN 0.011 /* cm: the golden numbers are printed to 0.01 */
 
 /* a figure [m or m2] against a golden number in `unit`, within `tolerance` of that unit */

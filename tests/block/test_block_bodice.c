@@ -1,13 +1,12 @@
 /*
- * test_block_bodice.c: the bodice block against the golden numbers of the reference drafts (drafting_golden.txt, made
- * by an independent drafting script), and its laws: girths on the bust line, the waist and the neck, side seams that
- * match, darts with equal legs.
+ * test_block_bodice.c: the bodice block against the golden numbers of an independent drafting script, and its laws:
+ * girths on the bust line, the waist and the neck, side seams that match, darts with equal legs.
  */
 #include <string.h>
 
 #include "block/drafts.h"
 
-/* drafting_golden.txt, lines "bodice:"; cm, degrees, cm2 */
+/* output of the script, lines "bodice:"; cm, degrees, cm2 */
 static const struct {
     const char *size;
     double underarm, arm_front, arm_back, neck_front, neck_depth, neck_back, side, shoulder, front_waist, theta, drop;

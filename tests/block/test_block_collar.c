@@ -1,5 +1,5 @@
 /*
- * test_block_collar.c: stand, leaf and hood against the golden numbers of the reference drafts (drafting_golden.txt),
+ * test_block_collar.c: stand, leaf and hood against the golden numbers of an independent drafting script,
  * and their law: the edge that is sewn to the neck is as long as the neck, whatever the neck.
  */
 #include <string.h>
@@ -7,8 +7,8 @@
 #include "block/drafts.h"
 #include "block/block_collar.h"
 
-/* drafting_golden.txt, lines "stand:" and "leaf", cm: a stand 3.5 high that rises 1.5, on half the neckline; a leaf 4.5
- * deep with a point of 7 on the stand's top; a hood of the head's girth on half the neckline */
+/* output of the script, lines "stand:" and "leaf", cm: a stand 3.5 high that rises 1.5, on half the neckline; a leaf
+ * 4.5 deep with a point of 7 on the stand's top; a hood of the head's girth on half the neckline */
 static const struct {
     const char *size;
     double bottom, top, x, inner, outer, width, height, neck, face, crown;

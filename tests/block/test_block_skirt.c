@@ -1,12 +1,12 @@
 /*
- * test_block_skirt.c: the straight skirt against the golden numbers of the reference drafts (drafting_golden.txt), and
+ * test_block_skirt.c: the straight skirt against the golden numbers of an independent drafting script, and
  * its laws: waist and hip girths, sides that match, darts with equal legs, a hem square to the side.
  */
 #include <string.h>
 
 #include "block/drafts.h"
 
-/* drafting_golden.txt, lines "skirt:", cm; ease 2 on the waist and 4 on the hip, length the larger of 0.36 stature and
+/* output of the script, lines "skirt:", cm; ease 2 on the waist and 4 on the hip, length the larger of 0.36 stature and
  * waist_to_hip + 5 */
 static const struct {
     const char *size;

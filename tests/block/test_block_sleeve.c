@@ -1,13 +1,13 @@
 /*
- * test_block_sleeve.c: the set-in sleeve against the golden numbers of the reference drafts (drafting_golden.txt), and
+ * test_block_sleeve.c: the set-in sleeve against the golden numbers of an independent drafting script, and
  * its laws: each cap half as long as the armhole half it meets, whatever the width.
  */
 #include <string.h>
 
 #include "block/drafts.h"
 
-/* drafting_golden.txt, lines "sleeve:", cm. Width 1.15 upper arm; cap ease 3 % (women) or 1.5 %; length of the arm; hem
- * the larger of 1.2 wrist and hand + 1.5 */
+/* output of the script, lines "sleeve:", cm. Width 1.15 upper arm; cap ease 3 % (women) or 1.5 %; length of the arm;
+ * hem the larger of 1.2 wrist and hand + 1.5 */
 static const struct {
     const char *size;
     double width, height, crown, front, back, under;

@@ -1,5 +1,5 @@
 /*
- * test_block_trousers.c: the trousers block against the golden numbers of the reference drafts (drafting_golden.txt),
+ * test_block_trousers.c: the trousers block against the golden numbers of an independent drafting script,
  * and its laws: equal seams, exact waists, equal dart legs, the same for legs that are cut above the hem.
  */
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "block/drafts.h"
 #include "block/block_trousers.h"
 
-/* drafting_golden.txt, lines "trousers:", cm; ease 2 on the waist, 4 on the hip, 1 on the rise */
+/* output of the script, lines "trousers:", cm; ease 2 on the waist, 4 on the hip, 1 on the rise */
 static const struct {
     const char *size;
     double inseam, outseam, crotch_front, crotch_back, dart_front, dart_back, drop, side, thigh, knee, hem;

@@ -1,6 +1,7 @@
 /*
- * test_board_dart.c: darts on the cutting table: the golden pivots of the reference draft, and what every dart move keeps:
- * area, the sum of the angles at the point, lengths of all that is rigid, the ring, the topology of the sewn panel.
+ * test_board_dart.c: darts on the cutting table: the golden pivots of the reference draft, and what every dart move
+ * keeps: area, the sum of the angles at the point, lengths of all that is rigid, the ring, the topology of the sewn
+ * panel.
  *
  * Golden numbers: drafting_golden.txt, first lines, made by an independent drafting script with 20 chords to a curve;
  * here with 4000, which moves the area from 872.002 to 871.910 cm2 and the neck leg from 22.623 to 22.620 cm.

@@ -1,6 +1,6 @@
 /*
- * test_board_spread.c: slash and spread, lengthen, redraw and fair on the cutting table. The gap of a slash of length L is a
- * trapezoid between two legs of length L, so the area grows by L cos(d / 2) (w0 + w1) / 2 with 2 sin(d / 2) =
+ * test_board_spread.c: slash and spread, lengthen, redraw and fair on the cutting table. The gap of a slash of length L
+ * is a trapezoid between two legs of length L, so the area grows by L cos(d / 2) (w0 + w1) / 2 with 2 sin(d / 2) =
  * (w1 - w0) / L; all else is rigid.
  */
 #include <string.h>

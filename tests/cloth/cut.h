@@ -124,7 +124,7 @@ static inline mus_cloth *cut_cloth(mus_context *context, const mus_pattern *patt
     mus_cloth_def def;
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = spacing;
-    if (fabric != NULL) def.fabric = *fabric;
+    def.fabric = fabric;
     mus_cloth *cloth;
     mus_status status = mus_cloth_create(context, pattern, &def, &cloth);
     ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));

@@ -125,6 +125,9 @@ START_TEST(what_cannot_be_cut_is_refused_by_name)
     mus_pattern *pattern = cut_begin(context);
     mus_cloth_def def;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     check_refused(context, NULL, &def, MUS_ERR_ARG, "pattern");
     check_refused(context, pattern, &def, MUS_ERR_PATTERN, "no panel");
     cut_rectangle(pattern, "sheet", 0.1, 0.1, NULL);
@@ -135,14 +138,15 @@ START_TEST(what_cannot_be_cut_is_refused_by_name)
         check_refused(context, pattern, &def, MUS_ERR_ARG, "spacing");
     }
     def.spacing = 0.01;
-    def.fabric.weight = 0.0;
+    fabric.weight = 0.0;
     check_refused(context, pattern, &def, MUS_ERR_ARG, "weight 0");
     mus_cloth_def_init(&def, sizeof def);
     def.size = 4;
     check_refused(context, pattern, &def, MUS_ERR_VERSION, "mus_cloth_def");
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric.size = 4;
-    check_refused(context, pattern, &def, MUS_ERR_VERSION, "mus_fabric_init");
+    def.fabric = &fabric;
+    fabric.size = 4;
+    check_refused(context, pattern, &def, MUS_ERR_VERSION, "mus_fabric");
 
     /* too many nodes, and an outline that crosses itself */
     mus_cloth_def_init(&def, sizeof def);

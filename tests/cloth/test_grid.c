@@ -20,7 +20,7 @@ static mus_cloth *grid_cloth(mus_context *context, int32_t rows, int32_t columns
     mus_cloth_def def;
     mus_cloth *cloth;
     mus_cloth_def_init(&def, sizeof def);
-    if (fabric != NULL) def.fabric = *fabric;
+    def.fabric = fabric;
     ck_assert_msg(mus_cloth_create_grid(context, rows, columns, cell, &def, &cloth) == MUS_OK, "%s",
                   mus_context_error(context));
     return cloth;
@@ -154,11 +154,14 @@ static mus_cloth *grid_paper(mus_context *context, const double *cell, double st
     mus_cloth_def def;
     mus_cloth *cloth;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     ck_assert_int_eq(def.bending, MUS_BEND_PLATE);
     ck_assert_double_eq(def.paper_curvature, 30.0);
     def.bending = MUS_BEND_PAPER;
     def.paper_curvature = curvature;
-    def.fabric.stretch[0] = stretch, def.fabric.stretch[1] = 0.8 * stretch;
+    fabric.stretch[0] = stretch, fabric.stretch[1] = 0.8 * stretch;
     ck_assert_msg(mus_cloth_create_grid(context, 9, 31, cell, &def, &cloth) == MUS_OK, "%s",
                   mus_context_error(context));
     return cloth;
@@ -416,6 +419,9 @@ START_TEST(a_grid_that_cannot_be_is_refused)
     mus_context *context = support_context();
     mus_cloth_def def;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     def.spacing = (double)NAN; /* not read */
     grid_refused(context, 0, 3, 0.01, 0.01, &def, MUS_ERR_ARG, "0 rows");
     grid_refused(context, 3, -1, 0.01, 0.01, &def, MUS_ERR_ARG, "-1 columns");
@@ -424,7 +430,7 @@ START_TEST(a_grid_that_cannot_be_is_refused)
     grid_refused(context, 3, 3, 0.01, 11.0, NULL, MUS_ERR_ARG, "11 m");
     grid_refused(context, 4097, 4097, 0.01, 0.01, &def, MUS_ERR_LIMIT, "2^24");
     grid_refused(context, INT32_MAX, INT32_MAX, 0.01, 0.01, &def, MUS_ERR_LIMIT, "2^24");
-    def.fabric.shear = (double)INFINITY;
+    fabric.shear = (double)INFINITY;
     grid_refused(context, 3, 3, 0.01, 0.01, &def, MUS_ERR_ARG, "shear");
     mus_cloth_def_init(&def, sizeof def);
     def.bending = 2;

@@ -69,8 +69,10 @@ START_TEST(planes_do_what_asking_every_time_does)
         }
         memcpy(p, x, sizeof p), memcpy(w, v, sizeof w);
         memset(rest, 0, sizeof rest);
-        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){NODES, 0, NODES, inverse, before, p, w}, 0, rest, &asked);
-        mus__plane_cache_pass_f64(collider, &rule, &(mus__contact_nodes){NODES, 0, NODES, inverse, NULL, x, v}, near, &kept);
+        mus__contact_pass_f64(collider, &rule,
+            &(mus__contact_nodes){NODES, 0, NODES, inverse, before, p, w}, 0, rest, &asked);
+        mus__plane_cache_pass_f64(collider, &rule,
+            &(mus__contact_nodes){NODES, 0, NODES, inverse, NULL, x, v}, near, &kept);
         for (int i = 0; i < 3 * NODES; i++) {
             ck_assert_double_eq_tol(x[i], p[i], 3e-6);
             ck_assert_double_eq_tol(v[i], w[i], 0.05);
@@ -130,7 +132,8 @@ START_TEST(nothing_falls_through_a_ball)
         near[7] = -1.0f;
         for (int i = 0; i < 1200; i++) {
             for (int d = 0; d < 3; d++) x[d] += (float)h * v[d];
-            mus__plane_cache_pass_f32(collider, &rule, &(mus__contact_nodes){1, 0, 1, inverse, NULL, x, v}, near, &tally);
+            mus__plane_cache_pass_f32(collider, &rule,
+                &(mus__contact_nodes){1, 0, 1, inverse, NULL, x, v}, near, &tally);
             const double p[3] = {(double)x[0] + collider->origin[0], (double)x[1] + collider->origin[1],
                                  (double)x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 3.2 * h);

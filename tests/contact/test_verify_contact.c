@@ -1,5 +1,5 @@
 /*
- * test_verify_contact.c: the cases of `muslin verify` on limbs and planes as claims (numerics.md F1-F8, C1-C5,
+ * test_verify_contact.c: the cases of `muslin verify` on limbs and planes as claims (F1-F8, C1-C5,
  * V1-V3): their sources are taken in, and each row asserts.
  */
 #include <math.h>

@@ -47,6 +47,13 @@ START_TEST(names_are_words_of_letters_and_differ)
 END_TEST
 
 
+/* "sleeveless" is the older name of the loose knit top without sleeves, and stays */
+static bool same_by_name(int32_t a, int32_t b)
+{
+    return strcmp(mus_design_name(a), "sleeveless") == 0 && strcmp(mus_design_name(b), "knit_jewel_sleeveless") == 0;
+}
+
+
 /* words go together, and no two designs are the same words */
 START_TEST(words_are_read_and_differ)
 {
@@ -54,11 +61,10 @@ START_TEST(words_are_read_and_differ)
     mus_context *context = support_context();
     for (int32_t d = 0; d < mus_design_count(); d++) {
         const char *words = mus_design_words(d);
-        if (words[0] == '\0') continue;
         ck_assert_msg(mus_design_spell(context, words, full[d], sizeof full[d]) == MUS_OK, "%s: %s",
                       mus_design_name(d), mus_context_error(context));
         for (int32_t k = 0; k < d; k++)
-            ck_assert_msg(strcmp(full[k], full[d]) != 0, "%s is %s", mus_design_name(d), mus_design_name(k));
+            ck_assert_msg(strcmp(full[k], full[d]) != 0 || same_by_name(k, d), "%s is %s", mus_design_name(d), mus_design_name(k));
     }
     support_context_end(context);
 }
@@ -147,7 +153,7 @@ START_TEST(no_two_designs_are_the_same_garment)
         shapes[d] = shape_of(pattern);
         panels[d] = one.panels;
         for (int32_t k = 0; k < d; k++)
-            ck_assert_msg(!shapes_alike(&shapes[k], &shapes[d], panels[d]), "%s is the same garment as %s",
+            ck_assert_msg(!shapes_alike(&shapes[k], &shapes[d], panels[d]) || same_by_name(k, d), "%s is the same garment as %s",
                           mus_design_name(d), mus_design_name(k));
         mus_pattern_destroy(pattern);
         mus_tape_destroy(tape);

@@ -1,5 +1,5 @@
 /*
- * test_grade.c: grade rules against the steps that the drafting reference measured, rules applied against the next
+ * test_grade.c: grade rules against steps measured on drafts of an independent script, rules applied against the next
  * draft, ease against the eases that a draft was asked for.
  */
 #include <string.h>

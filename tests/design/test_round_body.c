@@ -150,7 +150,7 @@ START_TEST(panels_start_off_the_body_and_off_each_other)
     mus_body *body;
     ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
     mus_tape_destroy(tape);
-    for (int32_t d = 0; d < RECIPES; d++) {
+    for (int32_t d = 0; d < FIRST; d++) {
         mus_pattern *pattern = drafts_pattern(context, mus_design_name(d), size);
         const int32_t panels = mus_pattern_panel_count(pattern);
         placed sample[8];

@@ -74,8 +74,11 @@ static inline mus_cloth *scene_cut(mus_context *context, const mus_pattern *patt
     mus_cloth_def cut;
     mus_cloth *cloth;
     mus_cloth_def_init(&cut, sizeof cut);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
     cut.spacing = spacing;
-    cut.fabric.damping = damping;
+    fabric.damping = damping;
     ck_assert_int_eq(mus_cloth_create(context, pattern, &cut, &cloth), MUS_OK);
     return cloth;
 }

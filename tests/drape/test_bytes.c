@@ -16,7 +16,10 @@ static double bytes_of(int32_t side, int32_t precision, double damping)
     mus_cloth *cloth;
     mus_drape *drape;
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.damping = damping;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
+    fabric.damping = damping;
     mus_drape_def_init(&def, sizeof def);
     def.precision = precision;
     ck_assert_int_eq(mus_cloth_create_grid(context, side, side, cell, &cut, &cloth), MUS_OK);

@@ -14,8 +14,11 @@ static mus_drape *hang(mus_context *context, int32_t coarser, mus_cloth **cloth)
     const double cell[2] = {1.0 / 32, 1.0 / 32};
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
     cut.coarser = coarser;
-    cut.fabric.bend[0] = cut.fabric.bend[1] = cut.fabric.bend[2] = 2e-3;
+    fabric.bend[0] = fabric.bend[1] = fabric.bend[2] = 2e-3;
     ck_assert_int_eq(mus_cloth_create_grid(context, 33, 33, cell, &cut, cloth), MUS_OK);
     mus_drape_def def;
     mus_drape *drape;
@@ -122,8 +125,11 @@ START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
     mus_cloth_def cut;
     worn_put_on_design(&w, "tshirt", NULL);
     mus_cloth_def_init(&cut, sizeof cut);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
     cut.spacing = 0.02;
-    ck_assert_int_eq(mus_fabric_find("cotton", &cut.fabric), MUS_OK);
+    ck_assert_int_eq(mus_fabric_find("cotton", &fabric), MUS_OK);
     ck_assert_int_eq(mus_cloth_create(w.context, w.pattern, &cut, &w.cloth), MUS_OK);
     mus_drape *drape[2];
     mus_drape_report report;

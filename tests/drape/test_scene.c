@@ -75,7 +75,10 @@ static mus_drape *make_grid(mus_context *context, int32_t n, double damping, int
     mus_cloth_def def;
     mus_cloth *cloth = NULL;
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric.damping = damping;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    fabric.damping = damping;
     ck_assert_int_eq(mus_cloth_create_grid(context, n, n, cell, &def, &cloth), MUS_OK);
     return make(context, cloth, stepper, precision, gravity, 0.0);
 }

@@ -28,7 +28,10 @@ static verlet_scene verlet_open(int32_t precision, int32_t threads, double dampi
     mus_drape_def def;
     s.context = support_context();
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.damping = damping;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
+    fabric.damping = damping;
     ck_assert_int_eq(mus_cloth_create_grid(s.context, 12, 12, cell, &cut, &s.cloth), MUS_OK);
     mus_drape_def_init(&def, sizeof def);
     def.precision = precision;

@@ -191,9 +191,8 @@ START_TEST(a_pattern_at_fault_gives_nothing_but_the_fault)
 END_TEST
 
 
-static int32_t stop_at_once(void *user, const char *phase, double progress)
+static int32_t stop_at_once(void *user, const mus_progress *progress)
 {
-    (void)phase;
     (void)progress;
     ++*(int32_t *)user;
     return 1;
@@ -211,7 +210,8 @@ START_TEST(a_stopped_run_says_so_and_tries_no_more)
     ck_assert_int_eq(calls, 1);
     ck_assert_int_eq(d.report.starts, 1);
     ck_assert_ptr_nonnull(d.drape);
-    ck_assert_str_eq(mus_context_error(w.context), mus_status_text(MUS_ERR_STOPPED));
+    ck_assert_int_eq(d.reason.kind, MUS_REASON_STOPPED);
+    ck_assert_str_eq(d.reason.text, mus_context_error(w.context));
     dressing_end(&d);
     worn_end(&w);
 }

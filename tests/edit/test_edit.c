@@ -308,29 +308,29 @@ START_TEST(edges_merge_with_the_ease_of_both_seams_whichever_way_they_were_sewn)
     /* seam 1: the back is to be 1 cm longer; seam 2, said from the back: the front 2 cm longer. Together: 1 cm */
     mus_context *context = support_context();
     mus_pattern *pattern = edit_skirt(context);
-    const int32_t side = edit_edge(pattern, "front", "sideL");
+    const int32_t side = edit_edge(pattern, "skirt_front", "side");
     int32_t part;
     edit_well(mus_pattern_split_edge(pattern, side, 0.3, "low", &part));
     mus_seam_def one, two;
     mus_seam_def_init(&one, sizeof one);
     mus_seam_def_init(&two, sizeof two);
-    const int32_t seams[2] = {mus_pattern_edge_seam(pattern, edit_edge(pattern, "front", "sideL")),
-                              mus_pattern_edge_seam(pattern, edit_edge(pattern, "front", "low"))};
+    const int32_t seams[2] = {mus_pattern_edge_seam(pattern, edit_edge(pattern, "skirt_front", "side")),
+                              mus_pattern_edge_seam(pattern, edit_edge(pattern, "skirt_front", "low"))};
     edit_well(mus_pattern_seam(pattern, seams[0], &one));
     edit_well(mus_pattern_seam(pattern, seams[1], &two));
     edit_well(mus_pattern_remove_seam(pattern, seams[0] > seams[1] ? seams[0] : seams[1]));
     edit_well(mus_pattern_remove_seam(pattern, seams[0] > seams[1] ? seams[1] : seams[0]));
-    const bool front = mus_pattern_edge_panel(pattern, one.edge_a) == mus_pattern_find_panel(pattern, "front");
+    const bool front = mus_pattern_edge_panel(pattern, one.edge_a) == mus_pattern_find_panel(pattern, "skirt_front");
     const int32_t swap = two.edge_a;
     one.ease = front ? 0.01 : -0.01;
     two.edge_a = two.edge_b, two.edge_b = swap, two.ease = front ? 0.02 : -0.02;
     edit_well(mus_pattern_add_seam(pattern, &one, NULL));
     edit_well(mus_pattern_add_seam(pattern, &two, NULL));
-    const int32_t *edges, panel = mus_pattern_find_panel(pattern, "front");
+    const int32_t *edges, panel = mus_pattern_find_panel(pattern, "skirt_front");
     int32_t n, k = 0, whole;
     edit_well(mus_pattern_outline(pattern, panel, &n, &edges, NULL));
-    while (edges[(k + 1) % n] != edit_edge(pattern, "front", "low") &&
-           edges[(k + 1) % n] != edit_edge(pattern, "front", "sideL"))
+    while (edges[(k + 1) % n] != edit_edge(pattern, "skirt_front", "low") &&
+           edges[(k + 1) % n] != edit_edge(pattern, "skirt_front", "side"))
         k++;
     edit_well(mus_pattern_merge_edges(pattern, edges[(k + 1) % n], &whole));
     mus_seam_def def;

@@ -44,7 +44,7 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
 
     /* a yoke: from one side to the other, along a curve. The sides are divided in back as well, so the hem is the edge
      * from whose two neighbours the places are taken */
-    const int32_t front = mus_pattern_find_panel(pattern, "front");
+    const int32_t front = mus_pattern_find_panel(pattern, "skirt_front");
     ck_assert_int_ne(front, MUS_NONE);
     ck_assert_int_eq(mus_pattern_outline(pattern, front, &n, &edges, &turns), MUS_OK);
     int32_t k = 0;
@@ -73,7 +73,7 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
     ck_assert_double_eq_tol(edit_area(pattern), area, 1e-12);
     ck_assert_int_eq(edit_faults(pattern), faults);
 
-    /* drafting.md section 8: splitting a panel and sewing it again adds (V, E, F) = (2, 3, 1) */
+    /* splitting a panel and sewing it again adds (V, E, F) = (2, 3, 1) */
     mus_topology after = edit_topology(pattern);
     dart_same_topology(&before, &after, 2, 3, 1);
 
@@ -85,7 +85,7 @@ START_TEST(a_separation_adds_two_corners_three_edges_and_a_face)
 
     /* a line that leaves the panel is refused, and nothing is changed */
     const uint64_t bytes = edit_bytes(pattern);
-    const int32_t hem = edit_edge(pattern, "back", "hem");
+    const int32_t hem = edit_edge(pattern, "skirt_back", "hem");
     double low[2];
     ck_assert_int_eq(mus_pattern_edge_at(pattern, hem, 1, &t, low), MUS_OK);
     const double out[4] = {0.1, -9.0, 0.2, -9.0};
@@ -116,13 +116,13 @@ START_TEST(fullness_goes_where_it_is_put)
 {
     mus_context *context = support_context();
     mus_pattern *pattern = edit_skirt(context);
-    const int32_t front = mus_pattern_find_panel(pattern, "front");
+    const int32_t front = mus_pattern_find_panel(pattern, "skirt_front");
     const mus_topology before = edit_topology(pattern);
     const int32_t faults = edit_faults(pattern);
     ck_assert_int_eq(faults, 0);
 
     /* six slashes that open the hem by 24 cm; the waist is as long as it was, and nothing crosses */
-    int32_t hem = edit_edge(pattern, "front", "hem"), waist = MUS_NONE;
+    int32_t hem = edit_edge(pattern, "skirt_front", "hem"), waist = MUS_NONE;
     for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
         if (mus_pattern_edge_panel(pattern, i) == front && strcmp(mus_pattern_edge_label(pattern, i), "waist") == 0)
             waist = waist == MUS_NONE || mus_pattern_edge_length(pattern, i) > mus_pattern_edge_length(pattern, waist)
@@ -134,7 +134,7 @@ START_TEST(fullness_goes_where_it_is_put)
     char name[128];
     snprintf(name, sizeof name, "%s", mus_pattern_edge_name(pattern, waist));
     edit_well(mus_pattern_flare(pattern, hem, waist, 6, 0.24));
-    hem = edit_edge(pattern, "front", "hem"), waist = edit_edge(pattern, "front", name);
+    hem = edit_edge(pattern, "skirt_front", "hem"), waist = edit_edge(pattern, "skirt_front", name);
     ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, hem), hem_length + 0.24, 6e-3);
     ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, waist), waist_length, 1e-12);
     ck_assert_int_eq(edit_faults(pattern), faults);
@@ -146,7 +146,7 @@ START_TEST(fullness_goes_where_it_is_put)
     ck_assert_int_eq(mus_pattern_edge_at(pattern, hem, 1, &t[0], p), MUS_OK);
     ck_assert_int_eq(mus_pattern_edge_at(pattern, waist, 1, &t[1], q), MUS_OK);
     edit_well(mus_pattern_pleat(pattern, hem, 0.5 * hem_now, waist, 0.5 * waist_length, 0.03, 0.03));
-    hem = edit_edge(pattern, "front", "hem"), waist = edit_edge(pattern, "front", name);
+    hem = edit_edge(pattern, "skirt_front", "hem"), waist = edit_edge(pattern, "skirt_front", name);
     ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, hem), hem_now + 0.06, 1e-12);
     ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, waist), waist_length + 0.06, 1e-12);
     ck_assert_double_eq_tol(mus_pattern_panel_area(pattern, front), area + 0.06 * mus__dist2(p, q), 1e-12);
@@ -162,7 +162,7 @@ START_TEST(fullness_goes_where_it_is_put)
     const double along[2] = {-1.0, 0.0};
     double low[2];
     for (int32_t i = 0; i < 2; i++) {
-        hem = edit_edge(pattern, i == 0 ? "front" : "back", "hem");
+        hem = edit_edge(pattern, i == 0 ? "skirt_front" : "skirt_back", "hem");
         ck_assert_int_eq(mus_pattern_edge_at(pattern, hem, 1, t, low), MUS_OK);
         low[1] += 0.15;
         edit_well(mus_pattern_lengthen(pattern, mus_pattern_edge_panel(pattern, hem), low, along, 0.05));

@@ -1,6 +1,6 @@
 /*
- * test_edit_patch.c: lines inside a panel and what is sewn to them, and layers of pleats: three and four sheets at an edge,
- * and nothing else changed.
+ * test_edit_patch.c: lines inside a panel and what is sewn to them, and layers of pleats: three and four sheets at an
+ * edge, and nothing else changed.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
  * test_edit_random.c: a thousand random edits of drafted garments and of random panels: what each kind keeps, to 1e-9
- * (drafting.md 4.11), that a refused edit changes no byte, and that undo gives every byte back.
+ * (areas, lengths, angles, topology), that a refused edit changes no byte, and that undo gives every byte back.
  */
 #include <math.h>
 #include <stdio.h>

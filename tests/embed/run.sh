@@ -16,11 +16,15 @@ fail() { echo "$*"; exit 1; }
 
 # ---- install twice: into a prefix to use, and by DESTDIR with a library folder of Debian's kind ----
 
-version=$(cd "$out/lib" && ls libmuslin.so.*.*.* | sed 's/libmuslin.so.//')
-sh lib/install.sh "$out" "" "$scratch/prefix" lib "$version"
-sh lib/install.sh "$out" "$scratch/stage" /opt/muslin lib/x86_64-linux-gnu "$version"
+abi=$(sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
+version=$(sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
+sh lib/install.sh "$out" "" "$scratch/prefix" lib "$version" "$abi"
+sh lib/install.sh "$out" "$scratch/stage" /opt/muslin lib/x86_64-linux-gnu "$version" "$abi"
 grep -rlI "$scratch\|$out" "$scratch/stage" && fail "an installed file names a folder of the build"
-[ -e "$scratch/stage/opt/muslin/lib/x86_64-linux-gnu/libmuslin.so.${version%%.*}" ] || fail "LIBDIR was not respected"
+[ -e "$scratch/stage/opt/muslin/lib/x86_64-linux-gnu/libmuslin.so.$abi" ] || fail "LIBDIR was not respected"
+
+cmp "$scratch/prefix/share/muslin/muslin_flat.h" bindings/abi/muslin_flat.h || fail "muslin_flat.h is not installed"
+cmp "$scratch/prefix/share/muslin/muslin_abi.json" bindings/abi/muslin_abi.json || fail "muslin_abi.json is not installed"
 
 # ---- the scene, by the command ----
 
@@ -64,7 +68,7 @@ for program in "$scratch"/bin/*; do
     [ "$got" = "$want" ] || fail "$(basename "$program") prints $got, the command reports $want"
     case $program in
     *static) readelf -d "$program" | grep -q 'NEEDED.*libmuslin' && fail "$(basename "$program") needs a shared muslin" ;;
-    *shared) readelf -d "$program" | grep -q 'NEEDED.*libmuslin\.so\.0' || fail "$(basename "$program") is not linked with the shared muslin" ;;
+    *shared) readelf -d "$program" | grep -q "NEEDED.*libmuslin\.so\.$abi" || fail "$(basename "$program") is not linked with the shared muslin" ;;
     esac
 done
 exit 0

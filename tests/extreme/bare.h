@@ -55,7 +55,7 @@ static inline mus_cloth *extreme_grid(mus_context *context, int32_t rows, int32_
     mus_cloth *cloth;
     mus_cloth_def def;
     mus_cloth_def_init(&def, sizeof def);
-    if (fabric != NULL) def.fabric = *fabric;
+    def.fabric = fabric;
     ck_assert_msg(mus_cloth_create_grid(context, rows, columns, cells, &def, &cloth) == MUS_OK, "%s",
                   mus_context_error(context));
     return cloth;

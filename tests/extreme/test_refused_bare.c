@@ -104,9 +104,6 @@ static mus_status try_grid(mus_context *context, const void *def, void *user)
 START_TEST(a_grid_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
-        REFUSED(mus_cloth_def, fabric.weight, 1, false, "weight"),
-        REFUSED(mus_cloth_def, fabric.stretch, 2, false, "stretch"),
-        REFUSED(mus_cloth_def, fabric.bend, 3, false, "bend"),
         REFUSED(mus_cloth_def, paper_curvature, 1, false, "paper_curvature"),
     };
     mus_cloth_def def;

@@ -23,23 +23,36 @@ static mus_status try_cloth(mus_context *context, const void *def, void *user)
 }
 
 
+static mus_status try_fabric(mus_context *context, const void *fabric, void *user)
+{
+    mus_cloth_def def;
+    mus_cloth_def_init(&def, sizeof def);
+    def.spacing = 0.02;
+    def.fabric = fabric;
+    return try_cloth(context, &def, user);
+}
+
+
 /* X23 */
 START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
         REFUSED(mus_cloth_def, spacing, 1, false, "spacing"),
-        REFUSED(mus_cloth_def, fabric.weight, 1, false, "weight"),
-        REFUSED(mus_cloth_def, fabric.stretch, 2, false, "stretch"),
-        REFUSED(mus_cloth_def, fabric.shear, 1, false, "shear"),
-        REFUSED(mus_cloth_def, fabric.bend, 3, false, "bend"),
-        REFUSED(mus_cloth_def, fabric.damping, 1, false, "damping"),
-        REFUSED(mus_cloth_def, fabric.friction, 1, false, "friction"),
-        REFUSED(mus_cloth_def, fabric.thickness, 1, false, "thickness"),
     };
+    static const refused_field fabric_fields[] = {
+        REFUSED(mus_fabric, weight, 1, false, "weight"),       REFUSED(mus_fabric, stretch, 2, false, "stretch"),
+        REFUSED(mus_fabric, shear, 1, false, "shear"),         REFUSED(mus_fabric, bend, 3, false, "bend"),
+        REFUSED(mus_fabric, damping, 1, false, "damping"),     REFUSED(mus_fabric, friction, 1, false, "friction"),
+        REFUSED(mus_fabric, thickness, 1, false, "thickness"),
+    };
+    mus_fabric jersey;
     mus_cloth_def def;
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = 0.02;
     refused_fields(fields, sizeof fields / sizeof *fields, &def, sizeof def, try_cloth, NULL);
+    mus_fabric_init(&jersey, sizeof jersey);
+    refused_fields(fabric_fields, sizeof fabric_fields / sizeof *fabric_fields, &jersey, sizeof jersey, try_fabric,
+                   NULL);
 }
 END_TEST
 
@@ -69,7 +82,10 @@ START_TEST(a_fabric_without_weight_is_refused)
     for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
         mus_cloth_def def;
         mus_cloth_def_init(&def, sizeof def);
-        def.fabric.weight = none[i];
+        mus_fabric cloth_fabric;
+        mus_fabric_init(&cloth_fabric, sizeof cloth_fabric);
+        def.fabric = &cloth_fabric;
+        cloth_fabric.weight = none[i];
         ck_assert_int_eq(try_cloth(context, &def, NULL), MUS_ERR_ARG);
         ck_assert_ptr_nonnull(strstr(mus_context_error(context), "weight"));
     }
@@ -107,6 +123,7 @@ START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_drape_def, sew_seconds, 1, false, "sew_seconds"),
         REFUSED(mus_drape_def, settle_seconds, 1, false, "settle_seconds"),
         REFUSED(mus_drape_def, settle_residual, 1, false, "settle_residual"),
+        REFUSED(mus_drape_def, progress_seconds, 1, false, "progress_seconds"),
         REFUSED(mus_drape_def, contact_ball, 1, false, "contact_ball"),
     };
     mus_drape_def def;

@@ -36,6 +36,10 @@ START_TEST(dress_options_that_are_not_finite_are_refused_by_name)
 
     mus_context *context = support_context();
     def.drape = NULL;
+    def.progress_seconds = NAN; /* mus_dress_def.progress_seconds */
+    ck_assert_int_eq(try_dress(context, &def, NULL), MUS_ERR_ARG);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "progress_seconds"));
+    def.progress_seconds = 0.1;
     def.friction = -INFINITY;
     ck_assert_int_eq(try_dress(context, &def, NULL), MUS_ERR_ARG);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "friction"));

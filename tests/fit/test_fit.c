@@ -93,9 +93,12 @@ static mus_cloth *narrow_tube(mus_context *context, double *tension)
     scene_sew(pattern, edge[0][1], edge[1][3], 0.0);
     scene_sew(pattern, edge[0][3], edge[1][1], 0.0);
     mus_cloth_def_init(&cut, sizeof cut);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    cut.fabric = &fabric;
     cut.spacing = 0.015;
-    cut.fabric.shear = 0.0; /* without diagonals there is no contraction across: tension is stiffness times strain */
-    *tension = cut.fabric.stretch[1] * TUBE_STRAIN;
+    fabric.shear = 0.0; /* without diagonals there is no contraction across: tension is stiffness times strain */
+    *tension = fabric.stretch[1] * TUBE_STRAIN;
     ck_assert_msg(mus_cloth_create(context, pattern, &cut, &cloth) == MUS_OK, "%s", mus_context_error(context));
     mus_pattern_destroy(pattern);
     return cloth;

@@ -65,10 +65,11 @@ def test_options_reach_cloth_and_drape():
 def test_progress_stops_and_raises():
     tape = muslin.Tape.size("W40")
     seen = []
-    stopped = muslin.dress("skirt", tape, spacing=0.03, strict=False, progress=lambda *told: seen.append(told) or True)
-    assert stopped.status == "MUS_ERR_STOPPED" and seen == [("sew", seen[0][1])]
+    stopped = muslin.dress("skirt", tape, spacing=0.03, strict=False, progress=lambda told: seen.append(told) or True)
+    assert stopped.status == "MUS_ERR_STOPPED" and stopped.reason["name"] == "stopped"
+    assert [told.phase for told in seen] == ["sew"]
 
-    def broken(phase, share):
-        raise KeyError(phase)
+    def broken(told):
+        raise KeyError(told.phase)
     with pytest.raises(KeyError, match="sew"):
         muslin.dress("skirt", tape, spacing=0.03, progress=broken)

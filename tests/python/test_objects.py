@@ -194,11 +194,29 @@ def test_an_exception_in_progress_stops_the_run_and_comes_out(scene):
     drape = muslin.Drape(cloth, body)
     drape.place()
 
-    def progress(phase, share):
-        raise RuntimeError(f"stopped in {phase}")
+    def progress(told):
+        raise RuntimeError(f"stopped in {told.phase}")
 
     with pytest.raises(RuntimeError, match="stopped in sew"):
         drape.sew(progress)
+
+
+def test_progress_sees_positions_and_stops_by_an_error_of_its_own(scene):
+    _, body, _, cloth = scene
+    drape = muslin.Drape(cloth, body, progress_seconds=0)
+    drape.place()
+    seen = []
+
+    def progress(told):
+        seen.append(told)
+        return True
+
+    with pytest.raises(muslin.MuslinError, match="stopped") as caught:
+        drape.sew(progress)
+    assert caught.value.name == "MUS_ERR_STOPPED" and drape.reason["name"] == "stopped"
+    assert [told.phase for told in seen] == ["sew"] and 0 <= seen[0].share <= 1
+    assert len(seen[0].positions) > 10 and len(seen[0].triangles) > 10
+    assert max(max(corners) for corners in seen[0].triangles) < len(seen[0].positions)
 
 
 def test_log_lines_reach_python(tmp_path):

@@ -67,7 +67,10 @@ void same_cut_out(const same_run *run, const same_scene *scene, same_dressed *ou
     mus_drape_def def;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = 0.001 * scene->spacing;
-    if (scene->fabric != NULL) same_must(run, mus_fabric_find(scene->fabric, &cut.fabric), scene->fabric);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    if (scene->fabric != NULL) same_must(run, mus_fabric_find(scene->fabric, &fabric), scene->fabric);
+    cut.fabric = &fabric;
     if (scene->flags & SCENE_PAPER) cut.bending = MUS_BEND_PAPER;
     if (scene->flags & SCENE_ONE_CUT) cut.coarser = 0;
     same_must(run, mus_cloth_create(run->context, out->pattern, &cut, &out->cloth), "mus_cloth_create");

@@ -30,9 +30,12 @@ static mus_cloth *blocks_grid(mus_context *context, int32_t grid, int32_t fabric
     mus_cloth_def cut;
     mus_cloth *cloth;
     mus_cloth_def_init(&cut, sizeof cut);
-    cut.fabric.shear = fabrics[fabric][0];
-    for (int d = 0; d < 3; d++) cut.fabric.bend[d] = fabrics[fabric][d < 2 ? 1 : 2];
-    cut.fabric.damping = damping;
+    mus_fabric cloth_fabric;
+    mus_fabric_init(&cloth_fabric, sizeof cloth_fabric);
+    cut.fabric = &cloth_fabric;
+    cloth_fabric.shear = fabrics[fabric][0];
+    for (int d = 0; d < 3; d++) cloth_fabric.bend[d] = fabrics[fabric][d < 2 ? 1 : 2];
+    cloth_fabric.damping = damping;
     if (fabric == PAPER) cut.bending = MUS_BEND_PAPER;
     ck_assert_int_eq(mus_cloth_create_grid(context, grids[grid][0], grids[grid][1], cell, &cut, &cloth), MUS_OK);
     return cloth;

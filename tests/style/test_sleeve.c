@@ -1,6 +1,6 @@
 /*
  * test_sleeve.c: every sleeve on a half shirt drawn by hand: the whole garment is clean, its topology that of a
- * T-shirt (drafting.md section 8: characteristic -2, four openings, no handle), and what is sewn fits.
+ * T-shirt (characteristic -2, four openings, no handle), and what is sewn fits.
  */
 #include <stdio.h>
 

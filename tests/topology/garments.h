@@ -2,10 +2,10 @@
  * garments.h: sewn garments as words and seams, with the answers of two independent programs.
  *
  * A panel is a cyclic word of edge names ("h0-": passed against its direction); a seam joins the end of one edge to the
- * start of the other, "direct" start to start. The first part of the table comes from drafting.md section 8
- * (topology.py: union-find and walking in Python), the rows "1f" from numerics.md 1f (integer homology by Smith normal
- * form); the betti numbers of all rows are of a third program, elimination over the rationals in Python. MUS_NONE
- * stands for what a surface with three sheets at an edge does not have.
+ * start of the other, "direct" start to start. The first part of the table comes from a Python program
+ * by union-find and walking, the rows "1f" from another by Smith normal form over the integers; the betti numbers of
+ * all rows are of a third program, elimination over the rationals in Python. MUS_NONE stands for what a surface with
+ * three sheets at an edge does not have.
  */
 #ifndef MUS_TESTS_GARMENTS_H
 #define MUS_TESTS_GARMENTS_H

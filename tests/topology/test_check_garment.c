@@ -1,5 +1,5 @@
 /*
- * test_check_garment.c: the mistakes of drafting.md section 8 named: twisted, mirrored, missing and loose pieces, closed
+ * test_check_garment.c: the mistakes of a sewing table named: twisted, mirrored, missing and loose pieces, closed
  * bags; and sound garments have none of them.
  */
 #include "muslin/topology.h"

@@ -5,12 +5,13 @@ Written by bindings/python/generate.py from include/muslin/*.h; do not edit.
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_float, c_int32, c_int64,
                     c_size_t, c_uint64, c_uint8, c_void_p)
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"
 
 # constants
 MUS_VERSION_MAJOR = 0
-MUS_VERSION_MINOR = 1
+MUS_VERSION_MINOR = 2
 MUS_VERSION_PATCH = 0
+MUS_ABI = 1
 MUS_NONE = -1
 MUS_LOG_ERROR = 0
 MUS_LOG_WARNING = 1
@@ -190,7 +191,8 @@ MUS_REASON_TANGLED = 7
 MUS_REASON_NOT_SETTLED = 8
 MUS_REASON_UNSTABLE = 9
 MUS_REASON_BAD_INPUT = 10
-MUS_REASON_COUNT = 11
+MUS_REASON_STOPPED = 11
+MUS_REASON_COUNT = 12
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
@@ -229,7 +231,7 @@ JOINT_NAMES = ("ROOT", "LUMBAR", "NECK", "SHOULDER_LEFT", "SHOULDER_RIGHT", "ELB
                "WRIST_RIGHT", "HIP_LEFT", "HIP_RIGHT", "KNEE_LEFT", "KNEE_RIGHT", "ANKLE_LEFT", "ANKLE_RIGHT")
 
 
-# opaque handles
+# opaque handles, and structs, whose fields stand below
 
 
 class mus_context(Structure):
@@ -280,6 +282,138 @@ class mus_catalogue(Structure):
     pass
 
 
+class mus_context_def(Structure):
+    pass
+
+
+class mus_limb(Structure):
+    pass
+
+
+class mus_body_def(Structure):
+    pass
+
+
+class mus_pose(Structure):
+    pass
+
+
+class mus_scan_def(Structure):
+    pass
+
+
+class mus_scan_report(Structure):
+    pass
+
+
+class mus_edge_def(Structure):
+    pass
+
+
+class mus_seam_def(Structure):
+    pass
+
+
+class mus_placement(Structure):
+    pass
+
+
+class mus_topology(Structure):
+    pass
+
+
+class mus_homology(Structure):
+    pass
+
+
+class mus_form_def(Structure):
+    pass
+
+
+class mus_cut_def(Structure):
+    pass
+
+
+class mus_seam_walk(Structure):
+    pass
+
+
+class mus_draft_def(Structure):
+    pass
+
+
+class mus_fabric(Structure):
+    pass
+
+
+class mus_cloth_def(Structure):
+    pass
+
+
+class mus_bare(Structure):
+    pass
+
+
+class mus_integrate_def(Structure):
+    pass
+
+
+class mus_reason(Structure):
+    pass
+
+
+class mus_drape_def(Structure):
+    pass
+
+
+class mus_plane(Structure):
+    pass
+
+
+class mus_estimate(Structure):
+    pass
+
+
+class mus_progress(Structure):
+    pass
+
+
+class mus_drape_report(Structure):
+    pass
+
+
+class mus_dress_def(Structure):
+    pass
+
+
+class mus_dress_report(Structure):
+    pass
+
+
+class mus_fit_level(Structure):
+    pass
+
+
+class mus_sheet_def(Structure):
+    pass
+
+
+class mus_sheet_piece(Structure):
+    pass
+
+
+class mus_sheet_line(Structure):
+    pass
+
+
+class mus_mesh_view(Structure):
+    pass
+
+
+class mus_mesh_motion(Structure):
+    pass
+
+
 # callbacks
 mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
 mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
@@ -287,195 +421,111 @@ mus_rate_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double), POINTER(c_d
 mus_rate32_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_float), POINTER(c_float))
 mus_energy_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_double))
 mus_energy32_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_float))
-mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
-
-# structs
-
-
-class mus_context_def(Structure):
-    _fields_ = [("size", c_size_t), ("alloc", mus_alloc_fn), ("alloc_user", c_void_p), ("log", mus_log_fn),
-                ("log_user", c_void_p)]
-
-
-class mus_limb(Structure):
-    _fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
-                ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32), ("contour", POINTER(c_double)),
-                ("corners", c_int32), ("outline", POINTER(c_double)), ("joint", c_int32)]
-
-
-class mus_body_def(Structure):
-    _fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32),
-                ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb)), ("plain", c_int32),
-                ("stoop", c_double), ("head_forward", c_double), ("sway", c_double)]
-
-
-class mus_pose(Structure):
-    _fields_ = [("size", c_size_t), ("place", c_double * 3), ("angle", c_double * 3 * 15)]
-
-
-class mus_scan_def(Structure):
-    _fields_ = [("size", c_size_t), ("up", c_int32), ("front", c_int32), ("unit", c_double), ("spacing", c_double),
-                ("corners", c_int32), ("gap", c_double), ("samples", c_int32), ("ring_spacing", c_double),
-                ("distances", c_int32)]
-
-
-class mus_scan_report(Structure):
-    _fields_ = [("size", c_size_t), ("unit", c_double), ("frame", c_double * 9), ("place", c_double * 3),
-                ("stature", c_double), ("crotch", c_double), ("armpit", c_double * 2), ("arm_angle", c_double * 2),
-                ("vertices", c_int32), ("contours", c_int32), ("holes", c_int32), ("widest_hole", c_double),
-                ("filled", c_int32), ("deepest_fill", c_double), ("girth", c_double * 5),
-                ("girth_height", c_double * 5), ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
-
-
-class mus_edge_def(Structure):
-    _fields_ = [("size", c_size_t), ("name", c_char_p), ("start", c_int32), ("end", c_int32), ("npiece", c_int32),
-                ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
-
-
-class mus_seam_def(Structure):
-    _fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
-                ("ease", c_double), ("tolerance", c_double), ("laid", c_int32), ("closure", c_int32),
-                ("open", c_int32), ("buttons", c_int32)]
-
-
-class mus_placement(Structure):
-    _fields_ = [("size", c_size_t), ("origin", c_double * 3), ("rotation", c_double * 9), ("bend", c_double),
-                ("bend_x", c_double), ("fold", c_double)]
-
-
-class mus_topology(Structure):
-    _fields_ = [("size", c_size_t), ("vertices", c_int32), ("edges", c_int32), ("faces", c_int32), ("euler", c_int32),
-                ("components", c_int32), ("loops", c_int32), ("orientable", c_int32), ("manifold", c_int32),
-                ("genus", c_int32)]
-
-
-class mus_homology(Structure):
-    _fields_ = [("size", c_size_t), ("cells", c_int32 * 3), ("rank", c_int32 * 2), ("betti", c_int32 * 3),
-                ("euler", c_int32), ("torsion", c_int32)]
-
-
-class mus_form_def(Structure):
-    _fields_ = [("size", c_size_t), ("mirror", c_int32), ("labels", c_int32)]
-
-
-class mus_cut_def(Structure):
-    _fields_ = [("size", c_size_t), ("name", c_char_p), ("seam_name", c_char_p), ("edge_a", c_int32),
-                ("edge_b", c_int32), ("s_a", c_double), ("s_b", c_double), ("npiece", c_int32), ("nxy", c_int32),
-                ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
-
-
-class mus_seam_walk(Structure):
-    _fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b", c_double), ("excess", c_double),
-                ("notches_a", c_int32), ("notches_b", c_int32), ("notch_off", c_double), ("corner_start", c_double),
-                ("corner_end", c_double)]
-
-
-class mus_draft_def(Structure):
-    _fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
-
-
-class mus_fabric(Structure):
-    _fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
-                ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
-
-
-class mus_cloth_def(Structure):
-    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", mus_fabric), ("bending", c_int32),
-                ("paper_curvature", c_double), ("coarser", c_int32)]
-
-
-class mus_bare(Structure):
-    _fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("bends", c_int32), ("pins", c_int32),
-                ("place", POINTER(c_double)), ("mass", POINTER(c_double)), ("spring", POINTER(c_int32)),
-                ("length", POINTER(c_double)), ("stiffness", POINTER(c_double)), ("dashpot", POINTER(c_double)),
-                ("bend", POINTER(c_int32)), ("bend_stiffness", POINTER(c_double)), ("pin", POINTER(c_int32))]
-
-
-class mus_integrate_def(Structure):
-    _fields_ = [("size", c_size_t), ("method", c_int32), ("guard_every", c_int32), ("start", c_double),
-                ("step", c_double), ("rate", mus_rate_fn), ("energy", mus_energy_fn), ("rate32", mus_rate32_fn),
-                ("energy32", mus_energy32_fn), ("energy_growth", c_double), ("energy_floor", c_double),
-                ("user", c_void_p)]
-
-
-class mus_reason(Structure):
-    _fields_ = [("size", c_size_t), ("kind", c_int32), ("panel", c_int32), ("seam", c_int32), ("node", c_int32),
-                ("count", c_int32), ("value", c_double), ("place", c_double * 3), ("text", c_char * 256)]
-
-
-class mus_drape_def(Structure):
-    _fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
-                ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double), ("drag", c_double),
-                ("seam_pull", c_double), ("sew_seconds", c_double), ("settle_seconds", c_double),
-                ("settle_residual", c_double), ("integrator", c_int32), ("contact_ball", c_double),
-                ("self_contact", c_int32), ("thickness", c_double), ("self_friction", c_double), ("sew_once", c_int32)]
-
-
-class mus_plane(Structure):
-    _fields_ = [("size", c_size_t), ("point", c_double * 3), ("normal", c_double * 3), ("velocity", c_double * 3),
-                ("spin", c_double), ("friction", c_double), ("reach", c_double)]
-
-
-class mus_estimate(Structure):
-    _fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double), ("steps_per_frame", c_int32),
-                ("node", c_int32), ("node_mass", c_double), ("node_stiffness", c_double), ("bend_share", c_double),
-                ("seconds", c_double), ("node_evaluations", c_int64)]
-
-
-class mus_drape_report(Structure):
-    _fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("seams", c_int32),
-                ("seams_closed", c_int32), ("welded", c_int32), ("worst_seam", c_int32), ("settled", c_int32),
-                ("max_seam_gap", c_double), ("max_penetration", c_double), ("max_strain", c_double),
-                ("residual", c_double), ("max_speed", c_double), ("energy", c_double), ("step", c_double),
-                ("step_bound", c_double), ("steps", c_int64), ("spring_evaluations", c_int64),
-                ("contact_queries", c_int64), ("sew_time", c_double), ("settle_time", c_double),
-                ("step_parts", c_int32), ("rest_distance", c_double), ("contact_impulse", c_double * 3),
-                ("self_contacts", c_int32), ("self_queries", c_int64)]
-
-
-class mus_dress_def(Structure):
-    _fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)), ("self_contact", c_int32),
-                ("precision", c_int32), ("threads", c_int32), ("friction", c_double),
-                ("drape", POINTER(mus_drape_def)), ("place", c_int32), ("retry", c_int32), ("open_closures", c_int32),
-                ("progress", mus_progress_fn), ("progress_user", c_void_p)]
-
-
-class mus_dress_report(Structure):
-    _fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
-                ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
-                ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
-                ("sew_seconds", c_double), ("settle_seconds", c_double)]
-
-
-class mus_fit_level(Structure):
-    _fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double), ("garment", c_double),
-                ("worn", c_double), ("ease", c_double), ("gap", c_double)]
-
-
-class mus_sheet_def(Structure):
-    _fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
-                ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
-
-
-class mus_sheet_piece(Structure):
-    _fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
-                ("mirrored", c_int32), ("turn", c_double * 4), ("shift", c_double * 2), ("box", c_double * 4)]
-
-
-class mus_sheet_line(Structure):
-    _fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32), ("filled", c_int32),
-                ("op_count", c_int32), ("point_count", c_int32), ("ops", POINTER(c_uint8)),
-                ("points", POINTER(c_double))]
-
-
-class mus_mesh_view(Structure):
-    _fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32), ("triangle_count", c_int32),
-                ("positions", POINTER(c_double)), ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
-                ("triangles", POINTER(c_int32)), ("colour", c_double * 4), ("two_sided", c_int32)]
-
-
-class mus_mesh_motion(Structure):
-    _fields_ = [("size", c_size_t), ("positions", POINTER(c_double)), ("normals", POINTER(c_double))]
+mus_progress_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(mus_progress))
+
+# fields of the structs
+mus_context_def._fields_ = [("size", c_size_t), ("alloc", mus_alloc_fn), ("alloc_user", c_void_p),
+                            ("log", mus_log_fn), ("log_user", c_void_p)]
+mus_limb._fields_ = [("size", c_size_t), ("name", c_char_p), ("origin", c_double * 3), ("axis", c_double * 3),
+                     ("side", c_double * 3), ("pole", c_double * 2), ("contours", c_int32),
+                     ("contour", POINTER(c_double)), ("corners", c_int32), ("outline", POINTER(c_double)),
+                     ("joint", c_int32)]
+mus_body_def._fields_ = [("size", c_size_t), ("samples", c_int32), ("ring_spacing", c_double), ("ellipse", c_int32),
+                         ("without", c_int32), ("limbs", c_int32), ("limb", POINTER(mus_limb)), ("plain", c_int32),
+                         ("stoop", c_double), ("head_forward", c_double), ("sway", c_double)]
+mus_pose._fields_ = [("size", c_size_t), ("place", c_double * 3), ("angle", c_double * 3 * 15)]
+mus_scan_def._fields_ = [("size", c_size_t), ("up", c_int32), ("front", c_int32), ("unit", c_double),
+                         ("spacing", c_double), ("corners", c_int32), ("gap", c_double), ("samples", c_int32),
+                         ("ring_spacing", c_double), ("distances", c_int32)]
+mus_scan_report._fields_ = [("size", c_size_t), ("unit", c_double), ("frame", c_double * 9), ("place", c_double * 3),
+                            ("stature", c_double), ("crotch", c_double), ("armpit", c_double * 2),
+                            ("arm_angle", c_double * 2), ("vertices", c_int32), ("contours", c_int32),
+                            ("holes", c_int32), ("widest_hole", c_double), ("filled", c_int32),
+                            ("deepest_fill", c_double), ("girth", c_double * 5), ("girth_height", c_double * 5),
+                            ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
+mus_edge_def._fields_ = [("size", c_size_t), ("name", c_char_p), ("start", c_int32), ("end", c_int32),
+                         ("npiece", c_int32), ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
+mus_seam_def._fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
+                         ("ease", c_double), ("tolerance", c_double), ("laid", c_int32), ("closure", c_int32),
+                         ("open", c_int32), ("buttons", c_int32)]
+mus_placement._fields_ = [("size", c_size_t), ("origin", c_double * 3), ("rotation", c_double * 9),
+                          ("bend", c_double), ("bend_x", c_double), ("fold", c_double)]
+mus_topology._fields_ = [("size", c_size_t), ("vertices", c_int32), ("edges", c_int32), ("faces", c_int32),
+                         ("euler", c_int32), ("components", c_int32), ("loops", c_int32), ("orientable", c_int32),
+                         ("manifold", c_int32), ("genus", c_int32)]
+mus_homology._fields_ = [("size", c_size_t), ("cells", c_int32 * 3), ("rank", c_int32 * 2), ("betti", c_int32 * 3),
+                         ("euler", c_int32), ("torsion", c_int32)]
+mus_form_def._fields_ = [("size", c_size_t), ("mirror", c_int32), ("labels", c_int32)]
+mus_cut_def._fields_ = [("size", c_size_t), ("name", c_char_p), ("seam_name", c_char_p), ("edge_a", c_int32),
+                        ("edge_b", c_int32), ("s_a", c_double), ("s_b", c_double), ("npiece", c_int32),
+                        ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
+mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b", c_double), ("excess", c_double),
+                          ("notches_a", c_int32), ("notches_b", c_int32), ("notch_off", c_double),
+                          ("corner_start", c_double), ("corner_end", c_double)]
+mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
+mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
+                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
+mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
+                          ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32)]
+mus_bare._fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("bends", c_int32),
+                     ("pins", c_int32), ("place", POINTER(c_double)), ("mass", POINTER(c_double)),
+                     ("spring", POINTER(c_int32)), ("length", POINTER(c_double)), ("stiffness", POINTER(c_double)),
+                     ("dashpot", POINTER(c_double)), ("bend", POINTER(c_int32)),
+                     ("bend_stiffness", POINTER(c_double)), ("pin", POINTER(c_int32))]
+mus_integrate_def._fields_ = [("size", c_size_t), ("method", c_int32), ("guard_every", c_int32), ("start", c_double),
+                              ("step", c_double), ("rate", mus_rate_fn), ("energy", mus_energy_fn),
+                              ("rate32", mus_rate32_fn), ("energy32", mus_energy32_fn), ("energy_growth", c_double),
+                              ("energy_floor", c_double), ("user", c_void_p)]
+mus_reason._fields_ = [("size", c_size_t), ("kind", c_int32), ("panel", c_int32), ("seam", c_int32),
+                       ("node", c_int32), ("count", c_int32), ("value", c_double), ("place", c_double * 3),
+                       ("text", c_char * 256)]
+mus_drape_def._fields_ = [("size", c_size_t), ("gravity", c_double * 3), ("precision", c_int32), ("threads", c_int32),
+                          ("collision_distance", c_double), ("clearance", c_double), ("friction", c_double),
+                          ("drag", c_double), ("seam_pull", c_double), ("sew_seconds", c_double),
+                          ("settle_seconds", c_double), ("settle_residual", c_double), ("integrator", c_int32),
+                          ("contact_ball", c_double), ("self_contact", c_int32), ("thickness", c_double),
+                          ("self_friction", c_double), ("sew_once", c_int32), ("progress_seconds", c_double)]
+mus_plane._fields_ = [("size", c_size_t), ("point", c_double * 3), ("normal", c_double * 3),
+                      ("velocity", c_double * 3), ("spin", c_double), ("friction", c_double), ("reach", c_double)]
+mus_estimate._fields_ = [("size", c_size_t), ("step", c_double), ("step_bound", c_double),
+                         ("steps_per_frame", c_int32), ("node", c_int32), ("node_mass", c_double),
+                         ("node_stiffness", c_double), ("bend_share", c_double), ("seconds", c_double),
+                         ("node_evaluations", c_int64)]
+mus_progress._fields_ = [("size", c_size_t), ("phase", c_char_p), ("progress", c_double), ("coarse", c_int32),
+                         ("nodes", c_int32), ("triangles", c_int32), ("positions", POINTER(c_double)),
+                         ("triangle", POINTER(c_int32))]
+mus_drape_report._fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("seams", c_int32),
+                             ("seams_closed", c_int32), ("welded", c_int32), ("worst_seam", c_int32),
+                             ("settled", c_int32), ("max_seam_gap", c_double), ("max_penetration", c_double),
+                             ("max_strain", c_double), ("residual", c_double), ("max_speed", c_double),
+                             ("energy", c_double), ("step", c_double), ("step_bound", c_double), ("steps", c_int64),
+                             ("spring_evaluations", c_int64), ("contact_queries", c_int64), ("sew_time", c_double),
+                             ("settle_time", c_double), ("step_parts", c_int32), ("rest_distance", c_double),
+                             ("contact_impulse", c_double * 3), ("self_contacts", c_int32), ("self_queries", c_int64)]
+mus_dress_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
+                          ("self_contact", c_int32), ("precision", c_int32), ("threads", c_int32),
+                          ("friction", c_double), ("drape", POINTER(mus_drape_def)), ("place", c_int32),
+                          ("retry", c_int32), ("open_closures", c_int32), ("progress", mus_progress_fn),
+                          ("progress_user", c_void_p), ("progress_seconds", c_double)]
+mus_dress_report._fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
+                             ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
+                             ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
+                             ("sew_seconds", c_double), ("settle_seconds", c_double)]
+mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double),
+                          ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
+mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
+                          ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
+mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
+                            ("mirrored", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
+                            ("box", c_double * 4)]
+mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
+                           ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
+                           ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
+mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32),
+                          ("triangle_count", c_int32), ("positions", POINTER(c_double)),
+                          ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
+                          ("triangles", POINTER(c_int32)), ("colour", c_double * 4), ("two_sided", c_int32)]
+mus_mesh_motion._fields_ = [("size", c_size_t), ("positions", POINTER(c_double)), ("normals", POINTER(c_double))]
 
 
 # functions: name -> (library, result, arguments)

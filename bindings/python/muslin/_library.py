@@ -25,8 +25,7 @@ def _named_by_environment():
 
 
 def _candidates():
-    major = _abi.VERSION.split(".")[0]
-    yield _HERE / f"libmuslin.so.{major}"
+    yield _HERE / f"libmuslin.so.{_abi.MUS_ABI}"
     yield _HERE / "libmuslin.so"
     yield _HERE.parents[2] / "build" / "lib" / "libmuslin.so"
 
@@ -83,7 +82,7 @@ lib = _Library()
 
 
 def version():
-    """Version of the library that runs, "0.1.0"."""
+    """Version of the library that runs, "0.2.0"."""
     numbers = (ctypes.c_int32 * 3)()
     lib.mus_version(numbers)
     return ".".join(map(str, numbers))

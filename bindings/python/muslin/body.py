@@ -49,9 +49,9 @@ class Body(Object):
                                            ctypes.byref(definition)))
 
     def posed(self, pose):
-        """A copy of the body in a Pose; measures and volume are those of the rest pose."""
+        """A copy of the body in a Pose (or a mus_pose); measures and volume are those of the rest pose."""
         return Body(self.context, _handle=create(self.context, "body", "mus_body_pose", self.handle,
-                                                 ctypes.byref(pose.struct)))
+                                                 ctypes.byref(getattr(pose, "struct", pose))))
 
     @property
     def rest_pose(self):

@@ -57,7 +57,7 @@ class Fabric:
 def _definition(fabric, options):
     definition = make_def(_abi.mus_cloth_def, lib.mus_cloth_def_init, options)
     if fabric is not None:
-        definition.fabric = (fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct
+        definition.fabric = ctypes.pointer((fabric if isinstance(fabric, Fabric) else Fabric(fabric)).struct)
     return definition
 
 

@@ -1,12 +1,35 @@
 """drape.py: cloth in time: placed round a body, sewn, stepped, settled."""
 import ctypes
+import typing
 
 from . import _abi
 from ._library import lib
 from .arrange import read_reason
 from .arrays import doubles, result, view
 from .context import Object, create, make_def, read_struct
+from .errors import MuslinError
 from .integrate import METHODS
+
+
+class Progress(typing.NamedTuple):
+    """What a progress function is told: phase ("sew" or "settle"), share done (0 to 1), positions (n x 3) [m] and
+    triangles (m x 3) of the cut that moves now, a copy, and whether that is a coarser one than the cloth itself."""
+
+    phase: str
+    share: float
+    positions: object
+    triangles: object
+    coarse: bool
+
+
+def _progress(told):
+    told = told.contents
+    positions = (ctypes.c_double * (3 * told.nodes))()
+    triangles = (ctypes.c_int32 * (3 * told.triangles))()
+    ctypes.memmove(positions, told.positions, ctypes.sizeof(positions))
+    if told.triangles:
+        ctypes.memmove(triangles, told.triangle, ctypes.sizeof(triangles))
+    return Progress(told.phase.decode(), told.progress, result(positions, 3), result(triangles, 3), bool(told.coarse))
 
 
 def progress_hook(progress, raised):
@@ -14,9 +37,9 @@ def progress_hook(progress, raised):
     if progress is None:
         return _abi.mus_progress_fn()
 
-    def hook(_, phase, share):
+    def hook(_, told):
         try:
-            return 1 if progress(phase.decode(), share) else 0
+            return 1 if progress(_progress(told)) else 0
         except BaseException as error:  # an exception cannot pass through C: stop the run, and raise it after
             raised.append(error)
             return 1
@@ -74,16 +97,21 @@ class Drape(Object):
         self.do("move_plane", index, (ctypes.c_double * 3)(*velocity), spin)
 
     def sew(self, progress=None):
-        """Pull all seams shut and weld them. progress(phase, share) may return True to stop."""
+        """Pull all seams shut and weld them. progress(Progress) may return True to stop: MuslinError with the name
+        MUS_ERR_STOPPED."""
         self._run("sew", progress)
 
     def settle(self, progress=None):
-        """Let the cloth come to rest."""
+        """Let the cloth come to rest. progress as in sew()."""
         self._run("settle", progress)
 
     def _run(self, function, progress):
         raised = []
-        self.do(function, progress_hook(progress, raised), None)
+        try:
+            self.do(function, progress_hook(progress, raised), None)
+        except MuslinError:
+            if not raised:
+                raise
         if raised:
             raise raised[0]
 

@@ -1,6 +1,6 @@
 /*
- * test_posing.c: contact with parts that move each in its own way: surface velocity, sweeping, cloth that is carried,
- * and what must not matter: threads, a scene in motion, the way there and back.
+ * test_collider_motion.c: contact with parts that move each in its own way: surface velocity, sweeping, cloth that is
+ * carried, and what must not matter: threads, a scene in motion, the way there and back.
  */
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "geom/vec.h"
 #include "support.h"
 
-Suite *mus_suite_posing(void);
+Suite *mus_suite_collider_motion(void);
 
 #define DEGREE (MUS_PI / 180.0)
 
@@ -485,9 +485,9 @@ START_TEST(each_failing_allocation_of_a_drape_round_a_body_is_a_status)
 END_TEST
 
 
-Suite *mus_suite_posing(void)
+Suite *mus_suite_collider_motion(void)
 {
-    Suite *suite = suite_create("posing");
+    Suite *suite = suite_create("collider_motion");
     TCase *tests = tcase_create("posing");
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_part_that_turns_has_the_velocity_of_a_rigid_body);

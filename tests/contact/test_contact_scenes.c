@@ -1,6 +1,6 @@
 /*
- * test_meeting.c: cloth that meets a body, in extreme cases (numerics.md X6, X13, X14, X15, X25, X31) and in what must
- * not matter: threads, a body that does not move, sweeping where nothing is fast.
+ * test_contact_scenes.c: cloth that meets a body, in extreme cases and in what must not matter:
+ * threads, a body that does not move, sweeping where nothing is fast.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "muslin/muslin.h"
 #include "support.h"
 
-Suite *mus_suite_meeting(void);
+Suite *mus_suite_contact_scenes(void);
 
 #define MEETING_MOST (24 * 24)
 
@@ -368,9 +368,9 @@ START_TEST(threads_do_not_matter_to_fast_nodes)
 END_TEST
 
 
-Suite *mus_suite_meeting(void)
+Suite *mus_suite_contact_scenes(void)
 {
-    Suite *suite = suite_create("meeting");
+    Suite *suite = suite_create("contact_scenes");
     TCase *tests = tcase_create("meeting");
     tcase_set_timeout(tests, 120);
     tcase_add_test(tests, a_body_does_not_lower_the_step_bound);

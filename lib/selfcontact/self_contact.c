@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "geom/union_find.h"
 
 #define SELF_PAIRS_FIRST 8  /* pairs a node that there is memory for at first; more when there are more; chosen */
@@ -134,50 +134,40 @@ static mus_status self_order(mus__self_contact *self)
 }
 
 
-mus_status mus__self_contact_create(mus_context *context, size_t real, int32_t n, const mus__self_mesh *flat,
-                                    double thickness, double friction, mus__self_contact **out)
+/* the arrays, the grid and the trees, all zeros */
+static mus_status self_allocate(mus__self_contact *self)
 {
-    *out = NULL;
-    mus__self_contact *self = mus__new(context, 1, sizeof *self);
-    if (self == NULL) return mus__fail_memory(context, "a cloth's contact with itself");
-    const int64_t nodes = flat->nodes, planes = 3 * (int64_t)n;
-    self->context = context;
-    self->real = real;
-    self->n = n;
-    self->nodes = flat->nodes;
-    self->flat = *flat;
-    self->thickness = thickness;
-    self->friction = friction;
-    self->pair_capacity = (int32_t)fmin(SELF_PAIRS_FIRST * (double)nodes + 256.0, 1e9);
+    mus_context *context = self->context;
+    const mus__self_mesh *flat = &self->flat;
+    const int64_t nodes = flat->nodes, triangles = flat->ntriangle, planes = 3 * (int64_t)self->n;
+    const size_t real = self->real;
     const struct {
         void *array;
         int64_t count;
         size_t size;
-    } arrays[] = {
-        {&self->class_of, nodes, sizeof *self->class_of},
-        {&self->group, nodes, sizeof *self->group},
-        {&self->triangle, 3 * (int64_t)flat->ntriangle, sizeof *self->triangle},
-        {&self->order, flat->ntriangle, sizeof *self->order},
-        {&self->own, flat->ntriangle, 1},
-        {&self->seam_thick, nodes, sizeof *self->seam_thick},
-        {&self->thick_max, nodes, sizeof *self->thick_max},
-        {&self->bound, 4 * (int64_t)n, real},
-        {&self->list_home, planes, real},
-        {&self->drift, planes, real},
-        {&self->stale, nodes, 1},
-        {&self->travel2, n, real},
-        {&self->active_node, nodes, 1},
-        {&self->at, 8 * (int64_t)n, real},
-        {&self->force, planes, real},
-        {&self->before_body, planes, real},
-        {&self->support, planes, real},
-        {&self->rank, nodes, 1},
-        {&self->last_rank, nodes, 1},
-        {&self->crossed, nodes, 1},
-        {&self->pass, nodes, 1},
-        {&self->pair, self->pair_capacity, sizeof *self->pair},
-        {&self->active, self->pair_capacity, sizeof *self->active},
-    };
+    } arrays[] = {{&self->class_of, nodes, 4},
+                  {&self->group, nodes, 4},
+                  {&self->triangle, 3 * triangles, 4},
+                  {&self->order, triangles, 4},
+                  {&self->own, triangles, 1},
+                  {&self->seam_thick, nodes, sizeof(float)},
+                  {&self->thick_max, nodes, sizeof(float)},
+                  {&self->bound, 4 * (int64_t)self->n, real},
+                  {&self->list_home, planes, real},
+                  {&self->drift, planes, real},
+                  {&self->stale, nodes, 1},
+                  {&self->travel2, self->n, real},
+                  {&self->active_node, nodes, 1},
+                  {&self->at, 8 * (int64_t)self->n, real},
+                  {&self->force, planes, real},
+                  {&self->before_body, planes, real},
+                  {&self->support, planes, real},
+                  {&self->rank, nodes, 1},
+                  {&self->last_rank, nodes, 1},
+                  {&self->crossed, nodes, 1},
+                  {&self->pass, nodes, 1},
+                  {&self->pair, self->pair_capacity, sizeof *self->pair},
+                  {&self->active, self->pair_capacity, sizeof *self->active}};
     mus_status status = mus__box_grid_create(context, flat->ntriangle, &self->grid);
     if (status == MUS_OK) status = mus__box_tree_create(context, 1, flat->nodes, &self->corners);
     if (status == MUS_OK) status = mus__box_tree_create(context, 2, 3 * flat->ntriangle, &self->edges);
@@ -187,6 +177,25 @@ mus_status mus__self_contact_create(mus_context *context, size_t real, int32_t n
         memcpy(arrays[i].array, &block, sizeof block);
         if (block == NULL) status = mus__fail_memory(context, "a cloth's contact with itself");
     }
+    return status;
+}
+
+
+mus_status mus__self_contact_create(mus_context *context, size_t real, int32_t n, const mus__self_mesh *flat,
+                                    double thickness, double friction, mus__self_contact **out)
+{
+    *out = NULL;
+    mus__self_contact *self = mus__new(context, 1, sizeof *self);
+    if (self == NULL) return mus__fail_memory(context, "a cloth's contact with itself");
+    self->context = context;
+    self->real = real;
+    self->n = n;
+    self->nodes = flat->nodes;
+    self->flat = *flat;
+    self->thickness = thickness;
+    self->friction = friction;
+    self->pair_capacity = (int32_t)fmin(SELF_PAIRS_FIRST * (double)flat->nodes + 256.0, 1e9);
+    mus_status status = self_allocate(self);
     if (status == MUS_OK) status = self_order(self);
     if (status != MUS_OK) {
         mus__self_contact_destroy(self);

@@ -1,6 +1,6 @@
 /*
- * test_wedge.c: cloth between two surfaces (armpit, crotch, touching thighs): never trapped, never thrown, never deeper
- * than half of what the two overlap.
+ * test_manifold.c: cloth between two surfaces (armpit, crotch, touching thighs): never trapped, never thrown, never
+ * deeper than half of what the two overlap.
  */
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "drape/worn.h"
 #include "muslin/muslin.h"
 
-Suite *mus_suite_wedge(void);
+Suite *mus_suite_manifold(void);
 
 #define WEDGE_RADIUS 0.06
 
@@ -185,9 +185,9 @@ START_TEST(a_tshirt_is_not_trapped_in_the_armpits)
 END_TEST
 
 
-Suite *mus_suite_wedge(void)
+Suite *mus_suite_manifold(void)
 {
-    Suite *suite = suite_create("wedge");
+    Suite *suite = suite_create("manifold");
     TCase *tests = tcase_create("wedge");
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, what_starts_between_two_rollers_comes_out_slowly, 0, SUPPORT_SLOW ? 3 : 10);

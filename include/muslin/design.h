@@ -85,7 +85,8 @@ MUS_API void mus_draft_def_init(mus_draft_def *def, size_t size);
 MUS_API mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape,
                                     const mus_draft_def *def, mus_pattern **out);
 
-/** Draft a garment by words; otherwise as mus_design_draft(). MUS_ERR_DESIGN for words that mus_design_spell() refuses. */
+/** Draft a garment by words; otherwise as mus_design_draft(). MUS_ERR_DESIGN for words that mus_design_spell()
+ * refuses. */
 MUS_API mus_status mus_design_draft_words(mus_context *context, const char *words, const mus_tape *tape,
                                           const mus_draft_def *def, mus_pattern **out);
 

@@ -110,7 +110,8 @@ void mus__closure_finish(mus__half *half)
     const int32_t nside = board->nside;
     for (int32_t i = 0; i < nside; i++) {
         const mus__board_side *side = &board->side[i];
-        if (side->panel == MUS_NONE || strcmp(side->attr.label, "side") != 0 || closure_ends(side->name, "_r")) continue;
+        const bool other = strcmp(side->attr.label, "side") != 0;
+        if (side->panel == MUS_NONE || other || closure_ends(side->name, "_r")) continue;
         const char *panel = board->panel[side->panel].name;
         if (strncmp(panel, "front", 5) != 0 || closure_ends(panel, "_right")) continue;
         closure_notch(board, i, reach);

@@ -30,7 +30,8 @@ int32_t mus__shaping_turn(mus__half *half, mus__top *top, int32_t target, double
 static void shaping_whole(mus__board *board, int32_t side)
 {
     if (side == MUS_NONE) return;
-    while (board->status == MUS_OK && strcmp(board->side[board->side[side].next].attr.label, board->side[side].attr.label) == 0)
+    while (board->status == MUS_OK &&
+           strcmp(board->side[board->side[side].next].attr.label, board->side[side].attr.label) == 0)
         mus__board_merge(board, side);
 }
 

@@ -176,7 +176,8 @@ static bool raglan_necks(mus__half *half, const mus__sleeve_plan *plan, double a
     const int32_t shoulder = plan->arm.over[plan->shoulder];
     const int32_t before = board->side[shoulder].next;
     const int32_t behind = board->side[mus__board_partner(board, shoulder)].prev;
-    const bool plain = strcmp(board->side[before].attr.label, "neck") == 0 && strcmp(board->side[behind].attr.label, "neck") == 0;
+    const bool plain = strcmp(board->side[before].attr.label, "neck") == 0 &&
+                       strcmp(board->side[behind].attr.label, "neck") == 0;
     if (!plain || board->side[before].length < 1.3 * along || board->side[behind].length < 1.3 * along) {
         mus__board_fail(board, MUS_ERR_DESIGN,
                         "raglan: the neckline beside the shoulder is shaped or shorter than %d mm",

@@ -30,6 +30,29 @@ static void arc_middle(const double *a, const double *b, double *out)
 }
 
 
+/* how panels are made up: cut, labels, allowance, hold, elastic, placement */
+static void make_up(mus_pattern *pattern, uint64_t *seed, int32_t edges[3][4])
+{
+    ck_assert_int_eq(mus_pattern_set_cut(pattern, 0, 2, MUS_NONE), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_cut(pattern, 1, 0, 2), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_panel_label(pattern, 1, "body"), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edges[1][1], "left_armhole"), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, edges[1][2], 0.015 / 7.0), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edges[0][0], MUS_HOLD_WAIST, -0.02 / 3.0) |
+                         mus_pattern_set_edge_elastic(pattern, edges[0][0], 2.0 / 3.0, 70.0 / 3.0), MUS_OK);
+    double angle = support_uniform(seed, -3, 3);
+    mus_placement placement;
+    mus_placement_init(&placement, sizeof placement);
+    placement.origin[1] = 1.0 / 3.0;
+    placement.rotation[0] = placement.rotation[8] = cos(angle);
+    placement.rotation[2] = sin(angle);
+    placement.rotation[6] = -sin(angle);
+    placement.bend = -0.1 / 3.0;
+    placement.bend_x = 0.7;
+    ck_assert_int_eq(mus_pattern_set_placement(pattern, 1, &placement), MUS_OK);
+}
+
+
 /* a pattern with some of everything; points and edges of the panels are numbered in turns */
 static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
 {
@@ -80,23 +103,7 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
     }
 
     /* the third panel stays without outline; making up */
-    ck_assert_int_eq(mus_pattern_set_cut(pattern, 0, 2, MUS_NONE), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_cut(pattern, 1, 0, 2), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_panel_label(pattern, 1, "body"), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edges[1][1], "left_armhole"), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, edges[1][2], 0.015 / 7.0), MUS_OK);
-    ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edges[0][0], MUS_HOLD_WAIST, -0.02 / 3.0) |
-                         mus_pattern_set_edge_elastic(pattern, edges[0][0], 2.0 / 3.0, 70.0 / 3.0), MUS_OK);
-    double angle = support_uniform(&seed, -3, 3);
-    mus_placement placement;
-    mus_placement_init(&placement, sizeof placement);
-    placement.origin[1] = 1.0 / 3.0;
-    placement.rotation[0] = placement.rotation[8] = cos(angle);
-    placement.rotation[2] = sin(angle);
-    placement.rotation[6] = -sin(angle);
-    placement.bend = -0.1 / 3.0;
-    placement.bend_x = 0.7;
-    ck_assert_int_eq(mus_pattern_set_placement(pattern, 1, &placement), MUS_OK);
+    make_up(pattern, &seed, edges);
 
     /* seams and marks */
     mus_seam_def seam;

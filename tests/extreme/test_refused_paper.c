@@ -69,7 +69,8 @@ START_TEST(a_mesh_that_is_not_finite_makes_no_file)
 END_TEST
 
 
-/* mus_mesh_write_glb_motion: mus_mesh_motion.positions mus_mesh_motion.normals and times */
+/* mus_mesh_write_glb_motion, mus_mesh_write_glb_motion_bytes: mus_mesh_motion.positions mus_mesh_motion.normals,
+ * times */
 START_TEST(a_motion_that_is_not_finite_makes_no_file)
 {
     mus_context *context = support_context();
@@ -92,6 +93,11 @@ START_TEST(a_motion_that_is_not_finite_makes_no_file)
             number[k] = refused_values[value];
             ck_assert_int_eq(mus_mesh_write_glb_motion(context, path, 1, &view, 2, number + 36, &motion), MUS_ERR_ARG);
             ck_assert_int_ne(access(path, F_OK), 0);
+            char *bytes;
+            size_t size;
+            ck_assert_int_eq(mus_mesh_write_glb_motion_bytes(context, 1, &view, 2, number + 36, &motion, &bytes, &size),
+                             MUS_ERR_ARG);
+            ck_assert_ptr_null(bytes);
             number[k] = was;
         }
     support_context_end(context);

@@ -17,7 +17,8 @@ static void near(double got, double want, double tolerance)
 }
 
 
-/* an arc from start to end of a radius of half the chord or more, which bulges to the right of travel or to its left: the
+/* an arc from start to end of a radius of half the chord or more, which bulges to the right of travel or to its
+ * left: the
  * 3 points of the piece. Its sagitta is R - root, written without cancellation, or R + root for the larger arc */
 static void arc_from_radius(const double *start, const double *end, double radius, int32_t large, int32_t right,
                             double *out)

@@ -1,5 +1,6 @@
 /*
- * test_edge_attributes.c: holds and elastics of edges: what is set is what is read, slips are refused, labels reach their edges.
+ * test_edge_attributes.c: holds and elastics of edges: what is set is what is read, slips are refused, labels
+ * reach their edges.
  */
 #include "pattern/same.h"
 

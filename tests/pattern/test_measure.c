@@ -24,9 +24,9 @@ static chain chain_make(mus_context *context, const double *a, const double *b, 
     ck_assert_int_eq(mus_pattern_add_panel(c.pattern, "p", &c.panel), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_point(c.pattern, c.panel, a[0], a[1], &p), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_point(c.pattern, c.panel, b[0], b[1], &q), MUS_OK);
-    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "curve",
-                                                                     .start = p, .end = q, .npiece = npiece,
-                                                                     .kinds = kinds, .nxy = nxy, .xy = xy}, &c.edge), MUS_OK);
+    const mus_edge_def curve = {.size = sizeof(mus_edge_def), .name = "curve", .start = p, .end = q, .npiece = npiece,
+                                .kinds = kinds, .nxy = nxy, .xy = xy};
+    ck_assert_int_eq(mus_pattern_add_edge(c.pattern, &curve, &c.edge), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_edge(c.pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .name = "back",
                                                                      .start = q, .end = p}, &c.back), MUS_OK);
     int32_t edges[2] = {c.edge, c.back};

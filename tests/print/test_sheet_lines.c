@@ -1,6 +1,6 @@
 /*
- * test_sheet_lines.c: the public lines of a sheet are its pieces: cut and sew lines as long as the pattern says, and the bytes
- * in memory are the file.
+ * test_sheet_lines.c: the public lines of a sheet are its pieces: cut and sew lines as long as the pattern says,
+ * and the bytes in memory are the file.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -64,7 +64,8 @@ START_TEST(words_are_read_and_differ)
         ck_assert_msg(mus_design_spell(context, words, full[d], sizeof full[d]) == MUS_OK, "%s: %s",
                       mus_design_name(d), mus_context_error(context));
         for (int32_t k = 0; k < d; k++)
-            ck_assert_msg(strcmp(full[k], full[d]) != 0 || same_by_name(k, d), "%s is %s", mus_design_name(d), mus_design_name(k));
+            ck_assert_msg(strcmp(full[k], full[d]) != 0 || same_by_name(k, d), "%s is %s", mus_design_name(d),
+                          mus_design_name(k));
     }
     support_context_end(context);
 }
@@ -153,7 +154,8 @@ START_TEST(no_two_designs_are_the_same_garment)
         shapes[d] = shape_of(pattern);
         panels[d] = one.panels;
         for (int32_t k = 0; k < d; k++)
-            ck_assert_msg(!shapes_alike(&shapes[k], &shapes[d], panels[d]) || same_by_name(k, d), "%s is the same garment as %s",
+            ck_assert_msg(!shapes_alike(&shapes[k], &shapes[d], panels[d]) || same_by_name(k, d),
+                          "%s is the same garment as %s",
                           mus_design_name(d), mus_design_name(k));
         mus_pattern_destroy(pattern);
         mus_tape_destroy(tape);

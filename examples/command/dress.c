@@ -1,5 +1,6 @@
 /*
- * dress.c: muslin dress: mus_dress(), a pose or a movement; picture, meshes. The report is dress_report.c, many garments batch.c.
+ * dress.c: muslin dress: mus_dress(), a pose or a movement; picture, meshes. The report is dress_report.c, many garments
+ * batch.c.
  *
  * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1. One line
  * on standard error: an output that could not be written comes first, since the report holds the reason of the run.

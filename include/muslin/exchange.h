@@ -6,13 +6,15 @@
  * Meshes: OBJ and binary glTF 2.0.
  * Outside dependencies: jansson, libyaml, expat.
  *
- * A reader gives one sentence on failure, with file, line or byte, and what was expected (mus_context_error). Memory
- * stays bounded by the size of the file; files above 256 MiB are refused. A writer leaves the whole file or none.
+ * When a reader fails, mus_context_error() has one sentence with the file, the line or byte, and the expected content.
+ * Memory is bounded by the size of the file, and files above 256 MiB are refused. A writer that fails leaves no half
+ * file.
  *
- * Beside each reader of a file stands one of a text in memory (`_from`), beside each writer one into memory (`_bytes`).
- * `name` of a `_from` call stands for the path: in messages, as the name of what has none, and by its ending where the
- * ending tells the form. *bytes of a `_bytes` call is a block of `*size` bytes that belongs to the caller, who frees it
- * with mus_context_alloc(context, bytes, 0); it is NULL after a failure.
+ * Each reader of a file has a twin that reads a text in memory (`_from`); each writer has one that writes to memory
+ * (`_bytes`). The `name` of a `_from` call stands in place of the path: messages show it, a tape or pattern without a
+ * name of its own gets it, and its ending tells the form where a path's ending would. *bytes of a `_bytes` call is an
+ * allocation of *size bytes. It belongs to the caller, who frees it with mus_context_alloc(context, bytes, 0); it is
+ * NULL after a failure.
  */
 #ifndef MUSLIN_EXCHANGE_H
 #define MUSLIN_EXCHANGE_H
@@ -31,9 +33,9 @@ extern "C" {
 /**
  * Read a tape.
  *
- * The form is found by the name: .tape or .txt (one measure a line), .yaml or .yml (GarmentCode body), .vit
- * (Valentina), .csv (table; `row` names the line, by its first column). `row` is NULL for the other forms.
- * The tape is not completed. What the file holds that muslin has no use for is ignored and said in a log line.
+ * The ending of the name tells the form: .tape or .txt (one measure a line), .yaml or .yml (GarmentCode body), .vit
+ * (Valentina), .csv (table; `row` is the name of the row in its first column). `row` is NULL for the other forms.
+ * The tape is not completed. Entries that muslin has no use for are ignored, and one log line lists them.
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_TAPE (a value out of range), MUS_ERR_UNSUPPORTED (a formula in a
  *         .vit, by its name), MUS_ERR_ARG (row missing), MUS_ERR_MEMORY
  */
@@ -44,15 +46,15 @@ MUS_API mus_status mus_tape_read(mus_context *context, const char *path, const c
 MUS_API mus_status mus_tape_read_from(mus_context *context, const char *text, size_t size, const char *name,
                                       const char *row, mus_tape **out);
 
-/** Write a tape in muslin's own text form (given measures, and derived ones as comments). path "-" writes to standard
- * output. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
+/** Write a tape in muslin's own text form: given measures as lines, derived measures as comments. path "-" writes to
+ * standard output. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 
 /** Write a tape as mus_tape_write() does, into memory. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY */
 MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
- * Read a pattern: muslin JSON, GarmentCode specification or FreeSewing dump, told apart by their content.
+ * Read a pattern: muslin JSON, GarmentCode specification or FreeSewing dump. The content tells the form.
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
@@ -64,19 +66,20 @@ MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_
 MUS_API mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name,
                                          mus_pattern **out);
 
-/** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have 17 digits: reading the file back
- * gives the same pattern, bit for bit. */
+/** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have up to 17 digits, so that reading
+ * the file back gives the same pattern, bit for bit. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 
 /** Write a pattern as mus_pattern_write() does, into memory. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY */
 MUS_API mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
- * Read a fabric file (JSON, muslin_fabric(5)): each value under its key with unit, with a number and its source.
+ * Read a fabric file (JSON, muslin_fabric(5)). Each value stands under a key that names the unit, as a number and its
+ * source.
  *
- * `out` (its size set by mus_fabric_init) gets all ten values, or stays as it is.
- * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (file, line, and what is wrong: not JSON, a value or source missing, an unknown
- *         key by its name, a number out of the range of mus_fabric_check), MUS_ERR_LIMIT (above 256 MiB),
+ * `out` (its size set by mus_fabric_init()) gets all ten values; after a failure it is unchanged.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (the message has file, line and fault: not JSON, a missing value or source, an
+ *         unknown key, a number out of the range of mus_fabric_check()), MUS_ERR_LIMIT (above 256 MiB),
  *         MUS_ERR_VERSION (size of out), MUS_ERR_ARG, MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
@@ -88,8 +91,8 @@ MUS_API mus_status mus_fabric_load_from(mus_context *context, const char *text, 
 /**
  * Write a fabric file; path "-" writes to standard output. Reading it back gives the same values, bit for bit.
  *
- * Shapes: sources (values) one text a value, in the order of mus_fabric_value_key(); NULL: those of the named fabric
- *         `name`
+ * Shapes: sources (values) one text for each value, in the order of mus_fabric_value_key(); NULL takes the sources of
+ *         the named fabric `name`
  * Errors: MUS_ERR_ARG (a value out of range; name or a source empty or too long; no sources and no such named fabric),
  *         MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY
  */
@@ -100,7 +103,8 @@ MUS_API mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabri
 MUS_API mus_status mus_fabric_save_bytes(mus_context *context, const mus_fabric *fabric, const char *name,
                                          const char *const *sources, char **bytes, size_t *size);
 
-/** Triangle meshes to write: positions and optional normals and texture coordinates. */
+/** A triangle mesh to write: positions, and optional normals and texture coordinates. The arrays are borrowed during
+ * the call. */
 typedef struct mus_mesh_view {
     size_t size;
     const char *name;
@@ -108,54 +112,56 @@ typedef struct mus_mesh_view {
     int32_t triangle_count;
     const double *positions;  /* (vertices x 3) [m] */
     const double *normals;    /* (vertices x 3) or NULL */
-    const double *texcoords;  /* (vertices x 2) or NULL: cloth: place in the panel [m] */
-    const int32_t *triangles; /* (triangles x 3) */
-    double colour[4];         /* linear RGBA, default light grey */
+    const double *texcoords;  /* (vertices x 2) or NULL; of cloth the position in the panel [m] */
+    const int32_t *triangles; /* (triangles x 3) vertex indices from 0 */
+    double colour[4];         /* linear RGBA, 0..1, default light grey */
     int32_t two_sided;        /* nonzero for cloth */
 } mus_mesh_view;
 
 /** Zero `view`, write the defaults and its size. */
 MUS_API void mus_mesh_view_init(mus_mesh_view *view, size_t size);
 
-/** Write n meshes as one Wavefront OBJ, an `o` each; path "-" writes to standard output. Errors: MUS_ERR_ARG (not
- * finite, an index out of range), MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY */
+/** Write n meshes as one Wavefront OBJ, one `o` object for each. path "-" writes to standard output. Errors:
+ * MUS_ERR_ARG (a number is not finite, an index is out of range), MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_mesh_write_obj(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
 
-/** Write n meshes as mus_mesh_write_obj() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+/** Write n meshes as mus_mesh_write_obj() does, into memory. Errors: as mus_mesh_write_obj(), but for MUS_ERR_FILE */
 MUS_API mus_status mus_mesh_write_obj_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
                                             size_t *size);
 
-/** Write n meshes as one binary glTF 2.0; path "-" writes to standard output. Errors: MUS_ERR_ARG (not finite, an index
- * out of range), MUS_ERR_VERSION, MUS_ERR_LIMIT (a file above 4 GiB), MUS_ERR_FILE, MUS_ERR_MEMORY */
+/** Write n meshes as one binary glTF 2.0. path "-" writes to standard output. Errors: MUS_ERR_ARG (a number is not
+ * finite, an index is out of range), MUS_ERR_VERSION, MUS_ERR_LIMIT (a file above 4 GiB), MUS_ERR_FILE,
+ * MUS_ERR_MEMORY */
 MUS_API mus_status mus_mesh_write_glb(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes);
 
-/** Write n meshes as mus_mesh_write_glb() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+/** Write n meshes as mus_mesh_write_glb() does, into memory. Errors: as mus_mesh_write_glb(), but for MUS_ERR_FILE */
 MUS_API mus_status mus_mesh_write_glb_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, char **bytes,
                                             size_t *size);
 
-/** A mesh in motion: where its vertices are at each key. */
+/** A mesh in motion: positions of its vertices at each key (a time of the animation). */
 typedef struct mus_mesh_motion {
     size_t size;
-    const double *positions; /* (keys x vertices x 3) [m], or NULL: the mesh stands still */
-    const double *normals;   /* (keys x vertices x 3), for a mesh that has normals, or NULL: they stay */
+    const double *positions; /* (keys x vertices x 3) [m]; NULL: the mesh stands still */
+    const double *normals;   /* (keys x vertices x 3), only of a mesh with normals; NULL: its normals do not change */
 } mus_mesh_motion;
 
-/** Zero `motion` and write its size: a mesh that stands still. */
+/** Zero `motion` and write its size. The motion is that of a mesh that stands still. */
 MUS_API void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size);
 
 /**
- * Write meshes in motion as one binary glTF 2.0: a morph target a key and an animation that blends key to key.
+ * Write meshes in motion as one binary glTF 2.0: one morph target for each key, and an animation that blends from key
+ * to key.
  *
- * Shapes:  meshes (n) as they stand at rest; times (keys) ascending from 0 on [s]; motion (n)
+ * Shapes:  meshes (n) at rest; times (keys) ascending from 0 on [s]; motion (n)
  * Errors:  MUS_ERR_ARG (as mus_mesh_write_glb; keys not 1 to 4096; times not ascending), MUS_ERR_VERSION,
  *          MUS_ERR_LIMIT (a file above 4 GiB), MUS_ERR_FILE, MUS_ERR_MEMORY
- * Memory:  the whole file: 24 bytes a vertex and key, 4 keys^2 a moving mesh
+ * Memory:  the whole file: 24 bytes for each vertex and key, 4 keys^2 bytes for each moving mesh
  */
 MUS_API mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n,
                                              const mus_mesh_view *meshes, int32_t keys, const double *times,
                                              const mus_mesh_motion *motion);
 
-/** Write meshes in motion as mus_mesh_write_glb_motion() does, into memory. Errors: as there, but for MUS_ERR_FILE */
+/** Write meshes in motion as mus_mesh_write_glb_motion() does, into memory. Errors: the same, but for MUS_ERR_FILE */
 MUS_API mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes,
                                                    int32_t keys, const double *times, const mus_mesh_motion *motion,
                                                    char **bytes, size_t *size);
@@ -166,10 +172,10 @@ typedef struct mus_mesh mus_mesh;
 /**
  * Read a Wavefront OBJ as one triangle mesh: positions and faces of all its objects.
  *
- * Faces of more than three corners become fans. The numbers are the file's own: an OBJ says neither unit nor which way
- * is up. mus_body_create_scan() makes a body of it.
- * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (file, line, and what was expected), MUS_ERR_LIMIT (above 256 MiB or 16 million
- *         triangles), MUS_ERR_ARG, MUS_ERR_MEMORY
+ * A face of more than three corners becomes a fan of triangles. The numbers are unchanged, since an OBJ has neither a
+ * unit nor an upward axis. mus_body_create_scan() makes a body from the mesh.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (the message has file, line and the expected content), MUS_ERR_LIMIT (above
+ *         256 MiB or 16 million triangles), MUS_ERR_ARG, MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out);
 

@@ -34,17 +34,18 @@ MUS_API void mus_fit_destroy(mus_fit *fit);
 /** Number of nodes of the cloth: the length of the arrays below. */
 MUS_API int32_t mus_fit_node_count(const mus_fit *fit);
 
-/**
- * At each node, borrowed until the fit is destroyed:
- *
- * warp, weft: engineering strain along them, mean of the triangles round the node; below 0: pressed together
- * pressure:   on the skin [Pa], 0 off it: membrane tension over curvature, as the normal component of the force of
- *             stretch and shear springs at the node, over its area
- * gap:        distance to the body [m], NaN farther than 0.3 m
- */
+/** Engineering strain along the warp at each node (node_count): the mean of the triangles round the node; below 0:
+ * pressed together. Borrowed until the fit is destroyed. */
 MUS_API const double *mus_fit_warp(const mus_fit *fit);
+
+/** Engineering strain along the weft at each node, as mus_fit_warp(). */
 MUS_API const double *mus_fit_weft(const mus_fit *fit);
+
+/** Pressure on the skin at each node (node_count) [Pa], 0 off it: the membrane tension over the radius of curvature, as
+ * the normal component of the force of stretch and shear springs at the node, over its area. Borrowed likewise. */
 MUS_API const double *mus_fit_pressure(const mus_fit *fit);
+
+/** Distance to the body at each node (node_count) [m], NaN farther than 0.3 m. Borrowed likewise. */
 MUS_API const double *mus_fit_gap(const mus_fit *fit);
 
 /** A level of the body that the garment goes round. */
@@ -62,8 +63,10 @@ typedef struct mus_fit_level {
 /** Zero `level` and write its size. */
 MUS_API void mus_fit_level_init(mus_fit_level *level, size_t size);
 
-/** Levels, from the neck down: their number, and one of them. Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
+/** Number of levels of the body that the garment goes round. */
 MUS_API int32_t mus_fit_level_count(const mus_fit *fit);
+
+/** Level `index`, counted from the neck down. Errors: MUS_ERR_ARG (no such level), MUS_ERR_VERSION */
 MUS_API mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_level *out);
 
 #ifdef __cplusplus

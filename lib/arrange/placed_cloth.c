@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "arrange/placed_cloth.h"
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "geom/vec.h"
 
 

@@ -1,9 +1,13 @@
 /*
- * catalogue.c: a catalogue opened, filled and closed.
+ * catalogue.c: open, fill and close a catalogue, a collection of patterns in one SQLite file.
  *
- * SQLite keeps the promise: a transaction is on disk when commit returns (rollback journal, synchronous=FULL), and what
- * was under way when a program dies is undone by the next that opens the file. SQLite's own memory is not the
- * context's.
+ * The files of this folder in the order of use: catalogue.c; traits.c (numbers that two patterns are compared by, and
+ * their distance); search.c (the three searches); part.c (is one pattern contained in another). The command muslin and
+ * other programs call the room; nothing below it does.
+ *
+ * SQLite gives the guarantees: a transaction is on disk when commit returns (rollback journal, synchronous=FULL), and
+ * the next program that opens the file undoes a transaction whose program died. SQLite allocates its own memory, not
+ * from the context.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,11 +16,11 @@
 #include "catalogue/catalogue_internal.h"
 #include "muslin/topology.h"
 
-#define PATH_BYTES 200 /* of a path in a message */
-/* another program may be writing: wait this long [ms] */
+#define PATH_BYTES 200 /* [bytes] of a path in a message; chosen: leaves 311 of the context's 511 for the sentence */
+/* [ms] longest wait while another program writes; chosen: far above one commit, short enough for a person to wait */
 #define BUSY_WAIT 5000
-#define NAME_BYTES 1024
-#define FORM_BYTES 2048
+#define NAME_BYTES 1024 /* [bytes] of a pattern's name with its zero byte; chosen */
+#define FORM_BYTES 2048 /* [bytes] first capacity for a canonical form; chosen: most garments need one try */
 
 
 mus_status mus__catalogue_fail(const mus_catalogue *catalogue, mus_status status, const char *format, ...)
@@ -60,7 +64,7 @@ mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern,
     *n = FORM_BYTES;
     *form = NULL;
 
-    /* a garment's form is shorter than the first room; the second is as large as it has to be */
+    /* the first capacity holds the form of most garments; mus_pattern_form says what the second has to be */
     for (size_t room = 0; status == MUS_OK && room < *n;) {
         room = *n;
         uint8_t *bytes = mus_context_alloc(context, *form, room);
@@ -76,14 +80,14 @@ mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern,
 }
 
 
-/* one statement without rows */
+/* run SQL that returns no rows */
 static mus_status catalogue_do(const mus_catalogue *catalogue, const char *sql)
 {
     return sqlite3_exec(catalogue->db, sql, NULL, NULL, NULL) == SQLITE_OK ? MUS_OK : mus__catalogue_trouble(catalogue);
 }
 
 
-/* first number of the first row of a statement */
+/* run SQL and read the first number of its first row */
 static mus_status catalogue_number(const mus_catalogue *catalogue, const char *sql, int64_t *out)
 {
     sqlite3_stmt *statement = NULL;
@@ -96,7 +100,7 @@ static mus_status catalogue_number(const mus_catalogue *catalogue, const char *s
 }
 
 
-/* an empty file becomes a catalogue; any other must be one that this library reads */
+/* check the file in one transaction: an empty file becomes a catalogue, any other must be one of this version */
 static mus_status catalogue_begin_file(mus_catalogue *catalogue)
 {
     int64_t id = 0, version = 0, tables = 0;
@@ -114,10 +118,10 @@ static mus_status catalogue_begin_file(mus_catalogue *catalogue)
                             "CREATE INDEX pattern_form ON pattern (form);"
                             "PRAGMA application_id = 1297437507; PRAGMA user_version = 1; COMMIT");
     if (status == MUS_OK && id != MUS__CATALOGUE_ID)
-        status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "it is no catalogue of muslin");
+        status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "not a muslin catalogue");
     if (status == MUS_OK && version != MUS__CATALOGUE_VERSION)
         status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT,
-                                     "it is of version %lld, written by a newer muslin; this one reads version %d",
+                                     "version %lld, written by a newer muslin; this library reads version %d",
                                      (long long)version, MUS__CATALOGUE_VERSION);
     sqlite3_exec(catalogue->db, "ROLLBACK", NULL, NULL, NULL);
     return status;
@@ -142,7 +146,7 @@ mus_status mus_catalogue_open(mus_context *context, const char *path, int32_t mo
     own->writable = mode == MUS_CATALOGUE_WRITE;
     own->seen = -1;
 
-    /* reading opens for writing too where it may: to undo what a program left half done when it died */
+    /* MUS_CATALOGUE_READ opens for writing too where the file permits it: SQLite undoes a dead program's transaction */
     int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (own->writable ? SQLITE_OPEN_CREATE : 0);
     mus_status status = MUS_OK;
     if (sqlite3_open_v2(path, &own->db, flags, NULL) != SQLITE_OK) status = mus__catalogue_trouble(own);
@@ -174,7 +178,7 @@ void mus_catalogue_destroy(mus_catalogue *catalogue)
 }
 
 
-/* a statement that is kept, made when it is first needed */
+/* prepare a statement on its first use; it is kept until the catalogue is closed */
 static mus_status catalogue_statement(const mus_catalogue *catalogue, const char *sql, sqlite3_stmt **statement)
 {
     if (*statement != NULL ||
@@ -206,7 +210,7 @@ mus_status mus__catalogue_find_form(mus_catalogue *catalogue, const uint8_t *for
 }
 
 
-/* number of a form, which is kept when it is not there yet */
+/* number of a form in the file; a form that is not there yet is added */
 static mus_status catalogue_keep_form(mus_catalogue *catalogue, const uint8_t *form, size_t n, const uint8_t *hash,
                                       int64_t *out)
 {
@@ -245,7 +249,7 @@ static mus_status catalogue_put(mus_catalogue *catalogue, const char *name, int6
 }
 
 
-/* form and pattern in one transaction, within the caller's when one is begun */
+/* write form and pattern in one transaction, nested in the caller's when one is begun */
 static mus_status catalogue_keep(mus_catalogue *catalogue, const char *name, const uint8_t *form, size_t n,
                                  const uint8_t *hash, const uint8_t *traits, int32_t ntrait, int32_t *out)
 {
@@ -267,9 +271,9 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     if (catalogue == NULL) return MUS_ERR_ARG;
     mus_context *context = catalogue->context;
     if (pattern == NULL || name == NULL || name[0] == '\0' || strlen(name) >= NAME_BYTES)
-        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern is NULL, or its name is empty or over %d bytes",
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern is NULL, or the name is empty or above %d bytes",
                                    NAME_BYTES - 1);
-    if (!catalogue->writable) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "it is open for reading");
+    if (!catalogue->writable) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "open for reading");
 
     uint8_t *form = NULL, hash[16], *bytes = NULL;
     double *traits = NULL;
@@ -278,7 +282,7 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     mus_status status = mus__catalogue_form(context, pattern, &form, &size, hash);
     if (status == MUS_OK) status = mus__traits_of(pattern, &traits, &n);
     if (status == MUS_OK && (size > INT32_MAX || n > INT32_MAX / 8))
-        status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "the form of %s is over 2^31 bytes", name);
+        status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "the canonical form of %s is above 2^31 bytes", name);
     if (status == MUS_OK) {
         bytes = mus_context_alloc(context, NULL, 8 * (size_t)n);
         if (bytes == NULL) status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the traits of a pattern");
@@ -302,19 +306,19 @@ mus_status mus_catalogue_begin(mus_catalogue *catalogue)
 {
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (!catalogue->writable || catalogue->begun)
-        return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "it is %s",
-                                   catalogue->begun ? "begun already" : "open for reading");
+        return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "%s",
+                                   catalogue->begun ? "a transaction is begun already" : "open for reading");
     mus_status status = catalogue_do(catalogue, "BEGIN IMMEDIATE");
     catalogue->begun = status == MUS_OK;
     return status;
 }
 
 
-/* a commit that fails leaves the additions to be committed again or rolled back */
+/* end the transaction by `sql`; after a failed commit it is still open, to be committed again or rolled back */
 static mus_status catalogue_end(mus_catalogue *catalogue, const char *sql)
 {
     if (catalogue == NULL) return MUS_ERR_ARG;
-    if (!catalogue->begun) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "nothing is begun");
+    if (!catalogue->begun) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "no transaction is begun");
     mus_status status = catalogue_do(catalogue, sql);
     if (status == MUS_OK) catalogue->begun = false;
     catalogue->edits++;

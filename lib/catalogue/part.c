@@ -1,19 +1,22 @@
 /*
- * part.c: is a pattern contained in another? Both are read back from their canonical forms (form.c of lib/pattern
- * writes them) as words of numbered classes, and panels of the part are laid on panels of the whole one after another,
- * at every rotation, along the words or all against them; the part's classes have to run in the whole as they do in it.
- * Panels of a form stand in the order of a walk, so all but the first of a piece are tied to one that was laid before.
+ * part.c: is one pattern, the part, contained in another, the whole?
+ *
+ * Both are read back from their canonical forms. There each panel is a cyclic word: one letter for each edge, the
+ * number of the seam class that the edge belongs to, with the direction. A backtracking search matches the panels of
+ * the part to panels of the whole one after another, at every rotation, in the direction of the words or, mirrored,
+ * against it. Equal classes of the part have to be equal classes of the whole, with the same directions. The panels of
+ * a component stand in the order of a walk over its seams, so each but the first shares a class with an earlier one.
  */
 #include <string.h>
 
 #include "catalogue/catalogue_internal.h"
 
-#define PART_PANELS 100000 /* a form of more is not read back */
+#define PART_PANELS 100000 /* most panels of a form that is read back; chosen: far above any garment */
 
 typedef struct part_side {
     const char *label;
-    int32_t class; /* MUS_NONE for a rim */
-    int32_t along; /* +1 or -1; 0 where the class is folded on itself */
+    int32_t class; /* seam class; MUS_NONE for an open edge */
+    int32_t along; /* direction in the class, +1 or -1; 0 where the class is folded on itself */
 } part_side;
 
 typedef struct part_form {
@@ -22,10 +25,10 @@ typedef struct part_form {
     const char **label;  /* (npanel) */
     int32_t *first;      /* (npanel + 1) */
     part_side *side;     /* (nside) */
-    const char **labels; /* of the form */
+    const char **labels; /* all labels of the form */
 } part_form;
 
-/* bytes being read */
+/* bytes of a form while it is read; bad once they are not a form */
 typedef struct part_bytes {
     const uint8_t *at, *end;
     bool bad;
@@ -56,7 +59,7 @@ static void part_free(part_form *form)
 }
 
 
-/* head and labels; *nlabel */
+/* read the head and the labels; *nlabel is the number of labels */
 static mus_status part_labels(part_form *form, part_bytes *bytes, int32_t *nlabel)
 {
     bytes->bad = bytes->end - bytes->at < 3 || bytes->at[0] != 1;
@@ -81,7 +84,7 @@ static mus_status part_labels(part_form *form, part_bytes *bytes, int32_t *nlabe
 }
 
 
-/* one piece: its panels behind those that are there. Classes from *base on */
+/* read one component and append its panels; its classes are numbered from *base on */
 static void part_piece(part_form *form, part_bytes *bytes, int32_t nlabel, int32_t *base, int32_t *most)
 {
     int32_t npanel = part_number(bytes), next = *base;
@@ -104,7 +107,7 @@ static void part_piece(part_form *form, part_bytes *bytes, int32_t nlabel, int32
 }
 
 
-/* *good is false for bytes that are no form */
+/* read a form; *good is false when the bytes are not a form */
 static mus_status part_read(mus_context *context, const uint8_t *data, size_t size, part_form *out, bool *good)
 {
     part_bytes bytes = {data, data + size, false};
@@ -112,27 +115,27 @@ static mus_status part_read(mus_context *context, const uint8_t *data, size_t si
     *out = (part_form){.context = context};
     mus_status status = part_labels(out, &bytes, &nlabel);
     if (status == MUS_OK && !bytes.bad) {
-        /* a side and a panel take two bytes or more */
+        /* an edge and a panel take at least two bytes each, which bounds both numbers */
         out->label = mus_context_alloc(context, NULL, ((size_t)most + 1) * sizeof *out->label);
         out->first = mus_context_alloc(context, NULL, ((size_t)most + 1) * sizeof *out->first);
         out->side = mus_context_alloc(context, NULL, ((size_t)most + 1) * sizeof *out->side);
         if (out->label == NULL || out->first == NULL || out->side == NULL) status = MUS_ERR_MEMORY;
     }
     while (status == MUS_OK && !bytes.bad && bytes.at < bytes.end) part_piece(out, &bytes, nlabel, &base, &most);
-    if (status != MUS_OK) return mus_context_fail(context, status, "no memory to read the form of a pattern");
+    if (status != MUS_OK) return mus_context_fail(context, status, "no memory for the canonical form of a pattern");
     *good = !bytes.bad;
     if (*good) out->first[out->npanel] = out->nside;
     return MUS_OK;
 }
 
 
-/* ---- laying one on the other ---- */
+/* ---- the search ---- */
 
 typedef struct part_search {
     const part_form *part, *whole;
-    int32_t *image; /* (part sides) */
-    int32_t *turn;  /* (part panels) panel of the whole times its sides, and the rotation */
-    int32_t *used;  /* (whole panels) */
+    int32_t *image; /* (part edges) matching edge of the whole */
+    int32_t *turn;  /* (part panels) matching panel of the whole and rotation, as one number */
+    int32_t *used;  /* (whole panels) nonzero: matched already */
     int32_t way;
 } part_search;
 
@@ -143,7 +146,7 @@ static bool part_label_fits(const char *part, const char *whole)
 }
 
 
-/* lay panel p on panel q with its first side on side r: do all that lie fit? */
+/* match panel p of the part to panel q of the whole, first edge to edge r; false when they do not fit */
 static bool part_lay(part_search *s, int32_t p, int32_t q, int32_t r)
 {
     const part_form *a = s->part, *b = s->whole;
@@ -168,7 +171,7 @@ static bool part_lay(part_search *s, int32_t p, int32_t q, int32_t r)
 }
 
 
-/* panels laid from the first on, turning back where none fits */
+/* backtracking over the panels of the part in their order; true when all are matched */
 static bool part_search_all(part_search *s)
 {
     const part_form *a = s->part, *b = s->whole;
@@ -215,7 +218,7 @@ mus_status mus__part_inside(mus_context *context, const uint8_t *part, size_t pa
             s.way = -1;
             if (!*inside) *inside = part_search_all(&s);
         } else {
-            status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory to look for a part of a pattern");
+            status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the search for a part of a pattern");
         }
         mus_context_alloc(context, block, 0);
     }

@@ -1,10 +1,11 @@
 /*
- * search.c: patterns found again: the same, the nearest, those that contain a part.
+ * search.c: the searches of a catalogue: the same patterns, the nearest patterns, patterns that contain a part.
  *
- * Exact: the hash has an index in the file, the form confirms it, and patterns are listed by the number of their form.
- * Nearest: all traits are held in memory, read anew when the file has changed, and compared one after another; a row is
- * dropped as soon as what is known of its distance is beyond the worst of those kept. Containing: rows with enough
- * panels of the part's numbers of edges are taken from memory, their forms are read and searched.
+ * Exact: an SQLite index finds the hash, the canonical form confirms the match, and patterns are listed by the number
+ * of their form. Nearest: the traits of all patterns are kept in memory and read again when the file has changed. They
+ * are compared one pattern after another; a comparison stops when the partial distance exceeds the largest one
+ * in the list of the nearest. Containing: the traits rule out patterns that have too few panels with the part's numbers
+ * of edges; the forms of the others are read and searched.
  */
 #include <math.h>
 #include <stdio.h>
@@ -34,14 +35,14 @@ static mus_status search_row(mus_catalogue *catalogue, sqlite3_stmt *statement)
     row->first = catalogue->npool;
     row->n = size / 8;
     if (traits == NULL || !mus__traits_unpack(traits, (size_t)size, catalogue->pool + catalogue->npool))
-        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "pattern %d is damaged", (int)row->id);
+        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "the traits of pattern %d are damaged", (int)row->id);
     catalogue->npool += row->n;
     catalogue->nrow++;
     return MUS_OK;
 }
 
 
-/* the index as the file is now */
+/* read the index again when the file has changed since the last time */
 static mus_status search_refresh(mus_catalogue *catalogue)
 {
     sqlite3_stmt *statement = NULL;
@@ -69,7 +70,7 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 }
 
 
-/* a form by its number: borrowed from `statement`, which the caller finalizes */
+/* get the form with a number; the bytes are borrowed from `statement`, which the caller finalizes */
 static mus_status search_form(const mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
                               const uint8_t **form, size_t *size)
 {
@@ -80,7 +81,7 @@ static mus_status search_form(const mus_catalogue *catalogue, int64_t number, sq
     sqlite3_bind_int64(*statement, 1, number);
     int code = sqlite3_step(*statement);
     if (code == SQLITE_DONE)
-        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "form %lld is not there", (long long)number);
+        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "form %lld is missing", (long long)number);
     if (code != SQLITE_ROW) return mus__catalogue_trouble(catalogue);
     *form = sqlite3_column_blob(*statement, 0);
     *size = (size_t)sqlite3_column_bytes(*statement, 0);
@@ -96,7 +97,7 @@ mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *patt
     if (count != NULL) *count = 0;
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (pattern == NULL || (ids != NULL && capacity < 0))
-        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "exact: pattern is NULL, or room for %d", (int)capacity);
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "exact: pattern is NULL, or capacity is %d", (int)capacity);
     uint8_t *form, hash[16];
     size_t size;
     int64_t number = 0;
@@ -123,7 +124,7 @@ mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *patt
 
 /* ---- nearest ---- */
 
-/* the `capacity` nearest rows, in order; ids are rows of the index for now */
+/* find the `capacity` nearest rows of the index, nearest first; returns their number */
 static int32_t search_scan(const mus_catalogue *catalogue, const double *traits, int32_t capacity, int32_t *rows,
                            double *distances)
 {
@@ -147,7 +148,7 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
     if (count != NULL) *count = 0;
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (pattern == NULL || ids == NULL || count == NULL || capacity < 1)
-        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "nearest: pattern, ids or count is NULL, or room for %d",
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "nearest: pattern, ids or count is NULL, or capacity is %d",
                                    (int)capacity);
     mus_context *context = catalogue->context;
     uint8_t *form = NULL, hash[16];
@@ -165,7 +166,7 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
         if (own != NULL && room > 0) kept = search_scan(catalogue, traits, room, ids, own);
     }
 
-    /* rows to numbers */
+    /* rows of the index to numbers of patterns */
     if (status == MUS_OK) status = mus__catalogue_find_form(catalogue, form, size, hash, &number);
     for (int32_t i = 0; i < kept && status == MUS_OK; i++) {
         const mus__row *row = &catalogue->row[ids[i]];
@@ -183,7 +184,7 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
 
 /* ---- explain ---- */
 
-/* a number with two places behind a full stop, in every locale */
+/* format a number with two decimals and a decimal point, in every locale */
 static const char *search_number(double value, char *out)
 {
     long long hundredths = (long long)floor(value * 100.0 + 0.5);
@@ -192,7 +193,7 @@ static const char *search_number(double value, char *out)
 }
 
 
-/* append a line and stay within the room */
+/* append a line to `text`, cut to the capacity */
 static void search_line(char *text, size_t capacity, const char *line)
 {
     size_t used = strlen(text), more = strlen(line);
@@ -203,7 +204,7 @@ static void search_line(char *text, size_t capacity, const char *line)
 }
 
 
-/* "0.51 0.60 0.60 m" of the openings, ascending, the first eight */
+/* format the lengths of the first eight openings, ascending: "0.51 0.60 0.60 m" */
 static void search_openings(const double *traits, char *out, size_t room)
 {
     int32_t n = (int32_t)traits[MUS__TRAIT_OPENINGS];
@@ -220,9 +221,9 @@ static void search_text(const double *a, const double *b, const double *parts, c
 {
     static const char *const what[MUS_DISTANCE_COUNT] = {"panels",
                                                          "seams",
-                                                         "pieces that hang apart, Euler",
+                                                         "components, Euler characteristic",
                                                          "openings",
-                                                         "panels apart in size or edges; area",
+                                                         "panels by size and edges; area",
                                                          "cloth and sewn length"};
     text[0] = '\0';
     for (int32_t k = 0; k < MUS_DISTANCE_COUNT; k++) {
@@ -274,7 +275,7 @@ mus_status mus_catalogue_explain(mus_catalogue *catalogue, const mus_pattern *pa
 
 /* ---- containing ---- */
 
-/* can panels with these numbers of edges (of the part's traits) be found among the row's? Many of one number count */
+/* does the whole have, for each number of edges, at least as many panels as the part? Both are traits */
 static bool search_may_contain(const double *part, const double *whole)
 {
     int32_t n = (int32_t)part[MUS__TRAIT_PANELS], m = (int32_t)whole[MUS__TRAIT_PANELS];
@@ -296,7 +297,8 @@ mus_status mus_catalogue_containing(mus_catalogue *catalogue, const mus_pattern 
     if (count != NULL) *count = 0;
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (part == NULL || (ids != NULL && capacity < 0))
-        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "containing: part is NULL, or room for %d", (int)capacity);
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "containing: part is NULL, or capacity is %d",
+                                   (int)capacity);
     uint8_t *form = NULL, hash[16];
     double *traits = NULL;
     size_t size = 0;

@@ -1,12 +1,13 @@
 /*
- * traits.c: what a tailor would compare of two patterns, and how far apart they are.
+ * traits.c: the traits of a pattern (numbers that a tailor compares), and the distance of two patterns by their traits.
  *
- * Openings are matched by their lengths and panels by their areas, both in ascending order, by the cheapest alignment
- * of the two lists (Needleman and Wunsch 1970): a pair costs what it differs by, one without a partner a whole. Sizes
- * differ by ln(a / b): 5 % is the same for a cuff and for a hem, and from a to b as from b to a.
+ * Openings are matched by length and panels by area, both in ascending order, by the cheapest alignment of the two
+ * lists (Needleman and Wunsch 1970): a pair costs its difference, an item without a partner costs 1. Two sizes a and b
+ * differ by |ln(a / b)|, so that 5 % weighs the same for a cuff and for a hem, and in both directions.
  *
- * Weights were set on the 137 sampled GarmentCode specifications, where the same design on another body is to come
- * first (134 have one): 97 % over a wide range of weights around these; make catalogue-bench prints it.
+ * The weights were chosen on 137 sampled GarmentCode specifications. For 134 of them the same design on another body is
+ * in the sample; it came first for 97 % of them, over a wide range of weights around these. `make catalogue-bench`
+ * prints the share.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -15,12 +16,14 @@
 #include "catalogue/catalogue_internal.h"
 #include "muslin/topology.h"
 
-#define WEIGHT_PANEL 1.0
-#define WEIGHT_SEAM 0.05
-#define WEIGHT_PIECE 2.0
-#define WEIGHT_EULER 0.5
-#define WEIGHT_LISTS 2.0 /* of openings and panels */
-/* beyond this many in a list, they are compared by rank: an alignment would take a matrix of its square */
+/* weights of the distance [1], chosen as told above */
+#define WEIGHT_PANEL 1.0 /* for each panel of difference */
+#define WEIGHT_SEAM 0.05 /* for each seam of difference */
+#define WEIGHT_PIECE 2.0 /* for each component of difference */
+#define WEIGHT_EULER 0.5 /* for each unit of the Euler characteristic */
+#define WEIGHT_LISTS 2.0 /* for the matched lists of openings and panels */
+/* longest list that is aligned; longer ones are compared item by item, since the time of an alignment grows with the
+ * square of the length. Chosen: far above any garment */
 #define LIST_MOST 400
 
 
@@ -40,7 +43,7 @@ static int traits_by_length(const void *a, const void *b)
 }
 
 
-/* openings' lengths and panels' sizes behind the head */
+/* write the lengths of the openings and the sizes of the panels behind the head */
 static mus_status traits_lists(const mus_pattern *pattern, int32_t nloop, double *traits)
 {
     double *loop = traits + MUS__TRAIT_HEAD, *panel = loop + nloop;
@@ -74,7 +77,7 @@ mus_status mus__traits_of(const mus_pattern *pattern, double **out, int32_t *n)
     if (status != MUS_OK) return status;
     int32_t nloop = t.loops > 0 ? t.loops : 0, npanel = mus_pattern_panel_count(pattern);
     int64_t count = MUS__TRAIT_HEAD + (int64_t)nloop + 3 * (int64_t)npanel;
-    if (count > INT32_MAX / 8) return mus_context_fail(context, MUS_ERR_LIMIT, "the traits are over 2^31 bytes");
+    if (count > INT32_MAX / 8) return mus_context_fail(context, MUS_ERR_LIMIT, "the traits are above 2^31 bytes");
     double *traits = mus_context_alloc(context, NULL, (size_t)count * sizeof *traits);
     if (traits == NULL) return mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the traits of a pattern");
     traits[MUS__TRAIT_PANELS] = npanel;
@@ -127,7 +130,7 @@ bool mus__traits_unpack(const uint8_t *bytes, size_t size, double *traits)
 
 /* ---- distance ---- */
 
-/* |ln(a / b)|; sizes below a millimetre or a square centimetre are as good as that */
+/* |ln(a / b)|, sizes below 1e-4 (m or m2) taken as 1e-4; chosen: below any opening or panel of a garment */
 static double traits_apart(double a, double b)
 {
     const double least = 1e-4;
@@ -149,7 +152,7 @@ static double traits_panels_apart(const double *a, const double *b)
 }
 
 
-/* cost of the cheapest alignment of two lists of items of `width` numbers; beyond `limit` any number beyond it */
+/* cost of the cheapest alignment of two lists, items of `width` numbers; beyond `limit` the search ends early */
 static double traits_align(const double *a, int32_t n, const double *b, int32_t m, int32_t width, double limit,
                            double (*apart)(const double *, const double *))
 {
@@ -161,7 +164,7 @@ static double traits_align(const double *a, int32_t n, const double *b, int32_t 
     }
     for (int32_t j = 0; j <= m; j++) cost[j] = j;
     for (int32_t i = 0; i < n; i++) {
-        /* cost[j] is of i items with j until it is of i + 1; `corner` of i with j - 1 */
+        /* cost[j]: first i items of a with first j of b, until overwritten by i + 1; corner: i items with j - 1 */
         double corner = cost[0], least = ++cost[0];
         for (int32_t j = 1; j <= m; j++) {
             double pair = corner + apart(a + (ptrdiff_t)width * i, b + (ptrdiff_t)width * (j - 1));
@@ -182,7 +185,7 @@ double mus__traits_distance(const double *a, const double *b, double limit, doub
     int32_t m[2] = {(int32_t)a[MUS__TRAIT_PANELS], (int32_t)b[MUS__TRAIT_PANELS]};
     const double *loop[2] = {a + MUS__TRAIT_HEAD, b + MUS__TRAIT_HEAD};
 
-    /* what costs nothing to know, and what the lists are apart at least */
+    /* the parts that need no alignment, and lower bounds for the lists */
     parts[MUS_DISTANCE_PIECES] = WEIGHT_PANEL * abs(m[0] - m[1]);
     parts[MUS_DISTANCE_SEAMS] = WEIGHT_SEAM * fabs(a[MUS__TRAIT_SEAMS] - b[MUS__TRAIT_SEAMS]);
     parts[MUS_DISTANCE_SURFACE] = WEIGHT_PIECE * fabs(a[MUS__TRAIT_PIECES] - b[MUS__TRAIT_PIECES]) +

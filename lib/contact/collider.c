@@ -22,15 +22,8 @@
  *     sweep_kernel.h            a fast node swept along its path
  *     surfaces_kernel.h         boxes, planes and motions in the pass's precision
  *   plane_cache.h, plane_cache_kernel.h       the cheap pass for slow nodes: each remembers a plane
- *   self_contact.[ch], self_contact_f32.c, self_contact_f64.c   cloth against cloth:
- *     neighbour_list_kernel.h   pairs that may come near
- *     pair_distance_kernel.h    distance of a pair
- *     displacement_bound_kernel.h   how far a node may move until distances are measured again
- *     self_response_kernel.h    impulses of pairs that touch
- *     box_tree.[ch]             broad phase of the neighbour list
- *   crossing_count.[ch]       exact count of edges through triangles; box_grid.[ch] is its broad phase
- *
- * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces.
+ * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces. Cloth against cloth is the room
+ * lib/selfcontact.
  */
 #include <math.h>
 #include <string.h>

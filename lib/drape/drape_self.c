@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/crossing_count.h"
+#include "selfcontact/crossing_count.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "geom/vec.h"

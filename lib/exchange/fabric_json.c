@@ -1,9 +1,10 @@
 /*
- * fabric_json.c: a fabric as JSON: each value under its key with unit, as a number and where it comes from.
+ * fabric_json.c: read and write a fabric as JSON: each value under a key that names the unit, as a number and its
+ * source.
  *
- * Keys and ranges are those of libmuslin (mus_fabric_value_key, mus_fabric_set), so a file cannot say what a cloth
- * would refuse. jansson keeps no lines of the tree, so a fault finds its line by looking for the key in the text again.
- * Form: muslin_fabric(5).
+ * Keys and ranges are those of libmuslin (mus_fabric_value_key, mus_fabric_set), so a file cannot hold a value that a
+ * cloth refuses. jansson does not keep the lines of values, so a message finds its line by searching the text for the
+ * key. Form: muslin_fabric(5).
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -13,13 +14,12 @@
 #include "exchange/source.h"
 #include "file/sink.h"
 
-#define FABRIC_NAME_BYTES 100
-#define FABRIC_SOURCE_BYTES 1000
-/* values of a fabric at most: room for texts on the stack */
-#define FABRIC_VALUES_MAX 32
+#define FABRIC_NAME_BYTES 100    /* [bytes] longest name; chosen, as muslin_fabric(5) says */
+#define FABRIC_SOURCE_BYTES 1000 /* [bytes] longest source of a value; chosen, as muslin_fabric(5) says */
+#define FABRIC_VALUES_MAX 32     /* most values of a fabric: capacity of arrays on the stack; a fabric has ten */
 
 
-/* the end of the string that starts at `text` (a quote), or of the whole text */
+/* end of the JSON string that starts at `text` (a quote), or of the whole text when the string does not end */
 static const char *fabric_string_end(const char *text)
 {
     for (text++; *text != '\0' && *text != '"'; text++)
@@ -29,8 +29,8 @@ static const char *fabric_string_end(const char *text)
 
 
 /*
- * Line of the member `key` of the document or, with `parent`, of that member of it; of the parent when it has no such
- * key; of the last line when there is neither. The text is known to be JSON.
+ * Line of the member `key` of the document or, when `parent` is not NULL, of the member `parent`. Without such a key
+ * the line of the parent, without both the last line. The text has to be valid JSON.
  */
 static int64_t fabric_line(const mus__source *source, const char *parent, const char *key)
 {
@@ -58,13 +58,13 @@ static int64_t fabric_line(const mus__source *source, const char *parent, const 
         if (*at == '\0') break;
     }
 
-    /* the line end of the last line is not a line of its own */
+    /* a line feed at the end of the text does not begin another line */
     if (found == 0 && source->size > 0 && source->text[source->size - 1] == '\n') line--;
     return found > 0 ? found : line;
 }
 
 
-/* every member is one of `count` known keys */
+/* MUS_ERR_FORMAT unless every member has one of the `count` known keys */
 static mus_status fabric_keys(const mus__source *source, const char *parent, json_t *json, int32_t count,
                               const char *const *known)
 {
@@ -81,7 +81,7 @@ static mus_status fabric_keys(const mus__source *source, const char *parent, jso
 }
 
 
-/* a text of 1 to `most` bytes */
+/* MUS_ERR_FORMAT unless the member is a text of 1 to `most` bytes */
 static mus_status fabric_text(const mus__source *source, const char *parent, const char *key, const json_t *json,
                               size_t most)
 {
@@ -118,7 +118,7 @@ static mus_status fabric_read_value(const mus__source *source, json_t *json, int
 }
 
 
-/* keys of the document: what it is, its name, and the values; returns how many */
+/* keys of the document: format, name and values; returns their number */
 static int32_t fabric_known(const char **known)
 {
     int32_t count = 0;
@@ -187,7 +187,7 @@ mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t s
 
 /* ---- writing ---- */
 
-/* sources of a named fabric */
+/* get the sources of a named fabric; false when there is no such fabric */
 static bool fabric_named(const char *name, const char **sources)
 {
     for (int32_t i = 0; i < mus_fabric_count(); i++) {
@@ -204,7 +204,7 @@ static mus_status fabric_check_text(mus_context *context, const char *what, cons
     const size_t length = text != NULL ? strlen(text) : 0;
     if (length < 1 || length > most)
         return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s has %zu bytes, expected 1 to %zu", what,
-                                  length, most);
+                              length, most);
     for (const char *at = text; *at != '\0'; at += mus__utf8_length(at))
         if (mus__utf8_length(at) == 0)
             return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);

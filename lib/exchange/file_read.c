@@ -1,8 +1,8 @@
 /*
- * file_read.c: a file loaded whole, failures that name file and line, numbers free of the locale.
+ * file_read.c: load a file into memory; make messages with file and line; read numbers independent of the locale.
  *
- * A reader gets the text in one block with a zero byte behind it, so it can walk by pointer and never reads past the
- * end. Files are read in growing blocks and not by their length, since a pipe has none; the limit holds for both.
+ * A reader gets the text in one allocation with a zero byte behind it, so a pointer can walk it without reading past
+ * the end. The allocation grows while the file is read, since a pipe has no length; the size limit holds for both.
  */
 #if !defined(_XOPEN_SOURCE)
 #define _XOPEN_SOURCE 700 /* newlocale, uselocale */
@@ -17,8 +17,8 @@
 
 #include "exchange/source.h"
 
-#define FILE_NAME_BYTES 200  /* of a path in a message: the sentence behind it must fit in 511 bytes */
-#define FILE_ERROR_BYTES 512 /* of the context's error text */
+#define FILE_NAME_BYTES 200  /* [bytes] of a path in a message; chosen: leaves 311 of 511 bytes for the sentence */
+#define FILE_ERROR_BYTES 512 /* [bytes] capacity of the context's error text */
 
 
 mus_status mus__source_fail(const mus__source *source, int64_t line, mus_status status, const char *format, ...)
@@ -42,12 +42,12 @@ mus_status mus__source_wrap(const mus__source *source, int64_t line, mus_status 
 }
 
 
-/* read all of `file` into a block that grows by half */
+/* read all of `file` into an allocation that grows by half */
 static mus_status source_load(mus__source *source, FILE *file)
 {
     size_t capacity = 0;
     for (;;) {
-        /* one byte stays free for the zero at the end */
+        /* one byte stays free for the zero byte at the end */
         if (source->size + 1 >= capacity) {
             size_t grown = capacity + capacity / 2 + 16384;
             char *text = mus_context_alloc(source->context, source->text, grown);
@@ -68,7 +68,7 @@ static mus_status source_load(mus__source *source, FILE *file)
 }
 
 
-/* copy a text into a block of the source's own, with the zero byte that readers need */
+/* copy a text into an allocation of the source, with a zero byte behind it */
 static mus_status source_copy(mus__source *source, const char *text, size_t size)
 {
     if (size > MUS__FILE_BYTES_MAX)
@@ -97,7 +97,7 @@ static mus_status source_read(mus__source *source, const char *path)
 mus_status mus__input_check(mus_context *context, const mus__input *input, const void *out, const char *what)
 {
     if (input->path != NULL && out != NULL) return MUS_OK;
-    return mus__file_fail(context, MUS_ERR_ARG, "%s: a pointer that is needed is NULL", what);
+    return mus__file_fail(context, MUS_ERR_ARG, "%s: a required pointer is NULL", what);
 }
 
 
@@ -115,7 +115,7 @@ mus_status mus__source_open(mus_context *context, const mus__input *input, mus__
         return status;
     }
 
-    /* a byte order mark is not part of the text */
+    /* drop a UTF-8 byte order mark */
     if (out->size >= 3 && memcmp(out->text, "\xEF\xBB\xBF", 3) == 0) {
         out->size -= 3;
         memmove(out->text, out->text + 3, out->size + 1);
@@ -145,7 +145,7 @@ void mus__source_base(const char *path, const char *const *endings, char *out, s
         }
     }
 
-    /* whole characters only, and only good ones */
+    /* copy whole, printable characters only */
     size_t used = 0;
     while (used < length) {
         size_t n = mus__utf8_length(base + used);
@@ -208,7 +208,7 @@ size_t mus__number_span(const char *text)
     if (before + after == 0) return 0;
     if (*at == '.') at += 1 + after;
 
-    /* an exponent only when it has digits */
+    /* an exponent without digits is not part of the number */
     if (*at == 'e' || *at == 'E') {
         const char *digits = at + 1;
         if (*digits == '+' || *digits == '-') digits++;
@@ -237,7 +237,7 @@ const char *mus__number_read(const char *text, double *out)
 }
 
 
-/* Levenshtein's distance of two names below 40 bytes, one row of the table at a time */
+/* Levenshtein distance of two names below 40 bytes, one row of the table at a time */
 static int32_t name_distance(const char *a, const char *b)
 {
     int32_t row[41];
@@ -261,7 +261,7 @@ static int32_t name_distance(const char *a, const char *b)
 
 const char *mus__measure_nearest(const char *name)
 {
-    /* up to a third of the letters wrong, and 2 in a short word */
+    /* accept up to a third of the letters wrong, and 2 in a short word; chosen */
     int32_t limit = (int32_t)(strlen(name) / 3);
     int32_t best = limit < 2 ? 3 : limit + 1;
     const char *nearest = NULL;

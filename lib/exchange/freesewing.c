@@ -1,15 +1,15 @@
 /*
  * freesewing.c: read a draft of FreeSewing, dumped as "freesewing-dump-1", as a pattern.
  *
- * A part there is a set of named paths in millimetres, y down, of lines and cubics. Its outline is the path "seam", or,
- * where a part has none, the first visible path of fabric, lining or interfacing that is no seam allowance. A part
- * that is cut on the fold is drawn as a half: it is unfolded in the straight piece of its outline that lies on the fold
- * line. The outline runs counter-clockwise afterwards. FreeSewing does not say what is sewn to what: edges end where
- * the outline turns by more than 15 degrees and are named by the points at their ends ("hps-shoulder"); the mirrored
- * half adds "_m". Seams are the caller's.
+ * A part of a dump is a set of named paths of lines and cubics, in millimetres, y down. Its outline is the path "seam",
+ * or, without such a path, the first visible path of fabric, lining or interfacing that is not a seam allowance. A part
+ * cut on the fold is drawn as a half. The half is unfolded at the straight segment of its outline on the fold line, and
+ * the outline then runs counter-clockwise. A dump does not say which edges are sewn together, so the caller adds the
+ * seams. Edges end where the outline turns by more than 15 degrees. They are named by the points at their ends
+ * ("hps-shoulder"); the mirrored half adds "_m".
  *
- * Snippets: notch is a single notch, bnotch a double one, on the place of the outline that is nearest; what lies off
- * the outline (buttons, buttonholes, eyelets) is a mark; logos are left out. A fold without a grain line is the grain.
+ * Snippets: notch is a single notch and bnotch a double one, at the nearest point of the outline. Snippets off the
+ * outline (buttons, buttonholes, eyelets) are marks; logos are left out. A fold without a grain line is the grain.
  * Source of the form: the data's own description; FreeSewing 4 (freesewing.org).
  */
 #include <math.h>
@@ -19,17 +19,17 @@
 #include "exchange/json_at.h"
 #include "exchange/pattern_forms.h"
 
-#define FS_MILLIMETRE 1e-3
-#define FS_PIECES_MOST 4096 /* of an outline, in the file */
-#define FS_TINY 1e-9        /* [m]: a segment this short is no piece */
-#define FS_GAP 1e-6         /* [m]: a segment starts where the last ended, but for rounding */
-#define FS_ON_FOLD 1e-5     /* [m]: a point this near to the fold line is on it */
-#define FS_ON_EDGE 1e-4     /* [m]: a notch this near to the outline is on it */
-#define FS_CORNER 0.96593   /* cosine of the turn that makes a corner */
-#define FS_SAMPLES 48       /* places of an edge where a notch is looked for in a round */
-#define FS_ROUNDS 5         /* each looks between two places of the last: 24 times as close */
+#define FS_MILLIMETRE 1e-3  /* [m] unit of the file */
+#define FS_PIECES_MOST 4096 /* most segments of an outline in the file; chosen: bounds memory and time */
+#define FS_TINY 1e-9        /* [m] a shorter segment is left out; chosen: far below any drawing */
+#define FS_GAP 1e-6         /* [m] largest gap between two segments; chosen: the rounding of the file */
+#define FS_ON_FOLD 1e-5     /* [m] a point nearer to the fold line is on it; chosen */
+#define FS_ON_EDGE 1e-4     /* [m] a notch nearer to the outline is on it; chosen */
+#define FS_CORNER 0.96593   /* a corner turns by more than this cosine: 15 degrees. Chosen */
+#define FS_SAMPLES 48       /* points of an edge tried in each round of the search for a notch's place; chosen */
+#define FS_ROUNDS 5         /* rounds; each searches between two points of the last, 24 times finer; chosen */
 
-/* one piece of the outline: start, control points of a cubic, end [m], y up */
+/* a segment of the outline: start, control points of a cubic, end [m], y up */
 struct fs_piece {
     int32_t kind;
     double p[8];
@@ -39,14 +39,14 @@ struct fs_part {
     const mus__json_at *at;
     mus_pattern *pattern;
     int32_t panel;
-    struct fs_piece *piece; /* (3 room): the last third is where an outline is turned over */
+    struct fs_piece *piece; /* (3 room); the last third is scratch for unfolding and reversing */
     int32_t n, room;
     bool folded;
-    double fold[4]; /* a point of the fold line and its direction, a unit */
+    double fold[4]; /* a point of the fold line [m], and its direction, a unit vector */
 };
 
 
-/* millimetres, y down, to metres, y up */
+/* read a point in millimetres, y down, as metres, y up */
 static mus_status fs_point(const mus__json_at *at, double *out)
 {
     const mus_status status = mus__json_numbers(at, 2, out);
@@ -101,7 +101,7 @@ static mus_status fs_segment(struct fs_part *part, const mus__json_at *at)
 }
 
 
-/* is `word` one of the words of `text`? */
+/* true when `word` is one of the words of `text` */
 static bool fs_has_word(const char *text, const char *word)
 {
     const size_t length = strlen(word);
@@ -113,7 +113,7 @@ static bool fs_has_word(const char *text, const char *word)
 }
 
 
-/* the path that is the outline of a part; its json is NULL when there is none */
+/* find the path that is the outline of a part; its json is NULL when there is none */
 static mus__json_at fs_outline_path(const mus__json_at *paths)
 {
     mus__json_at found = mus__json_member(paths, "seam");
@@ -137,7 +137,7 @@ static mus_status fs_outline(struct fs_part *part)
     if (status != MUS_OK) return status;
     const mus__json_at path = fs_outline_path(&paths);
     if (path.json == NULL)
-        return mus__json_fail(&paths, MUS_ERR_FORMAT, "expected a path \"seam\" or a visible one of fabric, got none");
+        return mus__json_fail(&paths, MUS_ERR_FORMAT, "expected a path \"seam\" or a visible path of fabric, got none");
     size_t count;
     const mus__json_at segments = mus__json_member(&path, "segments");
     status = mus__json_array(&segments, 1, FS_PIECES_MOST, &count);
@@ -181,7 +181,7 @@ static bool fs_on_fold(const double *fold, const double *p)
 }
 
 
-/* the longest straight piece on the fold line goes; what is left, and after it its mirror image, is the outline */
+/* remove the longest straight segment on the fold line, and append the mirror image of the rest */
 static mus_status fs_unfold(struct fs_part *part, const mus__json_at *at)
 {
     double end[2], longest = 0.0;
@@ -205,7 +205,7 @@ static mus_status fs_unfold(struct fs_part *part, const mus__json_at *at)
     if (gone == MUS_NONE)
         return mus__json_fail(at, MUS_ERR_FORMAT, "expected a straight piece of the outline on the fold, got none");
 
-    /* the ends on the fold are put on it, so that both halves meet */
+    /* move the ends onto the fold line, so that both halves meet exactly */
     const int32_t half = part->n - 1;
     struct fs_piece *to = part->piece + 2 * (size_t)part->room;
     for (int32_t i = 0; i < half; i++) to[i] = part->piece[(gone + 1 + i) % part->n];
@@ -231,7 +231,7 @@ static mus_status fs_unfold(struct fs_part *part, const mus__json_at *at)
 }
 
 
-/* twice the area of the polygon of ends and control points: its sign is the way that the outline runs */
+/* twice the signed area of the polygon of ends and control points [m2]; positive: counter-clockwise */
 static double fs_winding(const struct fs_part *part)
 {
     double sum = 0.0;
@@ -262,7 +262,7 @@ static void fs_counter_clockwise(struct fs_part *part)
 
 /* ---- edges ---- */
 
-/* does the outline turn sharply before piece i? */
+/* true when the outline has a corner before segment i */
 static bool fs_corner(const struct fs_part *part, int32_t i)
 {
     const struct fs_piece *in = &part->piece[(i + part->n - 1) % part->n], *out = &part->piece[i];
@@ -276,7 +276,7 @@ static bool fs_corner(const struct fs_part *part, int32_t i)
 }
 
 
-/* name of the draft's point at p, else of the one at its mirror image with "_m"; "" for none. out (64) */
+/* name of the draft's point at p, or that of the point at the mirror image of p with "_m", or "". out (64) */
 static void fs_name_of(const struct fs_part *part, const double *p, char *out)
 {
     const mus__json_at points = mus__json_member(part->at, "points");
@@ -299,7 +299,7 @@ static void fs_name_of(const struct fs_part *part, const double *p, char *out)
 }
 
 
-/* pieces first .. first + count - 1 (round the outline) as one edge from point a to point b of the pattern */
+/* make one edge of the segments first .. first + count - 1 (cyclic), from point a to point b of the pattern */
 static mus_status fs_edge(struct fs_part *part, int32_t first, int32_t count, int32_t a, int32_t b, int32_t *out)
 {
     mus_context *context = part->at->source->context;
@@ -333,7 +333,7 @@ static mus_status fs_edge(struct fs_part *part, int32_t first, int32_t count, in
 }
 
 
-/* points at the corners, an edge between each two, the outline */
+/* make a point at each corner, an edge between each two, and the outline */
 static mus_status fs_edges(struct fs_part *part)
 {
     mus_context *context = part->at->source->context;
@@ -345,7 +345,7 @@ static mus_status fs_edges(struct fs_part *part)
     for (int32_t i = 0; i < n; i++)
         if (fs_corner(part, i)) corner[corners++] = i;
 
-    /* an edge has two ends: a smooth outline is taken apart at its first piece and half way round */
+    /* an edge has two ends: an outline without corners is split at its first segment and half way round */
     if (corners == 0) corner[corners++] = 0;
     if (corners == 1) {
         corner[1] = (corner[0] + n / 2) % n;
@@ -378,7 +378,7 @@ static mus_status fs_edges(struct fs_part *part)
 
 /* ---- marks, grain, cut ---- */
 
-/* nearest place of an edge to p: its arc length, and how far that is */
+/* point of an edge nearest to p: its arc length s [m]; returns its distance from p [m] */
 static double fs_nearest(const mus_pattern *pattern, int32_t edge, const double *p, double *s)
 {
     double t[FS_SAMPLES + 1], xy[2 * (FS_SAMPLES + 1)], low = 0.0, high = 1.0, far = INFINITY;
@@ -403,7 +403,7 @@ static double fs_nearest(const mus_pattern *pattern, int32_t edge, const double 
 }
 
 
-/* a notch where p is on the outline, else a mark */
+/* add a notch when p is on the outline, else a mark */
 static mus_status fs_mark(const struct fs_part *part, const char *type, const double *p)
 {
     const bool back = strcmp(type, "bnotch") == 0, notch = back || strcmp(type, "notch") == 0;
@@ -462,14 +462,14 @@ static mus_status fs_grain(const struct fs_part *part)
         memcpy(way, part->fold + 2, sizeof way);
     }
 
-    /* a thread has no direction of its own: upwards */
+    /* the grain line of the file may point either way; the pattern's points upwards */
     const double turn = way[1] < 0.0 || (way[1] == 0.0 && way[0] < 0.0) ? -1.0 : 1.0;
     const mus_status status = mus_pattern_set_grain(part->pattern, part->panel, turn * way[0], turn * way[1]);
     return status == MUS_OK ? MUS_OK : mus__json_wrap(part->at, status);
 }
 
 
-/* how often it is cut, and of what: of fabric where that is one of its materials */
+/* set the number of copies and the material, which is fabric when fabric is among the materials */
 static mus_status fs_cut(const struct fs_part *part)
 {
     size_t count;

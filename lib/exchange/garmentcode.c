@@ -1,10 +1,9 @@
 /*
  * garmentcode.c: read a GarmentCode specification (*_specification.json) as a pattern.
  *
- * A panel there is a loop of vertices and edges with a translation and a rotation; a stitch joins two edges. Edge
- * loops are taken as they run and never turned round: the loop's right-hand normal after placement is the right side
- * of the cloth, whichever way it winds in the plane. Sides of a stitch differ in length on purpose (gathers, ease), so
- * the seam's ease is the difference that the file has.
+ * A panel of a specification is a loop of vertices and edges with a translation and a rotation; a stitch joins two
+ * edges. The direction of a loop is kept: its right-hand normal after placement is the right side of the cloth. The
+ * edges of a stitch differ in length on purpose (gathers, ease), so the ease of a seam is the difference in the file.
  *
  * Curves, for an edge from a to b with e = b - a and perp = e turned a quarter to the left:
  *     Bezier control point (cx, cy):  a + cx e + cy perp
@@ -21,22 +20,22 @@
 #include "exchange/pattern_forms.h"
 #include "exchange/source.h"
 
-#define GC_COUNT_MAX 100000 /* vertices of a panel, stitches: far above any garment, far below what int32 holds */
-#define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this: a half circle written with few digits */
+#define GC_COUNT_MAX 100000 /* most vertices of a panel, and stitches; chosen: far above any garment */
+#define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this ratio; chosen: a half circle in few digits */
 
-/* from the shoulder over the bust to the waist, of a short grown person [m]; the three bodies have 0.40 to 0.47 */
+/* [m] from the shoulder over the bust to the waist of a short adult; chosen: the form's three bodies have 0.40..0.47 */
 #define GC_SHOULDER_WAIST 0.38
 
-/* what a stitch needs to know of a panel */
+/* data of a panel that stitches need */
 struct gc_panel {
     int32_t first_edge;
     int32_t edge_count;
-    double height; /* along the panel's y [m] */
+    double height; /* extent along the panel's y [m] */
 };
 
 struct gc_reader {
     mus_pattern *pattern;
-    double metre; /* of one unit of the file */
+    double metre; /* length of one unit of the file [m] */
     struct gc_panel *panels;
 };
 
@@ -84,7 +83,7 @@ static mus_status gc_placement(const struct gc_reader *reader, const mus__json_a
 }
 
 
-/* control points relative to the edge: `count` of them to xy */
+/* read `count` control points, relative to the edge from a to b, to xy [m] */
 static mus_status gc_bezier(const mus__json_at *params, size_t count, const double *a, const double *b, double *xy)
 {
     size_t n;
@@ -102,9 +101,9 @@ static mus_status gc_bezier(const mus__json_at *params, size_t count, const doub
 }
 
 
-/* the point half way along a circular arc */
-static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *params, const double *a, const double *b,
-                            double *xy)
+/* compute the point half way along a circular arc from a to b */
+static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *params, const double *a,
+                            const double *b, double *xy)
 {
     double given[3];
     mus_status status = mus__json_numbers(params, 3, given);
@@ -115,7 +114,7 @@ static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *
     if (!(r > 0.0) || chord > 2.0 * r * (1.0 + GC_CHORD_SLACK))
         return mus__json_fail(params, MUS_ERR_FORMAT, "a circle of radius %g m cannot span an edge of %g m", r, chord);
 
-    /* h = r + sqrt(r^2 - c^2/4) the long way; the short way (c^2/4) / h loses no digits in a flat arc */
+    /* long way: h = r + sqrt(r^2 - c^2/4); short way: (c^2/4) / h, which loses no digits in a flat arc */
     double quarter = 0.25 * chord * chord;
     double h = r + sqrt(fmax(0.0, r * r - quarter));
     if (!large) h = quarter / h;
@@ -126,7 +125,7 @@ static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *
 }
 
 
-/* kind and control points of an edge: no curvature is a line */
+/* read kind and control points of an edge; without curvature it is a line */
 static mus_status gc_curve(const struct gc_reader *reader, const mus__json_at *edge, const double *a, const double *b,
                            int32_t *kind, double *xy)
 {
@@ -134,7 +133,7 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus__json_at *e
     mus__json_at curve = mus__json_member(edge, "curvature");
     if (curve.json == NULL) return MUS_OK;
 
-    /* old files: the control point of a quadratic alone */
+    /* old files have only the control point of a quadratic */
     *kind = MUS_PIECE_QUADRATIC;
     if (json_is_array(curve.json)) {
         json_t *one = json_pack("[O]", curve.json);
@@ -160,8 +159,8 @@ static mus_status gc_curve(const struct gc_reader *reader, const mus__json_at *e
 }
 
 
-/* labels of edges that are attached to the body: neither goes farther below its level. A strapless top ends a little
- * under the arms: up there it would be jammed between arm and torso */
+/* labels of edges that are attached to the body, the level, and the distance below it that the edge may not exceed. A
+ * strapless top ends 3 cm below the armpit; chosen: higher up it would be pinched between arm and torso */
 static const struct {
     const char *label;
     int32_t level;
@@ -184,7 +183,7 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus__json_at *at
     }
     if (status != MUS_OK) return status;
 
-    /* the curve, in metres already as its ends are */
+    /* the curve [m]; its ends are in metres already */
     double a[2], b[2], xy[4];
     static const int32_t controls[] = {0, 1, 2, 1};
     mus_pattern_point(reader->pattern, first_point + end[0], NULL, a);
@@ -214,7 +213,7 @@ static mus_status gc_edge(const struct gc_reader *reader, const mus__json_at *at
 }
 
 
-/* the loop of a panel: vertices, edges, outline */
+/* read the loop of a panel: vertices, edges, outline */
 static mus_status gc_loop(struct gc_reader *reader, const mus__json_at *at, int32_t panel)
 {
     size_t nvertex, nedge;
@@ -275,7 +274,7 @@ static mus_status gc_panel(struct gc_reader *reader, const mus__json_at *at)
 }
 
 
-/* one side of a stitch: panel and edge to the pattern's edge */
+/* read one side of a stitch, panel and edge, as an edge of the pattern */
 static mus_status gc_side(const struct gc_reader *reader, const mus__json_at *at, int32_t *edge)
 {
     mus_status status = mus__json_expect(at, JSON_OBJECT);
@@ -294,10 +293,12 @@ static mus_status gc_side(const struct gc_reader *reader, const mus__json_at *at
 
 
 /*
- * The label of a lower part is there too where a top is sewn to it, which hangs from the shoulders and may reach
- * farther than to the waist: a tunic has a band at its hem. The edge is held as far below the waist as the panel above
- * it is longer than a short person's, so that while it is sewn nothing is drawn off the shoulders, and not at all where
- * the panel does not reach the waist from there: a strapless top has an edge of its own that is held.
+ * Attach the edge of a lower part that is sewn to a top.
+ *
+ * The top hangs from the shoulders and may reach below the waist: a tunic has a band at its hem. The edge is attached
+ * below the waist by the length that the panel above has beyond GC_SHOULDER_WAIST, so that sewing does not pull the top
+ * off the shoulders. It is not attached where the panel does not reach from the shoulder to the waist: a strapless top
+ * has an attached edge of its own.
  */
 static mus_status gc_hang(const struct gc_reader *reader, int32_t edge, int32_t above)
 {
@@ -322,7 +323,7 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus__json_at *
     if (status == MUS_OK) status = gc_side(reader, &b, &seam.edge_b);
     if (status != MUS_OK) return status;
 
-    /* the one word that a stitch may have: right side to wrong side, start to start */
+    /* a stitch may have one word: right side to wrong side, start to start */
     if (count == 3) {
         const char *word;
         mus__json_at third = mus__json_element(at, 2);
@@ -341,7 +342,7 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus__json_at *
 }
 
 
-/* units, and the forms that this reader does not take */
+/* read the unit, and refuse the variants that this reader does not support */
 static mus_status gc_properties(struct gc_reader *reader, const mus__json_at *root)
 {
     mus__json_at properties = mus__json_member(root, "properties");

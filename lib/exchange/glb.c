@@ -3,13 +3,13 @@
  *
  *     | "glTF" 2 length | length "JSON" {...} spaces | length "BIN\0" numbers, mesh by mesh, then the animation |
  *
- * The numbers of a mesh are positions, normals, texture coordinates, indices, then for each key what its positions and
- * normals are off those. A mesh in motion has a morph target a key; one animation runs their weights, of which one is 1
- * at each key and the two of the keys before and after blend between (glTF 3.7.2.2, 3.11).
+ * The numbers of a mesh are positions, normals, texture coordinates and indices, then for each key the differences of
+ * its positions and normals from those. A mesh in motion has one morph target for each key. One animation sets the
+ * weights: at a key its own weight is 1 and the others are 0; between two keys they blend (glTF 3.7.2.2, 3.11).
  *
- * One node, mesh, material and up to four buffer views a mesh; every part is a multiple of 4 bytes long, so all is
- * aligned as the format wants. Positions carry min and max of the floats that are really written. Normals are made
- * unit length; a zero normal becomes up. Texture coordinates run down in glTF, so v becomes 1 - v.
+ * Each mesh has one node, one material and up to four buffer views. Every part is a multiple of 4 bytes long, as the
+ * format's alignment demands. Positions have the min and max of the floats that are written. Normals are scaled to unit
+ * length; a zero normal becomes (0, 1, 0). Texture coordinates run down in glTF, so v becomes 1 - v.
  * Source: Khronos, glTF 2.0 specification, sections 3.6, 3.7 and 4.4.
  */
 #include <math.h>
@@ -19,10 +19,10 @@
 #include "exchange/source.h"
 #include "file/sink.h"
 
-#define GLB_JSON UINT32_C(0x4E4F534A)
-#define GLB_BIN UINT32_C(0x004E4942)
-#define GLB_ARRAY 34962    /* target of vertex data */
-#define GLB_ELEMENTS 34963 /* target of indices */
+#define GLB_JSON UINT32_C(0x4E4F534A) /* type of the chunk: "JSON" */
+#define GLB_BIN UINT32_C(0x004E4942)  /* type of the chunk: "BIN\0" */
+#define GLB_ARRAY 34962    /* buffer view target of vertex data (glTF 5.11.5) */
+#define GLB_ELEMENTS 34963 /* buffer view target of indices */
 
 
 static void put_u32(mus__sink *sink, uint32_t value)
@@ -42,7 +42,7 @@ static void put_f32(mus__sink *sink, double value)
 }
 
 
-/* what moves, NULL without: keys, their times, one motion a mesh */
+/* motion of all meshes: the keys, their times [s], one motion for each mesh; NULL when nothing moves */
 struct glb_motion {
     int32_t keys;
     const double *times;
@@ -50,7 +50,7 @@ struct glb_motion {
 };
 
 
-/* a normal made unit length; up where it has none */
+/* scale a normal to unit length; a zero normal becomes (0, 1, 0) */
 static void glb_unit(const double *v, double *out)
 {
     double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -58,7 +58,7 @@ static void glb_unit(const double *v, double *out)
 }
 
 
-/* what key `key` is off the mesh at rest: positions, then normals */
+/* differences of key `key` from the mesh at rest: positions, then normals */
 static void put_key_bytes(mus__sink *sink, const mus_mesh_view *mesh, const mus_mesh_motion *motion, int32_t key)
 {
     const size_t n = (size_t)mesh->vertex_count, at = 3 * n * (size_t)key;
@@ -92,7 +92,7 @@ static void put_mesh_bytes(mus__sink *sink, const mus_mesh_view *mesh, const str
 }
 
 
-/* the animation: times of the keys, then at each key the weights of all */
+/* numbers of the animation: times of the keys, then at each key the weights of all keys */
 static void put_motion_bytes(mus__sink *sink, const struct glb_motion *motion)
 {
     for (int32_t k = 0; k < motion->keys; k++) put_f32(sink, motion->times[k]);
@@ -105,12 +105,12 @@ static void put_motion_bytes(mus__sink *sink, const struct glb_motion *motion)
 struct glb_lists {
     mus__sink views;
     mus__sink accessors;
-    int32_t count; /* of both */
+    int32_t count; /* length of both lists */
     uint64_t offset;
 };
 
 
-/* a buffer view with its accessor: `n` elements of `width` numbers of 4 bytes; the index of both is returned */
+/* add a buffer view and its accessor: `n` elements of `width` numbers of 4 bytes; returns the index of both */
 static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, int32_t target)
 {
     static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3"};
@@ -127,7 +127,7 @@ static int32_t put_accessor(struct glb_lists *lists, int64_t n, int32_t width, i
 }
 
 
-/* "min" or "max" of places (n x 3), less `off` where that is not NULL, as the floats that are written */
+/* "min" or "max" of positions (n x 3), less `off` unless that is NULL, as the floats that are written */
 static void put_bound(mus__sink *sink, const char *key, int32_t n, const double *places, const double *off, double sign)
 {
     mus__sink_print(sink, ",\"%s\":[", key);
@@ -144,7 +144,7 @@ static void put_bound(mus__sink *sink, const char *key, int32_t n, const double 
 }
 
 
-/* the accessor of places, with its bounds */
+/* add the accessor of positions, with its bounds */
 static int32_t put_places(struct glb_lists *lists, int32_t n, const double *places, const double *off)
 {
     int32_t at = put_accessor(lists, n, 3, GLB_ARRAY);
@@ -155,7 +155,7 @@ static int32_t put_places(struct glb_lists *lists, int32_t n, const double *plac
 }
 
 
-/* the accessor of anything else */
+/* add an accessor without bounds */
 static int32_t put_plain(struct glb_lists *lists, int64_t n, int32_t width, int32_t target)
 {
     int32_t at = put_accessor(lists, n, width, target);
@@ -164,7 +164,7 @@ static int32_t put_plain(struct glb_lists *lists, int64_t n, int32_t width, int3
 }
 
 
-/* the morph targets of a mesh, and its weights: as at the first key */
+/* morph targets of a mesh, and its weights at the first key */
 static void put_targets(mus__sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
                         const struct glb_motion *motion, int32_t index)
 {
@@ -184,7 +184,7 @@ static void put_targets(mus__sink *sink, struct glb_lists *lists, const mus_mesh
 }
 
 
-/* accessors of a mesh, and the mesh that names them */
+/* accessors of a mesh, and the mesh that refers to them */
 static void put_mesh(mus__sink *sink, struct glb_lists *lists, const mus_mesh_view *mesh,
                      const struct glb_motion *motion, int32_t index)
 {
@@ -204,7 +204,7 @@ static void put_mesh(mus__sink *sink, struct glb_lists *lists, const mus_mesh_vi
 }
 
 
-/* the animation: a channel a mesh that moves, all by one sampler */
+/* the animation: one channel for each mesh that moves, all with one sampler */
 static void put_animation(mus__sink *sink, struct glb_lists *lists, int32_t n, const struct glb_motion *motion)
 {
     int32_t moving = 0;
@@ -242,7 +242,7 @@ static void put_material(mus__sink *sink, const mus_mesh_view *mesh)
 }
 
 
-/* the whole document; the lists of views and accessors stand behind the meshes that fill them */
+/* the whole JSON document; the lists of views and accessors follow the meshes that fill them */
 static void put_document(mus__sink *sink, struct glb_lists *lists, int32_t n, const mus_mesh_view *meshes,
                          const struct glb_motion *motion)
 {
@@ -289,7 +289,7 @@ static mus_status glb_build(mus_context *context, mus__sink *file, mus__sink *js
     uint64_t length = 12 + 8 + (uint64_t)json->size + 8 + lists->offset;
     if (length > UINT32_MAX)
         return mus__file_fail(context, MUS_ERR_LIMIT, "a .glb of %llu bytes is above the limit of 4 GiB",
-                                  (unsigned long long)length);
+                              (unsigned long long)length);
 
     mus__sink_add(file, "glTF", 4);
     put_u32(file, 2);

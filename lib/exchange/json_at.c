@@ -1,9 +1,9 @@
 /*
- * json_at.c: a place in a JSON document that can say where it is.
+ * json_at.c: a value of a JSON document together with its path, for messages.
  *
- * The document is parsed by jansson (which gives line and column of a fault in the text). A mus__json_at is a value and
- * the chain of members and elements that leads to it, kept on the caller's stack: the path is written out only when
- * something fails, so reading costs nothing for it. jansson's tree grows linearly with the file.
+ * jansson parses the document and gives line and column of a fault in the text. A mus__json_at is a value and the chain
+ * of members and elements that leads to it, on the caller's stack. The path is written out only when a check fails.
+ * jansson's tree grows linearly with the file.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -12,8 +12,8 @@
 
 #include "exchange/json_at.h"
 
-#define PATH_BYTES 200
-#define SENTENCE_BYTES 512
+#define PATH_BYTES 200     /* [bytes] of a JSON path in a message; chosen */
+#define SENTENCE_BYTES 512 /* [bytes] capacity of the context's error text */
 
 
 mus__json_at mus__json_member(const mus__json_at *parent, const char *key)
@@ -30,7 +30,7 @@ mus__json_at mus__json_element(const mus__json_at *parent, size_t index)
 }
 
 
-/* the path from the document down to a value, as "panels[3].name" */
+/* write the path from the document to a value, such as "panels[3].name" */
 static void json_path(const mus__json_at *at, char *path, size_t bytes)
 {
     if (at->parent == NULL) {

@@ -1,6 +1,6 @@
 /*
- * obj.c: write meshes as one Wavefront OBJ: an `o` each, positions, texture coordinates and normals in 9 digits (what
- * brings a float back), faces counted through the file from 1. Metres, Y up.
+ * obj.c: write meshes as one Wavefront OBJ: an `o` for each; positions, texture coordinates and normals in 9 digits,
+ * which a float needs to be read back exactly; faces with indices that count through the file from 1. Metres, Y up.
  */
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include "file/sink.h"
 
 
-/* one line a vertex: "v x y z" */
+/* write one line for each row of `width` numbers: "v x y z" */
 static void put_rows(mus__sink *sink, const char *key, int32_t n, int32_t width, const double *values)
 {
     if (values == NULL) return;
@@ -23,7 +23,7 @@ static void put_rows(mus__sink *sink, const char *key, int32_t n, int32_t width,
 }
 
 
-/* a name on one line */
+/* write the object line of a mesh; control characters of the name become blanks */
 static void put_object(mus__sink *sink, const char *name, int32_t index)
 {
     mus__sink_print(sink, "o ");

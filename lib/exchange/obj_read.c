@@ -1,10 +1,10 @@
 /*
  * obj_read.c: read a Wavefront OBJ as one triangle mesh: positions and faces, all objects of the file together.
  *
- * A face is "f v v v ...", "v/t", "v//n" or "v/t/n", counted from 1, or back from the last vertex where negative; one
- * of more than three corners is a fan from its first. Normals, texture places, names, materials and lines are passed
- * by. A file has no unit and no upward axis that could be trusted (remarks in them have been seen to be wrong): numbers
- * come out as they are.
+ * A corner of a face is "v", "v/t", "v//n" or "v/t/n". Indices count from 1, negative ones back from the last vertex. A
+ * face of more than three corners becomes a fan from its first corner. Normals, texture coordinates, names, materials
+ * and lines are ignored. The numbers are unchanged: an OBJ has no unit and no upward axis, and comments that state them
+ * have been wrong.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 #include "exchange/source.h"
 
-#define OBJ_TRIANGLES 16000000 /* more are refused */
+#define OBJ_TRIANGLES 16000000 /* most triangles, and most vertices; chosen: far above a scan of a person */
 
 struct mus_mesh {
     mus_context *context;
@@ -21,7 +21,7 @@ struct mus_mesh {
     int32_t *triangles; /* (triangle_count x 3) */
 };
 
-/* a file while it is read */
+/* state while a file is read */
 typedef struct obj_text {
     const mus__source *source;
     mus_mesh *mesh;
@@ -29,7 +29,7 @@ typedef struct obj_text {
 } obj_text;
 
 
-/* room for one more row of `width` elements of `size`; the room grows by half */
+/* grow *array to hold one more row of elements of `size` bytes; the capacity *room grows by half */
 static mus_status obj_room(obj_text *obj, void *array, int32_t *room, int32_t count, size_t size)
 {
     void **slot = array;
@@ -50,7 +50,7 @@ static const char *obj_blank(const char *at)
 }
 
 
-/* "v x y z", and whatever stands behind it: a weight, a colour */
+/* read "v x y z"; a weight or a colour behind it is ignored */
 static mus_status obj_vertex(obj_text *obj, const char *at)
 {
     mus_mesh *mesh = obj->mesh;
@@ -73,7 +73,7 @@ static mus_status obj_vertex(obj_text *obj, const char *at)
 }
 
 
-/* one corner "v/t/n": its vertex from 0; *at goes behind it */
+/* read one corner "v/t/n": its vertex, from 0; *at moves behind it */
 static mus_status obj_corner(obj_text *obj, const char **at, int32_t *out)
 {
     char *end;
@@ -91,7 +91,7 @@ static mus_status obj_corner(obj_text *obj, const char **at, int32_t *out)
 }
 
 
-/* "f a b c d ...": triangles a b c, a c d, ... */
+/* read "f a b c d ..." as the triangles a b c, a c d, ... */
 static mus_status obj_face(obj_text *obj, const char *at)
 {
     mus_mesh *mesh = obj->mesh;
@@ -113,7 +113,7 @@ static mus_status obj_face(obj_text *obj, const char *at)
 }
 
 
-/* lines one by one; a backslash at the end of a line joins the next */
+/* read all lines; a backslash at the end of a line joins the next */
 static mus_status obj_read(obj_text *obj, char *text)
 {
     mus_status status = MUS_OK;
@@ -138,7 +138,7 @@ static mus_status obj_read(obj_text *obj, char *text)
     }
     if (status == MUS_OK && obj->mesh->triangle_count == 0)
         status = mus__source_fail(obj->source, 0, MUS_ERR_FORMAT,
-                                  "no face: expected the lines \"v x y z\" and \"f a b c\" "
+                                  "no face; expected lines such as \"v x y z\" and \"f a b c\" "
                                   "of a Wavefront OBJ");
     return status;
 }

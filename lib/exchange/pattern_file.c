@@ -1,5 +1,5 @@
 /*
- * pattern_file.c: mus_pattern_read: the form of a pattern file is found by its content, and its reader called.
+ * pattern_file.c: mus_pattern_read: find the form of a pattern file by its content, and call its reader.
  */
 #include <stdbool.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 static mus_status read_pattern(const mus__source *source, mus_pattern **out)
 {
-    /* the name, unless the file has one */
+    /* a pattern without a name of its own gets that of its file */
     static const char *const endings[] = {"_specification.json", ".json", NULL};
     char name[128];
     mus__source_base(source->path, endings, name, sizeof name);

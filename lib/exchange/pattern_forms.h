@@ -1,12 +1,12 @@
 /*
- * pattern_forms.h: the forms of a pattern file. Each reader fills an empty pattern.
+ * pattern_forms.h: the readers of the forms of a pattern file. Each fills an empty pattern.
  */
 #ifndef MUS_EXCHANGE_PATTERN_FORMS_H
 #define MUS_EXCHANGE_PATTERN_FORMS_H
 
 #include "exchange/json_at.h"
 
-/* no garment has more; a panel is found by its name, one after the other, so the limit bounds the time of reading */
+/* most panels of a file; chosen: no garment has more. Panels are searched by name in turn, so this bounds the time */
 #define MUS__FILE_PANELS_MAX 10000
 
 mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern);

@@ -1,9 +1,9 @@
 /*
  * pattern_json.c: read a pattern from muslin's own JSON.
  *
- * The lists hold cells in the order of their indices; each is added in turn by the public calls, so every check of a
- * pattern made by hand holds for a file too, and what they say is put behind the place in the file. Counts are those
- * of the arrays that are really there: no number in the file makes memory. Form: muslin_pattern(5).
+ * The lists hold cells in the order of their indices. Each cell is added by the public calls, so a file gets the same
+ * checks as a pattern made by a program, and their messages get the place in the file in front. Counts are the lengths
+ * of the arrays in the file: no number in a file sizes an allocation. Form: muslin_pattern(5).
  */
 #include <math.h>
 #include <stdbool.h>
@@ -12,13 +12,14 @@
 #include "exchange/json_at.h"
 #include "exchange/pattern_forms.h"
 
+/* longest array; chosen: its length times 3 still fits in an int32_t */
 #define JSON_COUNT_MAX ((size_t)INT32_MAX / 4)
 
-/* one list of the document, an element at a time */
+/* reader of one element of a list of the document */
 typedef mus_status (*json_cell_fn)(const mus__json_at *at, mus_pattern *pattern);
 
 
-/* a text that may be missing: "" then */
+/* read an optional text; a missing one is "" */
 static mus_status read_name(const mus__json_at *at, const char *key, const char **out)
 {
     *out = "";
@@ -27,7 +28,7 @@ static mus_status read_name(const mus__json_at *at, const char *key, const char 
 }
 
 
-/* the index of a cell: 0 .. count - 1 */
+/* read the index of a cell, 0 .. count - 1 */
 static mus_status read_index(const mus__json_at *at, const char *key, int32_t count, int32_t *out)
 {
     mus__json_at index = mus__json_member(at, key);
@@ -98,7 +99,7 @@ static mus_status read_placement(const mus__json_at *at, mus_pattern *pattern, i
 }
 
 
-/* the outline of a panel, once its edges are there */
+/* read the outline of a panel, after its edges */
 static mus_status read_outline(const mus__json_at *at, mus_pattern *pattern, int32_t panel)
 {
     size_t count;
@@ -127,7 +128,7 @@ static mus_status read_outline(const mus__json_at *at, mus_pattern *pattern, int
 }
 
 
-/* the rest of the panels: what refers to edges and to other panels */
+/* read the members of panels that refer to edges and to other panels */
 static mus_status read_making(const mus__json_at *root, mus_pattern *pattern)
 {
     mus_status status = MUS_OK;
@@ -168,10 +169,10 @@ static mus_status read_point(const mus__json_at *at, mus_pattern *pattern)
 }
 
 
-/* the chain of an edge in the arrays that mus_pattern_add_edge takes */
+/* the segments of an edge, in the arrays that mus_pattern_add_edge takes */
 struct json_chain {
     int32_t *kinds; /* (npiece) */
-    double *xy;     /* (3 npiece x 2) at most: two control points and a joint a piece */
+    double *xy;     /* (at most 3 npiece x 2) two control points and an end for each segment [m] */
     int32_t nxy;
 };
 
@@ -207,7 +208,7 @@ static mus_status chain_piece(struct json_chain *chain, const mus__json_at *at, 
         return mus__json_fail(&member, MUS_ERR_FORMAT, "expected line, quadratic, cubic or arc, got \"%.40s\"", name);
     chain->kinds[index] = kinds[k].kind;
 
-    /* its control points, and its end unless that is the end of the edge */
+    /* its control points, and its end, which the last segment leaves out */
     size_t count = 0;
     mus__json_at controls = mus__json_member(at, "controls");
     if (kinds[k].controls > 0 || controls.json != NULL)
@@ -234,7 +235,7 @@ static mus_status read_chain(const mus__json_at *at, mus_pattern *pattern, const
     if (status == MUS_OK) status = mus__json_array(&pieces, 1, JSON_COUNT_MAX, &count);
     if (status != MUS_OK) return status;
 
-    /* one block for both arrays, doubles first */
+    /* one allocation for both arrays, doubles first */
     mus_context *context = at->source->context;
     double *block = mus_context_alloc(context, NULL, count * (6 * sizeof(double) + sizeof(int32_t)));
     if (block == NULL) return mus__json_fail(&pieces, MUS_ERR_MEMORY, "no memory for %zu pieces", count);
@@ -257,7 +258,7 @@ static mus_status read_chain(const mus__json_at *at, mus_pattern *pattern, const
 }
 
 
-/* what keeps an edge up: {"at": level, "below": m} and {"ratio": r, "stiffness": N}, both may be missing */
+/* attachment {"at": level, "below": m} and elastic {"ratio": r, "stiffness": N} of an edge; both are optional */
 static mus_status read_stay(const mus__json_at *at, mus_pattern *pattern, int32_t edge)
 {
     mus_status status = MUS_OK;
@@ -305,7 +306,7 @@ static mus_status read_edge(const mus__json_at *at, mus_pattern *pattern)
 }
 
 
-/* how a seam is joined: members that may be missing */
+/* read the optional members of a seam */
 static mus_status read_joining(const mus__json_at *at, mus_seam_def *seam)
 {
     const mus__json_at laid = mus__json_member(at, "laid"), open = mus__json_member(at, "open"),
@@ -404,7 +405,7 @@ static mus_status read_opening(const mus__json_at *at, mus_pattern *pattern)
 
 mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern)
 {
-    /* the head: form, unit, name */
+    /* the head: format, unit, name */
     int32_t version;
     const char *unit, *name;
     mus__json_at form = mus__json_member(root, "muslin_pattern"), measure = mus__json_member(root, "unit"),
@@ -418,7 +419,7 @@ mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern
     status = mus_pattern_set_name(pattern, name);
     if (status != MUS_OK) return mus__json_wrap(&title, status);
 
-    /* cells from below, then what refers to them */
+    /* cells first, then the members that refer to them */
     status = read_list(root, "panels", read_panel, pattern);
     if (status == MUS_OK) status = read_list(root, "points", read_point, pattern);
     if (status == MUS_OK) status = read_list(root, "edges", read_edge, pattern);

@@ -1,9 +1,9 @@
 /*
- * pattern_json_write.c: a pattern as muslin's own JSON, one cell a line.
+ * pattern_json_write.c: write a pattern as muslin's own JSON, one cell on each line.
  *
- * All cells stand in flat lists in the order of their indices, so that reading adds them in the same order and every
- * index means the same cell again. Numbers have as many digits as bring the same double back (at most 17). What has
- * its default is left out where absence says it (names, labels, allowances). Form: muslin_pattern(5).
+ * All cells stand in flat lists in the order of their indices. The reader adds them in the same order, so every index
+ * means the same cell again. Numbers have as many digits as the double needs to be read back exactly (at most 17).
+ * Optional members with their default value (names, labels, allowances) are left out. Form: muslin_pattern(5).
  */
 #include <stdio.h>
 
@@ -31,7 +31,7 @@ static void put_text(mus__sink *sink, const char *key, const char *text)
 }
 
 
-/* start of a list of cells, a line for each, and its end */
+/* start a list of cells */
 static void put_list(mus__sink *sink, const char *key)
 {
     mus__sink_print(sink, ",\n \"%s\": [", key);
@@ -86,7 +86,7 @@ static mus_status put_panel(mus__sink *sink, const mus_pattern *pattern, int32_t
 }
 
 
-/* the pieces of a chain: kind, control points, and the joint behind each but the last */
+/* write the segments of an edge: kind, control points, and the end of each but the last */
 static void put_pieces(mus__sink *sink, int32_t npiece, const int32_t *kinds, const double *xy)
 {
     static const char *const names[] = {"line", "quadratic", "cubic", "arc"};
@@ -112,7 +112,7 @@ static void put_pieces(mus__sink *sink, int32_t npiece, const int32_t *kinds, co
 }
 
 
-/* holds and elastics that there are */
+/* write attachment and elastic of an edge, where it has them */
 static mus_status put_stay(mus__sink *sink, const mus_pattern *pattern, int32_t edge)
 {
     int32_t level;

@@ -1,5 +1,6 @@
 /*
- * tape_file.c: mus_tape_read and mus_tape_write, and muslin's own text form of a tape: one measure a line, unit named.
+ * tape_file.c: mus_tape_read and mus_tape_write, and muslin's own text form of a tape: one measure with its unit on
+ * each line.
  *
  *     # anything after the number sign is a remark
  *     name   Ada
@@ -8,8 +9,8 @@
  *     bust   92 cm
  *     shoulder slope: 22 deg
  *
- * Units: mm, cm, m, in for lengths; deg, rad for angles. A line that is not understood is an error with its number,
- * never skipped: a measure lost in silence would be derived and the garment would not fit. See muslin_tape(5).
+ * Units: mm, cm, m, in for lengths; deg, rad for angles. An unknown line is an error that names its number: a measure
+ * skipped in silence would be derived from others, and the garment would not fit. See muslin_tape(5).
  */
 #include <ctype.h>
 #include <math.h>
@@ -22,9 +23,9 @@
 #include "exchange/tape_forms.h"
 #include "file/sink.h"
 
-#define KEY_BYTES 64
+#define KEY_BYTES 64 /* [bytes] of a key with its zero byte; chosen: far above the longest name of a measure */
 
-/* value = number * up / down: a division keeps 92 cm the double nearest to 0.92 */
+/* value [m or rad] = number * up / down: the division makes 92 cm the double nearest to 0.92 */
 static const struct {
     const char *name;
     int32_t unit;
@@ -35,7 +36,7 @@ static const struct {
     {"in", 'm', 254.0, 10000.0}, {"rad", 'r', 1.0, 1.0},  {"deg", 'r', 3.14159265358979323846, 180.0},
 };
 
-/* a text tape while it is read */
+/* state while a tape in text form is read */
 struct tape_text {
     mus__source *source;
     mus_tape *tape;
@@ -43,7 +44,7 @@ struct tape_text {
     char name[KEY_BYTES];
     int32_t sex;
     bool named, sexed, sized, measured;
-    int64_t seen[MUS_MEASURE_COUNT]; /* line that set the measure, 0 none */
+    int64_t seen[MUS_MEASURE_COUNT]; /* line that set the measure; 0: none */
 };
 
 
@@ -64,7 +65,7 @@ static bool is_utf8(const char *text)
 }
 
 
-/* "High Bust" and "high-bust" are high_bust */
+/* normalise a key: "High Bust" and "high-bust" become high_bust */
 static void plain_key(const char *text, size_t length, char *key)
 {
     size_t n = 0;
@@ -79,8 +80,8 @@ static void plain_key(const char *text, size_t length, char *key)
 }
 
 
-/* split a line in its key and its value: at ":" or "=", else before the first word that starts like a number, else
- * behind the first word */
+/* split a line into key and value: at ":" or "=", else before the first word that starts like a number, else behind
+ * the first word; returns the value */
 static char *split_key(char *line, char *key)
 {
     size_t first = strcspn(line, " \t:=");
@@ -99,7 +100,7 @@ static char *split_key(char *line, char *key)
 }
 
 
-/* number, unit and, for what another measure gave, the word "derived" */
+/* read number, unit and, for a derived measure, the word "derived" */
 static mus_status read_measure(struct tape_text *text, int32_t measure, const char *key, const char *value)
 {
     const mus__source *source = text->source;
@@ -164,7 +165,7 @@ static mus_status read_size(struct tape_text *text, const char *value)
 }
 
 
-/* the three lines that are no measure: *known tells whether it was one of them */
+/* read a line name, sex or size; *known is false for any other key */
 static mus_status read_keyword(struct tape_text *text, const char *key, const char *value, bool *known)
 {
     bool *once = strcmp(key, "name") == 0   ? &text->named
@@ -198,7 +199,7 @@ static mus_status read_line(struct tape_text *text, char *line)
     if (*line == '\0' || *line == '#') return MUS_OK;
     if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
 
-    /* a name may hold a number sign, elsewhere it starts a remark */
+    /* a number sign starts a remark, except in a name */
     char key[KEY_BYTES];
     char *value = split_key(line, key);
     if (strcmp(key, "name") != 0) {
@@ -243,14 +244,14 @@ mus_status mus__tape_read_text(mus__source *source, mus_tape *tape)
         if (status != MUS_OK) return status;
     }
 
-    /* last: a size sets name and sex anew */
+    /* set name and sex last, since a size overwrites them */
     mus_status status = text.sexed ? mus_tape_set_sex(tape, text.sex) : MUS_OK;
     if (status == MUS_OK && text.named) status = mus_tape_set_name(tape, text.name);
     return status == MUS_OK ? MUS_OK : mus__source_wrap(source, 0, status);
 }
 
 
-/* the reader of a form, by the ending of the name */
+/* letter of a form, by the ending of the name; 0 for an unknown ending */
 static int tape_form(const char *path)
 {
     static const struct {
@@ -269,7 +270,7 @@ static int tape_form(const char *path)
 
 static mus_status read_form(mus__source *source, const char *row, int form, mus_tape *tape)
 {
-    /* a tape without a name of its own has that of its file */
+    /* a tape without a name of its own gets that of its file */
     static const char *const endings[] = {".tape", ".txt", ".yaml", ".yml", ".vit", NULL};
     char name[KEY_BYTES];
     mus__source_base(source->path, endings, name, sizeof name);
@@ -299,8 +300,8 @@ static mus_status tape_load(mus_context *context, const mus__input *input, const
     const int form = tape_form(path);
     if (form == 0)
         return mus__file_fail(context, MUS_ERR_FORMAT,
-                                  "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
-                                  path);
+                              "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
+                              path);
     if ((form == 'c') != (row != NULL))
         return mus__file_fail(
             context, MUS_ERR_ARG,
@@ -338,8 +339,8 @@ mus_status mus_tape_read_from(mus_context *context, const char *text, size_t siz
 }
 
 
-/* a value in the unit that takes the fewest digits to bring the same double back: cm or deg when that is one of them.
- * A remark is for the eye and has 6 digits */
+/* write a value in the unit that needs the fewest digits to be read back exactly; cm or deg on equality. A remark has 6
+ * digits */
 static void write_value(mus__sink *sink, int32_t measure, double value, bool remark)
 {
     static const int32_t order[] = {1, 2, 0, 5, 4};
@@ -357,7 +358,7 @@ static void write_value(mus__sink *sink, int32_t measure, double value, bool rem
 }
 
 
-/* a name on one line, whatever it holds */
+/* write a name on one line; control characters become blanks */
 static void write_name(mus__sink *sink, const char *name)
 {
     mus__sink_print(sink, "name ");
@@ -383,7 +384,7 @@ static mus_status tape_save(const mus_tape *tape, const mus__target *target, con
     if (mus_tape_name(tape)[0] != '\0') write_name(&sink, mus_tape_name(tape));
     if (mus_tape_sex(tape) != MUS_SEX_UNSET) mus__sink_print(&sink, "sex %s\n", sexes[mus_tape_sex(tape)]);
 
-    /* what can be derived again is a remark; the four that nothing derives are lines even when another measure gave
+    /* derived measures are remarks; the four that completion does not derive are lines even when another measure gave
      * them */
     for (int32_t i = 0; i < mus_measure_count(); i++) {
         int32_t from = mus_tape_source(tape, i);

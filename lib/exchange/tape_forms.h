@@ -1,5 +1,5 @@
 /*
- * tape_forms.h: the forms of a tape file. Each reader fills an empty tape.
+ * tape_forms.h: the readers of the forms of a tape file. Each fills an empty tape.
  */
 #ifndef MUS_EXCHANGE_TAPE_FORMS_H
 #define MUS_EXCHANGE_TAPE_FORMS_H

@@ -1,10 +1,10 @@
 /*
- * tape_table.c: one row of a csv table as a tape: FreeSewing's table of models, and a general form.
+ * tape_table.c: read one row of a csv table as a tape: FreeSewing's table of models, and a general form.
  *
  * First line: column names; first column: names of the rows. Fields may stand in double quotes (RFC 4180).
- * A first column named "model" makes it FreeSewing's: its own column names, millimetres and degrees, sex by the name
- * of the row. Otherwise each column is a measure with its unit ("bust_cm", "shoulder_slope_deg") or "sex"; a column
- * without a unit at its end is not a measure. An empty field, or a 0 in FreeSewing's, is not measured.
+ * A first column named "model" marks FreeSewing's table: its own column names, millimetres and degrees, the sex in the
+ * name of the row. In any other table a column is a measure with its unit ("bust_cm", "shoulder_slope_deg") or "sex"; a
+ * column whose name does not end with a unit is ignored. An empty field, or a 0 in FreeSewing's table, is not measured.
  *
  * FreeSewing has no stature. It follows from the height of the waist: waist = 0.622 stature (women), 0.615 (men), and
  * is marked derived. Its `hips` is the high hip and its `seat` the hip. Left out: measures from the high point of the
@@ -18,8 +18,8 @@
 #include "exchange/source.h"
 #include "exchange/tape_forms.h"
 
-#define WAIST_FEMALE 0.622 /* height of the waist over stature: clothing tables */
-#define WAIST_MALE 0.615
+#define WAIST_FEMALE 0.622 /* height of the waist over stature, women; from clothing size tables */
+#define WAIST_MALE 0.615   /* the same, men */
 
 static const struct {
     const char *name;
@@ -49,7 +49,7 @@ static const struct {
     {"wrist", MUS_MEASURE_WRIST},
 };
 
-/* a line of the table, cut in fields */
+/* a line of the table, split into fields */
 struct table_line {
     char **field; /* (count), into the text */
     int32_t count;
@@ -59,11 +59,11 @@ struct table_line {
 
 struct table {
     mus__source *source;
-    char *rest; /* what is not read yet */
+    char *rest; /* text that is not read yet */
     int64_t line;
     struct table_line head;
-    struct table_line row;  /* the wanted one */
-    struct table_line scan; /* the one being looked at */
+    struct table_line row;  /* the wanted row */
+    struct table_line scan; /* the line that is read now */
     mus__unused unused;
 };
 
@@ -82,7 +82,7 @@ static mus_status table_field(struct table *table, struct table_line *line, char
 }
 
 
-/* a field in quotes, closed up in place: the text behind it, or NULL when the quotes never end */
+/* unquote a field in place; returns the text behind it, or NULL when the quotes do not end */
 static char *unquote(struct table *table, char *at, char **end)
 {
     char *to = at;
@@ -98,7 +98,7 @@ static char *unquote(struct table *table, char *at, char **end)
 }
 
 
-/* cut the next line in fields */
+/* split the next line into fields */
 static mus_status table_next(struct table *table, struct table_line *line)
 {
     line->count = 0;
@@ -139,7 +139,7 @@ static mus_status table_set(struct table *table, mus_tape *tape, int32_t measure
 }
 
 
-/* the number of a field; *set false when it is empty */
+/* read the number of a field; *set is false when the field is empty */
 static mus_status table_number(struct table *table, int32_t column, double *out, bool *set)
 {
     const char *text = table->row.field[column];
@@ -196,7 +196,7 @@ static mus_status read_row_sex(struct table *table, const char *text, mus_tape *
 }
 
 
-/* "waist_height_cm" is the measure waist_height in centimetres: value = number / down. False: no unit, no measure */
+/* split "waist_height_cm" into measure and unit: value = number / down. False: the name does not end with a unit */
 static bool column_unit(const char *column, char *measure, size_t bytes, int32_t *unit, double *down)
 {
     static const struct {
@@ -254,7 +254,7 @@ static mus_status read_measures(struct table *table, mus_tape *tape)
 }
 
 
-/* find the row by its name; it must be there once */
+/* find the row by its name, which must occur once */
 static mus_status table_find(struct table *table, const char *row)
 {
     mus__unused names = {.count = 0};

@@ -1,10 +1,10 @@
 /*
- * tape_vit.c: an individual measurement file of Valentina or Seamly2D (.vit): XML with one <m name value/> a measure.
+ * tape_vit.c: read an individual measurement file of Valentina or Seamly2D (.vit): XML, one <m name value/> a measure.
  *
- * Read by expat as a stream. Values are numbers in the file's unit; 0 means not measured. A value may also be a
- * formula over other names: a formula in a measure that muslin knows is refused by its name, since a wrong value would
- * be worse than none. Names that start with "@" are the user's own and are left out, as are names muslin has no
- * measure for. A document type declaration is refused: nothing here needs entities.
+ * expat reads the file as a stream. Values are numbers in the unit of the file; 0 means not measured. A value may also
+ * be a formula over other names. A formula in a measure that muslin knows is an error that names the measure. Names
+ * that start with "@" are the user's own and are ignored, as are names for which muslin has no measure. A document type
+ * declaration is refused, since these files need no entities.
  *
  * Names: reference table of Valentina's known measures by formula name. Where two names fit one measure, the first in
  * the table wins.
@@ -73,10 +73,10 @@ struct vit_reader {
     int32_t depth;
     bool in_personal;
     bool in_measures;
-    char *text; /* where the text of this element goes (32), or NULL */
+    char *text; /* (32) gets the text of this element, or NULL */
     char unit[32];
     char gender[32];
-    double value[VIT_NAME_COUNT]; /* in the file's unit, NaN: not measured */
+    double value[VIT_NAME_COUNT]; /* in the unit of the file; NaN: not measured */
     int64_t line[VIT_NAME_COUNT]; /* 0: not in the file */
 };
 
@@ -88,7 +88,7 @@ static void vit_fail(struct vit_reader *reader, mus_status status)
 }
 
 
-/* a number, nothing, or a formula */
+/* read a value: a number, nothing, or a formula */
 static mus_status vit_value(struct vit_reader *reader, int32_t i, const char *text, int64_t line)
 {
     const char *name = vit_names[i].name;
@@ -102,7 +102,7 @@ static mus_status vit_value(struct vit_reader *reader, int32_t i, const char *te
         return MUS_OK;
     }
 
-    /* letters or operators make a formula */
+    /* a text with letters or operators is a formula */
     if (text[strspn(text, " \t\r\n+-.,0123456789")] == '\0')
         return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "%s: expected a number, \"%.40s\" %s", name, text,
                                 wrong);
@@ -201,7 +201,7 @@ static mus_status vit_parse(struct vit_reader *reader)
     XML_SetCharacterDataHandler(parser, vit_characters);
     XML_SetStartDoctypeDeclHandler(parser, vit_doctype);
 
-    /* the limit of a file is far below INT_MAX */
+    /* the largest file is far below INT_MAX */
     enum XML_Status parsed = XML_Parse(parser, reader->source->text, (int)reader->source->size, 1);
     if (reader->status != MUS_OK) return reader->status;
     if (parsed == XML_STATUS_OK) return MUS_OK;
@@ -217,7 +217,7 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
 {
     static const struct {
         const char *name;
-        double up, down; /* metre = number * up / down: a division keeps 92 cm the double nearest to 0.92 */
+        double up, down; /* [m] = number * up / down: the division makes 92 cm the double nearest to 0.92 */
     } units[] = {{"mm", 1.0, 1000.0}, {"cm", 1.0, 100.0}, {"inch", 254.0, 10000.0}};
     size_t u = 0, n = sizeof units / sizeof units[0];
     while (u < n && strcmp(reader->unit, units[u].name) != 0) u++;

@@ -1,19 +1,19 @@
 /*
- * tape_yaml.c: a GarmentCode body file: one map `body:` of numbers in centimetres and degrees.
+ * tape_yaml.c: read a GarmentCode body file: one map `body:` of numbers in centimetres and degrees.
  *
- * Read event by event (libyaml), so no document is built and aliases are never followed. GarmentCode measures levels
+ * libyaml reads the file event by event: no document is built, and aliases are refused. GarmentCode measures levels
  * downwards from the crown; muslin's heights follow from them:
  *
  *     level = height - head_l       waist = level - waist_line      bust = level - vert_bust_line
  *     crotch = waist - hips_line - crotch_hip_diff
  *
- * The level is where the shoulder line is neck_w / 2 from the middle, and not the nape: there the surfaces of the three
- * bodies that come with their meshes are (mean_all 1.456 m of 1.457, mean_female 1.400 of 1.407), and the seventh
- * vertebra is 4 cm higher. The line goes on inwards, rising by shoulder_incl, to the side of the neck base; the nape is
- * above that by a part of the stature.
+ * `level` is the height at which the shoulder line is neck_w / 2 from the middle, and not the nape. This was measured
+ * on the meshes of GarmentCode's bodies (mean_all 1.456 m of 1.457, mean_female 1.400 of 1.407); the seventh vertebra
+ * is 4 cm higher there. The shoulder line continues inwards, rising by shoulder_incl, to the side of the neck base; the
+ * nape lies above that by a share of the stature.
  *
- * Left out because muslin's measure of that name is another one: back_width and its like (half a girth at a level and
- * not across the back), bust_line and waist_over_bust_line (from the middle of the shoulder). Source: GarmentCode,
+ * Ignored, because muslin defines the measure otherwise: back_width and similar ones (half a girth at a level, not the
+ * width across the back), bust_line and waist_over_bust_line (from the middle of the shoulder). Source: GarmentCode,
  * assets/bodies and its documentation of body measurements.
  */
 #include <math.h>
@@ -24,11 +24,11 @@
 #include "exchange/source.h"
 #include "exchange/tape_forms.h"
 
-#define BODY_NECK_SIDE 0.0165 /* of the stature: so much is the side of the neck base below the nape */
-#define BODY_SCYE 0.9         /* of the scye depth the armpit is below the nape: the tape hangs lower */
+#define BODY_NECK_SIDE 0.0165 /* height of the nape above the side of the neck base, over stature; chosen */
+#define BODY_SCYE 0.9         /* depth of the armpit over the scye depth, which is measured to a lower tape; chosen */
 
 
-/* what the file says, in its own names */
+/* the measures of the file, by their own names */
 #define BODY_LIST(X)                                                                                                   \
     X(HEIGHT, "height")                                                                                                \
     X(BUST, "bust")                                                                                                    \
@@ -58,13 +58,13 @@ enum { BODY_LIST(BODY_ENUM) BODY_COUNT };
 static const char *const body_names[BODY_COUNT] = {BODY_LIST(BODY_NAME)};
 #undef BODY_NAME
 
-/* where the reader stands: in the document, in its top map, in the map `body` */
+/* state of the reader: in the document, in its top map, or in the map `body` */
 struct body_reader {
     mus__source *source;
     mus__unused unused;
     double value[BODY_COUNT]; /* NaN: not in the file */
     int32_t depth;
-    bool wants_value; /* a key was read */
+    bool wants_value; /* a key was read and its value is next */
     bool in_body;
     bool found;
     char key[64];
@@ -128,7 +128,7 @@ static mus_status body_map(struct body_reader *reader, int64_t line)
 }
 
 
-/* one event of the file; *done at its end */
+/* handle one event of the file; *done is true at the end */
 static mus_status body_event(struct body_reader *reader, const yaml_event_t *event, bool *done)
 {
     int64_t line = (int64_t)event->start_mark.line + 1;
@@ -172,7 +172,7 @@ static mus_status body_parse(struct body_reader *reader, yaml_parser_t *parser)
 }
 
 
-/* set a measure unless a part of it is missing (NaN) */
+/* set a measure unless an input of its formula is missing (value is NaN) */
 static mus_status body_set(struct body_reader *reader, mus_tape *tape, int32_t measure, double value)
 {
     if (value != value) return MUS_OK;
@@ -218,9 +218,11 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
 
 
 /*
- * The shoulder line of the tape runs from the side of the neck base to the shoulder point; the file has the breadth
- * between the shoulder points and the slope, but a neck width of its own kind (taken on the shoulder muscles). So the
- * side of the neck comes from the girth that completion derives:
+ * Set shoulder, nape and armpit from `side`, the distance of the side of the neck base from the middle.
+ *
+ * The shoulder line of the tape runs from the side of the neck base to the shoulder point. The file has the breadth
+ * between the shoulder points and the slope, but its neck width is measured on the shoulder muscles. So the side of the
+ * neck is computed from the neck girth that completion derives:
  *
  *     side = neck / 2 pi            shoulder = (shoulder_w / 2 - side) / cos(shoulder_incl)
  *     nape = level + (neck_w / 2 - side) tan(shoulder_incl) + 0.0165 height
@@ -242,7 +244,7 @@ static mus_status body_shoulder_line(struct body_reader *reader, mus_tape *tape,
 }
 
 
-/* what stands on the derived neck; a sheet that is not whole has none */
+/* set the measures that need the derived neck girth; an incomplete file has none */
 static mus_status body_shoulder(struct body_reader *reader, mus_tape *tape)
 {
     mus_tape *whole;

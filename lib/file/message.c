@@ -1,5 +1,5 @@
 /*
- * message.c: error sentences with text that came from a file or a path: only printable UTF-8 leaves here.
+ * message.c: error sentences that quote a file or a path. Bytes that are not printable UTF-8 are replaced.
  */
 #include "file/message.h"
 
@@ -20,7 +20,7 @@ size_t mus__utf8_length(const char *text)
     for (size_t i = 1; i < n; i++)
         if ((byte[i] & 0xC0) != 0x80) return 0;
 
-    /* forms longer than needed, surrogates, beyond U+10FFFF */
+    /* refused: overlong forms, surrogates, code points beyond U+10FFFF */
     if (n == 3 && ((byte[0] == 0xE0 && byte[1] < 0xA0) || (byte[0] == 0xED && byte[1] > 0x9F))) return 0;
     if (n == 4 && ((byte[0] == 0xF0 && byte[1] < 0x90) || (byte[0] == 0xF4 && byte[1] > 0x8F))) return 0;
     return n;

@@ -1,6 +1,6 @@
 /*
- * message.h: error sentences of the libraries that handle files, and UTF-8 (shared by libmuslin-exchange and
- * libmuslin-print, hidden in both).
+ * message.h: error sentences and UTF-8 for the libraries that handle files (libmuslin-exchange and libmuslin-print;
+ * each carries a hidden copy).
  */
 #ifndef MUS_FILE_MESSAGE_H
 #define MUS_FILE_MESSAGE_H
@@ -15,11 +15,11 @@
 #define MUS__FILE_PRINTF(at, from)
 #endif
 
-/* length of a valid UTF-8 sequence at `text` (1..4), 0 if there is none */
+/* length of the valid UTF-8 sequence at `text` [bytes], 1..4; 0 if there is none */
 size_t mus__utf8_length(const char *text);
 /* replace each byte of `text` that is not printable UTF-8 by '?' */
 void mus__text_make_printable(char *text);
-/* give the context a printable sentence of at most 511 bytes; returns `status` */
+/* make the formatted sentence, printable and at most 511 bytes long, the context's error text; returns `status` */
 mus_status mus__file_fail(mus_context *context, mus_status status, const char *format, ...) MUS__FILE_PRINTF(3, 4);
 
 #endif

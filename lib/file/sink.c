@@ -1,9 +1,9 @@
 /*
- * sink.c: bytes that grow in memory and become a file whole or not at all, or a block of the caller's.
+ * sink.c: a buffer that a writer fills, and that then becomes a file or an allocation of the caller's.
  *
- * A writer builds all of its output in a sink and hands it over in one go. A file is written beside the wanted one and
- * renamed over it. A failure at any point removes the new file and leaves the old one as it was. Devices and pipes
- * cannot be renamed over and are written to directly; "-" is standard output.
+ * A writer puts all of its output into a sink and gives the sink away once. The bytes are written to a new file beside
+ * the wanted one, and the new file is renamed over it. A failure at any point removes the new file and leaves the old
+ * one unchanged. Devices and pipes cannot be renamed over and are written directly; "-" is standard output.
  */
 #if !defined(_XOPEN_SOURCE)
 #define _XOPEN_SOURCE 700 /* stat, realpath */
@@ -20,7 +20,7 @@
 
 #include "file/sink.h"
 
-#define PART_TRIES 100 /* names that are tried for the new file; runs that were killed may have left others. Chosen */
+#define PART_TRIES 100 /* names tried for the new file; chosen: killed programs may have left a few such files behind */
 
 
 void mus__sink_init(mus__sink *sink, mus_context *context)
@@ -37,7 +37,7 @@ void mus__sink_free(mus__sink *sink)
 }
 
 
-/* make the capacity hold `size` more bytes; false without memory */
+/* grow the buffer so that `size` more bytes fit; false when there is no memory */
 static bool sink_reserve(mus__sink *sink, size_t size)
 {
     if (sink->status != MUS_OK) return false;
@@ -47,7 +47,7 @@ static bool sink_reserve(mus__sink *sink, size_t size)
     if (grown < sink->size + size) grown = sink->size + size;
     char *bytes = mus_context_alloc(sink->context, sink->bytes, grown);
     if (bytes == NULL) {
-        sink->status = mus__file_fail(sink->context, MUS_ERR_MEMORY, "no memory for %zu bytes of a file", grown);
+        sink->status = mus__file_fail(sink->context, MUS_ERR_MEMORY, "no memory for a file of %zu bytes", grown);
         return false;
     }
     sink->bytes = bytes;
@@ -66,7 +66,7 @@ void mus__sink_add(mus__sink *sink, const void *bytes, size_t size)
 
 void mus__sink_print(mus__sink *sink, const char *format, ...)
 {
-    /* nearly every call writes a short line: only a longer one is printed a second time */
+    /* nearly every call prints less than 256 bytes; a longer text is printed a second time, into enough memory */
     if (!sink_reserve(sink, 256)) return;
     const size_t left = sink->capacity - sink->size;
     va_list list, again;
@@ -120,11 +120,11 @@ static mus_status save_fail(const mus__sink *sink, const char *path, const char 
     int code = errno;
     size_t length = strlen(path);
     return mus__file_fail(sink->context, MUS_ERR_FILE, "%s: cannot be %s: %s",
-                              length > 200 ? path + length - 200 : path, what, strerror(code));
+                          length > 200 ? path + length - 200 : path, what, strerror(code));
 }
 
 
-/* all bytes into an open file, down to the system; the file is closed unless it is standard output */
+/* write and flush all bytes to an open file, and close it unless it is standard output; false on failure */
 static bool save_bytes(const mus__sink *sink, FILE *file)
 {
     errno = 0;
@@ -138,7 +138,7 @@ static bool save_bytes(const mus__sink *sink, FILE *file)
 }
 
 
-/* open a new file beside `target`; its name goes to `temporary` */
+/* open a new file beside `target` and write its name to `temporary`; NULL when none can be opened */
 static FILE *open_beside(const char *target, char *temporary, size_t bytes)
 {
     for (int i = 0; i < PART_TRIES; i++) {
@@ -151,7 +151,7 @@ static FILE *open_beside(const char *target, char *temporary, size_t bytes)
 }
 
 
-/* write beside the target and rename */
+/* write to a new file beside the target and rename it to the target */
 static mus_status save_renamed(const mus__sink *sink, const char *target)
 {
     size_t bytes = strlen(target) + 16;
@@ -176,7 +176,7 @@ static mus_status save_file(const mus__sink *sink, const char *path)
     if (strcmp(path, "-") == 0)
         return save_bytes(sink, stdout) ? MUS_OK : save_fail(sink, "standard output", "written");
 
-    /* a new file; an empty name is none */
+    /* no file of this name yet (an empty path fails when it is opened) */
     struct stat info;
     if (stat(path, &info) != 0) return path[0] != '\0' ? save_renamed(sink, path) : save_fail(sink, path, "written");
 
@@ -188,7 +188,7 @@ static mus_status save_file(const mus__sink *sink, const char *path)
         return file != NULL && save_bytes(sink, file) ? MUS_OK : save_fail(sink, path, "written");
     }
 
-    /* a file that is there: the one that a link leads to, so that the link stays */
+    /* an existing file: replace the one that a symbolic link leads to, so that the link stays */
     char *target = realpath(path, NULL);
     if (target == NULL) return save_fail(sink, path, "found");
     mus_status status = save_renamed(sink, target);
@@ -202,7 +202,7 @@ mus_status mus__target_check(mus_context *context, const mus__target *target, co
     if (target->path != NULL) return MUS_OK;
     if (target->bytes != NULL) *target->bytes = NULL;
     if (target->bytes != NULL && target->size != NULL) return MUS_OK;
-    return mus__file_fail(context, MUS_ERR_ARG, "%s: a pointer that is needed is NULL", what);
+    return mus__file_fail(context, MUS_ERR_ARG, "%s: a required pointer is NULL", what);
 }
 
 

@@ -1,8 +1,8 @@
 /*
- * sink.h: bytes that grow in memory and become a file, whole or not at all, or a block of the caller's.
+ * sink.h: a buffer that a writer fills, and that then becomes a file or an allocation of the caller's.
  *
- * Every writer of libmuslin-exchange and libmuslin-print ends here; both libraries carry these objects, hidden. Memory and
- * failures go through the public functions of the context.
+ * Every writer of libmuslin-exchange and libmuslin-print ends with a sink; each library carries a hidden copy of this
+ * code. Memory and failures go through the public functions of the context.
  */
 #ifndef MUS_FILE_SINK_H
 #define MUS_FILE_SINK_H
@@ -17,29 +17,33 @@ typedef struct mus__sink {
     char *bytes;
     size_t size;
     size_t capacity;
-    mus_status status; /* the first failure; later calls do nothing */
+    mus_status status; /* first failure; after it all calls that add bytes do nothing */
 } mus__sink;
 
+/* make an empty sink */
 void mus__sink_init(mus__sink *sink, mus_context *context);
+/* free the buffer of a sink */
 void mus__sink_free(mus__sink *sink);
+/* add `size` bytes */
 void mus__sink_add(mus__sink *sink, const void *bytes, size_t size);
+/* add formatted text, as printf */
 void mus__sink_print(mus__sink *sink, const char *format, ...) MUS__FILE_PRINTF(2, 3);
-/* add a number that reads back bit for bit: the shortest of 15, 16 or 17 digits that does */
+/* add a number with 15, 16 or 17 digits: the fewest that read back to the same double */
 void mus__sink_number(mus__sink *sink, double number);
-/* add a text in JSON's quotes */
+/* add a text as a quoted JSON string */
 void mus__sink_quote(mus__sink *sink, const char *text);
 
-/* where a writer's bytes go: into the file `path` ("-": standard output), or with path NULL to the caller */
+/* destination of a writer's bytes: the file `path` ("-": standard output), or, with path NULL, the caller */
 typedef struct mus__target {
     const char *path;
-    char **bytes; /* gets the block, freed by mus_context_alloc(context, bytes, 0) */
-    size_t *size; /* gets its size */
+    char **bytes; /* gets the allocation; the caller frees it with mus_context_alloc(context, bytes, 0) */
+    size_t *size; /* gets the number of bytes */
 } mus__target;
 
-/* MUS_ERR_ARG, in the name of the public call `what`, when there is no place for the bytes; else *bytes is NULL */
+/* check a target and set *bytes to NULL; MUS_ERR_ARG, naming the public call `what`, when a pointer is missing */
 mus_status mus__target_check(mus_context *context, const mus__target *target, const char *what);
-/* hand over all bytes of the sink. A file is written beside the wanted one and renamed over it, so that a failure leaves
- * the file as it was. Returns the sink's own failure when it has one */
+/* give all bytes of the sink to the target. A failure leaves an existing file unchanged. Returns the sink's first
+ * failure when it has one */
 mus_status mus__sink_give(mus__sink *sink, const mus__target *target);
 
 #endif

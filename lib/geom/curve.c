@@ -18,7 +18,7 @@
 
 /* agreement of two halves with the whole, of the control polygon's length: the sum over all parts stays below 1e-12 */
 #define CURVE_TOLERANCE 1e-15
-/* a cusp loses half of its error at each halving at least; 48 halvings end below rounding */
+/* most halvings of a piece: the error at a cusp at least halves each time, and 48 end below rounding */
 #define CURVE_DEPTH 48
 
 /* an arc in its own frame: points are middle + u * along + n * across */
@@ -81,7 +81,7 @@ static void curve_arc_at(const double *p, double t, double *out, double *tangent
 }
 
 
-/* 2 * area between chord and arc, with the sign of the way round; R^2 (angle - sin angle) */
+/* twice the signed area between chord and arc: R^2 (angle - sin angle), positive when the arc runs counter-clockwise */
 static double curve_arc_segment(const curve_arc *arc)
 {
     double k = arc->half, s = arc->sagitta, x = arc->angle;

@@ -18,7 +18,7 @@
 #define PREDICATE_ORIENT ((3.0 + 16.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_PLANE ((7.0 + 56.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_CIRCLE ((10.0 + 96.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
-/* 2^27 + 1 halves a double into two of 26 bits */
+/* 2^27 + 1: splits a double into two of 26 bits (Dekker 1971) */
 #define PREDICATE_SPLIT 134217729.0
 
 

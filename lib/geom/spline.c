@@ -5,16 +5,17 @@
  *
  *     h_{i-1} m_{i-1} + 2 (h_{i-1} + h_i) m_i + h_i m_{i+1} = 6 ((y_{i+1} - y_i) / h_i - (y_i - y_{i-1}) / h_{i-1}),
  *
- * with m = 0 at both ends (natural) or with the indices going round (periodic; the cyclic system is reduced to two
+ * with m = 0 at both ends (natural) or with cyclic indices (periodic; the cyclic system is reduced to two
  * tridiagonal ones). The matrix dominates its diagonal, so elimination needs no pivoting.
- * Source: paper eq. 7 to 11; de Boor, A Practical Guide to Splines, 1978; Sherman and Morrison 1950 for the cycle.
+ * Source: Metaaphanon and Kanongchaiyos 2005, eq. 7 to 11; de Boor, A Practical Guide to Splines, 1978; Sherman and
+ *          Morrison 1950 for the cycle.
  */
 #include <stddef.h>
 
 #include "geom/spline.h"
 
 
-/* ascending, which NaN never is */
+/* is x strictly ascending? NaN never is */
 static bool spline_ascends(int32_t n, const double *x)
 {
     for (int32_t i = 0; i + 1 < n; i++)
@@ -94,7 +95,7 @@ double mus__spline_at(int32_t n, const double *x, const double *y, const double 
     }
     double h = x[low + 1] - x[low], slope = (y[low + 1] - y[low]) / h;
 
-    /* before the first and after the last knot the tangent goes on */
+    /* before the first and after the last knot the spline is the tangent there */
     if (t < x[0] || t > x[n - 1]) {
         bool before = t < x[0];
         double tangent =

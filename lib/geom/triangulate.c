@@ -5,7 +5,7 @@
  *      it (1 to 3, or 2 to 4 on an edge), flip edges until every circumcircle is empty (Lawson 1977)
  *   2. sides of the polygon that are not edges yet are made so by flipping the edges that cross them; the new edges
  *      are then flipped towards Delaunay again, the sides stay (Sloan 1993)
- *   3. what the outer triangle reaches without crossing a side is dropped
+ *   3. triangles that are reached from the outer triangle without crossing a side are dropped
  *
  * Points go in by rounds, each a scattered quarter of the next, and along Hilbert's curve within a round: walks are
  * short and, unlike with sorted rows, so are the chains of flips (Amenta, Choi and Rote 2003). All decisions are signs
@@ -21,7 +21,7 @@
 #include "geom/predicate.h"
 #include "geom/triangulate.h"
 
-/* more would overflow the 32-bit index of a corner */
+/* most points: more would overflow the 32-bit index of a corner */
 #define TRIANGULATE_MOST (1 << 28)
 /* the outer triangle stands this many extents away: far enough that its long edges seldom need recovery flips */
 #define TRIANGULATE_FAR 32.0
@@ -333,7 +333,7 @@ static mus_status tri_recover(tri_mesh *mesh, int32_t a, int32_t b)
 {
     mus_status status = tri_collect(mesh, a, b);
 
-    /* flip what can be flipped; an edge that cannot yet, or still crosses, waits for its neighbours */
+    /* flip the edges that can be flipped; one that cannot yet, or still crosses, waits for its neighbours */
     int64_t patience = 16 + (int64_t)mesh->nqueue * mesh->nqueue * 4;
     for (int32_t head = 0; status == MUS_OK && head < mesh->nqueue; head += 2) {
         int32_t r = mesh->queue[head], l = mesh->queue[head + 1], t, k;
@@ -474,7 +474,7 @@ static void tri_free(tri_mesh *mesh)
 }
 
 
-/* mark what lies outside, by flooding from an outer vertex up to the sides */
+/* mark the triangles outside, by flooding from an outer vertex up to the sides */
 static mus_status tri_flood(tri_mesh *mesh, unsigned char *outside)
 {
     mesh->nqueue = 0;

@@ -1,9 +1,9 @@
 /*
- * drawing.c: a drawing is a list of paths, each with a pen and a place in the tree of groups; and the small helpers
- * for memory and messages that the folder shares.
+ * drawing.c: a drawing is a list of paths, each with a pen and a group; and the helpers for memory and messages that
+ * the folder shares.
  *
- * A drawing remembers its first failure and does nothing afterwards, so that code which draws needs no checks: the
- * caller asks for `status` once at the end. Letters are paths too (stroke.c), so a writer knows only lines and curves.
+ * A drawing remembers its first failure and ignores all calls after it. Code that draws needs no checks, and its caller
+ * reads `status` once at the end. Letters are paths too (stroke.c), so a writer handles only lines and curves.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 
 #include "print/drawing.h"
 
-/* widths of cut line, seam line: the usual ones of printed patterns; all others are lighter than the cut line */
+/* pens: {width [m], {dash, gap [m]}, grey}. Chosen: no pen but the title's is as wide as that of the cut line */
 const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
     [MUS__PEN_CUT] = {0.0005, {0, 0}, 0},           [MUS__PEN_SEAM] = {0.00025, {0.003, 0.0015}, 0},
     [MUS__PEN_NOTCH] = {0.0004, {0, 0}, 0},         [MUS__PEN_GRAIN] = {0.0003, {0, 0}, 0},
@@ -102,7 +102,7 @@ void mus__draw_edge(mus__drawing *drawing, int32_t edge)
 }
 
 
-/* one step with its points, into the path that was begun last */
+/* add one step with its points to the path that was begun last */
 static void draw_step(mus__drawing *drawing, unsigned char op, int32_t npoint, const double *xy)
 {
     if (drawing->status != MUS_OK) return;

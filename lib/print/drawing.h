@@ -1,8 +1,8 @@
 /*
- * drawing.h: a drawing: paths with a pen and a place in the tree of groups each; letters as strokes; helpers for memory.
+ * drawing.h: a drawing (paths, each with a pen and a group), letters as strokes, and helpers for memory.
  *
  * Units: metre, x right, y up; the writers turn and scale. Memory and failures go through the public functions of the
- * context, since this folder is a library beside libmuslin.
+ * context, since libmuslin-print is a library apart from libmuslin.
  */
 #ifndef MUS_PRINT_DRAWING_H
 #define MUS_PRINT_DRAWING_H
@@ -19,15 +19,15 @@
 /* ---- helpers (drawing.c) ---- */
 
 mus_status mus__print_memory(mus_context *context, const char *what);
-/* millimetres with at most one decimal, without the locale; returns the length */
+/* write x [m] as millimetres with at most one decimal, in every locale; returns the number of characters */
 int32_t mus__print_millimetres(char *out, size_t size, double x);
-/* `count` zeroed elements; NULL when there is no memory or the product overflows */
+/* allocate `count` zeroed elements of `size` bytes; NULL when there is no memory or the product overflows */
 void *mus__print_new(mus_context *context, int64_t count, size_t size);
 void mus__print_free(mus_context *context, void *block);
-/* grow *array (capacity *capacity elements of `size`) to hold `need`; the old array is kept on failure */
+/* grow *array (*capacity elements of `size` bytes) to hold `need` elements; after a failure it is unchanged */
 mus_status mus__print_reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
 
-/* ---- a drawing: paths with a pen each ---- */
+/* ---- a drawing ---- */
 
 typedef enum mus__pen {
     MUS__PEN_CUT,    /* cut line: solid 0.5 mm */
@@ -40,7 +40,7 @@ typedef enum mus__pen {
     MUS__PEN_TITLE,  /* large letters */
     MUS__PEN_SQUARE, /* test squares */
     MUS__PEN_FRAME,  /* edge of a page, page map */
-    MUS__PEN_JOIN,   /* where the next page's edge lies */
+    MUS__PEN_JOIN,   /* dashed line that the frame of the next page is laid on */
     MUS__PEN_FAINT,  /* letters beside the pattern */
     MUS__PEN_INK,    /* filled black */
     MUS__PEN_GREY,   /* filled grey */
@@ -55,7 +55,7 @@ typedef struct mus__pen_style {
 
 extern const mus__pen_style mus__pen_styles[MUS__PEN_COUNT];
 
-/* groups of a piece, in the order they are drawn */
+/* groups of a piece, in the order of drawing */
 typedef enum mus__layer {
     MUS__LAYER_CUT,
     MUS__LAYER_SEAM,
@@ -67,14 +67,14 @@ typedef enum mus__layer {
 } mus__layer;
 
 typedef struct mus__path {
-    int32_t piece; /* or MUS_NONE */
+    int32_t piece; /* piece that the path belongs to, or MUS_NONE */
     mus__layer layer;
     mus__pen pen;
-    int32_t edge;  /* of the pattern, that it draws or notches; or MUS_NONE */
+    int32_t edge;  /* edge of the pattern that the path draws or notches, or MUS_NONE */
     int32_t op;    /* first in ops */
     int32_t nop;
     int32_t at;    /* first in xy */
-    double box[4]; /* low x, y, high x, y of its points */
+    double box[4]; /* low x, low y, high x, high y of its points [m] */
 } mus__path;
 
 typedef struct mus__drawing {
@@ -84,17 +84,17 @@ typedef struct mus__drawing {
     int32_t path_room, op_room, xy_room;
     mus__path *paths;   /* (npath) */
     unsigned char *ops; /* (nop) 'm' and 'l' take one point, 'c' three, 'z' none */
-    double *xy;         /* (nxy) two a point */
+    double *xy;         /* (nxy) x and y of each point [m] */
 } mus__drawing;
 
 void mus__draw_init(mus__drawing *drawing, mus_context *context);
 void mus__draw_free(mus__drawing *drawing);
 void mus__draw_path(mus__drawing *drawing, int32_t piece, mus__layer layer, mus__pen pen);
-/* the path in hand belongs to an edge of the pattern */
+/* set the edge of the path that was begun last */
 void mus__draw_edge(mus__drawing *drawing, int32_t edge);
 void mus__draw_move(mus__drawing *drawing, double x, double y);
 void mus__draw_line(mus__drawing *drawing, double x, double y);
-void mus__draw_curve(mus__drawing *drawing, const double *xy); /* three points */
+void mus__draw_curve(mus__drawing *drawing, const double *xy); /* cubic: two control points and the end */
 void mus__draw_close(mus__drawing *drawing);
 void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width, double height);
 
@@ -103,16 +103,16 @@ void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width
 
 typedef struct mus__text_style {
     double height; /* of a capital [m] */
-    double cosine; /* direction of the line of text */
+    double cosine; /* direction of the line of text: a unit vector */
     double sine;
     double align; /* 0: x is the left end, 0.5 the middle, 1 the right end */
 } mus__text_style;
 
-/* the next character of UTF-8 text, or 0 at its end; a wrong byte counts as one character U+FFFD */
+/* read the next character of UTF-8 text and advance *text; 0 at its end, U+FFFD for a wrong byte */
 uint32_t mus__text_character(const char **text);
-/* width of UTF-8 text at capital height 1 */
+/* width of UTF-8 text whose capitals have the height 1 */
 double mus__text_width(const char *text);
-/* add text to the path in hand, its base line through (x, y) */
+/* add text as strokes to the path that was begun last; its base line goes through (x, y) */
 void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * offset.c: the cut line: a closed polygon offset outwards, each side by its own width.
+ * offset.c: offset a closed polygon outwards, each side by its own width: the sew line becomes the cut line.
  *
- * Used once a piece, on 10^2 to 10^4 points. Two steps:
+ * Called once for each piece, with 10^2 to 10^4 points. Two steps:
  *
  * 1. A raw closed path: the sides moved out along their normals, joined at the corners. A corner that turns outwards
  *    gets a mitre (limit 2.5), or is cut off at one width beyond a sharp point; a corner that turns inwards is trimmed
@@ -18,12 +18,12 @@
  *    The raw path is then the sum, as chains, of the polygon and of small pieces (strip of each side, wedge of each
  *    corner) that all run counter-clockwise. So its winding number is nowhere negative, and it is positive exactly on
  *    the union of these pieces: the cloth to cut.
- * 2. Loops: the path is taken apart at its crossings into simple closed curves (at each crossing both strands swap, as
- *    in Seifert's construction), which are the level lines of the winding number. The lines between 0 and 1 stay: the
- *    outer one is the cut line, those that run clockwise are holes.
+ * 2. Loops: the path is split at its crossings into simple closed curves (at each crossing both strands swap, as in
+ *    Seifert's construction). These curves separate areas of different winding numbers. Those between 0 and 1 are kept:
+ *    the outer one is the cut line, those that run clockwise are holes.
  *
- * The points are first moved by up to 10 nm, each by an amount that depends on its index only: then no two sides lie on
- * one line and no corner on a side, and plain crossing tests in double are enough.
+ * The points are first moved by up to 10 nm, each by an amount that depends on its index only. Then no two sides lie on
+ * one line and no corner lies on a side, so that plain crossing tests in double are enough.
  * Source of the winding argument: Wein, Exact and approximate construction of offset polygons, 2007, section 3.
  */
 #include <math.h>
@@ -32,10 +32,10 @@
 
 #include "print/piece.h"
 
-#define MITRE_LIMIT 2.5  /* of the wider allowance: beyond, a corner is cut off */
-#define JITTER 1e-8      /* [m]; must be far above rounding (1e-15) and far below what a cutter sees (1e-4) */
-#define LOOP_AREA 1e-5   /* [m2], a tenth of a cm2: smaller holes are no use to cut */
-#define HEM_TURN 0.61    /* sine limit: a hem whose corner is within 38 degrees of square is reflected */
+#define MITRE_LIMIT 2.5  /* longest mitre over the wider allowance; a longer one is cut off. Chosen */
+#define JITTER 1e-8      /* [m] largest move of a point; chosen: far above rounding (1e-15), far below 0.1 mm */
+#define LOOP_AREA 1e-5   /* [m2] least area of a hole that is kept; chosen: a tenth of a cm2, less is of no use */
+#define HEM_TURN 0.61    /* largest |cosine| of a hem's corner that is reflected: within 38 degrees of square. Chosen */
 
 typedef struct raw_path {
     mus_context *context;
@@ -45,11 +45,11 @@ typedef struct raw_path {
     double *xy;
 } raw_path;
 
-/* where a strand starts: a corner of the raw path, or a crossing */
+/* a strand of the raw path starts at a corner or at a crossing */
 typedef struct strand {
     int32_t side;
-    int32_t partner; /* the strand that starts at the same crossing on the other side, or MUS_NONE */
-    double t;        /* 0..1 along the side */
+    int32_t partner; /* strand that starts at the same crossing on the other side, or MUS_NONE */
+    double t;        /* start of the strand along the side, 0..1 */
 } strand;
 
 
@@ -64,20 +64,20 @@ static void raw_add(raw_path *raw, double x, double y)
 }
 
 
-/* the corner between two sides: directions, widths, lengths */
+/* the corner V between two sides: their directions, normals, widths and lengths */
 typedef struct corner {
     double v[2], d1[2], d2[2], w1, w2, l1, l2, sine, cosine;
 } corner;
 
 
-/* V + along d1 + out n1, with n the right-hand normal */
+/* add the point V + along d + out n, with n the right-hand normal of d */
 static void corner_point(raw_path *raw, const corner *c, const double *d, double along, double out)
 {
     raw_add(raw, c->v[0] + along * d[0] + out * d[1], c->v[1] + along * d[1] - out * d[0]);
 }
 
 
-/* the outer corner: mitre, cut off, or square */
+/* a corner that turns outwards: mitred, cut off, or square */
 static void corner_outer(raw_path *raw, const corner *c)
 {
     double a = (c->w2 - c->w1 * c->cosine) / c->sine;
@@ -110,7 +110,7 @@ static void corner_outer(raw_path *raw, const corner *c)
 }
 
 
-/* the inner corner: trimmed where the moved sides meet if each has the length for it, else through the corner */
+/* a corner that turns inwards: trimmed where the moved sides meet if both are long enough, else through V */
 static void corner_inner(raw_path *raw, const corner *c)
 {
     double a = (c->w2 - c->w1 * c->cosine) / c->sine;
@@ -126,9 +126,9 @@ static void corner_inner(raw_path *raw, const corner *c)
 
 
 /*
- * The corner of a hem: X, where the neighbour's cut line meets the hem line, then along its mirror image to Y, on the
- * hem's cut line. With x the distance of X from the corner: x = w / sin t, and Y lies (w + h cos t) / sin t outside.
- * False when the sides are too short for it.
+ * The corner of a hem: from X, where the neighbour's cut line meets the hem line, along the mirror image of that cut
+ * line to Y on the hem's cut line. X is w / sin t from the corner; Y lies (w + h cos t) / sin t outside.
+ * False, and nothing added, when the sides are too short.
  */
 static bool corner_hem(raw_path *raw, const corner *c, bool hem_first)
 {
@@ -161,7 +161,7 @@ static void raw_corner(raw_path *raw, const corner *c, bool hem_one, bool hem_tw
 }
 
 
-/* an amount in -1..1 that depends on the index only (a multiplicative hash) */
+/* a number in -1..1 that depends on the index only (a multiplicative hash) */
 static double offset_jitter(uint32_t index)
 {
     uint32_t h = (index + 1U) * UINT32_C(2654435761);
@@ -196,7 +196,7 @@ static void raw_build(raw_path *raw, int32_t n, const double *xy, const double *
 }
 
 
-/* a side of the raw path in the order of its low x */
+/* a side of the raw path, to be sorted by its low x */
 typedef struct swept {
     double low, high;
     int32_t side;
@@ -211,7 +211,7 @@ static int swept_compare(const void *left, const void *right)
 }
 
 
-/* where sides i and j cross: t along i, u along j */
+/* do sides i and j cross? t along i and u along j, 0..1, of the crossing */
 static bool sides_cross(int32_t n, const double *xy, int32_t i, int32_t j, double *t, double *u)
 {
     const double *p = xy + 2 * i, *q = xy + 2 * ((i + 1) % n), *r = xy + 2 * j, *s = xy + 2 * ((j + 1) % n);
@@ -244,7 +244,7 @@ static mus_status strands_add(mus_context *context, strands *all, int32_t side, 
 }
 
 
-/* all strands: one from each corner, two from each crossing; partner is an index into this unsorted list */
+/* find all strands: one from each corner, two from each crossing; partner is an index into this unsorted list */
 static mus_status strands_find(mus_context *context, int32_t n, const double *xy, strands *all)
 {
     swept *order = mus__print_new(context, n, sizeof *order);
@@ -271,7 +271,7 @@ static mus_status strands_find(mus_context *context, int32_t n, const double *xy
 }
 
 
-/* an unsorted strand with its old index */
+/* a strand with its index before sorting */
 typedef struct ranked {
     strand own;
     int32_t old;
@@ -287,7 +287,7 @@ static int ranked_compare(const void *left, const void *right)
 }
 
 
-/* sort along the path; partners follow */
+/* sort the strands along the path and renumber the partners */
 static mus_status strands_sort(mus_context *context, strands *all)
 {
     ranked *order = mus__print_new(context, all->n, sizeof *order);
@@ -308,7 +308,7 @@ static mus_status strands_sort(mus_context *context, strands *all)
 }
 
 
-/* the strand after k: at a crossing the path changes to the other side, at a corner it goes on */
+/* strand after k: at a crossing the loop changes to the partner, at a corner it goes on */
 static int32_t strand_next(const strands *all, int32_t k)
 {
     int32_t next = (k + 1) % all->n;
@@ -338,7 +338,7 @@ static int32_t raw_winding(int32_t n, const double *xy, const double *p)
 }
 
 
-/* trace the loop from strand k, marking it; its points go to `out` when not NULL. Returns twice the area */
+/* trace the loop from strand k and mark its strands as seen; out gets its points, or is NULL. Returns twice the area */
 static double loop_trace(int32_t n, const double *xy, const strands *all, int32_t k, unsigned char *seen, double *out,
                          int32_t *count)
 {
@@ -351,7 +351,7 @@ static double loop_trace(int32_t n, const double *xy, const strands *all, int32_
         strand_point(n, xy, &all->list[at], p);
         seen[at] = 1;
         area += (last[0] - first[0]) * (p[1] - first[1]) - (last[1] - first[1]) * (p[0] - first[0]);
-        /* points that the jitter alone keeps apart are one */
+        /* points no farther apart than the jitter become one */
         if (m == 0 || fabs(p[0] - last[0]) + fabs(p[1] - last[1]) > 1e-7) {
             if (out != NULL) memcpy(out + 2 * m, p, sizeof p);
             m++;
@@ -386,7 +386,7 @@ static int32_t loop_outside(int32_t n, const double *xy, const strands *all, int
 }
 
 
-/* keep the level lines between 0 and 1, the largest first */
+/* keep the loops between winding numbers 0 and 1: the outer loop, then the holes */
 static mus_status loops_collect(mus_context *context, const raw_path *raw, const strands *all, mus__loops *out)
 {
     unsigned char *seen = mus__print_new(context, all->n, 1);
@@ -441,7 +441,7 @@ mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const 
         if (status == MUS_OK) status = strands_sort(context, &all);
         if (status == MUS_OK) status = loops_collect(context, &raw, &all, out);
     } else {
-        /* nothing to offset: the polygon itself, to the bit */
+        /* all widths are 0: the polygon itself, unmoved */
         out->xy = mus__print_new(context, n, 2 * sizeof *out->xy);
         out->start = mus__print_new(context, 2, sizeof *out->start);
         if (out->xy == NULL || out->start == NULL) status = mus__print_memory(context, "a cut line");

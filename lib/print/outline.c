@@ -1,9 +1,9 @@
 /*
- * outline.c: a panel of the pattern as a piece of paper: turned so that the grain runs up and the right side of the
- * cloth lies up, its seam line as lines and cubics, its cut line as polygons.
+ * outline.c: a panel of the pattern as a piece of paper, turned so that the grain runs up and the right side of the
+ * cloth lies up. Its sew line consists of lines and cubics, its cut line of polygons.
  *
  * Lines and cubics are kept, a quadratic is raised to the cubic that equals it, an arc becomes cubics of at most 22.5
- * degrees (error 7e-8 of the radius). Only the cut line and the silhouettes use chords, within 0.01 mm.
+ * degrees (error 7e-8 of the radius). Only the cut line and the silhouettes use chords, within 0.01 mm of the curve.
  *
  * A panel whose outline runs clockwise in its plane shows its wrong side there; it is mirrored, so that all pieces lie
  * right side up and all outlines run counter-clockwise.
@@ -13,9 +13,9 @@
 
 #include "print/piece.h"
 
-#define CHORD_TOLERANCE 1e-5                  /* [m]; the offset is as exact as this */
-#define ARC_STEP (MUS__PRINT_PI / 8.0)         /* of one cubic: error 2/27 (step/4)^6 of the radius */
-#define CHORDS_MAX 4096                       /* of one cubic */
+#define CHORD_TOLERANCE 1e-5                 /* [m] largest distance of a chord from its cubic; chosen */
+#define ARC_STEP (MUS__PRINT_PI / 8.0) /* [rad] longest arc of one cubic; error 2/27 (step/4)^6 of the radius */
+#define CHORDS_MAX 4096                      /* most chords of one cubic; chosen: bounds the memory */
 
 
 void mus__cubic_at(const double *p, double t, double *out)
@@ -25,7 +25,7 @@ void mus__cubic_at(const double *p, double t, double *out)
 }
 
 
-/* error of n equal chords: 3/4 of the larger second difference, over n^2 */
+/* the error of n equal chords is at most 3/4 of the larger second difference, over n^2 */
 int32_t mus__cubic_chords(const double *p, double tolerance)
 {
     double ax = p[0] - 2.0 * p[2] + p[4], ay = p[1] - 2.0 * p[3] + p[5];
@@ -70,7 +70,7 @@ void mus__piece_move(mus__piece *piece, double x, double y)
 }
 
 
-/* ---- spans from the pattern's pieces of edge, in the panel's plane ---- */
+/* ---- spans from the segments of the pattern's edges, in the panel's plane ---- */
 
 typedef struct span_list {
     mus_context *context;
@@ -143,7 +143,7 @@ static void span_arc(span_list *spans, const double *s, const double *m, const d
 }
 
 
-/* one edge, then turned round when the outline runs against it */
+/* add the spans of one edge, reversed when the outline runs against it */
 static mus_status span_edge(span_list *spans, const mus_pattern *pattern, int32_t edge, int32_t direction, int32_t side)
 {
     int32_t npiece, nxy, first = spans->n;
@@ -187,7 +187,7 @@ static mus_status span_edge(span_list *spans, const mus_pattern *pattern, int32_
 
 /* ---- the piece ---- */
 
-/* chords of all spans; points that coincide are one */
+/* compute the chords of all spans; points that coincide become one */
 static mus_status piece_flatten(mus_context *context, mus__piece *piece)
 {
     int32_t room = 0, room_side = 0;
@@ -219,7 +219,7 @@ static mus_status piece_flatten(mus_context *context, mus__piece *piece)
 }
 
 
-/* signed area of the chords */
+/* signed area of the polygon of chords [m2] */
 static double piece_area(const mus__piece *piece)
 {
     double area = 0.0;
@@ -232,7 +232,7 @@ static double piece_area(const mus__piece *piece)
 }
 
 
-/* grain up, mirrored when the outline runs clockwise; spans and chords follow */
+/* turn the grain up, and mirror a piece whose outline runs clockwise; spans and chords follow */
 static mus_status piece_turn(const mus_pattern *pattern, mus__piece *piece)
 {
     double grain[2];
@@ -308,7 +308,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = piece_cut(context, piece);
     if (status != MUS_OK) return status;
 
-    /* box of the cut line, then its low corner to the origin */
+    /* move the low corner of the cut line's box to the origin */
     piece_copies(pattern, piece);
     for (int32_t i = 0; i < piece->cut.n; i++) {
         for (int32_t k = 0; k < 2; k++) {

@@ -1,8 +1,8 @@
 /*
- * pack.c: boxes on a strip of paper, the tallest first, each at the lowest place where it fits (bottom-left on a
- * skyline), without turning: the grain stays upright.
+ * pack.c: pack boxes on a strip of paper: the tallest first, each at the lowest place where it fits (bottom-left on a
+ * skyline). Boxes are not turned, so that the grain stays upright.
  *
- * The skyline is a row of steps from left to right, each with the height up to which its part of the strip is used:
+ * The skyline is a row of steps from left to right; each has the height up to which its part of the strip is used:
  *
  *          +---+                 A box of width w may stand with its left side on any step's left end; it rests on the
  *      +---+   +------           highest step below it. The place with the lowest top wins, then the one on the left.
@@ -17,7 +17,7 @@
 enum { STEP_LEFT, STEP_RIGHT, STEP_HEIGHT, STEP_FIELDS };
 
 
-/* height on which a box would rest with its left side at step s; false when it leaves the strip */
+/* compute the height at which a box rests with its left side at step s; false when it does not fit in the strip */
 static bool pack_rest(const double *sky, int32_t nstep, int32_t s, double width, double *rest)
 {
     double right = sky[STEP_FIELDS * s + STEP_LEFT] + width;
@@ -29,7 +29,8 @@ static bool pack_rest(const double *sky, int32_t nstep, int32_t s, double width,
 }
 
 
-/* raise the skyline to `top` between left and right: the steps below vanish, a cut one keeps its rest */
+/* raise the skyline to `top` from step s to `right`: the steps between vanish, a cut one keeps the rest of its width.
+ * Returns the number of steps */
 static int32_t pack_raise(double *sky, int32_t nstep, int32_t s, double right, double top)
 {
     double left = sky[STEP_FIELDS * s + STEP_LEFT];
@@ -37,7 +38,7 @@ static int32_t pack_raise(double *sky, int32_t nstep, int32_t s, double right, d
     while (end < nstep && sky[STEP_FIELDS * end + STEP_RIGHT] <= right + 1e-12) end++;
     if (end < nstep && sky[STEP_FIELDS * end + STEP_LEFT] < right) sky[STEP_FIELDS * end + STEP_LEFT] = right;
 
-    /* one step in place of s .. end - 1 */
+    /* one step replaces the steps s .. end - 1 */
     int32_t shift = s + 1 - end;
     if (shift > 0)
         for (int32_t i = STEP_FIELDS * nstep - 1; i >= STEP_FIELDS * end; i--) sky[i + STEP_FIELDS * shift] = sky[i];

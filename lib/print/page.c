@@ -1,5 +1,5 @@
 /*
- * page.c: what stands on the pages beside the pieces: test squares, the frame of a tile with its marks, the cover.
+ * page.c: everything on the pages except the pieces: test squares, the frame of a tile with its marks, the cover.
  *
  * Putting tiles together: the left and the upper margin of a page are cut off along the frame; the page is laid on its
  * left and upper neighbours so that its frame lies on their dashed line. A diamond stands on the middle of each shared
@@ -15,9 +15,9 @@
 
 #include "print/page.h"
 
-#define DIAMOND 0.004 /* half its width */
-#define COVER_COLUMN 0.048 /* least width right of the squares, for text and page map */
-#define COVER_HEIGHT 0.255
+#define DIAMOND 0.004 /* [m] half the width of a diamond; chosen */
+#define COVER_COLUMN 0.048 /* [m] least width right of the squares, for text and page map; chosen */
+#define COVER_HEIGHT 0.255 /* [m] least height that the cover needs; chosen: fits Letter and A4 with a margin of 1 cm */
 
 
 static void page_text(mus__drawing *out, mus__pen pen, const char *text, double x, double y, double height,
@@ -52,7 +52,7 @@ void mus__squares_draw(mus__drawing *out, double x, double y, bool beside)
 
 void mus__tile_name(const mus__tile *tile, char *out, size_t size)
 {
-    /* A .. Z, then AA, AB .. */
+    /* rows: A .. Z, then AA, AB .. */
     char letters[8];
     int32_t at = 7, row = tile->row;
     letters[at] = '\0';
@@ -72,7 +72,7 @@ static void page_diamond(mus__drawing *out, double x, double y, double left, dou
 }
 
 
-/* the page on the other side of an edge, 0 for none; with its name */
+/* name of the page on the other side of an edge of a tile; false when there is none */
 static bool page_neighbour(const mus_sheet *sheet, const mus__tile *tile, int32_t right, int32_t down, char *name,
                            size_t size)
 {
@@ -85,7 +85,7 @@ static bool page_neighbour(const mus_sheet *sheet, const mus__tile *tile, int32_
 }
 
 
-/* marks on the edges that are shared: dashed line and whole diamond right and below, halves left and above */
+/* marks on shared edges: dashed line and whole diamond right and below, half diamonds left and above */
 static void page_joins(const mus_sheet *sheet, const mus__tile *tile, mus__drawing *out, const double *box)
 {
     char name[32];
@@ -116,7 +116,7 @@ static void page_joins(const mus_sheet *sheet, const mus__tile *tile, mus__drawi
 }
 
 
-/* a ruler along the left and the upper edge, a tick each centimetre */
+/* a ruler along the left and the upper edge, one tick for each centimetre */
 static void page_ruler(mus__drawing *out, const double *box)
 {
     mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_FRAME);
@@ -153,7 +153,7 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out)
 
 void mus__cover_size(const mus_sheet *sheet, double *out)
 {
-    /* on the paper of the pages, or A4 where those come from a copy shop */
+    /* the paper of the pages, or A4 for A0 and rolls, which a copy shop prints */
     int32_t paper = sheet->def.paper;
     mus__paper_size(paper == MUS_PAPER_A0 || paper == MUS_PAPER_ROLL ? MUS_PAPER_A4 : paper, out);
 }
@@ -169,12 +169,12 @@ mus_status mus__cover_check(const mus_sheet *sheet)
     mus__print_millimetres(margin, sizeof margin, sheet->def.margin);
     mus__print_millimetres(limit, sizeof limit, most);
     return mus__file_fail(sheet->context, MUS_ERR_ARG,
-                           "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
-                           limit);
+                          "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
+                          limit);
 }
 
 
-/* pages, silhouettes and piece numbers in a box, as large as fits */
+/* page map: pages, silhouettes and piece numbers, scaled to fit the box */
 static void cover_map(const mus_sheet *sheet, mus__drawing *out, double x, double y, double width, double height)
 {
     double sx = width / sheet->extent[0], sy = height / sheet->extent[1], s = sx < sy ? sx : sy;
@@ -186,7 +186,7 @@ static void cover_map(const mus_sheet *sheet, mus__drawing *out, double x, doubl
         for (int32_t l = 0; l < cut->nloop; l++) {
             double last[2] = {0, 0};
             for (int32_t k = cut->start[l]; k < cut->start[l + 1]; k++) {
-                /* points nearer than 0.1 mm on the map are one */
+                /* points nearer to each other than 0.1 mm on the map become one */
                 const double p[2] = {x + s * cut->xy[2 * k], low + s * cut->xy[2 * k + 1]};
                 double dx = p[0] - last[0], dy = p[1] - last[1];
                 if (k > cut->start[l] && dx * dx + dy * dy < 1e-8) continue;
@@ -210,7 +210,7 @@ static void cover_map(const mus_sheet *sheet, mus__drawing *out, double x, doubl
 }
 
 
-/* one line for each piece, as many as there is room for */
+/* one line of text for each piece, down to the height `low` */
 static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, double y, double low)
 {
     for (int32_t i = 0; i < sheet->npiece && y > low; i++, y -= 0.0055) {
@@ -253,10 +253,11 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
     if (small * span > right - left) small = (right - left) / span;
     page_text(out, MUS__PEN_TEXT, text, left, y -= 0.007, small, 0.0);
 
-    /* squares on the left, list of pieces and page map on the right, how to put it together below */
+    /* test squares on the left, list and page map on the right, instructions below */
     double squares[2];
     mus__squares_size(false, squares);
-    double top = y - 0.005, low = top - squares[1], column = left + squares[0] + MUS__SQUARE_GAP, space = right - column;
+    double top = y - 0.005, low = top - squares[1];
+    double column = left + squares[0] + MUS__SQUARE_GAP, space = right - column;
     double list = 0.0055 * sheet->npiece;
     if (list > 0.4 * squares[1]) list = 0.4 * squares[1];
     mus__squares_draw(out, left, low, false);

@@ -1,5 +1,5 @@
 /*
- * page.h: paper, and what stands on the pages beside the pieces.
+ * page.h: sizes of paper, and everything on the pages except the pieces.
  */
 #ifndef MUS_PRINT_PAGE_H
 #define MUS_PRINT_PAGE_H
@@ -11,21 +11,21 @@
 
 /* width and height of a paper held upright */
 void mus__paper_size(int32_t paper, double *out);
-/* refuse paper that its margins and overlap use up */
+/* MUS_ERR_ARG when margins and overlap leave too little of the paper */
 mus_status mus__paper_check(const mus_sheet *sheet);
-/* [m] length of the page of a roll that holds `length`: whole points, within what PDF allows */
+/* length [m] of the page of a roll that holds `length` [m]: whole points, between the shortest and the longest page */
 double mus__roll_length(double length);
 
-/* ---- what stands on pages beside the pieces (page.c), in the page's own coordinates ---- */
+/* ---- pages without their pieces (page.c), in coordinates of the page ---- */
 
-/* 100 mm and 4 inch square, side by side or one above the other, low corner at (x, y) */
+/* width and height [m] of both test squares, 100 mm and 4 inches, side by side or one above the other */
 void mus__squares_size(bool beside, double *out);
 void mus__squares_draw(mus__drawing *out, double x, double y, bool beside);
-/* "B3" */
+/* name of a tile by row and column, such as "B3" */
 void mus__tile_name(const mus__tile *tile, char *out, size_t size);
-/* frame, marks and names of a tile */
+/* draw the frame of a tile, its marks and the names of its neighbours */
 void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out);
-/* the first page of a tiled sheet: title, test squares, page map. Refused when the margins leave too little for it */
+/* MUS_ERR_ARG when the margins leave too little paper for the cover, the first page of a tiled sheet */
 mus_status mus__cover_check(const mus_sheet *sheet);
 void mus__cover_size(const mus_sheet *sheet, double *out);
 void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out);

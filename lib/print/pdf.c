@@ -1,10 +1,10 @@
 /*
  * pdf.c: the sheet as PDF by cairo: the cover when there is one, then each page that is not empty.
  *
- * Points are turned into the page's own (1/72 inch, y down) before cairo sees them, with no scale of its own: its paths
- * are whole multiples of 1/256 point (1.4 um). A path that touches a page is drawn whole and clipped to the printed
- * window, so that lengths can be measured on any page. No font is used and the date is fixed: the same sheet gives the
- * same bytes.
+ * Coordinates are converted to those of the page (1/72 inch, y down) before cairo gets them, and cairo has no scale of
+ * its own: it rounds paths to multiples of 1/256 point (1.4 um). A path that touches a page is drawn whole and clipped
+ * to the printed window, so that lengths can be measured on any page. No font is used and the date is fixed, so that
+ * the same sheet gives the same bytes.
  */
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -13,10 +13,10 @@
 #include "file/sink.h"
 #include "print/page.h"
 
-#define POINTS (72.0 / 0.0254)               /* in a metre */
-#define PDF_DATE "1970-01-01T00:00:00Z"      /* cairo writes the time of day unless told one */
+#define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
+#define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */
 
-/* a page under the pen: the sheet's x at its left and y at its upper edge */
+/* the page that is drawn: x of the sheet at its left edge, y at its upper edge [m] */
 typedef struct pdf_page {
     cairo_t *cairo;
     double left, top;
@@ -52,7 +52,7 @@ static void pdf_path(const pdf_page *page, const mus__drawing *drawing, const mu
 }
 
 
-/* all paths that touch the window (low x, y, high x, y; NULL: all) */
+/* draw all paths that touch the window (low x, low y, high x, high y [m]; NULL: all paths) */
 static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const double *window)
 {
     for (int32_t i = 0; i < drawing->npath; i++) {
@@ -71,7 +71,7 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
         }
         cairo_set_dash(page->cairo, dash, dash[0] > 0.0 ? 2 : 0, 0.0);
         cairo_set_line_width(page->cairo, style->width * POINTS);
-        /* round ends carry letters; a dash and the ends of cut lines must not grow */
+        /* only letters have round ends; on other lines they would lengthen dashes and ends */
         bool letter = path->layer == MUS__LAYER_LABEL;
         cairo_set_line_cap(page->cairo, letter ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
         cairo_set_line_join(page->cairo, CAIRO_LINE_JOIN_ROUND);
@@ -111,7 +111,7 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
         const pdf_page own = {cairo, 0.0, sheet->page[1]}, page = {cairo, box[0] - margin, box[3] + margin};
         cairo_pdf_surface_set_size(surface, sheet->page[0] * POINTS, sheet->page[1] * POINTS);
 
-        /* the pieces inside the window, then frame and marks */
+        /* pieces clipped to the window, then frame and marks */
         cairo_save(cairo);
         double width = (box[2] - box[0]) * POINTS, height = (box[3] - box[1]) * POINTS;
         cairo_rectangle(cairo, margin * POINTS, margin * POINTS, width, height);
@@ -138,7 +138,7 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     mus_status status = sheet->tiled ? pdf_cover(surface, cairo, sheet) : MUS_OK;
     for (int32_t i = 0; i < sheet->ntile && status == MUS_OK; i++) status = pdf_tile(surface, cairo, sheet, i);
 
-    /* what cairo itself could not do: memory, or a sink that refused bytes */
+    /* failures of cairo: no memory, or a sink that has failed */
     cairo_status_t trouble = cairo_status(cairo);
     cairo_destroy(cairo);
     cairo_surface_finish(surface);
@@ -147,7 +147,7 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     if (status == MUS_OK) status = bytes->status;
     if (status == MUS_OK && trouble != CAIRO_STATUS_SUCCESS)
         status = mus__file_fail(sheet->context, trouble == CAIRO_STATUS_NO_MEMORY ? MUS_ERR_MEMORY : MUS_ERR_FILE,
-                                 "cairo: %s", cairo_status_to_string(trouble));
+                                "cairo: %s", cairo_status_to_string(trouble));
     return status;
 }
 

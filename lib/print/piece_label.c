@@ -1,9 +1,9 @@
 /*
- * piece_label.c: what is written on a piece, and where it fits.
+ * piece_label.c: the label of a piece: its lines of text, and the place where they fit.
  *
- * The block of lines is tried at several sizes, upright and lying, on a lattice over the piece: the first size at which
- * it fits inside the seam line, clear of grain line and marks, is taken, at the place nearest to the middle. A piece
- * too small for any gets the smallest block in its middle.
+ * The label is tried at several sizes, upright and lying (turned by a quarter), at the points of a lattice over the
+ * piece. The first size that fits inside the sew line, clear of grain line and marks, is taken, at the place nearest to
+ * the middle. A piece too small for any size gets the smallest label in its middle.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,12 +11,12 @@
 
 #include "print/sheet.h"
 
-#define LABEL_LINES 7
-#define LABEL_BYTES 256
-#define LABEL_LATTICE 24
-#define LABEL_PAD 0.004 /* kept free around the block */
-#define LYING 0.05      /* [m] of way that an upright block is worth */
-#define ACROSS 0.15     /* and one that no page edge cuts */
+#define LABEL_LINES 7    /* most lines of a label: as many as label_lines adds */
+#define LABEL_BYTES 256  /* [bytes] of a line with its zero byte; chosen */
+#define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */
+#define LABEL_PAD 0.004  /* [m] kept free around the label; chosen */
+#define LYING 0.05       /* [m] a lying label counts as this much farther from the middle; chosen */
+#define ACROSS 0.15      /* [m] a label that a page edge cuts counts as this much farther; chosen */
 
 typedef struct label_line {
     char text[LABEL_BYTES];
@@ -27,16 +27,16 @@ typedef struct label_line {
 typedef struct label_block {
     label_line lines[LABEL_LINES];
     int32_t n;
-    double width, height; /* at full size */
+    double width, height; /* at full size [m] */
 } label_block;
 
-/* segments that the block must not touch */
+/* segments that the label must not touch */
 typedef struct label_walls {
     int32_t n, room;
     double *xy; /* (n x 4) */
 } label_walls;
 
-/* where the block goes */
+/* place of the label: its middle [m], scale and direction */
 typedef struct label_place {
     double x, y, scale;
     bool lying;
@@ -52,7 +52,7 @@ static label_line *label_add(label_block *block, double height, bool bold)
 }
 
 
-/* the widths in the order of the outline, each once */
+/* write the line about allowances: each width once, in the order of the outline */
 static void label_allowance(const mus__piece *piece, char *out, size_t size)
 {
     double seen[6];
@@ -139,7 +139,7 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
 }
 
 
-/* the middle is inside the piece and no wall meets the box */
+/* true when the middle of the box is inside the piece and no wall meets the box */
 static bool label_fits(const mus__piece *piece, const label_walls *walls, const double *box)
 {
     double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
@@ -166,8 +166,8 @@ static bool label_on_page(const mus_sheet *sheet, const double *box)
 }
 
 
-/* the place nearest to the middle of the seam line's box, at the largest size that has one; a block that lies down or
- * runs over the edge of a page counts as farther away */
+/* find the place nearest to the middle of the sew line's box, at the largest size that fits; a lying label, or one that
+ * crosses the edge of a page, counts as farther away */
 static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, const label_walls *walls,
                               const label_block *block)
 {

@@ -1,22 +1,22 @@
 /*
- * piece_marks.c: the lines of a placed piece: cut line, seam line, notches, grain line, marks.
+ * piece_marks.c: the lines of a placed piece: cut line, sew line, notches, grain line, marks.
  *
- * The seam line is one path an edge, so that every edge can be measured on the paper. A notch stands on the cut line
- * where the normal of the seam line at the notch meets it: one slit for the front, two for the back, three for centre
- * back and others, 5 mm deep or to 2 mm before the seam line, whichever is less.
+ * The sew line is one path for each edge, so that every edge can be measured on the paper. A notch stands on the cut
+ * line where the normal of the sew line at the notch meets it: one slit for the front, two for the back, three for
+ * centre back and others. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
  */
 #include <math.h>
 
 #include "print/piece.h"
 
-#define SLIT_DEPTH 0.005
-#define SLIT_CLEAR 0.002   /* left between slit and seam line, so that a slit never opens a seam */
-#define SLIT_LEAST 0.0025  /* below this a slit cannot be found on the cloth */
-#define SLIT_APART 0.004   /* between the slits of one notch */
-#define GRAIN_CHORDS 25    /* upright lines tried for the grain line */
-#define ARROW 0.006        /* length of an arrow head */
-#define CAPTION 0.0025     /* height of the name of a mark */
-#define CAPTION_CLEAR 0.004 /* its base line from the mark */
+#define SLIT_DEPTH 0.005   /* [m] deepest slit; chosen */
+#define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
+#define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
+#define SLIT_APART 0.004   /* [m] between the slits of one notch; chosen */
+#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen */
+#define ARROW 0.006        /* [m] length of an arrow head; chosen */
+#define CAPTION 0.0025     /* [m] height of capitals in the name of a mark; chosen */
+#define CAPTION_CLEAR 0.004 /* [m] from the mark to the base line of its name; chosen */
 
 
 static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)
@@ -35,7 +35,7 @@ static void marks_cut(mus__drawing *out, const mus__piece *piece, int32_t index)
     double widest = 0.0;
     for (int32_t i = 0; i < piece->nside; i++) widest = piece->sides[i].width > widest ? piece->sides[i].width : widest;
 
-    /* without any allowance the cut line is the seam line, curves and all */
+    /* without any allowance the cut line is the sew line with its curves */
     mus__draw_path(out, index, MUS__LAYER_CUT, MUS__PEN_CUT);
     if (widest == 0.0) {
         marks_spans(out, piece, 0, piece->nspan - 1);
@@ -64,7 +64,7 @@ static void marks_seam(mus__drawing *out, const mus__piece *piece, int32_t index
 }
 
 
-/* how far from p along n the cut line is, at least `least`; `least` itself when the ray misses it */
+/* distance [m] from p along n to the cut line, at least `least`; `least` when the ray misses the cut line */
 static double marks_reach(const mus__piece *piece, const double *p, const double *n, double least)
 {
     double best = -1.0;
@@ -84,7 +84,7 @@ static double marks_reach(const mus__piece *piece, const double *p, const double
 }
 
 
-/* one slit at arc length s of a side */
+/* draw one slit at arc length s [m] of a side */
 static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, const mus__side *side,
                        double s, double length)
 {
@@ -95,7 +95,7 @@ static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus_
     if (mus_pattern_edge_at(pattern, side->edge, 3, at, xy) != MUS_OK) return;
     for (int32_t i = 0; i < 3; i++) mus__piece_point(piece, xy + 2 * i, p + 2 * i);
 
-    /* the outside is on the right of the way round */
+    /* the outside lies on the right of the outline's direction */
     double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
     if (!(d > 0.0)) return;
     const double n[2] = {dy / d, -dx / d};
@@ -127,7 +127,7 @@ static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const m
 }
 
 
-/* the longest part of the upright line at x that lies inside the seam line */
+/* compute the longest part, low to high, of the upright line at x that lies inside the sew line */
 static double marks_chord(const mus__piece *piece, double x, double *low, double *high)
 {
     double best = 0.0;
@@ -161,7 +161,8 @@ static void marks_arrow(mus__drawing *out, double x, double y, double up, double
 }
 
 
-/* a double arrow; two thirds of the longest upright line there is, at 0.3 of the width if that line is long enough */
+/* draw the grain line, a double arrow: two thirds of the longest upright line inside the piece, at 0.3 of the piece's
+ * width if the upright line there is long enough */
 static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t index, double *grain)
 {
     double left = piece->flat[0], right = left, most = 0.0;
@@ -196,7 +197,7 @@ static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t inde
 }
 
 
-/* along the line from its first to its last point, readable from below or from the right */
+/* the text runs along the mark from its first to its last point, readable from below or from the right */
 bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t mark, mus__caption *out)
 {
     int32_t panel, n;

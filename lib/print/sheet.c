@@ -1,8 +1,8 @@
 /*
- * sheet.c: the sheet: from a pattern and its options to placed, drawn pieces; and what can be asked of it.
+ * sheet.c: make a sheet from a pattern and its options, with all pieces placed and drawn; and the questions about it.
  *
- * A pattern with a fault that no paper can show (open or crossing outline, a panel too small to cut) is refused; sides
- * of a seam that differ are the sewer's business and print.
+ * A pattern whose panels cannot be cut (open or crossing outline, a panel too small) is refused. A pattern whose seams
+ * join sides of different lengths is printed.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,8 +11,8 @@
 #include "muslin/topology.h"
 #include "print/page.h"
 
-#define ALLOWANCE_MOST 0.1 /* [m] */
-#define BORDER_MOST 0.1    /* of margin and overlap [m] */
+#define ALLOWANCE_MOST 0.1 /* [m] largest default allowance; chosen */
+#define BORDER_MOST 0.1    /* [m] largest margin and overlap; chosen: half the width of A4 */
 
 
 void mus_sheet_def_init(mus_sheet_def *def, size_t size)
@@ -28,23 +28,23 @@ void mus_sheet_def_init(mus_sheet_def *def, size_t size)
 }
 
 
-/* low .. high, NaN refused */
+/* MUS_ERR_ARG unless x [m] is in 0 .. high; NaN is refused */
 static mus_status sheet_range(mus_context *context, const char *name, double x, double high)
 {
     if (x >= 0.0 && x <= high) return MUS_OK;
     char most[32], given[32] = "not a number";
     mus__print_millimetres(most, sizeof most, high);
     if (x - x == 0.0 && fabs(x) < 1e6) snprintf(given, sizeof given, "%ld um", lround(x * 1e6));
-    else if (x == x) snprintf(given, sizeof given, "beyond all paper");
-    return mus__file_fail(context, MUS_ERR_ARG, "sheet: %s is %s; 0 to %s mm", name, given, most);
+    else if (x == x) snprintf(given, sizeof given, "above 1000 km");
+    return mus__file_fail(context, MUS_ERR_ARG, "sheet: %s is %s; expected 0 to %s mm", name, given, most);
 }
 
 
 static mus_status sheet_def_check(mus_context *context, const mus_sheet_def *def)
 {
     if (def->paper < MUS_PAPER_A4 || def->paper > MUS_PAPER_ROLL)
-        return mus__file_fail(context, MUS_ERR_ARG, "sheet: paper %d is unknown; 0 (A4) to %d (roll)", def->paper,
-                               MUS_PAPER_ROLL);
+        return mus__file_fail(context, MUS_ERR_ARG, "sheet: paper %d is unknown; expected 0 (A4) to %d (roll)",
+                              def->paper, MUS_PAPER_ROLL);
     mus_status status = sheet_range(context, "allowance", def->allowance, ALLOWANCE_MOST);
     if (status == MUS_OK) status = sheet_range(context, "margin", def->margin, BORDER_MOST);
     if (status == MUS_OK) status = sheet_range(context, "overlap", def->overlap, BORDER_MOST);
@@ -61,7 +61,7 @@ static char *sheet_text(mus_context *context, const char *text)
 }
 
 
-/* refuse a pattern with a fault that cannot be cut */
+/* MUS_ERR_PATTERN for a pattern with a fault that keeps a panel from being cut */
 static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
 {
     mus_faults *faults;
@@ -73,14 +73,14 @@ static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
         status = mus_faults_item(faults, i, &kind, NULL, NULL, NULL);
         if (kind == MUS_FAULT_OPEN_OUTLINE || kind == MUS_FAULT_CROSSING || kind == MUS_FAULT_SMALL_PANEL)
             status = mus__file_fail(context, MUS_ERR_PATTERN, "pattern %.100s cannot be printed: %.300s",
-                                     mus_pattern_name(pattern), mus_faults_text(faults, i));
+                                    mus_pattern_name(pattern), mus_faults_text(faults, i));
     }
     mus_faults_destroy(faults);
     return status;
 }
 
 
-/* all panels that no other one is the mirror image of */
+/* make a piece of each panel that is not the mirror image of another */
 static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
 {
     int32_t npanel = mus_pattern_panel_count(pattern), count, mirror;
@@ -147,7 +147,7 @@ mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, co
     if (def != NULL) {
         if (def->size != sizeof own)
             return mus__file_fail(context, MUS_ERR_VERSION, "mus_sheet_def: size %zu, this library knows %zu; use "
-                                   "mus_sheet_def_init", def->size, sizeof own);
+                                  "mus_sheet_def_init", def->size, sizeof own);
         own = *def;
     }
     mus_status status = sheet_def_check(context, &own);
@@ -217,7 +217,7 @@ mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *out)
     int32_t first = sheet->tiled ? 1 : 0;
     if (page < first || page >= first + sheet->ntile)
         return mus__file_fail(sheet->context, MUS_ERR_ARG, "page %d shows no part of the sheet; pages %d to %d do",
-                               page, first, first + sheet->ntile - 1);
+                              page, first, first + sheet->ntile - 1);
 
     double box[4];
     mus__tile_window(sheet, &sheet->tiles[page - first], box);

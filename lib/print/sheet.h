@@ -1,8 +1,9 @@
 /*
- * sheet.h: the sheet: all pieces, their places on paper, the pages.
+ * sheet.h: a sheet: all pieces, their places on paper, the pages.
  *
- * Way of the data: pattern -> pieces (outline.c, offset.c) -> places on the sheet (pack.c, tile.c) -> one drawing of the
- * whole sheet (piece_marks.c, piece_label.c, stroke.c) -> pages (page.c) -> bytes (pdf.c, svg.c) -> file (lib/file).
+ * Flow of the data: pattern -> pieces (outline.c, offset.c) -> places on the sheet (pack.c, tile.c) -> one drawing of
+ * the whole sheet (piece_marks.c, piece_label.c, stroke.c) -> pages (page.c) -> bytes (pdf.c, svg.c) -> file
+ * (lib/file).
  */
 #ifndef MUS_PRINT_SHEET_H
 #define MUS_PRINT_SHEET_H
@@ -16,36 +17,36 @@ typedef struct mus__tile {
 
 struct mus_sheet {
     mus_context *context;
-    mus_sheet_def def; /* its texts point to the copies below */
+    mus_sheet_def def; /* options; its texts point to the copies below */
     char *title;
     char *person;
     int32_t npiece;
     mus__piece *pieces; /* (npiece) in the order of the pattern */
-    char (*names)[128]; /* (npiece) of the panels */
+    char (*names)[128]; /* (npiece) names of the panels */
     double extent[2];
     bool tiled;         /* has a cover; else the test squares stand on the sheet */
-    double squares[2];  /* where they stand when not tiled */
+    double squares[2];  /* low corner of the test squares [m], when not tiled */
     bool squares_beside; /* side by side, or one above the other */
-    double page[2];     /* width and height */
+    double page[2];     /* width and height of a page [m] */
     int32_t columns, rows, ntile;
-    mus__tile *tiles;   /* (ntile) in the order of the pages, empty ones left out */
-    mus__drawing drawing; /* all pieces */
+    mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones */
+    mus__drawing drawing; /* lines of all pieces */
 };
 
-/* low corner for `n` boxes (size, n x 2) on a strip of the given width, the tallest first; the height used comes back.
- * work (n) int32_t, sky (2n + 2) x 3 doubles */
+/* pack `n` boxes (size, n x 2 [m]) on a strip of the given width, `gap` apart: at (n x 2) gets their low corners.
+ * Returns the height used, or -1 when a box is too wide. Scratch: work (n), sky (2n + 2) x 3 */
 double mus__pack(int32_t n, const double *size, double width, double gap, double *at, int32_t *work, double *sky);
 
-/* place the pieces: sets extent, tiled, page, columns, rows, tiles */
+/* place the pieces on pages: sets extent, tiled, page, columns, rows, tiles */
 mus_status mus__sheet_layout(mus_sheet *sheet);
-/* page as the sheet sees it: low x, y, high x, y of what is printed (margins left out) */
+/* window of a tile: low x, low y, high x, high y of the part of the sheet that it prints, without margins [m] */
 void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box);
 int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
-/* true when something of a segment lies in a box; when the inside or the cut line of a piece does */
+/* true when a part of the segment (mus__piece_meets: of the inside or the cut line of the piece) lies in the box */
 bool mus__segment_meets(const double *a, const double *b, const double *box);
 bool mus__piece_meets(const mus__piece *piece, const double *box);
 
-/* the label of a piece: its name, copies, size and person, where they fit (piece_label.c) */
+/* draw the label of a piece: name, copies, person and scale, at a place where it fits (piece_label.c) */
 mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t index, const double *grain);
 
 #endif

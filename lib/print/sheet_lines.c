@@ -1,14 +1,14 @@
 /*
- * sheet_lines.c: the pieces and lines of a sheet as public data: what other writers (a cutter's file, a screen) draw from.
+ * sheet_lines.c: the pieces and lines of a sheet as public data, for other writers (a cutter's file, a screen).
  *
- * The lines are those of the drawing that PDF and SVG are written from, so what a caller reads is what is printed.
+ * The lines are those of the drawing that PDF and SVG are written from, so a caller reads the lines that are printed.
  */
 #include <string.h>
 
 #include "print/sheet.h"
 
 
-/* MUS_LINE_* are the layers of a drawing in their order */
+/* MUS_LINE_* equal the groups of a drawing */
 _Static_assert((int)MUS__LAYER_CUT == MUS_LINE_CUT && (int)MUS__LAYER_SEAM == MUS_LINE_SEW, "lines");
 _Static_assert((int)MUS__LAYER_NOTCHES == MUS_LINE_NOTCH && (int)MUS__LAYER_GRAIN == MUS_LINE_GRAIN, "lines");
 _Static_assert((int)MUS__LAYER_MARKS == MUS_LINE_MARK && (int)MUS__LAYER_LABEL == MUS_LINE_LABEL, "lines");
@@ -36,7 +36,7 @@ int32_t mus_sheet_piece_count(const mus_sheet *sheet)
 }
 
 
-/* MUS_OK when `out` has the size `expected` and item i is there */
+/* check the size of a caller's struct and the index i of a piece or line */
 static mus_status lines_check(const mus_sheet *sheet, const char *what, size_t size, size_t expected, int32_t i,
                               int32_t count)
 {

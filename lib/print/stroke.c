@@ -1,24 +1,24 @@
 /*
- * stroke.c: letters as single strokes, so that what is printed does not depend on the fonts of a machine.
+ * stroke.c: letters as single strokes, so that the printed text does not depend on the fonts of a machine.
  *
- * A glyph is a text: its width, then steps of three characters: what, x, y, both as hexadecimal digits on this grid:
+ * A glyph is a text: its width, then steps of three characters: kind, x, y, the last two as hexadecimal digits:
  *
  *     e  ---- capitals          m move, l line
- *     a  ---- small letters     h quarter of an ellipse that leaves level and arrives upright
- *     4  ---- base line         v quarter of an ellipse that leaves upright and arrives level
+ *     a  ---- small letters     h quarter of an ellipse, leaves horizontal, arrives upright
+ *     4  ---- base line         v quarter of an ellipse, leaves upright, arrives horizontal
  *     0  ---- descenders
  *
  * So "o" is 6 wide: m3a h07 v34 h67 v3a, four quarters from its top. Three units of space follow each glyph. Letters
- * with accents are drawn as their base letter (Latin-1, Latin Extended-A); what has none is drawn as a question mark.
+ * with accents are drawn as their base letter (Latin-1, Latin Extended-A); others are question marks.
  */
 #include <string.h>
 
 #include "print/drawing.h"
 
-#define CAPITAL 10.0  /* units from the base line to the top of a capital */
-#define BASE 4
-#define SPACING 3
-#define KAPPA 0.55228474983079340 /* handle of a quarter circle, 4/3 (sqrt 2 - 1) */
+#define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
+#define BASE 4        /* y of the base line on the grid */
+#define SPACING 3     /* units between two letters; chosen */
+#define KAPPA 0.55228474983079340 /* handle of the cubic of a quarter circle over the radius: 4/3 (sqrt 2 - 1) */
 
 static const char *const glyphs[95] = {
     /* space ! " # $ % & ' */
@@ -71,7 +71,7 @@ uint32_t mus__text_character(const char **text)
         code = code << 6 | (p[i] & 0x3fU);
         *text += 1;
     }
-    /* longer than needed, or beyond Unicode */
+    /* refused: overlong forms, and code points beyond Unicode */
     static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
     return code < least[more] || code > 0x10ffff ? 0xfffd : code;
 }
@@ -106,7 +106,7 @@ double mus__text_width(const char *text)
 }
 
 
-/* where a point of the grid falls */
+/* map from the grid of a glyph to the drawing */
 typedef struct text_frame {
     double x, y, unit, cosine, sine;
 } text_frame;
@@ -130,7 +130,7 @@ static void text_glyph(mus__drawing *drawing, const char *glyph, const text_fram
         if (step[0] == 'm') mus__draw_move(drawing, p[4], p[5]);
         else if (step[0] == 'l') mus__draw_line(drawing, p[4], p[5]);
         else {
-            /* first handle along the way it leaves, second against the way it arrives */
+            /* first handle in the direction of leaving, second against the direction of arrival */
             bool level = step[0] == 'h';
             double kx = KAPPA * (to_x - x), ky = KAPPA * (to_y - y);
             text_point(f, level ? x + kx : x, level ? y : y + ky, p);

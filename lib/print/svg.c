@@ -1,9 +1,10 @@
 /*
- * svg.c: the sheet as SVG at true scale: width and height in millimetres, one unit of the drawing a millimetre.
+ * svg.c: the sheet as SVG at true scale: width and height in millimetres, one unit is one millimetre.
  *
- * A group for each piece, named as its panel, and in it the groups NAME.cut, .seam, .notches, .grain, .marks, .label,
- * so that a plotter or an editor can pick lines by name; "scale" holds the test squares. Written by hand: names
- * survive, and numbers are made of integers, so no locale can put a comma into them.
+ * Each piece is a group with the name of its panel. It contains the groups NAME.cut, .seam, .notches, .grain, .marks
+ * and .label, so that a plotter or an editor can pick lines by name; the group "scale" has the test squares. The text
+ * is written here and not by cairo, which would drop the names. Numbers are printed from integers, so that no locale
+ * can put a comma into them.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -13,12 +14,12 @@
 #include "file/sink.h"
 #include "print/page.h"
 
-#define SVG_GAP 0.005 /* between the sheet and test squares added below it */
+#define SVG_GAP 0.005 /* [m] between the sheet and the test squares below it; chosen */
 
 static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notches", "grain", "marks", "label"};
 
 
-/* metres as millimetres with four decimals at most */
+/* write x [m] as millimetres with four decimals at most */
 static void svg_number(mus__sink *bytes, double x)
 {
     int64_t units = llround(x * 1e7), whole = units < 0 ? -(units / 10000) : units / 10000;
@@ -30,7 +31,7 @@ static void svg_number(mus__sink *bytes, double x)
 }
 
 
-/* text of an element: marked-up characters escaped, what is no XML or no UTF-8 as '?' */
+/* write the text of an element: markup characters escaped, characters that XML or UTF-8 do not allow as '?' */
 static void svg_text(mus__sink *bytes, const char *text)
 {
     while (*text != '\0') {
@@ -47,10 +48,11 @@ static void svg_text(mus__sink *bytes, const char *text)
 }
 
 
-#define SVG_NAME 160 /* bytes of an identifier: a name of 127, a sign before and a number behind it */
+#define SVG_NAME 160 /* [bytes] of an identifier: a name of 127, a sign before it and a number behind it */
 
 
-/* a name as an identifier: ASCII letters, digits, "-" and "." stay, the rest becomes "_"; a letter or "_" is first */
+/* turn a name into an identifier: ASCII letters, digits, "-" and "." stay, all else becomes "_"; it starts with a
+ * letter or "_" */
 static void svg_clean(const char *name, char *out)
 {
     size_t at = 0;
@@ -65,7 +67,7 @@ static void svg_clean(const char *name, char *out)
 }
 
 
-/* the identifier of a piece; one that an earlier piece or the scale has too gets the number of the piece */
+/* identifier of a piece; when an earlier piece or the scale has the same, the number of the piece is appended */
 static void svg_identifier(const mus_sheet *sheet, int32_t index, char *out)
 {
     svg_clean(sheet->names[index], out);
@@ -110,7 +112,7 @@ static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__p
         svg_number(bytes, style->dash[1]);
     }
     mus__sink_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
-                     path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
+                    path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
 }
 
 
@@ -134,7 +136,7 @@ static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
 }
 
 
-/* the test squares: where they stand on the sheet, or below it when they would be on the cover */
+/* write the test squares: on the sheet, or below it when the PDF has them on the cover */
 static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
@@ -165,7 +167,8 @@ static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, c
         width = width > squares[0] + SVG_GAP ? width : squares[0] + SVG_GAP;
         height += squares[1] + 2.0 * SVG_GAP;
     }
-    mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
+    mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
     svg_number(&bytes, width);
     mus__sink_print(&bytes, "mm\" height=\"");
     svg_number(&bytes, height);

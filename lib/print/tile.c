@@ -1,7 +1,7 @@
 /*
- * tile.c: the pieces on pages: where each lies on the sheet, the grid of pages, which of them are empty.
+ * tile.c: the layout of the pieces: the place of each on the sheet, the grid of pages, and the pages that are empty.
  *
- *      A1 | A2 | A3      A page prints a window, its paper less the margins. Windows are one step apart, a step being
+ *      A1 | A2 | A3      A page prints a window, its paper less the margins. Windows are one step apart; a step is
  *      ---+----+---      the window less the overlap, so the sheet is columns x step + overlap wide. Rows count from
  *      B1 | B2 | B3      the top. Pages on which no cloth lies are left out.
  *
@@ -13,12 +13,12 @@
 
 #include "print/page.h"
 
-#define PIECE_GAP 0.006      /* between the cut lines of two pieces */
-#define SHEET_BORDER 0.003   /* between cut line and edge of the printed window */
-#define MORE_COLUMNS 10      /* widths tried beyond the least */
-#define TILES_MAX 10000      /* a pattern of 25 m on A4 */
+#define PIECE_GAP 0.006      /* [m] between the boxes of two cut lines; chosen */
+#define SHEET_BORDER 0.003   /* [m] between cut line and edge of the printed window; chosen */
+#define MORE_COLUMNS 10      /* widths of the sheet tried beyond the least, in columns; chosen */
+#define TILES_MAX 10000      /* most tiles of a sheet; chosen: a square of about 25 m on A4 */
 
-/* Liang and Barsky's clip: true when something of the segment is left */
+/* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left */
 bool mus__segment_meets(const double *a, const double *b, const double *box)
 {
     double from = 0.0, to = 1.0;
@@ -76,16 +76,16 @@ int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row)
 
 /* ---- the search ---- */
 
-/* a way to lay the sheet out, with the arrays that the search needs */
+/* a layout of the sheet, with the arrays that the search needs */
 typedef struct layout {
     double page[2];
     int32_t columns, rows, ntile;
-    double *at;      /* (npiece + 1) x 2 low corners from the packer; the last is that of the test squares */
-    double *best_at; /* the same of the best way so far */
-    double *size;    /* (npiece + 1) x 2 */
+    double *at;      /* (npiece + 1) x 2 low corners from the packer [m]; the last is that of the test squares */
+    double *best_at; /* low corners of the best layout so far */
+    double *size;    /* (npiece + 1) x 2 widths and heights [m] */
     double *sky;
     int32_t *work;
-    mus__tile *tiles; /* those of the best way */
+    mus__tile *tiles; /* tiles of the best layout so far */
     int32_t room;
 } layout;
 
@@ -118,7 +118,7 @@ static bool layout_new(const mus_sheet *sheet, layout *l)
 }
 
 
-/* a strip of `columns` pages packed: sets at and rows (and the page's height on a roll). False: a piece is too wide */
+/* pack a strip of `columns` pages: sets at and rows (on a roll also the page's height). False: a piece is too wide */
 static bool layout_pack(const mus_sheet *sheet, layout *l, int32_t nbox, int32_t columns)
 {
     double margin = sheet->def.margin, overlap = sheet->def.overlap;
@@ -136,7 +136,7 @@ static bool layout_pack(const mus_sheet *sheet, layout *l, int32_t nbox, int32_t
 }
 
 
-/* the packer fills upwards from (0, 0); the sheet is read from its top */
+/* low corner of box i on the sheet: the packer fills upwards from (0, 0), the sheet from its top */
 static void layout_corner(const mus_sheet *sheet, const layout *l, const double *at, int32_t i, double *out)
 {
     double margin = sheet->def.margin, overlap = sheet->def.overlap;
@@ -146,7 +146,7 @@ static void layout_corner(const mus_sheet *sheet, const layout *l, const double 
 }
 
 
-/* true when cloth lies on a page; the pieces still have their low corners at the origin */
+/* true when a piece meets a page; the pieces still have their low corners at the origin */
 static bool layout_filled(const mus_sheet *sheet, const layout *l, int32_t column, int32_t row)
 {
     double margin = sheet->def.margin, overlap = sheet->def.overlap, corner[2];
@@ -161,7 +161,7 @@ static bool layout_filled(const mus_sheet *sheet, const layout *l, int32_t colum
 }
 
 
-/* the filled pages of the way in `l`; kept when they are fewer than those of `best` */
+/* count the pages of the layout `l` that are not empty, and keep it in `best` when they are fewer */
 static mus_status layout_compare(mus_sheet *sheet, layout *l, layout *best)
 {
     mus_status status = mus__print_reserve(sheet->context, &l->tiles, &l->room, (int64_t)l->columns * l->rows,
@@ -185,7 +185,7 @@ static mus_status layout_compare(mus_sheet *sheet, layout *l, layout *best)
 }
 
 
-/* paper one way round, widths of the sheet from the least on */
+/* try the widths of the sheet, from the least on, with the paper upright or landscape */
 static mus_status layout_search(mus_sheet *sheet, layout *l, bool landscape, layout *best)
 {
     double paper[2];
@@ -208,7 +208,7 @@ static mus_status layout_search(mus_sheet *sheet, layout *l, bool landscape, lay
 }
 
 
-/* everything and the test squares on one page */
+/* try one page with all pieces and the test squares; false when they do not fit */
 static bool layout_single(mus_sheet *sheet, layout *l, bool landscape)
 {
     double paper[2];
@@ -243,7 +243,7 @@ static mus_status layout_find(mus_sheet *sheet, layout *l, layout *best)
     for (int32_t way = 0; way < ways && status == MUS_OK; way++) status = layout_search(sheet, l, way == 1, best);
     if (status == MUS_OK && best->ntile == 0)
         status = mus__file_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title,
-                                 TILES_MAX);
+                                TILES_MAX);
     return status;
 }
 

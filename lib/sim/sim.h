@@ -13,7 +13,7 @@
 #define MUS_SIM_SIM_H
 
 #include "base/pool.h"
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "contact/plane_cache.h"
 #include "sim/program.h"
 #include "sim/sim_ops.h"

@@ -17,7 +17,7 @@ fail() { echo "$*"; exit 1; }
 # ---- install twice: into a prefix to use, and by DESTDIR with a library folder of Debian's kind ----
 
 abi=$(sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
-version=$(cd "$out/lib" && ls libmuslin.so.*.*.* | sed 's/libmuslin.so.//')
+version=$(sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
 sh lib/install.sh "$out" "" "$scratch/prefix" lib "$version" "$abi"
 sh lib/install.sh "$out" "$scratch/stage" /opt/muslin lib/x86_64-linux-gnu "$version" "$abi"
 grep -rlI "$scratch\|$out" "$scratch/stage" && fail "an installed file names a folder of the build"

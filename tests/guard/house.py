@@ -2,7 +2,8 @@
 """house.py [OUT] [--check]: the house in figures: rooms, headers, functions, docstrings, comments, circles.
 
 Prints a row for each room (folder of lib/) and the figures of the whole. With --check it prints only what is beyond a
-limit, and exits 1 then. OUT is the build folder, whose object files tell the circles; without it they are not counted.
+limit, and exits 1 then; an aim that is missed is printed and is no failure. OUT is the build folder, whose object files
+tell the circles; without it they are not counted.
 """
 import pathlib
 import re
@@ -13,8 +14,8 @@ import circles
 import size
 
 ROOT = size.ROOT
+AIMS = {"lines of lib": 55000}
 LIMITS = {
-    "lines of lib": 55000,
     "lines of a room": 5000,
     "files of a room": 30,
     "lines of an internal header": 120,
@@ -78,11 +79,12 @@ def prototypes(path):
 
 def measure(out):
     """(rows of the table of rooms, figures of the whole, places that are beyond a limit)."""
-    rooms, faults, figures = [], [], {}
+    rooms, faults, missed, figures = [], [], [], {}
 
     def hold(what, value, place):
-        if value > LIMITS[what]:
-            faults.append(f"{place}: {value} {what}, at most {LIMITS[what]}")
+        most = LIMITS.get(what, AIMS.get(what))
+        if value > most:
+            (faults if what in LIMITS else missed).append(f"{place}: {value} {what}, at most {most}")
 
     code = comment = total = functions_all = functions_long = widest = longest = 0
     for room in sorted(p for p in (ROOT / "lib").iterdir() if p.is_dir()):
@@ -129,21 +131,21 @@ def measure(out):
         files, floors = circles.measure(out)
         figures["circles of files"], figures["circles of rooms"] = len(files), len(floors)
         hold("circles", len(files) + len(floors), "lib")
-    return rooms, figures, faults
+    return rooms, figures, faults, missed
 
 
 def main():
     out = next((a for a in sys.argv[1:] if not a.startswith("-")), None)
-    rooms, figures, faults = measure(out)
+    rooms, figures, faults, missed = measure(out)
     if "--check" in sys.argv:
-        print("\n".join(faults), end="\n" if faults else "")
+        print("\n".join(faults + [f"aim: {line}" for line in missed]))
         return 1 if faults else 0
     print(f"{'room':<12} {'files':>5} {'lines':>6} {'tallest header':>28} {'comment/code':>12}")
     for name, files, lines, tall, header, share in sorted(rooms, key=lambda r: -r[2]):
         print(f"{name:<12} {files:5} {lines:6} {header + ' ' + str(tall):>28} {100 * share:10.1f} %")
     for what, value in figures.items():
         print(f"{what}: {value}")
-    print(f"{len(faults)} beyond a limit" + (": house.py --check lists them" if faults else ""))
+    print(f"{len(faults)} beyond a limit, {len(missed)} beyond an aim (house.py --check lists them)")
     return 0
 
 

@@ -65,7 +65,7 @@ carries design "base geom tape limb pattern topology board block half style desi
     mus_pattern *pattern; status = mus_design_draft(context, 0, NULL, NULL, &pattern)'
 carries cloth "base geom pattern topology cloth" 'tape|body|design|drape|sim|plan|collider|integrate' '
     mus_cloth *cloth; status = mus_cloth_create(context, NULL, NULL, &cloth)'
-carries drape "base geom tape limb body pose pattern topology cloth contact arrange sim drape" 'design|tape_set|tape_complete' '
+carries drape "base geom tape limb body pose pattern topology cloth contact selfcontact arrange sim drape" 'design|tape_set|tape_complete' '
     mus_drape *drape; status = mus_drape_create(context, NULL, NULL, NULL, &drape)'
 
 # names that a program with one module may not need: an integrator of its own data stands on the ground alone

@@ -73,6 +73,9 @@ guard() # NAME COMMAND...
 
 guard includes "$python" tests/guard/includes.py
 guard size "$python" tests/guard/size.py
+guard house "$python" tests/guard/house.py "$out" --check
+guard circles "$python" tests/guard/circles.py "$out"
+guard carried sh tests/guard/carried.sh "$out/lib"
 guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
 guard sizes sh tests/guard/sizes.sh "$out"

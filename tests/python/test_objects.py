@@ -209,14 +209,14 @@ def test_progress_sees_positions_and_stops_by_an_error_of_its_own(scene):
 
     def progress(told):
         seen.append(told)
-        return len(seen) == 2
+        return True
 
     with pytest.raises(muslin.MuslinError, match="stopped") as caught:
         drape.sew(progress)
     assert caught.value.name == "MUS_ERR_STOPPED" and drape.reason["name"] == "stopped"
-    assert [told.phase for told in seen] == ["sew", "sew"] and 0 <= seen[1].share <= 1
-    assert len(seen[1].positions) > 10 and len(seen[1].triangles) > 10
-    assert max(max(corners) for corners in seen[1].triangles) < len(seen[1].positions)
+    assert [told.phase for told in seen] == ["sew"] and 0 <= seen[0].share <= 1
+    assert len(seen[0].positions) > 10 and len(seen[0].triangles) > 10
+    assert max(max(corners) for corners in seen[0].triangles) < len(seen[0].positions)
 
 
 def test_log_lines_reach_python(tmp_path):

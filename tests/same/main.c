@@ -206,7 +206,8 @@ static int compare(const same_list *list, char **words, int count)
     if (skipped > 0) printf("skipped: rows that need the real data: there is no folder of it\n");
     print_seconds(list);
     printf("%d rows equal, %d changed, %d skipped\n", equal, changed, skipped);
-    return changed > 0;
+    if (equal + changed + skipped == 0) fprintf(stderr, "same: no row has these words in its name\n");
+    return changed > 0 || equal + skipped == 0;
 }
 
 

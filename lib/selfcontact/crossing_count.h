@@ -5,10 +5,10 @@
  * exact (geom/predicate.h), so the count is that of the places as given, to the last bit; a touch counts. Triangles
  * that share an edge never cross: they may lie flat on each other, but neither goes through the other.
  */
-#ifndef MUS_CONTACT_CROSSING_COUNT_H
-#define MUS_CONTACT_CROSSING_COUNT_H
+#ifndef MUS_SELFCONTACT_CROSSING_COUNT_H
+#define MUS_SELFCONTACT_CROSSING_COUNT_H
 
-#include "contact/box_grid.h"
+#include "selfcontact/box_grid.h"
 
 /* nonzero when the segment p q meets the triangle a b c, its border and the ends of the segment included */
 int32_t mus__segment_meets_triangle(const double *p, const double *q, const double *a, const double *b,

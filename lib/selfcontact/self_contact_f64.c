@@ -3,12 +3,12 @@
 #include <string.h>
 
 #include "base/clones.h"
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "contact/contact_template.h"
 
 #define MUS__REAL double
 #define MUS__NAME(name) mus__##name##_f64
-#include "contact/self_response_kernel.h"
+#include "selfcontact/self_response_kernel.h"
 
 
 int32_t mus__self_contact_separate(const mus__self_contact *self, double least, const int32_t *held, double *x)

@@ -30,9 +30,9 @@
 /* cosine of support against push from which on a node counts as supported: 60 degrees; chosen */
 #define MUS__SUPPORT_FACING 0.5
 
-#include "contact/pair_distance_kernel.h"
-#include "contact/neighbour_list_kernel.h"
-#include "contact/displacement_bound_kernel.h"
+#include "selfcontact/pair_distance_kernel.h"
+#include "selfcontact/neighbour_list_kernel.h"
+#include "selfcontact/displacement_bound_kernel.h"
 
 
 /* ---- rank: what supports a node ---- */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/box_tree.h"
+#include "selfcontact/box_tree.h"
 #include "support.h"
 
 Suite *mus_suite_box_tree(void);

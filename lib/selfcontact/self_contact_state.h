@@ -1,11 +1,11 @@
 /*
  * self_contact_state.h: the arrays of self-contact (self_contact.h), their shapes and units.
  */
-#ifndef MUS_CONTACT_SELF_CONTACT_STATE_H
-#define MUS_CONTACT_SELF_CONTACT_STATE_H
+#ifndef MUS_SELFCONTACT_SELF_CONTACT_STATE_H
+#define MUS_SELFCONTACT_SELF_CONTACT_STATE_H
 
-#include "contact/box_tree.h"
-#include "contact/crossing_count.h"
+#include "selfcontact/box_tree.h"
+#include "selfcontact/crossing_count.h"
 
 typedef struct mus__self_pair { /* a node and a triangle, or two edges */
     int32_t node[4];

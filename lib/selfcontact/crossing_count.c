@@ -7,7 +7,7 @@
  */
 #include <math.h>
 
-#include "contact/crossing_count.h"
+#include "selfcontact/crossing_count.h"
 #include "geom/predicate.h"
 
 #define CROSSING_ROUND 1.2e-7 /* of a coordinate: rounding a double to float changes it by less */

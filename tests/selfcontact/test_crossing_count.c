@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/crossing_count.h"
+#include "selfcontact/crossing_count.h"
 #include "support.h"
 
 Suite *mus_suite_crossing_count(void);

@@ -5,7 +5,7 @@
  */
 #include <string.h>
 
-#include "contact/box_grid.h"
+#include "selfcontact/box_grid.h"
 
 #define GRID_BITS 18     /* bits of a cell's number along an axis: what is further off is in the last cell */
 #define GRID_ROUND 4e-7f /* of a coordinate: bound of the rounding of a sum of floats */

@@ -6,8 +6,8 @@
  * is in the cell of its centre, so partners are in the same cell or in one of the 26 around it. Cells are in the order
  * in which boxes, by number, first come to them: the order of pairs depends on places alone.
  */
-#ifndef MUS_CONTACT_BOX_GRID_H
-#define MUS_CONTACT_BOX_GRID_H
+#ifndef MUS_SELFCONTACT_BOX_GRID_H
+#define MUS_SELFCONTACT_BOX_GRID_H
 
 #include "base/base_internal.h"
 

@@ -3,12 +3,12 @@
 #include <string.h>
 
 #include "base/clones.h"
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "contact/contact_template.h"
 
 #define MUS__REAL float
 #define MUS__NAME(name) mus__##name##_f32
-#include "contact/self_response_kernel.h"
+#include "selfcontact/self_response_kernel.h"
 
 /* for a build of all files in one */
 #undef MUS__REAL

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/self_contact.h"
+#include "selfcontact/self_contact.h"
 #include "geom/union_find.h"
 
 #define SELF_PAIRS_FIRST 8  /* pairs a node that there is memory for at first; more when there are more; chosen */

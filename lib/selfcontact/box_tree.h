@@ -12,8 +12,8 @@
  * trees of as many tiers are searched from the top down, and pairs come in the order of the things, whatever the width
  * of a vector.
  */
-#ifndef MUS_CONTACT_BOX_TREE_H
-#define MUS_CONTACT_BOX_TREE_H
+#ifndef MUS_SELFCONTACT_BOX_TREE_H
+#define MUS_SELFCONTACT_BOX_TREE_H
 
 #include "base/base_internal.h"
 

@@ -1,15 +1,16 @@
 /*
  * self_contact.h: self-contact: cloth against cloth, node against triangle and edge against edge, with thickness and
- * friction. Start here to read the self_* part of lib/contact.
+ * friction. Start here to read lib/selfcontact.
  *
  * A call after each step. It never asks whether two things met within a step, because none can: every node has a
  * displacement bound, a ball round the place where distances were last measured, and is held in it until they are
- * measured again (per-vertex displacement bounds; Chen and others, Offset Geometric Contact, 2025):
+ * measured again (per-vertex displacement bounds; Chen and others, Offset Geometric Contact, 2025).
  *
- *   Take two things (node and triangle, or edge and edge, without a common node) at distance D, and bounds of less than
- *   D/2 for each of their nodes. A point of either is a mean of its nodes, so it moves by less than D/2 too, and the
- * two never touch. Two triangles that do not cross can begin to cross only where such a pair touches. So where no
- *   triangles cross, none ever will: at any speed, in any step, whatever forces and other contact do to the nodes.
+ * Why that suffices: take two things (node and triangle, or edge and edge, without a common node) at distance D, and
+ * bounds of less than D/2 for each of their nodes. A point of either is a mean of its nodes, so it moves by less than
+ * D/2 too, and the two never touch. Two triangles that do not cross can begin to cross only where such a pair touches.
+ * So where no triangles cross, none ever will: at any speed, in any step, whatever forces and other contact do to the
+ * nodes.
  *
  * The bounds may drift: a node's ball moves with the velocity that the node had of late. Each pair's clearance is
  * reduced by the distance that the drift velocities can close before the bounds are made anew. Seen from a frame that
@@ -18,15 +19,16 @@
  *
  * A call does, in this order:
  *
- *   neighbour list   pairs nearer than thickness + 2 margins, from trees of boxes (Verlet, Computer "experiments" on
- *   (_list_)         classical fluids, 1967): made anew when it is older than it was made for, or in part, for the
- * nodes that have used up their margin bounds           distances of the pairs in the list, and from them the
- * displacement bounds; made anew when a node
- *   (_bound_)        comes to the end of its bound
- *   response         pairs that may be nearer than the thickness are active and answer every call: impulses that end
- *   (_pair_)         their approach, friction of up to mu times these, and a push apart. Each starts from the impulse
- * of the last call (warm start; Catto 2006), so that a steady load is carried after some calls however many pairs share
- * it
+ * 1. neighbour_list_kernel.h: the pairs nearer than the thickness and two margins, from trees of boxes (box_tree.c; the
+ *    list with a margin is that of Verlet, Computer "experiments" on classical fluids, 1967). The list is made anew when
+ *    it is older than it was made for, or in part, for the nodes that have used up their margin.
+ * 2. pair_distance_kernel.h, displacement_bound_kernel.h: the distances of the pairs in the list, and from them the
+ *    displacement bounds; made anew when a node comes to the end of its bound.
+ * 3. self_response_kernel.h: pairs that may be nearer than the thickness are active and answer every call: impulses that
+ *    end their approach, friction of up to mu times these, and a push apart. Each starts from the impulse of the last
+ *    call (warm start; Catto 2006), so that a steady load is carried after some calls however many pairs share it.
+ *
+ * self_contact.c holds the memory and the mesh; crossing_count.c counts exactly what goes through what.
  *
  * Cloth may cross at the start. Nodes of triangles that cross are marked (`crossed`): two things that both have such a
  * node may pass through each other, until a count finds that they no longer cross. All else is as above.
@@ -37,10 +39,10 @@
  * a seam half the least height of the triangles there, so that flat cloth never touches itself. Nodes that a seam joins
  * count as one, sewn or not yet. Where cloth presses a node into the body, the caller may thin its pairs (yield).
  */
-#ifndef MUS_CONTACT_SELF_CONTACT_H
-#define MUS_CONTACT_SELF_CONTACT_H
+#ifndef MUS_SELFCONTACT_SELF_CONTACT_H
+#define MUS_SELFCONTACT_SELF_CONTACT_H
 
-#include "contact/self_contact_state.h"
+#include "selfcontact/self_contact_state.h"
 
 typedef struct mus__self_rule {
     double step;  /* time since the last call [s] */

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "arrange/arrange_check.h"
-#include "arrange/reason.h"
+#include "arrange/failure_reason.h"
 #include "geom/vec.h"
 
 #define CHECK_INSIDE_DEEP 0.02 /* [m] depth of a node that is inside the body and does not merely touch it */

@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "arrange/arrange_check.h"
-#include "arrange/reason.h"
+#include "arrange/failure_reason.h"
 #include "geom/vec.h"
 
 #define ORDER_ACROSS 0.7 /* cosine of the angle of two sheets: steeper ones stand across each other */

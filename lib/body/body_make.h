@@ -5,7 +5,7 @@
 #define MUS_BODY_BODY_MAKE_H
 
 #include "body/body_internal.h"
-#include "limb/stack.h"
+#include "limb/contour_stack.h"
 
 /* ---- body_make.c: options, limbs, surface, fields, for whoever gave the contours ---- */
 
@@ -40,7 +40,7 @@ mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *
 /* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
-/* ---- body_without.c, body_given.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
+/* ---- body_without_limbs.c, body_given.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
 /* mark or cut the fitted limbs that body->def.without names */
 void mus__body_without(mus_body *body);
@@ -69,7 +69,7 @@ mus_status mus__body_remeasure(mus_body *body);
 /* lengths in body->made, along the surface; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_lengths(mus_body *body);
 
-/* ---- skin.c, digit.c, seat.c, shape.c: the published skin ---- */
+/* ---- skin.c, digit.c, seat_cleft.c, shape.c: the published skin ---- */
 
 /* the skin from the surface of the limbs; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_skin(mus_body *body);

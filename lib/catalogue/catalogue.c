@@ -2,8 +2,8 @@
  * catalogue.c: open, fill and close a catalogue, a collection of patterns in one SQLite file.
  *
  * The files of this folder in the order of use: catalogue.c; traits.c (numbers that two patterns are compared by, and
- * their distance); search.c (the three searches); part.c (is one pattern contained in another). The command muslin and
- * other programs call the room; nothing below it does.
+ * their distance); search.c (the three searches); containment.c (is one pattern contained in another). The command
+ * muslin and other programs call the room; nothing below it does.
  *
  * SQLite gives the guarantees: a transaction is on disk when commit returns (rollback journal, synchronous=FULL), and
  * the next program that opens the file undoes a transaction whose program died. SQLite allocates its own memory, not

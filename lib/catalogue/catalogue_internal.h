@@ -84,7 +84,7 @@ bool mus__traits_unpack(const uint8_t *bytes, size_t size, double *traits);
 /* distance of two patterns by their traits, and its parts; a distance above `limit` may be any number above it */
 double mus__traits_distance(const double *a, const double *b, double limit, double *parts);
 
-/* ---- part.c ---- */
+/* ---- containment.c ---- */
 
 /* does a canonical form contain that of a part, also mirrored? A form that cannot be read contains nothing */
 mus_status mus__part_inside(mus_context *context, const uint8_t *part, size_t part_size, const uint8_t *whole,

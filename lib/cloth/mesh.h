@@ -78,7 +78,8 @@ bool mus__grid_coarser(const mus_cloth *cloth, const mus_cloth_def *def, int32_t
 mus_status mus__mesh_seams(mus__mesh *mesh);
 /* pleat.c: the folds of pleats that are laid */
 mus_status mus__mesh_pleats(mus__mesh *mesh);
-/* held.c: gathered sides, elastics and attachments. It comes after mus__mesh_limit(), which must not soften elastics */
+/* edge_elements.c: gathered sides, elastics and attachments. It comes after mus__mesh_limit(), which must not soften
+ * elastics */
 mus_status mus__mesh_held(mus__mesh *mesh);
 
 #endif

@@ -1,5 +1,5 @@
 /* contact_f64.c: the contact pass in double. */
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "contact/contact_template.h"
 
 #define MUS__REAL double

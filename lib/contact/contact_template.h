@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "contact/contact.h"
 
 /* number of the lowest bit that is set, of a number that is not 0 */

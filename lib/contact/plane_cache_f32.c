@@ -1,5 +1,5 @@
 /* plane_cache_f32.c: the contact pass by planes in float. */
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "contact/plane_cache.h"
 #include "contact/contact_template.h"
 

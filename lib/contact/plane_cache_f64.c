@@ -1,5 +1,5 @@
 /* plane_cache_f64.c: the contact pass by planes in double. */
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "contact/plane_cache.h"
 #include "contact/contact_template.h"
 

@@ -6,7 +6,7 @@
 
 #include "block/measures.h"
 #include "limb/skeleton.h"
-#include "half/style.h"
+#include "half/style_axes.h"
 #include "muslin/design.h"
 
 /* Reads the options of the caller (NaN where not given), and the measures and skeleton of a tape, completed on a

@@ -5,7 +5,7 @@
 #define MUS_WORDS_H
 
 #include "base/base_internal.h"
-#include "half/style.h"
+#include "half/style_axes.h"
 
 /* Reads words such as "dress neck=v sleeve=puff"; the first word is the garment. An axis that is not named takes its
  * first option, except closure, shape and neck, which take the first option that goes with the named words (a knit

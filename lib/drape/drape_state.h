@@ -13,7 +13,7 @@
 #include "drape/scene.h"
 #include "drape/step.h"
 #include "muslin/drape.h"
-#include "sim/program.h"
+#include "sim/force_program.h"
 #include "sim/sim.h"
 
 /* bits of mus_drape.pinned: fixed by the caller; fixed until its layer is sewn (layers.c) */

@@ -14,7 +14,7 @@
 #include "contact/contact.h"
 #include "muslin/drape.h"
 #include "pose/pose_frame.h"
-#include "sim/program_elements.h"
+#include "sim/force_program_elements.h"
 
 /* a plane: where it was at `time`, and how it has moved since */
 typedef struct mus__scene_plane {

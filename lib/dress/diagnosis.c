@@ -9,11 +9,11 @@
 #include <string.h>
 
 #include "arrange/arrange_check.h"
-#include "arrange/reason.h"
+#include "arrange/failure_reason.h"
 #include "drape/residual.h"
 #include "dress/diagnosis.h"
 #include "drape/drape_state.h"
-#include "dress/relax.h"
+#include "dress/relaxation_loop.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

@@ -15,7 +15,7 @@
 #include "arrange/arrange_nodes.h"
 #include "dress/diagnosis.h"
 #include "drape/drape_state.h"
-#include "dress/relax.h"
+#include "dress/relaxation_loop.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

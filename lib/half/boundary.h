@@ -5,7 +5,7 @@
 #ifndef MUS_BOUNDARY_H
 #define MUS_BOUNDARY_H
 
-#include "half/half.h"
+#include "half/half_garment.h"
 
 /* The open half-edges with `label` of the panels whose names begin with `panels` ("" for all), in the order of the
  * boundary loop (cloth to the left), over darts and seams from panel to panel. Returns how many there are; at most

@@ -5,7 +5,7 @@
 #ifndef MUS_PANEL_OUTLINE_H
 #define MUS_PANEL_OUTLINE_H
 
-#include "half/half.h"
+#include "half/half_garment.h"
 
 #define MUS__OUTLINE_EDGES 16      /* of one outline: a straight skirt with two darts and a slit has 11 */
 #define MUS__OUTLINE_NAME_BYTES 16 /* of an edge's name, with the end */

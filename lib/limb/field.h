@@ -14,7 +14,7 @@
 #ifndef MUS_LIMB_FIELD_H
 #define MUS_LIMB_FIELD_H
 
-#include "limb/stack.h"
+#include "limb/contour_stack.h"
 
 #define MUS__FIELD_ANGLES 128 /* steps of the diamond angle: the table then follows a contour to 0.1 mm */
 

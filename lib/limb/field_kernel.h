@@ -17,7 +17,7 @@
  *
  * For a sphere that is the exact distance; outside a convex cap it is never more than the distance.
  */
-#include "base/clones.h"
+#include "base/target_clones.h"
 
 #define MUS__FIELD_TINY ((MUS__REAL)1e-15) /* [m] keeps divisions finite on the axis; far below every radius */
 

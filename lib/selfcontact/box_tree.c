@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "selfcontact/box_tree.h"
 
 #define TREE_FAR 3e38f /* where there is no thing: a box that no other is near */

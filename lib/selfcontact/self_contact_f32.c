@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/clones.h"
+#include "base/target_clones.h"
 #include "selfcontact/self_contact.h"
 #include "contact/contact_template.h"
 

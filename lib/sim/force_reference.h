@@ -6,7 +6,7 @@
 #ifndef MUS_SIM_FORCE_REFERENCE_H
 #define MUS_SIM_FORCE_REFERENCE_H
 
-#include "sim/program.h"
+#include "sim/force_program.h"
 
 /* forces f (n x 3) [N] of springs, bending, hinges and attachments at places x (n x 3), without pairs, gravity and
  * damping; f NULL: the energy alone. Returns the elastic energy [J] */

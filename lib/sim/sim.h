@@ -15,7 +15,7 @@
 #include "base/pool.h"
 #include "selfcontact/self_contact.h"
 #include "contact/plane_cache.h"
-#include "sim/program.h"
+#include "sim/force_program.h"
 #include "sim/sim_ops.h"
 
 struct mus__sim {

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/clones.h"
-#include "sim/program_number.h"
+#include "base/target_clones.h"
+#include "sim/force_program_number.h"
 #include "sim/sim.h"
 
 /*

@@ -4,7 +4,7 @@
 #ifndef MUS_SIM_STEP_BOUND_H
 #define MUS_SIM_STEP_BOUND_H
 
-#include "sim/program.h"
+#include "sim/force_program.h"
 
 /* diagonal bound of the stiffness in every pose: t (nnode) gets T_i = sum over items of k S |w| [N/m] */
 void mus__program_stiffness(const mus__program *program, int32_t nnode, double *t);

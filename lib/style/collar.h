@@ -6,7 +6,7 @@
 
 #include "block/block_collar.h"
 #include "half/boundary.h"
-#include "half/panel_place.h"
+#include "half/half_placement.h"
 #include "style/parts.h"
 
 /* the neckline that a collar is drafted to */

@@ -7,7 +7,7 @@
 #define MUS_LOWER_H
 
 #include "half/panel_outline.h"
-#include "half/panel_place.h"
+#include "half/half_placement.h"
 #include "style/parts.h"
 
 #define MUS__WAIST_SIDES 32 /* half-edges of one waist */

@@ -5,7 +5,7 @@
 #ifndef MUS_PARTS_H
 #define MUS_PARTS_H
 
-#include "half/half.h"
+#include "half/half_garment.h"
 
 /* top.c: the body of a top, dress or jumpsuit without sleeves and collar: panels "front" and "back" (and the panels
  * that shaping cuts off them), darts, shoulders and sides sewn, placed round the torso. It ends at the hem, or at a

@@ -6,7 +6,7 @@
 
 #include "block/block_fullness.h"
 #include "half/boundary.h"
-#include "half/panel_place.h"
+#include "half/half_placement.h"
 #include "style/parts.h"
 
 /* figures of a sleeve by its style and its armhole */

@@ -9,7 +9,7 @@
 
 #include "half/boundary.h"
 #include "half/panel_outline.h"
-#include "half/panel_place.h"
+#include "half/half_placement.h"
 #include "style/parts.h"
 
 #define MUS__TOP_SEAM (1.0 * MUS__CM)

@@ -67,7 +67,7 @@ START_TEST(pleats_that_do_not_fit_are_refused)
 {
     mus_context *context = support_context();
     mus_pattern *pattern = edit_skirt(context);
-    const int32_t hem = edit_edge(pattern, "front", "hem");
+    const int32_t hem = edit_edge(pattern, "skirt_front", "hem");
     const double early[1] = {0.01}, late[1] = {10.0}, close[2] = {0.1, 0.15}, deep[2] = {0.05, 0.05}, none[1] = {0.0};
     const uint64_t before = edit_bytes(pattern);
     ck_assert_int_eq(mus_pattern_lay_pleats(pattern, hem, 1, early, deep), MUS_ERR_ARG);

@@ -1,5 +1,5 @@
 /*
- * test_calibrate.c: cut panels bend as their fabric, whatever their outline, grain and seams (numerics.md B7).
+ * test_calibrate.c: cut panels bend as their fabric, whatever their outline, grain and seams (case B7).
  */
 #include "cut.h"
 

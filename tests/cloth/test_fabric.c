@@ -37,7 +37,7 @@ START_TEST(every_named_fabric_is_found_and_has_a_source)
         }
         for (int32_t k = 0; k < i; k++) ck_assert_str_ne(mus_fabric_name(k), mus_fabric_name(i));
 
-        /* sizes of numerics.md section 4: cloth, not paper or steel */
+        /* the sizes of cloth, not of paper or steel */
         ck_assert(fabric.weight >= 0.05 && fabric.weight <= 0.5);
         ck_assert(fabric.shear >= 10.0 && fabric.shear <= 191.0);
         for (int k = 0; k < 3; k++) ck_assert(fabric.bend[k] >= 1e-6 && fabric.bend[k] <= 1.3e-4);
@@ -55,7 +55,7 @@ END_TEST
 
 START_TEST(measured_rows_are_their_conversions)
 {
-    /* numerics.md section 4: 490.33 N/m over EMT; denim A 5.5 %, control cotton 2.29 % */
+    /* KES-F (Kawabata 1980): 490.33 N/m over EMT; denim A 5.5 %, control cotton 2.29 % */
     mus_fabric fabric;
     mus_fabric_init(&fabric, sizeof fabric);
     mus_fabric_find("denim", &fabric);
@@ -209,7 +209,7 @@ START_TEST(what_a_lattice_cannot_be_is_clamped)
     near(lattice.k[0], 5.0, 1e-12);
     ck_assert(mus__fabric_stretch(&fabric, 0.3, 0.9) > 0.0);
 
-    /* numerics.md section 5: beta = (4 bias - warp - weft) / 3, alpha = B - beta / 2; both at least 0 */
+    /* beam of weave (bias rigidity): beta = (4 bias - warp - weft) / 3, alpha = B - beta / 2; both at least 0 */
     const double bend[3] = {4e-6, 2e-6, 3e-6}, soft[3] = {4e-6, 2e-6, 1e-6}, hard[3] = {2e-6, 2e-6, 9e-6};
     memcpy(fabric.bend, bend, sizeof bend);
     mus__fabric_on_lattice(&fabric, 0.01, &lattice);

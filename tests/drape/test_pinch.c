@@ -1,6 +1,6 @@
 /*
  * test_pinch.c: cloth between two bodies that leave it no room, in the crease of a body that touches itself, and cloth
- * that starts inside one (numerics.md X32, X15): it lies still, is told where it is inside, and gets no more energy
+ * that starts inside one (cases X32, X15): it lies still, is told where it is inside, and gets no more energy
  * than the report says.
  */
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * test_scene.c: cloth in free motion by both steppers (reference/numerics.md I2, I8-I10, D1-D3): what falls, swings,
+ * test_scene.c: cloth in free motion by both steppers (cases I2, I8-I10, D1-D3): what falls, swings,
  * spins and is damped does so as the formula says.
  */
 #include <math.h>

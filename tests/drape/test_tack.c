@@ -1,5 +1,5 @@
 /*
- * test_tack.c: tacks put in and taken out of a running drape (numerics.md X6, S1, X9, X33, X35): exact motion, exact
+ * test_tack.c: tacks put in and taken out of a running drape (cases X6, S1, X9, X33, X35): exact motion, exact
  * bound, no byte of what they do not touch, no energy beyond what they bring.
  */
 #include <stdio.h>

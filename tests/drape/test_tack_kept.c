@@ -1,6 +1,6 @@
 /*
  * test_tack_kept.c: tacks stay through sewing, opening and settling, on coarser cuts too, and where memory fails
- * (numerics.md X6, X20).
+ * (cases X6, X20).
  */
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /*
  * test_seams.c: seams of every kind on small patterns: unequal, at a junction, over a dart, laid in pleats, left open,
- * buttoned, and those that cannot be (numerics.md S4, X33, X34; issue 6 e).
+ * buttoned, and those that cannot be (cases S4, X33, X34).
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /*
- * test_force_reference.c: the passes of the kernels against the plain form, and laws of the forces (numerics.md I11,
+ * test_force_reference.c: the passes of the kernels against the plain form, and laws of the forces (cases I11,
  * M9).
  */
 #include <math.h>

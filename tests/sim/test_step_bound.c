@@ -1,5 +1,5 @@
 /*
- * test_step_bound.c: the step bound with dashpots and drag (reference/numerics.md X4, X5): runs at 0.99 of it lose
+ * test_step_bound.c: the step bound with dashpots and drag (cases X4, X5): runs at 0.99 of it lose
  * energy, runs above it are refused with both numbers, and it is not far below the true limit.
  */
 #include <math.h>

@@ -8,11 +8,11 @@
  *   board_pattern.c   a pattern onto the table, and a new pattern from it
  *   board_sew.c       seams; sides split and merged
  *   board_cut.c       panels cut apart, joined, mirrored
- *   board_double.c    half garment to whole garment
+ *   board_mirror.c    half garment to whole garment
  *   board_part.c      parts of a panel that move as rigid pieces
  *   board_inner.c     lines inside a panel, and where a cut to their corner goes
  *   board_dart.c      darts: add, rotate, shorten, release
- *   board_spread.c, board_pleat.c, board_fair.c, board_patch.c   fullness, pleats, smooth lines, patches
+ *   board_spread.c, board_pleat.c, board_smooth.c, board_patch.c   fullness, pleats, smooth lines, patches
  *
  * Callers: lib/edit (a public edit is one or two calls of this room) and the drafting rooms (a design is drawn here).
  *

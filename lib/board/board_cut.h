@@ -30,7 +30,7 @@ void mus__board_unfold(mus__board *board, int32_t side);
 /* remove a panel with its sides, seams, notches and marks */
 void mus__board_remove_panel(mus__board *board, int32_t panel);
 
-/* ---- board_double.c ---- */
+/* ---- board_mirror.c ---- */
 
 /**
  * Make a whole garment of a half garment (the wearer's left half).

@@ -20,7 +20,7 @@ void mus__board_lengthen(mus__board *board, int32_t panel, const double *point, 
 void mus__board_redraw(mus__board *board, int32_t side, int32_t npiece, const int32_t *kinds, int32_t nxy,
                        const double *xy);
 
-/* ---- board_fair.c ---- */
+/* ---- board_smooth.c ---- */
 
 /* draw a side with corners again as one smooth line: the fewest cubics that stay `within` [m] of it and keep its ends
  * and the tangents there. A cutter does so with a curved ruler, for a slashed hem or a neck whose darts were released.

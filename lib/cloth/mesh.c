@@ -5,7 +5,7 @@
  * sides of a seam take the greater of their two numbers of intervals, so partners stand at equal relative arc length,
  * and a gathered side is meshed finer. Inside the panel lattice.c chooses the nodes and the full cells. The strip
  * between border and full cells is triangulated: its polygon is the border, its points are the lattice nodes that full
- * cells do not enclose, and edges between a full cell and the strip are constraints; lines inside the panel (line.c)
+ * cells do not enclose, and edges between a full cell and the strip are constraints; lines inside the panel (panel_lines.c)
  * add points and constraints. Triangles inside full cells are dropped; each full cell is two triangles, with diagonals
  * in a checkerboard.
  *

@@ -4,7 +4,7 @@
  * The room, in the order of use:
  *   quotient.c                 the pattern with its seams glued
  *   topology.c                 counts and boundary loops
- *   smith.c, homology.c        homology over the integers
+ *   smith_normal_form.c, homology.c        homology over the integers
  *   canonical_form_data.c, canonical_form.c        canonical form
  *   faults.c, check.c, check_garment.c   the faults of a pattern, as an object
  * Callers: cloth and print (checks), the drafting rooms (checks), arrange (openings), the catalogue (canonical form).

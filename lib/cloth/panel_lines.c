@@ -1,5 +1,5 @@
 /*
- * line.c: the rim of each panel, which is its outline without bridges, and the lines inside a panel to which another
+ * panel_lines.c: the rim of each panel, which is its outline without bridges, and the lines inside a panel to which another
  * edge is sewn: their nodes and wings.
  *
  * A line inside a panel is an edge that the outline passes once in each direction. When an edge is sewn to the line (a

@@ -1,5 +1,5 @@
 /*
- * smith.c: rank and invariant factors of a sparse matrix of integers: its Smith normal form.
+ * smith_normal_form.c: rank and invariant factors of a sparse matrix of integers: its Smith normal form.
  *
  * For boundary operators of patterns (tens of rows) and of their meshes (thousands; most entries 1 or -1, most pivots
  * units, so the rows stay short). Each round takes the entry of least size, of the shortest row that has one, and

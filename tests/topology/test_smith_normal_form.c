@@ -1,5 +1,5 @@
 /*
- * test_smith.c: invariant factors of random integer matrices against their definition: the product of the first k is
+ * test_smith_normal_form.c: invariant factors of random integer matrices against their definition: the product of the first k is
  * the greatest common divisor of all k x k minors.
  */
 #include <string.h>
@@ -116,13 +116,13 @@ START_TEST(failing_allocations_leave_nothing)
 END_TEST
 
 
-Suite *mus_suite_smith(void);
+Suite *mus_suite_smith_normal_form(void);
 
 
-Suite *mus_suite_smith(void)
+Suite *mus_suite_smith_normal_form(void)
 {
-    Suite *suite = suite_create("smith");
-    TCase *tcase = tcase_create("smith");
+    Suite *suite = suite_create("smith_normal_form");
+    TCase *tcase = tcase_create("smith_normal_form");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, products_of_factors_are_gcds_of_minors);
     tcase_add_test(tcase, factors_beyond_32_bits_are_refused);

@@ -1,5 +1,5 @@
 /*
- * board_fair.c: a side with corners drawn again as one smooth line.
+ * board_smooth.c: a side with corners drawn again as one smooth line.
  *
  * Slashes and released darts leave a side of parts that meet at angles. A cutter lays a curved ruler along them: one
  * cubic with the side's own tangents at both ends,

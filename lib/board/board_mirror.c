@@ -1,5 +1,5 @@
 /*
- * board_double.c: mirror images: of a panel, of a half panel in its fold, of the half of a garment.
+ * board_mirror.c: mirror images: of a panel, of a half panel in its fold, of the half of a garment.
  *
  * The image of a ring is walked the other way round, so the cloth stays to the left:
  *

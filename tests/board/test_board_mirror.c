@@ -1,5 +1,5 @@
 /*
- * test_board_double.c: half garments doubled have the cells of the table of garments (topology/garments.h); mirroring
+ * test_board_mirror.c: half garments doubled have the cells of the table of garments (topology/garments.h); mirroring
  * twice is nothing; a half unfolded is the whole.
  */
 #include "topology/gluing.h"
@@ -301,11 +301,11 @@ START_TEST(doubling_without_memory_fails_and_leaves_nothing)
 END_TEST
 
 
-Suite *mus_suite_board_double(void);
-Suite *mus_suite_board_double(void)
+Suite *mus_suite_board_mirror(void);
+Suite *mus_suite_board_mirror(void)
 {
-    Suite *suite = suite_create("board_double");
-    TCase *tcase = tcase_create("board_double");
+    Suite *suite = suite_create("board_mirror");
+    TCase *tcase = tcase_create("board_mirror");
     tcase_add_test(tcase, doubled_halves_have_the_cells_of_whole_garments);
     tcase_add_test(tcase, what_a_half_carries_is_on_both_halves_of_the_whole);
     tcase_add_test(tcase, mirrored_twice_is_the_panel_itself);

@@ -5,9 +5,9 @@
  * sides of a seam take the greater of their two numbers of intervals, so partners stand at equal relative arc length,
  * and a gathered side is meshed finer. Inside the panel lattice.c chooses the nodes and the full cells. The strip
  * between border and full cells is triangulated: its polygon is the border, its points are the lattice nodes that full
- * cells do not enclose, and edges between a full cell and the strip are constraints; lines inside the panel (panel_lines.c)
- * add points and constraints. Triangles inside full cells are dropped; each full cell is two triangles, with diagonals
- * in a checkerboard.
+ * cells do not enclose, and edges between a full cell and the strip are constraints; lines inside the panel
+ * (panel_lines.c) add points and constraints. Triangles inside full cells are dropped; each full cell is two
+ * triangles, with diagonals in a checkerboard.
  *
  * Masses: a quarter of a full cell to each of its corners (so that every inner node weighs the same), a third of a
  * strip triangle to each of its own; then scaled to the true area of the panel, which chords of a curved edge miss.

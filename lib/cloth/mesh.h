@@ -43,9 +43,9 @@ typedef struct mus__mesh {
  * triangles first_triangle .. + *nstrip are the strip, two for each full cell follow */
 mus_status mus__mesh_edges(mus__mesh *mesh);
 mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice, int32_t *nstrip);
-/* panel_lines.c: the rims and lines of all panels; of one panel, the border known: nodes of its lines, *count of them with
- * those of the border, xy (*count x 2) theirs; how many at most; the sides of its lines as pairs of them (NULL counts);
- * then, with lattice and triangles, nodes of the cloth, and wings */
+/* panel_lines.c: the rims and lines of all panels; of one panel, the border known: nodes of its lines, *count of them
+ * with those of the border, xy (*count x 2) theirs; how many at most; the sides of its lines as pairs of them (NULL
+ * counts); then, with lattice and triangles, nodes of the cloth, and wings */
 mus_status mus__mesh_rims(mus__mesh *mesh);
 mus_status mus__mesh_lines(mus__mesh *mesh, int32_t panel, int32_t *count, double *xy);
 int64_t mus__mesh_line_room(const mus__mesh *mesh, int32_t panel);

@@ -1,6 +1,6 @@
 /*
- * panel_lines.c: the rim of each panel, which is its outline without bridges, and the lines inside a panel to which another
- * edge is sewn: their nodes and wings.
+ * panel_lines.c: the rim of each panel, which is its outline without bridges, and the lines inside a panel to which
+ * another edge is sewn: their nodes and wings.
  *
  * A line inside a panel is an edge that the outline passes once in each direction. When an edge is sewn to the line (a
  * patch pocket), the line has a node at each step, which the cloth on both sides shares; after welding three sheets

@@ -1,6 +1,6 @@
 /*
- * test_smith_normal_form.c: invariant factors of random integer matrices against their definition: the product of the first k is
- * the greatest common divisor of all k x k minors.
+ * test_smith_normal_form.c: invariant factors of random integer matrices against their definition: the product of the
+ * first k is the greatest common divisor of all k x k minors.
  */
 #include <string.h>
 

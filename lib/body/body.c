@@ -125,6 +125,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     mus__free(body->context, work);
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
     if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    mus__body_find_levels(body);
     if (status == MUS_OK) status = mus__body_lengths(body);
     body->fillet = BODY_FILLET * body->skeleton.crown;
     return status == MUS_OK ? mus__body_skin(body) : status;

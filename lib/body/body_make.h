@@ -21,6 +21,11 @@ mus_status mus__body_fields(mus_body *body, double spacing);
 /* cubic step: 0 for t <= 0, 1 for t >= 1 */
 double mus__cubic_step(double t);
 
+/* ---- body_level.c ---- */
+
+/* the levels of a body made from a tape, from its skeleton, limbs and rig, into body->level */
+void mus__body_find_levels(mus_body *body);
+
 /* ---- body_posture.c ---- */
 
 /* whether the options ask for the upright posture */

@@ -9,7 +9,7 @@
 #include "base/base_internal.h"
 #include "body/bones.h"
 #include "body/rig.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "limb/skeleton.h"
 #include "muslin/body.h"
 

@@ -80,7 +80,7 @@ SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
-TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
+TESTED_EXAMPLES := examples/bench/edge_list.c examples/bench/triangle_tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))

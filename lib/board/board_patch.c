@@ -15,9 +15,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
+#include "board/board_patch.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
 #include "geom/polygon.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"

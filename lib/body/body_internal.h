@@ -10,7 +10,7 @@
 #include "body/body_level.h"
 #include "body/bones.h"
 #include "body/rig.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "limb/skeleton.h"
 #include "muslin/body.h"
 

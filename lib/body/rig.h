@@ -11,7 +11,7 @@
 #define MUS_BODY_RIG_H
 
 #include "body/frame.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "muslin/body.h"
 
 #define MUS__PARTS_MOST 64 /* most parts of a body: 15 of a tape and 48 limbs added, or 64 given limbs */

@@ -31,8 +31,8 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 
 #define MUS__REAL float
 #define MUS__NAME(name) mus__##name##_f32
-#include "limb/field_kernel.h"
-#include "contact/manifold_kernel.h"
+#include "limb/radius_field_kernel.h"
+#include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL
@@ -40,8 +40,8 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 
 #define MUS__REAL double
 #define MUS__NAME(name) mus__##name##_f64
-#include "limb/field_kernel.h"
-#include "contact/manifold_kernel.h"
+#include "limb/radius_field_kernel.h"
+#include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
 #include "contact/surfaces_kernel.h"
 #undef MUS__REAL

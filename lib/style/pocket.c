@@ -12,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "style/lower.h"
+#include "board/board_patch.h"
+#include "style/waist_edge.h"
 
 #define POCKET_STEP (1.0 * MUS__CM)
 #define POCKET_MOVES 8

@@ -45,7 +45,7 @@ mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *
 /* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
-/* ---- body_without_limbs.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
+/* ---- limbs_left_out.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
 /* mark or cut the fitted limbs that body->def.without names */
 void mus__body_without(mus_body *body);

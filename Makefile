@@ -51,14 +51,15 @@ silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
 
-# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row ----
+# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan $(OMIT_design) $(OMIT_drape) exchange
+OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+  $(addprefix arrange/arrange_,clear limb read ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 
@@ -71,7 +72,7 @@ PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 
-room = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
+room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
 SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
 $(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file)))) # lib/file is a part of both
@@ -79,7 +80,7 @@ SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
-TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
+TESTED_EXAMPLES := examples/bench/edge_list.c examples/bench/triangle_tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
@@ -95,8 +96,7 @@ EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
 NEED := $(addprefix need-,$(OWN_LIBRARY) examples tests)
 .PHONY: all lib tests examples packages install clean help FORCE $(NEED)
-.DELETE_ON_ERROR:
-.SECONDEXPANSION:
+.DELETE_ON_ERROR .SECONDEXPANSION:
 
 all: $(foreach l,$(LIBRARIES),$(call library,$(l)).a) $(SHARED) $(if $(OMIT),,$(PROGRAMS))
 lib: $(call library,muslin).a $(call library,muslin).so.$(VERSION)

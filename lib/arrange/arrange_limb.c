@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "body/body_level.h"
+#include "body/body_internal.h"
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
 #include "muslin/topology.h"
@@ -43,12 +43,11 @@ static mus_status around_body(mus__arrangement *arrangement)
     static const int32_t levels[] = {MUS__LEVEL_NECK, MUS__LEVEL_ARMPIT, MUS__LEVEL_WAIST, MUS__LEVEL_HIP,
                                      MUS__LEVEL_CROTCH};
     for (int32_t i = 0; i < 5; i++) {
-        mus__body_level level;
-        mus__body_level_find(arrangement->body, levels[i], 0, &level);
-        if (!level.there)
+        const mus__body_level *level = arrangement->body->level[levels[i]];
+        if (!level->there)
             return mus__fail(arrangement->context, MUS_ERR_BODY,
                              "place: the body has no level %s; one made of a tape has", mus_hold_name(levels[i]));
-        arrangement->level[i] = level.point[1];
+        arrangement->level[i] = level->point[1];
     }
     const double waist = mus_body_made(arrangement->body, MUS_MEASURE_WAIST);
     const double hip = mus_body_made(arrangement->body, MUS_MEASURE_HIP),
@@ -61,10 +60,9 @@ static mus_status around_body(mus__arrangement *arrangement)
 
 static void around_upright(const mus__arrangement *arrangement, mus__arranged_ring *ring, int32_t level)
 {
-    mus__body_level at;
-    mus__body_level_find(arrangement->body, level, 0, &at);
+    const mus__body_level *at = arrangement->body->level[level];
     memset(ring->axis, 0, sizeof ring->axis);
-    ring->axis[2] = at.point[2];
+    ring->axis[2] = at->point[2];
     for (int32_t d = 0; d < 3; d++) ring->up[d] = d == 1, ring->front[d] = d == 2, ring->right[d] = d == 0;
 }
 
@@ -95,13 +93,12 @@ static double around_partners(const mus__arrangement *arrangement, int32_t t, do
 /* the frame of a ring round the arm on that side */
 static void around_arm(const mus__arrangement *arrangement, mus__arranged_ring *ring, bool right)
 {
-    mus__body_level biceps;
-    mus__body_level_find(arrangement->body, MUS__LEVEL_BICEPS, right, &biceps);
+    const mus__body_level *biceps = &arrangement->body->level[MUS__LEVEL_BICEPS][right];
     around_upright(arrangement, ring, MUS__LEVEL_BUST);
     ring->body = 0.06;
-    if (!biceps.there) return;
+    if (!biceps->there) return;
     mus_body_landmark(arrangement->body, right ? MUS_LANDMARK_SHOULDER_RIGHT : MUS_LANDMARK_SHOULDER_LEFT, ring->axis);
-    memcpy(ring->up, biceps.up, sizeof ring->up);
+    memcpy(ring->up, biceps->up, sizeof ring->up);
     const double along = mus__dot3(ring->front, ring->up);
     for (int32_t d = 0; d < 3; d++) ring->front[d] -= along * ring->up[d];
     mus__unit3(ring->front);
@@ -359,14 +356,13 @@ static bool around_held(const mus__arrangement *arrangement, int32_t t, double *
         const mus__arranged_edge *edge = &arrangement->edge[e];
         int32_t level;
         double below, mean = 0.0;
-        mus__body_level at;
         if (edge->panel == MUS_NONE || arrangement->panel[edge->panel].ring != t) continue;
         if (mus_pattern_edge_hold(arrangement->pattern, e, &level, &below) != MUS_OK || level == MUS_HOLD_NONE)
             continue;
-        mus__body_level_find(arrangement->body, level, 0, &at);
-        if (!at.there || !(at.point[1] - below > highest)) continue;
+        const mus__body_level *at = arrangement->body->level[level];
+        if (!at->there || !(at->point[1] - below > highest)) continue;
         for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++) mean += edge->dot[2 * k + 1] / MUS__ARRANGE_DOTS;
-        highest = at.point[1] - below;
+        highest = at->point[1] - below;
         *shift = highest - arrangement->panel[edge->panel].v - mean;
     }
     return highest > 0.0;

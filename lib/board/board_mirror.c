@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "board/board_cut.h"
-#include "board/board_sew.h"
+#include "board/board_seam.h"
 #include "geom/vec.h"
 
 #define DOUBLE_STRAIGHT 1e-6 /* [m] a fold is straight, and a mark lies on it, within this; chosen: above rounding */

@@ -16,9 +16,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/pattern_forms.h"
-#include "exchange/source.h"
+#include "exchange/file_read.h"
+#include "exchange/json_path.h"
+#include "exchange/pattern_readers.h"
 
 #define GC_COUNT_MAX 100000 /* most vertices of a panel, and stitches; chosen: far above any garment */
 #define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this ratio; chosen: a half circle in few digits */

@@ -7,7 +7,7 @@
  */
 #include <stdio.h>
 
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 #include "file/sink.h"
 
 

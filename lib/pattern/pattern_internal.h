@@ -46,7 +46,7 @@ void mus__panel_attributes_init(mus__panel_attributes *attr);
 /* Errors: MUS_ERR_ARG (layer outside 0 to MUS_LAYERS_MOST - 1) */
 mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer);
 
-/* ---- crossing.c ---- */
+/* ---- outline_crossing.c ---- */
 
 /* does the outline of a panel cross or touch itself? When *crosses, *a and *b are the two edges, the lower index first.
  * Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT (more than 2^31 chords) */

@@ -12,7 +12,7 @@
 
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define GATHER_PARTS 3
 

@@ -391,6 +391,12 @@ def test_bytes_are_the_files_and_read_back(tmp_path):
     assert pattern.to_bytes() == (tmp_path / "p.json").read_bytes()
     assert muslin.Pattern.parse(pattern.to_bytes()).to_bytes() == pattern.to_bytes()
     assert muslin.Tape.parse(tape.to_bytes()).to_bytes() == tape.to_bytes()
+    assert tape.complete() == []
+    tape["bust"] = 0.29
+    with pytest.raises(muslin.MuslinError, match="digits swapped: 92.0 cm"):
+        tape.complete()
+    tape["bust"], tape["hip"] = 0.92, 1.4
+    assert tape.complete() == tape.warnings and "hip of 140.0 cm does not fit" in tape.warnings[0]
     sheet = muslin.Sheet(pattern)
     sheet.write_svg(tmp_path / "s.svg")
     assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()

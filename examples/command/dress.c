@@ -195,7 +195,7 @@ int32_t dress_options(dress *d, option *table)
     const option options[] = {
         SOURCE_PATTERN(d->from),
         {"--over", OPTION_LIST, &d->over, 0, 0,
-         "GARMENT  worn over it: a design, words or a file; repeatable, from inside to outside"},
+         "GARMENT  worn over it: a design, words, a file; repeatable, inside to outside"},
         SOURCE_TAPE(d->from),
         SOURCE_POSTURE(d->from),
         SOURCE_MESH(d->mesh),

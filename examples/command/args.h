@@ -60,11 +60,14 @@ void doubt(const char *command, const char *text);
 typedef struct complaints {
     char text[600];
     int32_t doubts;
-    char doubt[8][512];
+    char doubt[64][512]; /* above the most warnings of a tape, 48 */
 } complaints;
 
 /* Empties `into`, and writes complaints and warnings to it from now on; NULL: to standard error again. */
 void complaints_keep(complaints *into);
+
+/* Returns the complaints and warnings so far, whether they were printed or kept. */
+const complaints *complaints_said(void);
 
 /* Flushes standard output. Returns EXIT_DONE, or prints a line and returns EXIT_FAILED. */
 int output_end(const char *command);

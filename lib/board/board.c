@@ -13,7 +13,7 @@
  *   board_inner_line.c   lines inside a panel, and where a cut to their corner goes
  *   board_dart.c         darts: add, shorten, release to gathers, make part of a seam
  *   board_dart_rotate.c  darts rotated about their point
- *   board_spread.c, board_pleat.c, board_smooth.c, board_patch.c  fullness, pleats, smooth lines, patches
+ *   board_spread.c, board_pleat.c, board_smooth.c, board_patch_panel.c  fullness, pleats, smooth lines, patches
  *
  * Callers: lib/edit (a public edit is one or two calls of this room) and the drafting rooms (a design is drawn here).
  *

@@ -6,7 +6,7 @@
  *     body.c                mus_body_create(): the steps for a tape (this file); getters
  *     body_posture.c        stoop, head and sway: contours moved forwards and backwards
  *     body_fit_lengths.c    bust span and crotch length of the tape, where it gives them
- *     body_without_limbs.c  limbs, or their ends, left out
+ *     limbs_left_out.c  limbs, or their ends, left out
  *     body_from_limbs.c     limbs given by the caller, with body_outline.c for polygons
  *     body_make.c           options, limbs to surface and contact fields, destruction; for every kind of body
  *     body_surface.c        rings and triangles of the limbs, with ring_mesh.c
@@ -126,6 +126,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     mus__free(body->context, work);
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
     if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    mus__body_find_levels(body);
     if (status == MUS_OK) status = mus__body_lengths(body);
     body->fillet = BODY_FILLET * body->skeleton.crown;
     return status == MUS_OK ? mus__body_skin(body) : status;

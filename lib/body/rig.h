@@ -34,10 +34,6 @@ typedef struct mus__rig {
 void mus__rig_make(const mus_body *body, mus__rig *out);
 /* the middle (3) of a limb at s in the rest pose, linear between its contours [m] */
 void mus__rig_middle(const mus__limb *limb, double s, double *out);
-/* the rig of a body, borrowed */
-const mus__rig *mus__body_rig(const mus_body *body);
-/* the frames of its parts (parts), borrowed; NULL in the rest pose */
-const mus__frame *mus__body_frames(const mus_body *body);
 
 /* quaternion (4) of a joint turned by flexion, abduction and rotation `angle` (3) [rad] from the anatomical pose */
 void mus__joint_turn(int32_t joint, const double *angle, double *out);

@@ -20,7 +20,7 @@
  *     friction_kernel.h          friction (Coulomb)
  *     pinch_kernel.h             a node between surfaces that face each other
  *     sweep_kernel.h             a fast node swept along its path
- *     surfaces_kernel.h          boxes, planes and motions in the pass's precision
+ *     collider_surfaces_kernel.h          boxes, planes and motions in the pass's precision
  *   plane_cache.h, plane_cache_kernel.h  the cheap pass for slow nodes: each remembers a plane
  * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces. Cloth against cloth is the
  * room lib/selfcontact.

@@ -34,7 +34,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 #include "limb/radius_field_kernel.h"
 #include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
-#include "contact/surfaces_kernel.h"
+#include "contact/collider_surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME
 
@@ -43,7 +43,7 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 #include "limb/radius_field_kernel.h"
 #include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
-#include "contact/surfaces_kernel.h"
+#include "contact/collider_surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME
 

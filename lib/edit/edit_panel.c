@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "board/board_cut.h"
-#include "board/board_patch.h"
+#include "board/board_patch_panel.h"
 #include "board/board_rigid_part.h"
 #include "board/board_seam.h"
 #include "edit/edit_internal.h"

@@ -12,7 +12,7 @@
 
 #include "board/board_cut.h"
 #include "board/board_dart.h"
-#include "board/board_patch.h"
+#include "board/board_patch_panel.h"
 #include "board/board_pleat.h"
 #include "board/board_smooth.h"
 #include "board/board_spread.h"

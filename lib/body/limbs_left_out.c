@@ -1,5 +1,5 @@
 /*
- * body_without_limbs.c: limbs of a body of a tape left out, or cut at a joint.
+ * limbs_left_out.c: limbs of a body of a tape left out, or cut at a joint.
  *
  * A limb that is left out keeps its place in the list and its contours, from which joints are found; it has no part and
  * no surface. A limb that is cut at a joint loses the contours beyond it and closes there with a round stump. Called

@@ -1,8 +1,8 @@
 /*
- * force_program_number.h: constants of a force program in its own precision, read and written one at a time.
+ * force_program_constants.h: constants of a force program in its own precision, read and written one at a time.
  */
-#ifndef MUS_SIM_FORCE_PROGRAM_NUMBER_H
-#define MUS_SIM_FORCE_PROGRAM_NUMBER_H
+#ifndef MUS_SIM_FORCE_PROGRAM_CONSTANTS_H
+#define MUS_SIM_FORCE_PROGRAM_CONSTANTS_H
 
 #include "sim/force_program.h"
 

@@ -1,5 +1,5 @@
 /*
- * events.c: what a run tells while it goes on and when it ends: progress, a stop, the reason of a failure.
+ * run_progress.c: what a run tells while it goes on and when it ends: progress, a stop, the reason of a failure.
  *
  * The same T-shirt is dressed three times: to the end; stopped by the caller while it settles; and with a seam turned
  * round, so that it cannot be sewn into a garment.
@@ -23,7 +23,7 @@ typedef struct listener {
 static void must(mus_status status)
 {
     if (status == MUS_OK) return;
-    fprintf(stderr, "events: %s: %s\n", mus_status_name(status), mus_context_error(context));
+    fprintf(stderr, "run_progress: %s: %s\n", mus_status_name(status), mus_context_error(context));
     exit(1);
 }
 

@@ -1,8 +1,8 @@
 /*
- * board_patch.h: a patch laid on a panel and sewn to it.
+ * board_patch_panel.h: a patch laid on a panel and sewn to it.
  */
-#ifndef MUS_BOARD_PATCH_H
-#define MUS_BOARD_PATCH_H
+#ifndef MUS_BOARD_PATCH_PANEL_H
+#define MUS_BOARD_PATCH_PANEL_H
 
 #include "board/board_curve.h"
 

@@ -1,5 +1,5 @@
 /*
- * board_patch.c: a patch laid on a panel: a line drawn into the panel, and a second panel that is sewn to it.
+ * board_patch_panel.c: a patch laid on a panel: a line drawn into the panel, and a second panel that is sewn to it.
  *
  * The word of the panel leaves the cut line at a corner v, runs over a bridge b to the nearer end of the line, along
  * the line, and back over both:
@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "board/board_patch.h"
+#include "board/board_patch_panel.h"
 #include "board/board_rigid_part.h"
 #include "board/board_seam.h"
 #include "geom/polygon.h"

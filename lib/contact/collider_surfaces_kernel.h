@@ -1,5 +1,5 @@
 /*
- * surfaces_kernel.h: the surfaces of a collider in the precision of a contact pass, a template taken in by
+ * collider_surfaces_kernel.h: the surfaces of a collider in the precision of a contact pass, a template taken in by
  * contact_template.h: boxes of the parts, planes, and the motion of each in the last step. Filled once a pass.
  */
 

@@ -11,7 +11,6 @@
  * shoulder to the waist (muslin starts at the nape), shoulderToShoulder (across both) and waistToUpperLeg (along the
  * body, where body rise is a height).
  */
-#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 

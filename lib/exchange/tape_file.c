@@ -13,7 +13,6 @@
  * skipped in silence would be derived from others, and the garment would not fit. See muslin_tape(5).
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -228,7 +227,7 @@ static mus_status read_line(struct tape_text *text, char *line)
 }
 
 
-mus_status mus__tape_read_text(mus__source *source, mus_tape *tape)
+static mus_status tape_read_text(mus__source *source, mus_tape *tape)
 {
     struct tape_text text = {.source = source, .tape = tape};
     const char *zero = memchr(source->text, '\0', source->size);
@@ -277,7 +276,7 @@ static mus_status read_form(mus__source *source, const char *row, int form, mus_
 
     mus_status status;
     if (form == 't')
-        status = mus__tape_read_text(source, tape);
+        status = tape_read_text(source, tape);
     else if (form == 'y')
         status = mus__tape_read_yaml(source, tape);
     else if (form == 'v')

@@ -4,8 +4,9 @@
  * One ring of each component is hung first: on the shoulders, or where the pattern attaches it, or from the waist down.
  * After it comes, again and again, the ring that is sewn longest to rings that have their place. Of 72 azimuths it
  * takes the one at which its edges are nearest to their partners, and moves along the limb by the mean of the distance
- * left. Words in names count as much as a small distance: they tell the front of a skirt that is alike all round, and
- * do not outweigh seams. Edges that both point up are those of shoulders, which face each other from front and back.
+ * left. The sides of panels count as much as a small distance: they tell the front of a skirt that is alike all
+ * round, and do not outweigh seams. Edges that both point up are those of shoulders, which face each other from front
+ * and back.
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +19,7 @@
 /* All numbers below are chosen; the table of `make wear` (garments that come on) shows what they change. */
 
 #define AROUND_WAYS 72         /* azimuths that are tried */
-#define AROUND_WORD 0.02       /* [m2] cost of a word against an azimuth, in squared distances of edges */
+#define AROUND_ON_SIDE 0.02    /* [m2] cost of a side against an azimuth, in squared distances of edges */
 #define AROUND_SHOULDER 0.02   /* [m2] cost of shoulder edges on the same side of the body */
 #define AROUND_UP 0.5          /* vertical component of the unit normal from which on an edge points up */
 #define AROUND_RADIUS 0.32     /* [m] largest radius of a ring of the trunk */
@@ -154,8 +155,8 @@ static void around_round(const mus__arranged_ring *ring, const mus__arranged_pan
 }
 
 
-/* how much the words of its panels contradict the azimuth of a ring, 0 to 2 */
-static double around_words(const mus__arrangement *arrangement, int32_t t)
+/* how much the sides of its panels contradict the azimuth of a ring, 0 to 2 */
+static double around_sides(const mus__arrangement *arrangement, int32_t t)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
     double sum = 0.0, all = 1e-9;
@@ -174,7 +175,7 @@ static double around_words(const mus__arrangement *arrangement, int32_t t)
 
 
 /* cost [m2] of a ring at its azimuth: mean squared distance of its edges from their partners that have a place, with
- * words and shoulders; *shift gets the mean distance along the limb [m] */
+ * sides and shoulders; *shift gets the mean distance along the limb [m] */
 static double around_cost(const mus__arrangement *arrangement, int32_t t, double *shift)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
@@ -209,7 +210,7 @@ static double around_cost(const mus__arrangement *arrangement, int32_t t, double
     }
     *shift = weight > 0.0 ? first / weight : 0.0;
     const double apart = weight > 0.0 ? square / weight - *shift * *shift : 0.0;
-    return apart + AROUND_WORD * around_words(arrangement, t) +
+    return apart + AROUND_ON_SIDE * around_sides(arrangement, t) +
            (seams > 0.0 ? AROUND_SHOULDER * shoulder / seams : 0.0);
 }
 
@@ -369,7 +370,7 @@ static bool around_held(const mus__arrangement *arrangement, int32_t t, double *
 }
 
 
-/* places the first ring of a component: turned by words and shoulders, hung by the shoulders, by attached edges, or at
+/* places the first ring of a component: turned by sides and shoulders, hung by the shoulders, by attached edges, or at
  * the waist */
 static void around_hang(mus__arrangement *arrangement, int32_t t)
 {

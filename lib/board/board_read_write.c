@@ -256,6 +256,8 @@ static mus_status board_write_panel(board_writer *w, int32_t index)
     if (status == MUS_OK) status = mus_pattern_set_grain(w->pattern, panel, from->attr.grain[0], from->attr.grain[1]);
     if (status == MUS_OK) status = mus_pattern_set_placement(w->pattern, panel, &from->attr.placement);
     if (status == MUS_OK) status = mus_pattern_set_layer(w->pattern, panel, from->attr.layer);
+    if (status == MUS_OK && from->attr.sides != MUS_NONE)
+        status = mus_pattern_set_panel_sides(w->pattern, panel, from->attr.sides);
     return status;
 }
 

@@ -52,6 +52,31 @@ static mus_status read_list(const mus__json_at *root, const char *key, json_cell
 }
 
 
+/* read the sides that a panel is on; without the member its name tells them */
+static mus_status read_sides(const mus__json_at *at, mus_pattern *pattern, int32_t panel)
+{
+    static const char *const names[] = {"front", "back", "left", "right"};
+    mus__json_at list = mus__json_member(at, "sides");
+    if (list.json == NULL) return MUS_OK;
+    size_t count;
+    int32_t sides = 0;
+    mus_status status = mus__json_array(&list, 0, 4, &count);
+    for (size_t i = 0; i < count && status == MUS_OK; i++) {
+        const char *text;
+        int32_t k = 0;
+        mus__json_at one = mus__json_element(&list, i);
+        status = mus__json_text(&one, &text);
+        while (status == MUS_OK && k < 4 && strcmp(text, names[k]) != 0) k++;
+        if (status == MUS_OK && k == 4)
+            status = mus__json_fail(&one, MUS_ERR_FORMAT, "expected front, back, left or right, got \"%.40s\"", text);
+        sides |= MUS_SIDE_FRONT << k;
+    }
+    if (status != MUS_OK) return status;
+    status = mus_pattern_set_panel_sides(pattern, panel, sides);
+    return status == MUS_OK ? MUS_OK : mus__json_wrap(&list, status);
+}
+
+
 static mus_status read_panel(const mus__json_at *at, mus_pattern *pattern)
 {
     if (at->index >= MUS__FILE_PANELS_MAX)
@@ -67,6 +92,8 @@ static mus_status read_panel(const mus__json_at *at, mus_pattern *pattern)
     status = mus_pattern_add_panel(pattern, name, &panel);
     if (status == MUS_OK) status = mus_pattern_set_panel_label(pattern, panel, label);
     if (status != MUS_OK) return mus__json_wrap(at, status);
+    status = read_sides(at, pattern, panel);
+    if (status != MUS_OK) return status;
 
     member = mus__json_member(at, "grain");
     status = mus__json_numbers(&member, 2, grain);

@@ -10,7 +10,6 @@
  * `seat` the hip. Left out: measures from the high point of the shoulder to the waist (muslin starts at the nape),
  * shoulderToShoulder (across both) and waistToUpperLeg (along the body, where body rise is a height).
  */
-#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 

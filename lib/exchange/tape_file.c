@@ -14,7 +14,6 @@
  * measure skipped in silence would be derived from others, and the garment would not fit. See muslin_tape(5).
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -268,7 +267,7 @@ static mus_status read_line(struct tape_text *text, char *line)
 }
 
 
-mus_status mus__tape_read_text(mus__source *source, mus_tape *tape)
+static mus_status tape_read_text(mus__source *source, mus_tape *tape)
 {
     struct tape_text text = {.source = source, .tape = tape};
     const char *zero = memchr(source->text, '\0', source->size);
@@ -335,7 +334,7 @@ static mus_status read_form(mus__source *source, const char *row, int form, mus_
     mus__unused unused = {.count = 0};
     mus_status status;
     if (form == 't')
-        status = mus__tape_read_text(source, tape);
+        status = tape_read_text(source, tape);
     else if (form == 'y')
         status = mus__tape_read_yaml(source, tape, &unused);
     else if (form == 'v')

@@ -7,7 +7,6 @@
 
 #include "exchange/file_read.h"
 
-mus_status mus__tape_read_text(mus__source *source, mus_tape *tape);
 mus_status mus__tape_read_yaml(mus__source *source, mus_tape *tape, mus__unused *unused);
 mus_status mus__tape_read_vit(mus__source *source, mus_tape *tape, mus__unused *unused);
 mus_status mus__tape_read_table(mus__source *source, const char *row, mus_tape *tape, mus__unused *unused);

@@ -12,7 +12,6 @@
  * the table wins.
  */
 #include <expat.h>
-#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>

@@ -65,6 +65,8 @@ static void layer_move(mus_pattern *p, mus_pattern *more, int32_t layer)
         if (own.mirror_of != MUS_NONE) own.mirror_of += panel;
         own.attr.layer = layer;
         layer_name(p, more->name, more->panel[i].name, own.name);
+        const int32_t sides = mus__sides_named(more->panel[i].name);
+        if (own.attr.sides == MUS_NONE && sides != mus__sides_named(own.name)) own.attr.sides = sides;
         p->panel[p->npanel++] = own;
     }
     for (int32_t i = 0; i < more->npoint; i++) {

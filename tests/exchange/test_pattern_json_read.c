@@ -36,6 +36,7 @@ static void make_up(mus_pattern *pattern, uint64_t *seed, int32_t edges[3][4])
     ck_assert_int_eq(mus_pattern_set_cut(pattern, 0, 2, MUS_NONE), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_cut(pattern, 1, 0, 2), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_panel_label(pattern, 1, "body"), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_panel_sides(pattern, 1, (int32_t)(*seed % 16)), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edges[1][1], "left_armhole"), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, edges[1][2], 0.015 / 7.0), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_hold(pattern, edges[0][0], MUS_HOLD_WAIST, -0.02 / 3.0) |
@@ -146,6 +147,7 @@ static void assert_same_panels(const mus_pattern *a, const mus_pattern *b)
         }
         ck_assert_str_eq(mus_pattern_panel_name(a, i), mus_pattern_panel_name(b, i));
         ck_assert_str_eq(mus_pattern_panel_label(a, i), mus_pattern_panel_label(b, i));
+        ck_assert_int_eq(mus_pattern_panel_sides(a, i, NULL), mus_pattern_panel_sides(b, i, NULL));
         SAME(grain[0], grain[1], 2);
         ck_assert_int_eq(cut[0], cut[1]);
         ck_assert_int_eq(mirror[0], mirror[1]);
@@ -361,6 +363,8 @@ static const struct {
     {"\"grain\": [0, 1]", "\"grain\": [0, 0]", "at panels[0].grain: "},
     {"\"grain\": [0, 1]", "\"grain\": [0, NaN]", "small.json:2: expected JSON"},
     {"\"grain\": [0, 1]", "\"grain\": [0, 0,5]", "at panels[0].grain: expected an array of 2 to 2, got 3"},
+    {"\"cut\": 1", "\"cut\": 1, \"sides\": \"left\"", "at panels[0].sides: expected an array, got a text"},
+    {"\"cut\": 1", "\"cut\": 1, \"sides\": [\"top\"]", "at panels[0].sides[0]: expected front, back, left or right"},
     {"\"cut\": 1", "\"cut\": 1000000000", "at panels[0]: "},
     {"\"cut\": 1", "\"cut\": 1e9", "at panels[0].cut: expected an integer, got a number"},
     {"\"cut\": 1", "\"cut\": 99999999999999999999", "small.json:2: expected JSON"},

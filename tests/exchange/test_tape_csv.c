@@ -2,7 +2,6 @@
  * test_tape_csv.c: rows of csv tables: the twelve of FreeSewing's models, the general form, quotes, and what is
  * refused.
  */
-#include <stdio.h>
 #include <string.h>
 
 #include "muslin/exchange.h"

@@ -174,6 +174,9 @@ def test_what_is_said_of_a_pattern_is_what_it_answers(context):
     pattern.set_allowance(0, 0.03)
     pattern.set_grain(0, 3, 4)
     pattern.set_cut(0, 2)
+    assert pattern.sides(0) == []
+    pattern.set_sides(0, "left", "front")
+    assert pattern.sides(0) == ["front", "left"]
     pattern.add_notch(0, 0.25, 2)
     pattern.add_mark(0, "centre", [(0.6, 0.0), (0.6, 0.4)])
     assert pattern.edge_label(0) == "hem" and pattern.edge_label(1) == ""

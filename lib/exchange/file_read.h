@@ -71,8 +71,8 @@ void mus__locale_leave(mus__locale *locale);
 /* length of the decimal number at the start of `text` [bytes] (no hex, no inf, no nan); 0 if there is none */
 size_t mus__number_span(const char *text);
 /* read the number at the start of `text` as a person writes it: also with a fraction ("41 1/4", "1/2"), or with a
- * decimal comma where it cannot be one of thousands. Returns NULL with the number's length [bytes], or the fault as a text
- * ("is not a number") */
+ * decimal comma where it cannot be one of thousands. Returns NULL with the number's length [bytes], or the fault as a
+ * text ("is not a number") */
 const char *mus__amount_read(const char *text, double *out, size_t *length);
 /* read a text that is one such number between blanks; returns NULL, or the fault */
 const char *mus__number_read(const char *text, double *out);

@@ -198,6 +198,11 @@ enum {
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
     MUS_DRESS_STARTS_MOST = 8,
+    MUS_FIT_STRAIN = 0,
+    MUS_FIT_WARP = 1,
+    MUS_FIT_WEFT = 2,
+    MUS_FIT_PRESSURE = 3,
+    MUS_FIT_GAP = 4,
     MUS_PAPER_A4 = 0,
     MUS_PAPER_LETTER = 1,
     MUS_PAPER_A3 = 2,
@@ -260,6 +265,7 @@ typedef struct mus_progress mus_progress;
 typedef struct mus_drape_report mus_drape_report;
 typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
+typedef struct mus_fit_spread mus_fit_spread;
 typedef struct mus_fit_level mus_fit_level;
 typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
@@ -623,6 +629,18 @@ struct mus_dress_report {
     double cut_seconds;
     double sew_seconds;
     double settle_seconds;
+};
+
+struct mus_fit_spread {
+    size_t size;
+    double p50;
+    double p95;
+    double p99;
+    double mean;
+    double least;
+    double largest;
+    int32_t node;
+    double area;
 };
 
 struct mus_fit_level {
@@ -998,6 +1016,9 @@ const double *mus_fit_warp(const mus_fit *fit);
 const double *mus_fit_weft(const mus_fit *fit);
 const double *mus_fit_pressure(const mus_fit *fit);
 const double *mus_fit_gap(const mus_fit *fit);
+const double *mus_fit_area(const mus_fit *fit);
+void mus_fit_spread_init(mus_fit_spread *spread, size_t size);
+mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spread *out);
 void mus_fit_level_init(mus_fit_level *level, size_t size);
 int32_t mus_fit_level_count(const mus_fit *fit);
 mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_level *out);

@@ -1,5 +1,5 @@
 /*
- * draft_read.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a copy;
+ * draft_inputs.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a copy;
  * and checks its result, the pattern.
  */
 #include "design/draft.h"

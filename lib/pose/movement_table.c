@@ -29,6 +29,7 @@
 #define WALK_TURN 4.0     /* [degrees] amplitude of the pelvis's rotation */
 #define WALK_LIST 4.0     /* [degrees] amplitude of its drop to the swinging side */
 #define WALK_SWAY 0.010   /* amplitude of its shift to the standing side, in parts of the stature */
+#define WALK_STANCE 5     /* last key of the cycle at which the foot stands: toe off is at 60 % of it */
 #define WALK_ARM_OFF 16.0 /* [degrees] abduction of the arms; chosen: clear of the hips */
 
 /* every 10 % of the cycle: flexion of hip and knee, dorsiflexion of the ankle, flexion of shoulder and elbow of the
@@ -207,4 +208,17 @@ int32_t mus__move_keys(int32_t move, double stature, double *times, mus_pose *po
             move_pose(move, &moves[move].key[i], stature, &poses[i]);
     }
     return moves[move].keys;
+}
+
+
+int32_t mus__move_feet(int32_t move, int32_t key)
+{
+    const move_key *at = &moves[move].key[key];
+    if (moves[move].pose == NULL) {
+        const int32_t right = (key + WALK_KEYS / 2) % WALK_KEYS;
+        return (key <= WALK_STANCE ? MUS_FOOT_LEFT : 0) | (right <= WALK_STANCE ? MUS_FOOT_RIGHT : 0);
+    }
+    const int32_t feet = mus_pose_feet(moves[move].pose), both = MUS_FOOT_LEFT | MUS_FOOT_RIGHT;
+    if (at->share <= 0.0 || feet == both) return both;
+    return at->mirror ? both & ~feet : feet; /* one foot: the other one of the mirrored pose */
 }

@@ -19,6 +19,9 @@ def moves():
     return [lib.mus_move_name(i).decode() for i in range(lib.mus_move_count())]
 
 
+FOOT_LEFT, FOOT_RIGHT = _abi.MUS_FOOT_LEFT, _abi.MUS_FOOT_RIGHT
+
+
 def joint_limits(joint):
     """Limits of a joint by name [rad]: (low, high) of flexion, of abduction and of rotation."""
     low, high, limits = ctypes.c_double(), ctypes.c_double(), []

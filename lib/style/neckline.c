@@ -13,7 +13,7 @@
 #include "geom/vec.h"
 #include "style/bodice.h"
 
-#define JERSEY_STRETCH 1.15 /* stretch of a knit neckline over the head, as a factor; chosen */
+#define JERSEY_STRETCH 1.15 /* length of a stretched knit neckline over that at rest; chosen: more needs less width */
 #define HEAD_STEPS 60
 
 /* figures of a neckline [cm] on an adult; chosen */

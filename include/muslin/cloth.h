@@ -118,7 +118,7 @@ typedef struct mus_bare {
     int32_t springs;
     int32_t bends;
     int32_t pins;
-    const double *place;          /* (nodes x 3) where a drape starts [m] */
+    const double *place;          /* (nodes x 3) where a drape starts [m], within 1e7 */
     const double *mass;           /* (nodes) 1e-15 to 1e15 kg; 0 is allowed at a pin */
     const int32_t *spring;        /* (springs x 2) nodes a b: E = k/2 (|x_b - x_a| - length)^2 */
     const double *length;         /* (springs) at rest, 0 or more [m] */

@@ -16,8 +16,6 @@
 /* [kg] least mass; [kg], [N/m], [N s/m] largest mass and stiffness: 1 / mass and k / mass stay normal floats */
 #define BARE_LEAST_MASS 1e-15
 #define BARE_MOST 1e15
-/* [m] largest coordinate and rest length. Chosen: its square is a normal float */
-#define BARE_FAR 1e12
 
 
 void mus_bare_init(mus_bare *bare, size_t size)
@@ -80,9 +78,9 @@ static mus_status bare_check(mus_context *context, const mus_bare *bare)
     if (status == MUS_OK) status = bare_nodes(context, "bend", bare->bend, bare->bends, 3, bare->nodes);
     if (status == MUS_OK) status = bare_nodes(context, "pin", bare->pin, bare->pins, 1, bare->nodes);
     if (status == MUS_OK)
-        status = bare_numbers(context, "place", bare->place, 3 * (int64_t)bare->nodes, -BARE_FAR, BARE_FAR);
+        status = bare_numbers(context, "place", bare->place, 3 * (int64_t)bare->nodes, -MUS__FARTHEST, MUS__FARTHEST);
     if (status == MUS_OK) status = bare_numbers(context, "mass", bare->mass, bare->nodes, 0.0, BARE_MOST);
-    if (status == MUS_OK) status = bare_numbers(context, "length", bare->length, bare->springs, 0.0, BARE_FAR);
+    if (status == MUS_OK) status = bare_numbers(context, "length", bare->length, bare->springs, 0.0, MUS__FARTHEST);
     if (status == MUS_OK) status = bare_numbers(context, "stiffness", bare->stiffness, bare->springs, 0.0, BARE_MOST);
     if (status == MUS_OK) status = bare_numbers(context, "dashpot", bare->dashpot, bare->springs, 0.0, BARE_MOST);
     if (status == MUS_OK)

@@ -61,12 +61,6 @@ mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, 
 }
 
 
-bool mus__pattern_near(double x, double y)
-{
-    return x >= -MUS__FARTHEST && x <= MUS__FARTHEST && y >= -MUS__FARTHEST && y <= MUS__FARTHEST;
-}
-
-
 double *mus__edge_block(mus_context *context, int32_t npiece, int32_t nxy)
 {
     int64_t doubles = 2 * (int64_t)nxy + npiece + 1;

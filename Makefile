@@ -10,7 +10,7 @@
 #   make NAME       a study of the table below (NAME: corpus, wear ...); CONTRIBUTING.md says what each one measures
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
-# config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
+# config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
 # OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
 # CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
 
@@ -31,10 +31,12 @@ ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 OPTIMISE_release = -O2 -g
 OPTIMISE_debug = -O0 -g -DMUS_DEBUG
 OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined $(LINK_sanitize)
+OPTIMISE_tsan = -O0 -g $(LINK_tsan)
 OPTIMISE_coverage = -O0 -g $(LINK_coverage)
 LINK_sanitize = -fsanitize=address,undefined
+LINK_tsan = -fsanitize=thread
 LINK_coverage = --coverage
-$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize or coverage))
+$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize, tsan or coverage))
 # for the loops that a drape spends its time in: -O3 vectorises them, and a square root without errno is one
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
@@ -213,6 +215,10 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 NEEDS_check-large = tests
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
+# config=tsan: the library under the thread sanitizer, and the program of tests/guard/threads.c
+NEEDS_check-threads = $(call library,muslin).a
+RUN_check-threads = mkdir -p $(BIN) && $(COMPILE) $(TEST_WARN) tests/guard/threads.c $(call library,muslin).a -lm -o $(BIN)/threads && \
+  TSAN_OPTIONS=halt_on_error=1 $(BIN)/threads
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 NEEDS_check-glb = run-dress

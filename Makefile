@@ -53,14 +53,15 @@ silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
 
-# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row ----
+# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan $(OMIT_design) $(OMIT_drape) exchange
+OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+  $(addprefix arrange/arrange_,clear limb read ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 
@@ -73,7 +74,7 @@ PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 
-room = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
+room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
 SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
 $(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file)))) # lib/file is a part of both
@@ -81,7 +82,7 @@ SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
-TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
+TESTED_EXAMPLES := examples/bench/edge_list.c examples/bench/triangle_tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
@@ -97,8 +98,7 @@ EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
 NEED := $(addprefix need-,$(OWN_LIBRARY) examples tests)
 .PHONY: all lib tests examples packages install clean help FORCE $(NEED)
-.DELETE_ON_ERROR:
-.SECONDEXPANSION:
+.DELETE_ON_ERROR .SECONDEXPANSION:
 
 all: $(foreach l,$(LIBRARIES),$(call library,$(l)).a) $(SHARED) $(if $(OMIT),,$(PROGRAMS))
 lib: $(call library,muslin).a $(call library,muslin).so.$(VERSION)
@@ -154,12 +154,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips designs catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(BIN)/people $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(BIN)/people $(BIN)/slips $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -174,9 +174,8 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-
 # what apt must have beside the packages of a build
-same check check-omit check-large people designs catalogue-bench: APT_GROUP = test
+same check check-omit check-large people slips designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -198,6 +197,7 @@ RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
+RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152

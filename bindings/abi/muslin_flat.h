@@ -152,6 +152,10 @@ enum {
     MUS_NOTCH_SINGLE = 1,
     MUS_NOTCH_DOUBLE = 2,
     MUS_NOTCH_TRIPLE = 3,
+    MUS_SIDE_FRONT = 1,
+    MUS_SIDE_BACK = 2,
+    MUS_SIDE_LEFT = 4,
+    MUS_SIDE_RIGHT = 8,
     MUS_LAYERS_MOST = 16,
     MUS_FAULT_OPEN_OUTLINE = 1,
     MUS_FAULT_CROSSING = 2,
@@ -794,6 +798,7 @@ mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char 
 mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y);
 mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
+mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);
 void mus_placement_init(mus_placement *placement, size_t size);
 mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
@@ -813,6 +818,7 @@ int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name);
 int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const char *name);
 const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t panel);
 const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given);
 mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges, const int32_t **directions);
 mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions, int32_t capacity, int32_t *count);
 mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);

@@ -3,8 +3,8 @@
 #define BENCH_H
 
 #include "command/json.h"
+#include "edge_list.h"
 #include "muslin/muslin.h"
-#include "plain.h"
 
 /* One row. Figures that a case has not are NaN and are left out. */
 typedef struct bench_row {
@@ -41,7 +41,7 @@ plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell,
 /* CPU seconds of one evaluation of one node: of forces alone, or a quarter of a step of RK4 */
 double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps);
 
-/* The parts of the table, one file each: speed.c, contact.c, worn.c, body.c, scenes.c, layers.c. */
+/* The parts of the table, one file each: steps.c, contact.c, garment_contact.c, body.c, scenes.c, layers.c. */
 mus_status bench_speed(bench *b, bool everything);
 mus_status bench_contact(bench *b);
 mus_status bench_worn(bench *b);

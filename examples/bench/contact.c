@@ -5,9 +5,9 @@
  * Points lie within 4 mm of the skin of a body W40, where cloth is: one triangle of the surface after the other, as
  * nodes of a cloth lie, and scattered, where neither finds in the caches what the point before left there. Contact is
  * timed as a drape does it: steps of nodes without springs round the body, less the same without it, in float, with a
- * clearance that makes each node touch, so that each is asked and answered in every step (of a garment: worn.c).
- * mus_body_depth is timed too, in double; it asks every part of the body of every point. The tree stands over the
- * surface of about 20,000 triangles; its distances are held against depths outside.
+ * clearance that makes each node touch, so that each is asked and answered in every step (of a garment:
+ * garment_contact.c). mus_body_depth is timed too, in double; it asks every part of the body of every point. The tree
+ * stands over the surface of about 20,000 triangles; its distances are held against depths outside.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "bench.h"
-#include "tree.h"
+#include "triangle_tree.h"
 
 #define POINTS 20000
 #define REPEATS 9

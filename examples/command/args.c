@@ -18,6 +18,8 @@
 
 /* where complaints go instead of standard error; one for the process, as standard error is */
 static complaints *kept;
+/* the doubts that were printed */
+static complaints printed;
 
 
 void complaints_keep(complaints *into)
@@ -45,10 +47,16 @@ int complain(int code, const char *command, const char *format, ...)
 
 void doubt(const char *command, const char *text)
 {
-    if (kept == NULL)
-        fprintf(stderr, "muslin %s: warning: %s\n", command, text);
-    else if (kept->doubts < (int32_t)(sizeof kept->doubt / sizeof *kept->doubt))
-        snprintf(kept->doubt[kept->doubts++], sizeof *kept->doubt, "%s", text);
+    complaints *into = kept != NULL ? kept : &printed;
+    if (kept == NULL) fprintf(stderr, "muslin %s: warning: %s\n", command, text);
+    if (into->doubts < (int32_t)(sizeof into->doubt / sizeof *into->doubt))
+        snprintf(into->doubt[into->doubts++], sizeof *into->doubt, "%s", text);
+}
+
+
+const complaints *complaints_said(void)
+{
+    return kept != NULL ? kept : &printed;
 }
 
 

@@ -60,11 +60,14 @@ void doubt(const char *command, const char *text);
 typedef struct complaints {
     char text[600];
     int32_t doubts;
-    char doubt[8][512];
+    char doubt[64][512]; /* above the most warnings of a tape, 48 */
 } complaints;
 
 /* Keep complaints and doubts in `into` from now on, which is emptied; NULL: on standard error again. */
 void complaints_keep(complaints *into);
+
+/* The doubts up to now, whether they were printed or kept. */
+const complaints *complaints_said(void);
 
 /* Is all of standard output out? EXIT_DONE, or a line and EXIT_FAILED. */
 int output_end(const char *command);

@@ -81,21 +81,17 @@ static void ask_files(const batch *b, const batch_line *g, dress *d, char paths[
 }
 
 
-/* members of a result; `said` is what went to no standard error */
-static void write_result(const dress *d, bool opened, const char *status, const complaints *said, json *j)
+/* members of a result; `said` is the first complaint, which was kept from standard error */
+static void write_result(const dress *d, bool opened, const char *status, const char *said, json *j)
 {
     json_open(j, NULL, '{');
     if (opened) {
         dress_describe(d, false, j);
-        if (said->text[0] != '\0') json_text(j, "not_written", said->text);
+        if (said[0] != '\0') json_text(j, "not_written", said);
     } else {
         json_text(j, "status", status);
-        json_text(j, "reason", said->text);
-    }
-    if (said->doubts > 0) {
-        json_open(j, "warnings", '[');
-        for (int32_t i = 0; i < said->doubts; i++) json_text(j, NULL, said->doubt[i]);
-        json_close(j, ']');
+        json_text(j, "reason", said);
+        json_warnings(j);
     }
     json_close(j, '}');
 }
@@ -135,7 +131,6 @@ static int dress_line(const batch *b, const batch_line *g)
     if (code == EXIT_DONE) code = dress_open(d);
     const bool opened = code == EXIT_DONE;
     if (opened) code = dress_run(d);
-    complaints_keep(NULL);
 
     const bool late = b->limit > 0.0 && look_at_watch(&clock, NULL) != 0;
     const char *status = opened ? dress_status(d) : code == EXIT_INPUT ? "bad input" : "no memory";
@@ -146,8 +141,9 @@ static int dress_line(const batch *b, const batch_line *g)
         status = "out of time", part.hold = BATCH_LIMIT;
         write_late(b, &result);
     } else {
-        write_result(d, opened, status, &said, &result);
+        write_result(d, opened, status, said.text, &result);
     }
+    complaints_keep(NULL);
     part.cpu = cpu_seconds(NULL);
     json_open(&times, NULL, '{');
     json_number(&times, "cpu_s", part.cpu);

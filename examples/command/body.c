@@ -61,6 +61,7 @@ static void write_json(const mus_body *body, double spent, json *j)
     json_close(j, ']');
     json_number(j, "volume_m3", mus_body_volume(body));
     json_number(j, "seconds", spent);
+    json_warnings(j);
     json_close(j, '}');
 }
 

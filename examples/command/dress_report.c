@@ -94,6 +94,7 @@ void dress_describe(const dress *d, bool timed, json *j)
     json_text(j, "garment", mus_pattern_name(d->s.pattern));
     json_text(j, "status", dress_status(d));
     write_reason(d, j);
+    json_warnings(j);
     if (d->drape != NULL) {
         mus_drape_report r;
         char hash[24];

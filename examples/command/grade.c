@@ -161,6 +161,7 @@ static bool grade_json(const grade_size *sizes, int count)
     json_open(&j, "steps", '[');
     for (int i = 0; i + 1 < count; i++) grade_json_rules(&j, &sizes[i], &sizes[i + 1]);
     json_close(&j, ']');
+    json_warnings(&j);
     json_close(&j, '}');
     const bool written = json_write(&j, "grade", "-");
     json_free(&j);

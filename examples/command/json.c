@@ -137,6 +137,15 @@ void json_number(json *j, const char *key, double value)
 }
 
 
+void json_warnings(json *j)
+{
+    const complaints *said = complaints_said();
+    json_open(j, "warnings", '[');
+    for (int32_t i = 0; i < said->doubts; i++) json_text(j, NULL, said->doubt[i]);
+    json_close(j, ']');
+}
+
+
 void json_free(json *j)
 {
     free(j->text);

@@ -22,6 +22,8 @@ void json_bool(json *j, const char *key, bool value);
 void json_null(json *j, const char *key);
 /* nine significant digits; null when not finite */
 void json_number(json *j, const char *key, double value);
+/* the member "warnings": the doubts that the command had up to now (args.h) */
+void json_warnings(json *j);
 void json_free(json *j);
 
 /* Write the text and a line end to `path`, whole or not at all; "-" is standard output. Complains for `command`. */

@@ -122,6 +122,7 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
         mesh_json(report, &j);
         json_number(&j, "volume_m3", mus_body_volume(body));
         json_number(&j, "seconds", spent);
+        json_warnings(&j);
         json_close(&j, '}');
         if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
     } else if (!is_stdout(obj)) {

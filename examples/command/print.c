@@ -51,6 +51,7 @@ static void describe(const mus_sheet *sheet, json *j)
         json_close(j, '}');
     }
     json_close(j, ']');
+    json_warnings(j);
     json_close(j, '}');
 }
 

@@ -227,8 +227,21 @@ MUS_API mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, do
  * of itself or of another image). */
 MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 
-/** Set the label of a panel ("body", "arm", "leg", free text). Errors: MUS_ERR_ARG. */
+/** Set the label of a panel: its part in the garment ("body", "arm", "leg", "collar", free text). mus_arrange_pattern()
+ * puts an "arm" round an arm, a "neck", "collar" or "hood" round the neck, and all else round the trunk. Errors:
+ * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
+
+/* sides of the wearer; a panel is on none, on one, or on two that are not opposite (the front, left) */
+#define MUS_SIDE_FRONT 1
+#define MUS_SIDE_BACK 2
+#define MUS_SIDE_LEFT 4
+#define MUS_SIDE_RIGHT 8
+
+/** Set the sides of the wearer that a panel is on: the sum of its MUS_SIDE_*, 0 for none; opposite sides cancel. Until
+ * they are set, the words front, back, left and right in the panel's name tell them. Errors: MUS_ERR_ARG (below 0 or
+ * above 15). */
+MUS_API mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 
 /** Declare an opening that the sewn garment is to have, by the label of its boundary loop ("neck"; twice for two
  * cuffs). A pattern that declares any is checked as a garment: see mus_pattern_check(). Errors: MUS_ERR_ARG (an empty
@@ -318,6 +331,10 @@ MUS_API const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t p
 
 /** Label of a panel, "" without one; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+
+/** Sides of the wearer that a panel is on, the sum of its MUS_SIDE_*; 0 outside the range. *given (may be NULL) is 1
+ * when they were set, 0 when the panel's name tells them. */
+MUS_API int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given);
 
 /** The outline of a panel: *n edges and their directions, +1 along or -1 against the edge; n is 0 without an outline.
  * Borrowed until the next edit; any out may be NULL. Errors: MUS_ERR_ARG. */

@@ -153,7 +153,8 @@ MUS_API const char *mus_tape_size_name(int32_t index);
  *
  * Needs stature, bust, waist and hip; a child's tape needs stature alone. Derived values have the source
  * MUS_SOURCE_DERIVED and are derived anew at each call. Two measures that no body has together are an error; two that
- * hardly any body has together, and a value far from its prediction, are warnings (mus_tape_warning()).
+ * hardly any body has together, and a given value that does not fit the others, are warnings (mus_tape_warning()). A
+ * warning, and the message of an error, name the likely slip: "digits swapped: 96.0 cm?".
  *
  * Errors:  MUS_ERR_TAPE (a needed measure is missing, or two contradict each other: the message names both);
  *          MUS_ERR_MEMORY. The tape is as before the call

@@ -20,11 +20,16 @@
 /* what a ring goes round */
 enum { MUS__ARRANGE_TRUNK, MUS__ARRANGE_NECK, MUS__ARRANGE_ARM };
 
-/* what the words in the name and the label of a panel say; bits */
-enum { MUS__ARRANGE_FRONT = 1, MUS__ARRANGE_BACK = 2, MUS__ARRANGE_LEFT = 4, MUS__ARRANGE_RIGHT = 8 };
+/* sides of the wearer, as the pattern tells them of a panel; bits */
+enum {
+    MUS__ARRANGE_FRONT = MUS_SIDE_FRONT,
+    MUS__ARRANGE_BACK = MUS_SIDE_BACK,
+    MUS__ARRANGE_LEFT = MUS_SIDE_LEFT,
+    MUS__ARRANGE_RIGHT = MUS_SIDE_RIGHT
+};
 
 typedef struct mus__arranged_panel {
-    int32_t limb, says, ring;
+    int32_t limb, says, ring; /* says: the sides it is on */
     int32_t nedge;
     const int32_t *edge, *direction; /* the outline, borrowed from the pattern */
     double sign;                     /* +1: drawn as seen from outside, -1: mirrored */

@@ -1,6 +1,5 @@
 /*
- * arrange_read.c: reads what a pattern tells of its panels: outlines as seen from outside, seams, and words in names
- * and labels.
+ * arrange_read.c: reads what a pattern tells of its panels: outlines as seen from outside, seams, labels and sides.
  *
  * Up is as drawn, except on an arm, where it is the direction from the hand to the panel that the sleeve is sewn to, by
  * quarter turns: a sleeve may be drawn along the arm or across it.
@@ -14,51 +13,19 @@
 #define READ_SIDE 0.5 /* horizontal component of the unit normal from which on an edge is a side */
 
 
-static bool read_letter(char c)
+/* the limb that a panel goes round, by its label */
+static int32_t read_limb(const char *label)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-
-/* whether `word` (lower case) is in a name: whole, or anywhere when `part` is set */
-static bool read_word(const char *name, const char *word, bool part)
-{
-    const size_t n = strlen(word), all = strlen(name);
-    for (size_t i = 0; i + n <= all; i++) {
-        size_t k = 0;
-        while (k < n && (name[i + k] | 32) == word[k]) k++;
-        if (k < n) continue;
-        if (part || ((i == 0 || !read_letter(name[i - 1])) && (i + n == all || !read_letter(name[i + n])))) return true;
-    }
-    return false;
-}
-
-
-/* takes front, back, left and right from the words of a panel, and the limb that it goes round */
-static void read_says(const mus_pattern *pattern, int32_t p, mus__arranged_panel *panel)
-{
-    const char *name = mus_pattern_panel_name(pattern, p), *label = mus_pattern_panel_label(pattern, p);
     static const struct {
-        const char *word;
-        int32_t part, says;
-    } words[] = {{"front", 1, MUS__ARRANGE_FRONT}, {"ftorso", 1, MUS__ARRANGE_FRONT}, {"f", 0, MUS__ARRANGE_FRONT},
-                 {"back", 1, MUS__ARRANGE_BACK},   {"btorso", 1, MUS__ARRANGE_BACK},  {"b", 0, MUS__ARRANGE_BACK},
-                 {"left", 1, MUS__ARRANGE_LEFT},   {"l", 0, MUS__ARRANGE_LEFT},       {"right", 1, MUS__ARRANGE_RIGHT},
-                 {"r", 0, MUS__ARRANGE_RIGHT}};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (read_word(name, words[i].word, words[i].part)) panel->says |= words[i].says;
-    const int32_t both = MUS__ARRANGE_FRONT | MUS__ARRANGE_BACK, sides = MUS__ARRANGE_LEFT | MUS__ARRANGE_RIGHT;
-    if ((panel->says & both) == both) panel->says &= ~both;
-    if ((panel->says & sides) == sides) panel->says &= ~sides;
-
-    const bool leg = strcmp(label, "leg") == 0 || read_word(name, "pant", true) || read_word(name, "leg", false);
-    panel->limb = MUS__ARRANGE_TRUNK;
-    if (read_word(name, "collar", true) || read_word(name, "hood", true) || read_word(name, "neck", true) ||
-        read_word(label, "collar", true) || read_word(label, "hood", true))
-        panel->limb = MUS__ARRANGE_NECK;
-    else if (strcmp(label, "arm") == 0 || read_word(name, "sleeve", true) || read_word(name, "sl", false) ||
-             (read_word(name, "cuff", true) && !leg))
-        panel->limb = MUS__ARRANGE_ARM;
+        const char *label;
+        int32_t limb;
+    } limbs[] = {{"arm", MUS__ARRANGE_ARM},
+                 {"neck", MUS__ARRANGE_NECK},
+                 {"collar", MUS__ARRANGE_NECK},
+                 {"hood", MUS__ARRANGE_NECK}};
+    for (size_t i = 0; i < sizeof limbs / sizeof *limbs; i++)
+        if (strcmp(label, limbs[i].label) == 0) return limbs[i].limb;
+    return MUS__ARRANGE_TRUNK;
 }
 
 
@@ -83,7 +50,8 @@ static mus_status read_panel(mus__arrangement *arrangement, int32_t p)
     panel->area = 0.5 * fabs(twice);
     panel->turn[0] = 1.0;
     panel->ring = MUS_NONE;
-    read_says(arrangement->pattern, p, panel);
+    panel->limb = read_limb(mus_pattern_panel_label(arrangement->pattern, p));
+    panel->says = mus_pattern_panel_sides(arrangement->pattern, p, NULL);
     panel->turned = panel->limb != MUS__ARRANGE_ARM;
     return status;
 }

@@ -75,7 +75,7 @@ int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *
 /* link `next` after `side` in the ring; its start is set to the end of `side`, bit for bit */
 void mus__board_follow(mus__board *board, int32_t side, int32_t next);
 
-/* ---- board_pattern.c ---- */
+/* ---- board_read_write.c ---- */
 
 /* begin the board with the cells of a pattern. A panel without outline or an edge of no outline fails the board */
 void mus__board_read(mus__board *board, const mus_pattern *pattern);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_chain.h"
+#include "board/board_curve.h"
 #include "geom/vec.h"
 
 /* [m] largest gap between the end of a side and the start of the next: rounding of the drawing, and no more */

@@ -15,8 +15,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
+#include "board/board_rigid_part.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 

@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
+#include "board/board_spread.h"
+#include "board/board_rigid_part.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 

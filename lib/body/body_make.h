@@ -21,6 +21,11 @@ mus_status mus__body_fields(mus_body *body, double spacing);
 /* cubic step: 0 for t <= 0, 1 for t >= 1 */
 double mus__cubic_step(double t);
 
+/* ---- body_level.c ---- */
+
+/* the levels of a body made from a tape, from its skeleton, limbs and rig, into body->level */
+void mus__body_find_levels(mus_body *body);
+
 /* ---- body_posture.c ---- */
 
 /* whether the options ask for the upright posture */
@@ -32,7 +37,7 @@ void mus__posture_bones(const mus_body_def *def, mus__skeleton *bone);
 /* move the fitted contours of the torso */
 void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus__limb *torso);
 
-/* ---- body_follow.c ---- */
+/* ---- body_fit_lengths.c ---- */
 
 /* change the fitted contours of the torso so that bust span and crotch length are the tape's, where it gives them.
  * Scratch as mus__contour_fit(). Errors: MUS_ERR_MEMORY */
@@ -40,7 +45,7 @@ mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *
 /* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
-/* ---- body_without_limbs.c, body_given.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
+/* ---- limbs_left_out.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
 /* mark or cut the fitted limbs that body->def.without names */
 void mus__body_without(mus_body *body);
@@ -69,7 +74,7 @@ mus_status mus__body_remeasure(mus_body *body);
 /* lengths in body->made, along the surface; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_lengths(mus_body *body);
 
-/* ---- skin.c, digit.c, seat_cleft.c, shape.c: the published skin ---- */
+/* ---- skin_fillet.c, fingers_toes.c, seat_cleft.c, face_hands_feet.c: the published skin ---- */
 
 /* the skin from the surface of the limbs; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_skin(mus_body *body);

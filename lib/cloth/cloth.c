@@ -3,9 +3,9 @@
  *
  * Files in the order of use: fabric_table.c and fabric_value.c (measured fabrics), fabric.c (spring constants of a
  * fabric), lattice.c (nodes and cells inside a panel), mesh.c and panel_lines.c (nodes and triangles of a panel),
- * spring.c and strip.c (its springs), pairs.c (seams), calibrate.c (bending rigidity of a panel), pleat.c,
- * edge_elements.c (gathers, elastics, attachments), coarse.c (coarser cuts). grid.c and spring_network.c make a cloth
- * without a pattern. lib/drape moves the cloth.
+ * lattice_springs.c and border_springs.c (its springs), seam_pairs.c (seams), calibrate_bending.c (bending rigidity of
+ * a panel), pleat_folds.c, edge_elements.c (gathers, elastics, attachments), coarse_cut.c (coarser cuts).
+ * rectangle_cloth.c and spring_network.c make a cloth without a pattern. lib/drape moves the cloth.
  *
  * The pattern is checked first. Each panel is then meshed, and its springs are made while its lattice is in memory.
  * Seams come last, when all panels have nodes.

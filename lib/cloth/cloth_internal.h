@@ -66,7 +66,7 @@ typedef struct mus__panel_mesh {
     int32_t lattice_count;
     int32_t first_triangle, triangle_count;
     int32_t first_border, border_count; /* in cloth->border */
-    int32_t layer;
+    int32_t layer, sides; /* sides: MUS_SIDE_* */
     mus_placement placement;
 } mus__panel_mesh;
 

@@ -369,6 +369,7 @@ mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice
     int32_t all = 0;
     out->first_node = cloth->nnode, out->first_triangle = cloth->ntriangle, out->first_border = cloth->nborder;
     out->layer = mus_pattern_layer(mesh->pattern, panel);
+    out->sides = mus_pattern_panel_sides(mesh->pattern, panel, NULL);
     mus_placement_init(&out->placement, sizeof out->placement);
     mus_status status = mus_pattern_placement(mesh->pattern, panel, &out->placement);
     if (status == MUS_OK) status = mesh_border(mesh, panel, &out->border_count, &all, &border);

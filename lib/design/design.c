@@ -10,7 +10,7 @@
 
 #include "design/draft.h"
 #include "design/words.h"
-#include "style/parts.h"
+#include "style/style_parts.h"
 
 
 /* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18

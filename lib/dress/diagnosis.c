@@ -10,10 +10,10 @@
 
 #include "arrange/arrange_check.h"
 #include "arrange/failure_reason.h"
+#include "drape/drape_state.h"
 #include "drape/residual.h"
 #include "dress/diagnosis.h"
-#include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

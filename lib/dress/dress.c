@@ -3,7 +3,7 @@
  *
  * Where a stranger starts in this room, which holds the runs that dress a body: sew.c (mus_drape_sew) with seam_route.c
  * and layers.c, settle.c (mus_drape_settle) with slid_off.c, untangle.c (mus_drape_untangle), the relaxation that all
- * three share (relaxation_loop.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
+ * three share (dynamic_relaxation.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
  *
  * A start is a placement of the panels, and the patience of sewing. An impatient start gives up when the first way of
  * sewing does not close the coarsest cut; a patient one goes on with other ways and with finer cuts, which takes long.

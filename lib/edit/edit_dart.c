@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "board/board_dart.h"
-#include "board/board_part.h"
-#include "edit/editing.h"
+#include "board/board_rigid_part.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define EDIT_SAME 1e-6  /* [m] the points of two darts within this are one; chosen: above rounding */

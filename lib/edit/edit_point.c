@@ -5,10 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
-#include "edit/editing.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
+#include "edit/edit_internal.h"
 #include "geom/curve.h"
 
 

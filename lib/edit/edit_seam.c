@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_part.h"
-#include "edit/editing.h"
+#include "board/board_rigid_part.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define TRUE_STEPS 100

@@ -7,8 +7,10 @@
  */
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "edit/editing.h"
+#include "board/board_pleat.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define FLARE_MOST 64

@@ -10,8 +10,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/source.h"
+#include "exchange/file_read.h"
+#include "exchange/json_path.h"
 #include "file/sink.h"
 
 #define FABRIC_NAME_BYTES 100    /* [bytes] longest name; chosen, as muslin_fabric(5) says */

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 
 #define FILE_NAME_BYTES 200  /* [bytes] of a path in a message; chosen: leaves 311 of 511 bytes for the sentence */
 #define FILE_ERROR_BYTES 512 /* [bytes] capacity of the context's error text */

@@ -16,8 +16,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/pattern_forms.h"
+#include "exchange/json_path.h"
+#include "exchange/pattern_readers.h"
 
 #define FS_MILLIMETRE 1e-3  /* [m] unit of the file */
 #define FS_PIECES_MOST 4096 /* most segments of an outline in the file; chosen: bounds memory and time */

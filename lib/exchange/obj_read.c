@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 
 #define OBJ_TRIANGLES 16000000 /* most triangles, and most vertices; chosen: far above a scan of a person */
 

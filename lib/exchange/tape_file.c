@@ -19,8 +19,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 #include "file/sink.h"
 
 #define KEY_BYTES 64 /* [bytes] of a key with its zero byte; chosen: far above the longest name of a measure */

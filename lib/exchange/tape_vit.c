@@ -15,8 +15,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 
 
 static const struct {

@@ -21,8 +21,8 @@
 #include <string.h>
 #include <yaml.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 
 #define BODY_NECK_SIDE 0.0165 /* height of the nape above the side of the neck base, over stature; chosen */
 #define BODY_SCYE 0.9         /* depth of the armpit over the scye depth, which is measured to a lower tape; chosen */

@@ -17,7 +17,7 @@ struct mus_fit {
     mus_fit_level level[MUS__FIT_LEVELS];
 };
 
-/* the levels that the garment goes round; needs gap (fit_level.c) */
+/* the levels that the garment goes round; needs gap (fit_girths.c) */
 mus_status mus__fit_levels(mus_fit *fit, const mus_drape *drape, const mus_body *body);
 
 #endif

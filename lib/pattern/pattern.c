@@ -2,13 +2,13 @@
  * pattern.c: a pattern as an object: create, copy, destroy, find by name; and helpers that all of lib/pattern shares.
  *
  * The room, in the order of use:
- *   pattern.c                               the object, its memory, names
- *   cells.c                                 panels, points, edges, outlines
- *   edge_attributes.c, panel_attributes.c   what is said of an edge and of a panel
- *   seam.c                                  seams, closures, declared openings
- *   marks.c                                 notches and marks
- *   join.c                                  garments over one another as one pattern
- *   measure.c, cut_outline.c, crossing.c    lengths and areas; what is cut; an outline that crosses itself
+ *   pattern.c              the object, its memory, names
+ *   panels_edges_points.c  panels, points, edges, outlines
+ *   edge_attributes.c, panel_attributes.c  what is said of an edge and of a panel
+ *   seam.c                 seams, closures, declared openings
+ *   notches_marks.c        notches and marks
+ *   join_garments.c        garments over one another as one pattern
+ *   edge_measure.c, cut_outline.c, outline_crossing.c  lengths and areas; what is cut; an outline that crosses itself
  *
  * A pattern only grows here: no call removes a cell. lib/edit cuts, joins and removes, by way of the cutting table of
  * lib/board. lib/topology glues the seams and checks the pattern. A pattern has some tens of panels and some hundreds

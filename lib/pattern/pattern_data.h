@@ -21,6 +21,7 @@
 typedef struct mus__panel_attributes {
     char label[MUS__NAME_BYTES];
     int32_t cut_count, layer;
+    int32_t sides;   /* MUS_SIDE_* together; MUS_NONE: those that the name tells */
     double grain[2]; /* unit vector along the warp */
     mus_placement placement;
 } mus__panel_attributes;

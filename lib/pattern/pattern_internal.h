@@ -38,13 +38,15 @@ bool mus__edge_attributes_equal(const mus__edge_attributes *a, const mus__edge_a
 
 /* ---- panel_attributes.c ---- */
 
-/* no label, cut once, layer 0, warp along y, flat at the origin */
+/* no label, sides as the name tells, cut once, layer 0, warp along y, flat at the origin */
 void mus__panel_attributes_init(mus__panel_attributes *attr);
+/* the sides MUS_SIDE_* that the words of a panel's name tell */
+int32_t mus__sides_named(const char *name);
 
 /* Errors: MUS_ERR_ARG (layer outside 0 to MUS_LAYERS_MOST - 1) */
 mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer);
 
-/* ---- crossing.c ---- */
+/* ---- outline_crossing.c ---- */
 
 /* does the outline of a panel cross or touch itself? When *crosses, *a and *b are the two edges, the lower index first.
  * Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT (more than 2^31 chords) */

@@ -6,7 +6,7 @@
 
 #include "print/drawing.h"
 
-/* ---- offset (offset.c) ---- */
+/* ---- offset (polygon_offset.c) ---- */
 
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {
@@ -23,7 +23,7 @@ void mus__loops_free(mus_context *context, mus__loops *loops);
 mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const double *width,
                        const unsigned char *hem, mus__loops *out);
 
-/* ---- a piece (outline.c) ---- */
+/* ---- a piece (piece_outline.c) ---- */
 
 /* part of an edge of the pattern: a line or a cubic, in the direction of the outline */
 typedef struct mus__span {

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define CLOSURE_STAND (1.75 * MUS__CM)
 #define CLOSURE_ZIP (1.5 * MUS__CM)

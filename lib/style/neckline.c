@@ -11,7 +11,7 @@
 
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define JERSEY_STRETCH 1.15 /* stretch of a knit neckline over the head, as a factor; chosen */
 #define HEAD_STEPS 60

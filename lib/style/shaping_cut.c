@@ -9,9 +9,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "board/board_spread.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 /* a line of a princess seam on one panel: from the upper end over the bust or blade point to the lower edge */
 typedef struct princess_line {

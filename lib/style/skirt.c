@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "block/block_skirt.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define SKIRT_ALLOWANCE (1.0 * MUS__CM)
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define RUFFLE_TIERS 3
 #define RUFFLE_PLEAT (4.0 * MUS__CM) /* [m] visible width of a pleat */

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define GORE_ALLOWANCE (1.0 * MUS__CM)
 #define GORES 4 /* of a half garment at most */

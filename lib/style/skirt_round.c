@@ -16,7 +16,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define ROUND_TILT 0.785 /* from the vertical [rad]: below the hands of arms that hang at 40 degrees */
 #define ROUND_HEM_PIECES 2

@@ -15,7 +15,7 @@
 
 #include "block/block_trousers.h"
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define LEG_ALLOWANCE (1.0 * MUS__CM)
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */

@@ -7,6 +7,7 @@
  *     tape.c           create, copy, set and read (this file)
  *     tape_size.c      the 28 table sizes
  *     tape_derive.c    measures predicted from stature, bust, waist and hip
+ *     tape_doubt.c     given measures that do not fit the others; tape_people.h is its table of people
  *     tape_check.c     errors and warnings of a sheet
  *     tape_complete.c  derive and check on a copy
  *

@@ -155,6 +155,10 @@ MUS_CLOSURE_BUTTONS = 2
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
+MUS_SIDE_FRONT = 1
+MUS_SIDE_BACK = 2
+MUS_SIDE_LEFT = 4
+MUS_SIDE_RIGHT = 8
 MUS_LAYERS_MOST = 16
 MUS_FAULT_OPEN_OUTLINE = 1
 MUS_FAULT_CROSSING = 2
@@ -646,6 +650,7 @@ FUNCTIONS = {
     "mus_pattern_set_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_pattern_set_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
     "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_pattern_set_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32]),
     "mus_pattern_add_opening": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_placement_init": ("core", None, [POINTER(mus_placement), c_size_t]),
     "mus_pattern_set_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
@@ -665,6 +670,7 @@ FUNCTIONS = {
     "mus_pattern_find_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_panel_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_panel_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
     "mus_pattern_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
     "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),

@@ -1,0 +1,57 @@
+/*
+ * radius_field.h: a part of a limb as a radius field: a table of radii by height and direction, which contact queries.
+ *
+ * A limb has a straight axis: point = origin + s*axis + a*side + b*front, with s along the axis and (a, b) in the plane
+ * of the contour. Rings have the distance `ds` in s; each holds the centre (ca, cb) of the in-between contour and its
+ * radius at `nangle` equal steps of the diamond angle. The diamond angle q of (a, b), 0..4, takes one division and no
+ * atan2: q = b/(|a|+|b|) in the first quadrant, and so on round.
+ *
+ * Query at a point: with k = floor((s-s0)/ds) the rings k and k+1 are blended, and the radius R is interpolated over
+ * the angle. With F = rho - R(s, q), the signed distance is F/|grad F| to first order and the outward normal is grad
+ * F/|grad F|. The first and the last ring are the limb's first and last contour, or lie in the round cap that closes a
+ * part beyond a joint. Beyond them the query uses a form that is smooth through the pole (radius_field_kernel.h).
+ */
+#ifndef MUS_LIMB_RADIUS_FIELD_H
+#define MUS_LIMB_RADIUS_FIELD_H
+
+#include "limb/contour_stack.h"
+
+#define MUS__FIELD_ANGLES 128 /* steps of the diamond angle: the table then follows a contour to 0.1 mm */
+
+/* a range of a limb's stack that moves rigidly with one joint */
+typedef struct mus__part {
+    int32_t limb, joint;
+    double end[2];   /* s of its ends [m]: a joint, or the contour that ends the limb */
+    double round[2]; /* length of the round cap beyond a joint [m], 0: the limb ends here with its own cap */
+} mus__part;
+
+typedef struct mus__field {
+    double origin[3];
+    double axis[3];   /* unit, direction of s */
+    double side[3];   /* unit, direction of a */
+    double front[3];  /* unit, direction of b; (side, front, axis) is right-handed */
+    double s0, ds;    /* s of the first ring, distance of rings [m] */
+    int32_t nring;    /* at least 2 */
+    int32_t nangle;   /* multiple of 4; a step of the diamond angle is 4/nangle */
+    double *centre;   /* (nring x 2) ca, cb [m] */
+    double *radius;   /* (nring x nangle) [m] */
+    double reach;     /* largest radius + distance of the centre from the axis [m]: bound for a quick rejection */
+    double *largest;  /* (nring) largest radius of rings k and k + 1 [m] */
+    double pole[2];   /* s of the poles that close it [m] */
+    double middle[2]; /* s of the middle of the ellipse of each cap [m] */
+    double half[2];   /* half axis of that ellipse [m] */
+} mus__field;
+
+/* directions (n x 2) of n equal steps of the diamond angle */
+void mus__field_turns(int32_t n, double *turn);
+/* sample a part of a stack, whose directions are those of mus__field_turns(), into a field with rings about `spacing`
+ * [m] apart. Errors: MUS_ERR_MEMORY */
+mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
+                           mus__field *out);
+void mus__field_free(mus_context *context, mus__field *field);
+
+/* depth [m] of point p (3), positive inside, the distance to first order near the surface; normal (3) outward. -1e30
+ * and a zero normal where p is more than 5 cm outside */
+double mus__field_depth(const mus__field *field, const double *p, double *normal);
+
+#endif

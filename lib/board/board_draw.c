@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "board/board_curve.h"
 #include "geom/vec.h"
 
@@ -26,6 +27,10 @@ static bool board_name(mus__board *board, const char *name, char *out)
     const size_t n = name != NULL ? strlen(name) : 0;
     if (n >= MUS__NAME_BYTES) {
         mus__board_fail(board, MUS_ERR_ARG, "the name %.40s... is longer than %d bytes", name, MUS__NAME_BYTES - 1);
+        return false;
+    }
+    if (n > 0 && mus__utf8_span(name) < n) {
+        mus__board_fail(board, MUS_ERR_ARG, "a name is not UTF-8 at byte %zu", mus__utf8_span(name));
         return false;
     }
     memset(out, 0, MUS__NAME_BYTES);

@@ -17,6 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "catalogue/catalogue_internal.h"
 #include "muslin/topology.h"
 
@@ -357,6 +358,8 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     if (pattern == NULL || name == NULL || name[0] == '\0' || strlen(name) >= NAME_BYTES)
         return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern is NULL, or the name is empty or above %d bytes",
                                    NAME_BYTES - 1);
+    if (name[mus__utf8_span(name)] != '\0')
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "the name is not UTF-8 at byte %zu", mus__utf8_span(name));
     if (!catalogue->writable) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "open for reading");
 
     uint8_t *form = NULL, hash[16], *bytes = NULL;

@@ -220,6 +220,7 @@ START_TEST(calls_out_of_turn_and_damaged_rows_are_refused)
     ck_assert_int_eq(id, MUS_NONE);
     ck_assert_int_eq(mus_catalogue_add(catalogue, a, "", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_add(catalogue, a, NULL, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_catalogue_add(catalogue, a, "a\xed\xa0\x80", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_add(NULL, a, "a", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 0, &id, NULL, NULL, &n), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 3, &id, NULL, NULL, &n), MUS_OK);

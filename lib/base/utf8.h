@@ -8,8 +8,8 @@
 
 #include <stddef.h>
 
-/* length of the UTF-8 sequence at the start of `text` [bytes], 1..4; 0 if there is none: an overlong form, a surrogate, a
- * code point beyond U+10FFFF, a lone byte. A zero byte is a sequence of 1 */
+/* length of the UTF-8 sequence at the start of `text` [bytes], 1..4; 0 if there is none: an overlong form, a surrogate,
+ * a code point beyond U+10FFFF, a lone byte. A zero byte is a sequence of 1 */
 static inline size_t mus__utf8_length(const char *text)
 {
     const unsigned char *byte = (const unsigned char *)text;

@@ -189,7 +189,8 @@ static mus_status read_line(struct tape_text *text, char *line)
     const mus__source *source = text->source;
     line = trim(line);
     if (*line == '\0' || *line == '#') return MUS_OK;
-    if (line[mus__utf8_span(line)] != '\0') return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
+    if (line[mus__utf8_span(line)] != '\0')
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
 
     /* a number sign starts a remark, except in a name */
     char key[KEY_BYTES];

@@ -87,7 +87,8 @@ mus_status mus_tape_set_name(mus_tape *tape, const char *name)
     if (length >= MUS__TAPE_NAME_BYTES)
         return mus__fail(tape->context, MUS_ERR_ARG, "a tape's name of %zu bytes is longer than 63", length);
     if (mus__utf8_span(name) < length)
-        return mus__fail(tape->context, MUS_ERR_ARG, "the name of a tape is not UTF-8 at byte %zu", mus__utf8_span(name));
+        return mus__fail(tape->context, MUS_ERR_ARG, "the name of a tape is not UTF-8 at byte %zu",
+                         mus__utf8_span(name));
     memmove(tape->name, name, length + 1);
     return MUS_OK;
 }

@@ -1,4 +1,4 @@
-/* edge_list.c: the plain form of edge_list.h, compiled with the flags of the library's kernels. */
+/* edge_list.c: edge_list.h in float and double, compiled with the flags of the library's kernels. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

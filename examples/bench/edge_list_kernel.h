@@ -27,7 +27,7 @@ static void PLAIN(add_stencil)(PLAIN(list) *list, int32_t middle, int32_t step, 
 }
 
 
-/* what starts at, or has its middle at, node r, c */
+/* Adds the springs that start at node (r, c) and the stencils centred there. */
 static void PLAIN(add_node)(const plain_lattice *l, PLAIN(list) *list, int32_t r, int32_t c)
 {
     const int32_t n = l->columns, i = r * n + c, right = c + 1 < n, up = r + 1 < l->rows;

@@ -1,14 +1,13 @@
 /*
- * garment_contact.c: what contact costs a node of a worn garment in a step, beside a tree of boxes asked of the same
- * nodes.
+ * garment_contact.c: times contact a node of a worn garment in a step, and a tree of boxes for the same nodes.
  *
- * A T-shirt W40 is settled on its body, and led into a walk. Its nodes, with the places and velocities that they have
- * then, go on for some steps of the length that the garment takes, once on the body as it stands and once while it
- * walks on, without springs; contact is the time of these steps less that of the same steps without a body. All that
- * contact does is in it: where the parts stand, which of them a node is to be asked of, distances, the response. The
- * tree stands over the drawn surface of about 20,000 triangles in the same pose, and is asked for its closest point to
- * each of these nodes where they were after each of these steps: from nothing, and from the triangle that was nearest
- * the step before, as contact remembers too. It does not move with the body, which would cost it a refit in each step.
+ * A T-shirt W40 is settled on its body and led into a walk. Its nodes, with their positions and velocities at that
+ * moment, are then stepped without springs, at the garment's own step, once on a body at rest and once while it walks
+ * on. The time of contact is that of these steps less that of the same steps without a body; it includes the placing of
+ * the parts, the choice of the parts to query, distances and response. The tree is built over the drawn surface of
+ * about 20,000 triangles in the same pose. It is queried for the closest point to each node after each of the steps:
+ * from its root, and from the triangle that was nearest after the step before, since contact has a cache too. The tree
+ * does not move with the body; refitting it in each step would cost it more.
  */
 #include <math.h>
 #include <stdio.h>
@@ -21,19 +20,19 @@
 #define WORN_REPEATS 7
 #define WORN_STEPS 40
 #define WORN_RATE 60.0     /* frames a second */
-#define WORN_EASE 45       /* frames into the walk */
-#define WORN_SPACING 0.010 /* [m] */
-#define WORN_GAP 0.02      /* between arms and sides [m] */
+#define WORN_EASE 45       /* frames of the change from the rest pose into the walk */
+#define WORN_SPACING 0.010 /* [m] spacing of the T-shirt */
+#define WORN_GAP 0.02      /* [m] distance of the arms from the sides */
 
-/* a garment on a body, and the frame that it is in */
+/* a garment on a body, and the present frame of its movement */
 typedef struct worn {
     mus_body *body;
     mus_cloth *cloth;
     mus_drape *drape;
     mus_move *move;
-    mus_pose now, next; /* at the two ends of the frame */
+    mus_pose now, next; /* poses at the beginning and the end of the frame */
     double step;
-    double *place, *velocity; /* (nodes x 3) at its start */
+    double *place, *velocity; /* (nodes x 3) at the beginning of the frame [m], [m/s] */
 } worn;
 
 
@@ -63,7 +62,7 @@ static mus_status worn_dress(bench *b, worn *w)
 }
 
 
-/* part u of the way from a pose to another, angle by angle */
+/* Interpolates all angles between two poses, u from 0 to 1. */
 static void worn_between(const mus_pose *from, const mus_pose *to, double u, mus_pose *out)
 {
     *out = *from;
@@ -74,7 +73,7 @@ static void worn_between(const mus_pose *from, const mus_pose *to, double u, mus
 }
 
 
-/* into the walk, to the start of a frame of it */
+/* Leads the body into the walk, up to the beginning of a frame. */
 static mus_status worn_lead(worn *w)
 {
     mus_pose from, first, pose;
@@ -94,7 +93,7 @@ static mus_status worn_lead(worn *w)
 }
 
 
-/* places and velocities of the garment's nodes, each once */
+/* Copies positions and velocities of the garment's nodes; welded nodes once. */
 static mus_status worn_keep(worn *w)
 {
     const size_t size = 3 * (size_t)mus_cloth_node_count(w->cloth) * sizeof(double);
@@ -107,7 +106,7 @@ static mus_status worn_keep(worn *w)
 }
 
 
-/* the nodes without springs, round the body or alone */
+/* Makes a drape of the nodes without springs, with the body or without it. */
 static mus_status worn_bare(bench *b, const worn *w, bool alone, mus_cloth **cloth, mus_drape **drape)
 {
     mus_bare bare;
@@ -124,7 +123,7 @@ static mus_status worn_bare(bench *b, const worn *w, bool alone, mus_cloth **clo
 }
 
 
-/* the nodes back to the start of the frame, and the body */
+/* Puts nodes and body back to the beginning of the frame. */
 static mus_status worn_start(const worn *w, mus_drape *drape, bool alone, bool walks)
 {
     mus_status status = mus_drape_set_state(drape, w->place, w->velocity);
@@ -134,7 +133,7 @@ static mus_status worn_start(const worn *w, mus_drape *drape, bool alone, bool w
 }
 
 
-/* least CPU seconds of the steps, and node against part in them */
+/* Measures the least CPU time of the steps [s], and the number of queries of a part by a node in them. */
 static mus_status worn_time(bench *b, const worn *w, bool alone, bool walks, double *seconds, int64_t *queries)
 {
     mus_cloth *cloth = NULL;
@@ -159,7 +158,7 @@ static mus_status worn_time(bench *b, const worn *w, bool alone, bool walks, dou
 }
 
 
-/* where the nodes are after each step: out (WORN_STEPS x nodes x 3) */
+/* Writes the positions of the nodes after each step: out (WORN_STEPS x nodes x 3) [m]. */
 static mus_status worn_places(bench *b, const worn *w, bool walks, double *out)
 {
     mus_cloth *cloth = NULL;
@@ -177,7 +176,8 @@ static mus_status worn_places(bench *b, const worn *w, bool walks, double *out)
 }
 
 
-/* least CPU seconds of the tree for all places; `again`: each from the nearest triangle of the step before */
+/* Returns the least CPU time [s] of the tree for all positions; `again`: each search starts from the nearest triangle
+ * of the step before. */
 static double worn_tree(tree *t, int32_t nodes, const double *places, bool again, int32_t *nearest)
 {
     double best = INFINITY, sum = 0.0;
@@ -263,7 +263,7 @@ mus_status bench_worn(bench *b)
     mus_pose_init(&w.now, sizeof w.now);
     mus_status status = worn_dress(b, &w);
 
-    /* at rest, on the body as it was made */
+    /* on the body at rest, in its rest pose */
     if (status == MUS_OK) status = mus_drape_body_pose(w.drape, &w.now);
     w.next = w.now;
     w.step = 0.9 * mus_drape_step_bound(w.drape);

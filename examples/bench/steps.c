@@ -1,6 +1,6 @@
 /*
- * steps.c: the cases that time evaluations and steps: a lattice of 10,000 nodes with everything, with each thing
- * left out, and with what may be added; the T-shirt; float and double, one thread and two.
+ * steps.c: times force evaluations and steps: a lattice of 10,000 nodes with all kinds of springs, with each left out,
+ * and with other features added; the T-shirt; in float and double, with one thread and two.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -8,11 +8,11 @@
 #include "bench.h"
 
 #define REPEATS 7
-#define BUDGET 400000 /* node evaluations of a repeat: some milliseconds */
+#define BUDGET 400000 /* node evaluations in one repeat: some milliseconds */
 #define CELL 0.01
 #define SIDE 100
 
-/* what a case has besides a lattice with springs of every kind, bending and drag */
+/* features of a case beside the lattice with springs of every kind, bending and drag */
 enum {
     BARE = 0,
     CONTACT = 1,
@@ -57,7 +57,8 @@ static const speed_case cases[] = {
 };
 
 
-/* k = C11 - G on lines, G on diagonals; of B in every direction 2/3 B / a^2 on lines and B / (6 a^2) on diagonals */
+/* Along lines k = C11 - G, along diagonals G; for one rigidity B in every direction the stencils have 2/3 B / a^2 along
+ * lines and B / (6 a^2) along diagonals. */
 plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell, double drag)
 {
     const double k = fabric->stretch[0] - fabric->shear, bend = fabric->bend[0] / (cell * cell);
@@ -73,7 +74,7 @@ plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell,
 }
 
 
-/* least CPU seconds of `times` evaluations or steps, in one precision */
+/* the least CPU time [s] of `times` evaluations or steps, in one precision */
 #define TIME_PLAIN(name, list, make, release, force, rk4, real)                                       \
     static double name(const plain_lattice *lattice, bool steps, int32_t times)                       \
     {                                                                                                 \
@@ -103,7 +104,7 @@ double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps)
 }
 
 
-/* fabric of the hang scene of the reference, with bending in every direction: see scenes.c */
+/* Returns the fabric of the hang scene (scenes.c), with bending in every direction. */
 static mus_fabric fabric_of(const speed_case *c)
 {
     mus_fabric fabric;
@@ -117,7 +118,7 @@ static mus_fabric fabric_of(const speed_case *c)
 }
 
 
-/* the quickest of several repeats of evaluations, or of steps near the bound */
+/* Times several repeats of evaluations, or of steps near the bound; the row gets the fastest. */
 static mus_status time_case(const speed_case *c, mus_drape *drape, bench_row *row)
 {
     const int32_t each = c->has & (FORCE | VERLET) ? 1 : 4;
@@ -128,7 +129,7 @@ static mus_status time_case(const speed_case *c, mus_drape *drape, bench_row *ro
     row->evaluations = (int64_t)times * each;
     if (!(c->has & FORCE)) row->step = h;
     for (int32_t r = 0; r <= REPEATS && status == MUS_OK; r++) {
-        /* a sheet that a body pushes about lowers its bound */
+        /* the step bound of a sheet falls when a body pushes it */
         h = fmin(h, 0.9 * mus_drape_step_bound(drape));
         const double cpu = bench_cpu(), wall = bench_wall();
         status = c->has & FORCE ? mus_drape_evaluate(drape, times) : mus_drape_step(drape, times, h);
@@ -141,8 +142,8 @@ static mus_status time_case(const speed_case *c, mus_drape *drape, bench_row *ro
 }
 
 
-/* a sheet upright before the body, from the knees up: it touches where the body comes out farthest, and most of it is
- * near enough to be asked */
+/* Places a sheet upright before the body, from the knees up: it touches the foremost points of the body, and most of
+ * its nodes are near enough to be queried. */
 static mus_status lay_sheet(mus_drape *drape, int32_t nodes, const mus_body *body)
 {
     const double *x = mus_drape_positions(drape), *skin = mus_body_vertices(body);

@@ -16,7 +16,7 @@ static double part_dot(const double *a, const double *b)
 }
 
 
-/* square of the distance of p to the triangle c (9) */
+/* Returns the squared distance of p from the triangle c (9) [m2]. */
 static double triangle_distance2(const double *c, const double *p)
 {
     double ab[3], ac[3], ap[3], q[3], v = 0.0, w = 0.0;
@@ -26,7 +26,7 @@ static double triangle_distance2(const double *c, const double *p)
     const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;
     const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
 
-    /* which corner, edge or face is nearest */
+    /* find whether a corner, an edge or the face is nearest */
     if (d1 <= 0.0 && d2 <= 0.0)
         v = w = 0.0;
     else if (d3 >= 0.0 && d4 <= d3)
@@ -57,7 +57,7 @@ static double box_distance2(const tree_node *n, const double *p)
 }
 
 
-/* ---- making ---- */
+/* ---- building ---- */
 
 typedef struct order {
     double key;
@@ -73,7 +73,7 @@ static int compare(const void *a, const void *b)
 }
 
 
-/* node `n` over the triangles first .. first+count-1 of `list`, whose corners are in `from` */
+/* Builds node `n` over the triangles first .. first+count-1 of `list`, whose corners are in `from`. */
 static void split(tree *t, int32_t n, const double *from, order *list, int32_t first, int32_t count)
 {
     tree_node *node = &t->node[n];
@@ -143,7 +143,7 @@ void tree_free(tree *t)
 }
 
 
-/* ---- asking ---- */
+/* ---- queries ---- */
 
 double tree_nearest(tree *t, const double *p, int32_t *nearest)
 {
@@ -167,7 +167,7 @@ double tree_nearest(tree *t, const double *p, int32_t *nearest)
             continue;
         }
 
-        /* the nearer child is asked first */
+        /* visit the nearer child first */
         const double a = box_distance2(&t->node[node->first], p), b = box_distance2(&t->node[node->first + 1], p);
         const int32_t near = node->first + (b < a), far = node->first + !(b < a);
         if (fmax(a, b) < best) stack[top].node = far, stack[top++].distance2 = fmax(a, b);

@@ -1,5 +1,5 @@
 /*
- * mesh.c: a body from a mesh, for muslin body and muslin dress; what was found in it as a table or as JSON.
+ * mesh.c: makes a body from a mesh, for muslin body and muslin dress; prints its measures and frame as a table or JSON.
  */
 #include "mesh.h"
 
@@ -13,7 +13,7 @@ static const char *const part_names[MUS_SCAN_PART_COUNT] = {"torso", "head", "ar
 static const char *const girth_names[MUS_SCAN_GIRTH_COUNT] = {"bust", "waist", "hip", "thigh", "wrist"};
 
 
-/* "y", "-z" as the library's number */
+/* Converts an axis, "y" or "-z", to the library's number. */
 static bool axis_read(const char *text, int32_t *out)
 {
     static const char *const names[] = {"-z", "-y", "-x", "", "x", "y", "z"};

@@ -156,12 +156,13 @@ int command_verify(int argc, char **argv)
     bool as_json = false, as_csv = false;
     const char *only = NULL;
     verify v = {0};
-    const option options[] = {{"--only", OPTION_TEXT, &only, 0, 0, "ID,...  these cases alone, or families: I3,B6,D"},
-                              {"--all", OPTION_FLAG, &v.all, 0, 0, "the cases that take long too"},
+    const option options[] = {{"--only", OPTION_TEXT, &only, 0, 0, "ID,...  these cases only, or families: I3,B6,D"},
+                              {"--all", OPTION_FLAG, &v.all, 0, 0, "also the cases that take long"},
                               {"--csv", OPTION_STDOUT, &as_csv, 0, 0, "as CSV"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("verify", "Cases with exact answers: exact, got, error, tolerance.", options, argc, argv))
+    if (!args_read("verify", "Run cases with exact answers; print exact value, computed value, error and tolerance.",
+                    options, argc, argv))
         return EXIT_INPUT;
     v.form = as_json ? VERIFY_JSON : as_csv ? VERIFY_CSV : VERIFY_TABLE;
 

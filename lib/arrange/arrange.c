@@ -11,8 +11,6 @@
  *     (arrange_prefold.c, arrange_separate.c), called by mus_drape_start() and mus_drape_sew(). These take a cloth with
  *     the places of its nodes (placed_cloth.h), not a drape. A fault is told as a reason (failure_reason.c)
  */
-#include <string.h>
-
 #include "arrange/arrange_internal.h"
 #include "muslin/arrange.h"
 

@@ -47,8 +47,6 @@ void mus__free(mus_context *context, void *block);
 /* grow *array (capacity *capacity elements of `size`) to hold `need`; new elements are zeroed. Old array kept on
  * failure */
 mus_status mus__reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
-/* copy of a text; NULL when there is no memory */
-char *mus__text(mus_context *context, const char *text);
 
 /* ---- errors and log ---- */
 

@@ -82,12 +82,6 @@ void mus__pool_destroy(mus__pool *pool)
 }
 
 
-int32_t mus__pool_threads(const mus__pool *pool)
-{
-    return pool->threads;
-}
-
-
 void mus__pool_run(mus__pool *pool, mus__pool_fn fn, void *user)
 {
     if (pool->threads == 1) {

@@ -16,7 +16,6 @@ typedef void (*mus__pool_fn)(void *user, int32_t part, int32_t parts);
 /* a pool of `threads` (the caller's own counts as one); threads 1 makes no thread and costs nothing */
 mus_status mus__pool_create(mus_context *context, int32_t threads, mus__pool **out);
 void mus__pool_destroy(mus__pool *pool);
-int32_t mus__pool_threads(const mus__pool *pool);
 /* run fn(user, part, threads) for part 0 .. threads-1 and wait for all */
 void mus__pool_run(mus__pool *pool, mus__pool_fn fn, void *user);
 

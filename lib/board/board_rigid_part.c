@@ -53,7 +53,7 @@ static void part_turn_points(const mus__board_motion *motion, int32_t n, double 
 }
 
 
-void mus__board_chain_turn(mus__board_chain *chain, const mus__board_motion *motion)
+static void board_chain_turn(mus__board_chain *chain, const mus__board_motion *motion)
 {
     part_turn_points(motion, chain->nxy, chain->xy);
 }
@@ -63,13 +63,13 @@ void mus__board_part_turn(mus__board *board, int32_t first, int32_t last, const 
 {
     if (board->status != MUS_OK) return;
     for (int32_t side = first;; side = board->side[side].next) {
-        mus__board_chain_turn(&board->side[side].chain, motion);
+        board_chain_turn(&board->side[side].chain, motion);
         if (side == last) return;
     }
 }
 
 
-void mus__board_part_add(mus__board *board, mus__board_part *part, const mus__board_chain *chain)
+static void board_part_add(mus__board *board, mus__board_part *part, const mus__board_chain *chain)
 {
     int64_t need = (int64_t)part->n + (int64_t)PART_CHORDS * chain->npiece;
     mus_status status = board->status;
@@ -92,7 +92,7 @@ void mus__board_part_add(mus__board *board, mus__board_part *part, const mus__bo
 void mus__board_part_run(mus__board *board, mus__board_part *part, int32_t first, int32_t last)
 {
     for (int32_t side = first; board->status == MUS_OK; side = board->side[side].next) {
-        mus__board_part_add(board, part, &board->side[side].chain);
+        board_part_add(board, part, &board->side[side].chain);
         if (side == last) return;
     }
 }
@@ -162,7 +162,7 @@ static int32_t part_crossed(mus__board *board, int32_t panel, const double *p, c
     mus__board_part part = {0};
     do {
         part.n = 0;
-        mus__board_part_add(board, &part, &board->side[side].chain);
+        board_part_add(board, &part, &board->side[side].chain);
         if (board->status != MUS_OK) break;
         const double *end = mus__board_end(board, side);
         for (int32_t i = 0; i < part.n && found == MUS_NONE; i++) {

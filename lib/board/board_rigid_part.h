@@ -21,10 +21,8 @@ typedef struct mus__board_part {
 
 /* area [m2] within the outline of a panel, > 0 when it runs counter-clockwise */
 double mus__board_area(const mus__board *board, int32_t panel);
-void mus__board_chain_turn(mus__board_chain *chain, const mus__board_motion *motion);
 /* move the sides first..last, as walked; their lengths stay to the bit */
 void mus__board_part_turn(mus__board *board, int32_t first, int32_t last, const mus__board_motion *motion);
-void mus__board_part_add(mus__board *board, mus__board_part *part, const mus__board_chain *chain);
 void mus__board_part_run(mus__board *board, mus__board_part *part, int32_t first, int32_t last);
 void mus__board_part_end(mus__board *board, mus__board_part *part);
 /* move the points of marks that lie in `moving` rather than in `still`; and give the marks of which most points do to

@@ -4,7 +4,6 @@
  * Called by body.c for the limbs of a tape, by body_from_limbs.c for limbs of the caller and by body_copy.c for copies.
  */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_make.h"
 #include "geom/vec.h"

@@ -8,7 +8,6 @@
  * and Kanongchaiyos 2005, section 3.3). All triangles wind outwards.
  */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_make.h"
 #include "geom/vec.h"

@@ -2,17 +2,17 @@
  * border_springs.c: springs and hinges of the triangles between the full cells and the border, and the limit on
  * stiffness.
  *
- * Each edge of a strip triangle is a spring with k = C(direction) * sum of (area / length^2) over its strip triangles,
- * which is the lattice itself where the triangles are halves of cells (fabric.c); an edge shared with a full cell adds
- * half a lattice spring. Each inner edge that a strip triangle touches is a hinge: with x0 x1 the edge, x2 and x3 the
- * corners opposite, s their feet along the edge of length l and h their heights,
+ * Each edge of a strip triangle is a spring with k = C(direction) * sum of (area / length^2) over its strip triangles.
+ * For triangles that are halves of cells this equals the lattice (fabric.c). An edge shared with a full cell gets half
+ * a lattice spring in addition. Each inner edge of a strip triangle is a hinge. With x0 x1 the edge of length l, x2 and
+ * x3 the opposite corners, s the positions of their feet along the edge and h their heights,
  *
  *     c = ((l - s2) / h2 + (l - s3) / h3,  s2 / h2 + s3 / h3,  -l / h2,  -l / h3),   sum c_i x_i = l * (angle) *
  * normal, E = 1/2 B / (A2 + A3) |sum c_i x_i|^2.
  *
- * The factor 1 (Bergou et al. print 3) is the one that bends a sheet of equilateral triangles with rigidity B (Seung
- * and Nelson 1988: hinge 2 B / sqrt(3)); measured on cylinders of every direction: 1.00 there, 0.97 to 1.5 on half
- * squares with diagonals in a checkerboard. calibrate_bending.c then mends the sum over the panel.
+ * The factor 1 (Bergou et al. print 3) gives a sheet of equilateral triangles the rigidity B (Seung and Nelson 1988:
+ * hinge 2 B / sqrt(3)). Measured on cylinders of every direction, the energy is 1.00 of the exact one there, and 0.97
+ * to 1.5 on half squares with diagonals in a checkerboard. calibrate_bending.c corrects the sum over the panel.
  * Source: Van Gelder 1998 (springs); Bergou, Wardetzky, Harmon, Zorin and Grinspun 2006 (quadratic hinges).
  */
 #include <math.h>
@@ -20,20 +20,21 @@
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
-/* largest ratio of stiffness to mass at a node, over that of an inner lattice node. The step bound goes with its square
- * root, so the strip costs at most a factor of 1.5 in steps. Without the limit one edge of half a millimetre would set
- * the step of the whole garment; its spring is softened, longer ones beside it are kept. Chosen: of 137 GarmentCode
- * patterns at 10 mm, 54 have no node above it */
+/* largest stiffness over mass of a node, as a multiple of that of an inner lattice node; springs of stiffer nodes are
+ * softened. The stable step is proportional to 1 / sqrt of it, so the strip makes steps at most 1.5 times smaller than
+ * the lattice does. Chosen: a smaller value softens more springs (of 137 GarmentCode patterns at 10 mm, 54 have no node
+ * above it), a larger one lets a single edge of half a millimetre set the step of the garment */
 #define STRIP_LIMIT 2.25
-/* rounds in which the cap of a node rises to its final value. Measured: four suffice but for rare fans of triangles */
+/* rounds of the iteration for the cap of a node; measured: four reach the final value except in rare fans of triangles.
+ * With fewer rounds springs are softer than necessary, never too stiff */
 #define STRIP_PASSES 5
-/* least area of a triangle that gives a hinge, over the spacing squared: the angles of a flatter one are rounding */
+/* least area of a triangle with a hinge, over the square of the spacing; the angles of a smaller one are rounding */
 #define STRIP_SLIVER 1e-6
 
-/* one side of one triangle */
+/* one side of one triangle, filed under its end with the lower index */
 typedef struct strip_half {
-    int32_t high, opposite; /* greater end; corner opposite. The lesser end is the bucket */
-    bool strip;             /* of a strip triangle; else of a full cell */
+    int32_t high, opposite; /* end with the higher index; opposite corner */
+    bool strip;             /* whether the triangle is of the strip, not of a full cell */
 } strip_half;
 
 
@@ -43,7 +44,7 @@ static const double *strip_rest(const mus__mesh *mesh, int32_t node)
 }
 
 
-/* foot along and height above the edge a b of the opposite corner */
+/* Writes the foot along the edge a b and the height above it [m] of the opposite corner. */
 static void strip_wing(const mus__mesh *mesh, int32_t a, int32_t b, int32_t corner, double *foot, double *height)
 {
     const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b), *r = strip_rest(mesh, corner);
@@ -67,9 +68,10 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
 
 
 /*
- * The paper's bending across an edge of length l: a spring between both wings, D apart in the flat. A fold by the angle
- * t shortens it by h2 h3 t^2 / (2 D), so its moment is k (h2 h3)^2 t^3 / (2 D^2); the hinge's is 2 B l t / (h2 + h3).
- * Both are equal at t = K (h2 + h3) / 2, the fold of a cylinder of curvature K.
+ * Adds the bending spring of Metaaphanon and Kanongchaiyos 2005 across an edge of length l: it joins the two wings,
+ * which are D apart in the flat. A fold by the angle t shortens it by h2 h3 t^2 / (2 D), so its moment is k (h2 h3)^2
+ * t^3 / (2 D^2); that of the hinge is 2 B l t / (h2 + h3). k makes them equal at t = K (h2 + h3) / 2, the fold on a
+ * cylinder of curvature K.
  */
 static mus_status strip_skip(mus__mesh *mesh, int32_t a, int32_t b, double length, const double *height,
                              double rigidity)
@@ -88,7 +90,7 @@ static mus_status strip_skip(mus__mesh *mesh, int32_t a, int32_t b, double lengt
 }
 
 
-/* a spring and, between two triangles, a hinge for edge a b, whose one or two halves are given */
+/* Adds the spring of edge a b and, between two triangles, its hinge, from the one or two triangle sides given. */
 static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32_t a, int32_t b, const strip_half *half,
                              int32_t nhalf)
 {
@@ -130,7 +132,7 @@ static mus_status strip_edge(mus__mesh *mesh, const mus__lattice *lattice, int32
 }
 
 
-/* a side of one triangle only is a border side: keep the corner opposite, for hinges across seams */
+/* Notes the opposite corner of a side of one triangle only, which is a border side, for hinges across seams. */
 static void strip_border(mus__mesh *mesh, const mus__panel_mesh *panel, int32_t a, int32_t b, int32_t opposite)
 {
     int32_t first = panel->first_node + panel->lattice_count;
@@ -138,7 +140,8 @@ static void strip_border(mus__mesh *mesh, const mus__panel_mesh *panel, int32_t 
 }
 
 
-/* halves into buckets by their lesser end (`start` has a place more than nodes); within a bucket by the greater end */
+/* Sorts triangle sides into buckets by their lower end (start has one entry more than nodes), and within a bucket by
+ * their higher end. */
 static void strip_sort(const mus__mesh *mesh, const mus__panel_mesh *panel, int32_t nstrip, int32_t *start,
                        strip_half *half)
 {
@@ -153,7 +156,7 @@ static void strip_sort(const mus__mesh *mesh, const mus__panel_mesh *panel, int3
                     continue;
                 }
 
-                /* insertion into the few that are there; places still empty hold 0 and stop the shift */
+                /* insertion sort; unused entries are 0 and stop the shift */
                 int32_t at = start[low]++, from = low > 0 ? start[low - 1] : 0;
                 strip_half own = {a < b ? b : a, v[(k + 2) % 3], t < nstrip};
                 for (; at > from && half[at - 1].high > own.high; at--) half[at] = half[at - 1];
@@ -176,7 +179,7 @@ mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const m
     else
         strip_sort(mesh, panel, nstrip, start, half);
 
-    /* after the sort, start[low] is where the bucket ends; the one before ends where it starts */
+    /* after the sort, start[low] is the end of bucket `low` and start[low - 1] its beginning */
     for (int32_t low = 0; status == MUS_OK && low < panel->node_count; low++)
         for (int32_t at = low > 0 ? start[low - 1] : 0; status == MUS_OK && at < start[low];) {
             int32_t n = at + 1 < start[low] && half[at + 1].high == half[at].high ? 2 : 1, a = panel->first_node + low;
@@ -191,8 +194,8 @@ mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const m
 }
 
 
-/* add to each node (nnode) the row sums of the stiffness matrix of runs and their stencils, which bound its largest
- * eigenvalue (Gershgorin) [N/m] */
+/* Adds to sum (nnode) [N/m] each node's row sum of the stiffness matrix of the runs and their stencils, which bounds
+ * its largest eigenvalue (Gershgorin). */
 static void strip_fixed(const mus_cloth *cloth, double *sum)
 {
     for (int32_t r = 0; r < cloth->nrun; r++)
@@ -209,7 +212,8 @@ static void strip_fixed(const mus_cloth *cloth, double *sum)
 }
 
 
-/* element e of springs, hinges, seam hinges: its stiffness, nodes and what it puts on each; returns how many */
+/* Element e of springs, hinges and seam hinges: *k points to its stiffness; node and part get its nodes and its
+ * contribution to the row sum of each [N/m]. Returns the number of nodes. */
 static int32_t strip_parts(mus_cloth *cloth, int32_t e, double **k, int32_t *node, double *part)
 {
     if (e < cloth->nspring) {
@@ -229,9 +233,9 @@ static int32_t strip_parts(mus_cloth *cloth, int32_t e, double **k, int32_t *nod
 
 
 /*
- * The cap of each node (nnode): when all parts above it are lowered to it, the sum of the node's parts equals its room.
- * It rises from room / parts in each round, because parts below the cap leave more room for the others; after too few
- * rounds it is too low, never too high.
+ * Computes the cap of each node (nnode) [N/m]: when all contributions above the cap are lowered to it, their sum equals
+ * `room`, the sum that the node may have. The cap grows from room / number of contributions in each round, because
+ * contributions below it leave more to the others. With too few rounds it is too low, never too high.
  */
 static void strip_caps(mus_cloth *cloth, const double *room, double *cap, double *low, int32_t *high)
 {
@@ -253,7 +257,7 @@ static void strip_caps(mus_cloth *cloth, const double *room, double *cap, double
 }
 
 
-/* lower each element to the smallest cap of its nodes */
+/* Lowers the stiffness of each element to the smallest cap of its nodes. */
 static void strip_soften(mus_cloth *cloth, const double *sum, const double *room, const double *cap)
 {
     int32_t count = cloth->nspring + cloth->nhinge + cloth->nseam_hinge, node[4];
@@ -278,14 +282,14 @@ mus_status mus__mesh_limit(mus__mesh *mesh)
     if (work != NULL && high != NULL) {
         double *room = work, *sum = room + cloth->nnode, *cap = sum + cloth->nnode, *low = cap + cloth->nnode;
 
-        /* an inner node: two springs each way, four diagonals, stencils 4 + 8 + 4 in four directions */
+        /* row sum of an inner node: 2 springs a direction, 4 diagonals, stencils 4 + 8 + 4 in 4 directions */
         double inner = 4.0 * (c->k[0] + c->k[1]) + 8.0 * c->shear + 16.0 * (c->bend[0] + c->bend[1] + 2.0 * c->cross) +
                        4.0 * (c->skip[0] + c->skip[1]);
         double most = STRIP_LIMIT * inner / (cloth->fabric.weight * cloth->spacing * cloth->spacing);
         strip_fixed(cloth, sum);
         for (int32_t i = 0; i < cloth->nnode; i++) room[i] = fmax(most * cloth->mass[i] - sum[i], 0.0), sum[i] = 0.0;
 
-        /* most cloths have no node to soften */
+        /* many cloths have no node above the limit */
         double part[4], *k;
         bool over = false;
         for (int32_t e = 0; e < count; e++)

@@ -1,10 +1,10 @@
 /*
- * lattice_springs.c: springs and bending stencils of full cells, gathered into runs.
+ * lattice_springs.c: springs and bending stencils of full cells, collected into runs.
  *
- * A spring along the lattice stands here when both of its cells are full; beside one full cell it belongs to the strip
- * (border_springs.c), with half of its stiffness from the cell. Each full cell has both diagonals. The stencil at a
- * node along a line counts by the quarters of its area that are full, so that a lattice line at the edge of the full
- * cells bends with half the stiffness and the strip's hinges add the rest:
+ * A spring along a lattice line is added here when both of its cells are full. Beside one full cell it belongs to the
+ * strip (border_springs.c), with half of its stiffness from the cell. Each full cell has both diagonals. The stiffness
+ * of a stencil is multiplied by the share of the four cells round its middle node that are full: a lattice line at the
+ * edge of the full cells bends with half the stiffness, and the hinges of the strip add the rest:
  *
  *      o---o---o      lines:      k (full cells round the middle) / 4, if both of its springs touch a full cell
  *      | 3 | 2 |      diagonals:  the same, if both cells on the diagonal are full
@@ -49,7 +49,7 @@ static mus_status run_bend(mus__mesh *mesh, int32_t a, int32_t b, int32_t c, dou
 }
 
 
-/* springs of one kind over the whole lattice */
+/* Adds the springs of one kind over the whole lattice. */
 static mus_status run_springs(mus__mesh *mesh, const mus__lattice *lattice, int32_t first, int32_t kind)
 {
     const int64_t columns = lattice->columns, places = columns * lattice->rows;
@@ -64,7 +64,7 @@ static mus_status run_springs(mus__mesh *mesh, const mus__lattice *lattice, int3
 }
 
 
-/* diagonals of one direction: rising (0, 0) to (1, 1), else falling (1, 0) to (0, 1) */
+/* Adds the diagonals of one direction: rising from (0, 0) to (1, 1), or falling from (1, 0) to (0, 1). */
 static mus_status run_diagonals(mus__mesh *mesh, const mus__lattice *lattice, int32_t first, bool rising)
 {
     const int64_t columns = lattice->columns, places = columns * lattice->rows;
@@ -81,8 +81,8 @@ static mus_status run_diagonals(mus__mesh *mesh, const mus__lattice *lattice, in
 }
 
 
-/* stencils along one direction: `step` places from the middle to the last node; or the paper's springs, over the middle
- */
+/* Adds the bending stencils along one direction, or the bending springs over one node (Metaaphanon and Kanongchaiyos
+ * 2005). `step`: difference of index from the middle to the last node. */
 static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int32_t first, int64_t step, double k)
 {
     const int64_t columns = lattice->columns, places = columns * lattice->rows;
@@ -90,7 +90,7 @@ static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int
     for (int64_t p = columns + 1; status == MUS_OK && p < places; p++) {
         if (lattice->node[p] == MUS_NONE) continue;
 
-        /* cells round the middle, as in the picture above */
+        /* the four cells round the middle node, numbered as in the picture above */
         const unsigned char *full = lattice->full + p;
         const unsigned char cell[4] = {full[-columns - 1], full[-columns], full[0], full[-1]};
         bool whole;
@@ -119,7 +119,7 @@ mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t 
     mus_status status = run_springs(mesh, lattice, first_node, MUS__SPRING_WEFT);
     if (status == MUS_OK) status = run_springs(mesh, lattice, first_node, MUS__SPRING_WARP);
 
-    /* a stiffness of 0 makes no springs */
+    /* springs of stiffness 0 are left out */
     for (int k = 0; k < 2; k++)
         if (status == MUS_OK && constant->shear > 0.0) status = run_diagonals(mesh, lattice, first_node, k == 0);
     const int64_t step[4] = {lattice->columns, 1, lattice->columns + 1, lattice->columns - 1};

@@ -1,22 +1,22 @@
 /*
- * rectangle_cloth.c: a rectangle that is one pure lattice, without a pattern: what experiments and verification stand
- * on.
+ * rectangle_cloth.c: mus_cloth_create_grid(): a rectangle of cloth as one lattice, without a pattern. Experiments and
+ * verification use it.
  *
- * Everything is in runs, row by row. A node carries the share of its cells that exist:
+ * All springs are in runs, row by row. The mass of a node is its share times that of a whole cell:
  *
- *     1/4--1/2--1/4     share = (share of its column) x (share of its row), 1/2 at both ends of a line of nodes, 1
- *      |    |    |      between; a direction with a single node stands for one whole cell of width, share 1.
+ *     1/4--1/2--1/4     share = (share of its column) x (share of its row): 1/2 at both ends of a line of nodes, 1
+ *      |    |    |      between. A direction with a single node stands for one whole cell, share 1.
  *     1/2-- 1 --1/2
- *      |    |    |      A line spring carries the share across the line (two half cells make a whole one), a bending
- *     1/4--1/2--1/4     stencil the share of its middle node across the line, a diagonal is whole: its cell is.
+ *      |    |    |      A spring along a line is multiplied by the share across the line, a bending stencil by that of
+ *     1/4--1/2--1/4     its middle node; diagonals lie inside one cell and have factor 1.
  *
- * Without diagonals a line carries all of C11.
+ * A single line of nodes has no diagonals; its springs carry all of C11.
  */
 #include <math.h>
 
 #include "cloth/mesh.h"
 
-/* [m] shortest and longest side of a cell. Chosen: far below a thread, far above a garment */
+/* [m] shortest and longest side of a cell; chosen: far below a thread, far above a garment. A wrong unit is refused */
 #define GRID_LEAST_CELL 1e-6
 #define GRID_MOST_CELL 10.0
 
@@ -28,14 +28,14 @@ typedef struct grid {
 } grid;
 
 
-/* share of line i among n parallel ones */
+/* Returns the share of line i of n parallel ones: 1/2 for the outer two, else 1. */
 static double grid_share(int32_t i, int32_t n)
 {
     return n > 1 && (i == 0 || i == n - 1) ? 0.5 : 1.0;
 }
 
 
-/* cells that a direction with n nodes stands for */
+/* Returns the number of cells along a direction with n nodes; 1 for a single node. */
 static double grid_cells(int32_t n)
 {
     return n > 1 ? n - 1 : 1;
@@ -55,7 +55,7 @@ static void grid_bend(grid *g, int32_t middle, int32_t step, int32_t count, doub
 }
 
 
-/* springs that start in row r: along it, to the next row, and both diagonals */
+/* Adds the springs that start in row r: along it, to the next row, and both diagonals. */
 static void grid_springs(grid *g, int32_t r)
 {
     const int32_t n = g->columns, first = r * n;
@@ -71,7 +71,7 @@ static void grid_springs(grid *g, int32_t r)
 }
 
 
-/* the paper's springs over the middle nodes of row r, in place of stencils */
+/* Adds bending springs over one node (Metaaphanon and Kanongchaiyos 2005), in place of stencils, centred in row r. */
 static void grid_skips(grid *g, int32_t r)
 {
     const int32_t n = g->columns, first = r * n, kind = MUS__SPRING_SKIP;
@@ -84,7 +84,7 @@ static void grid_skips(grid *g, int32_t r)
 }
 
 
-/* stencils whose middle is in row r: along it, across it, and along both diagonals */
+/* Adds the bending stencils centred in row r: along it, across it, and along both diagonals. */
 static void grid_bends(grid *g, int32_t r)
 {
     const int32_t n = g->columns, first = r * n;
@@ -99,7 +99,7 @@ static void grid_bends(grid *g, int32_t r)
 }
 
 
-/* two triangles a cell, diagonals in a checkerboard, counter-clockwise */
+/* Writes two counter-clockwise triangles a cell, diagonals in a checkerboard. */
 static void grid_triangles(const grid *g)
 {
     int32_t *out = g->cloth->triangle;
@@ -113,7 +113,7 @@ static void grid_triangles(const grid *g)
 }
 
 
-/* the outline counter-clockwise from node 0; of a single line, its nodes in order */
+/* Writes the border nodes counter-clockwise from node 0; of a single line, its nodes in order. */
 static void grid_border(const grid *g)
 {
     mus_cloth *cloth = g->cloth;
@@ -130,7 +130,7 @@ static void grid_border(const grid *g)
 }
 
 
-/* rest, masses, rows and the one panel */
+/* Writes rest places, masses and rows of the nodes, and the only panel. */
 static void grid_nodes(const grid *g)
 {
     mus_cloth *cloth = g->cloth;
@@ -152,7 +152,7 @@ static void grid_nodes(const grid *g)
 }
 
 
-/* room for all; true when there is memory */
+/* Allocates the arrays; returns false when there is no memory. */
 static bool grid_take(const grid *g)
 {
     mus_cloth *cloth = g->cloth;
@@ -178,7 +178,7 @@ static bool grid_take(const grid *g)
 }
 
 
-/* springs by cell; a single line has no diagonals and carries C11 and its own bending in full */
+/* Computes the spring constants of a cell. A single line has no diagonals and carries all of C11 and of the bending. */
 static void grid_constants(grid *g, double paper)
 {
     mus_fabric fabric = g->cloth->fabric;
@@ -242,7 +242,7 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
     if (mus__grid_coarser(g.cloth, &own, &r, &c, cell, coarse_cell))
         status = mus_cloth_create_grid(context, r, c, coarse_cell, &own, &g.cloth->coarse);
 
-    /* a warning comes once: from the coarsest cut; a single row of nodes has nothing to clamp */
+    /* warn once, for the coarsest cut; a single row of nodes cannot be clamped */
     if (status == MUS_OK && g.cloth->coarse == NULL && rows > 1 && columns > 1)
         mus__fabric_note(context, &fabric, cell);
     if (status == MUS_OK) *out = g.cloth;

@@ -5,8 +5,6 @@
  * is a hinge with its middle node at both ends of the edge, coefficient -1 each, which is the same sum a - 2 b + c and
  * the same bound on stiffness.
  */
-#include <string.h>
-
 #include "cloth/cloth_internal.h"
 
 /* counts at most: the force program counts elements in 32 bits */

@@ -2,7 +2,6 @@
  * drape_positions.c: where the nodes of a drape are put: at the pattern's placement, where another drape lies, where
  * the caller says, or pinned.
  */
-#include <math.h>
 #include <string.h>
 
 #include "arrange/arrange_nodes.h"

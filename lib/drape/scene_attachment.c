@@ -1,9 +1,10 @@
 /*
- * scene_attachment.c: the level planes of the body that edges are attached to, moving with the parts of the body.
+ * scene_attachment.c: the level planes of the body that edges are attached to, moved with the parts of the body.
  *
- * An attached node below its level plane is pulled up towards the root of its limb and in no other direction, so it
- * slides along the skin and never far down. Level planes are those of the body as made (body/body_level.h). When
- * the body moves, the planes of the force program follow. Coarse drapes take those of their parent.
+ * An attached node below its level plane is pulled along the plane's normal, towards the root of its limb; no other
+ * direction is constrained, so the node slides along the skin. The planes are those of the body in its rest pose
+ * (body/body_level.h). When the body moves, the planes in the force program are moved with its parts. Coarse drapes
+ * copy the planes of their parent.
  */
 #include <string.h>
 

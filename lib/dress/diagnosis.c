@@ -4,7 +4,6 @@
  * Runs note their end here. A fault of the arrangement before sewing (arrange_check.c) is noted too. It is the reason
  * given when the run then fails, because a person would mend that first.
  */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -10,7 +10,6 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_state.h"

@@ -2,13 +2,10 @@
  * edit_point.c: the edits of points and edges (muslin/edit.h): moved, drawn again, split, merged. A program in which a
  * point is dragged on a screen makes one of these calls for each place of the pointer.
  */
-#include <math.h>
-#include <string.h>
-
-#include "board/board_smooth.h"
-#include "board/board_spread.h"
 #include "board/board_rigid_part.h"
 #include "board/board_seam.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
 #include "edit/edit_internal.h"
 #include "geom/curve.h"
 

@@ -7,7 +7,6 @@
  * d += wanted - length(d) converges fast.
  */
 #include <math.h>
-#include <string.h>
 
 #include "board/board_rigid_part.h"
 #include "edit/edit_internal.h"

@@ -5,8 +5,6 @@
  * lengths from the start of the hem stay true. Each is hinged and opens by 1 / n of the amount. A pleat is a slash that
  * is opened by twice its depth.
  */
-#include <string.h>
-
 #include "board/board_pleat.h"
 #include "board/board_smooth.h"
 #include "board/board_spread.h"

@@ -7,7 +7,6 @@
  * key. Form: muslin_fabric(5).
  */
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "exchange/file_read.h"

@@ -5,7 +5,6 @@
  * of members and elements that leads to it, on the caller's stack. The path is written out only when a check fails.
  * jansson's tree grows linearly with the file.
  */
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,8 +3,6 @@
  * digits, which a float needs to be read back exactly; faces with indices that count through the file from 1. Metres, Y
  * up.
  */
-#include <string.h>
-
 #include "exchange/file_read.h"
 #include "exchange/mesh_check.h"
 #include "file/sink.h"

@@ -5,8 +5,6 @@
  * means the same cell again. Numbers have as many digits as the double needs to be read back exactly (at most 17).
  * Optional members with their default value (names, labels, allowances) are left out. Form: muslin_pattern(5).
  */
-#include <stdio.h>
-
 #include "exchange/file_read.h"
 #include "file/sink.h"
 

@@ -1,8 +1,9 @@
 /*
- * edge_measure.c: lengths, points at arc length, polylines, area and perimeter.
+ * edge_measure.c: measures of edges and panels [m, m2]: length of an edge, point at an arc length, polyline with a
+ * given number of points; area and perimeter of a panel.
  *
- * Lengths are taken once, when an edge is added: run[i] is the arc length at the start of piece i. A point at arc
- * length s is found by its piece (binary search in run) and the parameter of s - run[i] on it.
+ * Lengths are computed once, when an edge is added: run[i] is the arc length at the start of piece i. The point at arc
+ * length s lies on the piece found by binary search in run, at the parameter whose arc length is s - run[i].
  */
 #include <math.h>
 #include <string.h>
@@ -18,7 +19,7 @@ double mus_pattern_edge_length(const mus_pattern *pattern, int32_t edge)
 }
 
 
-/* offset in edge->xy (in points) of the start of piece i */
+/* Returns the index of the first point of a piece in edge->xy. */
 static int32_t measure_offset(const mus__edge *edge, int32_t piece)
 {
     int32_t at = 0;
@@ -27,7 +28,7 @@ static int32_t measure_offset(const mus__edge *edge, int32_t piece)
 }
 
 
-/* point of an edge at relative arc length t in 0..1; the ends are the points themselves */
+/* Writes the point of an edge at relative arc length t (0 to 1); at 0 and 1 it is the end point, bit for bit. */
 static void measure_at(const mus__edge *edge, double t, double *out)
 {
     if (t == 0.0 || t == 1.0) {
@@ -89,7 +90,7 @@ mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, i
     if (count != NULL) *count = (int32_t)need;
     if (xy == NULL) return MUS_OK;
 
-    /* joints are copied to the bit, points between them evaluated */
+    /* the ends of pieces are copied bit for bit, the points between them are computed */
     const double *p = own->xy;
     int32_t at = 0;
     for (int32_t i = 0; i < own->npiece && at < capacity; i++) {
@@ -108,7 +109,7 @@ mus_status mus_pattern_edge_polyline(const mus_pattern *pattern, int32_t edge, i
 }
 
 
-/* A = 1/2 sum over the word of +-integral of x dy - y dx, closed form piece by piece */
+/* A = 1/2 sum over the edges of the outline of +-integral (x dy - y dx), in closed form for each piece */
 double mus_pattern_panel_area(const mus_pattern *pattern, int32_t panel)
 {
     if (pattern == NULL || panel < 0 || panel >= pattern->npanel) return (double)NAN;

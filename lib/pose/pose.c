@@ -11,8 +11,6 @@
  *     movement.c        movements: splines through poses at times
  *     movement_table.c  named movements
  */
-#include <string.h>
-
 #include "base/base_internal.h"
 #include "muslin/pose.h"
 

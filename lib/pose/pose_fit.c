@@ -6,7 +6,6 @@
  * far enough off the sides for most people.
  */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_internal.h"
 #include "geom/vec.h"

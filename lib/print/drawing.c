@@ -6,7 +6,6 @@
  * reads `status` once at the end. Letters are paths too (stroke_font.c), so a writer handles only lines and curves.
  */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 

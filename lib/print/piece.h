@@ -63,8 +63,6 @@ void mus__piece_free(mus_context *context, mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
-/* number of equal chords that stay within `tolerance` [m] of the cubic with the four points p */
-int32_t mus__cubic_chords(const double *p, double tolerance);
 void mus__cubic_at(const double *p, double t, double *out);
 
 /* ---- lines on a piece (piece_marks.c) ---- */

@@ -26,7 +26,6 @@
 static mus_status slice_bins(mus__slicer *slicer)
 {
     const mus__scan_mesh *mesh = slicer->mesh;
-    slicer->bins = SLICE_BINS;
     slicer->scale = SLICE_BINS / fmax(slicer->high - slicer->low, 1e-30);
     slicer->start = mus__new(slicer->context, SLICE_BINS + 2, sizeof *slicer->start);
     if (slicer->start == NULL) return mus__fail_memory(slicer->context, "the sections of a mesh");

@@ -48,9 +48,6 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
 void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, const double *end, mus__outline *outline);
 /* Whether the lower edge is a hem; the waist line of a dress, a jumpsuit or a block is labelled "waist". */
 bool mus__top_hem(const mus__half *half);
-/* Draws one leg of a waist dart (inner mouth, point, outer mouth) from the lower edge to its point; turn: -1 the leg
- * towards the centre, 1 the other. */
-void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus__chain *out);
 /* neckline.c: moves side neck points and centres of the blocks, fills neck, arm and shoulder of `top` */
 void mus__neckline_draw(mus__half *half, mus__top *top);
 /* neckline.c: the strap of a halter, sewn to the front */

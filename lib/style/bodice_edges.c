@@ -119,7 +119,7 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
 
 
 /* as wide as half the dart at the waist, and below the hips 1.5 mm, so that the outline does not touch itself */
-void mus__top_dart_leg(const mus__top *top, const double *dart, double turn, mus__chain *out)
+static void top_dart_leg(const mus__top *top, const double *dart, double turn, mus__chain *out)
 {
     const double x = dart[2], wide = 0.5 * (dart[4] - dart[0]), narrow = fmin(1.5e-3, wide), end = 0.8 * top->hip;
     const double point[2] = {x, dart[3]};
@@ -169,8 +169,8 @@ void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, con
         memcpy(dart, block->dart[d], sizeof dart);
         if (which == MUS__TOP_FRONT && top->meet) dart[3] = block->bust[1];
         if (which == MUS__TOP_BACK) dart[3] = fmin(dart[3], highest);
-        mus__top_dart_leg(top, dart, -1.0, &left);
-        mus__top_dart_leg(top, dart, 1.0, &right);
+        top_dart_leg(top, dart, -1.0, &left);
+        top_dart_leg(top, dart, 1.0, &right);
         mus__chain_line(&chain, at, left.xy);
         mus__outline_add(outline, edges[d], label, allowance, &chain);
         mus__outline_add(outline, legs[2 * d], "", 0.0, &left);

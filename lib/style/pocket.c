@@ -7,8 +7,6 @@
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
  */
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -9,7 +9,6 @@
  * Metric Pattern Cutting.
  */
 #include <math.h>
-#include <string.h>
 
 #include "geom/curve.h"
 #include "geom/vec.h"

@@ -1,10 +1,10 @@
 /*
  * shaping_cut.c: panels of a bodice cut apart: princess lines from shoulder or armhole, empire line, yoke.
  *
- * A princess line takes the bust dart and the waist dart into one seam: the bust dart is turned to where the seam
- * begins and runs on to the lower edge; the edges of both panels are then drawn fair, each a curve above and below the
- * bust point with one tangent there, so their lengths differ by millimetres, which the seam eases. Behind, the seam
- * runs through the waist dart.
+ * A princess seam takes up bust dart and waist dart. In front the bust dart is rotated to the seam's upper end
+ * (shoulder or armhole), and the panel is cut from its point to the lower edge. The edges of both panels are then drawn
+ * again as one curve above the bust point and one below it, with one tangent there. Their lengths differ by
+ * millimetres, which is the ease of the seam. Behind, the seam runs through the waist dart.
  */
 #include <math.h>
 #include <string.h>
@@ -14,11 +14,11 @@
 #include "geom/vec.h"
 #include "style/bodice.h"
 
-/* a line of a princess seam on one panel: from the upper end over the bust or blade point to the lower edge */
+/* the edge of one panel at a princess seam, from the upper end over the bust point to the lower edge */
 typedef struct princess_line {
-    double head[2], point[2]; /* upper end, bust point or top of the back dart */
-    double axis;              /* x of the waist dart's axis */
-    double wide;              /* half the waist dart, towards the centre negative */
+    double head[2], point[2]; /* upper end; bust point, behind the upper point of the waist dart */
+    double axis;              /* x of the waist dart's axis [m] */
+    double wide;              /* half the width of the waist dart [m]; < 0: the edge on the side of the centre */
 } princess_line;
 
 
@@ -36,7 +36,7 @@ static void princess_append(mus__chain *chain, const double *start, double ax, d
 }
 
 
-/* tangent at the point: between the line from above and straight down */
+/* Writes the unit tangent at the bust point: the mean of the direction from the upper end and of straight down. */
 static void princess_tangent(const princess_line *line, double *out)
 {
     const double length = mus__dist2(line->head, line->point);
@@ -47,7 +47,7 @@ static void princess_tangent(const princess_line *line, double *out)
 }
 
 
-/* the upper part, from the head to the point */
+/* Writes the part of the edge from the upper end to the bust point. */
 static void princess_high(const princess_line *line, mus__chain *out)
 {
     double along[2];
@@ -59,7 +59,8 @@ static void princess_high(const princess_line *line, mus__chain *out)
 }
 
 
-/* the lower part, from the point to the lower edge: to the waist, then to the hips and down as a waist dart does */
+/* Writes the part of the edge from the bust point to the lower edge: to the waist, then as the leg of a waist dart
+ * closes towards the hip, then straight down. */
 static void princess_low(const mus__top *top, const princess_line *line, mus__chain *out)
 {
     double along[2];
@@ -96,7 +97,7 @@ static void princess_whole(const mus__top *top, const princess_line *line, mus__
 }
 
 
-/* draw a side along a chain, which is given from its upper end, as the side runs */
+/* Replaces the curve of a half-edge by `chain`, which runs downwards, in the direction of the half-edge. */
 static void princess_redraw(mus__board *board, int32_t side, const mus__chain *chain)
 {
     if (board->status != MUS_OK || side == MUS_NONE) return;
@@ -107,7 +108,7 @@ static void princess_redraw(mus__board *board, int32_t side, const mus__chain *c
 }
 
 
-/* the ease of a seam is what its sides differ by now */
+/* Sets the ease of a half-edge's seam to the present difference of length. */
 static void princess_ease(mus__board *board, int32_t side)
 {
     if (board->status != MUS_OK || side == MUS_NONE) return;
@@ -118,7 +119,7 @@ static void princess_ease(mus__board *board, int32_t side)
 }
 
 
-/* both sides of a seam drawn anew: of the panel with the centre, and of the other */
+/* Draws both sides of a princess seam again: `centre` of the panel at the centre line, and its partner. */
 static void princess_pair(mus__board *board, int32_t centre, const mus__chain *chain, const mus__chain *other)
 {
     if (board->status != MUS_OK || centre == MUS_NONE) return;
@@ -129,7 +130,7 @@ static void princess_pair(mus__board *board, int32_t centre, const mus__chain *c
 }
 
 
-/* the panel that holds `side` is called `name`, the other of the two `rest` */
+/* If panel `panel` has half-edge `side`, names it `name`, and the panel that has had this name `rest`. */
 static void princess_names(mus__board *board, int32_t side, int32_t panel, const char *name, const char *rest)
 {
     if (board->status != MUS_OK || panel == MUS_NONE || board->side[side].panel != panel) return;
@@ -141,8 +142,8 @@ static void princess_names(mus__board *board, int32_t side, int32_t panel, const
 
 /* ---- princess ---- */
 
-/* split `high` at s and `low` at x, and cut from one to the other over `point` (in the board's frame): the two new
- * sides. In front of a body without a bust dart, and behind */
+/* Cuts a panel from the start of half-edge `from` over `point` to the start of `to`: the back, and a front without a
+ * bust dart. Returns the new panel, called `name`. */
 static int32_t princess_through(mus__board *board, int32_t from, int32_t to, const double *point, const char *name)
 {
     if (board->status != MUS_OK || from == MUS_NONE || to == MUS_NONE) return MUS_NONE;
@@ -154,7 +155,8 @@ static int32_t princess_through(mus__board *board, int32_t from, int32_t to, con
 }
 
 
-/* back: from the middle of the shoulder, or the pitch, over the top of the waist dart. x is mirrored on the board */
+/* The princess seam of the back: from the middle of the shoulder, or the pitch point of the armhole, over the upper
+ * point of the waist dart to the lower edge. x <= 0 on the back's panel. */
 static void princess_back(mus__half *half, mus__top *top, bool armhole)
 {
     mus__board *board = &half->board;
@@ -165,7 +167,7 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
     const int32_t low = mus__shaping_side(half, top, MUS__TOP_BACK, "low");
     if (board->status != MUS_OK || upper == MUS_NONE || low == MUS_NONE) return;
 
-    /* the seam's head, and its foot on the lower edge, which is walked from the side to the centre */
+    /* upper and lower end of the seam; the lower edge runs from the side to the centre */
     const double s = armhole ? back->arm_length - back->arm_low_length : 0.5 * board->side[upper].length;
     const int32_t from = mus__board_split(board, upper, s, NULL);
     const int32_t to = mus__board_split(board, low, board->side[low].length - axis, NULL);
@@ -177,7 +179,8 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
     if (board->status != MUS_OK) return;
     top->panel[MUS__TOP_BACK] = board->side[side].panel;
 
-    /* one edge from head to foot; the centre's is nearer to the centre by half the dart, which is at x > axis here */
+    /* draw both edges: that of the centre panel lies half a dart towards the centre (x > axis), the other half a dart
+     * towards the side */
     const int32_t seam = mus__board_find(board, top->panel[MUS__TOP_BACK], "princess");
     if (seam == MUS_NONE) return;
     mus__chain chain[2];
@@ -191,7 +194,7 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
 }
 
 
-/* front without a bust dart: as behind */
+/* The princess seam of a front without a bust dart, cut as that of the back. */
 static void princess_front_flat(mus__half *half, mus__top *top, int32_t upper, int32_t low, bool armhole)
 {
     mus__board *board = &half->board;
@@ -220,7 +223,8 @@ static void princess_front_flat(mus__half *half, mus__top *top, int32_t upper, i
 }
 
 
-/* front: the bust dart turned to the head of the seam, and run on to the lower edge */
+/* The princess seam of the front: the bust dart is rotated to the seam's upper end, and its point is joined to the
+ * lower edge. */
 static void princess_front(mus__half *half, mus__top *top, bool armhole)
 {
     mus__board *board = &half->board;
@@ -248,7 +252,7 @@ static void princess_front(mus__half *half, mus__top *top, bool armhole)
     if (board->status != MUS_OK) return;
     top->panel[MUS__TOP_FRONT] = board->side[cf].panel;
 
-    /* each edge from its own head, which the dart has parted, over the bust point */
+    /* draw both edges, each from its own upper end: the dart has opened between the two */
     const int32_t seam = mus__board_find(board, top->panel[MUS__TOP_FRONT], "princess");
     if (seam == MUS_NONE) return;
     mus__chain chain[2];
@@ -273,7 +277,8 @@ void mus__shaping_princess(mus__half *half, mus__top *top, bool armhole)
 
 /* ---- empire ---- */
 
-/* a midriff below the bust without darts: cut along the dart's axis, edges drawn as the dart's legs, joined again */
+/* Closes the waist dart of the panel below an empire line at height `level` [m]: the panel is cut along the dart's
+ * axis, both edges are drawn as the dart's legs, and the two parts are joined again. */
 static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, double level)
 {
     mus__board *board = &half->board;
@@ -284,7 +289,7 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
     const int32_t high = mus__board_find(board, panel, "empire");
     if (board->status != MUS_OK || low == MUS_NONE || high == MUS_NONE) return;
 
-    /* upper edge runs from the side to the centre, lower edge from the centre to the side */
+    /* the upper edge runs from the side to the centre, the lower edge from the centre to the side */
     const int32_t from = mus__board_split(board, low, axis, NULL);
     const int32_t to = mus__board_split(board, high, board->side[high].length - axis, NULL);
     if (board->status != MUS_OK) return;
@@ -309,7 +314,8 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
 
 void mus__shaping_empire(mus__half *half, mus__top *top)
 {
-    /* the line: 0.06 of the stature below the bust point, 3 cm above the lower edge, below the bust dart */
+    /* height of the line: 0.06 of the stature below the bust point, at least 3 cm above the lower edge, at most 1 cm
+     * below the bust dart's mouth */
     mus__board *board = &half->board;
     const mus__bodice_half *front = &half->bodice.front;
     const double cm = top->scale * MUS__CM;
@@ -335,7 +341,8 @@ void mus__shaping_empire(mus__half *half, mus__top *top)
     const int32_t under = mus__board_find(board, low, "empire");
     if (board->status != MUS_OK || edge == MUS_NONE || under == MUS_NONE) return;
 
-    /* above the line the waist dart goes on as one of its own; below it is closed, or left as ease where a hem hangs */
+    /* the waist dart: above the line it becomes a dart of its own; below it is closed when the top ends at the waist or
+     * above, and else left as ease */
     const double wide = half->bodice.dart_width * (1.0 - level / front->bust[1]);
     if (!top->darts || !(wide > 2e-3)) return;
     mus__board_rename(board, edge, "empire", "empire");

@@ -140,7 +140,7 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
 }
 
 
-void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
+static void sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
 {
     mus__board *board = &half->board;
     mus__boundary *arm = &out->arm;
@@ -323,7 +323,7 @@ void mus__sleeve_attach(mus__half *half)
     sleeve_openings(half);
     if (board->status != MUS_OK || style == MUS__SLEEVE_NONE) return;
     mus__sleeve_plan plan;
-    mus__sleeve_plan_read(half, &plan);
+    sleeve_plan_read(half, &plan);
     if (board->status != MUS_OK) return;
     switch (style) {
     case MUS__SLEEVE_CAP: sleeve_cap_alone(half, &plan); break;

@@ -21,7 +21,6 @@ typedef struct mus__sleeve_plan {
     mus__sleeve block;              /* without its cuff */
 } mus__sleeve_plan;
 
-void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out);
 
 /* ---- sleeve_raglan.c, sleeve_dolman.c: sleeves that recut front and back ---- */
 

@@ -45,8 +45,6 @@ void mus__lower_waist_sew(mus__half *half, int32_t first);
 /* ---- skirts: each draws its panels on the board of the half and sews all but their waist ---- */
 
 double mus__skirt_length(const mus__half *half);
-void mus__skirt_straight(mus__half *half);
-void mus__skirt_wrap(mus__half *half);
 void mus__skirt_gores(mus__half *half);
 void mus__skirt_round(mus__half *half);
 void mus__skirt_gathered(mus__half *half);

@@ -121,10 +121,13 @@ mus_status mus_tape_set(mus_tape *tape, int32_t measure, double value, int32_t s
     double low, high;
     char text[MUS__TAPE_TEXT_BYTES], from[MUS__TAPE_TEXT_BYTES], to[MUS__TAPE_TEXT_BYTES];
     mus__tape_range(measure, &low, &high);
-    if (value < low || value > high)
-        return mus__fail(tape->context, MUS_ERR_TAPE, "%s of %s is outside %s to %s", name,
+    if (value < low || value > high) {
+        /* ten times a value of the plausible range, which is 2 low to high / 2: millimetres written as centimetres */
+        const bool mm = mus_measure_unit(measure) == 'm' && value >= 20.0 * low && value <= 5.0 * high;
+        return mus__fail(tape->context, MUS_ERR_TAPE, "%s of %s is outside %s to %s%s", name,
                          mus__tape_text(measure, value, text), mus__tape_text(measure, low, from),
-                         mus__tape_text(measure, high, to));
+                         mus__tape_text(measure, high, to), mm ? "; is the unit mm?" : "");
+    }
     tape->value[measure] = value;
     tape->source[measure] = source;
     tape->held[measure] = true;

@@ -19,8 +19,6 @@
  * genus = (2 - loops - euler) / 2 for one orientable component. Source: Hatcher, Algebraic Topology, 2002, sections 0
  * and 2.2; Metaaphanon and Kanongchaiyos 2005, section 5.1.
  */
-#include <string.h>
-
 #include "geom/union_find.h"
 #include "topology/quotient.h"
 

@@ -3,7 +3,6 @@
  * `make designs` does for all: each design for one table size of each of its groups, and some people.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,7 +2,6 @@
  * test_tape_csv.c: rows of csv tables: the twelve of FreeSewing's models, the general form, quotes, and what is
  * refused.
  */
-#include <stdio.h>
 #include <string.h>
 
 #include "muslin/exchange.h"
@@ -56,7 +55,8 @@ static const struct {
     {"name,bust_cm\nAda,92\nAda,93\n", MUS_ERR_FORMAT, "people.csv:3: row \"Ada\" stands in line 2"},
     {"name,bust_cm\nAda,92,93\n", MUS_ERR_FORMAT, "people.csv:2: expected 2 fields, got 3"},
     {"name;bust_cm\nAda;92\n", MUS_ERR_FORMAT, "people.csv:1: expected a line of column names with commas"},
-    {"name,bust_cm\nAda,\"92,5\"\n", MUS_ERR_FORMAT, "people.csv:2: bust_cm: expected a number, \"92,5\" has a comma"},
+    {"name,bust_mm\nAda,\"1,234\"\n", MUS_ERR_FORMAT, "people.csv:2: bust_mm: expected a number, \"1,234\" has a"},
+    {"name,remark\nAda,none\n", MUS_ERR_FORMAT, "people.csv: no measure that muslin knows was found; there are remark"},
     {"name,bust_cm\nAda,nan\n", MUS_ERR_FORMAT, "\"nan\" is not a number"},
     {"name,bust_cm\nAda,1e9\n", MUS_ERR_TAPE, "people.csv:2: bust"},
     {"name,bust_cm\nAda,\"92\n", MUS_ERR_FORMAT, "people.csv:2: a field whose quotes do not end"},

@@ -2,10 +2,6 @@
  * test_join_garments.c: garments over one another are one pattern: all cells of both, the same lengths and topology of
  * each piece, layers that copies, edits and files keep; a join that fails changes nothing.
  */
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "muslin/exchange.h"
 #include "muslin/muslin.h"
 #include "support.h"

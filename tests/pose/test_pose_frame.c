@@ -1,6 +1,5 @@
 /* test_pose_frame.c: frames of parts: the rest pose is the identity, frames are rotations, blends meet their ends. */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_internal.h"
 #include "body/people.h"

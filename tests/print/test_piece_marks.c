@@ -2,7 +2,6 @@
  * test_piece_marks.c: what is drawn on a piece: seam line edge by edge, slits on the cut line, grain, marks, label.
  */
 #include <math.h>
-#include <string.h>
 
 #include "print/page.h"
 #include "print/sample_patterns.h"

@@ -3,7 +3,6 @@
  * ones are left out, and the marks of two neighbours fall on each other.
  */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "print/page.h"

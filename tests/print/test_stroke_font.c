@@ -2,7 +2,6 @@
  * test_stroke_font.c: the alphabet: every printable character has a glyph inside its box, accents fall back to base
  * letters, broken UTF-8 ends.
  */
-#include <math.h>
 #include <string.h>
 
 #include "print/page.h"

@@ -1,8 +1,6 @@
 /*
  * test_check_pattern.c: every fault is found, named and said in a sentence, and a sound garment has none.
  */
-#include <math.h>
-
 #include "muslin/topology.h"
 #include "pattern/same.h"
 #include "topology/garments.h"

@@ -906,6 +906,7 @@ mus_status mus_pattern_merge_edges(mus_pattern *pattern, int32_t edge, int32_t *
 void mus_seam_walk_init(mus_seam_walk *walk, size_t size);
 mus_status mus_pattern_walk_seam(const mus_pattern *pattern, int32_t seam, mus_seam_walk *out);
 mus_status mus_pattern_true_seam(mus_pattern *pattern, int32_t seam, int32_t edge, int32_t at_end);
+mus_status mus_pattern_notch_seam(mus_pattern *pattern, int32_t edge, double s, int32_t kind);
 int32_t mus_design_count(void);
 const char *mus_design_name(int32_t design);
 const char *mus_design_family(int32_t design);

@@ -779,6 +779,7 @@ FUNCTIONS = {
     "mus_seam_walk_init": ("core", None, [POINTER(mus_seam_walk), c_size_t]),
     "mus_pattern_walk_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_walk)]),
     "mus_pattern_true_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_notch_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32]),
     "mus_design_count": ("core", c_int32, []),
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),

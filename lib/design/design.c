@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "board/board_notch.h"
 #include "design/draft.h"
 #include "design/words.h"
 #include "style/style_parts.h"
@@ -74,6 +75,7 @@ static void design_make(mus__half *half)
     mus__board_double(&half->board);
     mus__closure_finish(half);
     mus__pocket_finish(half);
+    mus__board_match_notches(&half->board);
 }
 
 

@@ -3,7 +3,7 @@
  * cutting table as a left half, doubled, written as a pattern and checked.
  *
  * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
- * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
+ * answers for them; draft_inputs.c checks options and reads the tape; grade.c compares and moves sizes.
  */
 #include <math.h>
 #include <string.h>

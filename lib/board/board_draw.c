@@ -1,5 +1,5 @@
 /*
- * board_draw.c: drawing on the cutting table: panels side by side, names, notches, marks and openings; and sides by
+ * board_draw.c: drawing on the cutting table: panels side by side, names, marks and openings; and sides by
  * their place on the outline: the point at an arc length, the run of sides that carry a label.
  */
 #include <math.h>
@@ -150,21 +150,6 @@ void mus__board_rename(mus__board *board, int32_t side, const char *name, const 
     if (!mus__board_has_side(board, side)) return;
     if (name != NULL) board_name(board, name, board->side[side].name);
     if (label != NULL) board_name(board, label, board->side[side].attr.label);
-}
-
-
-int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t kind)
-{
-    if (!mus__board_has_side(board, side)) return MUS_NONE;
-    const double length = board->side[side].length;
-    if (!(s >= -BOARD_GAP && s <= length + BOARD_GAP) || kind < MUS_NOTCH_SINGLE || kind > MUS_NOTCH_TRIPLE) {
-        mus__board_fail(board, MUS_ERR_ARG, "notch on %s: %g m of %g m, kind %d of 1 to 3", board->side[side].name, s,
-                        length, (int)kind);
-        return MUS_NONE;
-    }
-    if (!board_room(board, &board->notch, &board->notch_room, board->nnotch, sizeof *board->notch)) return MUS_NONE;
-    board->notch[board->nnotch] = (mus__board_notch){side, kind, fmin(fmax(s, 0.0), length)};
-    return board->nnotch++;
 }
 
 

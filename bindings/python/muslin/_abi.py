@@ -202,6 +202,11 @@ MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
 MUS_DRESS_STARTS_MOST = 8
+MUS_FIT_STRAIN = 0
+MUS_FIT_WARP = 1
+MUS_FIT_WEFT = 2
+MUS_FIT_PRESSURE = 3
+MUS_FIT_GAP = 4
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -395,6 +400,10 @@ class mus_dress_report(Structure):
     pass
 
 
+class mus_fit_spread(Structure):
+    pass
+
+
 class mus_fit_level(Structure):
     pass
 
@@ -517,6 +526,9 @@ mus_dress_report._fields_ = [("size", c_size_t), ("found", c_int32), ("starts", 
                              ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
                              ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
                              ("sew_seconds", c_double), ("settle_seconds", c_double)]
+mus_fit_spread._fields_ = [("size", c_size_t), ("p50", c_double), ("p95", c_double), ("p99", c_double),
+                           ("mean", c_double), ("least", c_double), ("largest", c_double), ("node", c_int32),
+                           ("area", c_double)]
 mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double),
                           ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
@@ -769,6 +781,7 @@ FUNCTIONS = {
     "mus_seam_walk_init": ("core", None, [POINTER(mus_seam_walk), c_size_t]),
     "mus_pattern_walk_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_walk)]),
     "mus_pattern_true_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_notch_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32]),
     "mus_design_count": ("core", c_int32, []),
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),
@@ -893,6 +906,9 @@ FUNCTIONS = {
     "mus_fit_weft": ("core", POINTER(c_double), [POINTER(mus_fit)]),
     "mus_fit_pressure": ("core", POINTER(c_double), [POINTER(mus_fit)]),
     "mus_fit_gap": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_area": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_spread_init": ("core", None, [POINTER(mus_fit_spread), c_size_t]),
+    "mus_fit_spread_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_spread)]),
     "mus_fit_level_init": ("core", None, [POINTER(mus_fit_level), c_size_t]),
     "mus_fit_level_count": ("core", c_int32, [POINTER(mus_fit)]),
     "mus_fit_level_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_level)]),

@@ -24,9 +24,10 @@ static const double stop[STOPS][3] = {
 static const struct {
     const char *name, *title;
     double low, high, from, to, unit;
-} maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0},
-            {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001},
-            {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0}};
+    int32_t quantity;
+} maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0, MUS_FIT_STRAIN},
+            {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001, MUS_FIT_PRESSURE},
+            {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0, MUS_FIT_GAP}};
 
 /* the bitmap font: 7 rows from the top; the leftmost dot of a row is 16 */
 static const struct {
@@ -89,6 +90,13 @@ int fit_map_make(const scene *s, const char *name, const mus_fit *fit, fit_map *
     snprintf(out->title, sizeof out->title, "%s", maps[map].title);
     out->which = map;
     out->low = maps[map].low, out->high = maps[map].high;
+    mus_fit_spread spread;
+    mus_fit_spread_init(&spread, sizeof spread);
+    if (mus_fit_spread_get(fit, maps[map].quantity, &spread) != MUS_OK)
+        return complain(EXIT_FAILED, s->command, "%s", mus_context_error(s->context));
+    out->part[0] = maps[map].unit * spread.p50;
+    out->part[1] = maps[map].unit * spread.p95;
+    out->part[2] = maps[map].unit * spread.p99;
     for (int32_t i = 0; i < n; i++) {
         const double part = (maps[map].unit * value_of(map, fit, i) - out->low) / (out->high - out->low);
         const double t = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
@@ -162,33 +170,37 @@ void fit_map_legend(const fit_map *map, int32_t width, int32_t height, unsigned 
         snprintf(number, sizeof number, fabs(value - floor(value + 0.5)) < 0.005 ? "%.0f" : "%.1f", value + 0.0);
         say(&p, x + bar + 2 * p.dot, y + k * high / 4 - LETTER_HIGH * p.dot / 2, number);
     }
+    static const int32_t percent[] = {50, 95, 99};
+    for (int32_t k = 0; k < 3; k++) {
+        char row[24];
+        snprintf(row, sizeof row, map->part[k] < 9.95 ? "p%d %.2f" : "p%d %.1f", (int)percent[k],
+                 map->part[k] + 0.0);
+        say(&p, x, height - (5 - k) * line, row);
+    }
 }
 
 
 /* ---- the report ---- */
 
-/* Writes maximum and mean of those of n values that are not NaN. */
-static void write_spread(json *j, const char *key, int32_t n, const double *value)
+/* Writes the percentiles by area of a quantity, and the extremes of single nodes. */
+static void write_spread(json *j, const char *key, const mus_fit *fit, int32_t quantity)
 {
-    double least = INFINITY, most = -INFINITY, sum = 0.0;
-    int32_t count = 0;
-    for (int32_t i = 0; i < n; i++) {
-        if (isnan(value[i])) continue;
-        least = fmin(least, value[i]), most = fmax(most, value[i]);
-        sum += value[i];
-        count++;
-    }
+    mus_fit_spread spread;
+    mus_fit_spread_init(&spread, sizeof spread);
+    if (mus_fit_spread_get(fit, quantity, &spread) != MUS_OK) return;
     json_open(j, key, '{');
-    json_number(j, "least", least);
-    json_number(j, "most", most);
-    json_number(j, "mean", count > 0 ? sum / count : NAN);
+    json_number(j, "p50", spread.p50);
+    json_number(j, "p95", spread.p95);
+    json_number(j, "p99", spread.p99);
+    json_number(j, "mean", spread.mean);
+    json_number(j, "least", spread.least);
+    json_number(j, "most", spread.largest);
     json_close(j, '}');
 }
 
 
 void fit_write(const mus_fit *fit, json *j)
 {
-    const int32_t n = mus_fit_node_count(fit);
     json_open(j, "fit", '{');
     json_open(j, "levels", '[');
     for (int32_t k = 0; k < mus_fit_level_count(fit); k++) {
@@ -206,9 +218,11 @@ void fit_write(const mus_fit *fit, json *j)
         json_close(j, '}');
     }
     json_close(j, ']');
-    write_spread(j, "strain_warp", n, mus_fit_warp(fit));
-    write_spread(j, "strain_weft", n, mus_fit_weft(fit));
-    write_spread(j, "pressure_Pa", n, mus_fit_pressure(fit));
-    write_spread(j, "gap_m", n, mus_fit_gap(fit));
+    write_spread(j, "strain_warp", fit, MUS_FIT_WARP);
+    write_spread(j, "strain_weft", fit, MUS_FIT_WEFT);
+    write_spread(j, "pressure_Pa", fit, MUS_FIT_PRESSURE);
+    write_spread(j, "gap_m", fit, MUS_FIT_GAP);
     json_close(j, '}');
+    write_spread(j, "strain", fit, MUS_FIT_STRAIN);
+    write_spread(j, "pressure_pa", fit, MUS_FIT_PRESSURE);
 }

@@ -92,7 +92,7 @@ typedef struct mus__arrangement {
     double belly;    /* radius of the hips, with room [m] */
 } mus__arrangement;
 
-/* arrange_read.c: read panels, edges and seams of the pattern. Errors: MUS_ERR_PATTERN */
+/* arrange_from_pattern.c: read panels, edges and seams of the pattern. Errors: MUS_ERR_PATTERN */
 mus_status mus__arrange_read(mus__arrangement *arrangement);
 /* number of the dot on b that a seam joins to dot i on a */
 int32_t mus__arrange_partner(const mus__arrangement *arrangement, const mus__arranged_seam *seam, int32_t i);

@@ -1,7 +1,8 @@
 /*
  * body_internal.h: the struct of a body: its limbs, rig, surface, skin and radius fields.
  *
- * Read by lib/body, lib/pose, lib/contact, lib/arrange and lib/drape. Everything is made once (body_make.h) and does not change afterwards.
+ * Read by lib/body, lib/pose, lib/contact, lib/arrange and lib/drape. Everything is made once (body_make.h) and does
+ * not change afterwards.
  */
 #ifndef MUS_BODY_BODY_INTERNAL_H
 #define MUS_BODY_BODY_INTERNAL_H

@@ -3,11 +3,12 @@
  * cutting table as a left half, doubled, written as a pattern and checked.
  *
  * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
- * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
+ * answers for them; draft_inputs.c checks options and reads the tape; grade.c compares and moves sizes.
  */
 #include <math.h>
 #include <string.h>
 
+#include "board/board_notch.h"
 #include "design/draft.h"
 #include "design/words.h"
 #include "style/style_parts.h"
@@ -74,6 +75,7 @@ static void design_make(mus__half *half)
     mus__board_double(&half->board);
     mus__closure_finish(half);
     mus__pocket_finish(half);
+    mus__board_match_notches(&half->board);
 }
 
 

@@ -106,8 +106,8 @@ static mus_status guard_energy(mus_drape *drape)
     drape->sim.ops->restore(&drape->sim);
     mus__drape_stale(drape);
     return mus__fail(drape->context, MUS_ERR_DIVERGED,
-                     "drape: the energy rose from %.6g J at the start to %.6g J after %.6f s, expected at most %.6g J: a "
-                     "smaller step has a smaller error; the last good state is kept",
+                     "drape: the energy rose from %.6g J at the start to %.6g J after %.6f s, expected at most %.6g J: "
+                     "a smaller step has a smaller error; the last good state is kept",
                      start, energy, mus_drape_time(drape), most);
 }
 
@@ -120,7 +120,8 @@ static mus_status check_step(mus_drape *drape, int32_t steps, double dt)
         return mus__fail(context, MUS_ERR_ARG, "drape: step is %g s, expected 0 or at least %g", dt, LEAST_STEP);
 
     /* true masses and the bound, if anything changed since they were taken */
-    if (dt > drape->stepping.bound && drape->stepping.bound > 0.0) drape->stepping.bound = mus__drape_bound(drape, NULL);
+    if (dt > drape->stepping.bound && drape->stepping.bound > 0.0)
+        drape->stepping.bound = mus__drape_bound(drape, NULL);
     if (drape->stepping.bound <= 0.0) {
         mus__drape_inertia(drape, 0);
         look(drape);

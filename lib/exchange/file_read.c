@@ -19,6 +19,7 @@
 
 #define FILE_NAME_BYTES 200  /* [bytes] of a path in a message; chosen: leaves 311 of 511 bytes for the sentence */
 #define FILE_ERROR_BYTES 512 /* [bytes] capacity of the context's error text */
+#define NUMBER_BYTES 64      /* [bytes] of a number with its zero byte; chosen: 17 digits are exact */
 
 
 mus_status mus__source_fail(const mus__source *source, int64_t line, mus_status status, const char *format, ...)
@@ -202,6 +203,14 @@ void mus__unused_log(const mus__unused *unused, const mus__source *source)
 }
 
 
+mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source)
+{
+    return mus__source_fail(source, 0, MUS_ERR_FORMAT, "no measure that muslin knows was found%s%s%s",
+                            unused->count > 0 ? "; there are " : "", unused->names,
+                            unused->listed < unused->count ? " and more" : "");
+}
+
+
 size_t mus__number_span(const char *text)
 {
     const char *at = text;
@@ -223,19 +232,72 @@ size_t mus__number_span(const char *text)
 }
 
 
+/* length of a fraction such as "1/4" or "¼" at the start of a text [bytes], with its value; 0 when there is none */
+static size_t fraction_span(const char *text, double *out)
+{
+    static const char *const digits = "0123456789";
+    static const char *const signs[] = {"⅛", "¼", "⅜", "½", "⅝", "¾", "⅞"};
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+        *out = 0.125 * (double)(i + 1);
+        if (strncmp(text, signs[i], strlen(signs[i])) == 0) return strlen(signs[i]);
+    }
+    const size_t above = strspn(text, digits), below = text[above] == '/' ? strspn(text + above + 1, digits) : 0;
+    if (above == 0 || below == 0) return 0;
+    *out = strtod(text, NULL) / strtod(text + above + 1, NULL);
+    return above + 1 + below;
+}
+
+
+/* length of the comma and the digits behind it, after `whole` digits at `text` [bytes]; 0 with the fault as a text */
+static size_t comma_span(const char *text, size_t whole, const char **fault)
+{
+    const size_t after = strspn(text + whole + 1, "0123456789");
+    const char stop = text[whole + 1 + after];
+    if (strspn(text, "0123456789") < whole || after == 0 || stop == ',' || stop == '.')
+        *fault = "has a comma that is no decimal comma; write the decimal point as \".\"";
+    else if (after == 3 && text[0] != '0')
+        *fault = "has a comma that may be one of thousands; write the decimal point as \".\"";
+    return *fault == NULL ? 1 + after : 0;
+}
+
+
+const char *mus__amount_read(const char *text, double *out, size_t *length)
+{
+    char number[NUMBER_BYTES] = "0";
+    const char *fault = NULL;
+    double part;
+    size_t fraction = fraction_span(text, &part), span = fraction > 0 ? 0 : mus__number_span(text), comma = 0;
+    if (span + fraction == 0) return "is not a number";
+    if (span > 0 && text[span] == ',') {
+        comma = comma_span(text, span, &fault);
+    } else if (span > 0 && strspn(text, "0123456789") == span) {
+        /* "41 1/4" and "41-1/4" */
+        const size_t gap = text[span] == '-' ? 1 : strspn(text + span, " \t");
+        fraction = fraction_span(text + span + gap, &part);
+        if (fraction > 0) fraction += gap;
+    }
+    if (fault != NULL) return fault;
+    if (span + comma >= sizeof number) return "has too many digits";
+    if (fraction > 0 && !(part > 0.0 && part < 1.0)) return "has a fraction that is not between 0 and 1";
+
+    memcpy(number, text, span + comma);
+    if (span > 0) number[span + comma] = '\0';
+    if (comma > 0) number[span] = '.';
+    *out = strtod(number, NULL) + (fraction > 0 ? part : 0.0);
+    *length = span + comma + fraction;
+    return *out - *out != 0.0 ? "is too large" : NULL;
+}
+
+
 const char *mus__number_read(const char *text, double *out)
 {
     const char *blanks = " \t\r\n";
+    double value = 0.0;
+    size_t length = 0;
     text += strspn(text, blanks);
-    size_t span = mus__number_span(text);
-    const char *rest = text + span;
-    if (*rest == ',') return "has a comma; write the decimal point as \".\"";
-    if (span == 0) return "is not a number";
-    rest += strspn(rest, blanks);
-    if (*rest != '\0') return "has more than a number";
-
-    double value = strtod(text, NULL);
-    if (value - value != 0.0) return "is too large";
+    const char *fault = mus__amount_read(text, &value, &length);
+    if (fault != NULL) return fault;
+    if (text[length + strspn(text + length, blanks)] != '\0') return "has more than a number";
     *out = value;
     return NULL;
 }

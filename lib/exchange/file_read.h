@@ -66,17 +66,21 @@ typedef struct mus__unused {
 
 void mus__unused_add(mus__unused *unused, const char *name);
 void mus__unused_log(const mus__unused *unused, const mus__source *source);
+/* MUS_ERR_FORMAT: the file has no measure; the message lists the names that it has */
+mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source);
 
 /* ---- numbers ---- */
 
 /* length of the decimal number at the start of `text` [bytes] (no hex, no inf, no nan); 0 if there is none */
 size_t mus__number_span(const char *text);
-/* read a text that is one number between blanks; returns NULL, or the fault as a text ("has a comma, ...") */
+/* read the number at the start of `text` as a person writes it: also with a fraction ("41 1/4", "1/2"), or with a
+ * decimal comma where it cannot be one of thousands. Returns NULL with the number's length [bytes], or the fault as a
+ * text ("is not a number") */
+const char *mus__amount_read(const char *text, double *out, size_t *length);
+/* read a text that is one such number between blanks; returns NULL, or the fault */
 const char *mus__number_read(const char *text, double *out);
 
 /* name of the measure nearest to a misspelt name, or NULL when none is near */
 const char *mus__measure_nearest(const char *name);
-/* length of the valid UTF-8 sequence at `text` [bytes], 1..4; 0 if there is none */
-size_t mus__utf8_length(const char *text);
 
 #endif

@@ -6,19 +6,15 @@
  * name of the row. In any other table a column is a measure with its unit ("bust_cm", "shoulder_slope_deg") or "sex"; a
  * column whose name does not end with a unit is ignored. An empty field, or a 0 in FreeSewing's table, is not measured.
  *
- * FreeSewing has no stature. It follows from the height of the waist: waist = 0.622 stature (women), 0.615 (men), and
- * is marked derived. Its `hips` is the high hip and its `seat` the hip. Left out: measures from the high point of the
- * shoulder to the waist (muslin starts at the nape), shoulderToShoulder (across both) and waistToUpperLeg (along the
- * body, where body rise is a height).
+ * FreeSewing has no stature: tape_file.c derives it from the height of the waist. Its `hips` is the high hip and its
+ * `seat` the hip. Left out: measures from the high point of the shoulder to the waist (muslin starts at the nape),
+ * shoulderToShoulder (across both) and waistToUpperLeg (along the body, where body rise is a height).
  */
 #include <stdbool.h>
 #include <string.h>
 
 #include "exchange/file_read.h"
 #include "exchange/tape_readers.h"
-
-#define WAIST_FEMALE 0.622 /* height of the waist over stature, women; from clothing size tables */
-#define WAIST_MALE 0.615   /* the same, men */
 
 static const struct {
     const char *name;
@@ -63,7 +59,7 @@ struct table {
     struct table_line head;
     struct table_line row;  /* the wanted row */
     struct table_line scan; /* the line that is read now */
-    mus__unused unused;
+    mus__unused *unused;
 };
 
 
@@ -164,7 +160,7 @@ static mus_status read_model(struct table *table, mus_tape *tape)
         size_t i = 0, n = sizeof model_names / sizeof model_names[0];
         while (i < n && strcmp(table->head.field[column], model_names[i].name) != 0) i++;
         if (i == n) {
-            mus__unused_add(&table->unused, table->head.field[column]);
+            mus__unused_add(table->unused, table->head.field[column]);
             continue;
         }
         double value = 0.0;
@@ -175,10 +171,7 @@ static mus_status read_model(struct table *table, mus_tape *tape)
         status =
             table_set(table, tape, measure, mus_measure_unit(measure) == 'm' ? value / 1000.0 : value * MUS__DEGREE);
     }
-    double waist = mus_tape_value(tape, MUS_MEASURE_WAIST_HEIGHT);
-    if (status != MUS_OK || waist != waist) return status;
-    status = mus_tape_set(tape, MUS_MEASURE_STATURE, waist / (male ? WAIST_MALE : WAIST_FEMALE), MUS_SOURCE_DERIVED);
-    return status == MUS_OK ? MUS_OK : mus__source_wrap(table->source, table->row.line, status);
+    return status;
 }
 
 
@@ -205,6 +198,7 @@ static bool column_unit(const char *column, char *measure, size_t bytes, int32_t
     } endings[] = {{"_cm", 'm', 100.0},
                    {"_mm", 'm', 1000.0},
                    {"_m", 'm', 1.0},
+                   {"_in", 'm', 1.0 / 0.0254},
                    {"_deg", 'r', 1.0 / MUS__DEGREE},
                    {"_rad", 'r', 1.0}};
     size_t length = strlen(column);
@@ -234,7 +228,7 @@ static mus_status read_measures(struct table *table, mus_tape *tape)
         int32_t unit;
         double down;
         if (!column_unit(name, plain, sizeof plain, &unit, &down)) {
-            mus__unused_add(&table->unused, name);
+            mus__unused_add(table->unused, name);
             continue;
         }
         int32_t measure = mus_measure_find(plain);
@@ -282,9 +276,9 @@ static mus_status table_find(struct table *table, const char *row)
 }
 
 
-mus_status mus__tape_read_table(mus__source *source, const char *row, mus_tape *tape)
+mus_status mus__tape_read_table(mus__source *source, const char *row, mus_tape *tape, mus__unused *unused)
 {
-    struct table table = {.source = source, .rest = source->text};
+    struct table table = {.source = source, .unused = unused, .rest = source->text};
     mus_status status = MUS_OK;
     if (memchr(source->text, '\0', source->size) != NULL)
         status = mus__source_fail(source, 0, MUS_ERR_FORMAT, "byte %lld: a zero byte, expected text",
@@ -299,7 +293,6 @@ mus_status mus__tape_read_table(mus__source *source, const char *row, mus_tape *
         status = mus_tape_set_name(tape, row);
         if (status != MUS_OK) status = mus__source_wrap(source, 0, status);
     }
-    if (status == MUS_OK) mus__unused_log(&table.unused, source);
     mus_context_alloc(source->context, table.head.field, 0);
     mus_context_alloc(source->context, table.row.field, 0);
     mus_context_alloc(source->context, table.scan.field, 0);

@@ -12,8 +12,8 @@
 struct mus_fit {
     mus_context *context;
     int32_t n, nlevel;
-    double *warp; /* (n) and the next three, one block */
-    double *weft, *pressure, *gap;
+    double *warp; /* (n) and the next four, one block */
+    double *weft, *pressure, *gap, *area;
     mus_fit_level level[MUS__FIT_LEVELS];
 };
 

@@ -2,8 +2,8 @@
  * piece_marks.c: the lines of a placed piece: cut line, sew line, notches, grain line, marks.
  *
  * The sew line is one path for each edge, so that every edge can be measured on the paper. A notch stands on the cut
- * line where the normal of the sew line at the notch meets it: one slit for the front, two for the back, three for
- * centre back and others. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
+ * line where the normal of the sew line at the notch meets it: one slit for a single notch, two for a double, three
+ * for a triple one. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
  */
 #include <math.h>
 
@@ -117,11 +117,14 @@ static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const m
         while (side < piece->nside && piece->sides[side].edge != edge) side++;
         if (side == piece->nside) continue;
 
-        double length = mus_pattern_edge_length(pattern, edge);
+        /* near an end of its edge the notch keeps the distances of its slits, as it does on the edge sewn to it */
+        double length = mus_pattern_edge_length(pattern, edge), half = 0.5 * (kind - 1) * SLIT_APART;
+        double middle = s < half ? half : s > length - half ? length - half : s;
+        if (length < 2.0 * half) middle = 0.5 * length;
         mus__draw_path(out, index, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH);
         mus__draw_edge(out, edge);
         for (int32_t k = 0; k < kind; k++) {
-            double at = s + (k - 0.5 * (kind - 1)) * SLIT_APART;
+            double at = middle - half + k * SLIT_APART;
             at = at < 0.0 ? 0.0 : at > length ? length : at;
             marks_slit(out, pattern, piece, &piece->sides[side], at, length);
         }

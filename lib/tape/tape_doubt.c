@@ -123,19 +123,21 @@ static bool doubt_girth(int32_t m)
 
 
 /* find the slip that brings a value nearest to its prediction [ln cm]: two neighbouring digits swapped (of a length in
- * whole millimetres, or else in eighths of an inch), inches taken for cm, half of a girth, a lost hundred. Returns the
- * distance of the correction from the prediction */
+ * whole millimetres, or of the inches of one in whole eighths), inches taken for cm, half of a girth, a lost hundred.
+ * Returns the distance of the correction from the prediction */
 static double doubt_slip(mus__doubt *doubt, double value, double expected)
 {
     double nearest = INFINITY;
-    const bool metric = fabs(1000.0 * value - nearbyint(1000.0 * value)) < 1e-6;
-    const double eighths = 8.0 * value / 0.0254, unit = metric ? 0.001 : 0.0254;
-    const long digits = lround(metric ? 1000.0 * value : floor(eighths / 8.0 + 1e-9));
-    if (metric || fabs(eighths - nearbyint(eighths)) < 1e-6)
-        for (long p = 1; p <= digits; p *= 10) {
+    for (int inch = 0; inch < 2; inch++) {
+        const double unit = inch ? 0.0254 : 0.001, parts = (inch ? 8.0 : 1.0) * value / unit;
+        const long digits = (long)(value / unit + 1e-6);
+        for (long p = 1; fabs(parts - nearbyint(parts)) < 1e-6 && p <= digits; p *= 10) {
             const long change = (digits / p % 10 - digits / p / 10 % 10) * 9 * p;
-            if (change != 0) doubt_try(doubt, value + unit * (double)change, "digits swapped", expected, &nearest);
+            if (change == 0) continue;
+            doubt_try(doubt, value + unit * (double)change, inch ? "digits of the inches swapped" : "digits swapped",
+                      expected, &nearest);
         }
+    }
     doubt_try(doubt, 2.54 * value, "inches taken for cm", expected, &nearest);
     if (doubt_girth(doubt->measure)) doubt_try(doubt, 2.0 * value, "half the girth", expected, &nearest);
     doubt_try(doubt, value + 1.0, "the first digit lost", expected, &nearest);

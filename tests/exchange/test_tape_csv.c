@@ -55,7 +55,8 @@ static const struct {
     {"name,bust_cm\nAda,92\nAda,93\n", MUS_ERR_FORMAT, "people.csv:3: row \"Ada\" stands in line 2"},
     {"name,bust_cm\nAda,92,93\n", MUS_ERR_FORMAT, "people.csv:2: expected 2 fields, got 3"},
     {"name;bust_cm\nAda;92\n", MUS_ERR_FORMAT, "people.csv:1: expected a line of column names with commas"},
-    {"name,bust_cm\nAda,\"92,5\"\n", MUS_ERR_FORMAT, "people.csv:2: bust_cm: expected a number, \"92,5\" has a comma"},
+    {"name,bust_mm\nAda,\"1,234\"\n", MUS_ERR_FORMAT, "people.csv:2: bust_mm: expected a number, \"1,234\" has a"},
+    {"name,remark\nAda,none\n", MUS_ERR_FORMAT, "people.csv: no measure that muslin knows was found; there are remark"},
     {"name,bust_cm\nAda,nan\n", MUS_ERR_FORMAT, "\"nan\" is not a number"},
     {"name,bust_cm\nAda,1e9\n", MUS_ERR_TAPE, "people.csv:2: bust"},
     {"name,bust_cm\nAda,\"92\n", MUS_ERR_FORMAT, "people.csv:2: a field whose quotes do not end"},
@@ -78,6 +79,19 @@ START_TEST(a_fault_is_named_with_its_line)
     ck_assert_msg(status == refusals[_i].status, "%d for %s: %s", (int)status, refusals[_i].text, error);
     ck_assert_ptr_null(tape);
     ck_assert_msg(strstr(error, refusals[_i].words) != NULL, "no \"%s\" in: %s", refusals[_i].words, error);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* else the tape would be written with a name that the reader refuses */
+START_TEST(a_row_whose_name_is_not_utf8_is_refused)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    ck_assert_int_eq(read_text(context, "name,bust_cm\nAd\xd3,92\n", "Ad\xd3", &tape), MUS_ERR_FORMAT);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "not UTF-8 at byte 2"));
+    ck_assert_ptr_null(tape);
     support_context_end(context);
 }
 END_TEST
@@ -153,6 +167,7 @@ Suite *mus_suite_tape_csv(void)
     TCase *tests = tcase_create("tape_table");
     tcase_add_test(tests, the_general_form_has_measures_with_units);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);
+    tcase_add_test(tests, a_row_whose_name_is_not_utf8_is_refused);
     tcase_add_loop_test(tests, freesewing_models_are_read_and_adults_build, 0, sizeof models / sizeof models[0]);
     suite_add_tcase(suite, tests);
     return suite;

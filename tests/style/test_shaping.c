@@ -5,6 +5,7 @@
  */
 #include <stdio.h>
 
+#include "board/board_notch.h"
 #include "geom/vec.h"
 #include "style/halves.h"
 
@@ -188,6 +189,7 @@ START_TEST(closures_are_marked)
     mus_tape *tape = half_make(context, "W40", "top closure=side neck=scoop", &half);
     mus__board_double(&half.board);
     mus__closure_finish(&half);
+    mus__board_match_notches(&half.board);
     half_good(context, &half, "closure=side");
     int32_t triple = 0;
     for (int32_t i = 0; i < half.board.nnotch; i++) {

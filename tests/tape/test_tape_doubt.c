@@ -147,7 +147,10 @@ START_TEST(a_slip_is_named_with_its_value)
         {MUS_SEX_UNSET, {165, 69, 78, 104}, "bust of 69.0 cm", "96.0 cm?"},
         {MUS_SEX_FEMALE, {165, 37.8, 78, 104}, "bust of 37.8 cm", "inches taken for cm: 96.0 cm?"},
         {MUS_SEX_FEMALE, {165, 96, 78, 52}, "hip of 52.0 cm", "half the girth: 104.0 cm?"},
-        {MUS_SEX_FEMALE, {65 * 2.54, 38 * 2.54, 13 * 2.54, 41 * 2.54}, "waist of 33.0 cm", "digits swapped: 78.7 cm?"},
+        {MUS_SEX_FEMALE,
+         {65 * 2.54, 38 * 2.54, 13 * 2.54, 41 * 2.54},
+         "waist of 33.0 cm",
+         "digits of the inches swapped: 78.7 cm?"},
         {MUS_SEX_CHILD, {116, 60.5, 55, 36}, "hip of 36.0 cm", "digits swapped: 63.0 cm?"},
         {MUS_SEX_FEMALE, {68, 92, 76, 100}, "stature of 68.0 cm", "the first digit lost: 168.0 cm?"},
     };

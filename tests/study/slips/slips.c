@@ -18,12 +18,12 @@ static bool print_tally(const char *who, const slips_count *t)
 {
     static const char *const sizes[] = {"8 to 10 cm", "10 to 20 cm", "20 cm and more"};
     const double named = (double)t->named / (double)t->slips, falsely = (double)t->falsely / (double)t->people;
-    printf(
-        "%s: %ld people, %ld falsely warned of (%.2f %%); %ld slips, %.1f %% named (%.1f %% refused as out of range,\n"
-        "  %.1f %% of the others named), %.1f %% with another measure named\n",
-        who, t->people, t->falsely, 100 * falsely, t->slips, 100 * named, 100.0 * (double)t->refused / (double)t->slips,
-        100.0 * (double)(t->named - t->refused) / (double)(t->slips - t->refused),
-        100.0 * (double)t->otherwise / (double)t->slips);
+    const double slips = 0.01 * (double)t->slips, taken = 0.01 * (double)(t->slips - t->refused);
+    printf("%s: %ld people, %ld falsely warned of (%.2f %%)\n", who, t->people, t->falsely, 100 * falsely);
+    printf("  %ld slips: %.1f %% named, %.1f %% with another measure named; %.1f %% are refused as out of range\n",
+           t->slips, 100 * named, (double)t->otherwise / slips, (double)t->refused / slips);
+    printf("  of those not refused: %.1f %% named, %.1f %% with the true value\n",
+           (double)(t->named - t->refused) / taken, (double)t->offered / taken);
     for (int i = 0; i < 3; i++)
         printf("  %s: %ld, %.0f %%;", sizes[i], t->size[i][0], 100.0 * (double)t->size[i][1] / (double)t->size[i][0]);
     printf("\n ");

@@ -13,6 +13,7 @@ typedef struct slips_count {
     long people, falsely;          /* people, and those whose true tape has a warning */
     long slips, named, otherwise;  /* slips, those whose measure is named, those with another measure named */
     long refused;                  /* the named ones that mus_tape_set() refuses */
+    long offered;                  /* the named ones whose sentence offers the true value */
     long by[MUS_MEASURE_COUNT][2]; /* slips and named ones of each girth */
     long size[3][2];               /* the same of slips below 10, below 20 and of 20 cm and more */
 } slips_count;

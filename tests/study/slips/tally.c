@@ -30,18 +30,24 @@ static mus_tape *tape_of(mus_context *context, const ansur *table, int row, bool
 }
 
 
-/* one slip: 0 not found, 1 named, 2 another measure named, 3 refused by mus_tape_set with its name */
-static int slip(mus_context *context, const mus_tape *tape, int32_t measure, double value)
+/* one slip: 0 not found, 1 named, 2 another measure named, 3 refused by mus_tape_set with its name; counts it as
+ * offered when the sentence ends with the true value, that of the tape */
+static int slip(mus_context *context, const mus_tape *tape, int32_t measure, double value, long *offered)
 {
     mus_tape *copy;
+    char end[40];
+    snprintf(end, sizeof end, ": %.1f cm?", 100.0 * mus_tape_value(tape, measure));
     if (mus_tape_copy(tape, &copy) != MUS_OK) exit(2);
     int found = 0;
     if (mus_tape_set(copy, measure, value, MUS_SOURCE_GIVEN) != MUS_OK)
         found = 3;
     else if (mus_tape_complete(copy) != MUS_OK)
         found = names(mus_context_error(context), measure) ? 1 : 2;
-    for (int32_t i = 0; found != 1 && i < mus_tape_warning_count(copy); i++)
+    if (found == 1) *offered += strstr(mus_context_error(context), end) != NULL;
+    for (int32_t i = 0; found != 1 && i < mus_tape_warning_count(copy); i++) {
         found = names(mus_tape_warning(copy, i), measure) ? 1 : 2;
+        if (found == 1) *offered += strstr(mus_tape_warning(copy, i), end) != NULL;
+    }
     mus_tape_destroy(copy);
     return found;
 }
@@ -59,7 +65,7 @@ static void slips_of(mus_context *context, const mus_tape *tape, int32_t measure
         swapped[i + 1] = text[i];
         const double value = 0.001 * (double)atol(swapped), off = fabs(value - true_value);
         if (off <= SLIP_LEAST + 1e-9) continue;
-        const int found = slip(context, tape, measure, value), named = found == 1 || found == 3;
+        const int found = slip(context, tape, measure, value, &t->offered), named = found == 1 || found == 3;
         const int size = off < 0.0999 ? 0 : off < 0.1999 ? 1 : 2;
         t->slips++;
         t->named += named;

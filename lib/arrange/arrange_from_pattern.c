@@ -1,5 +1,6 @@
 /*
- * arrange_read.c: reads what a pattern tells of its panels: outlines as seen from outside, seams, labels and sides.
+ * arrange_from_pattern.c: reads what a pattern tells of its panels: outlines as seen from outside, seams, labels and
+ * sides.
  *
  * Up is as drawn, except on an arm, where it is the direction from the hand to the panel that the sleeve is sewn to, by
  * quarter turns: a sleeve may be drawn along the arm or across it.

@@ -1,6 +1,6 @@
 /*
- * draft_read.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a copy;
- * and checks its result, the pattern.
+ * draft_inputs.c: reads the inputs of a draft: its options, and the measures and skeleton of a tape completed on a
+ * copy; and checks its result, the pattern.
  */
 #include "design/draft.h"
 #include "muslin/topology.h"

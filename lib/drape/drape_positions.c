@@ -80,10 +80,14 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (positions == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: positions is NULL");
+    mus_status status = mus__check_near(drape->context, drape->n, 3, positions, "drape: node");
+    if (status != MUS_OK) return status;
     for (int64_t i = 0; i < 3 * (int64_t)drape->n; i++)
-        if (!mus__finite(positions[i]) || (velocities != NULL && !mus__finite(velocities[i])))
-            return mus__fail(drape->context, MUS_ERR_ARG, "drape: the state of node %d is not finite", (int)(i / 3));
-    const mus_status status = mus__drape_check_reach(drape, positions);
+        if (velocities != NULL && !mus__finite(velocities[i]))
+            return mus__fail(drape->context, MUS_ERR_ARG,
+                             "drape: the velocity of node %d is %g m/s, which is not finite", (int)(i / 3),
+                             velocities[i]);
+    status = mus__drape_check_reach(drape, positions);
     if (status != MUS_OK) return status;
 
     const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;

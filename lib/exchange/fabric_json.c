@@ -204,9 +204,8 @@ static mus_status fabric_check_text(mus_context *context, const char *what, cons
     if (length < 1 || length > most)
         return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s has %zu bytes, expected 1 to %zu", what,
                               length, most);
-    for (const char *at = text; *at != '\0'; at += mus__utf8_length(at))
-        if (mus__utf8_length(at) == 0)
-            return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
+    if (mus__utf8_span(text) < length)
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
     return MUS_OK;
 }
 

@@ -79,7 +79,5 @@ const char *mus__number_read(const char *text, double *out);
 
 /* name of the measure nearest to a misspelt name, or NULL when none is near */
 const char *mus__measure_nearest(const char *name);
-/* length of the valid UTF-8 sequence at `text` [bytes], 1..4; 0 if there is none */
-size_t mus__utf8_length(const char *text);
 
 #endif

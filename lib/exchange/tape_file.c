@@ -70,14 +70,6 @@ static char *trim(char *text)
 }
 
 
-static bool is_utf8(const char *text)
-{
-    size_t n = 1;
-    for (; *text != '\0' && n > 0; text += n) n = mus__utf8_length(text);
-    return n > 0;
-}
-
-
 /* normalise a key: "High Bust" and "high-bust" become high_bust */
 static void plain_key(const char *text, size_t length, char *key)
 {
@@ -236,7 +228,8 @@ static mus_status read_line(struct tape_text *text, char *line)
     const mus__source *source = text->source;
     line = trim(line);
     if (*line == '\0' || *line == '#') return MUS_OK;
-    if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
+    if (line[mus__utf8_span(line)] != '\0')
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
 
     /* a number sign starts a remark, except in a name */
     char key[KEY_BYTES];

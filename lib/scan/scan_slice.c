@@ -391,5 +391,6 @@ mus_status mus__slice(mus__slicer *slicer, double s, const char *what)
     if (status == MUS_OK) status = slice_chains(slicer);
     if (status == MUS_OK) status = slice_join(slicer, s, what);
     if (status == MUS_OK) slice_order(slicer);
+    else slicer->section.points = slicer->section.loops = 0; /* a section that is half made is none */
     return status;
 }

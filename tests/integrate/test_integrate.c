@@ -225,7 +225,7 @@ END_TEST
 
 /* ---- the guard ---- */
 
-/* X4, forced: above the limit the energy guard ends the run, at a state that was good; RK4 within 100 steps, the others
+/* above the limit the energy guard ends the run, at a state that was good; RK4 within 100 steps, the others
  * within 400, since at rest they hardly hold the part that grows */
 START_TEST(a_step_above_the_limit_ends_with_the_last_good_state)
 {
@@ -334,7 +334,7 @@ START_TEST(a_start_at_energy_zero_needs_the_floor)
 END_TEST
 
 
-/* ---- what is refused: X23, X24 ---- */
+/* ---- refused calls ---- */
 
 START_TEST(steps_and_counts_outside_their_range_are_refused)
 {

@@ -1,5 +1,5 @@
 /*
- * test_stiff.c: the integrators on stiff problems with known answers (cases I5, I7, X2, X3).
+ * test_stiff.c: the integrators on stiff problems with known answers (cases I5, I7).
  *
  * The beam is problem BEAM of the IVP test set (Mazzia, Magherini, release 2.4; Hairer, Wanner, Solving ODEs II, 1996,
  * IV.1); its reference values at t = 5 are from there, computed by RADAU in quadruple precision.
@@ -39,7 +39,7 @@ START_TEST(damped_springs_are_stable_up_to_the_known_step)
 END_TEST
 
 
-/* ---- I7, X2: a pendulum on a stiff spring ---- */
+/* ---- I7: a pendulum on a stiff spring ---- */
 
 /* slow period by the passages of x = 0 from the first to the one after `swings` more, and the energy of the fast motion
  * (r' and r - its balance) at their ends. A passage is found by cutting its step */

@@ -301,7 +301,7 @@ START_TEST(what_is_no_tack_is_refused_by_name)
         {3, 4, -1.0, MUS_ERR_ARG, "drape: stiffness of a tack is -1 N/m, expected 0 to 1e+09"},
         {3, 4, 2e9, MUS_ERR_ARG, "drape: stiffness of a tack is 2e+09 N/m, expected 0 to 1e+09"},
         {NODES - SIDE, NODES - 1, 1.0, MUS_ERR_STATE,
-         "drape: a tack of nodes 552 and 575 cannot close: gap 0.460 m, both held"},
+         "drape: a tack of nodes 552 and 575 cannot close: gap 0.46 m, both held"},
     };
     const uint64_t hash = mus_drape_hash(drape);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {

@@ -9,6 +9,19 @@
 #include "drape/weld.h"
 
 
+/* Sets the clock to 0 and the scene to its beginning, after all nodes were moved. far: whether the cloth is far from its
+ * shape at rest. */
+static void positions_begin(mus_drape *drape, int32_t far)
+{
+    drape->clock.time0 = 0.0;
+    drape->clock.count = 0;
+    drape->relax.settled = 0;
+    drape->relax.far = far;
+    drape->coarse.as_sewn = 0;
+    mus__scene_reset(drape);
+}
+
+
 mus_status mus_drape_place(mus_drape *drape)
 {
     if (drape == NULL) return MUS_ERR_ARG;
@@ -18,12 +31,7 @@ mus_status mus_drape_place(mus_drape *drape)
     mus__weld_open(drape);
     mus__drape_push(drape);
     mus__drape_publish(drape);
-    drape->clock.time0 = 0.0;
-    drape->clock.count = 0;
-    drape->relax.settled = 0;
-    drape->relax.far = 1;
-    drape->coarse.as_sewn = 0;
-    mus__scene_reset(drape);
+    positions_begin(drape, 1);
     return MUS_OK;
 }
 
@@ -66,12 +74,7 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
     mus__drape_push(drape);
     if (from->welded) mus__weld(drape);
     mus__drape_publish(drape);
-    drape->clock.time0 = 0.0;
-    drape->clock.count = 0;
-    drape->relax.settled = 0;
-    drape->relax.far = 0;
-    drape->coarse.as_sewn = 0;
-    mus__scene_reset(drape);
+    positions_begin(drape, 0);
     return MUS_OK;
 }
 

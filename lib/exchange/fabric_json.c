@@ -159,14 +159,10 @@ static mus_status fabric_load(mus_context *context, const mus__input *input, mus
     if (status != MUS_OK) return mus__file_fail(context, status, "%s: the size of out; use mus_fabric_init", what);
 
     mus_fabric fabric = *out;
-    mus__locale locale;
     mus__source source;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = fabric_read(&source, &fabric);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
     if (status == MUS_OK) *out = fabric;
     return status;
 }

@@ -365,23 +365,15 @@ static mus_status tape_load(mus_context *context, const mus__input *input, const
         return mus__file_fail(
             context, MUS_ERR_ARG,
             form == 'c' ? "%.300s: a table needs the name of a row" : "%.300s: has no rows; only a .csv has", path);
-    mus__locale locale;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-
     mus__source source;
     mus_tape *tape = NULL;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = mus_tape_create(context, &tape);
     if (status == MUS_OK) status = read_form(&source, row, form, tape);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
-    if (status != MUS_OK) {
-        mus_tape_destroy(tape);
-        return status;
-    }
-    *out = tape;
-    return MUS_OK;
+    if (status == MUS_OK) *out = tape;
+    else mus_tape_destroy(tape);
+    return status;
 }
 
 

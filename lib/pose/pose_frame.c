@@ -14,7 +14,8 @@
 
 #include "geom/vec.h"
 
-#define POSE_SCAPULA_IN 0.5 /* shift of a shoulder joint inwards over its shift upwards; chosen */
+/* shift of a shoulder joint inwards over its shift upwards; chosen: more narrows raised shoulders */
+#define POSE_SCAPULA_IN 0.5
 
 _Static_assert(MUS__FLEXION == MUS_POSE_FLEXION && MUS__ABDUCTION == MUS_POSE_ABDUCTION, "one order of the angles");
 

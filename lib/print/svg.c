@@ -14,7 +14,7 @@
 #include "file/sink.h"
 #include "print/page.h"
 
-#define SVG_GAP 0.005 /* [m] between the sheet and the test squares below it; chosen */
+#define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 
 static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notches", "grain", "marks", "label"};
 

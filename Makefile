@@ -10,9 +10,8 @@
 #   make NAME       a study of the table below (NAME: corpus, wear ...); CONTRIBUTING.md says what each one measures
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
-# config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
-# OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
-# CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
+# config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
+# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
 PREFIX ?= /usr/local
@@ -30,11 +29,10 @@ ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 # ---- flags ----
 OPTIMISE_release = -O2 -g
 OPTIMISE_debug = -O0 -g -DMUS_DEBUG
-OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined $(LINK_sanitize)
-OPTIMISE_coverage = -O0 -g $(LINK_coverage)
-LINK_sanitize = -fsanitize=address,undefined
-LINK_coverage = --coverage
-$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize or coverage))
+OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined -fsanitize=address,undefined
+OPTIMISE_tsan = -O0 -g -fsanitize=thread
+OPTIMISE_coverage = -O0 -g --coverage
+$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize, tsan or coverage))
 # for the loops that a drape spends its time in: -O3 vectorises them, and a square root without errno is one
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
@@ -45,7 +43,7 @@ WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstr
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
 COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
-LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LINK_$(config)) $(LDFLAGS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LDFLAGS)
 
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
@@ -201,18 +199,19 @@ RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.d
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
-# QUICK=1: small scenes, into build/report; the full run writes its page into the repository
 RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
-$(foreach s,check-omit check-large,$(eval NEEDS_$(s) = tests))
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
+$(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
+NEEDS_check-threads = $(call library,muslin).a
+RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 NEEDS_check-glb = run-dress

@@ -178,6 +178,7 @@ enum {
     MUS_EASE_COUNT = 3,
     MUS_BEND_PLATE = 0,
     MUS_BEND_PAPER = 1,
+    MUS_CLOTH_NODES = 1048576,
     MUS_METHOD_RK4 = 0,
     MUS_METHOD_VERLET = 1,
     MUS_METHOD_EULER = 2,
@@ -468,6 +469,7 @@ struct mus_cloth_def {
     int32_t bending;
     double paper_curvature;
     int32_t coarser;
+    int32_t nodes_most;
 };
 
 struct mus_bare {
@@ -614,6 +616,7 @@ struct mus_dress_def {
     mus_progress_fn progress;
     void *progress_user;
     double progress_seconds;
+    int32_t nodes_most;
 };
 
 struct mus_dress_report {

@@ -47,6 +47,7 @@ static mus_status put_on(dress *d)
     mus_dress_def def;
     mus_dress_def_init(&def, sizeof def);
     def.spacing = 0.001 * d->spacing_mm;
+    def.nodes_most = (int32_t)d->nodes;
     def.fabric = &d->fabric;
     def.self_contact = d->self_contact || d->over.count > 0;
     def.precision = (int32_t)d->precision;
@@ -180,6 +181,7 @@ void dress_init(dress *d)
 {
     memset(d, 0, sizeof *d);
     d->spacing_mm = 10.0;
+    d->nodes = MUS_CLOTH_NODES;
     d->threads = 1.0;
     d->precision = 32.0;
     d->friction = NAN;
@@ -202,6 +204,7 @@ int32_t dress_options(dress *d, option *table)
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  spacing of the nodes, default 10"},
+        {"--nodes", OPTION_WHOLE, &d->nodes, 1, 1 << 24, "N  most nodes of the cloth, default 1048576"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10,
          "MU  friction coefficient on skin, default: that of the fabric"},
         {"--place", OPTION_TEXT, &d->place, 0, 0,

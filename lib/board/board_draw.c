@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "board/board_curve.h"
 #include "geom/vec.h"
 
@@ -26,6 +27,10 @@ static bool board_name(mus__board *board, const char *name, char *out)
     const size_t n = name != NULL ? strlen(name) : 0;
     if (n >= MUS__NAME_BYTES) {
         mus__board_fail(board, MUS_ERR_ARG, "the name %.40s... is longer than %d bytes", name, MUS__NAME_BYTES - 1);
+        return false;
+    }
+    if (n > 0 && mus__utf8_span(name) < n) {
+        mus__board_fail(board, MUS_ERR_ARG, "a name is not UTF-8 at byte %zu", mus__utf8_span(name));
         return false;
     }
     memset(out, 0, MUS__NAME_BYTES);
@@ -152,13 +157,11 @@ int32_t mus__board_mark_add(mus__board *board, int32_t panel, const char *name, 
 {
     mus__board_mark mark = {.panel = panel, .n = n};
     if (!mus__board_has_panel(board, panel) || !board_name(board, name, mark.name)) return MUS_NONE;
-    bool fit = n > 0;
-    for (int32_t i = 0; i < n; i++) fit = fit && mus__pattern_near(xy[2 * i], xy[2 * i + 1]);
-    if (!fit) {
-        mus__board_fail(board, MUS_ERR_ARG, "mark %s: %d points, it needs 1 or more within %g m", mark.name, (int)n,
-                        MUS__FARTHEST);
-        return MUS_NONE;
-    }
+    if (n < 1)
+        mus__board_fail(board, MUS_ERR_ARG, "mark %s: %d points, it needs 1 or more", mark.name, (int)n);
+    else
+        board->status = mus__check_near(board->context, n, 2, xy, "mark %s: point", mark.name);
+    if (board->status != MUS_OK) return MUS_NONE;
     if (!board_room(board, &board->mark, &board->mark_room, board->nmark, sizeof mark)) return MUS_NONE;
     mark.xy = mus__new(board->context, 2 * (int64_t)n, sizeof *xy);
     if (mark.xy == NULL) {

@@ -99,7 +99,7 @@ static void edit_true(mus__board *board, int32_t side, bool end, double wanted)
         if (fabs(miss) <= TRUE_ENOUGH) break;
         d += miss;
         for (int k = 0; k < 2; k++) at[k] = from[k] + sign * d * along[k];
-        if (!mus__pattern_near(at[0], at[1])) break;
+        if (!mus__near(2, at)) break;
         mus__board_part_move_end(board, side, end, at);
     }
     if (board->status == MUS_OK && !(fabs(wanted - board->side[side].length) <= 1e3 * TRUE_ENOUGH))

@@ -102,6 +102,25 @@ mus_status mus__input_check(mus_context *context, const mus__input *input, const
 }
 
 
+mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
+{
+    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
+    locale->own = (void *)own;
+    locale->before = (void *)uselocale(own);
+    return MUS_OK;
+}
+
+
+void mus__locale_leave(mus__locale *locale)
+{
+    if (locale->own == NULL) return;
+    uselocale((locale_t)locale->before);
+    freelocale((locale_t)locale->own);
+    locale->own = NULL;
+}
+
+
 mus_status mus__source_open(mus_context *context, const mus__input *input, mus__source *out)
 {
     memset(out, 0, sizeof *out);
@@ -109,8 +128,9 @@ mus_status mus__source_open(mus_context *context, const mus__input *input, mus__
     out->context = context;
     out->path = input->path;
     out->name = length > FILE_NAME_BYTES ? input->path + length - FILE_NAME_BYTES : input->path;
-    const mus_status status =
-        input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
+    mus_status status = mus__locale_enter(context, &out->locale);
+    if (status == MUS_OK)
+        status = input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
     if (status != MUS_OK) {
         mus__source_close(out);
         return status;
@@ -130,6 +150,7 @@ void mus__source_close(mus__source *source)
     mus_context_alloc(source->context, source->text, 0);
     source->text = NULL;
     source->size = 0;
+    mus__locale_leave(&source->locale);
 }
 
 
@@ -187,23 +208,6 @@ mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source
     return mus__source_fail(source, 0, MUS_ERR_FORMAT, "no measure that muslin knows was found%s%s%s",
                             unused->count > 0 ? "; there are " : "", unused->names,
                             unused->listed < unused->count ? " and more" : "");
-}
-
-
-mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
-{
-    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
-    locale->own = (void *)own;
-    locale->before = (void *)uselocale(own);
-    return MUS_OK;
-}
-
-
-void mus__locale_leave(mus__locale *locale)
-{
-    uselocale((locale_t)locale->before);
-    freelocale((locale_t)locale->own);
 }
 
 

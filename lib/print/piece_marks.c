@@ -9,14 +9,16 @@
 
 #include "print/piece.h"
 
-#define SLIT_DEPTH 0.005   /* [m] deepest slit; chosen */
+#define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */
 #define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
 #define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
-#define SLIT_APART 0.004   /* [m] between the slits of one notch; chosen */
-#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen */
-#define ARROW 0.006        /* [m] length of an arrow head; chosen */
-#define CAPTION 0.0025     /* [m] height of capitals in the name of a mark; chosen */
-#define CAPTION_CLEAR 0.004 /* [m] from the mark to the base line of its name; chosen */
+#define SLIT_APART 0.004   /* [m] distance of the slits of one notch; chosen: they can be told apart by eye */
+#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen: with more the line is a little longer */
+#define ARROW 0.006        /* [m] length of an arrow head; chosen: visible at arm's length */
+/* [m] height of capitals in the name of a mark; chosen: the smallest that is read at arm's length */
+#define CAPTION 0.0025
+/* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
+#define CAPTION_CLEAR 0.004
 
 
 static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)

@@ -62,7 +62,7 @@ static double plan_width(const mus__half *half, double cap, bool flat)
 }
 
 
-/* length of the sleeve from the crown as part of the arm length; chosen */
+/* length of each sleeve word from the crown, as part of the arm's length; chosen */
 static double plan_part(int32_t sleeve)
 {
     switch (sleeve) {

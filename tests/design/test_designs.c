@@ -163,6 +163,38 @@ static void check_sleeves(const mus_pattern *pattern, const char *name)
 }
 
 
+/* the notch `s` [m] from the end of an edge, of a kind: how many there are */
+static int count_notches(const mus_pattern *pattern, int32_t edge, double s, int32_t kind)
+{
+    int n = 0;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t own, own_kind;
+        double at;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &own, &at, &own_kind), MUS_OK);
+        const double length = mus_pattern_edge_length(pattern, edge);
+        n += own == edge && own_kind == kind && fabs(length - at - s) < 1e-6;
+    }
+    return n;
+}
+
+
+/* a panel that is the mirror image of another is printed with it, so it has the mirror image of each of its notches */
+static void check_mirrored(const mus_pattern *pattern, const char *name)
+{
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t edge, kind, copies, mirror;
+        double s;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &edge, &s, &kind), MUS_OK);
+        ck_assert_int_eq(mus_pattern_cut(pattern, mus_pattern_edge_panel(pattern, edge), &copies, &mirror), MUS_OK);
+        if (mirror == MUS_NONE) continue;
+        const char *own = mus_pattern_edge_name(pattern, edge);
+        const int32_t twin = mus_pattern_find_edge(pattern, mirror, own);
+        ck_assert_int_ne(twin, MUS_NONE);
+        ck_assert_msg(count_notches(pattern, twin, s, kind) == 1, "%s: a notch of %s", name, own);
+    }
+}
+
+
 /* each design on the middle size of its first group: no two have the same canonical form, areas and openings; notches
  * meet */
 START_TEST(no_two_designs_are_the_same_garment)
@@ -178,6 +210,7 @@ START_TEST(no_two_designs_are_the_same_garment)
         ck_assert_msg(one.status == MUS_OK, "%s: %s", mus_design_name(d), one.text);
         ck_assert_msg(one.notches == 0, "%s: %d seams whose notches do not meet", mus_design_name(d), one.notches);
         check_sleeves(pattern, mus_design_name(d));
+        check_mirrored(pattern, mus_design_name(d));
         shapes[d] = shape_of(pattern);
         panels[d] = one.panels;
         for (int32_t k = 0; k < d; k++)

@@ -11,8 +11,7 @@
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
 # config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
-# OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
-# CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
+# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
 PREFIX ?= /usr/local
@@ -152,12 +151,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside designs catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(BIN)/people $(BIN)/slips $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside designs catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -173,7 +172,7 @@ ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
 # what apt must have beside the packages of a build
-same check check-omit check-large people slips designs catalogue-bench: APT_GROUP = test
+same check check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -196,6 +195,7 @@ RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/galler
   --strip examples/gallery/strip.png
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
+RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
@@ -209,6 +209,7 @@ CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern 
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
 $(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 NEEDS_check-threads = $(call library,muslin).a

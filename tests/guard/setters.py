@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""setters.py: every number that a public header takes is tried with NaN and infinity by a test (cases X23).
+"""setters.py: every number that a public header takes is tried with NaN and infinity by a test.
 
 Takes from include/muslin/*.h the double members of structs that a caller fills, and the functions with a double or an
 array of doubles among their arguments; each must be named in tests/extreme/test_refused_*.c ("mus_x_def.member",

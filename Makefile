@@ -10,9 +10,8 @@
 #   make NAME       a study of the table below (NAME: corpus, wear ...); CONTRIBUTING.md says what each one measures
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
-# config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
-# OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
-# CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
+# config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
+# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are the user's.
 
 config ?= release
 PREFIX ?= /usr/local
@@ -22,7 +21,6 @@ PKG_CONFIG ?= pkg-config
 MUSLIN_DATA ?= ../shared/data
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 OUT ?= $(if $(filter release,$(config)),build,build/$(config))
-
 # the version stands in base.h and nowhere else
 VERSION := $(shell sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
 ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
@@ -30,23 +28,23 @@ ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 # ---- flags ----
 OPTIMISE_release = -O2 -g
 OPTIMISE_debug = -O0 -g -DMUS_DEBUG
-OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined $(LINK_sanitize)
-OPTIMISE_coverage = -O0 -g $(LINK_coverage)
-LINK_sanitize = -fsanitize=address,undefined
-LINK_coverage = --coverage
-$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize or coverage))
+OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined -fsanitize=address,undefined
+OPTIMISE_tsan = -O0 -g -fsanitize=thread
+OPTIMISE_coverage = -O0 -g --coverage
+$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize, tsan or coverage))
 # for the loops that a drape spends its time in: -O3 vectorises them, and a square root without errno is one
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
 KERNEL =
+FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
 SAME_BITS = -ffp-contract=off # no fused multiply-add: the same bits from every compiler
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
-COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
-LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LINK_$(config)) $(LDFLAGS)
-
+COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) -Wl,-z,relro,-z,now $(CFLAGS) $(LDFLAGS)
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
@@ -104,7 +102,6 @@ tests: $(BIN)/tests $(EXAMPLES)
 examples: $(EXAMPLES)
 
 # ---- compile ----
-# one sentence instead of a missing header
 $(NEED): need-%:
 	@for p in $(PKG_$*); do $(PKG_CONFIG) --exists $$p || { echo "muslin: $$p is not installed; \`make packages\` \
 	installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
@@ -118,6 +115,7 @@ $(eval $(call needs_packages,examples,-Iexamples))
 $(eval $(call needs_packages,tests,-Itests -Iexamples -I$(OUT)))
 $(call objects,$(SRC_tests)): WARN := $(TEST_WARN)
 $(call objects,$(KERNELS)): KERNEL = $(KERNEL_$(config))
+$(call objects,$(KERNELS)): HARDEN_release =
 $(call objects,tests/main.c): $(OUT)/suites.h
 
 $(OUT)/obj/%.o: %.c
@@ -152,12 +150,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside designs catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(BIN)/people $(BIN)/slips $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside designs catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -173,7 +171,7 @@ ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
 # what apt must have beside the packages of a build
-same check check-omit check-large people slips designs catalogue-bench: APT_GROUP = test
+same check check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -197,23 +195,25 @@ RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/galler
   --strip examples/gallery/strip.png
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
+RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
-# QUICK=1: small scenes, into build/report; the full run writes its page into the repository
 RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
-NEEDS_check-omit = tests
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
-NEEDS_check-large = tests
+RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
+$(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
+NEEDS_check-threads = $(call library,muslin).a
+RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 NEEDS_check-glb = run-dress

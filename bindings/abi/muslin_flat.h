@@ -180,6 +180,7 @@ enum {
     MUS_EASE_COUNT = 3,
     MUS_BEND_PLATE = 0,
     MUS_BEND_PAPER = 1,
+    MUS_CLOTH_NODES = 1048576,
     MUS_METHOD_RK4 = 0,
     MUS_METHOD_VERLET = 1,
     MUS_METHOD_EULER = 2,
@@ -470,6 +471,7 @@ struct mus_cloth_def {
     int32_t bending;
     double paper_curvature;
     int32_t coarser;
+    int32_t nodes_most;
 };
 
 struct mus_bare {
@@ -616,6 +618,7 @@ struct mus_dress_def {
     mus_progress_fn progress;
     void *progress_user;
     double progress_seconds;
+    int32_t nodes_most;
 };
 
 struct mus_dress_report {
@@ -910,6 +913,7 @@ mus_status mus_pattern_merge_edges(mus_pattern *pattern, int32_t edge, int32_t *
 void mus_seam_walk_init(mus_seam_walk *walk, size_t size);
 mus_status mus_pattern_walk_seam(const mus_pattern *pattern, int32_t seam, mus_seam_walk *out);
 mus_status mus_pattern_true_seam(mus_pattern *pattern, int32_t seam, int32_t edge, int32_t at_end);
+mus_status mus_pattern_notch_seam(mus_pattern *pattern, int32_t edge, double s, int32_t kind);
 int32_t mus_design_count(void);
 const char *mus_design_name(int32_t design);
 const char *mus_design_family(int32_t design);

@@ -47,6 +47,7 @@ static mus_status put_on(dress *d)
     mus_dress_def def;
     mus_dress_def_init(&def, sizeof def);
     def.spacing = 0.001 * d->spacing_mm;
+    def.nodes_most = (int32_t)d->nodes;
     def.fabric = &d->fabric;
     def.self_contact = d->self_contact || d->over.count > 0;
     def.precision = (int32_t)d->precision;
@@ -145,7 +146,7 @@ static int write_shapes(dress *d)
     if (code == EXIT_DONE && d->glb != NULL && !d->led) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
     if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
         status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
-    if (status != MUS_OK) code = scene_fail(&d->s, status);
+    if (status != MUS_OK) code = scene_fail_output(&d->s, status);
     const double start = seconds();
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
     d->render_seconds = seconds() - start;
@@ -180,6 +181,7 @@ void dress_init(dress *d)
 {
     memset(d, 0, sizeof *d);
     d->spacing_mm = 10.0;
+    d->nodes = MUS_CLOTH_NODES;
     d->threads = 1.0;
     d->precision = 32.0;
     d->friction = NAN;
@@ -202,6 +204,7 @@ int32_t dress_options(dress *d, option *table)
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  spacing of the nodes, default 10"},
+        {"--nodes", OPTION_WHOLE, &d->nodes, 1, 1 << 24, "N  most nodes of the cloth, default 1048576"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10,
          "MU  friction coefficient on skin, default: that of the fabric"},
         {"--place", OPTION_TEXT, &d->place, 0, 0,
@@ -301,10 +304,10 @@ static int write_report(const dress *d)
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
-        printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, %.1f s\n",
-               mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
-               1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
-               d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
+        print_line("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, %.1f s",
+                   mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
+                   1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
+                   d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
     return code;
 }
 

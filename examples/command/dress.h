@@ -15,7 +15,7 @@ typedef struct dress {
     mus_fabric fabric;
     const char *fabric_name, *place, *map, *png, *glb, *obj, *report;
     const char *batch; /* for the help only: batch.c reads this option */
-    double spacing_mm, threads, precision, friction;
+    double spacing_mm, nodes, threads, precision, friction;
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;

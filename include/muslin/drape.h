@@ -96,8 +96,8 @@ MUS_API mus_status mus_drape_place(mus_drape *drape);
  */
 MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
 
-/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite;
- * with precision 32 more than 10 km from the middle of the cloth as placed). */
+/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite, a
+ * position beyond 1e7 m; with precision 32 more than 10 km from the middle of the cloth as placed). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
 /** Fix a node at its place (fixed nonzero), or free it. Errors: MUS_ERR_ARG. */

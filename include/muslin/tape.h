@@ -109,7 +109,7 @@ MUS_API mus_status mus_tape_set_sex(mus_tape *tape, int32_t sex);
 /** Sex of the person: MUS_SEX_*; MUS_SEX_UNSET for NULL. */
 MUS_API int32_t mus_tape_sex(const mus_tape *tape);
 
-/** Give a tape a name for reports and labels ("Ada", "W40"), at most 63 bytes; it is copied. Errors: MUS_ERR_ARG. */
+/** Give a tape a name for reports and labels ("Ada", "W40"), at most 63 bytes of UTF-8; copied. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_tape_set_name(mus_tape *tape, const char *name);
 
 /** Name of a tape; "" without a name. Borrowed until the name is set again or the tape destroyed. */

@@ -95,11 +95,34 @@ void mus__chain_arc(mus__chain *chain, const double *start, const double *middle
 
 void mus__chain_append(mus__chain *chain, const mus__chain *next)
 {
+    if (chain->npiece == 0) {
+        *chain = *next;
+        return;
+    }
     MUS_ASSERT(chain->npiece + next->npiece <= MUS__CHAIN_PIECES);
     memcpy(chain->kinds + chain->npiece, next->kinds, (size_t)next->npiece * sizeof *next->kinds);
     memcpy(chain->xy + 2 * chain->nxy, next->xy + 2, 2 * (size_t)(next->nxy - 1) * sizeof *next->xy);
     chain->npiece += next->npiece;
     chain->nxy += next->nxy - 1;
+}
+
+
+void mus__chain_add_line(mus__chain *chain, const double *start, const double *end)
+{
+    mus__chain line;
+    mus__chain_line(&line, start, end);
+    mus__chain_append(chain, &line);
+}
+
+
+void mus__chain_add_cubic(mus__chain *chain, const double *start, double ax, double ay, double bx, double by,
+                          const double *end)
+{
+    double cubic[8];
+    mus__chain piece;
+    mus__cubic_set(cubic, start, ax, ay, bx, by, end);
+    mus__chain_cubic(&piece, cubic);
+    mus__chain_append(chain, &piece);
 }
 
 
@@ -173,8 +196,7 @@ void mus__chain_cut(const mus__chain *chain, double s, mus__chain *out)
         if (s < length) mus__curve_split(kind, p, mus__curve_param(kind, p, s), left, right);
         mus__chain piece = {.npiece = 1, .kinds = {kind}, .nxy = points};
         memcpy(piece.xy, left, 2 * (size_t)points * sizeof *left);
-        if (i == 0) result = piece;
-        else mus__chain_append(&result, &piece);
+        mus__chain_append(&result, &piece);
         if (s <= length) break;
         s -= length;
         p += 2 * (points - 1);

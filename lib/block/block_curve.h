@@ -30,8 +30,13 @@ typedef struct mus__chain {
 void mus__chain_line(mus__chain *chain, const double *start, const double *end);
 void mus__chain_cubic(mus__chain *chain, const double *cubic);
 void mus__chain_arc(mus__chain *chain, const double *start, const double *middle, const double *end);
-/* Appends `next`, which starts at the end of `chain`. */
+/* Appends `next`, which starts at the end of `chain`; an empty chain (npiece 0) becomes `next`. */
 void mus__chain_append(mus__chain *chain, const mus__chain *next);
+/* Appends a line. */
+void mus__chain_add_line(mus__chain *chain, const double *start, const double *end);
+/* Appends a cubic with handles (ax, ay) and (bx, by). */
+void mus__chain_add_cubic(mus__chain *chain, const double *start, double ax, double ay, double bx, double by,
+                          const double *end);
 void mus__chain_reverse(mus__chain *chain);
 /* Mirrors in x = 0 and reverses: the edge of the other half, counter-clockwise again. */
 void mus__chain_mirror(mus__chain *chain);

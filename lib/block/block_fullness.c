@@ -275,13 +275,10 @@ void mus__sleeve_gigot(const mus__sleeve *block, double front, double back, doub
     cut_crown(out, top);
     out->width = block->width + spread;
 
-    mus__chain upper;
     mus__chain_line(&out->under_back, cut_end(&out->hem), side[1]);
-    mus__chain_line(&upper, side[1], out->cap[MUS__CAP_BACK_LOW].xy);
-    mus__chain_append(&out->under_back, &upper);
+    mus__chain_add_line(&out->under_back, side[1], out->cap[MUS__CAP_BACK_LOW].xy);
     mus__chain_line(&out->under_front, cut_end(&out->cap[MUS__CAP_FRONT_LOW]), side[0]);
-    mus__chain_line(&upper, side[0], out->hem.xy);
-    mus__chain_append(&out->under_front, &upper);
+    mus__chain_add_line(&out->under_front, side[0], out->hem.xy);
 }
 
 

@@ -4,9 +4,10 @@
  * The room, in the order of use:
  *   board.c              the table and its records
  *   board_curve.c        the line of a side: a chain of lines, arcs and Beziers
- *   board_draw.c         drawing panels side by side, notches, marks
+ *   board_draw.c         drawing panels side by side, marks
  *   board_read_write.c   a pattern onto the table, and a new pattern from it
  *   board_seam.c         seams; sides split and merged
+ *   board_notch.c        notches, on one side and on all sides of a seam
  *   board_cut.c          panels cut apart, joined, mirrored
  *   board_mirror.c       half garment to whole garment
  *   board_rigid_part.c   parts of a panel that move as rigid pieces

@@ -57,12 +57,8 @@ void mus__board_chain_make(mus__board *board, int32_t npiece, const int32_t *kin
                         (long long)need);
         return;
     }
-    for (int32_t i = 0; i < nxy; i++) {
-        if (mus__pattern_near(xy[2 * i], xy[2 * i + 1])) continue;
-        mus__board_fail(board, MUS_ERR_ARG, "side: point %d (%g, %g) is not within %g m", (int)i, xy[2 * i],
-                        xy[2 * i + 1], MUS__FARTHEST);
-        return;
-    }
+    board->status = mus__check_near(board->context, nxy, 2, xy, "side: point");
+    if (board->status != MUS_OK) return;
     if (!chain_room(board, npiece, nxy, out)) return;
     memcpy(out->xy, xy, 2 * (size_t)nxy * sizeof *xy);
     memcpy(out->kinds, kinds, (size_t)npiece * sizeof *kinds);

@@ -206,11 +206,10 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
                         board->panel[panel].name, width, s, own->length);
         return MUS_NONE;
     }
-    if (!mus__pattern_near(point[0], point[1])) {
-        mus__board_fail(board, MUS_ERR_ARG, "dart on side %s of panel %s: its point (%g, %g) is not within %g m",
-                        own->name, board->panel[panel].name, point[0], point[1], MUS__FARTHEST);
-        return MUS_NONE;
-    }
+    if (board->status == MUS_OK)
+        board->status = mus__check_near(board->context, 1, 2, point, "dart on side %s of panel %s: its point",
+                                        own->name, board->panel[panel].name);
+    if (board->status != MUS_OK) return MUS_NONE;
     double a[2], b[2];
     mus__board_at(board, side, s - 0.5 * width, a, NULL);
     mus__board_at(board, side, s + 0.5 * width, b, NULL);
@@ -250,7 +249,7 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
         return;
     }
     for (int i = 0; i < 2; i++) point[i] = dart.point[i] + back / depth * to[i];
-    if (!mus__pattern_near(point[0], point[1])) {
+    if (!mus__near(2, point)) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m off its point is no place on the table",
                         board->side[leg].name, board->panel[dart.panel].name, back);
         return;

@@ -24,7 +24,7 @@
 
 #define PATCH_LIFT 0.006 /* [m] distance of a patch from its panel; chosen: above the thickness of any cloth */
 #define PATCH_CLEAR 0.002 /* [m] least distance of a line from the outline; chosen: no seam is sewn nearer to another */
-#define PATCH_MOST 256   /* most points of a line; chosen */
+#define PATCH_MOST 256   /* most points of a patch's line; chosen: bounds an array on the stack */
 
 
 /* does segment p q meet segment a b? They share no end */

@@ -10,7 +10,6 @@
 
 #include "board/board_seam.h"
 
-#define SEW_SHEETS 64   /* most sides sewn to one another at one place; chosen: a pleat has 4 */
 #define SEW_LEAST 1e-6  /* [m] shortest part that a split may leave */
 #define SEW_JOINT 0.001 /* [m] joints of two runs within this are one; chosen: below any seam that is sewn */
 #define SEW_TOLERANCE 0.0005 /* [m] as the default of mus_seam_def */
@@ -52,18 +51,10 @@ void mus__board_seam_drop(mus__board *board, int32_t side)
 }
 
 
-/* ---- splitting ---- */
-
-/* one of the sides that meet at the place of a split */
-typedef struct sew_place {
-    int32_t side, made; /* the new side */
-    int32_t from, seam; /* the entry and seam that led here */
-    double t;           /* relative arc length */
-} sew_place;
-
+/* ---- places that are sewn to one another ---- */
 
 /* index of `side` in the list, or MUS_NONE */
-static int32_t sew_listed(const sew_place *place, int32_t n, int32_t side)
+static int32_t sew_listed(const mus__board_place *place, int32_t n, int32_t side)
 {
     for (int32_t i = 0; i < n; i++)
         if (place[i].side == side) return i;
@@ -71,46 +62,54 @@ static int32_t sew_listed(const sew_place *place, int32_t n, int32_t side)
 }
 
 
-/* list all sides that are sewn, through any number of seams, to place[0]. Returns their number, 0 when the board
- * fails */
-static int32_t sew_places(mus__board *board, sew_place *place)
+int32_t mus__board_sewn(mus__board *board, int32_t side, double t, mus__board_place *place)
 {
     int32_t n = 1;
+    place[0] = (mus__board_place){side, t, MUS_NONE, MUS_NONE, MUS_NONE};
     for (int32_t i = 0; i < n; i++) {
         for (int32_t k = 0; k < board->nseam; k++) {
             const mus__board_seam *seam = &board->seam[k];
             if (seam->a != place[i].side && seam->b != place[i].side) continue;
             const int32_t other = seam->a == place[i].side ? seam->b : seam->a;
-            const double t = seam->direction == MUS_SEAM_DIRECT ? place[i].t : 1.0 - place[i].t;
+            const double there = seam->direction == MUS_SEAM_DIRECT ? place[i].t : 1.0 - place[i].t;
             const int32_t known = sew_listed(place, n, other);
-            const bool against = known != MUS_NONE && fabs(place[known].t - t) > 1e-9;
-            if (against || (known == MUS_NONE && n == SEW_SHEETS)) {
+            const bool against = known != MUS_NONE && fabs(place[known].t - there) > 1e-9;
+            if (against || (known == MUS_NONE && n == MUS__SEWN_MOST)) {
                 mus__board_fail(board, against ? MUS_ERR_PATTERN : MUS_ERR_LIMIT, "side %s: %s",
                                 board->side[other].name,
                                 against ? "it is sewn to itself the other way round" : "more than 64 sheets meet");
                 return 0;
             }
-            if (known == MUS_NONE) place[n++] = (sew_place){other, MUS_NONE, i, k, t};
+            if (known == MUS_NONE) place[n++] = (mus__board_place){other, there, i, k, MUS_NONE};
         }
     }
+    return n;
+}
+
+
+/* ---- splitting ---- */
+
+/* whether each side of the list can be split at its place; the board fails when one part would be too short */
+static bool sew_splits(mus__board *board, const mus__board_place *place, int32_t n)
+{
     for (int32_t i = 0; i < n; i++) {
         const mus__board_side *side = &board->side[place[i].side];
         const double before = place[i].t * side->length, after = side->length - before;
         if (before > SEW_LEAST && after > SEW_LEAST) continue;
         mus__board_fail(board, MUS_ERR_ARG, "side %s of panel %s: split at %g m of %g m, which leaves under %g m",
                         side->name, board->panel[side->panel].name, before, side->length, SEW_LEAST);
-        return 0;
+        return false;
     }
-    return n;
+    return n > 0;
 }
 
 
 /* does a side still lie on its twin of a bridge, which is split already? */
-static bool sew_bridged(const mus__board *board, const sew_place *list, const sew_place *place)
+static bool sew_bridged(const mus__board *board, const mus__board_place *list, const mus__board_place *place)
 {
     if (place->from == MUS_NONE || !board->seam[place->seam].bridge) return false;
     const bool reversed = board->seam[place->seam].direction == MUS_SEAM_REVERSED;
-    const sew_place *from = &list[place->from];
+    const mus__board_place *from = &list[place->from];
     const double *start = mus__board_start(board, from->side), *end = mus__board_end(board, from->made);
     const double *p = mus__board_start(board, place->side), *q = mus__board_end(board, place->side);
     const double length = board->side[from->side].length + board->side[from->made].length;
@@ -125,17 +124,17 @@ static bool sew_bridged(const mus__board *board, const sew_place *list, const se
 
 
 /* the two parts of a side as chains; the other side of a bridge gets the very points of the first */
-static void sew_parts(mus__board *board, const sew_place *list, int32_t index, mus__board_chain *before,
+static void sew_parts(mus__board *board, const mus__board_place *list, int32_t index, mus__board_chain *before,
                       mus__board_chain *after)
 {
-    const sew_place *place = &list[index];
+    const mus__board_place *place = &list[index];
     const mus__board_side *side = &board->side[place->side];
     *before = *after = (mus__board_chain){0};
     if (!sew_bridged(board, list, place)) {
         mus__board_chain_split(board, &side->chain, side->length, place->t * side->length, before, after);
         return;
     }
-    const sew_place *from = &list[place->from];
+    const mus__board_place *from = &list[place->from];
     const bool reversed = board->seam[place->seam].direction == MUS_SEAM_REVERSED;
     const mus__board_chain *a = &board->side[from->side].chain, *b = &board->side[from->made].chain;
     const mus__board_chain *first = reversed ? b : a, *second = reversed ? a : b;
@@ -147,9 +146,9 @@ static void sew_parts(mus__board *board, const sew_place *list, int32_t index, m
 
 
 /* split one side of the list: it keeps its first part */
-static void sew_split_one(mus__board *board, sew_place *list, int32_t index, const char *name)
+static void sew_split_one(mus__board *board, mus__board_place *list, int32_t index, const char *name)
 {
-    sew_place *place = &list[index];
+    mus__board_place *place = &list[index];
     mus__board_chain before, after;
     sew_parts(board, list, index, &before, &after);
     if (before.xy == NULL || after.xy == NULL) {
@@ -192,7 +191,7 @@ static void sew_split_one(mus__board *board, sew_place *list, int32_t index, con
 
 
 /* the seams of the split sides, each now two */
-static void sew_split_seams(mus__board *board, const sew_place *list, int32_t n)
+static void sew_split_seams(mus__board *board, const mus__board_place *list, int32_t n)
 {
     const int32_t nseam = board->nseam;
     for (int32_t k = 0; k < nseam && board->status == MUS_OK; k++) {
@@ -228,9 +227,9 @@ int32_t mus__board_split(mus__board *board, int32_t side, double s, const char *
     if (board->side[side].next == MUS_NONE)
         mus__board_fail(board, MUS_ERR_ARG, "side %s: its panel is not closed", board->side[side].name);
     if (board->status != MUS_OK) return MUS_NONE;
-    sew_place list[SEW_SHEETS];
-    list[0] = (sew_place){side, MUS_NONE, MUS_NONE, MUS_NONE, s / board->side[side].length};
-    const int32_t n = sew_places(board, list);
+    mus__board_place list[MUS__SEWN_MOST];
+    const int32_t n = mus__board_sewn(board, side, s / board->side[side].length, list);
+    if (!sew_splits(board, list, n)) return MUS_NONE;
     for (int32_t i = 0; i < n && board->status == MUS_OK; i++) sew_split_one(board, list, i, i == 0 ? name : NULL);
     if (board->status == MUS_OK) sew_split_seams(board, list, n);
     return board->status == MUS_OK ? list[0].made : MUS_NONE;
@@ -242,7 +241,7 @@ int32_t mus__board_split(mus__board *board, int32_t side, double s, const char *
 /* sides one after the other that become one, and seams of them that do */
 typedef struct sew_merge {
     int32_t npair, nseam;
-    int32_t pair[SEW_SHEETS][2], seam[SEW_SHEETS][2];
+    int32_t pair[MUS__SEWN_MOST][2], seam[MUS__SEWN_MOST][2];
 } sew_merge;
 
 
@@ -262,7 +261,7 @@ static bool sew_pair_add(sew_merge *m, int32_t first, int32_t second)
         for (int32_t k = 0; k < 2; k++)
             if (m->pair[i][k] == first || m->pair[i][k] == second) return false;
     }
-    if (m->npair == SEW_SHEETS || first == second) return false;
+    if (m->npair == MUS__SEWN_MOST || first == second) return false;
     m->pair[m->npair][0] = first;
     m->pair[m->npair++][1] = second;
     return true;
@@ -281,7 +280,7 @@ static bool sew_pair_seam(const mus__board *board, sew_merge *m, int32_t first, 
     for (int32_t j = 0; j < board->nseam; j++) {
         const mus__board_seam *other = &board->seam[j];
         const bool joins = (other->a == second && other->b == q) || (other->b == second && other->a == q);
-        if (j == k || !joins || other->direction != seam->direction || m->nseam == SEW_SHEETS) continue;
+        if (j == k || !joins || other->direction != seam->direction || m->nseam == MUS__SEWN_MOST) continue;
         if (other->laid != seam->laid || other->closure != seam->closure || other->open != seam->open) continue;
         m->seam[m->nseam][0] = k;
         m->seam[m->nseam++][1] = j;

@@ -12,6 +12,19 @@ int32_t mus__board_seam_add(mus__board *board, int32_t a, int32_t b, int32_t dir
 void mus__board_seam_like(mus__board *board, int32_t seam, int32_t other);
 /* remove the seam of a side; the board fails when it has none */
 void mus__board_seam_drop(mus__board *board, int32_t side);
+#define MUS__SEWN_MOST 64 /* most sides sewn to one another at one place; chosen: a pleat has 4 */
+
+/* a place that is sewn to a given place, directly or through other sides */
+typedef struct mus__board_place {
+    int32_t side;
+    double t;           /* relative arc length from the start of the side */
+    int32_t from, seam; /* the entry of the list and the seam that lead here; MUS_NONE: the given place */
+    int32_t made;       /* while the sides are split: the new side; else MUS_NONE */
+} mus__board_place;
+
+/* list the places that are sewn to the place at relative arc length t of `side`, that place first; place
+ * (MUS__SEWN_MOST). Returns their number, 0 when the board fails */
+int32_t mus__board_sewn(mus__board *board, int32_t side, double t, mus__board_place *place);
 /**
  * Sew a run of sides to another run, right sides out: the start of a[0] meets the end of b[nb - 1].
  *

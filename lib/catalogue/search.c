@@ -47,22 +47,20 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 {
     sqlite3_stmt *statement = NULL;
     int64_t now = -1;
-    if (sqlite3_prepare_v2(catalogue->db, "PRAGMA data_version", -1, &statement, NULL) == SQLITE_OK &&
-        sqlite3_step(statement) == SQLITE_ROW)
-        now = sqlite3_column_int64(statement, 0);
+    mus_status status = mus__catalogue_prepare(catalogue, "PRAGMA data_version", 0, &statement);
+    if (status == MUS_OK && sqlite3_step(statement) == SQLITE_ROW) now = sqlite3_column_int64(statement, 0);
     sqlite3_finalize(statement);
+    statement = NULL;
     if (now < 0) return mus__catalogue_trouble(catalogue);
     if (now == catalogue->seen && catalogue->edits == catalogue->seen_edits) return MUS_OK;
 
     catalogue->nrow = 0;
     catalogue->npool = 0;
     catalogue->seen = -1;
-    mus_status status = MUS_OK;
-    int code =
-        sqlite3_prepare_v2(catalogue->db, "SELECT id, form, traits FROM pattern ORDER BY id", -1, &statement, NULL);
-    if (code == SQLITE_OK)
-        while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
-            status = search_row(catalogue, statement);
+    int code = SQLITE_OK;
+    status = mus__catalogue_prepare(catalogue, "SELECT id, form, traits FROM pattern ORDER BY id", 0, &statement);
+    while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
+        status = search_row(catalogue, statement);
     if (status == MUS_OK && code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
     sqlite3_finalize(statement);
     if (status == MUS_OK) catalogue->seen = now, catalogue->seen_edits = catalogue->edits;
@@ -71,12 +69,12 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 
 
 /* get the form with a number; the bytes are borrowed from `statement`, which the caller finalizes */
-static mus_status search_form(const mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
+static mus_status search_form(mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
                               const uint8_t **form, size_t *size)
 {
-    if (*statement == NULL &&
-        sqlite3_prepare_v2(catalogue->db, "SELECT form FROM form WHERE id = ?1", -1, statement, NULL) != SQLITE_OK)
-        return mus__catalogue_trouble(catalogue);
+    const mus_status status =
+        mus__catalogue_prepare(catalogue, "SELECT form FROM form WHERE id = ?1", 0, statement);
+    if (status != MUS_OK) return status;
     sqlite3_reset(*statement);
     sqlite3_bind_int64(*statement, 1, number);
     int code = sqlite3_step(*statement);
@@ -108,10 +106,11 @@ mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *patt
     if (status != MUS_OK || number == 0) return status;
 
     sqlite3_stmt *statement = NULL;
-    int code =
-        sqlite3_prepare_v2(catalogue->db, "SELECT id FROM pattern WHERE form = ?1 ORDER BY id", -1, &statement, NULL);
-    if (code == SQLITE_OK) sqlite3_bind_int64(statement, 1, number);
-    while (statement != NULL && (code = sqlite3_step(statement)) == SQLITE_ROW) {
+    int code = SQLITE_OK;
+    status = mus__catalogue_prepare(catalogue, "SELECT id FROM pattern WHERE form = ?1 ORDER BY id", 0, &statement);
+    if (status != MUS_OK) return status;
+    sqlite3_bind_int64(statement, 1, number);
+    while ((code = sqlite3_step(statement)) == SQLITE_ROW) {
         if (ids != NULL && n < capacity) ids[n] = sqlite3_column_int(statement, 0);
         n++;
     }
@@ -187,8 +186,9 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
 /* format a number with two decimals and a decimal point, in every locale */
 static const char *search_number(double value, char *out)
 {
-    long long hundredths = (long long)floor(value * 100.0 + 0.5);
-    snprintf(out, 32, "%lld.%02lld", hundredths / 100, hundredths % 100);
+    const long long hundredths = fabs(value) < 1e15 ? (long long)floor(value * 100.0 + 0.5) : 0;
+    if (fabs(value) < 1e15) snprintf(out, 32, "%lld.%02lld", hundredths / 100, hundredths % 100);
+    else snprintf(out, 32, "%.0e", value); /* of a damaged file */
     return out;
 }
 
@@ -234,11 +234,11 @@ static void search_text(const double *a, const double *b, const double *parts, c
             search_openings(b, own[1], sizeof own[1]);
         } else if (k == MUS_DISTANCE_PIECES || k == MUS_DISTANCE_SEAMS) {
             int32_t t = k == MUS_DISTANCE_PIECES ? MUS__TRAIT_PANELS : MUS__TRAIT_SEAMS;
-            snprintf(own[0], sizeof own[0], "%.0f", a[t]);
-            snprintf(own[1], sizeof own[1], "%.0f", b[t]);
+            snprintf(own[0], sizeof own[0], "%.9g", a[t]);
+            snprintf(own[1], sizeof own[1], "%.9g", b[t]);
         } else if (k == MUS_DISTANCE_SURFACE) {
-            snprintf(own[0], sizeof own[0], "%.0f, %.0f", a[MUS__TRAIT_PIECES], a[MUS__TRAIT_EULER]);
-            snprintf(own[1], sizeof own[1], "%.0f, %.0f", b[MUS__TRAIT_PIECES], b[MUS__TRAIT_EULER]);
+            snprintf(own[0], sizeof own[0], "%.9g, %.9g", a[MUS__TRAIT_PIECES], a[MUS__TRAIT_EULER]);
+            snprintf(own[1], sizeof own[1], "%.9g, %.9g", b[MUS__TRAIT_PIECES], b[MUS__TRAIT_EULER]);
         } else {
             const double *side[2] = {a, b};
             for (int32_t i = 0; i < 2; i++)

@@ -12,7 +12,8 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
-#define MUS__CLOTH_NAME 128 /* bytes: as long as names of patterns are */
+#define MUS__CLOTH_NAME 128              /* bytes: as long as names of patterns are */
+#define MUS__CLOTH_NODES_LIMIT (1 << 24) /* nodes of any cloth: the force program counts elements in 32 bits */
 
 enum {
     MUS__SPRING_WARP = 0,

@@ -36,6 +36,7 @@ typedef struct mus__mesh {
     int32_t ninner;
     double *seam_bend;     /* (panels x 4) what hinges across seams give each panel, by mus__mesh_curvature */
     mus__fabric_lattice constant;
+    int32_t nodes_most;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
 } mus__mesh;
 

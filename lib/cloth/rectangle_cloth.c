@@ -16,8 +16,6 @@
 
 #include "cloth/mesh.h"
 
-/* most nodes of a rectangle; the force program counts elements in 32 bits */
-#define GRID_MOST_NODES (1 << 24)
 /* [m] shortest and longest side of a cell; chosen: far below a thread, far above a garment. A wrong unit is refused */
 #define GRID_LEAST_CELL 1e-6
 #define GRID_MOST_CELL 10.0
@@ -202,7 +200,7 @@ static mus_status grid_check(mus_context *context, int32_t rows, int32_t columns
         if (!(cell[k] >= GRID_LEAST_CELL && cell[k] <= GRID_MOST_CELL))
             return mus__fail(context, MUS_ERR_ARG, "cloth: cell %g m along %s is outside %g to %g m", cell[k],
                              k == 0 ? "weft" : "warp", GRID_LEAST_CELL, GRID_MOST_CELL);
-    if ((int64_t)rows * columns > GRID_MOST_NODES)
+    if ((int64_t)rows * columns > MUS__CLOTH_NODES_LIMIT)
         return mus__fail(context, MUS_ERR_LIMIT, "cloth: %d x %d nodes are more than 2^24", (int)rows, (int)columns);
     return MUS_OK;
 }

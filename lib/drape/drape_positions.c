@@ -9,6 +9,19 @@
 #include "drape/weld.h"
 
 
+/* Sets the clock to 0 and the scene to its beginning, after all nodes were moved. far: whether the cloth is far from its
+ * shape at rest. */
+static void positions_begin(mus_drape *drape, int32_t far)
+{
+    drape->clock.time0 = 0.0;
+    drape->clock.count = 0;
+    drape->relax.settled = 0;
+    drape->relax.far = far;
+    drape->coarse.as_sewn = 0;
+    mus__scene_reset(drape);
+}
+
+
 mus_status mus_drape_place(mus_drape *drape)
 {
     if (drape == NULL) return MUS_ERR_ARG;
@@ -18,12 +31,7 @@ mus_status mus_drape_place(mus_drape *drape)
     mus__weld_open(drape);
     mus__drape_push(drape);
     mus__drape_publish(drape);
-    drape->clock.time0 = 0.0;
-    drape->clock.count = 0;
-    drape->relax.settled = 0;
-    drape->relax.far = 1;
-    drape->coarse.as_sewn = 0;
-    mus__scene_reset(drape);
+    positions_begin(drape, 1);
     return MUS_OK;
 }
 
@@ -66,12 +74,7 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
     mus__drape_push(drape);
     if (from->welded) mus__weld(drape);
     mus__drape_publish(drape);
-    drape->clock.time0 = 0.0;
-    drape->clock.count = 0;
-    drape->relax.settled = 0;
-    drape->relax.far = 0;
-    drape->coarse.as_sewn = 0;
-    mus__scene_reset(drape);
+    positions_begin(drape, 0);
     return MUS_OK;
 }
 
@@ -80,10 +83,14 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (positions == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: positions is NULL");
+    mus_status status = mus__check_near(drape->context, drape->n, 3, positions, "drape: node");
+    if (status != MUS_OK) return status;
     for (int64_t i = 0; i < 3 * (int64_t)drape->n; i++)
-        if (!mus__finite(positions[i]) || (velocities != NULL && !mus__finite(velocities[i])))
-            return mus__fail(drape->context, MUS_ERR_ARG, "drape: the state of node %d is not finite", (int)(i / 3));
-    const mus_status status = mus__drape_check_reach(drape, positions);
+        if (velocities != NULL && !mus__finite(velocities[i]))
+            return mus__fail(drape->context, MUS_ERR_ARG,
+                             "drape: the velocity of node %d is %g m/s, which is not finite", (int)(i / 3),
+                             velocities[i]);
+    status = mus__drape_check_reach(drape, positions);
     if (status != MUS_OK) return status;
 
     const size_t bytes = 3 * (size_t)drape->n * sizeof *drape->x;

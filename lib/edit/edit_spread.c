@@ -12,7 +12,7 @@
 #include "geom/vec.h"
 
 #define FLARE_MOST 64
-#define PLEATS_MOST 256 /* most pleats on one edge; chosen */
+#define PLEATS_MOST 256 /* most pleats on one edge; chosen: bounds the arrays on the stack */
 #define FLARE_WITHIN                                                                                                   \
     0.008 /* [m]: a hem is drawn by eye; a slash a hand's breadth from the next leaves corners of 5 mm */
 

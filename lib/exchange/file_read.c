@@ -2,7 +2,8 @@
  * file_read.c: load a file into memory; make messages with file and line; read numbers independent of the locale.
  *
  * A reader gets the text in one allocation with a zero byte behind it, so a pointer can walk it without reading past
- * the end. The allocation grows while the file is read, since a pipe has no length; the size limit holds for both.
+ * the end. Regular files alone are read. The allocation grows while the file is read, since a file of /proc tells no
+ * length.
  */
 #if !defined(_XOPEN_SOURCE)
 #define _XOPEN_SOURCE 700 /* newlocale, uselocale */
@@ -14,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "exchange/file_read.h"
 
@@ -86,6 +88,11 @@ static mus_status source_copy(mus__source *source, const char *text, size_t size
 
 static mus_status source_read(mus__source *source, const char *path)
 {
+    /* opening a pipe waits for a writer, perhaps for ever; a device may have no end */
+    struct stat info;
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+        return mus__source_fail(source, 0, MUS_ERR_FILE, "is no regular file, but a %s",
+                                S_ISDIR(info.st_mode) ? "folder" : S_ISFIFO(info.st_mode) ? "pipe" : "device");
     errno = 0;
     FILE *file = fopen(path, "rb");
     if (file == NULL) return mus__source_fail(source, 0, MUS_ERR_FILE, "cannot be opened: %s", strerror(errno));
@@ -102,6 +109,25 @@ mus_status mus__input_check(mus_context *context, const mus__input *input, const
 }
 
 
+mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
+{
+    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
+    locale->own = (void *)own;
+    locale->before = (void *)uselocale(own);
+    return MUS_OK;
+}
+
+
+void mus__locale_leave(mus__locale *locale)
+{
+    if (locale->own == NULL) return;
+    uselocale((locale_t)locale->before);
+    freelocale((locale_t)locale->own);
+    locale->own = NULL;
+}
+
+
 mus_status mus__source_open(mus_context *context, const mus__input *input, mus__source *out)
 {
     memset(out, 0, sizeof *out);
@@ -109,8 +135,9 @@ mus_status mus__source_open(mus_context *context, const mus__input *input, mus__
     out->context = context;
     out->path = input->path;
     out->name = length > FILE_NAME_BYTES ? input->path + length - FILE_NAME_BYTES : input->path;
-    const mus_status status =
-        input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
+    mus_status status = mus__locale_enter(context, &out->locale);
+    if (status == MUS_OK)
+        status = input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
     if (status != MUS_OK) {
         mus__source_close(out);
         return status;
@@ -130,6 +157,7 @@ void mus__source_close(mus__source *source)
     mus_context_alloc(source->context, source->text, 0);
     source->text = NULL;
     source->size = 0;
+    mus__locale_leave(&source->locale);
 }
 
 
@@ -187,23 +215,6 @@ mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source
     return mus__source_fail(source, 0, MUS_ERR_FORMAT, "no measure that muslin knows was found%s%s%s",
                             unused->count > 0 ? "; there are " : "", unused->names,
                             unused->listed < unused->count ? " and more" : "");
-}
-
-
-mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
-{
-    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
-    locale->own = (void *)own;
-    locale->before = (void *)uselocale(own);
-    return MUS_OK;
-}
-
-
-void mus__locale_leave(mus__locale *locale)
-{
-    uselocale((locale_t)locale->before);
-    freelocale((locale_t)locale->own);
 }
 
 

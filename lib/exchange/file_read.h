@@ -15,12 +15,23 @@
 /* [bytes] a larger file is refused; chosen: no tape, pattern or scan of a person comes near it */
 #define MUS__FILE_BYTES_MAX ((size_t)256 << 20)
 
+/* the "C" locale for this thread, from enter to leave: strtod, printf and jansson use the decimal point "." */
+typedef struct mus__locale {
+    void *own;
+    void *before;
+} mus__locale;
+
+mus_status mus__locale_enter(mus_context *context, mus__locale *locale);
+void mus__locale_leave(mus__locale *locale);
+
+/* a text in memory; while it is open, its thread is in the "C" locale */
 typedef struct mus__source {
     mus_context *context;
     const char *path; /* borrowed from the caller */
     const char *name; /* the path, or its last 200 bytes, for messages */
     char *text;       /* (size + 1), a zero byte at the end */
     size_t size;
+    mus__locale locale;
 } mus__source;
 
 /* input of a reader: the file `path`, or, with `text`, its `size` bytes, which `path` names in messages */
@@ -32,7 +43,8 @@ typedef struct mus__input {
 
 /* MUS_ERR_ARG, naming the public call `what`, when path or out is NULL */
 mus_status mus__input_check(mus_context *context, const mus__input *input, const void *out, const char *what);
-/* load a file or a text; a UTF-8 byte order mark is dropped. After a failure *out owns no memory */
+/* enter the "C" locale and load a file or a text; a UTF-8 byte order mark is dropped. After a failure *out owns no
+ * memory, and the locale is the former one. It may be closed then too */
 mus_status mus__source_open(mus_context *context, const mus__input *input, mus__source *out);
 void mus__source_close(mus__source *source);
 /* make "file:line: sentence" the context's error text; line 0 leaves out the line. Unprintable bytes become '?' */
@@ -57,16 +69,7 @@ void mus__unused_log(const mus__unused *unused, const mus__source *source);
 /* MUS_ERR_FORMAT: the file has no measure; the message lists the names that it has */
 mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source);
 
-/* ---- numbers and the locale ---- */
-
-/* the "C" locale for this thread, from enter to leave: strtod, printf and jansson use the decimal point "." */
-typedef struct mus__locale {
-    void *own;
-    void *before;
-} mus__locale;
-
-mus_status mus__locale_enter(mus_context *context, mus__locale *locale);
-void mus__locale_leave(mus__locale *locale);
+/* ---- numbers ---- */
 
 /* length of the decimal number at the start of `text` [bytes] (no hex, no inf, no nan); 0 if there is none */
 size_t mus__number_span(const char *text);
@@ -79,7 +82,5 @@ const char *mus__number_read(const char *text, double *out);
 
 /* name of the measure nearest to a misspelt name, or NULL when none is near */
 const char *mus__measure_nearest(const char *name);
-/* length of the valid UTF-8 sequence at `text` [bytes], 1..4; 0 if there is none */
-size_t mus__utf8_length(const char *text);
 
 #endif

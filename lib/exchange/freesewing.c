@@ -23,11 +23,15 @@
 #define FS_PIECES_MOST 4096 /* most segments of an outline in the file; chosen: bounds memory and time */
 #define FS_TINY 1e-9        /* [m] a shorter segment is left out; chosen: far below any drawing */
 #define FS_GAP 1e-6         /* [m] largest gap between two segments; chosen: the rounding of the file */
-#define FS_ON_FOLD 1e-5     /* [m] a point nearer to the fold line is on it; chosen */
-#define FS_ON_EDGE 1e-4     /* [m] a notch nearer to the outline is on it; chosen */
+#define FS_ON_FOLD 1e-5     /* [m] a point nearer to the fold line is on it; chosen: above the rounding of a dump */
+/* [m] a notch nearer to the outline is on it; chosen: above the rounding of a dump, below the width of a line */
+#define FS_ON_EDGE 1e-4
 #define FS_CORNER 0.96593   /* a corner turns by more than this cosine: 15 degrees. Chosen */
-#define FS_SAMPLES 48       /* points of an edge tried in each round of the search for a notch's place; chosen */
-#define FS_ROUNDS 5         /* rounds; each searches between two points of the last, 24 times finer; chosen */
+/* points of an edge tried in each round of the search for a notch; chosen: fewer could miss the nearest part of a
+ * curve */
+#define FS_SAMPLES 48
+/* rounds of the search, each 24 times finer than the last; chosen: the place is right to 1e-7 of the edge */
+#define FS_ROUNDS 5
 
 /* a segment of the outline: start, control points of a cubic, end [m], y up */
 struct fs_piece {
@@ -94,7 +98,7 @@ static mus_status fs_segment(struct fs_part *part, const mus__json_at *at)
     if (status == MUS_OK) status = fs_member_point(at, "to", piece.p + (piece.kind == MUS_PIECE_CUBIC ? 6 : 2));
     if (status != MUS_OK) return status;
     if (part->n > 0 && fs_far(fs_end(&part->piece[part->n - 1]), piece.p) > FS_GAP)
-        return mus__json_fail(at, MUS_ERR_FORMAT, "starts %.4f mm from where the outline was, expected no gap",
+        return mus__json_fail(at, MUS_ERR_FORMAT, "starts %g mm from where the outline was, expected no gap",
                               fs_far(fs_end(&part->piece[part->n - 1]), piece.p) / FS_MILLIMETRE);
     if (fs_far(piece.p, fs_end(&piece)) > FS_TINY) part->piece[part->n++] = piece;
     return MUS_OK;

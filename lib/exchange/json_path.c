@@ -11,7 +11,8 @@
 
 #include "exchange/json_path.h"
 
-#define PATH_BYTES 200     /* [bytes] of a JSON path in a message; chosen */
+/* [bytes] longest JSON path in a message; a longer one is cut; chosen: it leaves room for the sentence */
+#define PATH_BYTES 200
 #define SENTENCE_BYTES 512 /* [bytes] capacity of the context's error text */
 
 

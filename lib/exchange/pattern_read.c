@@ -42,22 +42,14 @@ static mus_status pattern_load(mus_context *context, const mus__input *input, mu
     if (context == NULL) return MUS_ERR_ARG;
     mus_status status = mus__input_check(context, input, out, what);
     if (status != MUS_OK) return status;
-    mus__locale locale;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-
     mus__source source;
     mus_pattern *pattern = NULL;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = read_pattern(&source, &pattern);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
-    if (status != MUS_OK) {
-        mus_pattern_destroy(pattern);
-        return status;
-    }
-    *out = pattern;
-    return MUS_OK;
+    if (status == MUS_OK) *out = pattern;
+    else mus_pattern_destroy(pattern);
+    return status;
 }
 
 

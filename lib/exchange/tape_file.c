@@ -70,14 +70,6 @@ static char *trim(char *text)
 }
 
 
-static bool is_utf8(const char *text)
-{
-    size_t n = 1;
-    for (; *text != '\0' && n > 0; text += n) n = mus__utf8_length(text);
-    return n > 0;
-}
-
-
 /* normalise a key: "High Bust" and "high-bust" become high_bust */
 static void plain_key(const char *text, size_t length, char *key)
 {
@@ -236,7 +228,8 @@ static mus_status read_line(struct tape_text *text, char *line)
     const mus__source *source = text->source;
     line = trim(line);
     if (*line == '\0' || *line == '#') return MUS_OK;
-    if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
+    if (line[mus__utf8_span(line)] != '\0')
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
 
     /* a number sign starts a remark, except in a name */
     char key[KEY_BYTES];
@@ -372,23 +365,15 @@ static mus_status tape_load(mus_context *context, const mus__input *input, const
         return mus__file_fail(
             context, MUS_ERR_ARG,
             form == 'c' ? "%.300s: a table needs the name of a row" : "%.300s: has no rows; only a .csv has", path);
-    mus__locale locale;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-
     mus__source source;
     mus_tape *tape = NULL;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = mus_tape_create(context, &tape);
     if (status == MUS_OK) status = read_form(&source, row, form, tape);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
-    if (status != MUS_OK) {
-        mus_tape_destroy(tape);
-        return status;
-    }
-    *out = tape;
-    return MUS_OK;
+    if (status == MUS_OK) *out = tape;
+    else mus_tape_destroy(tape);
+    return status;
 }
 
 

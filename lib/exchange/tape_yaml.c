@@ -24,8 +24,11 @@
 #include "exchange/file_read.h"
 #include "exchange/tape_readers.h"
 
-#define BODY_NECK_SIDE 0.0165 /* height of the nape above the side of the neck base, over stature; chosen */
-#define BODY_SCYE 0.9         /* depth of the armpit over the scye depth, which is measured to a lower tape; chosen */
+/* height of the nape above the side of the neck base, over the stature; chosen: sets the nape of a GarmentCode body */
+#define BODY_NECK_SIDE 0.0165
+/* depth of the armpit over the scye depth, which is measured to a lower tape; chosen: sets the armpit of a
+ * GarmentCode body */
+#define BODY_SCYE 0.9
 
 
 /* the measures of the file, by their own names */

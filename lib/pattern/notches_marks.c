@@ -51,12 +51,8 @@ mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char 
     if (n < 1 || xy == NULL)
         return mus__fail(context, MUS_ERR_ARG, "mark %s: %d points, it needs 1 or more", mark.name,
                          xy != NULL ? (int)n : 0);
-    for (int32_t i = 0; i < n; i++) {
-        const double *p = xy + 2 * (size_t)i;
-        if (!mus__pattern_near(p[0], p[1]))
-            return mus__fail(context, MUS_ERR_ARG, "mark %s: point %d (%g, %g) is not within %g m", mark.name, (int)i,
-                             p[0], p[1], MUS__FARTHEST);
-    }
+    status = mus__check_near(context, n, 2, xy, "mark %s: point", mark.name);
+    if (status != MUS_OK) return status;
 
     mark.xy = mus__new(context, 2 * (int64_t)n, sizeof *xy);
     if (mark.xy == NULL) return mus__fail_memory(context, "a mark");

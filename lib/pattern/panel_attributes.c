@@ -185,8 +185,10 @@ void mus_placement_init(mus_placement *placement, size_t size)
 /* is every number finite, and R^T R = 1 with det R = +1? */
 static mus_status placement_check(mus_context *context, const char *name, const mus_placement *p)
 {
-    bool finite = mus__finite(p->bend) && mus__finite(p->bend_x) && mus__finite(p->fold);
-    for (int32_t i = 0; i < 3; i++) finite = finite && mus__finite(p->origin[i]);
+    mus_status status = mus__check_near(context, 1, 3, p->origin, "placement of panel %s: origin", name);
+    if (status == MUS_OK) status = mus__check_near(context, 1, 1, &p->bend_x, "placement of panel %s: bend_x", name);
+    if (status != MUS_OK) return status;
+    bool finite = mus__finite(p->bend) && mus__finite(p->fold);
     for (int32_t i = 0; i < 9; i++) finite = finite && mus__finite(p->rotation[i]);
     if (!finite) return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a number is not finite", name);
     if (p->bend != 0.0 && fabs(p->bend) < SMALLEST_BEND)

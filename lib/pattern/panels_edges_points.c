@@ -48,11 +48,9 @@ mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, 
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    if (!mus__pattern_near(x, y))
-        return mus__fail(pattern->context, MUS_ERR_ARG, "point of panel %s: (%g, %g) is not within %g m",
-                         pattern->panel[panel].name, x, y, MUS__FARTHEST);
-
     mus__point point = {{x, y}, panel};
+    status = mus__check_near(pattern->context, 1, 2, point.xy, "point of panel %s", pattern->panel[panel].name);
+    if (status != MUS_OK) return status;
     status = mus__reserve(pattern->context, &pattern->point, &pattern->point_room, (int64_t)pattern->npoint + 1,
                           sizeof point);
     if (status != MUS_OK) return status;
@@ -111,13 +109,7 @@ static mus_status cell_chain_check(const mus_pattern *pattern, const char *name,
                          xy != NULL ? (int)nxy : 0, (int)npiece, (long long)need);
     if (need > INT32_MAX / 4)
         return mus__fail(context, MUS_ERR_LIMIT, "edge %s: %lld points are above the limit", name, (long long)need);
-    for (int32_t i = 0; i < nxy; i++) {
-        double x = xy[2 * (size_t)i], y = xy[2 * (size_t)i + 1];
-        if (!mus__pattern_near(x, y))
-            return mus__fail(context, MUS_ERR_ARG, "edge %s: point %d (%g, %g) is not within %g m", name, (int)i, x, y,
-                             MUS__FARTHEST);
-    }
-    return MUS_OK;
+    return mus__check_near(context, nxy, 2, xy, "edge %s: point", name);
 }
 
 

@@ -16,8 +16,6 @@
 #include "muslin/pattern.h"
 
 #define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
-/* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
-#define MUS__FARTHEST 1e6
 
 /* what is said of a panel, here and on the cutting table (lib/board): copied as one */
 typedef struct mus__panel_attributes {

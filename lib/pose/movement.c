@@ -12,7 +12,7 @@
 #include "pose/pose_table.h"
 
 #define MOVE_NUMBERS (3 + 3 * MUS_JOINT_COUNT) /* place, then angles */
-#define MOVE_KEYS_MOST 10000                   /* most keys: bounds the memory; chosen */
+#define MOVE_KEYS_MOST 10000                   /* most keys of a movement; chosen: bounds the memory */
 
 struct mus_move {
     mus_context *context;

@@ -13,7 +13,8 @@
 
 #include "print/piece.h"
 
-#define CHORD_TOLERANCE 1e-5                 /* [m] largest distance of a chord from its cubic; chosen */
+/* [m] largest distance of a chord from its cubic; chosen: far below the width of a line */
+#define CHORD_TOLERANCE 1e-5
 #define ARC_STEP (MUS__PRINT_PI / 8.0) /* [rad] longest arc of one cubic; error 2/27 (step/4)^6 of the radius */
 #define CHORDS_MAX 4096                      /* most chords of one cubic; chosen: bounds the memory */
 

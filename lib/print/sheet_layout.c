@@ -14,9 +14,11 @@
 
 #include "print/page.h"
 
-#define PIECE_GAP 0.006      /* [m] between the boxes of two cut lines; chosen */
-#define SHEET_BORDER 0.003   /* [m] between cut line and edge of the printed window; chosen */
-#define MORE_COLUMNS 10      /* widths of the sheet tried beyond the least, in columns; chosen */
+#define PIECE_GAP 0.006      /* [m] distance of the boxes of two cut lines; chosen: scissors pass between two pieces */
+/* [m] distance of cut lines from the edge of the printed window; chosen: a nearer line may be clipped */
+#define SHEET_BORDER 0.003
+/* widths of the sheet tried beyond the least, in columns; chosen: more seldom save a page */
+#define MORE_COLUMNS 10
 #define TILES_MAX 10000      /* most tiles of a sheet; chosen: a square of about 25 m on A4 */
 
 /* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left */

@@ -17,7 +17,7 @@
 
 #define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
 #define BASE 4        /* y of the base line on the grid */
-#define SPACING 3     /* units between two letters; chosen */
+#define SPACING 3     /* units between two letters; chosen: three tenths of the height of capitals */
 #define KAPPA 0.55228474983079340 /* handle of the cubic of a quarter circle over the radius: 4/3 (sqrt 2 - 1) */
 
 static const char *const glyphs[95] = {

@@ -21,10 +21,14 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define FIND_STEP 0.004   /* [m] step along an arm, for a stature of 1.7 m; chosen */
-#define FIND_TALL 2.6     /* a horizontal arm ends where its section is so many times as high as its lowest one; chosen
-                             */
-#define FIND_SPREAD 0.075 /* most distance of an arm's skin from its axis, in parts of the stature; chosen */
+/* [m] step along an arm, for a stature of 1.7 m; chosen: the armpit is found to within half of it */
+#define FIND_STEP 0.004
+/* a horizontal arm ends where its section is this many times as high as its lowest one; chosen: a smaller value cuts
+ * off the upper arm, a larger one takes in the chest */
+#define FIND_TALL 2.6
+/* largest distance of an arm's skin from its axis, in parts of the stature (13 cm); chosen: a larger section is not
+ * of an arm */
+#define FIND_SPREAD 0.075
 
 
 /* whether two loops are side by side; thighs that touch may overlap by less than 0.3 of the narrower one */

@@ -13,15 +13,15 @@
 #include "geom/vec.h"
 #include "style/bodice.h"
 
-/* [m] extra length of the body of a jumpsuit, which ties crotch and shoulder, for bending and sitting; chosen */
+/* [m] extra length of the bodice of a jumpsuit, which ties crotch and shoulder; chosen: room for bending and sitting */
 #define TORSO_BLOUSE (2.5 * MUS__CM)
 
 
 /* ---- blocks ---- */
 
-/* adapts the shoulder: its seam ends at the shoulder point, where the arm turns down, but is at most 0.15 shorter than
- * measured. A loose top, or one without sleeves, has a shoulder line 0.08 rad (4.6 degrees) flatter than the tape's,
- * since the arms are drawn away from the body; chosen */
+/* Adapts the shoulder in `measures`: its seam ends at the shoulder point, where the arm turns down, but is at most 0.15
+ * shorter than measured. The shoulder line of a loose top, or of one without sleeves, is 0.08 rad (4.6 degrees) flatter
+ * than the tape's; chosen: a steeper one lifts off where the arms stand off the body. */
 static void torso_shoulder(const mus__half *half, bool loose, mus__measures *measures)
 {
     double *m = measures->v;

@@ -135,11 +135,7 @@ static void top_dart_leg(const mus__top *top, const double *dart, double turn, m
     }
     memcpy(xy[n++], point, sizeof point);
     mus__chain_line(out, xy[0], xy[1]);
-    for (int32_t i = 1; i + 1 < n; i++) {
-        mus__chain line;
-        mus__chain_line(&line, xy[i], xy[i + 1]);
-        mus__chain_append(out, &line);
-    }
+    for (int32_t i = 1; i + 1 < n; i++) mus__chain_add_line(out, xy[i], xy[i + 1]);
 }
 
 

@@ -22,20 +22,6 @@ typedef struct princess_line {
 } princess_line;
 
 
-static void princess_append(mus__chain *chain, const double *start, double ax, double ay, double bx, double by,
-                       const double *end)
-{
-    double cubic[8];
-    mus__chain piece;
-    mus__cubic_set(cubic, start, ax, ay, bx, by, end);
-    mus__chain_cubic(&piece, cubic);
-    if (chain->npiece == 0)
-        *chain = piece;
-    else
-        mus__chain_append(chain, &piece);
-}
-
-
 /* Writes the unit tangent at the bust point: the mean of the direction from the upper end and of straight down. */
 static void princess_tangent(const princess_line *line, double *out)
 {
@@ -54,7 +40,7 @@ static void princess_high(const princess_line *line, mus__chain *out)
     const double *h = line->head, *p = line->point, reach = 0.33 * mus__dist2(h, p);
     princess_tangent(line, along);
     out->npiece = 0;
-    princess_append(out, h, h[0] + 0.33 * (p[0] - h[0]), h[1] + 0.33 * (p[1] - h[1]), p[0] - reach * along[0],
+    mus__chain_add_cubic(out, h, h[0] + 0.33 * (p[0] - h[0]), h[1] + 0.33 * (p[1] - h[1]), p[0] - reach * along[0],
                p[1] - reach * along[1], p);
 }
 
@@ -70,21 +56,19 @@ static void princess_low(const mus__top *top, const princess_line *line, mus__ch
     out->npiece = 0;
     if (top->hem > 0.0) {
         const double part = 1.0 - top->hem / p[1], end[2] = {line->axis + line->wide * part, top->hem};
-        princess_append(out, p, p[0] + reach * part * along[0], p[1] + reach * part * along[1], end[0],
+        mus__chain_add_cubic(out, p, p[0] + reach * part * along[0], p[1] + reach * part * along[1], end[0],
                    end[1] + reach * part, end);
         return;
     }
-    princess_append(out, p, p[0] + reach * along[0], p[1] + reach * along[1], waist[0], reach, waist);
+    mus__chain_add_cubic(out, p, p[0] + reach * along[0], p[1] + reach * along[1], waist[0], reach, waist);
     if (!(top->hem < 0.0)) return;
 
     const double level = fmax(top->hem, 0.8 * top->hip), part = level / (0.8 * top->hip);
     const double hip[2] = {line->axis + line->wide + part * (narrow - line->wide), level};
-    princess_append(out, waist, waist[0], 0.4 * level, hip[0], 0.6 * level, hip);
+    mus__chain_add_cubic(out, waist, waist[0], 0.4 * level, hip[0], 0.6 * level, hip);
     if (!(top->hem < level - 0.01)) return;
     const double end[2] = {hip[0], top->hem};
-    mus__chain last;
-    mus__chain_line(&last, hip, end);
-    mus__chain_append(out, &last);
+    mus__chain_add_line(out, hip, end);
 }
 
 

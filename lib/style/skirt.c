@@ -80,10 +80,10 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
 
-    /* notch at the hip level: the outline runs up the side of a front and down that of a back */
-    const double hip = front ? block->side_length - block->side_high_length : block->side_high_length;
-    mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"), hip,
-                         front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
+    /* notch of the side seam at the hip level; the outline runs up the side of a front */
+    if (front)
+        mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"),
+                             block->side_length - block->side_high_length, MUS_NOTCH_SINGLE);
     return panel;
 }
 

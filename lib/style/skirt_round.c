@@ -71,8 +71,9 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
         return;
     }
     const double step = 2.0 * angle / ROUND_HEM_PIECES, sign = front ? 1.0 : -1.0;
+    out->npiece = 0;
     for (int i = 0; i < ROUND_HEM_PIECES; i++) {
-        double p[2][2], d[2][2], cubic[8];
+        double p[2][2], d[2][2];
         for (int j = 0; j < 2; j++) {
             const double phi = -angle + (i + j) * step, way = front ? phi + angle : whole - (phi + angle);
             double radius, slope;
@@ -81,12 +82,8 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
             d[j][0] = radius * cos(phi) + sign * slope * sin(phi);
             d[j][1] = radius * sin(phi) - sign * slope * cos(phi);
         }
-        mus__cubic_set(cubic, p[0], p[0][0] + step / 3.0 * d[0][0], p[0][1] + step / 3.0 * d[0][1],
-                       p[1][0] - step / 3.0 * d[1][0], p[1][1] - step / 3.0 * d[1][1], p[1]);
-        mus__chain piece;
-        mus__chain_cubic(&piece, cubic);
-        if (i == 0) *out = piece;
-        else mus__chain_append(out, &piece);
+        mus__chain_add_cubic(out, p[0], p[0][0] + step / 3.0 * d[0][0], p[0][1] + step / 3.0 * d[0][1],
+                             p[1][0] - step / 3.0 * d[1][0], p[1][1] - step / 3.0 * d[1][1], p[1]);
     }
 }
 

@@ -73,14 +73,12 @@ static void dolman_draft(const mus__half *garment, const mus__sleeve_plan *plan,
 static void dolman_under(const dolman_half *half, double hold, mus__chain *out)
 {
     const double r = fmin(1.2 * half->rise, 0.6 * half->reach), *u = half->under;
-    double q[2], cubic[8];
+    double q[2];
     for (int32_t i = 0; i < 2; i++) q[i] = half->low[i] - (half->reach - r) * half->below[i];
-    mus__cubic_set(cubic, u, u[0] + hold * half->rise * half->up[0], u[1] + hold * half->rise * half->up[1],
-                   q[0] - hold * r * half->below[0], q[1] - hold * r * half->below[1], q);
-    mus__chain straight;
-    mus__chain_cubic(out, cubic);
-    mus__chain_line(&straight, q, half->low);
-    mus__chain_append(out, &straight);
+    out->npiece = 0;
+    mus__chain_add_cubic(out, u, u[0] + hold * half->rise * half->up[0], u[1] + hold * half->rise * half->up[1],
+                         q[0] - hold * r * half->below[0], q[1] - hold * r * half->below[1], q);
+    mus__chain_add_line(out, q, half->low);
 }
 
 

@@ -241,6 +241,8 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     mus__board_seam_add(board, under_front, under_back, MUS_SEAM_REVERSED, 0.0);
+    mus__board_notch_add(board, cap_front, 0.0, MUS_NOTCH_SINGLE);
+    mus__board_notch_add(board, cap_back, board->side[cap_back].length, MUS_NOTCH_DOUBLE);
     mus__board_sew(board, 1, &dart_front, 1, &dart_back);
     mus__board_sew(board, 1, &rag_front, 1, &front.rag);
     mus__board_sew(board, 1, &rag_back, 1, &back.rag);

@@ -18,7 +18,7 @@
 #include "style/waist_edge.h"
 
 #define BAND_FACING (5.0 * MUS__CM)
-#define BAND_SETTLES (1.0 * MUS__CM) /* [m] how far a waist may sink before its attachment holds it; chosen */
+#define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */
 #define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
 #define BAND_ELASTIC_RATIO 0.9
 #define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */

@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "tape/tape_internal.h"
 
 
@@ -85,6 +86,9 @@ mus_status mus_tape_set_name(mus_tape *tape, const char *name)
     size_t length = strlen(name);
     if (length >= MUS__TAPE_NAME_BYTES)
         return mus__fail(tape->context, MUS_ERR_ARG, "a tape's name of %zu bytes is longer than 63", length);
+    if (mus__utf8_span(name) < length)
+        return mus__fail(tape->context, MUS_ERR_ARG, "the name of a tape is not UTF-8 at byte %zu",
+                         mus__utf8_span(name));
     memmove(tape->name, name, length + 1);
     return MUS_OK;
 }

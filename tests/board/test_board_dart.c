@@ -45,7 +45,7 @@ START_TEST(a_dart_added_to_an_edge_adds_two_vertices_and_two_edges)
     ck_assert_str_eq(board.side[leg].name, "waist_d1");
     ck_assert_double_eq_tol(board.side[leg].length, hypot(0.1, 0.015), 1e-15);
 
-    /* the band is split where the mouth closes: both seams are as they are meant to be */
+    /* the band is split where the mouth closes: both parts have their own seam */
     const mus_topology after = dart_topology(&board);
     dart_same_topology(&before, &after, 2, 2, 0);
     double ease = 0.0;
@@ -58,13 +58,13 @@ START_TEST(a_dart_added_to_an_edge_adds_two_vertices_and_two_edges)
     ck_assert_double_eq_tol(ease, 0.0, 1e-15);
     ck_assert_int_eq(board.seam[seam].a, waist);
 
-    /* notches stayed where they were, on the part that has them now */
+    /* notches have kept their places; each is on the part that contains it */
     ck_assert_int_eq(board.notch[0].side, waist);
     ck_assert_double_eq_tol(board.notch[0].s, 0.02, 1e-15);
     ck_assert_int_eq(board.notch[1].side, board.side[board.side[leg].next].next);
     ck_assert_double_eq_tol(board.notch[1].s, 0.2 - 0.115, 1e-15);
 
-    /* given up to gathers it is one edge again, with the ease that it had, and two notches that say where */
+    /* released to gathers, the edge is one again, with its former ease and two notches at the gathers */
     ck_assert_int_eq(mus__board_dart_release(&board, leg), waist);
     table_well(&board);
     const mus_topology released = dart_topology(&board);
@@ -114,7 +114,7 @@ START_TEST(a_shortened_dart_keeps_its_mouth)
     ck_assert_int_eq(faults, 0);
     mus_pattern_destroy(pattern);
 
-    /* and back again, lengthened by as much */
+    /* lengthened by the same amount, the dart is as before */
     mus__board_dart_shorten(&board, f.bust_leg, -0.02);
     table_well(&board);
     ck_assert_double_eq_tol(mus__dist2(mus__board_end(&board, f.bust_leg), bodice.front.bust), 0.0, 1e-12);
@@ -128,7 +128,7 @@ END_TEST
 
 START_TEST(princess_seams_take_both_darts)
 {
-    /* bust dart to the mid shoulder, then on from its point, which is that of the waist dart: no cut of its own */
+    /* the bust dart rotated to mid shoulder ends at the point of the waist dart, so that no cut is needed */
     mus_context *context = support_context();
     const mus__bodice bodice = drafts_bodice(context, "W40");
     mus__board board;
@@ -147,7 +147,7 @@ START_TEST(princess_seams_take_both_darts)
     ck_assert_double_eq_tol(mus__board_area(&board, f.panel) + mus__board_area(&board, made), area, 1e-15);
     ck_assert_double_gt(mus__board_area(&board, made), 0.2 * area);
 
-    /* one seam of both darts, equally long on both panels; the centre front stayed, the side went */
+    /* both darts are one seam, equally long on both panels; the centre panel has not moved */
     const int32_t a = mus__board_find(&board, f.panel, "princess"), b = mus__board_find(&board, made, "princess");
     ck_assert_int_ne(a, MUS_NONE);
     ck_assert_int_eq(mus__board_partner(&board, a), b);
@@ -157,8 +157,8 @@ START_TEST(princess_seams_take_both_darts)
     ck_assert_int_ne(mus__board_find(&board, made, "side1"), MUS_NONE);
     ck_assert_int_eq(board.mark[0].panel, f.panel);
 
-    /* two darts gone (2, 2 each), a separation added (2, 3, 1), the bust point no vertex any more: all in all the disc
-     * that it was, of two faces and one seam */
+    /* two darts fewer (2 vertices and 2 edges each), one separation more (2, 3, and a face), and the bust point is no
+     * vertex any more: a disc of two faces and one seam */
     const mus_topology after = dart_topology(&board);
     ck_assert_int_eq(after.faces, 2);
     ck_assert_int_eq(after.edges - before.edges, -1);

@@ -1,10 +1,9 @@
 /*
- * test_board_dart_rotate.c: darts rotated on the cutting table: the golden pivots of the reference draft, and what
- * every pivot keeps: area, the sum of the angles at the point, lengths of all that is rigid, the ring, the topology of
- * the sewn panel.
+ * test_board_dart_rotate.c: darts rotated on the cutting table: golden numbers of five pivots of a drafted front, and
+ * what every pivot keeps: area, the sum of the angles at the point, lengths of all that is rigid, the ring, the
+ * topology of the sewn panel.
  *
- * Golden numbers: drafting_golden.txt, first lines, made by an independent drafting script with 20 chords to a curve;
- * here with 4000, which moves the area from 872.002 to 871.910 cm2 and the neck leg from 22.623 to 22.620 cm.
+ * The golden numbers were computed by an independent drafting script in Python, with 4000 chords to a curve.
  */
 #include <string.h>
 

@@ -28,7 +28,8 @@ static mus_cloth *cut_piece(mus_context *context, double spacing, const mus_fabr
 }
 
 
-/* nodes at their places in the plane, turned and moved in space; or on a cylinder of curvature `bow` */
+/* Writes the nodes' positions: those in the plane, turned and moved in space; or on a cylinder of curvature `bow` [1/m]
+ */
 static double *flat(const mus_cloth *cloth)
 {
     double *x = malloc(3 * (size_t)cloth->nnode * sizeof *x);
@@ -59,7 +60,7 @@ END_TEST
 
 START_TEST(hinges_push_and_pull_alike)
 {
-    /* the sum of a hinge's forces is its coefficients' sum: nothing */
+    /* the forces of a hinge sum to 0, as its coefficients do */
     mus_context *context = support_context();
     mus_cloth *cloth = cut_piece(context, 0.01, NULL);
     for (int32_t h = 0; h < cloth->nhinge + cloth->nseam_hinge; h++) {
@@ -88,7 +89,7 @@ START_TEST(equilateral_triangles_bend_with_the_rigidity)
     const double x[] = {0, 0, 0, l, 0, 0, s, h, 0, s, -h * cos(angle), h * sin(angle)};
     near(cut_hinge_energy(&hinge, x), 0.5 * rigidity * 2.0 / sqrt(3.0) * angle * angle, 1e-20);
 
-    /* slivers and limp cloth make none */
+    /* triangles of no area, and cloth without bending rigidity, have no hinge */
     ck_assert(!mus__mesh_hinge(&mesh, node, l, (const double[]){s, s}, (const double[]){h, 1e-12}, rigidity, &hinge));
     ck_assert(!mus__mesh_hinge(&mesh, node, l, (const double[]){s, s}, (const double[]){h, h}, 0.0, &hinge));
 }
@@ -136,7 +137,7 @@ START_TEST(the_strip_bends_by_the_springs_of_the_paper_too)
         }
         for (int32_t h = 0; h < plate->nhinge; h++) hinges += 2.0 * cut_hinge_energy(&plate->hinge[h], x);
 
-        /* a spring over a diagonal feels the curvature along it where a hinge feels the fold alone: within 0.8 to 2 */
+        /* a spring over a diagonal depends on the curvature along it, a hinge on the fold only: within 0.8 to 2 */
         ck_assert_double_lt(energy[way][2], 0.00011 * energy[way][0]);
         ck_assert_msg(moment > 0.8 * 10.0 * hinges && moment < 2.0 * 10.0 * hinges, "%g of %g", moment, 10 * hinges);
     }
@@ -175,8 +176,8 @@ START_TEST(the_strip_bends_about_as_the_lattice_does)
 END_TEST
 
 
-/* greatest row sum of the step bound (numerics X5) over mass, in those of an inner lattice node; and how many nodes are
- * above `level` */
+/* Returns the largest row sum of the stiffness matrix over mass, as a multiple of that of an inner lattice node, and
+ * counts the nodes above `level`. */
 static double worst_node(const mus_cloth *cloth, double level, int32_t *above)
 {
     mus__fabric_lattice c;
@@ -225,7 +226,7 @@ START_TEST(the_strip_costs_less_than_half_a_step_more)
             mus_cloth *cloth = cut_piece(context, spacing[k], &fabric);
             ck_assert_double_le(sqrt(worst_node(cloth, 2.24, &above)), 1.5 + 1e-12);
 
-            /* on well shaped panels the limit has nothing to do */
+            /* no node of a well shaped panel reaches the limit */
             ck_assert_msg(above <= cloth->nnode / 1000, "%d of %d nodes", above, cloth->nnode);
             mus_cloth_destroy(cloth);
         }

@@ -43,7 +43,7 @@ static double strained(const mus_cloth *cloth, double weft, double warp, double 
 
 START_TEST(a_sheet_has_the_moduli_of_its_fabric)
 {
-    /* numerics M2 and M3: C11 = k_s + k_d, C12 = k_d, G = k_d; W = 1/2 C11 e^2, and C12 e f more for both ways */
+    /* C11 = k_s + k_d, C12 = k_d, G = k_d; W = 1/2 C11 e^2, and C12 e f more with strain in both directions */
     mus_context *context = support_context();
     mus_fabric fabric;
     mus_fabric_init(&fabric, sizeof fabric);
@@ -144,7 +144,7 @@ static double bent(const mus_cloth *cloth, double angle, double bow)
 
 START_TEST(stencils_bend_with_the_rigidity_of_the_fabric)
 {
-    /* numerics B5 and B7: 1/2 B bow^2 an area along warp, weft and bias */
+    /* energy on a cylinder of curvature `bow`: 1/2 B bow^2 per area along warp, weft and bias */
     mus_context *context = support_context();
     mus_fabric fabric;
     mus_fabric_init(&fabric, sizeof fabric);

@@ -1,5 +1,6 @@
 /*
- * test_rectangle_cloth.c: a pure lattice: what it weighs, how it stretches, shears and bends, and the smallest ones.
+ * test_rectangle_cloth.c: rectangles without a pattern: mass, stretch, shear and bending against the fabric's moduli;
+ * the smallest rectangles.
  */
 #include "cut.h"
 
@@ -189,7 +190,7 @@ static double grid_moment(const mus_cloth *cloth, double curvature)
 }
 
 
-/* numerics B6: fitted at one curvature, limp below it */
+/* bending springs have the fabric's moment at the curvature that they are fitted at, and less below it */
 START_TEST(the_springs_of_the_paper_are_right_at_one_curvature)
 {
     static const double cell[2][2] = {{0.01, 0.01}, {0.005, 0.02}};
@@ -202,7 +203,7 @@ START_TEST(the_springs_of_the_paper_are_right_at_one_curvature)
         grid_near(grid_moment(cloth, 20.0), 5e-6 * 20.0, 0.02);
         grid_near(grid_moment(cloth, 2.0) / (5e-6 * 2.0), 0.01, 0.02);
 
-        /* what they stretch is taken from the lines */
+        /* the springs along the lines are softer by the stretch stiffness of the bending springs */
         const double area = 30 * cell[k][0] * 8 * cell[k][1], *skip = cell[k];
         mus__fabric_lattice c;
         mus__fabric_on_cell(&cloth->fabric, skip, &c);
@@ -345,7 +346,7 @@ START_TEST(the_smallest_grids_fall_freely)
 END_TEST
 
 
-/* numerics M1: a hanging strip stretches by weight L^2 / (2 Y) for every number of cells, and for one line of nodes */
+/* a hanging strip stretches by weight L^2 / (2 Y) for every number of cells, and for a single line of nodes */
 START_TEST(a_hanging_strip_stretches_exactly)
 {
     static const int32_t size[4][2] = {{5, 2}, {9, 4}, {5, 1}, {17, 2}};
@@ -376,7 +377,7 @@ START_TEST(a_hanging_strip_stretches_exactly)
 END_TEST
 
 
-/* a lattice of springs cannot be every fabric: what it clamps is said, once, with name and value */
+/* a lattice of springs cannot have every C11 and G: a value that is clamped is logged once, with its name */
 START_TEST(what_a_grid_cannot_be_is_said)
 {
     mus_context *context = support_context();

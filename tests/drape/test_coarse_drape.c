@@ -94,7 +94,7 @@ START_TEST(settle_without_memory_for_its_double_leaves_the_drape_as_it_was)
 END_TEST
 
 
-/* what is asked for by hand stays away: no coarser cut, no double */
+/* coarse cuts and double precision can be turned off by the caller */
 START_TEST(cloth_without_coarser_cuts_makes_no_double)
 {
     mus_context *context = support_context();

@@ -84,6 +84,19 @@ START_TEST(a_fault_is_named_with_its_line)
 END_TEST
 
 
+/* else the tape would be written with a name that the reader refuses */
+START_TEST(a_row_whose_name_is_not_utf8_is_refused)
+{
+    mus_context *context = support_context();
+    mus_tape *tape;
+    ck_assert_int_eq(read_text(context, "name,bust_cm\nAd\xd3,92\n", "Ad\xd3", &tape), MUS_ERR_FORMAT);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "not UTF-8 at byte 2"));
+    ck_assert_ptr_null(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* the table's own figures (mm) of each row, read off it by eye */
 static const struct {
     const char *row;
@@ -154,6 +167,7 @@ Suite *mus_suite_tape_csv(void)
     TCase *tests = tcase_create("tape_table");
     tcase_add_test(tests, the_general_form_has_measures_with_units);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);
+    tcase_add_test(tests, a_row_whose_name_is_not_utf8_is_refused);
     tcase_add_loop_test(tests, freesewing_models_are_read_and_adults_build, 0, sizeof models / sizeof models[0]);
     suite_add_tcase(suite, tests);
     return suite;

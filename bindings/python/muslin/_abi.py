@@ -183,6 +183,7 @@ MUS_EASE_HIP = 2
 MUS_EASE_COUNT = 3
 MUS_BEND_PLATE = 0
 MUS_BEND_PAPER = 1
+MUS_CLOTH_NODES = 1048576
 MUS_METHOD_RK4 = 0
 MUS_METHOD_VERLET = 1
 MUS_METHOD_EULER = 2
@@ -481,7 +482,8 @@ mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_d
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
                        ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
-                          ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32)]
+                          ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
+                          ("nodes_most", c_int32)]
 mus_bare._fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("bends", c_int32),
                      ("pins", c_int32), ("place", POINTER(c_double)), ("mass", POINTER(c_double)),
                      ("spring", POINTER(c_int32)), ("length", POINTER(c_double)), ("stiffness", POINTER(c_double)),
@@ -521,7 +523,7 @@ mus_dress_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", 
                           ("self_contact", c_int32), ("precision", c_int32), ("threads", c_int32),
                           ("friction", c_double), ("drape", POINTER(mus_drape_def)), ("place", c_int32),
                           ("retry", c_int32), ("open_closures", c_int32), ("progress", mus_progress_fn),
-                          ("progress_user", c_void_p), ("progress_seconds", c_double)]
+                          ("progress_user", c_void_p), ("progress_seconds", c_double), ("nodes_most", c_int32)]
 mus_dress_report._fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
                              ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
                              ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
@@ -783,6 +785,7 @@ FUNCTIONS = {
     "mus_seam_walk_init": ("core", None, [POINTER(mus_seam_walk), c_size_t]),
     "mus_pattern_walk_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_walk)]),
     "mus_pattern_true_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_notch_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32]),
     "mus_design_count": ("core", c_int32, []),
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),

@@ -175,7 +175,6 @@ same check check-omit check-large people slips outside designs catalogue-bench: 
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
-
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"

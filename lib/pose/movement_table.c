@@ -3,7 +3,7 @@
  *
  * The walk stays in place, as on a treadmill. A leg follows the normative curves of hip, knee and ankle over the cycle
  * from heel strike; the other leg does the same half a period later. Normative hip angles refer to a pelvis tilted
- * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed by 3 degrees, so
+ * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed by 4 degrees, so
  * that the ball of the foot is on the floor when the other heel strikes: toes do not bend here. The pelvis turns towards the leg behind, drops on the swinging side and shifts to
  * the standing side; the chest turns against the pelvis, and legs and head keep their direction.
  *
@@ -36,7 +36,7 @@
  * same side [degrees] */
 static const double walk_rows[WALK_KEYS][5] = {
     {30, 5, 0, -20, 15},  {26, 17, -4, -18, 17}, {17, 15, 4, -12, 20}, {7, 8, 8, -4, 25},   {-3, 5, 10, 4, 30},
-    {-10, 12, 3, 10, 33}, {-4, 38, -16, 8, 30},  {13, 60, -4, 2, 25},  {26, 53, 8, -8, 20}, {32, 23, 4, -16, 16},
+    {-10, 12, 4, 10, 33}, {-4, 38, -16, 8, 30},  {13, 60, -4, 2, 25},  {26, 53, 8, -8, 20}, {32, 23, 4, -16, 16},
 };
 
 /* height of the root against standing, in parts of the stature, with which the lower foot is on the floor, over half a

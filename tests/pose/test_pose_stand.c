@@ -1,9 +1,10 @@
-/* test_pose_stand.c: feet on the floor: the lowest vertex of each standing foot, read from the published surface of posed bodies */
+/* test_pose_stand.c: feet on the floor: lowest vertex of each standing foot on the published skin of a posed body */
 #include <math.h>
 #include <string.h>
 
 #include "body/body_internal.h"
 #include "body/people.h"
+#include "geom/vec.h"
 #include "muslin/pose.h"
 
 Suite *mus_suite_pose_stand(void);

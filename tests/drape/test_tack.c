@@ -88,7 +88,7 @@ START_TEST(the_bound_is_that_with_the_tack_at_once)
     ck_assert_int_eq(is.node, was.node);
     ck_assert_double_eq_tol(is.node_stiffness - was.node_stiffness, 2.0 * stiff, 1e-9 * stiff);
     const double bound = mus_drape_step_bound(drape);
-    ck_assert_double_eq_tol(bound * sqrt(is.node_stiffness / is.node_mass) / (verlet ? 2.0 : 2.62), 1.0, 1e-14);
+    ck_assert_double_eq_tol(bound * sqrt(is.node_stiffness / is.node_mass) / (verlet ? sqrt(3.0) : 2.62), 1.0, 1e-14);
     ck_assert_double_lt(bound, 0.9 * before);
     ck_assert_int_gt(is.steps_per_frame, was.steps_per_frame);
 

@@ -21,7 +21,6 @@ PKG_CONFIG ?= pkg-config
 MUSLIN_DATA ?= ../shared/data
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 OUT ?= $(if $(filter release,$(config)),build,build/$(config))
-
 # the version stands in base.h and nowhere else
 VERSION := $(shell sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
 ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
@@ -37,14 +36,15 @@ $(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug,
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
 KERNEL =
+FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
 SAME_BITS = -ffp-contract=off # no fused multiply-add: the same bits from every compiler
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
-COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
-LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LDFLAGS)
-
+COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) -Wl,-z,relro,-z,now $(CFLAGS) $(LDFLAGS)
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
@@ -102,7 +102,6 @@ tests: $(BIN)/tests $(EXAMPLES)
 examples: $(EXAMPLES)
 
 # ---- compile ----
-# one sentence instead of a missing header
 $(NEED): need-%:
 	@for p in $(PKG_$*); do $(PKG_CONFIG) --exists $$p || { echo "muslin: $$p is not installed; \`make packages\` \
 	installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
@@ -116,6 +115,7 @@ $(eval $(call needs_packages,examples,-Iexamples))
 $(eval $(call needs_packages,tests,-Itests -Iexamples -I$(OUT)))
 $(call objects,$(SRC_tests)): WARN := $(TEST_WARN)
 $(call objects,$(KERNELS)): KERNEL = $(KERNEL_$(config))
+$(call objects,$(KERNELS)): HARDEN_release =
 $(call objects,tests/main.c): $(OUT)/suites.h
 
 $(OUT)/obj/%.o: %.c

@@ -223,7 +223,7 @@ static int write_film(lead *q, const char *glb)
         moves[0].positions = q->body.positions, moves[0].normals = q->body.normals;
         moves[1].positions = q->cloth.positions, moves[1].normals = q->cloth.normals;
         mus_status status = mus_mesh_write_glb_motion(d->s->context, glb, 2, g.view, q->m->made, q->times, moves);
-        if (status != MUS_OK) code = scene_fail(d->s, status);
+        if (status != MUS_OK) code = scene_fail_output(d->s, status);
     }
     garment_free(&g);
     return code;

@@ -106,7 +106,7 @@ static mus_status guard_energy(mus_drape *drape)
     drape->sim.ops->restore(&drape->sim);
     mus__drape_stale(drape);
     return mus__fail(drape->context, MUS_ERR_DIVERGED,
-                     "drape: the energy rose from %.6g J at the start to %.6g J after %.6f s, expected at most %.6g J: "
+                     "drape: the energy rose from %.6g J at the start to %.6g J after %g s, expected at most %.6g J: "
                      "a smaller step has a smaller error; the last good state is kept",
                      start, energy, mus_drape_time(drape), most);
 }

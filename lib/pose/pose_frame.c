@@ -48,7 +48,7 @@ mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus
         for (int k = 0; k < 3 && rig->missing[j]; k++)
             if (pose->angle[j][k] != 0.0)
                 return mus__fail(context, MUS_ERR_BODY,
-                                 "%s is asked to turn by %.1f degrees, and the scan has no such limb: set it to 0",
+                                 "%s is asked to turn by %g degrees, and the scan has no such limb: set it to 0",
                                  mus_joint_name(j), pose->angle[j][k] * 180.0 / MUS_PI);
         mus__joint_turn(j, pose->angle[j], turn);
         mus__joint_turn(j, rig->rest[j], rest);

@@ -122,7 +122,7 @@ START_TEST(wrong_panels_and_points_are_refused)
     REFUSED(mus_pattern_add_panel(s.pattern, "front", &out), "panel front: panel 0 has this name already");
     REFUSED(mus_pattern_add_point(s.pattern, 2, 0.0, 0.0, &out), "panel 2 is unknown, the pattern has 2");
     REFUSED(mus_pattern_add_point(s.pattern, -1, 0.0, 0.0, &out), "panel -1 is unknown");
-    REFUSED(mus_pattern_add_point(s.pattern, 0, (double)NAN, 0.0, &out), "front: x is nan m, expected -1e+07 to 1e+07 m");
+    REFUSED(mus_pattern_add_point(s.pattern, 0, (double)NAN, 0.0, &out), "x is nan m, expected -1e+07 to 1e+07 m");
     REFUSED(mus_pattern_add_point(s.pattern, 0, 0.0, (double)-INFINITY, &out), "front: y is -inf m, expected");
     ck_assert_int_eq(mus_pattern_add_panel(NULL, "x", &out), MUS_ERR_ARG);
     ck_assert_int_eq(mus_pattern_add_point(NULL, 0, 0.0, 0.0, &out), MUS_ERR_ARG);

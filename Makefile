@@ -45,7 +45,6 @@ TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Wer
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
 COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
 LINK = $(CC) -pthread $(OPTIMISE_$(config)) -Wl,-z,relro,-z,now $(CFLAGS) $(LDFLAGS)
-
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')

@@ -77,8 +77,40 @@ def lua():
     return run(luajit, BINDINGS / "lua/tshirt.lua", *SCENE)
 
 
+def node():
+    program, npm = need("node", "npm")
+    package = OUT / "node"
+    shutil.copytree(BINDINGS / "node", package, dirs_exist_ok=True, ignore=shutil.ignore_patterns("node_modules"))
+    if not (package / "node_modules/koffi").exists():
+        try:
+            run(npm, "install", "--no-audit", "--no-fund", cwd=package)
+        except RuntimeError as error:
+            raise Skipped("npm could not install koffi") from error
+    here = {"MUSLIN_ABI_JSON": str(BINDINGS / "abi/muslin_abi.json")}
+    run(program, "--expose-gc", ROOT / "tests/hosts/objects.mjs", package / "index.js", **here)
+    return run(program, package / "tshirt.js", *SCENE, **here)
+
+
+def rust():
+    cargo, = need("cargo")
+    where = {"CARGO_TARGET_DIR": str(OUT / "rust"), "MUSLIN_LIB_DIR": str(LIB.parent), "MUSLIN_STATIC": "1"}
+    run(cargo, "test", "-q", "--offline", "--locked", cwd=BINDINGS / "rust", **where)
+    return run(cargo, "run", "-q", "--offline", "--locked", "--example", "tshirt", "--", *SCENE, cwd=BINDINGS / "rust",
+               **where)
+
+
+def julia():
+    program, = need("julia")
+    project = f"--project={BINDINGS / 'julia'}"
+    try:
+        run(program, project, "-e", "using Pkg; Pkg.instantiate()")
+    except RuntimeError as error:
+        raise Skipped("Pkg could not install JSON") from error
+    return run(program, project, BINDINGS / "julia/tshirt.jl", *SCENE)
+
+
 HOSTS = {"g++": lambda: cpp("g++"), "clang++": lambda: cpp("clang++"), "g++ with ASan and UBSan": cpp_asan,
-         "luajit": lua}
+         "luajit": lua, "node": node, "cargo": rust, "julia": julia}
 
 
 def main():

@@ -30,7 +30,8 @@ const OPENED = Dict{String,Ptr{Cvoid}}()
 function open_library(name)
     get!(OPENED, name) do
         named = get(ENV, "MUSLIN_LIB", "")
-        folder = isempty(named) ? joinpath(@__DIR__, "..", "..", "..", "build", "lib") : isdir(named) ? named : dirname(named)
+        built = joinpath(@__DIR__, "..", "..", "..", "build", "lib")
+        folder = isempty(named) ? built : isdir(named) ? named : dirname(named)
         path = joinpath(folder, "$name.so")
         dlopen(isfile(path) ? path : "$name.so.$(ABI["abi"])")
     end
@@ -95,10 +96,9 @@ end
 Base.unsafe_convert(::Type{Ptr{Cvoid}}, handle::Handle) = handle.pointer
 
 function said(status, context)
-    text(name, type, value) = unsafe_string(ccall(address(name), Cstring, (type,), value))
-    sentence = context == C_NULL ? "" : text("mus_context_error", Ptr{Cvoid}, context)
-    isempty(sentence) && (sentence = text("mus_status_text", Int32, status))
-    MuslinError(status, text("mus_status_name", Int32, status), sentence)
+    about(name) = unsafe_string(ccall(address(name), Cstring, (Int32,), status))
+    sentence = context == C_NULL ? "" : unsafe_string(ccall(address("mus_context_error"), Cstring, (Ptr{Cvoid},), context))
+    MuslinError(status, about("mus_status_name"), isempty(sentence) ? about("mus_status_text") : sentence)
 end
 
 """Free an object now. The collector calls it for objects that are forgotten."""
@@ -141,15 +141,14 @@ for (name, about) in ABI["functions"]
     types = [argument["type"] for argument in about["arguments"]]
     outs = about["result"] == "mus_status" ? findall(isout, types) : Int[]
     symbols = [Symbol("a", i) for i in eachindex(types)]
-    ctypes = [type == "const char *" ? :(Union{}) : scalar(type) for type in types]
-    ctypes = [types[i] == "const char *" ? Cstring : ctypes[i] for i in eachindex(types)]
-    result = about["result"] == "const char *" ? Cstring : scalar(about["result"])
+    text(type) = type == "const char *"
+    ctypes = [text(type) ? Cstring : scalar(type) for type in types]
+    result = text(about["result"]) ? Cstring : scalar(about["result"])
     inputs = [symbols[i] for i in eachindex(types) if !(i in outs)]
-    first_optional = findlast(i -> !(i in outs) && pointer_depth(types[i]) == 0, eachindex(types))
-    parameters = [symbols[i] === s && i > max(1, something(first_optional, 0)) ? Expr(:kw, s, nothing) : s
-                  for (i, s) in enumerate(symbols) if !(i in outs)]
-    prepare = [i in outs ? :($s = Ref{Ptr{Cvoid}}(C_NULL)) : types[i] == "const char *" ?
-               :($s = $s === nothing ? Cstring(C_NULL) : $s) : :($s = given($s, $(types[i])))
+    needed = something(findlast(type -> haskey(SCALARS, type), types), 1) # the pointers after it may be left out
+    parameters = [i > needed ? Expr(:kw, s, nothing) : s for (i, s) in enumerate(symbols) if !(i in outs)]
+    prepare = [i in outs ? :($s = Ref{Ptr{Cvoid}}(C_NULL)) :
+               text(types[i]) ? :($s = $s === nothing ? Cstring(C_NULL) : $s) : :($s = given($s, $(types[i])))
                for (i, s) in enumerate(symbols)]
     made = [:(own($(QuoteNode(Symbol(base(types[i])))), $(symbols[i])[], state)) for i in outs]
     @eval function $(Symbol(name[5:end]))($(parameters...))

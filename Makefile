@@ -11,7 +11,7 @@
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
 # config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
-# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are the user's.
+# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are yours.
 
 config ?= release
 PREFIX ?= /usr/local
@@ -171,7 +171,7 @@ ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
 # what apt must have beside the packages of a build
-same check check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
+same check check-hosts check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test

@@ -304,7 +304,8 @@ static int write_report(const dress *d)
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
-        print_line("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, %.1f s",
+        print_line("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, "
+                   "%.1f s",
                    mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
                    1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
                    d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);

@@ -146,8 +146,8 @@ static mus_status cloth_forecast(mus_context *context, const mus_pattern *patter
     nodes = fmax(nodes + 0.5 * border, border);
     if (nodes <= (double)def->nodes_most) return MUS_OK;
     return mus__fail(context, MUS_ERR_LIMIT,
-                     "the pattern takes about %g nodes at a spacing of %g m, at most %d (nodes_most); a spacing of %.3g "
-                     "m takes fewer",
+                     "the pattern takes about %g nodes at a spacing of %g m, at most %d (nodes_most); a spacing of "
+                     "%.3g m takes fewer",
                      nodes, def->spacing, (int)def->nodes_most,
                      def->spacing * fmax(sqrt(nodes / def->nodes_most), border / def->nodes_most));
 }

@@ -55,7 +55,7 @@ START_TEST(two_nodes_tacked_in_flight_meet_when_they_must)
 END_TEST
 
 
-/* alone the bound is 2.62 / sqrt(2 k / m), or 2 / sqrt(2 k / m); in cloth 2 k comes to what holds the node; it
+/* alone the bound is 2.62 / sqrt(2 k / m), or sqrt(3) / sqrt(2 k / m); in cloth 2 k comes to what holds the node; it
  * is told at once, the step that was allowed is refused with both numbers, and nothing has moved */
 START_TEST(the_bound_is_that_with_the_tack_at_once)
 {
@@ -65,7 +65,7 @@ START_TEST(the_bound_is_that_with_the_tack_at_once)
     mus_drape_def def;
     mus_drape_def_init(&def, sizeof def);
     def.precision = 64, def.integrator = verlet ? MUS_METHOD_VERLET : MUS_METHOD_RK4, def.drag = 0.0;
-    const double alone = (verlet ? 2.0 : 2.62) * sqrt(mass[0] / (2.0 * k));
+    const double alone = (verlet ? sqrt(3.0) : 2.62) * sqrt(mass[0] / (2.0 * k));
     for (int32_t a = 0; a < 2; a++) { /* the light node is the one, whichever end it is */
         mus_drape *pair = two_nodes(context, mass, 0.02, 0, &def);
         ck_assert_double_eq(mus_drape_step_bound(pair), 1e9);
@@ -88,7 +88,7 @@ START_TEST(the_bound_is_that_with_the_tack_at_once)
     ck_assert_int_eq(is.node, was.node);
     ck_assert_double_eq_tol(is.node_stiffness - was.node_stiffness, 2.0 * stiff, 1e-9 * stiff);
     const double bound = mus_drape_step_bound(drape);
-    ck_assert_double_eq_tol(bound * sqrt(is.node_stiffness / is.node_mass) / (verlet ? 2.0 : 2.62), 1.0, 1e-14);
+    ck_assert_double_eq_tol(bound * sqrt(is.node_stiffness / is.node_mass) / (verlet ? sqrt(3.0) : 2.62), 1.0, 1e-14);
     ck_assert_double_lt(bound, 0.9 * before);
     ck_assert_int_gt(is.steps_per_frame, was.steps_per_frame);
 

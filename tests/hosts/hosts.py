@@ -5,6 +5,7 @@ One line a host: its hash and whether it is the command's, or what the machine l
 programs and the library are those of MUSLIN_BIN and MUSLIN_LIB, or of the build folder MUSLIN_OUT (build), where hosts/
 takes what is built here.
 """
+import importlib.util
 import json
 import os
 import pathlib
@@ -20,7 +21,7 @@ LIB = pathlib.Path(os.environ.get("MUSLIN_LIB", BUILD / "lib/libmuslin.so")).res
 OUT = BUILD / "hosts"
 SCENE = ("tshirt", "W40", "30")  # design, table size, spacing [mm]
 STRICT = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion", "-Werror"]
-SANITIZE = ["-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"]
+SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"]
 
 
 class Skipped(Exception):
@@ -77,8 +78,58 @@ def lua():
     return run(luajit, BINDINGS / "lua/tshirt.lua", *SCENE)
 
 
+def ctypes():
+    program = "import sys, muslin; d, s, mm = sys.argv[1:]; " \
+              "print(muslin.dress(d, muslin.Tape.size(s), spacing=0.001 * float(mm)).drape.state_hash)"
+    return run(sys.executable, "-c", program, *SCENE, PYTHONPATH=str(BINDINGS / "python"))
+
+
+def cffi():
+    if importlib.util.find_spec("cffi") is None:
+        raise Skipped("the Python package cffi is not installed")
+    design, size, spacing = SCENE
+    return run(sys.executable, ROOT / "tests/abi/dress_cffi.py", BINDINGS / "abi/muslin_flat.h", LIB, design, size,
+               0.001 * float(spacing))
+
+
+def node():
+    program, npm = need("node", "npm")
+    package = OUT / "node"
+    shutil.copytree(BINDINGS / "node", package, dirs_exist_ok=True, ignore=shutil.ignore_patterns("node_modules"))
+    if not (package / "node_modules/typescript").exists():
+        try:
+            run(npm, "install", "--no-audit", "--no-fund", cwd=package)
+        except RuntimeError as error:
+            raise Skipped("npm could not install koffi and typescript") from error
+    here = {"MUSLIN_ABI_JSON": str(BINDINGS / "abi/muslin_abi.json")}
+    (package / "index.d.ts").write_text(run(program, package / "types.js", **here))
+    shutil.copy(ROOT / "tests/hosts/types.ts", package)
+    run(program, "node_modules/typescript/bin/tsc", "--noEmit", "--strict", "--target", "es2022", "--module",
+        "nodenext", "--types", "node", "types.ts", cwd=package)
+    run(program, "--expose-gc", ROOT / "tests/hosts/objects.mjs", package / "index.js", **here)
+    return run(program, package / "tshirt.js", *SCENE, **here)
+
+
+def rust():
+    cargo, = need("cargo")
+    where = {"CARGO_TARGET_DIR": str(OUT / "rust"), "MUSLIN_LIB_DIR": str(LIB.parent), "MUSLIN_STATIC": "1"}
+    run(cargo, "test", "-q", "--offline", "--locked", cwd=BINDINGS / "rust", **where)
+    return run(cargo, "run", "-q", "--offline", "--locked", "--example", "tshirt", "--", *SCENE, cwd=BINDINGS / "rust",
+               **where)
+
+
+def julia():
+    program, = need("julia")
+    project = f"--project={BINDINGS / 'julia'}"
+    try:
+        run(program, project, "-e", "using Pkg; Pkg.instantiate()")
+    except RuntimeError as error:
+        raise Skipped("Pkg could not install JSON") from error
+    return run(program, project, BINDINGS / "julia/tshirt.jl", *SCENE)
+
+
 HOSTS = {"g++": lambda: cpp("g++"), "clang++": lambda: cpp("clang++"), "g++ with ASan and UBSan": cpp_asan,
-         "luajit": lua}
+         "luajit": lua, "python (ctypes)": ctypes, "python (cffi)": cffi, "node": node, "cargo": rust, "julia": julia}
 
 
 def main():

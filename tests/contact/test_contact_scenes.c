@@ -235,8 +235,8 @@ START_TEST(a_body_stays_where_it_stops)
 END_TEST
 
 
-/* cloth that starts in the body comes out at about 1 m/s: no burst. From near the axis it must stretch over the
- * roller to come out, and snaps when it slips over */
+/* cloth that starts just in the body comes out below 1 m/s: no burst. From deep inside it must stretch over the roller
+ * to come out, and snaps when it slips over: at the speeds of such elastic energies, some metres a second */
 START_TEST(cloth_that_starts_inside_comes_out_slowly)
 {
     static const double heights[] = {0.099, 0.05, 0.03};
@@ -254,7 +254,7 @@ START_TEST(cloth_that_starts_inside_comes_out_slowly)
         deepest = report.max_penetration;
     }
     ck_assert_double_le(deepest, 1e-6);
-    ck_assert_msg(fastest < (_i / 2 % 3 < 2 ? 3.0 : 10.0), "%g m/s, %g J", fastest, elastic);
+    ck_assert_msg(fastest < (_i / 2 % 3 == 0 ? 1.0 : 10.0), "%g m/s, %g J", fastest, elastic);
     meeting_end(&m);
 }
 END_TEST

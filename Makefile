@@ -175,7 +175,6 @@ same check check-hosts check-omit check-large people slips outside designs catal
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
-
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
@@ -189,6 +188,7 @@ RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --j
 RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
 RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
+RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png

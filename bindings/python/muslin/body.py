@@ -69,9 +69,9 @@ class Body(Object):
         return pose
 
     def fit(self, pose, gap=0.012):
-        """Fit a Pose to the body: arms `gap` [m] off its sides, its lowest point on the floor. Returns the pose."""
+        """Fit a Pose to the body: arms `gap` [m] off its sides, its feet (pose.feet) on the floor. Returns the pose."""
         self.do("clear_arms", ctypes.byref(pose.struct), gap)
-        self.do("ground", ctypes.byref(pose.struct))
+        self.do("stand", pose.feet, ctypes.byref(pose.struct))
         return pose
 
     def move(self, name, gap=0.012):

@@ -96,8 +96,8 @@ MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
  *
  * Errors:  as mus_body_pose(); MUS_ERR_ARG (feet is no such sum); MUS_ERR_BODY also where the limits of hips and knees
  *          keep a foot off the floor. The pose is then left as it was
- * Accuracy: 0.01 mm of the radius fields that cloth touches
- * Cost:    1 ms, with legs to bend about 5 ms
+ * Accuracy: the lowest vertex of mus_body_vertices() is within 0.01 mm of the floor
+ * Cost:    about 5 ms on a skin of 60,000 vertices
  */
 MUS_API mus_status mus_body_stand(const mus_body *body, int32_t feet, mus_pose *pose);
 

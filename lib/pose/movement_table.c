@@ -4,8 +4,9 @@
  * The walk stays in place, as on a treadmill. A leg follows the normative curves of hip, knee and ankle over the cycle
  * from heel strike; the other leg does the same half a period later. Normative hip angles refer to a pelvis tilted
  * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed by 4 degrees, so
- * that the ball of the foot is on the floor when the other heel strikes: toes do not bend here. The pelvis turns towards the leg behind, drops on the swinging side and shifts to
- * the standing side; the chest turns against the pelvis, and legs and head keep their direction.
+ * that the ball of the foot is on the floor when the other heel strikes: toes do not bend here. The pelvis turns
+ * towards the leg behind, drops on the swinging side and shifts to the standing side; the chest turns against the
+ * pelvis, and legs and head keep their direction.
  *
  * Every other movement goes from hanging arms through shares of one named pose, and some back again. The root moves
  * down and backwards so that standing feet stay in place, for a mean thigh of 0.225 and a mean shank of 0.234 of the

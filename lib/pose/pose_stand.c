@@ -22,7 +22,7 @@
 #define STAND_NEAR 1e-5  /* [m] a foot this near the floor stands; chosen: the bits of flat feet are kept */
 #define STAND_SKIN 0.01  /* [m] vertices of a foot are this near its field; chosen: toes and heel are within 4 mm */
 #define STAND_SECANTS 30 /* most iterations of a leg; four are usual */
-#define STAND_HEIGHTS 12 /* most heights of the root that are tried; chosen: the last differ by 1/2000 of the first two */
+#define STAND_HEIGHTS 12 /* most heights of the root that are tried; chosen: the last two differ by 1/2000 */
 #define STAND_TURNS 8    /* iterations of the knee on the sideways part of the leg, which it hardly changes */
 
 /* a foot of a body: the part of the rig, MUS_NONE: the body lacks it; and the skin's vertices in the rest pose */
@@ -36,7 +36,7 @@ typedef struct stand_leg {
     int32_t right;
     double thigh[3], shank[3]; /* from hip to knee and from knee to ankle, in the rest pose */
     double twist[9];           /* abduction and rotation of the hip */
-    double ankle[2], up[2];    /* upward and forward part of the way from hip to ankle in the pose, and of the vertical */
+    double ankle[2], up[2];    /* upward and forward: the way from hip to ankle in the pose, and the vertical */
 } stand_leg;
 
 

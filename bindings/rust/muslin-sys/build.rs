@@ -44,7 +44,7 @@ fn declared(text: &str) -> (String, String) {
     let at = text.rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |i| i + 1);
     let (kind, name) = text.split_at(at);
     let mut made = rust_type(kind);
-    for length in lengths.split(['[', ']']).filter(|length| !length.is_empty()).rev() {
+    for length in lengths.split(|c| c == '[' || c == ']').filter(|length| !length.is_empty()).rev() {
         made = format!("[{made}; {length}]");
     }
     (format!("r#{name}"), made)
@@ -109,7 +109,7 @@ fn translate(header: &str) -> String {
             feature = if part.is_empty() { String::new() } else { format!("#[cfg(feature = \"{part}\")] ") };
             Ok(())
         } else if let Some((start, arguments)) = line.strip_suffix(')').and_then(|line| line.split_once('(')) {
-            let at = start.rfind([' ', '*']).unwrap() + 1;
+            let at = start.rfind(|c| c == ' ' || c == '*').unwrap() + 1;
             let signature = signature(arguments, &start[..at]);
             writeln!(out, "extern \"C\" {{ {feature}pub fn {}{signature}; }}", &start[at..])
         } else {

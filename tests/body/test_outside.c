@@ -40,7 +40,7 @@ Suite *mus_suite_outside(void)
     Suite *suite = suite_create("outside");
     TCase *tests = tcase_create("outside");
     tcase_set_timeout(tests, 60);
-    tcase_add_test(tests, the_written_file_has_the_girths_of_the_tape);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, the_written_file_has_the_girths_of_the_tape);
     suite_add_tcase(suite, tests);
     return suite;
 }

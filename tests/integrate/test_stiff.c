@@ -290,7 +290,7 @@ Suite *mus_suite_stiff(void)
     tcase_add_test(tests, damped_springs_are_stable_up_to_the_known_step);
     tcase_add_test(tests, a_pendulum_on_a_stiff_spring_keeps_time);
     tcase_add_test(tests, a_stiff_spring_loses_its_fast_motion_and_keeps_the_slow_one);
-    tcase_add_test(tests, a_hundred_thousand_slow_periods);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, a_hundred_thousand_slow_periods);
     tcase_add_test(tests, a_stiff_decay_is_followed_below_the_limit);
     tcase_add_test(tests, a_stiff_decay_above_the_limit_is_seen);
     tcase_add_test(tests, the_beam_of_the_test_set_below_its_limit);

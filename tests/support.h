@@ -34,9 +34,8 @@
 /* a context on the counting allocator; log lines are kept for support_log() */
 mus_context *support_context(void);
 
-/* under the sanitizers a test takes ten times as long: long ones that differ in numbers alone run a part of them, and so
- * they do in the second compiler's run of CI (SUPPORT_BRIEF) */
-#if defined __SANITIZE_ADDRESS__ || defined SUPPORT_BRIEF
+/* under the sanitizers a test takes ten times as long: long ones that differ in numbers alone run a part of them */
+#ifdef __SANITIZE_ADDRESS__
 #define SUPPORT_SLOW 1
 #else
 #define SUPPORT_SLOW 0

@@ -201,7 +201,7 @@ SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M5
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
 RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
-  REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
+  REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design

@@ -100,8 +100,9 @@ public:
     Handle(Handle &&from) noexcept : context_(from.context_), object_(std::exchange(from.object_, nullptr)) {}
     Handle &operator=(Handle &&from) noexcept
     {
-        std::swap(context_, from.context_);
-        std::swap(object_, from.object_);
+        Handle taken(std::move(from));
+        std::swap(context_, taken.context_);
+        std::swap(object_, taken.object_);
         return *this;
     }
     ~Handle() { destroy(object_); }

@@ -198,13 +198,17 @@ function prepare(name, given) {
     return call;
 }
 
-function finish(name, call, back) {
-    const { result } = abi.functions[name];
+// after a call, also one that koffi refused: the context is free again, what ended meanwhile goes
+function end(call) {
     call.given.length = 0; // koffi keeps its last callback, which must not keep them
     const ended = call.state?.waiting ?? [];
     if (call.state) call.state.waiting = null;
     ended.forEach(release);
     call.hooks.forEach((one) => koffi.unregister(one));
+}
+
+function finish(name, call, back) {
+    const { result } = abi.functions[name];
     const made = call.made.map(({ kind, out, size }) => {
         if (kind !== "char") return own(kind, out[0], call.state);
         const bytes = out[0] && Buffer.from(koffi.view(out[0], Number(size[0])).slice(0));
@@ -220,21 +224,33 @@ function finish(name, call, back) {
 
 function now(name, given) {
     const call = prepare(name, given);
-    return finish(name, call, native(name)(...call.values));
+    let back;
+    try {
+        back = native(name)(...call.values);
+    } finally {
+        end(call);
+    }
+    return finish(name, call, back);
 }
 
 function later(name, given) {
     return new Promise((resolve, reject) => {
         const call = prepare(name, given);
         if (call.state) call.state.waiting = [];
-        native(name).async(...call.values, (error, back) => {
-            try {
-                if (error) throw error;
-                resolve(finish(name, call, back));
-            } catch (failure) {
-                reject(failure);
-            }
-        });
+        try {
+            native(name).async(...call.values, (error, back) => {
+                try {
+                    end(call);
+                    if (error) throw error;
+                    resolve(finish(name, call, back));
+                } catch (failure) {
+                    reject(failure);
+                }
+            });
+        } catch (failure) {
+            end(call);
+            throw failure;
+        }
     });
 }
 

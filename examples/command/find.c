@@ -75,7 +75,7 @@ int command_catalogue(int argc, char **argv)
 }
 
 
-/* Prints the patterns found. */
+/* The patterns found, the nearest first, and their distances. */
 typedef struct finds {
     int32_t count, id[FIND_MOST], exact[FIND_MOST];
     double distance[FIND_MOST];

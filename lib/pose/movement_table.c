@@ -41,7 +41,7 @@ static const double walk_rows[WALK_KEYS][5] = {
 };
 
 /* height of the root against standing, in parts of the stature, with which the lower foot is on the floor, over half a
- * cycle: the mean of mus_body_ground() over W34, W40 and M50 */
+ * cycle: the mean of mus_body_ground() over W34, W40 and M50, to 0.0004. mus_body_move() finds each body's own */
 static const double walk_bob[WALK_KEYS / 2] = {-0.0099, -0.0038, -0.0038, -0.0069, -0.0099};
 
 /* a key: time [s], share of the named pose, rotation of the root [degrees], nonzero: left and right exchanged */

@@ -281,9 +281,16 @@ static mus_status stand_both(const mus_body *body, const stand_foot *foot, int32
         else high = floor;
         floor = 0.5 * (low + high);
     }
+    const double apart = 1e3 * fabs(off[0] - off[1]);
+    if (feet != (MUS_FOOT_LEFT | MUS_FOOT_RIGHT))
+        return mus__fail(body->context, MUS_ERR_BODY,
+                         "the %s foot, which does not stand, stays below the floor: it is %.0f mm below the other in "
+                         "the pose, more than the limits of hip and knee allow the leg to bend",
+                         feet == MUS_FOOT_LEFT ? "right" : "left", apart);
     return mus__fail(body->context, MUS_ERR_BODY,
                      "the feet do not reach the floor together: one is %.0f mm above the other in the pose, more than "
-                     "the limits of hips and knees allow the legs to make up", 1e3 * fabs(off[0] - off[1]));
+                     "the limits of hips and knees allow the legs to make up",
+                     apart);
 }
 
 

@@ -288,7 +288,7 @@ START_TEST(limbs_can_be_added)
     ck_assert_msg(more > ball + 5e-4 && more < ball + 5.5e-3, "%g", more);
     ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_WAIST), 0.76, 1e-9);
 
-    /* tapes that must be refused */
+    /* a sum of limbs that there is not, and a def of another size, are refused */
     mus_tape *tape = odd_tape(context, MUS_SEX_FEMALE, odd_woman);
     mus_body_def def;
     mus_body *none = NULL;

@@ -2,8 +2,7 @@
  * test_outside.c: measures of the written OBJ file, taken by a ruler that reads the file alone (study/outside). Those
  * that are known to be beyond their limits are left to `make outside`, which counts them apart.
  */
-#include <stdio.h>
-#include <unistd.h>
+#include <math.h>
 
 #include "people.h"
 #include "study/outside/measure.h"
@@ -13,8 +12,8 @@ START_TEST(the_written_file_has_the_girths_of_the_tape)
 {
     static const char *const sizes[] = {"W36", "W46", "M50", "M60", "C68", "C128"};
     mus_context *context = support_context();
-    char path[64];
-    snprintf(path, sizeof path, "/tmp/muslin-outside-%d.obj", (int)getpid());
+    char path[256];
+    support_scratch("body.obj", path, sizeof path);
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         mus_body *body = people_body(context, sizes[i], NULL);
         double made[OUTSIDE_ROWS];
@@ -29,7 +28,6 @@ START_TEST(the_written_file_has_the_girths_of_the_tape)
         }
         mus_body_destroy(body);
     }
-    remove(path);
     support_context_end(context);
 }
 END_TEST

@@ -305,7 +305,6 @@ START_TEST(where_nothing_is_near_nothing_changes)
 END_TEST
 
 
-/* thickness 0, larger than half the cell */
 /* neighbours that go round together do not come near each other: a sheet that turns and falls asks for next to nothing
  * (9,460 distances while the list had what drifts apart or together by as much as these differ) */
 START_TEST(what_turns_with_its_neighbours_is_not_asked)

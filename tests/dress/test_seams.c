@@ -267,7 +267,7 @@ static mus_pattern *pleated(mus_context *context, bool box)
 }
 
 
-/* issue 6 e: a pleat takes twice its depth, to 1 %; the layers lie on one another without a gap */
+/* a pleat takes twice its depth, to 1 %; the layers lie on one another without a gap */
 START_TEST(laid_pleats_take_twice_their_depth)
 {
     mus_context *context = support_context();

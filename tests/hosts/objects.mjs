@@ -28,6 +28,8 @@ const sewing = drape.sewAsync(() => true);
 assert.throws(() => drape.nodeCount(), /await it first/);
 muslin.tapeCreate(muslin.contextCreate()).destroy(); // another context is free
 await assert.rejects(sewing, { code: "MUS_ERR_STOPPED" });
+await assert.rejects(drape.stepAsync("one", {})); // no number: the call does not begin, and the context stays free
+assert.ok(drape.nodeCount() > 0);
 let told;
 drape.sew((at) => { told = at; });
 assert.ok(told.nodes > 0 && told.phase);

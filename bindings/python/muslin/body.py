@@ -45,8 +45,9 @@ class Body(Object):
             lib.mus_limb_init(ctypes.byref(struct), ctypes.sizeof(struct))
             fill(struct, given)
         definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
-        return cls(context, _handle=create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
-                                           ctypes.byref(definition)))
+        handle = create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
+                        ctypes.byref(definition))
+        return cls(context, _handle=handle)
 
     def posed(self, pose):
         """A copy of the body in a Pose (or a mus_pose); measures and volume are those of the rest pose."""

@@ -285,7 +285,7 @@ pub fn fabric(name: &str) -> Result<Fabric> {
     }
 }
 
-/// Options of [`dress`]; those of `mus_dress_def`.
+/// Options of [`dress`], as `mus_dress_def` has them; `place` and the options of the drape are left at their defaults.
 #[derive(Clone, Copy)]
 pub struct DressOptions {
     pub spacing: f64,
@@ -296,6 +296,8 @@ pub struct DressOptions {
     pub friction: f64,
     pub retry: bool,
     pub open_closures: bool,
+    /// A pattern that takes more nodes is refused: set it before reading what strangers send.
+    pub nodes_most: i32,
     pub progress_seconds: f64,
 }
 
@@ -311,6 +313,7 @@ impl Default for DressOptions {
             friction: def.friction,
             retry: def.retry != 0,
             open_closures: def.open_closures != 0,
+            nodes_most: def.nodes_most,
             progress_seconds: def.progress_seconds,
         }
     }
@@ -374,6 +377,7 @@ where
     def.friction = options.friction;
     def.retry = options.retry.into();
     def.open_closures = options.open_closures.into();
+    def.nodes_most = options.nodes_most;
     def.progress_seconds = options.progress_seconds;
     def.progress = Some(forward::<F>);
     def.progress_user = &mut hook as *mut Hook<F> as *mut c_void;

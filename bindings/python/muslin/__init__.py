@@ -34,6 +34,7 @@ from .scan import scan
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LEFT", "FOOT_RIGHT", "Fabric", "Fit",
-           "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs",
-           "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves",
-           "pattern_reason", "poses", "read_obj", "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj", "__version__"]
+           "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs", "draft",
+           "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "pattern_reason",
+           "poses", "read_obj", "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj",
+           "__version__"]

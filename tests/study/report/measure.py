@@ -20,11 +20,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 
-# one row a point; "error" says which of the three it is: time, mesh, model, or rest (distance from the shape at rest)
+# one row a point; "error" says which it is: time, mesh, model, energy, or rest (distance from the shape at rest)
 FIELDS = ["scene", "error", "quantity", "variant", "integrator", "precision", "bending", "contact", "threads",
           "spacing_mm", "nodes", "step_s", "step_of_bound", "simulated_s", "steps", "node_evaluations",
           "spring_evaluations", "contact_queries", "cpu_s", "cpu_least_s", "repeats", "cpu_s_per_s", "wall_s",
-          "error_mm", "error_rms_mm", "value", "exact", "floor_mm", "status", "note"]
+          "error_mm", "error_rms_mm", "motion_mm", "motion_median_mm", "value", "exact", "floor_mm", "status", "note"]
 EVALUATIONS = {"rk4": 4, "verlet": 1, "euler": 1}  # of the forces, a step
 
 
@@ -114,6 +114,13 @@ def distance(path, reference):
     return {"error_mm": 1e3 * float(apart_by.max()), "error_rms_mm": 1e3 * float(np.sqrt(np.mean(apart_by ** 2)))}
 
 
+def motion(reference, start):
+    """{motion_mm, motion_median_mm}: how far the farthest node went from its start on the reference path, and the median
+    node: what an error is measured by."""
+    went = np.linalg.norm(np.asarray(reference) - np.asarray(start).reshape(-1, 3), axis=-1).max(0)
+    return {"motion_mm": 1e3 * float(went.max()), "motion_median_mm": 1e3 * float(np.median(went))}
+
+
 def counts(drape, before, integrator):
     """Counts of a run from the drape's reports before and after."""
     after = drape.report
@@ -125,7 +132,7 @@ def counts(drape, before, integrator):
 
 def point(drape, integrator, state, h, steps, samples, reference, enough=0.1):
     """One point: the path against the reference, and then the same steps timed in one call."""
-    found = distance(path_of(drape, state, steps, h, samples), reference)
+    found = {**distance(path_of(drape, state, steps, h, samples), reference), **motion(reference, state[0])}
     drape.set_state(*state)
     before = drape.report
     drape.step(steps * samples, h)

@@ -10,7 +10,8 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 import matplotlib.ticker as ticker  # noqa: E402
 
 WIDE, DPI = 12.0, 100
-COLOUR = {"rk4": "#1f5fa8", "verlet": "#c4511d", "euler": "#3d8b37"}
+COLOUR = {"rk4": "#1f5fa8", "verlet": "#c4511d", "euler": "#3d8b37", "implicit Euler": "#7a4fa3",
+          "implicit midpoint": "#a8860b"}
 NAME = {"rk4": "RK4", "verlet": "Verlet", "euler": "symplectic Euler"}
 plt.rcParams.update({"font.size": 11, "axes.grid": True, "grid.alpha": 0.3, "legend.fontsize": 9,
                      "axes.titlesize": 12, "lines.markersize": 5})
@@ -31,14 +32,14 @@ def _lines(rows, names=("integrator", "precision", "variant")):
 
 
 def _style(integrator, precision, variant):
-    own = variant == "mus_integrate"
+    own = variant in ("mus_integrate", "implicit, scipy")
     return dict(color=COLOUR.get(integrator, "#555555"), linestyle=":" if own else "-" if precision == 64 else "--",
                 marker="s" if own else "o" if precision == 64 else "^",
                 markerfacecolor="none" if precision == 32 or own else None)
 
 
 def _label(integrator, precision, variant):
-    return f"{NAME.get(integrator, integrator)}, " + ("mus_integrate" if variant == "mus_integrate"
+    return f"{NAME.get(integrator, integrator)}, " + (variant.split(", ")[-1] if variant != "mus_drape_step"
                                                      else "double" if precision == 64 else "float")
 
 

@@ -5,6 +5,7 @@ errors for the plate and for the paper's springs over one node. Let go level, it
 """
 import numpy as np
 
+import implicit
 import measure
 import model
 import muslin
@@ -19,18 +20,24 @@ def fabric(stretch):
     return {"weight": WEIGHT, "stretch": (stretch, stretch), "shear": 0.0, "bend": (BEND, BEND, BEND)}
 
 
-def time_error(cells=10, halvings=8):
-    """Time error of both halves, which swing down for 0.1 s."""
+def trial(cells):
+    """Both halves, level and at rest, which swing down when let go."""
     n = 2 * cells + 1
     held = np.arange(n) == cells
     cell = (LENGTH / cells, WIDTH)
     lattice = model.Lattice(1, n, cell, fabric(1000.0), held, (0.0, -G, 0.0))
     places = np.array(lattice.rest).reshape(-1, 3)
-    trial = runs.Trial("cantilever", lattice, cell, fabric(1000.0), (places, np.zeros_like(places)), INTERVAL, SAMPLES,
-                       (0.0, -G, 0.0))
-    reference, floor = runs.references(trial)
-    rows = runs.steppers(trial, reference, floor, halvings=halvings, stop_mm=20 * floor)
-    return [{**r, "spacing_mm": 1e3 * cell[0]} for r in rows]
+    return runs.Trial("cantilever", lattice, cell, fabric(1000.0), (places, np.zeros_like(places)), INTERVAL, SAMPLES,
+                      (0.0, -G, 0.0))
+
+
+def time_error(cells=10, halvings=8, implicit_steps=(1, 2, 4, 8, 16)):
+    """Time error of both halves, which swing down for 0.1 s."""
+    scene = trial(cells)
+    reference, floor = runs.references(scene)
+    rows = runs.steppers(scene, reference, floor, halvings=halvings, stop_mm=20 * floor)
+    rows += implicit.steps(scene, reference, floor, per_sample=implicit_steps)
+    return [{**r, "spacing_mm": 1e3 * scene.cell[0]} for r in rows]
 
 
 def rest(cells, bending, precision, exact):

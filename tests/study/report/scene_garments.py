@@ -11,17 +11,18 @@ import measure
 import muslin
 
 
-def time_error(design, spacing=0.02, halvings=6, span=0.1, contact="on", samples=50, finer=64,
-               damping=0.0):
-    """Swaying garment; contact="off": without a body, held where it lies on the waist or the shoulders. damping is that
-    of the fabric: dashpots are forces of velocity, which velocity Verlet takes with its first order alone."""
-    tape = muslin.Tape.read(garment.TAPE)
-    pattern, body = muslin.draft(design, tape), muslin.Body(tape)
-    cloth = muslin.Cloth(pattern, muslin.Fabric(damping=damping), spacing=spacing)
+def at_rest(cloth, body):
+    """The garment sewn and settled on its body."""
     still = muslin.Drape(cloth, body, settle_seconds=20.0)
     still.place()
     still.sew()
     garment.settle(still)
+    return still
+
+
+def maker(cloth, body, still, contact):
+    """make(precision=, integrator=): a drape that starts from the shape at rest, with gravity tilted. Without contact
+    it is held where it lies on the waist or the shoulders."""
     heights = np.array(still.positions)[:, 1]
     upper = np.flatnonzero(heights > heights.max() - 0.02)
 
@@ -35,11 +36,24 @@ def time_error(design, spacing=0.02, halvings=6, span=0.1, contact="on", samples
                 drape.pin(int(node))
         return drape
 
+    return make
+
+
+def time_error(design, spacing=0.02, halvings=6, span=0.1, contact="on", samples=50, finer=64,
+               damping=0.0, fabric=None):
+    """Swaying garment; contact="off": without a body, held where it lies on the waist or the shoulders. damping is that
+    of the fabric: dashpots are forces of velocity, which velocity Verlet takes with its first order alone."""
+    tape = muslin.Tape.read(garment.TAPE)
+    pattern, body = muslin.draft(design, tape), muslin.Body(tape)
+    values = muslin.Fabric(fabric, damping=damping) if fabric else muslin.Fabric(damping=damping)
+    cloth = muslin.Cloth(pattern, values, spacing=spacing)
+    make = maker(cloth, body, at_rest(cloth, body), contact)
+
     def hem(places):
         return float(1e3 * places[:, 1].min())
 
-    return garment.time_error(design, make, span, halvings, samples, finer, scalar=hem, spacing_mm=1e3 * spacing,
-                              contact=contact, dashpots=damping > 0.0)
+    return garment.time_error(f"{design}, {fabric}" if fabric else design, make, span, halvings, samples, finer,
+                              scalar=hem, spacing_mm=1e3 * spacing, contact=contact, dashpots=damping > 0.0)
 
 
 def mesh_error(design, plan=((0.02, 9), (0.01, 5), (0.005, 1))):

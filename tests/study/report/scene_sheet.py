@@ -5,6 +5,7 @@ linear, so there is no closed form), or from 0.1 mm of its first mode (mesh erro
 """
 import numpy as np
 
+import implicit
 import measure
 import model
 import runs
@@ -36,10 +37,11 @@ def mode(x, y):
     return np.sin(np.pi * x) * np.sin(np.pi * y)
 
 
-def time_error(n=50, halvings=8, samples=SAMPLES):
+def time_error(n=50, halvings=8, samples=SAMPLES, implicit_steps=(1, 2, 4, 8)):
     scene = sheet(n, bump, BUMP, samples=samples)
     reference, floor = runs.references(scene)
-    return runs.steppers(scene, reference, floor, halvings=halvings, stop_mm=20 * floor)
+    rows = runs.steppers(scene, reference, floor, halvings=halvings, stop_mm=20 * floor)
+    return rows + implicit.steps(scene, reference, floor, per_sample=implicit_steps)
 
 
 def integrator_error(n=20, halvings=4, samples=SAMPLES):

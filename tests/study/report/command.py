@@ -1,7 +1,7 @@
 """command.py: the way that users go: one call dresses a body (mus_dress, `muslin dress`), several garments and fabrics.
 
-CPU seconds of the whole call, how it ended, and what the settle says of itself: rest_distance, how far its farthest node
-is expected still to go. Beside it stands how far that node is from the shape that Newton's method finds from there
+CPU seconds of the whole call, how it ended, and what the settle says of itself: rest_distance, how far its farthest
+node is expected still to go. Beside it stands how far that node is from the shape that Newton's method finds from there
 (newton.py), where the factors prove a minimum: an estimate below the truth is a fault of the estimate.
 """
 import numpy as np
@@ -11,8 +11,8 @@ import measure
 import muslin
 import newton
 
-PLAN = [("tshirt", "jersey"), ("tshirt", "cotton"), ("skirt", "jersey"), ("skirt", "denim"), ("full_skirt_midi", "jersey"),
-        ("shirt", "cotton"), ("jeans", "denim"), ("leggings", "jersey")]
+PLAN = [("tshirt", "jersey"), ("tshirt", "cotton"), ("skirt", "jersey"), ("skirt", "denim"),
+        ("full_skirt_midi", "jersey"), ("shirt", "cotton"), ("jeans", "denim"), ("leggings", "jersey")]
 NEWTON_MOST = 6000  # nodes: Newton's factors of more take minutes
 
 

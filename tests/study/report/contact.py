@@ -1,9 +1,9 @@
 """contact.py: cloth on a limb, against answers that are not the library's.
 
 A row of nodes lies over a level cylinder. Pinned on its top and without friction it comes to the least energy that
-keeps every node outside: scipy finds that minimum by itself, from model.py's springs and the circle alone. Not held, with
-friction, a heavy row that hangs down on both sides holds or slips by the capstan's law with its own weight: with the
-radius R, the weight w a length and arms a and b,
+keeps every node outside: scipy finds that minimum by itself, from model.py's springs and the circle alone. Not held,
+with friction, a heavy row that hangs down on both sides holds or slips by the capstan's law with its own weight: with
+the radius R, the weight w a length and arms a and b,
 
     T' = R w cos t + mu (T + R w sin t),  T(0) = w a,  T(pi) = w b
 

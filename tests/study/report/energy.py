@@ -19,8 +19,8 @@ SHARES = (0.99, 0.5, 0.25, 0.125)
 def scenes(sheet_cells):
     """{name: trial} of the scenes with an answer; the sheet coarser than in its time error."""
     strip, _ = scene_strip.trial(16)
-    return {"strip": strip, "fall": scene_fall.trial(), "sheet": scene_sheet.sheet(sheet_cells, scene_sheet.bump, scene_sheet.BUMP),
-            "cantilever": scene_cantilever.trial(10)}
+    return {"strip": strip, "fall": scene_fall.trial(), "cantilever": scene_cantilever.trial(10),
+            "sheet": scene_sheet.sheet(sheet_cells, scene_sheet.bump, scene_sheet.BUMP)}
 
 
 def drift(seconds=10.0, sheet_cells=16, looks=200, shares=SHARES):

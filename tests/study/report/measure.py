@@ -115,8 +115,8 @@ def distance(path, reference):
 
 
 def motion(reference, start):
-    """{motion_mm, motion_median_mm}: how far the farthest node went from its start on the reference path, and the median
-    node: what an error is measured by."""
+    """{motion_mm, motion_median_mm}: how far the farthest node went from its start on the reference path, and the
+    median node: what an error is measured by."""
     went = np.linalg.norm(np.asarray(reference) - np.asarray(start).reshape(-1, 3), axis=-1).max(0)
     return {"motion_mm": 1e3 * float(went.max()), "motion_median_mm": 1e3 * float(np.median(went))}
 

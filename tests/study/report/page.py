@@ -20,7 +20,8 @@ def write(into, jobs, claims, machine, swing, quick):
     """REPORT.md and its pictures."""
     pictures(into, jobs, machine)
     parts = [head(machine, swing, quick), conclude.text(jobs), time_part(jobs), parting_part(jobs), energy_part(jobs),
-             mesh_part(jobs), contact_part(jobs), model_part(jobs), cost_part(jobs), command_part(jobs), sewing_part(jobs), rest_part(jobs), stopped_part(jobs), LEFT_OUT, checks(claims)]
+             mesh_part(jobs), contact_part(jobs), model_part(jobs), cost_part(jobs), command_part(jobs),
+             sewing_part(jobs), rest_part(jobs), stopped_part(jobs), LEFT_OUT, checks(claims)]
     (into / "REPORT.md").write_text("\n".join(parts))
 
 
@@ -168,10 +169,10 @@ def time_part(jobs):
 
 Reference of strip, sheet and cantilever: another program (springs and Runge-Kutta in numpy, or the closed form), at
 1/64 of the largest step; beside it the library in double. Sheet and cantilever have a third program in their pictures:
-implicit steps on the same springs, with scipy's factors (implicit.py). Of disc, skirt and T-shirt: RK4 in double at 1/64,
-beside it Verlet in double at 1/64. How far the two references are apart is the grey band in the pictures; an error below
-it says nothing. All of these runs last 0.1 s and start at rest or near it; the last column is what an error is to be held
-against. Longer runs follow below.
+implicit steps on the same springs, with scipy's factors (implicit.py). Of disc, skirt and T-shirt: RK4 in double at
+1/64, beside it Verlet in double at 1/64. How far the two references are apart is the grey band in the pictures; an
+error below it says nothing. All of these runs last 0.1 s and start at rest or near it; the last column is what an error
+is to be held against. Longer runs follow below.
 
 {table(('scene', 'wished', 'cheapest setting', 'CPU s a simulated s', 'its error [mm]', 'references apart [mm]',
         'moved, farthest / median node [mm]'), lines)}
@@ -252,15 +253,16 @@ def parting_part(jobs):
                                 number(r["error_mm"])))
     return f"""## Longer runs: until when places mean something, and what means something after that
 
-Two runs of one scene that differ in their step, stepper or precision part: folds and slips make the motion chaotic. Each
-setting is held against RK4 in double at half of its largest step; the runs have parted when the farthest node is 1 mm off.
+Two runs of one scene that differ in their step, stepper or precision part: folds and slips make the motion chaotic.
+Each setting is held against RK4 in double at half of its largest step; the runs have parted when the farthest node is 1
+mm off.
 
 {table(('scene', 'setting', 'parted after [s]', 'run [s]', ''), parted)}
 How far they are apart over the first 0.1, 1 and 10 s, beside how far the cloth moved:
 
 {table(('scene', 'setting', 'span [s]', 'greatest [mm]', 'rms [mm]', 'moved, farthest / median [mm]'), after)}
-What stays are means: over the second half of the run and over starts that differ by at most 0.1 mm a node, median and the
-distance of the quartiles. Two settings agree where their medians differ by no more than that.
+What stays are means: over the second half of the run and over starts that differ by at most 0.1 mm a node, median and
+the distance of the quartiles. Two settings agree where their medians differ by no more than that.
 
 {table(('scene', 'scalar', 'setting', '', 'median [mm]', 'quartiles apart [mm]'), scalars)}
 """
@@ -269,7 +271,8 @@ distance of the quartiles. Two settings agree where their medians differ by no m
 def energy_part(jobs):
     lines, momentum = [], []
     for r in jobs["energy"]:
-        way = (r["scene"], plots.NAME[r["integrator"]], r["precision"], f"{r['step_of_bound']:g}", number(r["simulated_s"]))
+        way = (r["scene"], plots.NAME[r["integrator"]], r["precision"], f"{r['step_of_bound']:g}",
+               number(r["simulated_s"]))
         if r["quantity"].startswith("energy"):
             lines.append((*way, f"{100 * r['value']:+.2g}", f"{100 * r['exact']:.2g}", r["status"],
                           number(r["spring_evaluations"], 3)))
@@ -296,14 +299,14 @@ def contact_part(jobs):
     slip = [r for r in jobs["contact"] if r["quantity"].startswith("longest")]
     return f"""## Contact against answers that are not the library's
 
-A row of nodes over a level cylinder, pinned on its top, without friction: the shape of least energy that keeps every node
-outside, found by scipy from model.py's springs and the circle alone.
+A row of nodes over a level cylinder, pinned on its top, without friction: the shape of least energy that keeps every
+node outside, found by scipy from model.py's springs and the circle alone.
 
 {table(('nodes', 'spacing [mm]', 'farthest node apart [mm]', 'rms [mm]'),
        [(r['nodes'], f"{r['spacing_mm']:.3g}", number(r['error_mm']), number(r['error_rms_mm'])) for r in lying])}
-The same row, not held, with friction: the arm on the right that friction can just hold against one radius on the left, by
-the capstan's law with the row's own weight (closed form in contact.py). Nodes lie on the circle as a polygon, which is of
-first order in the spacing.
+The same row, not held, with friction: the arm on the right that friction can just hold against one radius on the left,
+by the capstan's law with the row's own weight (closed form in contact.py). Nodes lie on the circle as a polygon, which
+is of first order in the spacing.
 
 {table(('friction', 'nodes', 'held [radii]', 'law [radii]', 'apart'),
        [(r['variant'].split()[-1], r['nodes'], f"{r['value']:.3f}", f"{r['exact']:.3f}",
@@ -322,13 +325,13 @@ def command_part(jobs):
                           "-" if not far else number(far["error_mm"]) if far["status"] == "ok" else far["status"]))
     return f"""## The way that users go
 
-`muslin dress` and mus_dress are one call: cut, sew, settle, by damped steps with raised inertia and none of the steppers
-above. Its own estimate, rest_distance, is how far it expects the farthest node still to go; beside it stands where
-Newton's method (newton.py) comes to rest from there. On a body with friction many shapes are at rest, and Newton's lets
-nodes go or slide that it cannot hold: the distance holds that too.
+`muslin dress` and mus_dress are one call: cut, sew, settle, by damped steps with raised inertia and none of the
+steppers above. Its own estimate, rest_distance, is how far it expects the farthest node still to go; beside it stands
+where Newton's method (newton.py) comes to rest from there. On a body with friction many shapes are at rest, and
+Newton's lets nodes go or slide that it cannot hold: the distance holds that too.
 
-{table(('garment, fabric', 'nodes', 'CPU s', 'end', 'residual, of a weight', '', 'estimate [mm]', 'to Newton’s shape [mm]'),
-       lines)}
+{table(('garment, fabric', 'nodes', 'CPU s', 'end', 'residual, of a weight', '', 'estimate [mm]',
+        "to Newton's shape [mm]"), lines)}
 """
 
 

@@ -1,11 +1,11 @@
 """parting.py: how long two runs of one scene stay together, and what they agree on after that.
 
 Each scene runs for `seconds` from one state with five settings: RK4 in double at 0.95 and at half of its bound (the
-latter is what the others are held against), Verlet in double and in float, RK4 in float. The parting time is the first at
-which the farthest node is 1 mm off. After it places say nothing, and scalars do: means over the second half of the run
-of the height of the lowest fiftieth of the nodes (the hem) and of the centre of mass, over `seeds` starts that differ by
-at most 0.1 mm a node: median and quartiles of the two settings that users run, RK4 in double and Verlet in float.
-"""
+latter is what the others are held against), Verlet in double and in float, RK4 in float. The parting time is the first
+at which the farthest node is 1 mm off. After it places say nothing, and scalars do: means over the second half of the
+run of the height of the lowest fiftieth of the nodes (the hem) and of the centre of mass, over `seeds` starts that
+differ by at most 0.1 mm a node: median and quartiles of the two settings that users run, RK4 in double and Verlet in
+float. """
 import numpy as np
 
 import garment

@@ -20,7 +20,8 @@ import runs
 JOBS = {
     "strip": ("scene_strip", "time_error", {}, {"halvings": 5}),
     "strip_mesh": ("scene_strip", "mesh_error", {}, {"cells": [50, 100]}),
-    "sheet": ("scene_sheet", "time_error", {"halvings": 6}, {"n": 20, "halvings": 4, "samples": 25, "implicit_steps": [1]}),
+    "sheet": ("scene_sheet", "time_error", {"halvings": 6}, {"n": 20, "halvings": 4, "samples": 25,
+                                                           "implicit_steps": [1]}),
     "sheet_integrate": ("scene_sheet", "integrator_error", {}, {"n": 10, "halvings": 2, "samples": 10}),
     "sheet_mesh": ("scene_sheet", "mesh_error", {}, {"cells": [20, 40]}),
     "cantilever": ("scene_cantilever", "time_error", {},
@@ -132,8 +133,8 @@ def claims(jobs):
     found.append((f"contact: a row on a limb lies within {worst:.1e} mm of scipy's least energy, 0.01 mm, on "
                   f"{len(lying)} meshes", worst <= 0.01 and all(r["status"] == "ok" for r in lying)))
     falls = [abs(r["value"] / r["exact"] - 1) for r in finest(jobs["contact"])]
-    found.append((f"contact: friction holds a row over a limb as the capstan's law says, to {100 * max(falls):.2g} % on "
-                  "the finest mesh, 4 %", max(falls) <= 0.04))
+    found.append((f"contact: friction holds a row over a limb as the capstan's law says, to {100 * max(falls):.2g} % "
+                  "on the finest mesh, 4 %", max(falls) <= 0.04))
     paper = sorted((r for r in jobs["cantilever_mesh"] if r["bending"] == "paper"), key=lambda r: -r["spacing_mm"])
     found.append((f"cantilever: the paper's springs are {paper[0]['error_mm']:.0f} and {paper[-1]['error_mm']:.0f} mm "
                   "wrong, worse on the finer mesh (B6)", paper[-1]["error_mm"] > paper[0]["error_mm"] > 5.0))

@@ -37,20 +37,20 @@ def drift(seconds=10.0, sheet_cells=16, looks=200, shares=SHARES):
 
 def one(name, trial, integrator, precision, share, seconds, looks):
     drape = trial.drape(precision, integrator)
-    h = share * drape.step_bound
-    count = max(1, int(seconds / looks / h))
+    first = share * drape.step_bound
     mass = trial.lattice.mass.reshape(-1)
     start, moving, most, status, note = drape.report["energy"], 0.0, 0.0, "ok", ""
     before = drape.report
     try:
         for _ in range(looks):
-            drape.step(count, h)
+            h = share * drape.step_bound  # of the pose
+            drape.step(max(1, int(seconds / looks / h)), h)
             speed = np.array(drape.velocities)
             moving = max(moving, 0.5 * float((mass * (speed ** 2).sum(1)).sum()))
             most = max(most, drape.report["energy"] - start)
     except muslin.MuslinError as error:
         status, note = ("diverged" if error.name == "MUS_ERR_DIVERGED" else error.name), error.text
-    return trial.row(**{"integrator": integrator, "precision": precision, "variant": "mus_drape_step", "step_s": h,
+    return trial.row(**{"integrator": integrator, "precision": precision, "variant": "mus_drape_step", "step_s": first,
                         "step_of_bound": share, "status": status, "note": note,
                         "value": (drape.report["energy"] - start) / moving, "exact": most / moving,
                         **measure.counts(drape, before, integrator)}) | {

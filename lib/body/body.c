@@ -92,7 +92,27 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     }
     for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
         status = body_fit(body, l, turn, xy, work);
-    if (status == MUS_OK) mus__body_without(body);
+    if (status != MUS_OK) return status;
+    mus__relief_ends(body);
+    mus__body_without(body);
+    return MUS_OK;
+}
+
+
+/* fields, fillets and details of the finished contours; then the surface, and what a tape finds on it */
+static mus_status body_finish(mus_body *body, const double *turn, double *xy, int32_t *work)
+{
+    body->fillet = BODY_FILLET * body->skeleton.crown;
+    mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
+    mus_status status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    if (status == MUS_OK) status = mus__body_fillets(body, body->fillet);
+    if (status != MUS_OK) return status;
+    mus__body_relief(body);
+    mus__body_give(body, turn, xy, work);
+    status = mus__body_surface(body, turn);
+    if (status == MUS_OK) status = mus__body_remeasure(body);
+    if (status == MUS_OK) status = mus__body_lengths(body);
+    if (status == MUS_OK && body->digit_vertices > 0) mus__digit_make(body);
     return status;
 }
 
@@ -115,19 +135,15 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     if (turn == NULL || work == NULL) {
         status = mus__fail_memory(body->context, "the directions of contours");
     } else {
-        mus__contour_turns(n, turn);
-        status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
+        mus__field_turns(n, turn);
+        double *xy = turn + 2 * (ptrdiff_t)n;
+        status = body_contours(body, tape, turn, xy, work);
         if (status == MUS_OK) status = body_add(body);
-        if (status == MUS_OK) status = mus__body_surface_of(body, turn);
-        if (status == MUS_OK) status = mus__body_remeasure(body);
+        if (status == MUS_OK) status = body_finish(body, turn, xy, work);
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);
-    mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
-    if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
-    if (status == MUS_OK) status = mus__body_lengths(body);
-    body->fillet = BODY_FILLET * body->skeleton.crown;
-    return status == MUS_OK ? mus__body_skin(body) : status;
+    return status;
 }
 
 
@@ -226,14 +242,14 @@ int32_t mus_body_triangle_count(const mus_body *body)
 const double *mus_body_vertices(const mus_body *body)
 {
     if (body == NULL) return NULL;
-    return body->skin != NULL ? body->skin : body->vertices;
+    return body->vertices;
 }
 
 
 const double *mus_body_normals(const mus_body *body)
 {
     if (body == NULL) return NULL;
-    return body->skin_normals != NULL ? body->skin_normals : body->normals;
+    return body->normals;
 }
 
 

@@ -41,14 +41,12 @@ struct mus_body {
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;     /* (vertex_count x 3) of the limbs' rings, which measures and contact agree with [m] */
-    double *normals;      /* (vertex_count x 3) */
+    double *vertices;     /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
+    double *normals;      /* (vertex_count + digit_vertices x 3) */
     int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
     double *ring;         /* (rings of all limbs) s of each ring [m] */
-    double fillet;        /* width of the skin's fillets where limbs meet [m], 0: none */
-    double *skin;         /* (vertex_count + digit_vertices x 3) the published skin [m]; NULL: that of the limbs */
-    double *skin_normals; /* (vertex_count + digit_vertices x 3) */
-    int32_t digit_vertices, digit_triangles; /* fingers and toes, in the skin alone, after all limbs */
+    double fillet;        /* width of the fillets where limbs meet [m], 0: none */
+    int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     mus__rig rig;
     mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
     mus__stance stance; /* pose of a posed body */

@@ -15,7 +15,7 @@
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
-    mus_body_def own = {.samples = 96, .ring_spacing = 0.01};
+    mus_body_def own = {.samples = 128, .ring_spacing = 0.01};
     mus__def_init(def, size, &own, sizeof own);
 }
 
@@ -59,23 +59,6 @@ mus_status mus__body_limbs(mus_body *body, int32_t count)
 }
 
 
-mus_status mus__body_surface_of(mus_body *body, const double *turn)
-{
-    mus__stack *stack = mus__new(body->context, body->limb_count, sizeof *stack);
-    if (stack == NULL) return mus__fail_memory(body->context, "the stacks of a body");
-    mus_status status = MUS_OK;
-    for (int32_t l = 0; l < body->limb_count && status == MUS_OK; l++) {
-        if (body->limb[l].gone) continue;
-        status = mus__stack_make(body->context, &body->limb[l], body->def.samples, turn, &stack[l]);
-        if (status == MUS_OK) mus__stack_limit(&stack[l], &body->limb[l]);
-    }
-    if (status == MUS_OK) status = mus__body_surface(body, stack);
-    for (int32_t l = 0; l < body->limb_count; l++) mus__stack_free(body->context, &stack[l]);
-    mus__free(body->context, stack);
-    return status;
-}
-
-
 /* append the fields of the parts of limb l; rings about `spacing` [m] apart */
 static mus_status make_fields(mus_body *body, int32_t l, const double *turn, double spacing)
 {
@@ -83,6 +66,7 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
     if (body->limb[l].gone) return MUS_OK;
     mus_status status = mus__stack_make(body->context, &body->limb[l], MUS__FIELD_ANGLES, turn, &stack);
     if (status != MUS_OK) return status;
+    mus__stack_limit(&stack, &body->limb[l]);
     while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {
         const int32_t p = body->nfield;
         status = mus__field_make(body->context, &stack, &body->rig.part[p], spacing, &body->field[p]);
@@ -122,8 +106,6 @@ void mus_body_destroy(mus_body *body)
     mus__free(body->context, body->vertices);
     mus__free(body->context, body->normals);
     mus__free(body->context, body->ring);
-    mus__free(body->context, body->skin);
-    mus__free(body->context, body->skin_normals);
     mus__free(body->context, body->triangles);
     mus__free(body->context, body);
 }

@@ -13,8 +13,6 @@
 mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own);
 /* allocate `count` empty limbs. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_limbs(mus_body *body, int32_t count);
-/* the surface of all limbs, sampled in the directions `turn` (def.samples x 2). Errors: MUS_ERR_MEMORY */
-mus_status mus__body_surface_of(mus_body *body, const double *turn);
 /* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
@@ -53,9 +51,9 @@ mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, cons
 
 /* ---- body_surface.c, ring_mesh.c ---- */
 
-/* rings, vertices, normals and triangles of all limbs; stack (limb_count) sampled at def.samples equal angles. Errors:
- * MUS_ERR_MEMORY */
-mus_status mus__body_surface(mus_body *body, const mus__stack *stack);
+/* rings, vertices, normals and triangles of all limbs, from the fields, in the directions `turn` (def.samples x 2).
+ * Errors: MUS_ERR_MEMORY */
+mus_status mus__body_surface(mus_body *body, const double *turn);
 /* normals (rings n + 2 x 3) of the closed surface of an end point, rings of n vertices, and an end point, from ring
  * `from` on */
 void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals);
@@ -69,17 +67,34 @@ mus_status mus__body_remeasure(mus_body *body);
 /* lengths in body->made, along the surface; needs the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_lengths(mus_body *body);
 
-/* ---- skin.c, digit.c, seat_cleft.c, shape.c: the published skin ---- */
+/* ---- give.c: girths kept by the finished surface ---- */
 
-/* the skin from the surface of the limbs; needs the fields. Errors: MUS_ERR_MEMORY */
-mus_status mus__body_skin(mus_body *body);
+/* scale the rings of limb l about its contour i, and the contour, by 1 + more */
+void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more);
+/* girth [m] of a tape round n points at the radii (n) in the directions `turn` (n x 2). Scratch: xy (2n), work (2n) */
+double mus__give_tape(int32_t n, const double *turn, const double *radius, double *xy, int32_t *work);
+/* scale the rings about all contours with a girth until the surface in the directions `turn` (def.samples x 2) has it.
+ * Scratch: xy (2 samples), work (2 samples) */
+void mus__body_give(mus_body *body, const double *turn, double *xy, int32_t *work);
+
+/* ---- skin.c ---- */
+
+/* vertices of a posed body near bent joints, on the parts */
+void mus__body_skin(mus_body *body);
+
+/* ---- fillet.c, relief.c, digit.c: what is added to the limbs, unless def.plain; after the fields ---- */
+
+/* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
+mus_status mus__body_fillets(mus_body *body, double reach);
+/* shorten hands and feet, where fingers and toes begin; before the fields are made */
+void mus__relief_ends(mus_body *body);
+/* s [m] at which the fingers of an arm end, whose contour of the hand is at `hand` [m] */
+double mus__relief_hand(const mus__limb *arm, double hand);
+/* face, arch of the feet and cleft of the seat, in the fields */
+void mus__body_relief(mus_body *body);
 /* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 /* write vertices, normals and triangles of fingers and toes after those of the limbs */
 void mus__digit_make(mus_body *body);
-/* the cleft of the seat and the groin of a child, in the finished skin */
-void mus__skin_seat(mus_body *body);
-/* face, palms and feet, in the vertices and normals of the skin */
-void mus__skin_shape(mus_body *body);
 
 #endif

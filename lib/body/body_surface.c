@@ -1,11 +1,13 @@
 /*
- * body_surface.c: the surface of the limbs: rings, vertices, triangles and normals from the stacks.
+ * body_surface.c: the surface of the limbs: rings, vertices, triangles and normals, drawn from the radius fields.
  *
- * The surface of a limb is an end point, rings of `samples` vertices, and an end point. There is a ring at every
- * contour, and between contours so many that no sample moves more than ring_spacing from one ring to the next; a cap
- * has a few rings at equal angles of its ellipse. Two rings are joined by quads cut in two, the ends by fans, so that
- * no triangle has more than two vertices on one contour, and those are neighbours (the two conditions of Metaaphanon
- * and Kanongchaiyos 2005, section 3.3). All triangles wind outwards.
+ * Every vertex is a point of the surface that contact touches: a ring of a limb is a section of the fields of its parts
+ * in `samples` directions. The surface of a limb is an end point, rings, and an end point. There is a ring at every
+ * contour; where a fillet or a detail changed a field, one at each of the field's own rings; and between these so many
+ * that no sample moves more than ring_spacing from one to the next. A cap has a few rings at equal angles of its
+ * ellipse. Two rings are joined by quads cut in two, the ends by fans, so that no triangle has more than two vertices
+ * on one contour, and those are neighbours (the two conditions of Metaaphanon and Kanongchaiyos 2005, section 3.3). All
+ * triangles wind outwards.
  */
 #include <math.h>
 #include <string.h>
@@ -16,49 +18,115 @@
 /* rings of a cap, at equal angles of the quarter of an ellipse; chosen */
 #define SURFACE_CAP_RINGS 6
 
+/* [m] ring_spacing up to which each of a field's changed rings is drawn: the default */
+#define SURFACE_FINE 0.01
 
-/* number of steps in the interval above contour i, 1 to 200, so that no sample moves more than `spacing` [m] in one */
-static int32_t surface_steps(const mus__stack *stack, int32_t i, double spacing)
+/* most rings between two contours: bounds the memory */
+#define SURFACE_STEPS 200
+
+/* a ring nearer to a contour than this, in distances of the field's rings, is left out; chosen */
+#define SURFACE_NEAR 0.3
+
+/* the sampling of a limb: its directions in the tables, and scratch for rings */
+typedef struct surface_work {
+    int32_t n, *entry;       /* (n) */
+    double *share;           /* (n) */
+    double *radius, *before; /* (n) */
+    double *stop, *ring;     /* s of the rings that must be there of one limb, and of all rings of all limbs */
+    int32_t most;            /* room for so many rings */
+} surface_work;
+
+
+/* the field of the part that contains s of limb l */
+static const mus__field *surface_field(const mus_body *body, int32_t l, double s)
 {
-    const mus__contour *p = &stack->limb->contour[i];
-    const double *r = stack->radius + (ptrdiff_t)i * stack->n;
-    double most = 0.0, rise = p[1].s - p[0].s;
-    for (int32_t k = 0; k < stack->n; k++) {
-        double move = fabs(r[k + stack->n] - r[k]);
-        if (move > most) most = move;
-    }
-    double steps = ceil(sqrt(rise * rise + most * most) / spacing);
-    return steps < 1.0 ? 1 : steps > 200.0 ? 200 : (int32_t)steps;
+    int32_t found = MUS_NONE;
+    for (int32_t p = 0; p < body->nfield; p++)
+        if (body->rig.part[p].limb == l && (found == MUS_NONE || s >= body->rig.part[p].end[0])) found = p;
+    return &body->field[found];
 }
 
 
-/* s of all rings of a limb into `out`, which may be NULL, and the ring of each contour; returns the number of rings */
-static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double spacing, double *out)
+/* the section of a limb at s in the directions of the surface */
+static void surface_section(const mus_body *body, int32_t l, double s, const surface_work *work, double *centre,
+                            double *radius)
 {
-    int32_t count = 0, last = limb->count - 1;
+    mus__field_ring(surface_field(body, l, s), s, work->n, work->entry, work->share, centre, radius);
+}
 
-    /* the lower cap from its pole upwards, the contours and the rings between them, the upper cap */
-    for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++, count++) {
-        double middle = stack->cap[0][0], axis = stack->cap[0][1];
-        double end = acos((middle - limb->contour[0].s) / axis);
-        if (out != NULL) out[count] = middle - axis * cos(end * j / SURFACE_CAP_RINGS);
+
+/* whether s is nearer to a contour than `least` [m] */
+static bool surface_at_contour(const mus__limb *limb, double s, double least)
+{
+    for (int32_t i = 0; i < limb->count; i++)
+        if (fabs(limb->contour[i].s - s) < least) return true;
+    return false;
+}
+
+
+/* s of the contours and of changed rings of the fields, ascending; returns their number */
+static int32_t surface_stops(const mus_body *body, int32_t l, double *stop)
+{
+    const mus__limb *limb = &body->limb[l];
+    const double low = limb->contour[0].s, high = limb->contour[limb->count - 1].s;
+    const int32_t stride = (int32_t)ceil(body->def.ring_spacing / SURFACE_FINE - 1e-9);
+    int32_t count = 0, i = 0;
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const mus__part *part = &body->rig.part[p];
+        const mus__field *field = &body->field[p];
+        if (part->limb != l) continue;
+        const double first = part->round[0] > 0.0 ? part->end[0] : low, last = part->round[1] > 0.0 ? part->end[1] : high;
+        for (int32_t j = field->fine[0]; j <= field->fine[1]; j += stride) {
+            const double s = field->s0 + j * field->ds;
+            if (s < first || s > last || surface_at_contour(limb, s, SURFACE_NEAR * field->ds)) continue;
+            while (i < limb->count && limb->contour[i].s < s) stop[count++] = limb->contour[i++].s;
+            stop[count++] = s;
+        }
     }
-    for (int32_t i = 0; i < last; i++) {
-        int32_t steps = surface_steps(stack, i, limb->contour[i].fine ? 0.5 * spacing : spacing);
-        double low = limb->contour[i].s, high = limb->contour[i + 1].s;
-        limb->contour[i].ring = count;
-        for (int32_t j = 0; j < steps; j++, count++)
-            if (out != NULL) out[count] = j == 0 ? low : low + (high - low) * j / steps;
-    }
-    limb->contour[last].ring = count;
-    if (out != NULL) out[count] = limb->contour[last].s;
-    count++;
-    for (int32_t j = SURFACE_CAP_RINGS - 1; j > 0; j--, count++) {
-        double middle = stack->cap[1][0], axis = stack->cap[1][1];
-        double end = acos((limb->contour[last].s - middle) / axis);
-        if (out != NULL) out[count] = middle + axis * cos(end * j / SURFACE_CAP_RINGS);
-    }
+    while (i < limb->count) stop[count++] = limb->contour[i++].s;
     return count;
+}
+
+
+/* s of the rings of the cap at an end of a limb, from its outer end inwards (end 0) or outwards */
+static int32_t surface_cap(const mus_body *body, int32_t l, int end, double *out)
+{
+    const mus__limb *limb = &body->limb[l];
+    const mus__contour *last = &limb->contour[end == 0 ? 0 : limb->count - 1];
+    const mus__field *field = surface_field(body, l, last->s);
+    const double middle = field->middle[end], axis = field->half[end];
+    const double most = acos((end == 0 ? middle - last->s : last->s - middle) / axis);
+    for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++) {
+        const int32_t step = end == 0 ? j : SURFACE_CAP_RINGS - j;
+        const double off = axis * cos(most * step / SURFACE_CAP_RINGS);
+        out[j - 1] = end == 0 ? middle - off : middle + off;
+    }
+    return SURFACE_CAP_RINGS - 1;
+}
+
+
+/* s of all rings of a limb into `out`, and the ring of each contour; returns their number */
+static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work, double *out)
+{
+    const int32_t most_rings = work->most - (int32_t)(out - work->ring) - SURFACE_CAP_RINGS;
+    mus__limb *limb = &body->limb[l];
+    const int32_t stops = surface_stops(body, l, work->stop), n = work->n;
+    double centre[2], *now = work->radius, *last = work->before;
+    int32_t count = surface_cap(body, l, 0, out), contour = 0;
+    for (int32_t i = 0; i < stops; i++) {
+        const double s = work->stop[i], low = i > 0 ? work->stop[i - 1] : s;
+        double most = 0.0, spacing = body->def.ring_spacing;
+        surface_section(body, l, s, work, centre, now);
+        if (contour > 0 && limb->contour[contour - 1].fine) spacing *= 0.5;
+        for (int32_t k = 0; k < n && i > 0; k++) most = fmax(most, fabs(now[k] - last[k]));
+        const double steps = fmin(ceil(sqrt((s - low) * (s - low) + most * most) / spacing), SURFACE_STEPS);
+        for (int32_t j = 1; j < steps && count + stops - i < most_rings; j++) out[count++] = low + (s - low) * j / steps;
+        if (contour < limb->count && s >= limb->contour[contour].s) limb->contour[contour++].ring = count;
+        out[count++] = s;
+        double *swap = now;
+        now = last, last = swap;
+    }
+    return count + surface_cap(body, l, 1, out + count);
 }
 
 
@@ -69,22 +137,22 @@ static void surface_point(const mus__limb *limb, double a, double b, double s, d
 }
 
 
-/* vertices (rings n + 2 x 3) of a limb in the rest pose. Scratch: radius (n) */
-static void surface_vertices(const mus__stack *stack, const mus__limb *limb, const double *s, double *radius,
-                             double *out)
+/* vertices (rings n + 2 x 3) of limb l in the rest pose */
+static void surface_vertices(const mus_body *body, int32_t l, const double *turn, const surface_work *work, double *out)
 {
-    double centre[2];
-    int32_t n = stack->n;
-    mus__stack_ring(stack, limb->pole[0], centre, radius);
+    const mus__limb *limb = &body->limb[l];
+    const double *s = body->ring + limb->first_ring;
+    double centre[2], *radius = work->radius;
+    surface_section(body, l, limb->pole[0], work, centre, radius);
     surface_point(limb, centre[0], centre[1], limb->pole[0], out);
     out += 3;
     for (int32_t j = 0; j < limb->rings; j++) {
-        mus__stack_ring(stack, s[j], centre, radius);
-        for (int32_t k = 0; k < n; k++, out += 3)
-            surface_point(limb, centre[0] + radius[k] * stack->turn[2 * k],
-                          centre[1] + radius[k] * stack->turn[2 * k + 1], s[j], out);
+        surface_section(body, l, s[j], work, centre, radius);
+        for (int32_t k = 0; k < work->n; k++, out += 3)
+            surface_point(limb, centre[0] + radius[k] * turn[2 * k], centre[1] + radius[k] * turn[2 * k + 1], s[j],
+                          out);
     }
-    mus__stack_ring(stack, limb->pole[1], centre, radius);
+    surface_section(body, l, limb->pole[1], work, centre, radius);
     surface_point(limb, centre[0], centre[1], limb->pole[1], out);
 }
 
@@ -107,16 +175,44 @@ static void surface_carry(const mus_body *body, int32_t l, const double *s, doub
 }
 
 
-mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
+/* scratch for the rings of all limbs. Errors: MUS_ERR_MEMORY */
+static mus_status surface_begin(const mus_body *body, const double *turn, surface_work *work)
 {
-    int32_t n = body->def.samples;
-    double spacing = body->def.ring_spacing;
+    const int32_t n = work->n = body->def.samples;
+    int64_t rows = 0;
+    for (int32_t p = 0; p < body->nfield; p++) rows += body->field[p].nring;
+    work->most = (int32_t)rows;
+    for (int32_t l = 0; l < body->limb_count; l++)
+        work->most += SURFACE_STEPS * body->limb[l].count + 2 * SURFACE_CAP_RINGS;
+    work->entry = mus__new(body->context, n, sizeof *work->entry);
+    work->share = mus__new(body->context, 3 * (int64_t)n, sizeof *work->share);
+    work->stop = mus__room(body->context, rows + MUS__LIMB_CONTOURS, sizeof *work->stop);
+    work->ring = mus__room(body->context, work->most, sizeof *work->ring);
+    if (!work->entry || !work->share || !work->stop || !work->ring)
+        return mus__fail_memory(body->context, "the surface of a body");
+    work->radius = work->share + n, work->before = work->radius + n;
+    mus__field_steps(MUS__FIELD_ANGLES, n, turn, work->entry, work->share);
+    return MUS_OK;
+}
 
-    /* sizes first */
+
+static void surface_end(const mus_body *body, surface_work *work)
+{
+    mus__free(body->context, work->entry);
+    mus__free(body->context, work->share);
+    mus__free(body->context, work->stop);
+    mus__free(body->context, work->ring);
+}
+
+
+/* rings of all limbs into body->ring, and their ranges. Errors: MUS_ERR_MEMORY */
+static mus_status surface_ranges(mus_body *body, const surface_work *work)
+{
+    const int32_t n = body->def.samples;
     int32_t rings = 0;
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
-        limb->rings = limb->gone ? 0 : surface_rings(&stack[l], limb, spacing, NULL);
+        limb->rings = limb->gone ? 0 : surface_rings(body, l, work, work->ring + rings);
         limb->vertices = limb->gone ? 0 : limb->rings * n + 2;
         limb->triangles = 2 * n * limb->rings;
         limb->first_vertex = body->vertex_count;
@@ -126,31 +222,46 @@ mus_status mus__body_surface(mus_body *body, const mus__stack *stack)
         limb->first_ring = rings;
         rings += limb->rings;
     }
+    body->ring = mus__room(body->context, rings, sizeof *body->ring);
+    if (body->ring == NULL) return mus__fail_memory(body->context, "the surface of a body");
+    memcpy(body->ring, work->ring, (size_t)rings * sizeof *body->ring);
+    return MUS_OK;
+}
 
-    body->vertices = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
-    body->normals = mus__room(body->context, 3 * (int64_t)body->vertex_count, sizeof(double));
+
+/* vertices, triangles and normals of all limbs. Errors: MUS_ERR_MEMORY */
+static mus_status surface_fill(mus_body *body, const double *turn, const surface_work *work)
+{
+    const int32_t n = body->def.samples;
     if (!body->def.plain) mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
+    const int64_t vertices = (int64_t)body->vertex_count + body->digit_vertices;
+    body->vertices = mus__room(body->context, 3 * vertices, sizeof(double));
+    body->normals = mus__room(body->context, 3 * vertices, sizeof(double));
     body->triangles =
-        mus__new(body->context, 3 * ((int64_t)body->triangle_count + body->digit_triangles), sizeof(int32_t));
-    body->ring = mus__new(body->context, rings, sizeof(double));
-    double *work = mus__new(body->context, n, sizeof(double));
-    if (!body->vertices || !body->normals || !body->triangles || !body->ring || !work) {
-        mus__free(body->context, work);
+        mus__room(body->context, 3 * ((int64_t)body->triangle_count + body->digit_triangles), sizeof(int32_t));
+    if (!body->vertices || !body->normals || !body->triangles)
         return mus__fail_memory(body->context, "the surface of a body");
-    }
 
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
+        double *x = body->vertices + 3 * (ptrdiff_t)limb->first_vertex;
         if (limb->gone) continue;
-        double *s = body->ring + limb->first_ring;
-        surface_rings(&stack[l], limb, spacing, s);
-        surface_vertices(&stack[l], limb, s, work, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
-        if (body->frame != NULL) surface_carry(body, l, s, body->vertices + 3 * (ptrdiff_t)limb->first_vertex);
+        surface_vertices(body, l, turn, work, x);
+        if (body->frame != NULL) surface_carry(body, l, body->ring + limb->first_ring, x);
         mus__ring_triangles(limb->first_vertex, limb->rings, n,
-                               body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
-        mus__ring_normals(body->vertices + 3 * (ptrdiff_t)limb->first_vertex, n, limb->rings, 0,
-                             body->normals + 3 * (ptrdiff_t)limb->first_vertex);
+                            body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
+        mus__ring_normals(x, n, limb->rings, 0, body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
-    mus__free(body->context, work);
     return MUS_OK;
+}
+
+
+mus_status mus__body_surface(mus_body *body, const double *turn)
+{
+    surface_work work = {0};
+    mus_status status = surface_begin(body, turn, &work);
+    if (status == MUS_OK) status = surface_ranges(body, &work);
+    if (status == MUS_OK) status = surface_fill(body, turn, &work);
+    surface_end(body, &work);
+    return status;
 }

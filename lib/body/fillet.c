@@ -1,0 +1,368 @@
+/*
+ * fillet.c: where two limbs meet, the radius fields of both carry a smooth union (a fillet).
+ *
+ * With depths d1 and d2 of a point in two limbs, positive inside, the smooth union is
+ *
+ *     D = max(d1, d2) + k/4 (1 - |d1 - d2|/k)^2   where |d1 - d2| < k,  else max(d1, d2)
+ *     k = reach * sqrt(sin^2(angle between the normals) - 2 |d1 - d2|/(1.8 reach))
+ *
+ * It adds material in creases only. Two parallel surfaces have k = 0, and so have two that face each other. Where one
+ * surface leaves the other along a curve of radius r (a cap within its limb, the seat over a thigh) sin^2 = 2 |d1 -
+ * d2|/r, so that curves with r > 1.8 reach have k = 0 too: they are no crease.
+ *
+ * An entry of a field is the radius at which the ray from the contour's centre leaves D > 0. A ray that runs into the
+ * other limb ends where d2 - d1 = 0.3 k, a little beyond the middle of the fillet: from there on the field of the other
+ * limb carries it, whose rays meet it less steeply. So the union of all fields has the whole fillet, and contact, which
+ * asks each field alone, needs to know nothing of it. The depth in the entry's own limb is that of the tangent plane at
+ * the entry, which is what its field tells along the ray.
+ *
+ * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts. In a pose the fields that have
+ * the fillets of the rest pose get those of the pose in addition.
+ *
+ * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; the width that depends on the angle of
+ * the gradients follows Gourmel and others, A Gradient-Based Implicit Blend, 2013.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "body/body_make.h"
+#include "geom/vec.h"
+
+/* radius from which on a curve between two surfaces is no crease, in reaches (45 mm for 25): about the radius of an
+ * arm, whose cap lies within the next part of the limb */
+#define FILLET_ROUND 1.8
+
+/* a field carries the fillet up to d2 - d1 = this part of k; chosen: at the middle the two fields overlap by some mm */
+#define FILLET_OVER 0.3
+
+/* reach of the fillet between torso and leg, in parts of the others', in the rest pose; it grows to 1 until the entries
+ * of the rotations of pelvis and thigh differ by FILLET_FOLD. Chosen: legs leave the torso along its surface */
+#define FILLET_LEG 0.4
+#define FILLET_FOLD 0.4
+
+/* Newton steps at most, and the distance from the union at which they end [m] */
+#define FILLET_STEPS 8
+#define FILLET_NEAR 1e-5
+
+/* a ray ends where the union falls along it by less than this: its surface is then steeper than 75 degrees, and the
+ * field of the other limb carries it */
+#define FILLET_SLOPE 0.26
+
+/* [m] an entry that grows by less is as it was: a hundredth of what a drawing shows */
+#define FILLET_LEAST 1e-5
+
+/* a joint is bent when an entry of the rotations of its two parts differs by more; chosen: about one degree */
+#define FILLET_BENT 0.02
+
+typedef struct fillet {
+    mus_body *body;
+    double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
+    double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
+    double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
+    double high[MUS__PARTS_MOST][3];
+    double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
+    int32_t count;                  /* number of parts near the ring */
+    int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
+} fillet;
+
+/* a ray of an entry: where it leaves its own limb, its direction, the normal there, and their product */
+typedef struct fillet_ray {
+    double start[3], way[3], normal[3], slope;
+} fillet_ray;
+
+
+/* depth [m] and normal of point p in a field, for fillets. Beside a flat cap (the bottom of the torso is ten times as
+ * broad as it is high) the first-order distance is much too short, so it is at least the distance to the end contour in
+ * its plane */
+static double fillet_field(const mus__field *field, const double *p, double *normal)
+{
+    double depth = mus__field_depth(field, p, normal), d[3];
+    if (!(depth > -1e29) || depth > 0.0) return depth;
+    for (int i = 0; i < 3; i++) d[i] = p[i] - field->origin[i];
+    double s = mus__dot3(d, field->axis) - field->s0, length = field->ds * (field->nring - 1);
+    if (s >= 0.0 && s <= length) return depth;
+
+    int32_t entry, ring = s < 0.0 ? 0 : field->nring - 1;
+    double share, a = mus__dot3(d, field->side) - field->centre[2 * ring];
+    double b = mus__dot3(d, field->front) - field->centre[2 * ring + 1], turn[2] = {a, b};
+    if (a == 0.0 && b == 0.0) return depth;
+    mus__field_steps(field->nangle, 1, turn, &entry, &share);
+    double off = sqrt(a * a + b * b) - field->radius[(ptrdiff_t)ring * field->nangle + entry];
+    return fmin(depth, -off);
+}
+
+
+/* reach of the fillet between limbs l and m [m] */
+static double fillet_reach(const fillet *at, int32_t l, int32_t m)
+{
+    const bool groin = at->body->measured && (l == MUS__LIMB_TORSO || m == MUS__LIMB_TORSO) &&
+                       l + m >= MUS__LIMB_LEG_LEFT && l + m <= MUS__LIMB_LEG_RIGHT;
+    return groin ? at->groin[l + m - MUS__LIMB_LEG_LEFT] * at->reach : at->reach;
+}
+
+
+/* largest depth [m] of point p in the listed parts from number `first` to `end`, and the normal there */
+static double fillet_depth(const fillet *at, int32_t first, int32_t end, const double *p, double *normal)
+{
+    double most = -1e30, n[3];
+    for (int32_t i = first; i < end; i++) {
+        const int32_t q = at->part[i];
+        const double *low = at->low[q], *high = at->high[q];
+        if (p[0] < low[0] || p[0] > high[0] || p[1] < low[1] || p[1] > high[1] || p[2] < low[2] || p[2] > high[2])
+            continue;
+        const double d = fillet_field(&at->body->field[q], p, n);
+        if (d > most) most = d, memcpy(normal, n, sizeof n);
+    }
+    return most;
+}
+
+
+/* how far [m] the ray of an entry of limb l goes on to the smooth union with the listed parts from `first` to `end` */
+static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t end, const fillet_ray *ray)
+{
+    double t = 0.0, last = 0.0, short_of = 0.0, before = 1.0;
+    for (int step = 0; step < FILLET_STEPS; step++) {
+        double p[3], n[3];
+        for (int i = 0; i < 3; i++) p[i] = ray->start[i] + t * ray->way[i];
+        const double own = -t * ray->slope, d = fillet_depth(at, first, end, p, n);
+        if (d < -reach) return t;
+        const double cosine = mus__dot3(ray->normal, n), apart = fabs(own - d);
+        const double square = 1.0 - cosine * cosine - 2.0 * apart / (FILLET_ROUND * reach);
+        if (square <= 0.0) return step == 0 ? 0.0 : t;
+        const double k = reach * sqrt(square), over = d - own - FILLET_OVER * k;
+        if (over >= 0.0) return step == 0 ? 0.0 : last + (t - last) * short_of / (short_of + over);
+
+        const double h = apart < k ? 1.0 - apart / k : 0.0, depth = fmax(own, d) + 0.25 * k * h * h;
+        if (fabs(depth) < FILLET_NEAR) return t;
+        const double other = d > own ? 1.0 - 0.5 * h : 0.5 * h;
+        const double slope = ray->slope + other * (mus__dot3(n, ray->way) - ray->slope);
+        if (slope < FILLET_SLOPE)
+            return step == 0 ? 0.0 : last + (t - last) * (before - FILLET_SLOPE) / (before - slope);
+        last = t, short_of = -over, before = slope;
+        t = fmax(t + depth / slope, 0.0);
+    }
+    return t;
+}
+
+
+/* the same with all listed parts, limb by limb */
+static double fillet_grow_all(const fillet *at, int32_t l, const fillet_ray *ray)
+{
+    const mus__part *part = at->body->rig.part;
+    double most = 0.0;
+    for (int32_t first = 0, end = 0; first < at->count; first = end) {
+        const int32_t other = part[at->part[first]].limb;
+        while (end < at->count && part[at->part[end]].limb == other) end++;
+        most = fmax(most, fillet_grow(at, fillet_reach(at, l, other), first, end, ray));
+    }
+    return most;
+}
+
+
+/* point (3) of a field at (a, b, s) */
+static void fillet_point(const mus__field *field, double a, double b, double s, double *out)
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = field->origin[i] + a * field->side[i] + b * field->front[i] + s * field->axis[i];
+}
+
+
+/* new radii of ring j of part q; with `half` of its left half alone. true: one of them grew */
+static bool fillet_ring(fillet *at, int32_t q, int32_t j, bool half, const double *turn)
+{
+    const mus__field *field = &at->body->field[q];
+    const int32_t n = field->nangle, l = at->body->rig.part[q].limb;
+    const double *c = field->centre + 2 * (ptrdiff_t)j, *radius = field->radius + (ptrdiff_t)j * n;
+    double *out = at->fresh[q] + (ptrdiff_t)j * n;
+    bool grew = false;
+    for (int32_t k = 0; k < n; k++) {
+        fillet_ray ray;
+        double d = -1e30, normal[3];
+        if (half && k > n / 4 && k < n - n / 4) continue;
+        fillet_point(field, c[0] + radius[k] * turn[2 * k], c[1] + radius[k] * turn[2 * k + 1],
+                     field->s0 + j * field->ds, ray.start);
+        d = fillet_depth(at, 0, at->count, ray.start, normal);
+        if (d < -at->reach || d > at->reach) continue;
+        for (int i = 0; i < 3; i++) ray.way[i] = turn[2 * k] * field->side[i] + turn[2 * k + 1] * field->front[i];
+        mus__field_depth(field, ray.start, ray.normal);
+        ray.slope = mus__dot3(ray.normal, ray.way);
+        if (ray.slope < FILLET_SLOPE) continue;
+        const double more = fillet_grow_all(at, l, &ray);
+        if (more > FILLET_LEAST) out[k] = radius[k] + more, grew = true;
+    }
+    return grew;
+}
+
+
+/* ---- which rings ---- */
+
+/* box of ring j of a field, a disc as wide as its largest radius */
+static void fillet_ring_box(const mus__field *field, int32_t j, double s, double r, double *low, double *high)
+{
+    const double *c = field->centre + 2 * (ptrdiff_t)j;
+    for (int i = 0; i < 3; i++) {
+        const double x = field->origin[i] + c[0] * field->side[i] + c[1] * field->front[i] + s * field->axis[i];
+        const double wide = r * sqrt(fmax(1.0 - field->axis[i] * field->axis[i], 0.0));
+        low[i] = x - wide, high[i] = x + wide;
+    }
+}
+
+
+/* box of the rings and poles of a field, grown by `more` [m] */
+static void fillet_box(const mus__field *field, double more, double *low, double *high)
+{
+    for (int i = 0; i < 3; i++) low[i] = 1e30, high[i] = -1e30;
+    for (int32_t j = -1; j <= field->nring; j++) {
+        const bool pole = j < 0 || j == field->nring;
+        const int32_t ring = j < 0 ? 0 : pole ? field->nring - 1 : j;
+        double a[3], b[3];
+        fillet_ring_box(field, ring, pole ? field->pole[j < 0 ? 0 : 1] : field->s0 + ring * field->ds,
+                        pole ? 0.0 : field->largest[ring], a, b);
+        for (int i = 0; i < 3; i++) low[i] = fmin(low[i], a[i] - more), high[i] = fmax(high[i], b[i] + more);
+    }
+}
+
+
+/* largest difference of the entries of the rotations of parts p and q of a posed body */
+static double fillet_turned(const mus_body *body, int32_t p, int32_t q)
+{
+    double most = 0.0;
+    for (int i = 0; i < 9; i++) most = fmax(most, fabs(body->frame[p].turn[i] - body->frame[q].turn[i]));
+    return most;
+}
+
+
+/* reaches between torso and legs; the first part of the torso is the pelvis, the last part of a leg the thigh */
+static void fillet_groins(fillet *at)
+{
+    const mus_body *body = at->body;
+    for (int32_t r = 0; r < 2; r++) {
+        int32_t thigh = MUS_NONE;
+        for (int32_t p = 0; p < body->nfield; p++)
+            if (body->rig.part[p].limb == MUS__LIMB_LEG_LEFT + r) thigh = p;
+        const bool posed = body->measured && body->frame != NULL && thigh != MUS_NONE;
+        const double fold = posed ? fmin(fillet_turned(body, 0, thigh) / FILLET_FOLD, 1.0) : 0.0;
+        at->groin[r] = FILLET_LEG + (1.0 - FILLET_LEG) * fold;
+    }
+}
+
+
+/* whether two limbs meet in a fillet: thighs, and arms and legs, touch without one */
+static bool fillet_joins(const mus_body *body, int32_t l, int32_t m)
+{
+    const int32_t foot = MUS__LIMB_FOOT_LEFT - MUS__LIMB_LEG_LEFT, low = l < m ? l : m, high = l < m ? m : l;
+    if (!body->measured || high >= MUS__LIMB_COUNT || low == MUS__LIMB_TORSO) return l != m;
+    return low >= MUS__LIMB_LEG_LEFT && high == low + foot;
+}
+
+
+/* list the parts whose boxes overlap that of ring j of part q */
+static void fillet_parts(fillet *at, int32_t q, int32_t j)
+{
+    const mus_body *body = at->body;
+    const mus__field *field = &body->field[q];
+    double low[3], high[3];
+    fillet_ring_box(field, j, field->s0 + j * field->ds, field->largest[j], low, high);
+    at->count = 0;
+    for (int32_t o = 0; o < body->nfield; o++) {
+        bool apart = !fillet_joins(body, body->rig.part[q].limb, body->rig.part[o].limb);
+        for (int i = 0; i < 3; i++) apart |= low[i] > at->high[o][i] || high[i] < at->low[o][i];
+        if (!apart) at->part[at->count++] = o;
+    }
+}
+
+
+/* new radii of all rings of a part. Errors: MUS_ERR_MEMORY */
+static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *turn)
+{
+    mus__field *field = &at->body->field[q];
+    const mus__part *part = &at->body->rig.part[q];
+    const size_t row = (size_t)field->nangle;
+    for (int32_t j = 0; j < field->nring; j++) {
+        const double s = field->s0 + j * field->ds;
+        if (part->round[0] > 0.0 && s < part->end[0]) continue; /* a round cap lies within the next part */
+        if (part->round[1] > 0.0 && s > part->end[1]) continue;
+        fillet_parts(at, q, j);
+        if (at->count == 0) continue;
+        if (at->fresh[q] == NULL) {
+            at->fresh[q] = mus__room(at->body->context, (int64_t)field->nring * field->nangle, sizeof(double));
+            if (at->fresh[q] == NULL) return mus__fail_memory(at->body->context, "the fillets of a body");
+            memcpy(at->fresh[q], field->radius, (size_t)field->nring * row * sizeof(double));
+        }
+        if (!fillet_ring(at, q, j, half, turn)) continue;
+        if (j < field->fine[0]) field->fine[0] = j;
+        if (j > field->fine[1]) field->fine[1] = j;
+    }
+    return MUS_OK;
+}
+
+
+/* ---- the body ---- */
+
+/* the part that mirrors part q of a symmetric body: that of the limb after a left one */
+static int32_t fillet_mirror_part(const mus_body *body, int32_t q)
+{
+    const int32_t l = body->rig.part[q].limb;
+    int32_t first = q, other = 0;
+    while (first > 0 && body->rig.part[first - 1].limb == l) first--;
+    while (body->rig.part[other].limb != l + 1) other++;
+    return other + q - first;
+}
+
+
+/* the right half of the new radii of a part of the torso from its left half; of a part of a left limb all of the right
+ * one. Entry k on the left, X > 0, mirrors entry n/2 - k on the right */
+static void fillet_mirror(fillet *at, int32_t q)
+{
+    const int32_t n = at->body->field[q].nangle, rings = at->body->field[q].nring;
+    const bool middle = at->body->rig.part[q].limb == MUS__LIMB_TORSO;
+    const int32_t to = middle ? q : fillet_mirror_part(at->body, q);
+    if (at->fresh[q] == NULL) return;
+    if (!middle) {
+        at->fresh[to] = mus__room(at->body->context, (int64_t)rings * n, sizeof(double));
+        memcpy(at->body->field[to].fine, at->body->field[q].fine, sizeof at->body->field[q].fine);
+    }
+    for (int32_t j = 0; j < rings && at->fresh[to] != NULL; j++) {
+        const double *from = at->fresh[q] + (ptrdiff_t)j * n;
+        double *row = at->fresh[to] + (ptrdiff_t)j * n;
+        for (int32_t k = 0; k < n; k++)
+            if (!middle || k <= n / 4 || k >= n - n / 4) row[(n + n / 2 - k) % n] = from[k];
+    }
+}
+
+
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose */
+static bool fillet_is_even(const mus_body *body)
+{
+    return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
+}
+
+
+mus_status mus__body_fillets(mus_body *body, double reach)
+{
+    fillet at = {.body = body, .reach = reach};
+    double turn[2 * MUS__FIELD_ANGLES];
+    mus_status status = MUS_OK;
+    if (reach == 0.0 || body->def.plain) return MUS_OK;
+    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    for (int32_t q = 0; q < body->nfield; q++) fillet_box(&body->field[q], reach, at.low[q], at.high[q]);
+    fillet_groins(&at);
+    const bool even = fillet_is_even(body);
+    for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
+        const int32_t l = body->rig.part[q].limb;
+        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(&at, q, even && l == 0, turn);
+    }
+    for (int32_t q = 0; q < body->nfield && even && status == MUS_OK; q++) {
+        const int32_t l = body->rig.part[q].limb;
+        if (l == MUS__LIMB_TORSO || l % 2 == 1) fillet_mirror(&at, q);
+    }
+    for (int32_t q = 0; q < body->nfield; q++) {
+        mus__field *field = &body->field[q];
+        if (at.fresh[q] == NULL) continue;
+        if (status == MUS_OK)
+            memcpy(field->radius, at.fresh[q], (size_t)field->nring * (size_t)field->nangle * sizeof(double));
+        mus__free(body->context, at.fresh[q]);
+        mus__field_bounds(field);
+    }
+    return status;
+}

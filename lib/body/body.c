@@ -93,7 +93,6 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
     for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
         status = body_fit(body, l, turn, xy, work);
     if (status != MUS_OK) return status;
-    mus__relief_ends(body);
     mus__body_without(body);
     return MUS_OK;
 }
@@ -107,7 +106,9 @@ static mus_status body_finish(mus_body *body, const double *turn, double *xy, in
     mus_status status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
     if (status == MUS_OK) status = mus__body_fillets(body, body->fillet);
     if (status != MUS_OK) return status;
-    mus__body_relief(body);
+    status = mus__body_relief(body);
+    if (status != MUS_OK) return status;
+    if (mus__body_is_even(body)) mus__body_mirror(body);
     mus__body_give(body, turn, xy, work);
     status = mus__body_surface(body, turn);
     if (status == MUS_OK) status = mus__body_remeasure(body);

@@ -96,6 +96,7 @@ mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const m
     copy->field = NULL, copy->nfield = 0;
     copy->vertices = copy->normals = NULL, copy->triangles = NULL;
     copy->ring = NULL;
+    copy->crease = NULL, copy->creases = 0;
     copy->vertex_count = copy->triangle_count = copy->digit_vertices = copy->digit_triangles = 0;
     copy->stance = *stance;
     const mus_status status = copy_make(body, frame, copy);

@@ -27,6 +27,13 @@ typedef struct mus__body_kept {
     void (*destroy)(void *data); /* called when the last body is destroyed, and before another thing takes its place */
 } mus__body_kept;
 
+/* the normal of the skin at an entry of a part's field that a fillet changed: that of the smooth union, equal on the
+ * surfaces of both limbs */
+typedef struct mus__crease {
+    int32_t part, ring, entry;
+    double normal[3];
+} mus__crease;
+
 struct mus_body {
     mus_context *context;
     mus_body_def def;
@@ -45,6 +52,8 @@ struct mus_body {
     double *normals;      /* (vertex_count + digit_vertices x 3) */
     int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
     double *ring;         /* (rings of all limbs) s of each ring [m] */
+    int32_t creases;
+    mus__crease *crease;  /* (creases) */
     double fillet;        /* width of the fillets where limbs meet [m], 0: none */
     int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     mus__rig rig;

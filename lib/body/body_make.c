@@ -106,6 +106,7 @@ void mus_body_destroy(mus_body *body)
     mus__free(body->context, body->vertices);
     mus__free(body->context, body->normals);
     mus__free(body->context, body->ring);
+    mus__free(body->context, body->crease);
     mus__free(body->context, body->triangles);
     mus__free(body->context, body);
 }

@@ -86,12 +86,16 @@ void mus__body_skin(mus_body *body);
 
 /* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fillets(mus_body *body, double reach);
-/* shorten hands and feet, where fingers and toes begin; before the fields are made */
-void mus__relief_ends(mus_body *body);
-/* s [m] at which the fingers of an arm end, whose contour of the hand is at `hand` [m] */
-double mus__relief_hand(const mus__limb *arm, double hand);
-/* face, arch of the feet and cleft of the seat, in the fields */
-void mus__body_relief(mus_body *body);
+/* face, arch of the feet and cleft of the seat, in the fields. Errors: MUS_ERR_MEMORY */
+mus_status mus__body_relief(mus_body *body);
+/* how far [m] the ring at s of limb l is drawn below its place on the axis: hands and feet end where fingers and toes
+ * begin */
+double mus__relief_short(const mus_body *body, int32_t l, double s);
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Fillets and details are then made
+ * on its left half */
+bool mus__body_is_even(const mus_body *body);
+/* the right half of a symmetric body from its left one */
+void mus__body_mirror(mus_body *body);
 /* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 /* write vertices, normals and triangles of fingers and toes after those of the limbs */

@@ -147,13 +147,13 @@ static void surface_vertices(const mus_body *body, int32_t l, const double *turn
     surface_point(limb, centre[0], centre[1], limb->pole[0], out);
     out += 3;
     for (int32_t j = 0; j < limb->rings; j++) {
+        const double at = s[j] - mus__relief_short(body, l, s[j]);
         surface_section(body, l, s[j], work, centre, radius);
         for (int32_t k = 0; k < work->n; k++, out += 3)
-            surface_point(limb, centre[0] + radius[k] * turn[2 * k], centre[1] + radius[k] * turn[2 * k + 1], s[j],
-                          out);
+            surface_point(limb, centre[0] + radius[k] * turn[2 * k], centre[1] + radius[k] * turn[2 * k + 1], at, out);
     }
     surface_section(body, l, limb->pole[1], work, centre, radius);
-    surface_point(limb, centre[0], centre[1], limb->pole[1], out);
+    surface_point(limb, centre[0], centre[1], limb->pole[1] - mus__relief_short(body, l, limb->pole[1]), out);
 }
 
 
@@ -172,6 +172,62 @@ static void surface_carry(const mus_body *body, int32_t l, const double *s, doub
     }
     mus__rig_ring(&body->rig, body->frame, l, limb->pole[1], &frame);
     mus__frame_point(&frame, x, x);
+}
+
+
+/* the first ring of limb l at s or above; -1: none is nearer than `near` [m] */
+static int32_t surface_ring_at(const mus_body *body, int32_t l, double s, double near)
+{
+    const mus__limb *limb = &body->limb[l];
+    const double *ring = body->ring + limb->first_ring;
+    int32_t low = -1, high = limb->rings;
+    while (high - low > 1) {
+        const int32_t middle = low + (high - low) / 2;
+        if (ring[middle] < s - near) low = middle;
+        else high = middle;
+    }
+    return high < limb->rings && ring[high] < s + near ? high : -1;
+}
+
+
+/* the ring of a contour among those of fillets stands between two of the field's: its normals are blended */
+static void surface_contour_normals(mus_body *body, int32_t l, const mus__contour *contour)
+{
+    const mus__limb *limb = &body->limb[l];
+    const mus__field *field = surface_field(body, l, contour->s);
+    const double *s = body->ring + limb->first_ring + contour->ring;
+    const double low = field->s0 + field->fine[0] * field->ds, high = field->s0 + field->fine[1] * field->ds;
+    if (contour->ring < 1 || contour->ring + 1 >= limb->rings || s[-1] < low || s[1] > high) return;
+    const ptrdiff_t row = 3 * (ptrdiff_t)body->def.samples;
+    const double t = (s[0] - s[-1]) / (s[1] - s[-1]);
+    double *normal = body->normals + 3 * (ptrdiff_t)(limb->first_vertex + 1) + contour->ring * row;
+    for (int32_t k = 0; k < body->def.samples; k++, normal += 3) {
+        for (int i = 0; i < 3; i++) normal[i] = normal[i - row] + t * (normal[i + row] - normal[i - row]);
+        mus__unit3(normal);
+    }
+}
+
+
+/* the normals that fillets know, where a ring of the surface is a ring of the field in the same directions. In a pose
+ * they turn with their part */
+static void surface_creases(mus_body *body, const surface_work *work)
+{
+    int32_t part = MUS_NONE, row = MUS_NONE, ring = -1;
+    for (int32_t i = 0; i < body->creases && work->n == MUS__FIELD_ANGLES; i++) {
+        const mus__crease *crease = &body->crease[i];
+        const mus__field *field = &body->field[crease->part];
+        const int32_t l = body->rig.part[crease->part].limb;
+        if (crease->part != part || crease->ring != row) {
+            part = crease->part, row = crease->ring;
+            ring = surface_ring_at(body, l, field->s0 + row * field->ds, 1e-9);
+        }
+        if (ring < 0) continue;
+        double *normal = body->normals + 3 * (body->limb[l].first_vertex + 1 + (ptrdiff_t)ring * work->n + crease->entry);
+        memcpy(normal, crease->normal, sizeof crease->normal);
+    }
+    for (int32_t l = 0; l < body->limb_count && body->creases > 0; l++)
+        for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++)
+            surface_contour_normals(body, l, &body->limb[l].contour[i]);
 }
 
 
@@ -229,6 +285,47 @@ static mus_status surface_ranges(mus_body *body, const surface_work *work)
 }
 
 
+/* the quads about the rings that fillets changed are cut along the diagonal that lies further inwards: where a field
+ * bends inwards into the other limb, the flat triangles then do not stand out of it */
+static void surface_flip(mus_body *body, int32_t l, int32_t ring)
+{
+    const mus__limb *limb = &body->limb[l];
+    const int32_t n = body->def.samples, first = limb->first_vertex + 1 + ring * n;
+    int32_t *triangle = body->triangles + 3 * (limb->first_triangle + (ptrdiff_t)n * (1 + 2 * ring));
+    const double *x = body->vertices;
+    double middle[3] = {0.0, 0.0, 0.0};
+    for (int32_t k = 0; k < 2 * n; k++)
+        for (int i = 0; i < 3; i++) middle[i] += 0.5 * x[3 * (first + (ptrdiff_t)k) + i] / n;
+    for (int32_t k = 0; k < n; k++, triangle += 6) {
+        const int32_t a = first + k, b = first + (k + 1) % n, c = a + n, d = b + n;
+        double cut = 0.0, other = 0.0;
+        for (int i = 0; i < 3; i++) {
+            cut += pow(0.5 * (x[3 * (ptrdiff_t)b + i] + x[3 * (ptrdiff_t)c + i]) - middle[i], 2.0);
+            other += pow(0.5 * (x[3 * (ptrdiff_t)a + i] + x[3 * (ptrdiff_t)d + i]) - middle[i], 2.0);
+        }
+        if (cut <= other) continue;
+        const int32_t fresh[6] = {a, b, d, a, d, c};
+        memcpy(triangle, fresh, sizeof fresh);
+    }
+}
+
+
+/* all quads that touch a ring with an entry of a fillet */
+static void surface_flips(mus_body *body)
+{
+    int32_t part = MUS_NONE, row = MUS_NONE;
+    for (int32_t i = 0; i < body->creases; i++) {
+        const mus__crease *crease = &body->crease[i];
+        const mus__field *field = &body->field[crease->part];
+        const int32_t l = body->rig.part[crease->part].limb;
+        if (crease->part == part && crease->ring == row) continue;
+        part = crease->part, row = crease->ring;
+        const int32_t ring = surface_ring_at(body, l, field->s0 + row * field->ds, 1e-9);
+        if (ring >= 0 && ring + 1 < body->limb[l].rings) surface_flip(body, l, ring);
+    }
+}
+
+
 /* vertices, triangles and normals of all limbs. Errors: MUS_ERR_MEMORY */
 static mus_status surface_fill(mus_body *body, const double *turn, const surface_work *work)
 {
@@ -252,6 +349,8 @@ static mus_status surface_fill(mus_body *body, const double *turn, const surface
                             body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
         mus__ring_normals(x, n, limb->rings, 0, body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
+    surface_creases(body, work);
+    surface_flips(body);
     return MUS_OK;
 }
 

@@ -96,7 +96,7 @@ static void digit_hand(const mus_body *body, int32_t right, digit_base *out)
         out->u[i] = limb->axis[i], out->v[i] = -limb->front[i];
         out->w[i] = right ? -limb->side[i] : limb->side[i];
     }
-    out->unit[0] = mus__relief_hand(limb, hand->s) - wrist->s, out->unit[1] = out->thick = hand->b, out->unit[2] = hand->a;
+    out->unit[0] = limb->pole[1] - wrist->s, out->unit[1] = out->thick = hand->b, out->unit[2] = hand->a;
     out->part = digit_part(body, l);
 }
 
@@ -106,7 +106,7 @@ static void digit_foot(const mus_body *body, int32_t right, digit_base *out)
 {
     const int32_t l = MUS__LIMB_FOOT_LEFT + right;
     const mus__limb *limb = &body->limb[l];
-    const double foot = body->asked[MUS_MEASURE_FOOT], inward = right ? 1.0 : -1.0;
+    const double foot = limb->pole[1] - limb->pole[0], inward = right ? 1.0 : -1.0;
     double middle = 0.0;
     for (int32_t i = 0; i < limb->count; i++)
         if (limb->contour[i].s < limb->pole[0] + 0.71 * foot) middle = limb->contour[i].ca;

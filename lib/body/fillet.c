@@ -28,6 +28,13 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
+#define MUS__REAL double
+#define MUS__NAME(name) mus__fillet_##name
+#define mus__fillet_sqrt sqrt
+#include "limb/field_kernel.h"
+#undef MUS__REAL
+#undef MUS__NAME
+
 /* radius from which on a curve between two surfaces is no crease, in reaches (45 mm for 25): about the radius of an
  * arm, whose cap lies within the next part of the limb */
 #define FILLET_ROUND 1.8
@@ -40,19 +47,36 @@
 #define FILLET_LEG 0.4
 #define FILLET_FOLD 0.4
 
+/* distance up to which the normals of two surfaces are blended, in parts of the reach (8 mm of 25); chosen */
+#define FILLET_EVEN 0.3
+
+/* largest Newton step, in reaches: a longer one could cross a narrow gap between the limbs */
+#define FILLET_STRIDE 0.2
+
 /* Newton steps at most, and the distance from the union at which they end [m] */
-#define FILLET_STEPS 8
+#define FILLET_STEPS 16
 #define FILLET_NEAR 1e-5
 
 /* a ray ends where the union falls along it by less than this: its surface is then steeper than 75 degrees, and the
  * field of the other limb carries it */
 #define FILLET_SLOPE 0.26
 
+/* an entry whose own surface falls along its ray by less than FILLET_SLOPE does not grow; from this slope on it grows
+ * as far as the union. Chosen: so that rings on the steep shoulder change gradually */
+#define FILLET_FLAT 0.5
+
 /* [m] an entry that grows by less is as it was: a hundredth of what a drawing shows */
 #define FILLET_LEAST 1e-5
 
-/* a joint is bent when an entry of the rotations of its two parts differs by more; chosen: about one degree */
-#define FILLET_BENT 0.02
+/* cosine of the angle up to which a normal is that of the limb alone: two degrees, which shading does not show */
+#define FILLET_TURN 0.9994
+
+/* most entries whose normals are kept: a body of a tape has some 10,000 */
+#define FILLET_CREASES 40000
+
+/* [m] each ring of a field with an entry that grows by more is drawn: below it, the distance of drawn rings cannot show
+ * half a millimetre */
+#define FILLET_FINE 3e-4
 
 typedef struct fillet {
     mus_body *body;
@@ -60,7 +84,10 @@ typedef struct fillet {
     double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
     double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
+    mus__fillet_field query[MUS__PARTS_MOST];
     double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
+    int32_t creases, room;
+    mus__crease *crease;
     int32_t count;                  /* number of parts near the ring */
     int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
 } fillet;
@@ -74,10 +101,13 @@ typedef struct fillet_ray {
 /* depth [m] and normal of point p in a field, for fillets. Beside a flat cap (the bottom of the torso is ten times as
  * broad as it is high) the first-order distance is much too short, so it is at least the distance to the end contour in
  * its plane */
-static double fillet_field(const mus__field *field, const double *p, double *normal)
+static double fillet_field(const fillet *at, int32_t q, const double *p, double *normal)
 {
-    double depth = mus__field_depth(field, p, normal), d[3];
-    if (!(depth > -1e29) || depth > 0.0) return depth;
+    const mus__field *field = &at->body->field[q];
+    int32_t near;
+    double depth = mus__fillet_field_query(&at->query[q], p, at->reach, normal, &near), d[3];
+    if (near == 0) return -1e30;
+    if (depth > 0.0) return depth;
     for (int i = 0; i < 3; i++) d[i] = p[i] - field->origin[i];
     double s = mus__dot3(d, field->axis) - field->s0, length = field->ds * (field->nring - 1);
     if (s >= 0.0 && s <= length) return depth;
@@ -110,15 +140,17 @@ static double fillet_depth(const fillet *at, int32_t first, int32_t end, const d
         const double *low = at->low[q], *high = at->high[q];
         if (p[0] < low[0] || p[0] > high[0] || p[1] < low[1] || p[1] > high[1] || p[2] < low[2] || p[2] > high[2])
             continue;
-        const double d = fillet_field(&at->body->field[q], p, n);
+        const double d = fillet_field(at, q, p, n);
         if (d > most) most = d, memcpy(normal, n, sizeof n);
     }
     return most;
 }
 
 
-/* how far [m] the ray of an entry of limb l goes on to the smooth union with the listed parts from `first` to `end` */
-static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t end, const fillet_ray *ray)
+/* how far [m] the ray of an entry goes on to the smooth union with the listed parts from `first` to `end`; normal (3) of
+ * the union there */
+static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t end, const fillet_ray *ray,
+                          double *normal)
 {
     double t = 0.0, last = 0.0, short_of = 0.0, before = 1.0;
     for (int step = 0; step < FILLET_STEPS; step++) {
@@ -128,34 +160,37 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
         if (d < -reach) return t;
         const double cosine = mus__dot3(ray->normal, n), apart = fabs(own - d);
         const double square = 1.0 - cosine * cosine - 2.0 * apart / (FILLET_ROUND * reach);
-        if (square <= 0.0) return step == 0 ? 0.0 : t;
-        const double k = reach * sqrt(square), over = d - own - FILLET_OVER * k;
-        if (over >= 0.0) return step == 0 ? 0.0 : last + (t - last) * short_of / (short_of + over);
-
+        const double k = square > 0.0 ? reach * sqrt(square) : 0.0, over = d - own - FILLET_OVER * k;
         const double h = apart < k ? 1.0 - apart / k : 0.0, depth = fmax(own, d) + 0.25 * k * h * h;
-        if (fabs(depth) < FILLET_NEAR) return t;
-        const double other = d > own ? 1.0 - 0.5 * h : 0.5 * h;
+        const double even = fmax(1.0 - apart / (FILLET_EVEN * at->reach), 0.0), low = 0.5 * fmax(h, even * even);
+        const double other = d > own ? 1.0 - 0.5 * h : 0.5 * h, seen = d > own ? 1.0 - low : low;
         const double slope = ray->slope + other * (mus__dot3(n, ray->way) - ray->slope);
+        for (int i = 0; i < 3; i++) normal[i] = ray->normal[i] + seen * (n[i] - ray->normal[i]);
+        if (step == 0 && square <= 0.0) return 0.0;
+        if (over >= 0.0) return step == 0 ? 0.0 : last + (t - last) * short_of / (short_of + over);
+        if (fabs(depth) < FILLET_NEAR) return t;
         if (slope < FILLET_SLOPE)
             return step == 0 ? 0.0 : last + (t - last) * (before - FILLET_SLOPE) / (before - slope);
         last = t, short_of = -over, before = slope;
-        t = fmax(t + depth / slope, 0.0);
+        t = fmax(t + fmin(depth / slope, FILLET_STRIDE * reach), 0.0);
     }
     return t;
 }
 
 
-/* the same with all listed parts, limb by limb */
-static double fillet_grow_all(const fillet *at, int32_t l, const fillet_ray *ray)
+/* the same with all listed parts, limb by limb: the furthest */
+static double fillet_grow_all(const fillet *at, int32_t l, const fillet_ray *ray, double *normal)
 {
     const mus__part *part = at->body->rig.part;
-    double most = 0.0;
+    double most = 0.0, n[3];
     for (int32_t first = 0, end = 0; first < at->count; first = end) {
         const int32_t other = part[at->part[first]].limb;
         while (end < at->count && part[at->part[end]].limb == other) end++;
-        most = fmax(most, fillet_grow(at, fillet_reach(at, l, other), first, end, ray));
+        memcpy(n, ray->normal, sizeof n);
+        const double grown = fillet_grow(at, fillet_reach(at, l, other), first, end, ray, n);
+        if (grown >= most) most = grown, memcpy(normal, n, sizeof n);
     }
-    return most;
+    return most * mus__cubic_step((ray->slope - FILLET_SLOPE) / (FILLET_FLAT - FILLET_SLOPE));
 }
 
 
@@ -167,28 +202,41 @@ static void fillet_point(const mus__field *field, double a, double b, double s, 
 }
 
 
-/* new radii of ring j of part q; with `half` of its left half alone. true: one of them grew */
-static bool fillet_ring(fillet *at, int32_t q, int32_t j, bool half, const double *turn)
+/* keep the normal of the union at entry k of ring j of part q; without memory the drawing does without it */
+static void fillet_keep(fillet *at, int32_t q, int32_t j, int32_t k, const double *normal)
+{
+    if (at->creases == at->room) return;
+    mus__crease *crease = &at->crease[at->creases++];
+    *crease = (mus__crease){q, j, k, {normal[0], normal[1], normal[2]}};
+}
+
+
+/* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. Returns the largest growth [m] */
+static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, const double *turn, double *out)
 {
     const mus__field *field = &at->body->field[q];
     const int32_t n = field->nangle, l = at->body->rig.part[q].limb;
     const double *c = field->centre + 2 * (ptrdiff_t)j, *radius = field->radius + (ptrdiff_t)j * n;
-    double *out = at->fresh[q] + (ptrdiff_t)j * n;
-    bool grew = false;
+    double grew = 0.0;
     for (int32_t k = 0; k < n; k++) {
         fillet_ray ray;
-        double d = -1e30, normal[3];
+        int32_t near;
+        double d, normal[3];
         if (half && k > n / 4 && k < n - n / 4) continue;
         fillet_point(field, c[0] + radius[k] * turn[2 * k], c[1] + radius[k] * turn[2 * k + 1],
                      field->s0 + j * field->ds, ray.start);
         d = fillet_depth(at, 0, at->count, ray.start, normal);
         if (d < -at->reach || d > at->reach) continue;
         for (int i = 0; i < 3; i++) ray.way[i] = turn[2 * k] * field->side[i] + turn[2 * k + 1] * field->front[i];
-        mus__field_depth(field, ray.start, ray.normal);
+        mus__fillet_field_query(&at->query[q], ray.start, at->reach, ray.normal, &near);
         ray.slope = mus__dot3(ray.normal, ray.way);
         if (ray.slope < FILLET_SLOPE) continue;
-        const double more = fillet_grow_all(at, l, &ray);
-        if (more > FILLET_LEAST) out[k] = radius[k] + more, grew = true;
+        const double more = fillet_grow_all(at, l, &ray, normal);
+        if (more > FILLET_LEAST) out[k] = radius[k] + more, grew = fmax(grew, more);
+        mus__unit3(normal);
+        if (!keep || mus__dot3(normal, ray.normal) > FILLET_TURN) continue;
+        fillet_keep(at, q, j, k, normal);
+        grew = fmax(grew, FILLET_FINE);
     }
     return grew;
 }
@@ -289,7 +337,7 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *tu
             if (at->fresh[q] == NULL) return mus__fail_memory(at->body->context, "the fillets of a body");
             memcpy(at->fresh[q], field->radius, (size_t)field->nring * row * sizeof(double));
         }
-        if (!fillet_ring(at, q, j, half, turn)) continue;
+        if (fillet_ring(at, q, j, half, true, turn, at->fresh[q] + (size_t)j * row) < FILLET_FINE) continue;
         if (j < field->fine[0]) field->fine[0] = j;
         if (j > field->fine[1]) field->fine[1] = j;
     }
@@ -299,70 +347,141 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *tu
 
 /* ---- the body ---- */
 
+/* the girth that fillets add to the contours of the tape is taken off them before: each ring about a contour gives way
+ * (give.c). Scratch: xy (2 nangle), work (2 nangle) */
+static void fillet_give(fillet *at, const double *turn, double *xy, int32_t *work)
+{
+    mus_body *body = at->body;
+    double row[MUS__FIELD_ANGLES];
+    for (int32_t q = 0; q < body->nfield; q++) {
+        const mus__part *part = &body->rig.part[q];
+        const mus__limb *limb = &body->limb[part->limb];
+        const mus__field *field = &body->field[q];
+        for (int32_t i = 0; i < limb->count && part->limb < MUS__LIMB_COUNT; i++) {
+            const double s = limb->contour[i].s;
+            if (limb->contour[i].girth == MUS_NONE || s < part->end[0] || s >= part->end[1]) continue;
+            const int32_t j = (int32_t)lround((s - field->s0) / field->ds), n = field->nangle;
+            const double *radius = field->radius + (ptrdiff_t)j * n;
+            fillet_parts(at, q, j);
+            if (at->count == 0) continue;
+            memcpy(row, radius, sizeof row);
+            if (fillet_ring(at, q, j, false, false, turn, row) == 0.0) continue;
+            const double before = mus__give_tape(n, turn, radius, xy, work);
+            mus__give_scale(body, part->limb, i, before / mus__give_tape(n, turn, row, xy, work) - 1.0);
+        }
+    }
+}
+
+
 /* the part that mirrors part q of a symmetric body: that of the limb after a left one */
 static int32_t fillet_mirror_part(const mus_body *body, int32_t q)
 {
     const int32_t l = body->rig.part[q].limb;
     int32_t first = q, other = 0;
+    if (l == MUS__LIMB_TORSO) return q;
     while (first > 0 && body->rig.part[first - 1].limb == l) first--;
     while (body->rig.part[other].limb != l + 1) other++;
     return other + q - first;
 }
 
 
-/* the right half of the new radii of a part of the torso from its left half; of a part of a left limb all of the right
- * one. Entry k on the left, X > 0, mirrors entry n/2 - k on the right */
-static void fillet_mirror(fillet *at, int32_t q)
+/* the normals of the right half, from those of the left one */
+static void fillet_mirror_creases(fillet *at)
 {
-    const int32_t n = at->body->field[q].nangle, rings = at->body->field[q].nring;
-    const bool middle = at->body->rig.part[q].limb == MUS__LIMB_TORSO;
-    const int32_t to = middle ? q : fillet_mirror_part(at->body, q);
-    if (at->fresh[q] == NULL) return;
-    if (!middle) {
-        at->fresh[to] = mus__room(at->body->context, (int64_t)rings * n, sizeof(double));
-        memcpy(at->body->field[to].fine, at->body->field[q].fine, sizeof at->body->field[q].fine);
-    }
-    for (int32_t j = 0; j < rings && at->fresh[to] != NULL; j++) {
-        const double *from = at->fresh[q] + (ptrdiff_t)j * n;
-        double *row = at->fresh[to] + (ptrdiff_t)j * n;
-        for (int32_t k = 0; k < n; k++)
-            if (!middle || k <= n / 4 || k >= n - n / 4) row[(n + n / 2 - k) % n] = from[k];
+    const int32_t count = at->creases;
+    for (int32_t i = 0; i < count && at->creases < at->room; i++) {
+        mus__crease *crease = &at->crease[at->creases];
+        *crease = at->crease[i];
+        const int32_t n = at->body->field[crease->part].nangle, to = (n + n / 2 - crease->entry) % n;
+        if (crease->part == fillet_mirror_part(at->body, crease->part) && to == crease->entry) continue;
+        crease->part = fillet_mirror_part(at->body, crease->part);
+        crease->entry = to;
+        crease->normal[0] = -crease->normal[0];
+        at->creases++;
     }
 }
 
 
-/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose */
-static bool fillet_is_even(const mus_body *body)
+bool mus__body_is_even(const mus_body *body)
 {
     return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
 }
 
 
+/* entry k on the left, X > 0, mirrors entry n/2 - k on the right */
+void mus__body_mirror(mus_body *body)
+{
+    for (int32_t q = 0; q < body->nfield; q++) {
+        const mus__field *from = &body->field[q];
+        const int32_t l = body->rig.part[q].limb, n = from->nangle;
+        if (l != MUS__LIMB_TORSO && l % 2 == 0) continue;
+        mus__field *to = &body->field[fillet_mirror_part(body, q)];
+        memcpy(to->fine, from->fine, sizeof to->fine);
+        for (int32_t j = 0; j < from->nring; j++) {
+            const double *x = from->radius + (ptrdiff_t)j * n;
+            double *y = to->radius + (ptrdiff_t)j * n;
+            for (int32_t k = 0; k < n; k++)
+                if (to != from || k <= n / 4 || k >= n - n / 4) y[(n + n / 2 - k) % n] = x[k];
+        }
+    }
+}
+
+
+/* boxes and queries of all fields */
+static void fillet_begin(fillet *at)
+{
+    for (int32_t q = 0; q < at->body->nfield; q++) {
+        const mus__field *field = &at->body->field[q];
+        mus__fillet_field *f = &at->query[q];
+        fillet_box(field, at->reach, at->low[q], at->high[q]);
+        memcpy(f->origin, field->origin, sizeof f->origin);
+        memcpy(f->axis, field->axis, sizeof f->axis);
+        memcpy(f->side, field->side, sizeof f->side);
+        memcpy(f->front, field->front, sizeof f->front);
+        f->s0 = field->s0, f->ds_inverse = 1.0 / field->ds;
+        f->angle_scale = 0.25 * field->nangle;
+        f->nring = field->nring, f->nangle = field->nangle;
+        f->centre = field->centre, f->radius = field->radius, f->largest = field->largest;
+        f->ring_last = field->nring - 1;
+        for (int end = 0; end < 2; end++) {
+            const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
+            f->pole[end] = field->pole[end] - f->s0;
+            f->middle[end] = field->middle[end] - f->s0;
+            f->axis_inverse[end] = 1.0 / field->half[end];
+            f->share[end] = mus__fillet_field_share(s - f->middle[end], f->axis_inverse[end]);
+        }
+    }
+    fillet_groins(at);
+}
+
+
 mus_status mus__body_fillets(mus_body *body, double reach)
 {
-    fillet at = {.body = body, .reach = reach};
-    double turn[2 * MUS__FIELD_ANGLES];
-    mus_status status = MUS_OK;
     if (reach == 0.0 || body->def.plain) return MUS_OK;
+    fillet *at = mus__new(body->context, 1, sizeof *at);
+    double turn[2 * MUS__FIELD_ANGLES], xy[2 * MUS__FIELD_ANGLES];
+    int32_t work[2 * MUS__FIELD_ANGLES];
+    if (at == NULL) return mus__fail_memory(body->context, "the fillets of a body");
+    at->body = body, at->reach = reach, at->room = FILLET_CREASES;
     mus__field_turns(MUS__FIELD_ANGLES, turn);
-    for (int32_t q = 0; q < body->nfield; q++) fillet_box(&body->field[q], reach, at.low[q], at.high[q]);
-    fillet_groins(&at);
-    const bool even = fillet_is_even(body);
+    fillet_begin(at);
+    at->crease = mus__room(body->context, at->room, sizeof *at->crease);
+    mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");
+    if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, turn, xy, work);
+    const bool even = mus__body_is_even(body);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
-        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(&at, q, even && l == 0, turn);
-    }
-    for (int32_t q = 0; q < body->nfield && even && status == MUS_OK; q++) {
-        const int32_t l = body->rig.part[q].limb;
-        if (l == MUS__LIMB_TORSO || l % 2 == 1) fillet_mirror(&at, q);
+        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(at, q, even && l == 0, turn);
     }
     for (int32_t q = 0; q < body->nfield; q++) {
         mus__field *field = &body->field[q];
-        if (at.fresh[q] == NULL) continue;
+        if (at->fresh[q] == NULL) continue;
         if (status == MUS_OK)
-            memcpy(field->radius, at.fresh[q], (size_t)field->nring * (size_t)field->nangle * sizeof(double));
-        mus__free(body->context, at.fresh[q]);
-        mus__field_bounds(field);
+            memcpy(field->radius, at->fresh[q], (size_t)field->nring * (size_t)field->nangle * sizeof(double));
+        mus__free(body->context, at->fresh[q]);
     }
+    if (even && status == MUS_OK) fillet_mirror_creases(at);
+    body->crease = at->crease, body->creases = at->creases;
+    mus__free(body->context, at);
     return status;
 }

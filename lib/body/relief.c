@@ -1,12 +1,12 @@
 /*
  * relief.c: face, ears, arch of the foot and cleft of the seat, cut into the radius fields.
  *
- * A detail is a small displacement V of the points of the surface in the rest pose, a sum of bell curves. The point of
- * an entry with the direction u and the normal n moves along n by V.n, so the entry's radius changes by V.n / u.n. Torso
- * and legs get the same V at the cleft, so that their surfaces stay on each other. A small child's skull is lowered: its
- * radii are those of its contours further up.
+ * A detail is a small displacement V(x) in the rest pose, a sum of bell curves. A point x is on the new surface when x -
+ * V(x) was on the old one: the radius of an entry is the root of that along its ray, by Newton's method. Torso and legs
+ * get the same V at the cleft, so that their surfaces stay on each other. A small child's skull is lowered: its radii
+ * are those of its contours further up.
  *
- * Hands end beyond the knuckles, and feet beyond the ball, where fingers and toes begin (digit.c).
+ * Hands are drawn up to the knuckles, and feet up to the ball, where fingers and toes begin (digit.c).
  *
  * Proportions of the face: Farkas, Anthropometry of the Head and Face, 1994, in lower relief.
  */
@@ -33,8 +33,11 @@
 #define RELIEF_GROIN 0.008      /* in front the torso is put so far behind the thighs */
 #define RELIEF_GROIN_WIDE 0.028 /* half width of that bell at 1/e */
 
-#define RELIEF_SLOPE 0.3   /* least u.n; chosen: steeper entries change less */
-#define RELIEF_LEAST 1e-5  /* [m] an entry that changes by less is as it was */
+#define RELIEF_SLOPE 0.3  /* least slope of the depth along a ray; chosen: on steeper ones the root takes more steps */
+#define RELIEF_FINE 3e-4  /* [m] each ring that changes by more is drawn; of feet, whose arch is flat, fewer are */
+#define RELIEF_STEPS 4    /* Newton steps at most; they end where the depth is below RELIEF_NEAR [m] */
+#define RELIEF_NEAR 1e-5
+#define RELIEF_LEAST 1e-4 /* [m] a smaller displacement is none */
 
 /* relief of a face: height and distance from the middle plane of a bell, its half widths in both at 1/e, its height
  * outwards; in parts of chin to brow, of the half breadth at the brow, and of the head's half depth */
@@ -56,18 +59,19 @@ typedef struct relief {
     const mus__contour *chin, *brow;
     double h, crotch, hip, middle; /* stature and heights; Z of the hip's centre [m] */
     double groin;                  /* shift of the groin backwards [m]; at most 0: none */
+    bool even;                     /* the left half alone */
 } relief;
 
 
-/* exp(-x^2), and 0 where that is below 1e-13 */
+/* exp(-x^2), and 0 where that is below 1e-4 */
 static double relief_bell(double x)
 {
-    return x * x < 30.0 ? exp(-x * x) : 0.0;
+    return x * x < 9.2 ? exp(-x * x) : 0.0;
 }
 
 
 /* contour of a limb by name; NULL: it has none */
-static mus__contour *relief_contour(mus__limb *limb, const char *name)
+static const mus__contour *relief_contour(const mus__limb *limb, const char *name)
 {
     for (int32_t i = 0; i < limb->count; i++)
         if (strcmp(limb->contour[i].name, name) == 0) return &limb->contour[i];
@@ -75,32 +79,15 @@ static mus__contour *relief_contour(mus__limb *limb, const char *name)
 }
 
 
-/* ---- hands and feet, before the fields ---- */
-
-/* shorten what a limb has above s to a part of its length */
-static void relief_shorten(mus__limb *limb, double s, double part)
+double mus__relief_short(const mus_body *body, int32_t l, double s)
 {
-    for (int32_t i = 0; i < limb->count; i++)
-        if (limb->contour[i].s > s) limb->contour[i].s = s + part * (limb->contour[i].s - s);
-    limb->pole[1] = s + part * (limb->pole[1] - s);
-}
-
-
-void mus__relief_ends(mus_body *body)
-{
-    if (body->def.plain) return;
-    for (int32_t right = 0; right < 2; right++) {
-        mus__limb *arm = &body->limb[MUS__LIMB_ARM_LEFT + right], *foot = &body->limb[MUS__LIMB_FOOT_LEFT + right];
-        const mus__contour *hand = relief_contour(arm, "hand");
-        if (hand != NULL) relief_shorten(arm, hand->s, RELIEF_PALM);
-        relief_shorten(foot, foot->pole[0] + 0.70 * (foot->pole[1] - foot->pole[0]), RELIEF_BALL);
-    }
-}
-
-
-double mus__relief_hand(const mus__limb *arm, double hand)
-{
-    return hand + (arm->pole[1] - hand) / RELIEF_PALM;
+    const mus__limb *limb = &body->limb[l];
+    if (body->def.plain || !body->measured || l >= MUS__LIMB_COUNT) return 0.0;
+    if (l == MUS__LIMB_FOOT_LEFT || l == MUS__LIMB_FOOT_RIGHT)
+        return (1.0 - RELIEF_BALL) * fmax(s - limb->pole[0] - 0.70 * (limb->pole[1] - limb->pole[0]), 0.0);
+    if (l != MUS__LIMB_ARM_LEFT && l != MUS__LIMB_ARM_RIGHT) return 0.0;
+    const mus__contour *hand = relief_contour(limb, "hand");
+    return hand != NULL ? (1.0 - RELIEF_PALM) * fmax(s - hand->s, 0.0) : 0.0;
 }
 
 
@@ -221,37 +208,59 @@ static void relief_range(const relief *at, int32_t l, int32_t part, double *rang
 }
 
 
-/* change the entries of ring j of part q */
-static void relief_ring(const relief *at, mus__field *field, int32_t q, int32_t j, const double *turn)
+/* V (3) at a point x of limb l; false: it is none */
+static bool relief_way(const relief *at, int32_t l, bool head, const double *x, double *v)
+{
+    v[0] = v[1] = v[2] = 0.0;
+    if (head)
+        relief_head(at, x, v);
+    else if (l >= MUS__LIMB_FOOT_LEFT)
+        relief_foot(at, l, x, v);
+    else
+        relief_seat(at, x, v);
+    return mus__dot3(v, v) > RELIEF_LEAST * RELIEF_LEAST;
+}
+
+
+/* the new radius of an entry whose ray is start + radius way, in the rest pose; `old` is the field as it was */
+static double relief_radius(const relief *at, const mus__field *old, int32_t l, bool head, const double *start,
+                            const double *way, double radius)
+{
+    const double least = 0.5 * radius;
+    for (int step = 0; step < RELIEF_STEPS; step++) {
+        double x[3], v[3], normal[3];
+        for (int i = 0; i < 3; i++) x[i] = start[i] + radius * way[i];
+        if (!relief_way(at, l, head, x, v)) break;
+        for (int i = 0; i < 3; i++) x[i] -= v[i];
+        const double depth = mus__field_depth(old, x, normal), slope = mus__dot3(normal, way);
+        if (depth < -1e29 || fabs(depth) < RELIEF_NEAR) break;
+        radius = fmax(radius + depth / fmax(slope, RELIEF_SLOPE), least);
+    }
+    return radius;
+}
+
+
+/* change the entries of ring j of part q; `old` is the field as it was */
+static void relief_ring(const relief *at, const mus__field *old, mus__field *field, int32_t q, int32_t j,
+                        const double *turn)
 {
     const int32_t n = field->nangle, l = at->body->rig.part[q].limb;
-    const bool head = at->body->rig.part[q].joint == MUS_JOINT_NECK;
+    const bool head = at->body->rig.part[q].joint == MUS_JOINT_NECK, half = l == MUS__LIMB_TORSO && at->even;
     const double *c = field->centre + 2 * (ptrdiff_t)j, s = field->s0 + j * field->ds;
     const mus__limb *limb = &at->body->limb[l];
-    double *radius = field->radius + (ptrdiff_t)j * n, more[MUS__FIELD_ANGLES];
-    bool changed = false;
+    double *radius = field->radius + (ptrdiff_t)j * n, most = 0.0;
     for (int32_t k = 0; k < n; k++) {
-        const double a = c[0] + radius[k] * turn[2 * k], b = c[1] + radius[k] * turn[2 * k + 1];
-        double x[3], v[3] = {0.0, 0.0, 0.0}, normal[3];
-        for (int i = 0; i < 3; i++)
-            x[i] = limb->origin[i] + a * limb->side[i] + b * limb->front[i] + s * limb->axis[i];
-        if (head)
-            relief_head(at, x, v);
-        else if (l >= MUS__LIMB_FOOT_LEFT)
-            relief_foot(at, l, x, v);
-        else
-            relief_seat(at, x, v);
-        more[k] = 0.0;
-        if (mus__dot3(v, v) < RELIEF_LEAST * RELIEF_LEAST) continue;
-        mus__field_depth(field, x, normal);
-        double slope = 0.0;
-        for (int i = 0; i < 3; i++)
-            slope += (turn[2 * k] * limb->side[i] + turn[2 * k + 1] * limb->front[i]) * normal[i];
-        more[k] = fmax(mus__dot3(v, normal) / fmax(slope, RELIEF_SLOPE), -0.5 * radius[k]);
-        changed = true;
+        double start[3], way[3];
+        if (half && k > n / 4 && k < n - n / 4) continue;
+        for (int i = 0; i < 3; i++) {
+            start[i] = limb->origin[i] + c[0] * limb->side[i] + c[1] * limb->front[i] + s * limb->axis[i];
+            way[i] = turn[2 * k] * limb->side[i] + turn[2 * k + 1] * limb->front[i];
+        }
+        const double fresh = relief_radius(at, old, l, head, start, way, radius[k]);
+        most = fmax(most, fabs(fresh - radius[k]));
+        radius[k] = fresh;
     }
-    if (!changed) return;
-    for (int32_t k = 0; k < n; k++) radius[k] += more[k];
+    if (most < RELIEF_FINE || l >= MUS__LIMB_FOOT_LEFT) return;
     if (j < field->fine[0]) field->fine[0] = j;
     if (j > field->fine[1]) field->fine[1] = j;
 }
@@ -267,32 +276,47 @@ static double relief_front(const mus__limb *limb, int32_t girth)
 }
 
 
-void mus__body_relief(mus_body *body)
+/* the details of part q. Errors: MUS_ERR_MEMORY */
+static mus_status relief_part(const relief *at, mus_body *body, int32_t q, const double *turn)
+{
+    mus__field *field = &body->field[q], old = *field;
+    const int32_t l = body->rig.part[q].limb;
+    const bool head = l == MUS__LIMB_TORSO && body->rig.part[q].joint == MUS_JOINT_NECK;
+    const int64_t size = (int64_t)field->nring * field->nangle;
+    double range[2];
+    relief_range(at, l, q, range);
+    if (range[0] > range[1] || (head && (at->chin == NULL || at->brow == NULL))) return MUS_OK;
+    if (head) relief_lower(at, field, turn);
+    old.radius = mus__room(body->context, size, sizeof(double));
+    if (old.radius == NULL) return mus__fail_memory(body->context, "the details of a body");
+    memcpy(old.radius, field->radius, (size_t)size * sizeof(double));
+    for (int32_t j = 0; j < field->nring; j++) {
+        const double s = field->s0 + j * field->ds;
+        if (s >= range[0] && s <= range[1]) relief_ring(at, &old, field, q, j, turn);
+    }
+    mus__free(body->context, old.radius);
+    return MUS_OK;
+}
+
+
+mus_status mus__body_relief(mus_body *body)
 {
     mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
-    relief at = {body, relief_contour(torso, "chin"), relief_contour(torso, "brow"), bone->crown, bone->crotch,
-                 bone->hip, 0.0, 0.0};
+    relief at = {.body = body, .chin = relief_contour(torso, "chin"), .brow = relief_contour(torso, "brow"),
+                 .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip, .even = mus__body_is_even(body)};
     double turn[2 * MUS__FIELD_ANGLES];
-    if (body->def.plain || !body->measured) return;
+    mus_status status = MUS_OK;
+    if (body->def.plain || !body->measured) return MUS_OK;
     mus__field_turns(MUS__FIELD_ANGLES, turn);
     for (int32_t i = 0; i < torso->count; i++)
         if (torso->contour[i].girth == MUS_MEASURE_HIP) at.middle = -torso->contour[i].cb;
     at.groin = relief_front(torso, MUS_NONE) + RELIEF_GROIN * at.h -
                relief_front(&body->limb[MUS__LIMB_LEG_LEFT], MUS_MEASURE_THIGH);
-    for (int32_t q = 0; q < body->nfield; q++) {
-        mus__field *field = &body->field[q];
+    for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
-        double range[2];
-        if (l >= MUS__LIMB_COUNT) continue;
-        const bool head = l == MUS__LIMB_TORSO && body->rig.part[q].joint == MUS_JOINT_NECK;
-        if (head && (at.chin == NULL || at.brow == NULL)) continue;
-        relief_range(&at, l, q, range);
-        if (head) relief_lower(&at, field, turn);
-        for (int32_t j = 0; j < field->nring; j++) {
-            const double s = field->s0 + j * field->ds;
-            if (s >= range[0] && s <= range[1]) relief_ring(&at, field, q, j, turn);
-        }
-        mus__field_bounds(field);
+        if (l < MUS__LIMB_COUNT && (!at.even || l == MUS__LIMB_TORSO || l % 2 == 1))
+            status = relief_part(&at, body, q, turn);
     }
+    return status;
 }

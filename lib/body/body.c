@@ -99,7 +99,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
 
 
 /* fields, fillets and details of the finished contours; then the surface, and what a tape finds on it */
-static mus_status body_finish(mus_body *body, const double *turn, double *xy, int32_t *work)
+static mus_status body_finish(mus_body *body, const double *turn)
 {
     body->fillet = BODY_FILLET * body->skeleton.crown;
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
@@ -109,12 +109,11 @@ static mus_status body_finish(mus_body *body, const double *turn, double *xy, in
     status = mus__body_relief(body);
     if (status != MUS_OK) return status;
     if (mus__body_is_even(body)) mus__body_mirror(body);
-    mus__body_give(body, turn, xy, work);
-    status = mus__body_surface(body, turn);
-    if (status == MUS_OK) status = mus__body_remeasure(body);
-    if (status == MUS_OK) status = mus__body_lengths(body);
+    status = mus__body_give(body, turn);
+    if (status == MUS_OK) status = mus__body_surface(body, turn);
     if (status == MUS_OK && body->digit_vertices > 0) mus__digit_make(body);
-    return status;
+    if (status == MUS_OK) status = mus__body_remeasure(body);
+    return status == MUS_OK ? mus__body_lengths(body) : status;
 }
 
 
@@ -140,7 +139,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
         double *xy = turn + 2 * (ptrdiff_t)n;
         status = body_contours(body, tape, turn, xy, work);
         if (status == MUS_OK) status = body_add(body);
-        if (status == MUS_OK) status = body_finish(body, turn, xy, work);
+        if (status == MUS_OK) status = body_finish(body, turn);
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);

@@ -155,7 +155,8 @@ static double follow_middle(follow *at)
         mus__stack_ring(&stack, s, centre, radius);
         const int32_t front = FOLLOW_STEPS - j, back = FOLLOW_STEPS + j;
         line[front][0] = centre[1] - radius[3 * FOLLOW_ANGLES / 4], line[front][1] = s;
-        line[back][0] = centre[1] + (j > 0 ? radius[FOLLOW_ANGLES / 4] : 0.0), line[back][1] = s;
+        const double seat = centre[1] + (j > 0 ? radius[FOLLOW_ANGLES / 4] : 0.0);
+        line[back][0] = seat - mus__relief_cleft(body, s, -seat), line[back][1] = s;
     }
     mus__stack_free(body->context, &stack);
     const double *a = line[0], *b = line[2 * FOLLOW_STEPS];

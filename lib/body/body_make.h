@@ -74,8 +74,10 @@ void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more);
 /* girth [m] of a tape round n points at the radii (n) in the directions `turn` (n x 2). Scratch: xy (2n), work (2n) */
 double mus__give_tape(int32_t n, const double *turn, const double *radius, double *xy, int32_t *work);
 /* scale the rings about all contours with a girth until the surface in the directions `turn` (def.samples x 2) has it.
- * Scratch: xy (2 samples), work (2 samples) */
-void mus__body_give(mus_body *body, const double *turn, double *xy, int32_t *work);
+ * Errors: MUS_ERR_MEMORY */
+mus_status mus__body_give(mus_body *body, const double *turn);
+/* whether the tape of a girth lies over the legs too, which stand out of the torso there */
+bool mus__girth_has_legs(int32_t girth);
 
 /* ---- skin.c ---- */
 
@@ -86,6 +88,8 @@ void mus__body_skin(mus_body *body);
 
 /* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fillets(mus_body *body, double reach);
+/* depth [m] of the cleft of the seat in the middle plane, at height y and Z = z [m] */
+double mus__relief_cleft(const mus_body *body, double y, double z);
 /* face, arch of the feet and cleft of the seat, in the fields. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_relief(mus_body *body);
 /* how far [m] the ring at s of limb l is drawn below its place on the axis: hands and feet end where fingers and toes

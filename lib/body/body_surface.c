@@ -21,6 +21,10 @@
 /* [m] ring_spacing up to which each of a field's changed rings is drawn: the default */
 #define SURFACE_FINE 0.01
 
+/* [m] between two contours the surface bends off the chords of its rings by no more than about this; chosen: half of
+ * what the drawn skin may be off what cloth touches */
+#define SURFACE_BULGE 2.5e-4
+
 /* most rings between two contours: bounds the memory */
 #define SURFACE_STEPS 200
 
@@ -31,7 +35,7 @@
 typedef struct surface_work {
     int32_t n, *entry;       /* (n) */
     double *share;           /* (n) */
-    double *radius, *before; /* (n) */
+    double *radius, *before, *middle; /* (n) */
     double *stop, *ring;     /* s of the rings that must be there of one limb, and of all rings of all limbs */
     int32_t most;            /* room for so many rings */
 } surface_work;
@@ -64,6 +68,20 @@ static bool surface_at_contour(const mus__limb *limb, double s, double least)
 }
 
 
+/* whether ring j + 1 of a field lies so near to the chords of the rings about it that it need not be drawn */
+static bool surface_flat(const mus__field *field, int32_t j)
+{
+    const int32_t n = field->nangle;
+    const double *low = field->radius + (ptrdiff_t)j * n, *high = low + 2 * (ptrdiff_t)n, ds = field->ds;
+    if (j + 2 > field->fine[1]) return false;
+    for (int32_t k = 0; k < n; k++) {
+        const double bulge = low[n + k] - 0.5 * (low[k] + high[k]), rise = high[k] - low[k];
+        if (bulge * bulge * 4.0 * ds * ds > SURFACE_BULGE * SURFACE_BULGE * (rise * rise + 4.0 * ds * ds)) return false;
+    }
+    return true;
+}
+
+
 /* s of the contours and of changed rings of the fields, ascending; returns their number */
 static int32_t surface_stops(const mus_body *body, int32_t l, double *stop)
 {
@@ -76,7 +94,7 @@ static int32_t surface_stops(const mus_body *body, int32_t l, double *stop)
         const mus__field *field = &body->field[p];
         if (part->limb != l) continue;
         const double first = part->round[0] > 0.0 ? part->end[0] : low, last = part->round[1] > 0.0 ? part->end[1] : high;
-        for (int32_t j = field->fine[0]; j <= field->fine[1]; j += stride) {
+        for (int32_t j = field->fine[0]; j <= field->fine[1]; j += surface_flat(field, j) ? 2 * stride : stride) {
             const double s = field->s0 + j * field->ds;
             if (s < first || s > last || surface_at_contour(limb, s, SURFACE_NEAR * field->ds)) continue;
             while (i < limb->count && limb->contour[i].s < s) stop[count++] = limb->contour[i++].s;
@@ -119,7 +137,14 @@ static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work
         surface_section(body, l, s, work, centre, now);
         if (contour > 0 && limb->contour[contour - 1].fine) spacing *= 0.5;
         for (int32_t k = 0; k < n && i > 0; k++) most = fmax(most, fabs(now[k] - last[k]));
-        const double steps = fmin(ceil(sqrt((s - low) * (s - low) + most * most) / spacing), SURFACE_STEPS);
+        double steps = ceil(sqrt((s - low) * (s - low) + most * most) / spacing), bulge = 0.0;
+        if (steps > 1.0 && spacing < SURFACE_FINE + 1e-9) {
+            surface_section(body, l, 0.5 * (low + s), work, centre, work->middle);
+            for (int32_t k = 0; k < n; k++)
+                bulge = fmax(bulge, fabs(work->middle[k] - 0.5 * (now[k] + last[k])) * (s - low));
+            steps = fmax(steps, ceil(sqrt(bulge / sqrt((s - low) * (s - low) + most * most) / SURFACE_BULGE)));
+        }
+        steps = fmin(steps, SURFACE_STEPS);
         for (int32_t j = 1; j < steps && count + stops - i < most_rings; j++) out[count++] = low + (s - low) * j / steps;
         if (contour < limb->count && s >= limb->contour[contour].s) limb->contour[contour++].ring = count;
         out[count++] = s;
@@ -241,12 +266,12 @@ static mus_status surface_begin(const mus_body *body, const double *turn, surfac
     for (int32_t l = 0; l < body->limb_count; l++)
         work->most += SURFACE_STEPS * body->limb[l].count + 2 * SURFACE_CAP_RINGS;
     work->entry = mus__new(body->context, n, sizeof *work->entry);
-    work->share = mus__new(body->context, 3 * (int64_t)n, sizeof *work->share);
+    work->share = mus__new(body->context, 4 * (int64_t)n, sizeof *work->share);
     work->stop = mus__room(body->context, rows + MUS__LIMB_CONTOURS, sizeof *work->stop);
     work->ring = mus__room(body->context, work->most, sizeof *work->ring);
     if (!work->entry || !work->share || !work->stop || !work->ring)
         return mus__fail_memory(body->context, "the surface of a body");
-    work->radius = work->share + n, work->before = work->radius + n;
+    work->radius = work->share + n, work->before = work->radius + n, work->middle = work->before + n;
     mus__field_steps(MUS__FIELD_ANGLES, n, turn, work->entry, work->share);
     return MUS_OK;
 }
@@ -300,8 +325,9 @@ static void surface_flip(mus_body *body, int32_t l, int32_t ring)
         const int32_t a = first + k, b = first + (k + 1) % n, c = a + n, d = b + n;
         double cut = 0.0, other = 0.0;
         for (int i = 0; i < 3; i++) {
-            cut += pow(0.5 * (x[3 * (ptrdiff_t)b + i] + x[3 * (ptrdiff_t)c + i]) - middle[i], 2.0);
-            other += pow(0.5 * (x[3 * (ptrdiff_t)a + i] + x[3 * (ptrdiff_t)d + i]) - middle[i], 2.0);
+            const double p = 0.5 * (x[3 * (ptrdiff_t)b + i] + x[3 * (ptrdiff_t)c + i]) - middle[i];
+            const double q = 0.5 * (x[3 * (ptrdiff_t)a + i] + x[3 * (ptrdiff_t)d + i]) - middle[i];
+            cut += p * p, other += q * q;
         }
         if (cut <= other) continue;
         const int32_t fresh[6] = {a, b, d, a, d, c};

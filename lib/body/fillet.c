@@ -55,7 +55,7 @@
 
 /* Newton steps at most, and the distance from the union at which they end [m] */
 #define FILLET_STEPS 16
-#define FILLET_NEAR 1e-5
+#define FILLET_NEAR 5e-5
 
 /* a ray ends where the union falls along it by less than this: its surface is then steeper than 75 degrees, and the
  * field of the other limb carries it */
@@ -68,8 +68,13 @@
 /* [m] an entry that grows by less is as it was: a hundredth of what a drawing shows */
 #define FILLET_LEAST 1e-5
 
-/* cosine of the angle up to which a normal is that of the limb alone: two degrees, which shading does not show */
-#define FILLET_TURN 0.9994
+/* cosine of the angle up to which a normal is that of the limb alone: four degrees, which shading does not show */
+#define FILLET_TURN 0.998
+
+/* an entry further than this from all other limbs, in reaches, stands for the next ones too; chosen: more
+ * than the length of four steps */
+#define FILLET_FAR 3.0
+#define FILLET_SKIP 2
 
 /* most entries whose normals are kept: a body of a tape has some 10,000 */
 #define FILLET_CREASES 40000
@@ -92,9 +97,10 @@ typedef struct fillet {
     int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
 } fillet;
 
-/* a ray of an entry: where it leaves its own limb, its direction, the normal there, and their product */
+/* a ray of an entry: where it leaves its own limb, its direction, the normal there, and their product; then, for the
+ * limb that it may grow to, the depth there and its normal */
 typedef struct fillet_ray {
-    double start[3], way[3], normal[3], slope;
+    double start[3], way[3], normal[3], slope, depth, other[3];
 } fillet_ray;
 
 
@@ -154,9 +160,9 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
 {
     double t = 0.0, last = 0.0, short_of = 0.0, before = 1.0;
     for (int step = 0; step < FILLET_STEPS; step++) {
-        double p[3], n[3];
+        double p[3], n[3] = {ray->other[0], ray->other[1], ray->other[2]};
         for (int i = 0; i < 3; i++) p[i] = ray->start[i] + t * ray->way[i];
-        const double own = -t * ray->slope, d = fillet_depth(at, first, end, p, n);
+        const double own = -t * ray->slope, d = step == 0 ? ray->depth : fillet_depth(at, first, end, p, n);
         if (d < -reach) return t;
         const double cosine = mus__dot3(ray->normal, n), apart = fabs(own - d);
         const double square = 1.0 - cosine * cosine - 2.0 * apart / (FILLET_ROUND * reach);
@@ -178,19 +184,30 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
 }
 
 
-/* the same with all listed parts, limb by limb: the furthest */
-static double fillet_grow_all(const fillet *at, int32_t l, const fillet_ray *ray, double *normal)
+/* the growth of an entry of part q whose ray begins at ray->start: the largest of those to each near limb; normal (3) of
+ * the union there, and the entry's own in ray->normal. *far: no limb is near. 0: none, and *turned is false */
+static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double *normal, bool *far, bool *turned)
 {
     const mus__part *part = at->body->rig.part;
-    double most = 0.0, n[3];
+    double most = -1.0;
+    *far = true, *turned = false;
     for (int32_t first = 0, end = 0; first < at->count; first = end) {
         const int32_t other = part[at->part[first]].limb;
         while (end < at->count && part[at->part[end]].limb == other) end++;
-        memcpy(n, ray->normal, sizeof n);
-        const double grown = fillet_grow(at, fillet_reach(at, l, other), first, end, ray, n);
-        if (grown >= most) most = grown, memcpy(normal, n, sizeof n);
+        ray->depth = fillet_depth(at, first, end, ray->start, ray->other);
+        *far = *far && ray->depth < -FILLET_FAR * at->reach;
+        if (ray->depth < -at->reach || ray->depth > at->reach) continue;
+        if (most < 0.0) {
+            int32_t near;
+            mus__fillet_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
+            ray->slope = mus__dot3(ray->normal, ray->way);
+            if (ray->slope < FILLET_SLOPE) return 0.0;
+        }
+        double n[3] = {ray->normal[0], ray->normal[1], ray->normal[2]};
+        const double grown = fillet_grow(at, fillet_reach(at, part[q].limb, other), first, end, ray, n);
+        if (grown >= most) most = grown, memcpy(normal, n, sizeof n), *turned = true;
     }
-    return most * mus__cubic_step((ray->slope - FILLET_SLOPE) / (FILLET_FLAT - FILLET_SLOPE));
+    return fmax(most, 0.0) * mus__cubic_step((ray->slope - FILLET_SLOPE) / (FILLET_FLAT - FILLET_SLOPE));
 }
 
 
@@ -211,33 +228,45 @@ static void fillet_keep(fillet *at, int32_t q, int32_t j, int32_t k, const doubl
 }
 
 
-/* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. Returns the largest growth [m] */
-static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, const double *turn, double *out)
+/* entry k of ring j of part q: its new radius into *out, and with `keep` its normal. Returns its growth [m], FILLET_FINE
+ * at least where the normal turns, and -1 far from all other limbs */
+static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, const double *turn, double *out)
 {
     const mus__field *field = &at->body->field[q];
-    const int32_t n = field->nangle, l = at->body->rig.part[q].limb;
-    const double *c = field->centre + 2 * (ptrdiff_t)j, *radius = field->radius + (ptrdiff_t)j * n;
+    const double *c = field->centre + 2 * (ptrdiff_t)j, radius = field->radius[(ptrdiff_t)j * field->nangle + k];
+    fillet_ray ray = {.slope = 0.0};
+    double normal[3] = {0.0, 0.0, 0.0};
+    bool far, turned;
+    fillet_point(field, c[0] + radius * turn[2 * k], c[1] + radius * turn[2 * k + 1], field->s0 + j * field->ds,
+                 ray.start);
+    for (int i = 0; i < 3; i++) ray.way[i] = turn[2 * k] * field->side[i] + turn[2 * k + 1] * field->front[i];
+    const double more = fillet_entry(at, q, &ray, normal, &far, &turned);
+    if (far) return -1.0;
+    if (more > FILLET_LEAST) *out = radius + more;
+    if (!turned) return more;
+    mus__unit3(normal);
+    if (mus__dot3(normal, ray.normal) > FILLET_TURN) return more;
+    if (keep) fillet_keep(at, q, j, k, normal);
+    return fmax(more, FILLET_FINE);
+}
+
+
+/* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. The odd entries are asked beside even
+ * ones that changed. Returns the largest growth [m] */
+static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, const double *turn, double *out)
+{
+    const int32_t n = at->body->field[q].nangle;
     double grew = 0.0;
-    for (int32_t k = 0; k < n; k++) {
-        fillet_ray ray;
-        int32_t near;
-        double d, normal[3];
-        if (half && k > n / 4 && k < n - n / 4) continue;
-        fillet_point(field, c[0] + radius[k] * turn[2 * k], c[1] + radius[k] * turn[2 * k + 1],
-                     field->s0 + j * field->ds, ray.start);
-        d = fillet_depth(at, 0, at->count, ray.start, normal);
-        if (d < -at->reach || d > at->reach) continue;
-        for (int i = 0; i < 3; i++) ray.way[i] = turn[2 * k] * field->side[i] + turn[2 * k + 1] * field->front[i];
-        mus__fillet_field_query(&at->query[q], ray.start, at->reach, ray.normal, &near);
-        ray.slope = mus__dot3(ray.normal, ray.way);
-        if (ray.slope < FILLET_SLOPE) continue;
-        const double more = fillet_grow_all(at, l, &ray, normal);
-        if (more > FILLET_LEAST) out[k] = radius[k] + more, grew = fmax(grew, more);
-        mus__unit3(normal);
-        if (!keep || mus__dot3(normal, ray.normal) > FILLET_TURN) continue;
-        fillet_keep(at, q, j, k, normal);
-        grew = fmax(grew, FILLET_FINE);
-    }
+    bool changed[MUS__FIELD_ANGLES] = {false};
+    for (int32_t odd = 0; odd < 2; odd++)
+        for (int32_t k = odd; k < n; k += 2) {
+            if (half && k > n / 4 && k < n - n / 4) continue;
+            if (odd && !changed[k - 1] && !changed[(k + 1) % n]) continue;
+            const double more = fillet_at(at, q, j, k, keep, turn, &out[k]);
+            changed[k] = more > FILLET_LEAST;
+            grew = fmax(grew, more);
+            if (more < 0.0 && !odd) k += FILLET_SKIP;
+        }
     return grew;
 }
 
@@ -457,7 +486,7 @@ static void fillet_begin(fillet *at)
 
 mus_status mus__body_fillets(mus_body *body, double reach)
 {
-    if (reach == 0.0 || body->def.plain) return MUS_OK;
+    if (reach == 0.0) return MUS_OK;
     fillet *at = mus__new(body->context, 1, sizeof *at);
     double turn[2 * MUS__FIELD_ANGLES], xy[2 * MUS__FIELD_ANGLES];
     int32_t work[2 * MUS__FIELD_ANGLES];

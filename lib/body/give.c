@@ -13,8 +13,8 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-#define GIVE_ROUNDS 3    /* most rounds: each leaves a hundredth of the difference or less */
-#define GIVE_CLOSE 1e-6  /* [m] a girth that near is reached */
+#define GIVE_ROUNDS 8    /* most rounds: each leaves a hundredth of the difference, a third where legs share the hip */
+#define GIVE_CLOSE 1e-10 /* [m] a girth that near is reached */
 #define GIVE_MOST 0.1    /* largest part of a girth that a contour gives; chosen */
 
 
@@ -48,31 +48,72 @@ double mus__give_tape(int32_t n, const double *turn, const double *radius, doubl
 }
 
 
-/* the part of limb l that contains s */
+/* the field of the part of limb l that contains s */
 static const mus__field *give_field(const mus_body *body, int32_t l, double s)
 {
-    int32_t found = 0;
+    int32_t found = MUS_NONE;
     for (int32_t p = 0; p < body->nfield; p++)
-        if (body->rig.part[p].limb == l && (body->rig.part[found].limb != l || s >= body->rig.part[p].end[0])) found = p;
-    return &body->field[found];
+        if (body->rig.part[p].limb == l && (found == MUS_NONE || s >= body->rig.part[p].end[0])) found = p;
+    return found != MUS_NONE ? &body->field[found] : NULL;
 }
 
 
-void mus__body_give(mus_body *body, const double *turn, double *xy, int32_t *work)
+/* directions of the surface in the tables, and scratch for a tape round torso and legs */
+typedef struct give {
+    const double *turn;
+    int32_t n, entry[MUS__CONTOUR_SAMPLES], work[6 * MUS__CONTOUR_SAMPLES];
+    double share[MUS__CONTOUR_SAMPLES], radius[MUS__CONTOUR_SAMPLES], xy[6 * MUS__CONTOUR_SAMPLES];
+} give;
+
+
+/* append the section of limb l at s to at->xy, which has `count` points; returns their number */
+static int32_t give_section(const mus_body *body, int32_t l, double s, give *at, int32_t count)
 {
-    const int32_t n = body->def.samples;
-    int32_t entry[MUS__CONTOUR_SAMPLES];
-    double share[MUS__CONTOUR_SAMPLES], radius[MUS__CONTOUR_SAMPLES], centre[2];
-    mus__field_steps(MUS__FIELD_ANGLES, n, turn, entry, share);
+    const mus__field *field = give_field(body, l, s);
+    double centre[2];
+    if (field == NULL || s <= body->limb[l].pole[0] || s >= body->limb[l].pole[1]) return count;
+    mus__field_ring(field, s, at->n, at->entry, at->share, centre, at->radius);
+    for (int32_t k = 0; k < at->n; k++, count++) {
+        at->xy[2 * count] = centre[0] + at->radius[k] * at->turn[2 * k];
+        at->xy[2 * count + 1] = centre[1] + at->radius[k] * at->turn[2 * k + 1];
+    }
+    return count;
+}
+
+
+/* girth [m] of contour i of limb l on the finished surface; the legs stand out of the hip */
+static double give_made(const mus_body *body, int32_t l, int32_t i, give *at)
+{
+    const mus__contour *c = &body->limb[l].contour[i];
+    int32_t count = give_section(body, l, c->s, at, 0);
+    for (int32_t leg = MUS__LIMB_LEG_LEFT; leg <= MUS__LIMB_LEG_RIGHT && mus__girth_has_legs(c->girth); leg++)
+        count = give_section(body, leg, c->s, at, count);
+    return mus__polygon_tape(count, at->xy, at->work, at->work + count);
+}
+
+
+bool mus__girth_has_legs(int32_t girth)
+{
+    return girth == MUS_MEASURE_HIP || girth == MUS_MEASURE_HIGH_HIP;
+}
+
+
+mus_status mus__body_give(mus_body *body, const double *turn)
+{
+    give *at = mus__room(body->context, 1, sizeof *at);
+    if (at == NULL) return mus__fail_memory(body->context, "measuring a body");
+    at->turn = turn, at->n = body->def.samples;
+    mus__field_steps(MUS__FIELD_ANGLES, at->n, turn, at->entry, at->share);
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
         for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
-            const mus__contour *c = &body->limb[l].contour[i];
-            for (int round = 0; round < GIVE_ROUNDS && c->girth != MUS_NONE; round++) {
-                mus__field_ring(give_field(body, l, c->s), c->s, n, entry, share, centre, radius);
-                const double made = mus__give_tape(n, turn, radius, xy, work), asked = body->asked[c->girth];
+            const int32_t girth = body->limb[l].contour[i].girth;
+            for (int round = 0; round < GIVE_ROUNDS && girth != MUS_NONE; round++) {
+                const double made = give_made(body, l, i, at), asked = body->asked[girth];
                 if (fabs(made - asked) < GIVE_CLOSE || fabs(made - asked) > GIVE_MOST * asked) break;
                 mus__give_scale(body, l, i, asked / made - 1.0);
             }
         }
     for (int32_t p = 0; p < body->nfield; p++) mus__field_bounds(&body->field[p]);
+    mus__free(body->context, at);
+    return MUS_OK;
 }

@@ -35,8 +35,8 @@
 
 #define RELIEF_SLOPE 0.3  /* least slope of the depth along a ray; chosen: on steeper ones the root takes more steps */
 #define RELIEF_FINE 3e-4  /* [m] each ring that changes by more is drawn; of feet, whose arch is flat, fewer are */
-#define RELIEF_STEPS 4    /* Newton steps at most; they end where the depth is below RELIEF_NEAR [m] */
-#define RELIEF_NEAR 1e-5
+#define RELIEF_STEPS 3    /* Newton steps at most; they end where the depth is below RELIEF_NEAR [m] */
+#define RELIEF_NEAR 1e-4
 #define RELIEF_LEAST 1e-4 /* [m] a smaller displacement is none */
 
 /* relief of a face: height and distance from the middle plane of a bell, its half widths in both at 1/e, its height
@@ -97,6 +97,7 @@ double mus__relief_short(const mus_body *body, int32_t l, double s)
 static double relief_of_face(double q, double x)
 {
     double sum = 0.0;
+    if (q < -0.3 || q > 1.3) return 0.0;
     for (size_t i = 0; i < sizeof relief_face / sizeof *relief_face; i++) {
         const double up = relief_bell((q - relief_face[i].high) / relief_face[i].tall);
         sum += relief_face[i].out * up * relief_bell((fabs(x) - relief_face[i].aside) / relief_face[i].wide);
@@ -170,6 +171,7 @@ static void relief_foot(const relief *at, int32_t l, const double *x, double *v)
     const double inward = l == MUS__LIMB_FOOT_LEFT ? -1.0 : 1.0, foot = at->body->asked[MUS_MEASURE_FOOT];
     const double f = (x[2] - limb->origin[2] - limb->pole[0]) / foot, middle = limb->contour[limb->count / 2].ca;
     const double in = mus__cubic_step(0.1 + inward * (x[0] - middle) / (0.16 * foot)), high = x[1] / (0.20 * foot);
+    if (in <= 0.0 || high >= 1.0) return;
     const double arch = relief_bell((f - 0.43) / 0.17) * in * mus__cubic_step(1.0 - high);
     v[1] += 0.055 * foot * arch;
     v[0] -= inward * 0.035 * foot * arch;
@@ -181,6 +183,7 @@ static void relief_foot(const relief *at, int32_t l, const double *x, double *v)
 static void relief_seat(const relief *at, const double *x, double *v)
 {
     const double h = at->h, u = x[0] / (RELIEF_WIDE * h), w = x[0] / (RELIEF_GROIN_WIDE * h);
+    if (u * u > 9.2 && (at->groin <= 0.0 || w * w > 9.2)) return;
     const double low = mus__cubic_step((x[1] - at->crotch + RELIEF_BELOW * h) / (2.0 * RELIEF_BELOW * h));
     const double high = mus__cubic_step((at->hip + RELIEF_UP * h - x[1]) / (RELIEF_FADE * h));
     const double back = mus__cubic_step((at->middle - x[2]) / (RELIEF_BEHIND * h));
@@ -188,6 +191,19 @@ static void relief_seat(const relief *at, const double *x, double *v)
     if (at->groin <= 0.0) return;
     const double under = mus__cubic_step((at->hip - x[1]) / (0.7 * (at->hip - at->crotch)));
     v[2] -= at->groin * relief_bell(w) * under * mus__cubic_step((x[2] - at->middle) / (RELIEF_BEHIND * h));
+}
+
+
+double mus__relief_cleft(const mus_body *body, double y, double z)
+{
+    const mus__skeleton *bone = &body->skeleton;
+    const mus__contour *hip = relief_contour(&body->limb[MUS__LIMB_TORSO], "hip");
+    const relief at = {.body = body, .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip,
+                       .middle = hip != NULL ? -hip->cb : 0.0};
+    const double x[3] = {0.0, y, z};
+    double v[3] = {0.0, 0.0, 0.0};
+    relief_seat(&at, x, v);
+    return v[2];
 }
 
 
@@ -307,7 +323,7 @@ mus_status mus__body_relief(mus_body *body)
                  .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip, .even = mus__body_is_even(body)};
     double turn[2 * MUS__FIELD_ANGLES];
     mus_status status = MUS_OK;
-    if (body->def.plain || !body->measured) return MUS_OK;
+    if (!body->measured) return MUS_OK;
     mus__field_turns(MUS__FIELD_ANGLES, turn);
     for (int32_t i = 0; i < torso->count; i++)
         if (torso->contour[i].girth == MUS_MEASURE_HIP) at.middle = -torso->contour[i].cb;

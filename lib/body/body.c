@@ -39,6 +39,10 @@
 #define BODY_CONTOUR_GAP 0.006
 
 
+/* a crotch length of the tape that the finished surface misses by more [m] is followed again, in so many rounds at most */
+#define BODY_CLOSE 5e-4
+#define BODY_ROUNDS 4
+
 /* append the limbs of mus_body_def.limb to those of the tape */
 static mus_status body_add(mus_body *body)
 {
@@ -71,14 +75,16 @@ static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double
 }
 
 
-/* contours of all limbs from the tape, fitted to their girths; the legs take their root from the fitted hip */
-static mus_status body_contours(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
+/* contours of all limbs from the tape, fitted to their girths; the legs take their root from the fitted hip. `more` [m]
+ * is what the crotch length lacked before */
+static mus_status body_contours(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
+                                int32_t *work)
 {
     mus__limb *limb = body->limb;
     const mus__skeleton *bone = &body->skeleton;
     mus__limb_torso(tape, bone, &limb[MUS__LIMB_TORSO]);
     mus_status status = body_fit(body, MUS__LIMB_TORSO, turn, xy, work);
-    if (status == MUS_OK) status = mus__body_follow(body, tape, turn, xy, work);
+    if (status == MUS_OK) status = mus__body_follow(body, tape, more, turn, xy, work);
     if (status != MUS_OK) return status;
 
     if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS__LIMB_TORSO]);
@@ -137,9 +143,18 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     } else {
         mus__field_turns(n, turn);
         double *xy = turn + 2 * (ptrdiff_t)n;
-        status = body_contours(body, tape, turn, xy, work);
-        if (status == MUS_OK) status = body_add(body);
-        if (status == MUS_OK) status = body_finish(body, turn);
+        status = body_add(body);
+        double more = 0.0;
+        for (int round = 0; round < BODY_ROUNDS && status == MUS_OK; round++) {
+            const double last = body->made[MUS_MEASURE_CROTCH_LENGTH];
+            mus__body_release(body);
+            status = body_contours(body, tape, more, turn, xy, work);
+            if (status == MUS_OK) status = body_finish(body, turn);
+            const double off = body->asked[MUS_MEASURE_CROTCH_LENGTH] - body->made[MUS_MEASURE_CROTCH_LENGTH];
+            const bool stuck = round > 0 && fabs(body->made[MUS_MEASURE_CROTCH_LENGTH] - last) < 0.1 * BODY_CLOSE;
+            if (body->source[MUS_MEASURE_CROTCH_LENGTH] != MUS_SOURCE_GIVEN || fabs(off) < BODY_CLOSE || stuck) break;
+            more += off;
+        }
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);

@@ -67,7 +67,11 @@ static mus_status copy_make(const mus_body *from, const mus__frame *frame, mus_b
     to->frame = mus__new(to->context, to->rig.parts, sizeof *to->frame);
     to->field = mus__new(to->context, from->nfield, sizeof *to->field);
     double turn[2 * MUS__CONTOUR_SAMPLES];
-    if (to->frame == NULL || to->field == NULL) return mus__fail_memory(to->context, "a posed body");
+    to->crease = mus__room(to->context, from->creases, sizeof *to->crease);
+    if (to->frame == NULL || to->field == NULL || to->crease == NULL)
+        return mus__fail_memory(to->context, "a posed body");
+    memcpy(to->crease, from->crease, (size_t)from->creases * sizeof *to->crease);
+    to->creases = from->creases;
     memcpy(to->frame, frame, (size_t)to->rig.parts * sizeof *frame);
     for (int32_t p = 0; p < from->nfield && status == MUS_OK; p++) {
         const mus__limb *limb = &to->limb[to->rig.part[p].limb];

@@ -201,13 +201,14 @@ static void follow_rise(follow *at, double length)
 }
 
 
-mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
+mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
+                            int32_t *work)
 {
     follow at = {.body = body, .turn = turn, .xy = xy, .work = work, .status = MUS_OK};
     if (body->def.ellipse) return MUS_OK;
     if (mus_tape_source(tape, MUS_MEASURE_BUST_SPAN) == MUS_SOURCE_GIVEN)
         follow_bust(&at, mus_tape_value(tape, MUS_MEASURE_BUST_SPAN));
     if (mus_tape_source(tape, MUS_MEASURE_CROTCH_LENGTH) == MUS_SOURCE_GIVEN)
-        follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH));
+        follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH) + more);
     return at.status;
 }

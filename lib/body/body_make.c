@@ -40,6 +40,12 @@ mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus
 }
 
 
+int32_t mus__body_angles(const mus_body *body)
+{
+    return body->def.samples > MUS__FIELD_ANGLES ? body->def.samples : MUS__FIELD_ANGLES;
+}
+
+
 double mus__cubic_step(double t)
 {
     t = fmin(fmax(t, 0.0), 1.0);
@@ -64,7 +70,7 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
 {
     mus__stack stack;
     if (body->limb[l].gone) return MUS_OK;
-    mus_status status = mus__stack_make(body->context, &body->limb[l], MUS__FIELD_ANGLES, turn, &stack);
+    mus_status status = mus__stack_make(body->context, &body->limb[l], mus__body_angles(body), turn, &stack);
     if (status != MUS_OK) return status;
     mus__stack_limit(&stack, &body->limb[l]);
     while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {
@@ -79,8 +85,8 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
 
 mus_status mus__body_fields(mus_body *body, double spacing)
 {
-    double turn[2 * MUS__FIELD_ANGLES];
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    double turn[2 * MUS__FIELD_MOST];
+    mus__field_turns(mus__body_angles(body), turn);
     mus__rig_make(body, &body->rig);
     body->field = mus__new(body->context, body->rig.parts, sizeof *body->field);
     if (body->field == NULL) return mus__fail_memory(body->context, "contact fields");
@@ -91,6 +97,22 @@ mus_status mus__body_fields(mus_body *body, double spacing)
 }
 
 
+void mus__body_release(mus_body *body)
+{
+    for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
+    mus__free(body->context, body->field);
+    mus__free(body->context, body->vertices);
+    mus__free(body->context, body->normals);
+    mus__free(body->context, body->ring);
+    mus__free(body->context, body->crease);
+    mus__free(body->context, body->triangles);
+    body->field = NULL, body->nfield = 0;
+    body->vertices = body->normals = body->ring = NULL, body->triangles = NULL;
+    body->crease = NULL, body->creases = 0;
+    body->vertex_count = body->triangle_count = body->digit_vertices = body->digit_triangles = 0;
+}
+
+
 void mus_body_destroy(mus_body *body)
 {
     if (body == NULL) return;
@@ -98,15 +120,9 @@ void mus_body_destroy(mus_body *body)
         if (body->kept->data != NULL) body->kept->destroy(body->kept->data);
         mus__free(body->context, body->kept);
     }
-    for (int32_t l = 0; l < body->nfield; l++) mus__field_free(body->context, &body->field[l]);
-    mus__free(body->context, body->field);
+    mus__body_release(body);
     mus__free(body->context, body->frame);
     mus__free(body->context, body->limb);
     mus__free(body->context, body->outline);
-    mus__free(body->context, body->vertices);
-    mus__free(body->context, body->normals);
-    mus__free(body->context, body->ring);
-    mus__free(body->context, body->crease);
-    mus__free(body->context, body->triangles);
     mus__free(body->context, body);
 }

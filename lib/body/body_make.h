@@ -16,6 +16,9 @@ mus_status mus__body_limbs(mus_body *body, int32_t count);
 /* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
+/* steps of the diamond angle of the fields of a body: its samples, where they are more than MUS__FIELD_ANGLES */
+int32_t mus__body_angles(const mus_body *body);
+
 /* cubic step: 0 for t <= 0, 1 for t >= 1 */
 double mus__cubic_step(double t);
 
@@ -32,9 +35,11 @@ void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus_
 
 /* ---- body_follow.c ---- */
 
-/* change the fitted contours of the torso so that bust span and crotch length are the tape's, where it gives them.
- * Scratch as mus__contour_fit(). Errors: MUS_ERR_MEMORY */
-mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work);
+/* change the fitted contours of the torso so that bust span and crotch length are the tape's, where it gives them;
+ * `more` [m] is added to the crotch length, for what the finished surface lacks. Scratch as mus__contour_fit(). Errors:
+ * MUS_ERR_MEMORY */
+mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
+                            int32_t *work);
 /* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
@@ -51,6 +56,8 @@ mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, cons
 
 /* ---- body_surface.c, ring_mesh.c ---- */
 
+/* free fields, fillets and surface, to make them again */
+void mus__body_release(mus_body *body);
 /* rings, vertices, normals and triangles of all limbs, from the fields, in the directions `turn` (def.samples x 2).
  * Errors: MUS_ERR_MEMORY */
 mus_status mus__body_surface(mus_body *body, const double *turn);
@@ -69,8 +76,8 @@ mus_status mus__body_lengths(mus_body *body);
 
 /* ---- give.c: girths kept by the finished surface ---- */
 
-/* scale the rings of limb l about its contour i, and the contour, by 1 + more */
-void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more);
+/* scale the rings of limb l about its contour i, and the contour, by 1 + more; turn: the directions of the fields */
+void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more, const double *turn);
 /* girth [m] of a tape round n points at the radii (n) in the directions `turn` (n x 2). Scratch: xy (2n), work (2n) */
 double mus__give_tape(int32_t n, const double *turn, const double *radius, double *xy, int32_t *work);
 /* scale the rings about all contours with a girth until the surface in the directions `turn` (def.samples x 2) has it.

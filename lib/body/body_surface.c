@@ -238,7 +238,7 @@ static void surface_contour_normals(mus_body *body, int32_t l, const mus__contou
 static void surface_creases(mus_body *body, const surface_work *work)
 {
     int32_t part = MUS_NONE, row = MUS_NONE, ring = -1;
-    for (int32_t i = 0; i < body->creases && work->n == MUS__FIELD_ANGLES; i++) {
+    for (int32_t i = 0; i < body->creases && work->n == mus__body_angles(body); i++) {
         const mus__crease *crease = &body->crease[i];
         const mus__field *field = &body->field[crease->part];
         const int32_t l = body->rig.part[crease->part].limb;
@@ -249,6 +249,7 @@ static void surface_creases(mus_body *body, const surface_work *work)
         if (ring < 0) continue;
         double *normal = body->normals + 3 * (body->limb[l].first_vertex + 1 + (ptrdiff_t)ring * work->n + crease->entry);
         memcpy(normal, crease->normal, sizeof crease->normal);
+        if (body->frame != NULL) mus__frame_turn(&body->frame[crease->part], crease->normal, normal);
     }
     for (int32_t l = 0; l < body->limb_count && body->creases > 0; l++)
         for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++)
@@ -272,7 +273,7 @@ static mus_status surface_begin(const mus_body *body, const double *turn, surfac
     if (!work->entry || !work->share || !work->stop || !work->ring)
         return mus__fail_memory(body->context, "the surface of a body");
     work->radius = work->share + n, work->before = work->radius + n, work->middle = work->before + n;
-    mus__field_steps(MUS__FIELD_ANGLES, n, turn, work->entry, work->share);
+    mus__field_steps(mus__body_angles(body), n, turn, work->entry, work->share);
     return MUS_OK;
 }
 

@@ -257,7 +257,7 @@ static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep
 {
     const int32_t n = at->body->field[q].nangle;
     double grew = 0.0;
-    bool changed[MUS__FIELD_ANGLES] = {false};
+    bool changed[MUS__FIELD_MOST] = {false};
     for (int32_t odd = 0; odd < 2; odd++)
         for (int32_t k = odd; k < n; k += 2) {
             if (half && k > n / 4 && k < n - n / 4) continue;
@@ -381,7 +381,7 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *tu
 static void fillet_give(fillet *at, const double *turn, double *xy, int32_t *work)
 {
     mus_body *body = at->body;
-    double row[MUS__FIELD_ANGLES];
+    double row[MUS__FIELD_MOST];
     for (int32_t q = 0; q < body->nfield; q++) {
         const mus__part *part = &body->rig.part[q];
         const mus__limb *limb = &body->limb[part->limb];
@@ -393,10 +393,10 @@ static void fillet_give(fillet *at, const double *turn, double *xy, int32_t *wor
             const double *radius = field->radius + (ptrdiff_t)j * n;
             fillet_parts(at, q, j);
             if (at->count == 0) continue;
-            memcpy(row, radius, sizeof row);
+            memcpy(row, radius, (size_t)n * sizeof *row);
             if (fillet_ring(at, q, j, false, false, turn, row) == 0.0) continue;
             const double before = mus__give_tape(n, turn, radius, xy, work);
-            mus__give_scale(body, part->limb, i, before / mus__give_tape(n, turn, row, xy, work) - 1.0);
+            mus__give_scale(body, part->limb, i, before / mus__give_tape(n, turn, row, xy, work) - 1.0, turn);
         }
     }
 }
@@ -488,11 +488,11 @@ mus_status mus__body_fillets(mus_body *body, double reach)
 {
     if (reach == 0.0) return MUS_OK;
     fillet *at = mus__new(body->context, 1, sizeof *at);
-    double turn[2 * MUS__FIELD_ANGLES], xy[2 * MUS__FIELD_ANGLES];
-    int32_t work[2 * MUS__FIELD_ANGLES];
+    double turn[2 * MUS__FIELD_MOST], xy[2 * MUS__FIELD_MOST];
+    int32_t work[2 * MUS__FIELD_MOST];
     if (at == NULL) return mus__fail_memory(body->context, "the fillets of a body");
     at->body = body, at->reach = reach, at->room = FILLET_CREASES;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    mus__field_turns(mus__body_angles(body), turn);
     fillet_begin(at);
     at->crease = mus__room(body->context, at->room, sizeof *at->crease);
     mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");

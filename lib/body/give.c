@@ -13,12 +13,12 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-#define GIVE_ROUNDS 8    /* most rounds: each leaves a hundredth of the difference, a third where legs share the hip */
-#define GIVE_CLOSE 1e-10 /* [m] a girth that near is reached */
+#define GIVE_ROUNDS 12    /* most rounds: each leaves a hundredth of the difference, a third where legs share the hip */
+#define GIVE_CLOSE 1e-13 /* [m] a girth that near is reached */
 #define GIVE_MOST 0.1    /* largest part of a girth that a contour gives; chosen */
 
 
-void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more)
+void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more, const double *turn)
 {
     mus__limb *limb = &body->limb[l];
     mus__contour *c = &limb->contour[i];
@@ -33,7 +33,12 @@ void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more)
             if (s >= high) break;
             const double scale = 1.0 + more * (1.0 - u * u * (3.0 - 2.0 * u));
             double *radius = field->radius + (ptrdiff_t)j * field->nangle;
-            for (int32_t k = 0; k < field->nangle; k++) radius[k] *= scale;
+            const double room = field->centre[2 * j] * limb->wall_side - limb->wall;
+            for (int32_t k = 0; k < field->nangle; k++) {
+                radius[k] *= scale;
+                if (-turn[2 * k] * limb->wall_side > 0.0) /* a leg keeps off the middle plane */
+                    radius[k] = fmin(radius[k], room / (-turn[2 * k] * limb->wall_side));
+            }
         }
     }
     c->a *= 1.0 + more, c->b *= 1.0 + more;
@@ -61,6 +66,7 @@ static const mus__field *give_field(const mus_body *body, int32_t l, double s)
 /* directions of the surface in the tables, and scratch for a tape round torso and legs */
 typedef struct give {
     const double *turn;
+    double step[2 * MUS__FIELD_MOST]; /* directions of the tables */
     int32_t n, entry[MUS__CONTOUR_SAMPLES], work[6 * MUS__CONTOUR_SAMPLES];
     double share[MUS__CONTOUR_SAMPLES], radius[MUS__CONTOUR_SAMPLES], xy[6 * MUS__CONTOUR_SAMPLES];
 } give;
@@ -98,21 +104,34 @@ bool mus__girth_has_legs(int32_t girth)
 }
 
 
+/* scale the rings about each contour once; true: a girth was not reached. At the hip the tops of the legs give way too */
+static bool give_round(mus_body *body, give *at)
+{
+    bool more = false;
+    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
+        for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
+            const mus__contour *c = &body->limb[l].contour[i];
+            if (c->girth == MUS_NONE) continue;
+            const double made = give_made(body, l, i, at), asked = body->asked[c->girth], part = asked / made - 1.0;
+            if (fabs(made - asked) < GIVE_CLOSE || fabs(part) > GIVE_MOST) continue;
+            more = true;
+            mus__give_scale(body, l, i, part, at->step);
+            for (int32_t leg = MUS__LIMB_LEG_LEFT; leg <= MUS__LIMB_LEG_RIGHT && mus__girth_has_legs(c->girth); leg++)
+                for (int32_t k = 0; k < body->limb[leg].count; k++)
+                    if (body->limb[leg].contour[k].s == c->s) mus__give_scale(body, leg, k, part, at->step);
+        }
+    return more;
+}
+
+
 mus_status mus__body_give(mus_body *body, const double *turn)
 {
     give *at = mus__room(body->context, 1, sizeof *at);
     if (at == NULL) return mus__fail_memory(body->context, "measuring a body");
     at->turn = turn, at->n = body->def.samples;
-    mus__field_steps(MUS__FIELD_ANGLES, at->n, turn, at->entry, at->share);
-    for (int32_t l = 0; l < MUS__LIMB_COUNT; l++)
-        for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
-            const int32_t girth = body->limb[l].contour[i].girth;
-            for (int round = 0; round < GIVE_ROUNDS && girth != MUS_NONE; round++) {
-                const double made = give_made(body, l, i, at), asked = body->asked[girth];
-                if (fabs(made - asked) < GIVE_CLOSE || fabs(made - asked) > GIVE_MOST * asked) break;
-                mus__give_scale(body, l, i, asked / made - 1.0);
-            }
-        }
+    mus__field_turns(mus__body_angles(body), at->step);
+    mus__field_steps(mus__body_angles(body), at->n, turn, at->entry, at->share);
+    for (int round = 0; round < GIVE_ROUNDS && give_round(body, at); round++) continue;
     for (int32_t p = 0; p < body->nfield; p++) mus__field_bounds(&body->field[p]);
     mus__free(body->context, at);
     return MUS_OK;

@@ -321,10 +321,10 @@ mus_status mus__body_relief(mus_body *body)
     const mus__skeleton *bone = &body->skeleton;
     relief at = {.body = body, .chin = relief_contour(torso, "chin"), .brow = relief_contour(torso, "brow"),
                  .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip, .even = mus__body_is_even(body)};
-    double turn[2 * MUS__FIELD_ANGLES];
+    double turn[2 * MUS__FIELD_MOST];
     mus_status status = MUS_OK;
     if (!body->measured) return MUS_OK;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    mus__field_turns(mus__body_angles(body), turn);
     for (int32_t i = 0; i < torso->count; i++)
         if (torso->contour[i].girth == MUS_MEASURE_HIP) at.middle = -torso->contour[i].cb;
     at.groin = relief_front(torso, MUS_NONE) + RELIEF_GROIN * at.h -

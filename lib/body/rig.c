@@ -99,6 +99,7 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
         part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - s[k]));
         part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (s[k] - part[k].end[0]));
     }
+    part[0].deep = body->measured && l == MUS__LIMB_TORSO;
     out->parts += cuts + 1;
 }
 

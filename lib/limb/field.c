@@ -60,9 +60,9 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
                            mus__field *out)
 {
     const mus__limb *limb = stack->limb;
-    const double cap[2] = {part->round[0] > 0.0 ? part->round[0] : part->end[0] - limb->pole[0],
-                           part->round[1] > 0.0 ? part->round[1] : limb->pole[1] - part->end[1]};
-    const double low = part->end[0] - FIELD_CAP * cap[0], high = part->end[1] + FIELD_CAP * cap[1], length = high - low;
+    const double cap = part->deep ? part->end[0] - limb->pole[0] : part->round[0];
+    const double low = part->end[0] - FIELD_CAP * cap, high = part->end[1] + FIELD_CAP * part->round[1];
+    const double length = high - low;
     memset(out, 0, sizeof *out);
     memcpy(out->origin, limb->origin, sizeof out->origin);
     memcpy(out->axis, limb->axis, sizeof out->axis);

@@ -8,8 +8,8 @@
  *
  * Query at a point: with k = floor((s-s0)/ds) the rings k and k+1 are blended, and the radius R is interpolated over
  * the angle. With F = rho - R(s, q), the signed distance is F/|grad F| to first order and the outward normal is
- * grad F/|grad F|. The first and the last ring lie in the cap that closes the limb, or in the round cap that closes a
- * part beyond a joint. Beyond them the query uses a form that is smooth through the pole (field_kernel.h).
+ * grad F/|grad F|. The first and the last ring are the limb's first and last contour, or lie in the round cap that
+ * closes a part beyond a joint, or in the cap under the torso. Beyond them the query uses a form that is smooth through the pole (field_kernel.h).
  *
  * The table is the body: the published skin is drawn from it, and contact touches it. lib/body changes entries where
  * two limbs meet (fillets) and where a detail is cut (face, seat), and then calls mus__field_bounds().
@@ -19,13 +19,15 @@
 
 #include "limb/contour_stack.h"
 
-#define MUS__FIELD_ANGLES 128 /* steps of the diamond angle: the table then follows a contour to 0.1 mm */
+#define MUS__FIELD_ANGLES 128 /* least steps of the diamond angle: the table then follows a contour to 0.1 mm */
+#define MUS__FIELD_MOST 512   /* most steps: samples of a finer surface */
 
 /* a range of a limb's stack that moves rigidly with one joint */
 typedef struct mus__part {
     int32_t limb, joint;
     double end[2];   /* s of its ends [m]: a joint, or the contour that ends the limb */
     double round[2]; /* length of the round cap beyond a joint [m], 0: the limb ends here with its own cap */
+    bool deep;       /* its first end is that of the limb, and rings reach into the cap there, which a fillet changes */
 } mus__part;
 
 typedef struct mus__field {

@@ -73,8 +73,8 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
     mus_status status = fit_carry(body, pose, field);
     if (status != MUS_OK) return status;
 
-    double turn[2 * MUS__FIELD_ANGLES], lowest = INFINITY;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    double turn[2 * MUS__FIELD_MOST], lowest = INFINITY;
+    mus__field_turns(field[0].nangle, turn);
     for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, fit_lowest(&field[p], turn));
     pose->place[1] -= lowest;
     return MUS_OK;
@@ -116,8 +116,8 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
     mus_status status = fit_carry(body, pose, field);
     if (status != MUS_OK || !body->jointed) return status;
 
-    double turn[2 * MUS__FIELD_ANGLES];
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
+    double turn[2 * MUS__FIELD_MOST];
+    mus__field_turns(field[0].nangle, turn);
     for (int32_t right = 0; right < 2; right++) {
         if (body->bones.limb[MUS__LIMB_ARM_LEFT + right] == MUS_NONE) continue;
         double *lift = &pose->angle[MUS_JOINT_SHOULDER_LEFT + right][MUS_POSE_ABDUCTION], low, high;

@@ -10,7 +10,7 @@
 #   make NAME       a study of the table below (NAME: corpus, wear ...); CONTRIBUTING.md says what each one measures
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
-# config=release (default) | debug | sanitize | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
+# config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
 # OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
 # CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
 
@@ -30,11 +30,10 @@ ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
 # ---- flags ----
 OPTIMISE_release = -O2 -g
 OPTIMISE_debug = -O0 -g -DMUS_DEBUG
-OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined $(LINK_sanitize)
-OPTIMISE_coverage = -O0 -g $(LINK_coverage)
-LINK_sanitize = -fsanitize=address,undefined
-LINK_coverage = --coverage
-$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize or coverage))
+OPTIMISE_sanitize = -O1 -g -DMUS_DEBUG -fno-omit-frame-pointer -fno-sanitize-recover=undefined -fsanitize=address,undefined
+OPTIMISE_tsan = -O0 -g -fsanitize=thread
+OPTIMISE_coverage = -O0 -g --coverage
+$(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug, sanitize, tsan or coverage))
 # for the loops that a drape spends its time in: -O3 vectorises them, and a square root without errno is one
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
@@ -45,20 +44,21 @@ WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstr
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
 COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
-LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LINK_$(config)) $(LDFLAGS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LDFLAGS)
 
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
 
-# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row ----
+# ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan $(OMIT_design) $(OMIT_drape) exchange
+OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+  $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 
@@ -71,7 +71,7 @@ PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 
-room = $(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1))))
+room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
 SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
 $(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file)))) # lib/file is a part of both
@@ -79,7 +79,7 @@ SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
-TESTED_EXAMPLES := examples/bench/plain.c examples/bench/tree.c
+TESTED_EXAMPLES := examples/bench/edge_list.c examples/bench/triangle_tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
@@ -95,8 +95,7 @@ EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
 NEED := $(addprefix need-,$(OWN_LIBRARY) examples tests)
 .PHONY: all lib tests examples packages install clean help FORCE $(NEED)
-.DELETE_ON_ERROR:
-.SECONDEXPANSION:
+.DELETE_ON_ERROR .SECONDEXPANSION:
 
 all: $(foreach l,$(LIBRARIES),$(call library,$(l)).a) $(SHARED) $(if $(OMIT),,$(PROGRAMS))
 lib: $(call library,muslin).a $(call library,muslin).so.$(VERSION)
@@ -152,12 +151,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people outside designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside designs catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(BIN)/people $(BIN)/outside $(BIN)/designs $(BIN)/catalogue-bench: $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside designs catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -172,9 +171,8 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-
 # what apt must have beside the packages of a build
-same check check-omit check-large people outside designs catalogue-bench: APT_GROUP = test
+same check check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -196,24 +194,25 @@ RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
+RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
 RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
-# QUICK=1: small scenes, into build/report; the full run writes its page into the repository
 RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
-NEEDS_check-omit = tests
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
-NEEDS_check-large = tests
+$(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
+NEEDS_check-threads = $(call library,muslin).a
+RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 NEEDS_check-glb = run-dress

@@ -29,14 +29,6 @@ static mus_tape *tape_of(const char *size)
 }
 
 
-static double largest(const double *value, int32_t n)
-{
-    double most = 0.0;
-    for (int32_t i = 0; i < n; i++) most = value[i] > most ? value[i] : most;
-    return most;
-}
-
-
 /* dress a body of the size and print how the garment fits it */
 static void wear(const mus_pattern *pattern, const char *size)
 {
@@ -46,6 +38,7 @@ static void wear(const mus_pattern *pattern, const char *size)
     mus_dress_def def;
     mus_fit *fit;
     mus_fit_level level;
+    mus_fit_spread spread;
 
     must(mus_body_create(context, tape, NULL, &body));
     mus_dress_def_init(&def, sizeof def);
@@ -61,9 +54,9 @@ static void wear(const mus_pattern *pattern, const char *size)
                level.right == MUS_NONE ? "" : level.right ? "right" : "left", 100 * level.body, 100 * level.garment,
                100 * level.ease);
     }
-    printf("  largest strain along warp %.0f %%, along weft %.0f %%\n",
-           100 * largest(mus_fit_warp(fit), mus_fit_node_count(fit)),
-           100 * largest(mus_fit_weft(fit), mus_fit_node_count(fit)));
+    mus_fit_spread_init(&spread, sizeof spread);
+    must(mus_fit_spread_get(fit, MUS_FIT_STRAIN, &spread));
+    printf("  strain: at most %.1f %% on 95 %% of the cloth, %.1f %% on 99 %%\n", 100 * spread.p95, 100 * spread.p99);
     mus_fit_destroy(fit);
     mus_drape_destroy(drape);
     mus_body_destroy(body);

@@ -152,6 +152,10 @@ enum {
     MUS_NOTCH_SINGLE = 1,
     MUS_NOTCH_DOUBLE = 2,
     MUS_NOTCH_TRIPLE = 3,
+    MUS_SIDE_FRONT = 1,
+    MUS_SIDE_BACK = 2,
+    MUS_SIDE_LEFT = 4,
+    MUS_SIDE_RIGHT = 8,
     MUS_LAYERS_MOST = 16,
     MUS_FAULT_OPEN_OUTLINE = 1,
     MUS_FAULT_CROSSING = 2,
@@ -174,6 +178,7 @@ enum {
     MUS_EASE_COUNT = 3,
     MUS_BEND_PLATE = 0,
     MUS_BEND_PAPER = 1,
+    MUS_CLOTH_NODES = 1048576,
     MUS_METHOD_RK4 = 0,
     MUS_METHOD_VERLET = 1,
     MUS_METHOD_EULER = 2,
@@ -194,6 +199,11 @@ enum {
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
     MUS_DRESS_STARTS_MOST = 8,
+    MUS_FIT_STRAIN = 0,
+    MUS_FIT_WARP = 1,
+    MUS_FIT_WEFT = 2,
+    MUS_FIT_PRESSURE = 3,
+    MUS_FIT_GAP = 4,
     MUS_PAPER_A4 = 0,
     MUS_PAPER_LETTER = 1,
     MUS_PAPER_A3 = 2,
@@ -256,6 +266,7 @@ typedef struct mus_progress mus_progress;
 typedef struct mus_drape_report mus_drape_report;
 typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
+typedef struct mus_fit_spread mus_fit_spread;
 typedef struct mus_fit_level mus_fit_level;
 typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
@@ -458,6 +469,7 @@ struct mus_cloth_def {
     int32_t bending;
     double paper_curvature;
     int32_t coarser;
+    int32_t nodes_most;
 };
 
 struct mus_bare {
@@ -604,6 +616,7 @@ struct mus_dress_def {
     mus_progress_fn progress;
     void *progress_user;
     double progress_seconds;
+    int32_t nodes_most;
 };
 
 struct mus_dress_report {
@@ -619,6 +632,18 @@ struct mus_dress_report {
     double cut_seconds;
     double sew_seconds;
     double settle_seconds;
+};
+
+struct mus_fit_spread {
+    size_t size;
+    double p50;
+    double p95;
+    double p99;
+    double mean;
+    double least;
+    double largest;
+    int32_t node;
+    double area;
 };
 
 struct mus_fit_level {
@@ -791,6 +816,7 @@ mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char 
 mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y);
 mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
+mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);
 void mus_placement_init(mus_placement *placement, size_t size);
 mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
@@ -810,6 +836,7 @@ int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name);
 int32_t mus_pattern_find_edge(const mus_pattern *pattern, int32_t panel, const char *name);
 const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t panel);
 const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given);
 mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges, const int32_t **directions);
 mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions, int32_t capacity, int32_t *count);
 mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
@@ -882,6 +909,7 @@ mus_status mus_pattern_merge_edges(mus_pattern *pattern, int32_t edge, int32_t *
 void mus_seam_walk_init(mus_seam_walk *walk, size_t size);
 mus_status mus_pattern_walk_seam(const mus_pattern *pattern, int32_t seam, mus_seam_walk *out);
 mus_status mus_pattern_true_seam(mus_pattern *pattern, int32_t seam, int32_t edge, int32_t at_end);
+mus_status mus_pattern_notch_seam(mus_pattern *pattern, int32_t edge, double s, int32_t kind);
 int32_t mus_design_count(void);
 const char *mus_design_name(int32_t design);
 const char *mus_design_family(int32_t design);
@@ -992,6 +1020,9 @@ const double *mus_fit_warp(const mus_fit *fit);
 const double *mus_fit_weft(const mus_fit *fit);
 const double *mus_fit_pressure(const mus_fit *fit);
 const double *mus_fit_gap(const mus_fit *fit);
+const double *mus_fit_area(const mus_fit *fit);
+void mus_fit_spread_init(mus_fit_spread *spread, size_t size);
+mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spread *out);
 void mus_fit_level_init(mus_fit_level *level, size_t size);
 int32_t mus_fit_level_count(const mus_fit *fit);
 mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_level *out);

@@ -1,6 +1,6 @@
 /*
- * bench.c: muslin bench: node evaluations a CPU second beside the plain edge-list form in the same run, and whole
- * scenes in CPU seconds. Counts stand beside seconds: they are the same on every machine.
+ * bench.c: muslin bench: node evaluations a CPU second, compared with the edge-list form (edge_list.h) in the same run,
+ * and CPU seconds of whole scenes. Rows also have counts, which are the same on every machine.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <math.h>
@@ -43,7 +43,7 @@ bench_row bench_row_start(const char *name, int32_t precision, int32_t threads)
 }
 
 
-/* a member of a row, or a word in its line, if it has one */
+/* Writes a figure of a row, as a JSON member or as text, unless it is NaN. */
 static void write_figure(bench *b, const char *key, const char *format, double value)
 {
     if (isnan(value)) return;
@@ -94,7 +94,7 @@ void bench_row_write(bench *b, const bench_row *row)
 }
 
 
-/* is a part of the table asked for */
+/* Whether a part of the table is asked for. */
 static bool asked(const char *only, const char *part)
 {
     return only == NULL || strcmp(only, part) == 0;
@@ -105,11 +105,12 @@ int command_bench(int argc, char **argv)
 {
     bool as_json = false, all = false;
     const char *only = NULL;
-    const option options[] = {{"--all", OPTION_FLAG, &all, 0, 0, "large cloths too, and scenes brought to rest"},
-                              {"--only", OPTION_TEXT, &only, 0, 0, "PART  speed, contact, body, scenes, layers alone"},
+    const option options[] = {{"--all", OPTION_FLAG, &all, 0, 0, "also large cloths, and scenes at rest"},
+                              {"--only", OPTION_TEXT, &only, 0, 0,
+                               "PART  one part only: speed, contact, body, scenes or layers"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("bench", "Speed table: node evaluations a CPU second, whole scenes in CPU seconds.", options, argc,
+    if (!args_read("bench", "Measure speed: node evaluations a CPU second, CPU seconds of whole scenes.", options, argc,
                    argv))
         return EXIT_INPUT;
 

@@ -3,24 +3,24 @@
 #define BENCH_H
 
 #include "command/json.h"
+#include "edge_list.h"
 #include "muslin/muslin.h"
-#include "plain.h"
 
-/* One row. Figures that a case has not are NaN and are left out. */
+/* One row. Figures that a case does not have are NaN and are not printed. */
 typedef struct bench_row {
     const char *name;
     int32_t precision, threads, nodes, springs;
     int64_t evaluations;   /* force evaluations in the best repeat */
     double cpu_s, wall_s;  /* of that repeat */
-    double plain_s;        /* CPU of one evaluation of one node in the plain form */
+    double plain_s;        /* CPU time of one evaluation of one node in the edge-list form [s] */
     double cpu_per_second; /* CPU seconds for a simulated second */
-    double fall;           /* lowest node at half a second, below the start [m] */
-    double strain;         /* largest strain of a structural spring, at rest */
-    double reaction;       /* of the pins, upwards, over the weight, at rest */
-    double cpu_frame_ms;   /* CPU for a frame of 20 ms */
-    double area;           /* of the garment [m2] */
-    double step;           /* [s] */
-    double over_off;       /* of CPU time over that without what the row has */
+    double fall;           /* depth of the lowest node below the start after half a second [m] */
+    double strain;         /* largest strain of a structural spring at rest */
+    double reaction;       /* upward force of the pins over the weight, at rest */
+    double cpu_frame_ms;   /* CPU time of a frame of 20 ms [ms] */
+    double area;           /* area of the garment [m2] */
+    double step;           /* length of a step [s] */
+    double over_off;       /* CPU time over that of the same case with the feature off */
 } bench_row;
 
 typedef struct bench {
@@ -29,19 +29,20 @@ typedef struct bench {
     json j;
 } bench;
 
-/* a row with nothing in it yet */
+/* Returns a row whose figures are all NaN or 0. */
 bench_row bench_row_start(const char *name, int32_t precision, int32_t threads);
 void bench_row_write(bench *b, const bench_row *row);
 
 double bench_cpu(void);
 double bench_wall(void);
 
-/* constants of the plain form for a fabric of C11 along both, G, and one rigidity B in every direction */
+/* Returns the constants of the edge-list form for a fabric with equal C11 along weft and warp, shear G, and one bending
+ * rigidity B in every direction. */
 plain_lattice bench_lattice(const mus_fabric *fabric, int32_t side, double cell, double drag);
-/* CPU seconds of one evaluation of one node: of forces alone, or a quarter of a step of RK4 */
+/* CPU time [s] of one evaluation of one node in the edge-list form: forces only, or a quarter of an RK4 step. */
 double bench_plain(const plain_lattice *lattice, int32_t precision, bool steps);
 
-/* The parts of the table, one file each: speed.c, contact.c, worn.c, body.c, scenes.c, layers.c. */
+/* The parts of the table, one file each: steps.c, contact.c, garment_contact.c, body.c, scenes.c, layers.c. */
 mus_status bench_speed(bench *b, bool everything);
 mus_status bench_contact(bench *b);
 mus_status bench_worn(bench *b);

@@ -1,7 +1,7 @@
 /*
- * body.c: a bodily change: from a tape to the picture-ready surface, skin and all, on one core; and the same with
- * a T-shirt on, which is refitted: a new drape that starts where the last one lies, and settles. Drawing is not in it.
- * Vertices, triangles and nodes are counted beside the seconds: they are the same on every machine.
+ * body.c: times a change of the body, on one core: from a tape to the published surface with normals; and the same with
+ * a T-shirt that is refitted: a new drape starts where the last one lies, and settles. Drawing is not timed. Rows also
+ * have the numbers of vertices, triangles and nodes, which are the same on every machine.
  */
 #include <math.h>
 #include <stdio.h>
@@ -9,15 +9,15 @@
 #include "bench.h"
 #include "muslin/muslin.h"
 
-/* bodies a row; each has a waist of its own */
+/* bodies made for one row, each with another waist girth; chosen: their sum takes some tenths of a second */
 #define BENCH_BODIES 24
 
 #define REFIT_CHANGES 6
-#define REFIT_WAIST 0.002   /* [m] fuller at each change */
-#define REFIT_SPACING 0.016 /* [m]: some 3,000 nodes */
+#define REFIT_WAIST 0.002   /* [m] added to the waist at each change */
+#define REFIT_SPACING 0.016 /* [m] spacing of the T-shirt: about 3,000 nodes */
 
 
-/* CPU seconds of one body of a size whose waist is `more` fuller */
+/* Makes one body of a size, with `more` [m] added to the waist; *spent gets the CPU time [s]. */
 static mus_status change_once(mus_context *context, const char *size, double more, mus_body **body, double *spent)
 {
     mus_tape *tape = NULL;
@@ -62,11 +62,11 @@ typedef struct refit {
     mus_body *body;
     mus_drape *drape;
     int32_t settled;
-    double body_s, fit_s; /* CPU, all changes together */
+    double body_s, fit_s; /* CPU time of all changes [s] */
 } refit;
 
 
-/* the T-shirt on the first body */
+/* Dresses the first body in the T-shirt. */
 static mus_status refit_open(mus_context *context, refit *r)
 {
     mus_tape *tape = NULL;
@@ -90,7 +90,7 @@ static mus_status refit_open(mus_context *context, refit *r)
 }
 
 
-/* the next body, and the shirt from the last one onto it; one that does not come to rest is counted, not an error */
+/* Makes the next body and refits the T-shirt to it. A garment that does not come to rest is counted; it is no error. */
 static mus_status refit_once(mus_context *context, refit *r, double more)
 {
     mus_body *body = NULL;

@@ -1,13 +1,13 @@
 /*
- * contact.c: what contact costs a node, whatever the drawn surface has, beside a tree of boxes over the surface's
- * triangles, in the same run and at the same points.
+ * contact.c: times contact a node, for surfaces with different numbers of triangles, and a tree of boxes over the
+ * triangles at the same points in the same run.
  *
- * Points lie within 4 mm of the skin of a body W40, where cloth is: one triangle of the surface after the other, as
- * nodes of a cloth lie, and scattered, where neither finds in the caches what the point before left there. Contact is
- * timed as a drape does it: steps of nodes without springs round the body, less the same without it, in float, with a
- * clearance that makes each node touch, so that each is asked and answered in every step (of a garment: worn.c).
- * mus_body_depth is timed too, in double; it asks every part of the body of every point. The tree stands over the
- * surface of about 20,000 triangles; its distances are held against depths outside.
+ * Points lie within 4 mm of the skin of a body W40, as those of cloth do: in the order of the surface's triangles, as
+ * nodes of a cloth are, and in random order, where the processor's caches do not help. Contact is timed as a drape does
+ * it: steps of nodes without springs round the body, less the same steps without a body, in float. The clearance makes
+ * each node touch, so that each is queried and answered in every step. (garment_contact.c times a garment.)
+ * mus_body_depth() is timed too, in double; it queries every part of the body for every point. The tree is built over a
+ * surface of about 20,000 triangles; outside the body its distances are compared with depths.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "bench.h"
-#include "tree.h"
+#include "triangle_tree.h"
 
 #define POINTS 20000
 #define REPEATS 9
@@ -36,13 +36,14 @@ static const struct {
     {"contact_20k_scattered", 48, 0.05, true, true},
 };
 
-/* what is told of a surface */
+/* the figures of one surface */
 typedef struct asked {
     const char *name;
     int32_t triangles;
-    int64_t queries, visits;       /* of a pass over the nodes: node against part; triangles that the tree asked */
-    double node_ns, depth_ns;      /* a node of the contact pass; a point of mus_body_depth */
-    double tree_ns, median, worst; /* of the tree; its distances against depths outside [m] */
+    int64_t queries, visits;  /* in one pass over the nodes: queries of a part; triangles visited by the tree */
+    double node_ns, depth_ns; /* time of a node in the contact pass; of a point in mus_body_depth() [ns] */
+    double tree_ns;           /* time of a point in the tree [ns] */
+    double median, worst;     /* difference of the tree's distance from the depth, outside the body [m] */
 } asked;
 
 
@@ -53,8 +54,7 @@ static double random_part(uint64_t *state)
 }
 
 
-/* points off the skin of a body, one triangle after the other as nodes of a cloth lie; what is within another limb is
- * left out */
+/* Makes points off the skin of a body, triangle by triangle; points inside another limb are left out. */
 static mus_status make_points(const mus_body *body, double *points)
 {
     uint64_t random = 4;
@@ -80,7 +80,7 @@ static mus_status make_points(const mus_body *body, double *points)
 }
 
 
-/* the points in an order of chance */
+/* Puts the points in random order. */
 static void scatter(double *points)
 {
     uint64_t random = 9;
@@ -95,7 +95,8 @@ static void scatter(double *points)
 }
 
 
-/* least CPU seconds of STEPS steps of nodes at the points, round a body or alone, and the queries of a step */
+/* Measures the least CPU time [s] of STEPS steps of nodes at the points, with a body or without (NULL), and the number
+ * of queries in a step. */
 static mus_status time_steps(bench *b, const mus_body *body, const double *points, double *seconds, int64_t *queries)
 {
     mus_bare bare;
@@ -109,7 +110,7 @@ static mus_status time_steps(bench *b, const mus_body *body, const double *point
     mus_bare_init(&bare, sizeof bare);
     bare.nodes = POINTS, bare.place = points, bare.mass = mass;
     mus_drape_def_init(&def, sizeof def);
-    def.clearance = OFF_MOST; /* so that each touches */
+    def.clearance = OFF_MOST; /* each node touches */
     mus_drape_report_init(&report, sizeof report);
     mus_status status = mus_cloth_create_bare(b->context, &bare, &cloth);
     if (status == MUS_OK) status = mus_drape_create(b->context, cloth, body, &def, &drape);
@@ -137,7 +138,7 @@ static int by_size(const void *a, const void *b)
 }
 
 
-/* the tree over a body's surface at the points, against their depths; work (POINTS) */
+/* Times the tree over a body's surface at the points, and compares its distances with their depths; work (POINTS). */
 static mus_status time_tree(const mus_body *body, const double *points, const double *depth, double *work, asked *out)
 {
     tree t;

@@ -1,9 +1,9 @@
 /*
- * layers.c: what cloth against cloth costs: the T-shirt W40 at 15 mm, with it and without it side by side.
+ * layers.c: times self-contact: the T-shirt W40 at 15 mm, with self-contact and without it.
  *
- * The two are stepped in turns, a frame of 20 ms each, so that what else the machine does falls on both alike; the
- * figure is the median of the frames' ratios of CPU time. Fall: from sewing, onto the shoulders and down. Walk: then
- * the body goes into a step and walks. Rest: settled. All steps are of one length.
+ * The two are stepped in turns, one frame of 20 ms each, so that other work of the machine slows both down alike; the
+ * figure is the median over the frames of the ratio of CPU times. Fall: after sewing, onto the shoulders. Walk: then
+ * the body begins to walk. Rest: settled. All steps have the same length.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -16,10 +16,10 @@
 #define WALK 50
 #define REST 10
 #define SPACING 0.015
-#define STATURE 1.68 /* of a step of the walk [m] */
-#define SAFETY 0.8 /* the bound falls while cloth is shaken */
+#define STATURE 1.68 /* [m] stature for which the walk is made */
+#define SAFETY 0.8 /* step over the step bound at rest; below 1, since the bound falls while cloth is shaken */
 
-/* off and on */
+/* the drape without self-contact and the one with it */
 typedef struct layers_pair {
     mus_drape *drape[2];
     double ratio[EASE + WALK], cpu[2];
@@ -34,7 +34,7 @@ static int layers_ascending(const void *left, const void *right)
 }
 
 
-/* a frame of both */
+/* Steps one frame of both drapes. */
 static mus_status layers_frame(layers_pair *p)
 {
     mus_status status = MUS_OK;
@@ -75,7 +75,7 @@ static void layers_write(bench *b, const char *name, layers_pair *p, const mus_c
 }
 
 
-/* both bodies into a pose within a frame */
+/* Moves both bodies into a pose within one frame. */
 static mus_status layers_pose(layers_pair *p, const mus_pose *pose)
 {
     mus_status status = MUS_OK;
@@ -84,7 +84,7 @@ static mus_status layers_pose(layers_pair *p, const mus_pose *pose)
 }
 
 
-/* from how it was made into the first pose of the movement, and on */
+/* Moves from the rest pose into the first pose of the movement, then through the movement. */
 static mus_status layers_walk(bench *b, layers_pair *p)
 {
     mus_move *move = NULL;

@@ -1,12 +1,12 @@
 /*
- * scenes.c: whole scenes in CPU seconds.
+ * scenes.c: times whole scenes, in CPU seconds.
  *
- * Hang: a square of 1 m, 0.2 kg/m2, lines of 1000 N/m, diagonals of 300 N/m, stencils of 20 N/m along the lines, let
- * go flat with two corners held. A simulated second is timed from the start; where it is brought to rest, strain and
- * reactions are of the rest.
+ * Hang: a square of 1 m and 0.2 kg/m2, with springs of 1000 N/m along the lines, 300 N/m along the diagonals, and
+ * stencils of 20 N/m along the lines, is let go horizontally with two corners fixed. One second of cloth time is timed
+ * from the start. With --all the square is also brought to rest, for the strain and the reactions of the pins.
  *
- * Frame: a nightshirt M60 of 2 m2 and about 5,000 nodes (the T-shirt down to the calves, with long sleeves) of the same
- * fabric round its body: 20 ms of time, one contact pass a step. Layers: the same with cloth against cloth.
+ * Frame: a nightshirt M60 of 2 m2 and about 5,000 nodes (the T-shirt lengthened to the calves, with long sleeves) of
+ * the same fabric round its body: 20 ms of cloth time, one contact pass a step. Layers: the same with self-contact.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -16,11 +16,11 @@
 
 #define FRAME 0.02 /* [s] */
 #define FRAMES 10
-#define FRAME_SPACING 0.0205 /* [m] */
-#define FRAME_LENGTH 0.832 /* below the waist: with the sleeves 2.0 m2 [m] */
+#define FRAME_SPACING 0.0205 /* [m] spacing: about 5,000 nodes */
+#define FRAME_LENGTH 0.832 /* [m] length below the waist: 2.0 m2 with the sleeves */
 #define FRAME_SLEEVE 0.6
 #define SAFETY 0.95
-#define REST_DRAG 2.0 /* [1/s] of the hang scene: light */
+#define REST_DRAG 2.0 /* [1/s] drag of the hang scene; chosen: a light one, the square swings */
 
 
 static mus_fabric hang_fabric(double cell)
@@ -37,7 +37,7 @@ static mus_fabric hang_fabric(double cell)
 }
 
 
-/* a simulated second in steps near the bound, the time of the first half noted on the way */
+/* Steps one second of cloth time, in steps near the bound; the fall is taken at half of it. */
 static mus_status time_hang(mus_drape *drape, bench_row *row)
 {
     mus_drape_report before, after;
@@ -61,7 +61,7 @@ static mus_status time_hang(mus_drape *drape, bench_row *row)
 }
 
 
-/* strain and reactions of the pins at rest */
+/* Brings the square to rest; writes its largest strain and the reactions of the pins to the row. */
 static mus_status rest_hang(mus_drape *drape, double weight, const int32_t *pin, bench_row *row)
 {
     mus_drape_report report;
@@ -122,7 +122,7 @@ static mus_status run_hang(bench *b, const char *name, int32_t side, int32_t int
 }
 
 
-/* frames of a garment that has been placed, as an editor shows it */
+/* Times frames of a placed garment, as an editor shows them. */
 static mus_status time_frames(mus_drape *drape, bench_row *row)
 {
     mus_drape_report before, after;
@@ -131,7 +131,7 @@ static mus_status time_frames(mus_drape *drape, bench_row *row)
     mus_status status = MUS_OK;
     row->cpu_s = INFINITY;
     for (int32_t f = 0; f < FRAMES && status == MUS_OK; f++) {
-        /* the bound follows the pose */
+        /* the step bound depends on the pose */
         const int32_t steps = (int32_t)ceil(FRAME / (SAFETY * mus_drape_step_bound(drape)));
         status = mus_drape_report_get(drape, &before);
         const double cpu = bench_cpu(), wall = bench_wall();

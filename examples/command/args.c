@@ -1,7 +1,8 @@
 /*
- * args.c: options of a subcommand.
+ * args.c: reads the options of a subcommand.
  *
- * Outputs are looked at before the work: a drape of a minute should not end in a folder that is not there.
+ * Whether output files can be written is checked before the work begins: a drape of a minute should not fail at its end
+ * because a folder does not exist.
  */
 #define _POSIX_C_SOURCE 200809L /* access, stat */
 #include "args.h"
@@ -16,8 +17,10 @@
 #include <unistd.h>
 
 
-/* where complaints go instead of standard error; one for the process, as standard error is */
+/* receives complaints in place of standard error; NULL: standard error. One for the process, as standard error is */
 static complaints *kept;
+/* the doubts that were printed */
+static complaints printed;
 
 
 void complaints_keep(complaints *into)
@@ -45,16 +48,22 @@ int complain(int code, const char *command, const char *format, ...)
 
 void doubt(const char *command, const char *text)
 {
-    if (kept == NULL)
-        fprintf(stderr, "muslin %s: warning: %s\n", command, text);
-    else if (kept->doubts < (int32_t)(sizeof kept->doubt / sizeof *kept->doubt))
-        snprintf(kept->doubt[kept->doubts++], sizeof *kept->doubt, "%s", text);
+    complaints *into = kept != NULL ? kept : &printed;
+    if (kept == NULL) fprintf(stderr, "muslin %s: warning: %s\n", command, text);
+    if (into->doubts < (int32_t)(sizeof into->doubt / sizeof *into->doubt))
+        snprintf(into->doubt[into->doubts++], sizeof *into->doubt, "%s", text);
+}
+
+
+const complaints *complaints_said(void)
+{
+    return kept != NULL ? kept : &printed;
 }
 
 
 bool number_read(const char *text, double *out)
 {
-    /* the command never calls setlocale: the decimal point is a point */
+    /* the command never calls setlocale(), so strtod() expects "." */
     char *end;
     if (text[strspn(text, "+-.0123456789eE")] != '\0') return false;
     *out = strtod(text, &end);
@@ -88,7 +97,7 @@ static const option *find_option(const option *options, const char *name)
 }
 
 
-/* the first plain argument that has no value yet */
+/* Returns the first plain argument that has no value yet. */
 static const option *next_plain(const option *options)
 {
     for (const option *o = options; o->name != NULL; o++)
@@ -97,11 +106,11 @@ static const option *next_plain(const option *options)
 }
 
 
-/* complain, and say false */
+/* Writes a complaint and returns false from the calling function's expression. */
 #define REFUSE(...) (complain(EXIT_INPUT, __VA_ARGS__), false)
 
 
-/* give one option its value; false and a line when it does not fit */
+/* Stores the value of one option; returns false, with a complaint, when the text is no such value. */
 static bool take_value(const char *command, const option *o, const char *text)
 {
     if (o->kind == OPTION_LIST) {
@@ -133,7 +142,7 @@ bool is_stdout(const char *path)
 
 bool output_check(const char *command, const char *path)
 {
-    /* the folder is what counts: the file is written beside its name and renamed */
+    /* the folder must be writable: the file is written beside its name and renamed */
     char folder[4096];
     struct stat there;
     const char *slash = strrchr(path, '/');
@@ -151,7 +160,7 @@ bool output_check(const char *command, const char *path)
 }
 
 
-/* every output can be written, at most one of them to standard output */
+/* Checks that every output can be written, and that at most one goes to standard output. */
 static bool check_outputs(const char *command, const option *options)
 {
     const option *first = NULL;

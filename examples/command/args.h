@@ -10,8 +10,8 @@
 #define EXIT_INPUT 2  /* bad input */
 
 /*
- * Kinds of option: a flag (bool); text (const char *); a number (double), whole or not; a list (texts); a file that
- * will be written (const char *), "-" for standard output; a flag (bool) that takes standard output; a plain argument.
+ * Kinds of option: a flag (bool); a text (const char *); a number (double), integer or not; a list of texts; an output
+ * file (const char *), "-" for standard output; a flag (bool) whose output is standard output; a plain argument.
  */
 typedef enum option_kind {
     OPTION_FLAG,
@@ -38,38 +38,41 @@ typedef struct option {
 } option;
 
 /*
- * Read the arguments behind the subcommand; a table has at most 64 options. Prints the help and exits 0 at --help;
- * prints one line and returns false when an option is unknown, lacks its value, is given twice (lists apart) or is out
- * of range, when a file cannot be written where it should go, and when two outputs would share standard output.
+ * Reads the arguments after the subcommand; a table has at most 64 options. --help prints the help and exits 0. Prints
+ * one line and returns false when an option is unknown, has no value, is given twice (unless it is a list) or is out of
+ * range, when an output file cannot be written, or when two outputs are standard output.
  */
 bool args_read(const char *command, const char *summary, const option *options, int argc, char **argv);
 
-/* Is the output `path` (NULL when not asked) standard output? Then no line for people may go there. */
+/* Whether the output `path` (NULL: not asked for) is standard output. Then no line for people may be printed there. */
 bool is_stdout(const char *path);
 
-/* Can `path` be written, as far as one can tell before the work? False and a line when not. */
+/* Whether `path` can be written, as far as that can be told before the work; prints a line when it cannot. */
 bool output_check(const char *command, const char *path);
 
-/* One line on standard error, "muslin COMMAND: text". Returns `code`. */
+/* Prints one line on standard error, "muslin COMMAND: text". Returns `code`. */
 int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The same with the word "warning". */
+/* Prints one line on standard error, "muslin COMMAND: warning: text". */
 void doubt(const char *command, const char *text);
 
-/* What was said in place of lines on standard error: the first complaint, the first doubts, without the command. */
+/* The texts that would go to standard error: the first complaint and the first warnings, without the command's name. */
 typedef struct complaints {
     char text[600];
     int32_t doubts;
-    char doubt[8][512];
+    char doubt[64][512]; /* above the most warnings of a tape, 48 */
 } complaints;
 
-/* Keep complaints and doubts in `into` from now on, which is emptied; NULL: on standard error again. */
+/* Empties `into`, and writes complaints and warnings to it from now on; NULL: to standard error again. */
 void complaints_keep(complaints *into);
 
-/* Is all of standard output out? EXIT_DONE, or a line and EXIT_FAILED. */
+/* Returns the complaints and warnings so far, whether they were printed or kept. */
+const complaints *complaints_said(void);
+
+/* Flushes standard output. Returns EXIT_DONE, or prints a line and returns EXIT_FAILED. */
 int output_end(const char *command);
 
-/* A finite number with a decimal point, whatever the locale; false when `text` is not one. */
+/* Reads a finite number with a decimal point, in every locale; returns false when `text` is not one. */
 bool number_read(const char *text, double *out);
 
 #endif

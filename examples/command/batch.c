@@ -1,10 +1,10 @@
 /*
  * batch.c: muslin dress --batch: the garments of a list, N processes at a time.
  *
- * Each garment is dressed by a process of its own, through the same calls as muslin dress: a crash or a run without end
- * is a line with its reason. A process writes what became of its garment by itself as soon as it is known
- * (batch_part.c), so that the batch can be killed at any moment; a run over the same list does what is not finished.
- * The results depend on the list and its files alone: not on the number of processes, nor on how often it was stopped.
+ * Each garment is dressed by a process of its own, by the same calls as muslin dress; a crash or a run over its time
+ * limit becomes a result with its reason. The process itself writes the result as soon as it is known (batch_part.c),
+ * so the batch can be killed at any moment; a later run over the same list dresses the garments that are not finished.
+ * The results depend on the list and its files only, not on the number of processes or on interruptions.
  */
 #define _DEFAULT_SOURCE /* wait4, setitimer */
 #include "batch.h"
@@ -24,7 +24,7 @@
 #endif
 
 
-/* user and system, of this process or a rusage of another */
+/* user and system time [s] of a process: of this one, or of another one's rusage */
 static double cpu_seconds(const struct rusage *of)
 {
     struct rusage own;
@@ -37,14 +37,14 @@ static double cpu_seconds(const struct rusage *of)
 
 /* ---- one garment, in its process ---- */
 
-/* does the garment take longer than it may? */
+/* the CPU time limit of one garment [s] */
 typedef struct watch {
     double limit;
     bool late;
 } watch;
 
 
-/* of sewing and settling: nonzero stops them */
+/* the progress function of sewing and settling: nonzero stops the run */
 static int32_t look_at_watch(void *user, const mus_progress *progress)
 {
     watch *w = user;
@@ -54,7 +54,8 @@ static int32_t look_at_watch(void *user, const mus_progress *progress)
 }
 
 
-/* no core file, an end with the batch, and an end of what the watch does not stop */
+/* Limits this process: no core file; it ends with the batch; a hard time limit for work that the watch does not stop.
+ */
 static void bound_self(const batch *b, pid_t parent)
 {
     const struct rlimit none = {0, 0};
@@ -71,7 +72,7 @@ static void bound_self(const batch *b, pid_t parent)
 }
 
 
-/* the files that are asked for, by the name of the garment; `paths` holds their names */
+/* Sets the paths of the output files from the garment's name; the texts are kept in `paths`. */
 static void ask_files(const batch *b, const batch_line *g, dress *d, char paths[3][4096])
 {
     d->quiet = true;
@@ -81,27 +82,23 @@ static void ask_files(const batch *b, const batch_line *g, dress *d, char paths[
 }
 
 
-/* members of a result; `said` is what went to no standard error */
-static void write_result(const dress *d, bool opened, const char *status, const complaints *said, json *j)
+/* Writes the members of a garment's result; `said` is the first complaint, which was kept from standard error. */
+static void write_result(const dress *d, bool opened, const char *status, const char *said, json *j)
 {
     json_open(j, NULL, '{');
     if (opened) {
         dress_describe(d, false, j);
-        if (said->text[0] != '\0') json_text(j, "not_written", said->text);
+        if (said[0] != '\0') json_text(j, "not_written", said);
     } else {
         json_text(j, "status", status);
-        json_text(j, "reason", said->text);
-    }
-    if (said->doubts > 0) {
-        json_open(j, "warnings", '[');
-        for (int32_t i = 0; i < said->doubts; i++) json_text(j, NULL, said->doubt[i]);
-        json_close(j, ']');
+        json_text(j, "reason", said);
+        json_warnings(j);
     }
     json_close(j, '}');
 }
 
 
-/* the result of what has no other: "out of time", "crashed" */
+/* Writes the result of a garment whose process wrote none: "out of time", "crashed". */
 static void write_end(const char *status, const char *reason, json *j)
 {
     json_open(j, NULL, '{');
@@ -119,7 +116,7 @@ static void write_late(const batch *b, json *j)
 }
 
 
-/* dress the garment and write its part. Returns an exit code */
+/* Dresses the garment and writes its part. Returns an exit code. */
 static int dress_line(const batch *b, const batch_line *g)
 {
     complaints said;
@@ -135,7 +132,6 @@ static int dress_line(const batch *b, const batch_line *g)
     if (code == EXIT_DONE) code = dress_open(d);
     const bool opened = code == EXIT_DONE;
     if (opened) code = dress_run(d);
-    complaints_keep(NULL);
 
     const bool late = b->limit > 0.0 && look_at_watch(&clock, NULL) != 0;
     const char *status = opened ? dress_status(d) : code == EXIT_INPUT ? "bad input" : "no memory";
@@ -146,8 +142,9 @@ static int dress_line(const batch *b, const batch_line *g)
         status = "out of time", part.hold = BATCH_LIMIT;
         write_late(b, &result);
     } else {
-        write_result(d, opened, status, &said, &result);
+        write_result(d, opened, status, said.text, &result);
     }
+    complaints_keep(NULL);
     part.cpu = cpu_seconds(NULL);
     json_open(&times, NULL, '{');
     json_number(&times, "cpu_s", part.cpu);
@@ -181,7 +178,7 @@ static bool start_line(const batch *b, batch_line *g)
 }
 
 
-/* a process that wrote its part is done; of another the part is written here. Returns an exit code */
+/* Ends a garment whose process has exited: writes the part of a process that did not. Returns an exit code. */
 static int end_line(const batch *b, batch_line *g, int ended, const struct rusage *used)
 {
     char reason[200];
@@ -189,7 +186,7 @@ static int end_line(const batch *b, batch_line *g, int ended, const struct rusag
     g->pid = 0;
     if (WIFEXITED(ended) && WEXITSTATUS(ended) == EXIT_DONE) return EXIT_DONE;
 
-    /* what is killed from outside, or by the system for its memory, may end otherwise the next time */
+    /* a process that was killed from outside, or by the system for want of memory, is tried again by the next run */
     const int number = WIFSIGNALED(ended) ? WTERMSIG(ended) : 0;
     const bool late = number == SIGPROF;
     if (late) part.hold = BATCH_LIMIT;
@@ -213,7 +210,7 @@ static int end_line(const batch *b, batch_line *g, int ended, const struct rusag
 }
 
 
-/* wait for one process. Returns an exit code */
+/* Waits for one process to exit. Returns an exit code. */
 static int await_line(batch *b)
 {
     struct rusage used;

@@ -1,13 +1,13 @@
 /*
- * batch_list.c: the list of a batch: a garment a line, words as a shell would split them.
+ * batch_list.c: reads the list of a batch: one garment on each line, split into words as a shell does.
  *
  *     # name            what                                    on whom
  *     --name summer     --words "dress neck=v skirt=half"       --size W40
  *                       --pattern specs/d11_007.json            --tape bodies/mean_all.yaml --spacing 15
  *
- * A line begins with the options that stand beside --batch, and its own take their place. What is made of it depends on
- * its options, on the bytes of the files that they name, and on the program: all of that is in its key, a FNV-1a hash
- * of 64 bits, so that a garment is dressed again when and only when something of it has changed.
+ * A line has the options given beside --batch, overruled by its own. Its key is an FNV-1a hash of 64 bits over all
+ * inputs of the result: the options, the bytes of the files that they name, and the program. A garment is dressed again
+ * when, and only when, its key has changed.
  */
 #define _POSIX_C_SOURCE 200809L /* stat, readlink */
 #include "batch.h"
@@ -21,12 +21,12 @@
 #define FNV_START UINT64_C(0xcbf29ce484222325)
 #define FNV_PRIME UINT64_C(0x100000001b3)
 
-/* what is the same for all lines, and stands beside --batch */
+/* options of the batch itself, which no line may have */
 static const char *const of_batch[] = {"--batch", "-o",      "--jobs",  "--limit", "--png",
                                        "--glb",   "--obj",   "--quiet", "--help",  "-h"};
-/* what a batch has no place for */
+/* options of a single garment, which a batch refuses */
 static const char *const of_one[] = {"--report", "--json", "--frames"};
-/* options that exclude one another: those of a line take the place of all of a group */
+/* groups of options that exclude one another: an option of a line replaces all of its group */
 static const char *const garments[] = {"--design", "--words", "--pattern"};
 static const char *const bodies[] = {"--tape", "--row", "--size", "--mesh", "--up", "--front", "--unit"};
 
@@ -51,14 +51,14 @@ static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
 }
 
 
-/* a text with its end, so that "ab" "c" is not "a" "bc" */
+/* Hashes a text with its closing 0, so that "ab" "c" differs from "a" "bc". */
 static uint64_t hash_text(uint64_t hash, const char *text)
 {
     return text == NULL ? hash_bytes(hash, "\xff", 1) : hash_bytes(hash, text, strlen(text) + 1);
 }
 
 
-/* the bytes of a file, nothing when it is none */
+/* Hashes the bytes of a file; a path that is no file adds nothing. */
 static uint64_t hash_file(uint64_t hash, const char *path)
 {
     unsigned char block[1 << 14];
@@ -71,7 +71,8 @@ static uint64_t hash_file(uint64_t hash, const char *path)
 }
 
 
-/* every option but the number of threads, which changes no result; texts that name a file with its bytes */
+/* Hashes every option but the number of threads, which changes no result; of a text that names a file, its bytes too.
+ */
 static uint64_t hash_options(const batch *b, dress *d)
 {
     option table[DRESS_OPTIONS];
@@ -98,7 +99,8 @@ static uint64_t hash_options(const batch *b, dress *d)
 }
 
 
-/* the version, and where the system tells it the bytes of the program: another build may give other numbers */
+/* Hashes the version and, where the system tells its path, the bytes of the program: another build may give other
+ * numbers. */
 static uint64_t hash_program(void)
 {
     char version[40];
@@ -140,7 +142,7 @@ int batch_options(const batch *b, const batch_line *g, dress *d, const char **na
 
 /* ---- names ---- */
 
-/* letters that a file may be named by everywhere, '_' for others; a '-' before all but the first text */
+/* Appends a text to a name, with a '-' between two texts. Characters that are not portable in file names become '_'. */
 static void name_append(char *name, const char *text, size_t length)
 {
     size_t at = strlen(name);
@@ -155,7 +157,7 @@ static void name_append(char *name, const char *text, size_t length)
 }
 
 
-/* the last part of a path without its endings */
+/* Appends the last part of a path without its extensions. */
 static void name_append_path(char *name, const char *path)
 {
     static const char *const endings[] = {".json", ".tape", ".yaml", ".yml", ".vit", ".csv", ".txt", ".obj",
@@ -170,7 +172,7 @@ static void name_append_path(char *name, const char *path)
 }
 
 
-/* the line before `g` that has its name, or NULL */
+/* Returns the line before `g` that has the same name, or NULL. */
 static const batch_line *name_taken(const batch *b, const batch_line *g)
 {
     for (const batch_line *other = b->line; other < g; other++)
@@ -179,7 +181,7 @@ static const batch_line *name_taken(const batch *b, const batch_line *g)
 }
 
 
-/* the name of --name. Returns an exit code */
+/* Takes the name given by --name. Returns an exit code. */
 static int name_take(const batch *b, batch_line *g, const char *asked)
 {
     name_append(g->name, asked, strlen(asked));
@@ -193,7 +195,7 @@ static int name_take(const batch *b, batch_line *g, const char *asked)
 }
 
 
-/* by garment and body, with a number where that is taken */
+/* Makes a name from garment and body; appends a number when it is taken. */
 static void name_make(const batch *b, batch_line *g, const dress *d)
 {
     const source *from = &d->from;
@@ -210,7 +212,7 @@ static void name_make(const batch *b, batch_line *g, const dress *d)
 
 /* ---- the list ---- */
 
-/* all of the file, or of standard input, with a 0 behind; NULL and a line when it cannot be read */
+/* Reads a file, or standard input, into a text that ends with 0. Prints a line and returns NULL when it cannot. */
 static char *read_all(const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
@@ -243,8 +245,8 @@ static char *read_all(const char *path)
 
 
 /*
- * Take the next word of a line from *from and put it, without its quotes, to *to, which never is ahead of *from; NULL
- * where the line ends. *closed becomes false when a quote is not closed.
+ * Copies the next word of a line from *from, without its quotes, to *to, which is never ahead of *from. Returns the
+ * word, or NULL at the end of the line. *closed becomes false when a quote is not closed.
  */
 static char *take_word(const char **from, char **to, bool *closed)
 {
@@ -270,7 +272,7 @@ static char *take_word(const char **from, char **to, bool *closed)
 }
 
 
-/* words of one line; what is wrong with it becomes its fault */
+/* Splits one line into words; an error becomes the line's fault. */
 static void read_line(batch *b, batch_line *g, char *text, char ***words)
 {
     complaints said;
@@ -305,7 +307,7 @@ int batch_read(batch *b)
     size_t lines = 1;
     for (const char *c = b->text; *c != '\0'; c++) lines += *c == '\n';
     b->line = calloc(lines, sizeof *b->line);
-    /* a word takes two bytes at least, with what parts it from the next */
+    /* a word has at least two bytes, with the blank after it */
     b->words = malloc((length / 2 + 2) * sizeof *b->words);
     if (b->line == NULL || b->words == NULL) return complain(EXIT_FAILED, "dress", "--batch %s: no memory", b->list);
 

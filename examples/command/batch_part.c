@@ -1,5 +1,5 @@
 /*
- * batch_part.c: what is finished of a batch, and the files that are put together of it.
+ * batch_part.c: the results of a batch: one part file for each garment, and the two files assembled from all parts.
  *
  * FOLDER/parts/NAME is the part of a garment, three lines:
  *
@@ -7,9 +7,9 @@
  *     {"status": ...}            the same in each run
  *     {"cpu_s": ...}             time
  *
- * It is written beside its name, brought to the disk and renamed: after a kill -9 or a power cut a part is whole or not
- * there, and the next run goes on behind it. FOLDER/results.jsonl is the second line of every part in the order of the
- * list, FOLDER/times.jsonl the third. A lock on FOLDER/parts keeps a second batch out, and ends with its process.
+ * It is written to a temporary file, synced to the disk and renamed, so that after a kill -9 or a power cut a part is
+ * complete or absent. FOLDER/results.jsonl has the second line of every part in the order of the list,
+ * FOLDER/times.jsonl the third. A lock on FOLDER/parts keeps a second batch out; it ends with the process.
  */
 #define _POSIX_C_SOURCE 200809L /* fcntl, fsync, fileno, mkdir */
 #include "batch.h"
@@ -33,7 +33,7 @@ bool batch_path(const batch *b, const char *name, const char *ending, char out[4
 }
 
 
-/* ---- files, whole or not there ---- */
+/* ---- files that are complete or absent ---- */
 
 typedef struct whole {
     FILE *file;
@@ -41,7 +41,7 @@ typedef struct whole {
 } whole;
 
 
-/* FOLDER/NAME, to be written; `folder` is "parts/" or "" */
+/* Opens FOLDER/NAME for writing; `folder` is "parts/" or "". */
 static bool whole_open(whole *w, const batch *b, const char *folder, const char *name)
 {
     const char *at = b->folder;
@@ -53,7 +53,7 @@ static bool whole_open(whole *w, const batch *b, const char *folder, const char 
 }
 
 
-/* bring it to the disk and give it its name */
+/* Syncs the file to the disk and renames it. */
 static bool whole_close(whole *w, const batch *b, const char *folder)
 {
     char path[4096];
@@ -93,14 +93,14 @@ int batch_open(batch *b)
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return complain(EXIT_INPUT, "dress", "%.3000s: %s", path, strerror(errno));
 
-    /* a lock of the process: it ends with it, whatever ends it, and children do not have it */
+    /* the lock belongs to the process: it ends with it, and its children do not inherit it */
     batch_path(b, "parts/.lock", "", path);
     const int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return complain(EXIT_INPUT, "dress", "%.3000s: cannot be written: %s", path, strerror(errno));
     if (fcntl(file, F_SETLK, &lock) != 0 && (errno == EACCES || errno == EAGAIN))
         return complain(EXIT_INPUT, "dress", "-o %s: another batch is at work there", b->folder);
 
-    /* results of an earlier list are not those of this one */
+    /* remove the results of an earlier list */
     batch_path(b, "results.jsonl", "", path);
     remove(path);
     batch_path(b, "times.jsonl", "", path);
@@ -130,7 +130,7 @@ int batch_part_write(const batch *b, const batch_line *g, const batch_part *part
 }
 
 
-/* a small file with a 0 behind, or NULL */
+/* Reads a small file into a text that ends with 0; NULL when it cannot be read. */
 static char *read_whole(const char *path)
 {
     struct stat there;

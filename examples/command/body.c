@@ -1,5 +1,5 @@
 /*
- * body.c: muslin body: tape to body, the girths asked beside the girths made.
+ * body.c: muslin body: makes a body from a tape and prints the measures asked for beside those of the surface made.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 #include "stance.h"
 
 
-/* the body's surface as a mesh to write */
+/* Makes a mesh view of the body's surface. */
 static void body_view(const mus_body *body, mus_mesh_view *view)
 {
     mus_mesh_view_init(view, sizeof *view);
@@ -61,11 +61,12 @@ static void write_json(const mus_body *body, double spent, json *j)
     json_close(j, ']');
     json_number(j, "volume_m3", mus_body_volume(body));
     json_number(j, "seconds", spent);
+    json_warnings(j);
     json_close(j, '}');
 }
 
 
-/* the names of poses and movements, a line each */
+/* Prints the names of poses and movements, one a line. */
 static int list_poses(void)
 {
     for (int32_t i = 0; i < mus_pose_count(); i++) printf("pose %s\n", mus_pose_name(i));
@@ -84,14 +85,15 @@ int command_body(int argc, char **argv)
     const option options[] = {SOURCE_TAPE(from),
                               SOURCE_POSTURE(from),
                               SOURCE_MESH(mesh),
-                              {"--pose", OPTION_TEXT, &how.pose, 0, 0, "NAME  how it stands"},
+                              {"--pose", OPTION_TEXT, &how.pose, 0, 0, "NAME  pose of the body"},
                               {"--move", OPTION_TEXT, &how.move, 0, 0, "NAME  a movement in place of a pose"},
-                              {"--at", OPTION_NUMBER, &how.at, 0, 1e6, "SECONDS  when in the movement, default 0"},
-                              {"--poses", OPTION_FLAG, &poses, 0, 0, "the names of poses and movements, nothing else"},
+                              {"--at", OPTION_NUMBER, &how.at, 0, 1e6, "SECONDS  time in the movement, default 0"},
+                              {"--poses", OPTION_FLAG, &poses, 0, 0, "print the names of poses and movements only"},
                               {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("body", "Make the body of a tape or of a mesh; show what was asked and made.", options, argc, argv))
+    if (!args_read("body", "Make the body of a tape or of a mesh; print the measures asked for and made.",
+                    options, argc, argv))
         return EXIT_INPUT;
     if (poses) return list_poses();
     if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");

@@ -1,4 +1,4 @@
-/* commands.h: the subcommands; each takes the arguments behind its name and returns the exit code. */
+/* commands.h: the subcommands; each takes the arguments after its name and returns the exit code. */
 #ifndef MUSLIN_COMMANDS_H
 #define MUSLIN_COMMANDS_H
 

@@ -27,7 +27,7 @@ static bool is_tape(const char *name)
 }
 
 
-/* is `out` to be of the form `name` ("json")? */
+/* Whether the output has the form `name` ("json"). */
 static bool is_form(const char *out, const char *to, const char *name)
 {
     if (to != NULL) return strcmp(to, name) == 0;
@@ -68,9 +68,9 @@ int command_convert(int argc, char **argv)
     const char *in = NULL, *out = NULL, *row = NULL, *to = NULL;
     const option options[] = {
         {"IN", OPTION_PLAIN, &in, 0, 0, "a pattern or a tape"},
-        {"OUT", OPTION_PLAIN, &out, 0, 0, "the file to write; its extension says the form; - standard output"},
+        {"OUT", OPTION_PLAIN, &out, 0, 0, "the file to write, its form by its extension; - for standard output"},
         {"--to", OPTION_TEXT, &to, 0, 0, "FORM  json, svg or pdf; tape or txt"},
-        {"--row", OPTION_TEXT, &row, 0, 0, "NAME  which line of a .csv"},
+        {"--row", OPTION_TEXT, &row, 0, 0, "NAME  the row of a .csv"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("convert", "Convert a pattern or a tape.", options, argc, argv)) return EXIT_INPUT;
     if (in == NULL || out == NULL) return complain(EXIT_INPUT, "convert", "two files are needed: IN OUT");

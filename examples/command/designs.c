@@ -1,5 +1,5 @@
 /*
- * designs.c: muslin designs and muslin draft.
+ * designs.c: muslin designs, which lists the named designs, and muslin draft, which drafts one.
  */
 #include <stdio.h>
 
@@ -50,7 +50,8 @@ int command_draft(int argc, char **argv)
                               {"--words", OPTION_TEXT, &from.words, 0, 0,
                                "WORDS  a design in words: \"dress neck=v sleeve=puff\""},
                               SOURCE_TAPE(from),
-                              {"-o", OPTION_OUTPUT, &out, 0, 0, "FILE  the pattern as muslin JSON; - standard output"},
+                              {"-o", OPTION_OUTPUT, &out, 0, 0,
+                               "FILE  write the pattern as muslin JSON; - for standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("draft", "Draft a design to a tape.", options, argc, argv)) return EXIT_INPUT;
     if (out == NULL) return complain(EXIT_INPUT, "draft", "no output is given: -o FILE");

@@ -1,10 +1,10 @@
 /*
- * dress.c: muslin dress: mus_dress(), a pose or a movement; picture, meshes. The report is dress_report.c, many
- * garments
- * batch.c.
+ * dress.c: muslin dress: dresses a body by mus_dress(), brings it into a pose or leads it through a movement, and
+ * writes pictures and meshes. dress_report.c writes the report, batch.c dresses many garments.
  *
- * A garment that does not come to rest is written all the same, with the reason in the report and exit code 1. One line
- * on standard error: an output that could not be written comes first, since the report holds the reason of the run.
+ * A garment that does not come to rest is written too, with the reason in the report and exit code 1. There is one line
+ * on standard error; it is that of an output that could not be written, if there is one, since the report has the
+ * reason of the run.
  */
 #define _POSIX_C_SOURCE 200809L /* isatty */
 #include "dress.h"
@@ -18,7 +18,7 @@
 #include "batch.h"
 #include "commands.h"
 
-/* one line that rewrites itself on a terminal */
+/* Shows the progress as one line that is overwritten on a terminal. */
 static int32_t show_progress(void *user, const mus_progress *progress)
 {
     (void)user;
@@ -28,7 +28,7 @@ static int32_t show_progress(void *user, const mus_progress *progress)
 }
 
 
-/* the body of the tape, unless a mesh gave one */
+/* Makes the body from the tape, unless there is one from a mesh. */
 static mus_status make_body(dress *d)
 {
     if (d->mesh.file != NULL) return MUS_OK;
@@ -39,14 +39,15 @@ static mus_status make_body(dress *d)
 }
 
 
-/* place, cut, sew and settle. A found placement is tried after the pattern's own only where one can be found: for one
- * garment, round a body of a tape */
+/* Places, sews and settles. A placement found by the library is tried after the pattern's own for a single garment on a
+ * body of a tape only: there is none for others. */
 static mus_status put_on(dress *d)
 {
     const bool show = !d->quiet && isatty(STDERR_FILENO);
     mus_dress_def def;
     mus_dress_def_init(&def, sizeof def);
     def.spacing = 0.001 * d->spacing_mm;
+    def.nodes_most = (int32_t)d->nodes;
     def.fabric = &d->fabric;
     def.self_contact = d->self_contact || d->over.count > 0;
     def.precision = (int32_t)d->precision;
@@ -65,7 +66,7 @@ static mus_status put_on(dress *d)
 }
 
 
-/* why the garment is on or not after the body moved */
+/* Updates the reason why the garment is on or not, after the body has moved. */
 static void moved_reason(dress *d)
 {
     mus_reason_init(&d->why, sizeof d->why);
@@ -78,7 +79,8 @@ static void moved_reason(dress *d)
 }
 
 
-/* into the pose, and to rest there; or through the movement. Returns an exit code */
+/* Brings the body into the pose and settles the garment there, or leads the body through the movement. Returns an exit
+ * code. */
 static int move_on(dress *d)
 {
     dressed on = {&d->s, &d->look, d->body, NULL, d->cloth, d->drape};
@@ -106,7 +108,7 @@ static int move_on(dress *d)
 }
 
 
-/* the body as it stands now; out is the rest body when it never moved */
+/* Makes a copy of the body in its present pose; *out is the rest body when it has not moved. */
 static mus_status body_now(const dress *d, mus_body **own)
 {
     *own = NULL;
@@ -118,7 +120,7 @@ static mus_status body_now(const dress *d, mus_body **own)
 }
 
 
-/* how what is sewn fits; without memory for it there is none to tell */
+/* Makes the fit of a sewn garment; without memory for it the report has none. */
 static void look_at_fit(dress *d)
 {
     mus_drape_report r;
@@ -128,7 +130,7 @@ static void look_at_fit(dress *d)
 }
 
 
-/* picture and meshes of what there is now */
+/* Writes picture and meshes of the present state. */
 static int write_shapes(dress *d)
 {
     if (d->png == NULL && d->glb == NULL && d->obj == NULL) return EXIT_DONE;
@@ -156,7 +158,7 @@ static int write_shapes(dress *d)
 }
 
 
-/* a name, or a file that ends in .json */
+/* Reads a fabric: a name of the table, or a file that ends in .json. */
 static int find_fabric(dress *d)
 {
     mus_fabric_init(&d->fabric, sizeof d->fabric);
@@ -179,6 +181,7 @@ void dress_init(dress *d)
 {
     memset(d, 0, sizeof *d);
     d->spacing_mm = 10.0;
+    d->nodes = MUS_CLOTH_NODES;
     d->threads = 1.0;
     d->precision = 32.0;
     d->friction = NAN;
@@ -194,29 +197,33 @@ int32_t dress_options(dress *d, option *table)
     const option options[] = {
         SOURCE_PATTERN(d->from),
         {"--over", OPTION_LIST, &d->over, 0, 0,
-         "GARMENT  worn over it: a design, its words, a file; again: from inside to outside"},
+         "GARMENT  worn over it: a design, words, a file; repeatable, inside to outside"},
         SOURCE_TAPE(d->from),
         SOURCE_POSTURE(d->from),
         SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
          "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
-        {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  of the lattice, default 10"},
-        {"--friction", OPTION_NUMBER, &d->friction, 0, 10, "MU  on skin, default the fabric's"},
+        {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  spacing of the nodes, default 10"},
+        {"--nodes", OPTION_WHOLE, &d->nodes, 1, 1 << 24, "N  most nodes of the cloth, default 1048576"},
+        {"--friction", OPTION_NUMBER, &d->friction, 0, 10,
+         "MU  friction coefficient on skin, default: that of the fabric"},
         {"--place", OPTION_TEXT, &d->place, 0, 0,
-         "HOW  panels start: file (as the pattern says) or found; default file, then found"},
-        {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "cloth does not go through cloth"},
-        {"--open", OPTION_FLAG, &d->open, 0, 0, "zips and buttons are left open"},
+         "HOW  start of panels: file (as the pattern says) or found; default file, then found"},
+        {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "contact of cloth with cloth"},
+        {"--open", OPTION_FLAG, &d->open, 0, 0, "leave zips and buttons open"},
         {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
-        {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG printed on the cloth"},
+        {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG as print of the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
-        {"--map", OPTION_TEXT, &d->map, 0, 0, "NAME  colours of the cloth by strain, pressure or ease"},
-        {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  of a view; may be given again"},
-        {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  of the picture"},
-        {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0, "NAME  into a pose (muslin body --poses lists them)"},
+        {"--map", OPTION_TEXT, &d->map, 0, 0, "NAME  colour the cloth by strain, pressure or ease"},
+        {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  a view, in degrees; may be repeated"},
+        {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  size of the picture"},
+        {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0,
+         "NAME  bring the body into a pose (muslin body --poses lists them)"},
         {"--move", OPTION_TEXT, &d->moved.move, 0, 0, "NAME  lead the body through a movement: walk, arm_raise ..."},
-        {"--count", OPTION_WHOLE, &d->moved.count, 1, 4096, "N  frames of the movement, 60 a second, default 240"},
-        {"--threads", OPTION_WHOLE, &d->threads, 1, 64, "N  threads, default 1; the result is the same"},
-        {"--precision", OPTION_WHOLE, &d->precision, 32, 64, "BITS  of the state: 32 (default) or 64"}};
+        {"--count", OPTION_WHOLE, &d->moved.count, 1, 4096, "N  number of frames, 60 a second, default 240"},
+        {"--threads", OPTION_WHOLE, &d->threads, 1, 64,
+         "N  number of threads, default 1; the result does not depend on it"},
+        {"--precision", OPTION_WHOLE, &d->precision, 32, 64, "BITS  precision of the state: 32 (default) or 64"}};
     _Static_assert(sizeof options / sizeof *options <= DRESS_OPTIONS, "the table of the caller holds them");
     memcpy(table, options, sizeof options);
     return (int32_t)(sizeof options / sizeof *options);
@@ -279,7 +286,7 @@ void dress_close(dress *d)
 
 /* ---- the subcommand: one garment ---- */
 
-/* report where asked, else one line for people */
+/* Writes the report when it is asked for, else one line for people. */
 static int write_report(const dress *d)
 {
     int code = EXIT_DONE;
@@ -297,7 +304,7 @@ static int write_report(const dress *d)
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
-        printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, strain %.1f %%, %.1f s\n",
+        printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, %.1f s\n",
                mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
                1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
                d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
@@ -308,14 +315,17 @@ static int write_report(const dress *d)
 static int read_options(dress *d, int argc, char **argv)
 {
     const option outputs[] = {
-        {"--frames", OPTION_TEXT, &d->moved.frames, 0, 0, "DIR  a picture a frame, DIR/frame_0001.png and on"},
-        {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  the picture"},
-        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0, "FILE  body and garment as binary glTF 2.0; of a movement: animated"},
-        {"--obj", OPTION_OUTPUT, &d->obj, 0, 0, "FILE  body and garment as OBJ"},
-        {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  what happened, as JSON"},
+        {"--frames", OPTION_TEXT, &d->moved.frames, 0, 0,
+         "DIR  write a picture for each frame: DIR/frame_0001.png and on"},
+        {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  write the picture"},
+        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0,
+         "FILE  write body and garment as binary glTF 2.0; animated with --move"},
+        {"--obj", OPTION_OUTPUT, &d->obj, 0, 0, "FILE  write body and garment as OBJ"},
+        {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  write the report as JSON"},
         {"--json", OPTION_STDOUT, &d->as_json, 0, 0, "the report on standard output"},
         {"--quiet", OPTION_FLAG, &d->quiet, 0, 0, "no progress on the terminal"},
-        {"--batch", OPTION_TEXT, &d->batch, 0, 0, "LIST  many garments, a line each; see muslin dress --batch --help"},
+        {"--batch", OPTION_TEXT, &d->batch, 0, 0,
+         "LIST  dress many garments, one a line; see muslin dress --batch --help"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     option options[DRESS_OPTIONS + sizeof outputs / sizeof *outputs];
     dress_init(d);

@@ -1,7 +1,7 @@
 /*
- * dress_report.c: what became of a garment: reason, counts, numbers, time.
+ * dress_report.c: the report of a garment as JSON: reason, counts, figures, times.
  *
- * All but the time, which can be left out, is the same in each run of the same garment.
+ * All members but the times, which can be left out, are the same in each run of the same garment.
  */
 #include "dress.h"
 
@@ -30,7 +30,7 @@ static void write_motion(const motion *m, bool timed, json *j)
 }
 
 
-/* what there is of cloth on cloth */
+/* Writes the number of crossings and, with self-contact, the numbers of its contacts and queries. */
 static void write_layers(const dress *d, const mus_drape_report *r, json *j)
 {
     int64_t crossings = 0;
@@ -41,7 +41,7 @@ static void write_layers(const dress *d, const mus_drape_report *r, json *j)
 }
 
 
-/* the sentence, and the panel, seam and place that it is about */
+/* Writes the reason's sentence, and the panel, seam and place that it names. */
 static void write_reason(const dress *d, json *j)
 {
     const mus_reason why = d->why;
@@ -60,7 +60,7 @@ static void write_reason(const dress *d, json *j)
 }
 
 
-/* the starts that were tried, in their order */
+/* Writes the starts that were tried, in their order. */
 static void write_starts(const mus_dress_report *report, bool timed, json *j)
 {
     json_open(j, "starts", '[');
@@ -94,6 +94,7 @@ void dress_describe(const dress *d, bool timed, json *j)
     json_text(j, "garment", mus_pattern_name(d->s.pattern));
     json_text(j, "status", dress_status(d));
     write_reason(d, j);
+    json_warnings(j);
     if (d->drape != NULL) {
         mus_drape_report r;
         char hash[24];

@@ -1,5 +1,6 @@
 /*
- * find.c: muslin catalogue and muslin find: patterns kept in a file, and found again by how they are sewn.
+ * find.c: muslin catalogue, which adds patterns to a catalogue file, and muslin find, which searches one by how the
+ * patterns are sewn.
  */
 #include <stdio.h>
 #include <string.h>
@@ -9,12 +10,12 @@
 #include "muslin/catalogue.h"
 #include "scene.h"
 
-/* additions that are kept together: the disk is waited for once for all of them */
+/* patterns added by one transaction; chosen: each transaction waits once for the disk */
 #define ADD_AT_ONCE 100
 #define FIND_MOST 1000
 
 
-/* the name of a file without its folder, its ending and GarmentCode's own */
+/* Writes the name of a file without its folder, its extension and GarmentCode's suffix. */
 static void plain_name(const char *path, char *out, size_t room)
 {
     static const char *const ends[] = {".json", "_specification"};
@@ -27,7 +28,7 @@ static void plain_name(const char *path, char *out, size_t room)
 }
 
 
-/* add one file; a file that cannot be read or added is told, and the others go on */
+/* Adds one file. When it cannot be read or added, prints a line; the other files are added. */
 static int add_file(const scene *s, mus_catalogue *catalogue, const char *path)
 {
     char name[1024];
@@ -74,7 +75,7 @@ int command_catalogue(int argc, char **argv)
 }
 
 
-/* what was found */
+/* Prints the patterns found. */
 typedef struct finds {
     int32_t count, id[FIND_MOST], exact[FIND_MOST];
     double distance[FIND_MOST];
@@ -131,13 +132,13 @@ int command_find(int argc, char **argv)
     double most = 10;
     const option options[] = {
         {"--like", OPTION_TEXT, &like, 0, 0, "PATTERN  a pattern: muslin .json or GarmentCode specification"},
-        {"--in", OPTION_TEXT, &in, 0, 0, "CATALOGUE.db  where to look"},
-        {"--count", OPTION_WHOLE, &most, 1, FIND_MOST, "N  how many at most, default 10"},
-        {"--part", OPTION_FLAG, &part, 0, 0, "those that contain the pattern as a part"},
-        {"--why", OPTION_FLAG, &why, 0, 0, "what the distance is made of"},
+        {"--in", OPTION_TEXT, &in, 0, 0, "CATALOGUE.db  the catalogue"},
+        {"--count", OPTION_WHOLE, &most, 1, FIND_MOST, "N  largest number of results, default 10"},
+        {"--part", OPTION_FLAG, &part, 0, 0, "find patterns that contain the given one"},
+        {"--why", OPTION_FLAG, &why, 0, 0, "print the parts of the distance"},
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("find", "Find patterns of a catalogue by how they are sewn.", options, argc, argv))
+    if (!args_read("find", "Find patterns of a catalogue by how they are sewn together.", options, argc, argv))
         return EXIT_INPUT;
     if (like == NULL || in == NULL)
         return complain(EXIT_INPUT, "find", "--like PATTERN and --in CATALOGUE.db are needed");

@@ -1,9 +1,9 @@
 /*
- * fitmap.c: how a garment fits, as colours on it with a legend, and in the report.
+ * fitmap.c: the fit of a garment as colours with a legend, and as members of the report.
  *
- * Strain is the greater of warp and weft, from blue (pressed together) over green to red (drawn out); pressure goes
- * from green to red; ease, the distance to the body, from red (it lies on) over green to blue. The legend's letters are
- * a 5 x 7 alphabet of those that its words need.
+ * Strain is the greater one of warp and weft, from blue (compressed) over green to red (stretched). Pressure goes from
+ * green to red. Ease, the distance to the body, goes from red (0) over green to blue. The legend is written in a bitmap
+ * font of 5 x 7 dots that has the letters it needs.
  */
 #include "fitmap.h"
 
@@ -16,19 +16,20 @@
 #define LETTER_WIDE 5
 #define LETTER_HIGH 7
 
-/* linear: blue, cyan, green, yellow, red */
+/* colours of the scale, linear RGB: blue, cyan, green, yellow, red */
 static const double stop[STOPS][3] = {
     {0.03, 0.08, 0.55}, {0.05, 0.45, 0.55}, {0.10, 0.45, 0.10}, {0.80, 0.60, 0.03}, {0.65, 0.03, 0.02}};
 
-/* what each map shows: from which colour to which (0..1 along the stops), and its scale */
+/* the maps: their part of the colour scale (0 to 1), and the values at its ends */
 static const struct {
     const char *name, *title;
     double low, high, from, to, unit;
-} maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0},
-            {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001},
-            {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0}};
+    int32_t quantity;
+} maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0, MUS_FIT_STRAIN},
+            {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001, MUS_FIT_PRESSURE},
+            {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0, MUS_FIT_GAP}};
 
-/* rows from the top, the leftmost dot is 16 */
+/* the bitmap font: 7 rows from the top; the leftmost dot of a row is 16 */
 static const struct {
     char letter;
     unsigned char row[LETTER_HIGH];
@@ -45,7 +46,7 @@ static const struct {
 };
 
 
-/* the map of that name, or -1 */
+/* Returns the map of that name, or -1. */
 static int32_t find_map(const char *name)
 {
     for (int32_t i = 0; i < (int32_t)(sizeof maps / sizeof *maps); i++)
@@ -61,7 +62,7 @@ int fit_map_check(const scene *s, const char *name)
 }
 
 
-/* colour at t (0..1) along the stops */
+/* Writes the colour at t (0 to 1) of the scale, linear RGB. */
 static void ramp(double t, double *out)
 {
     const double at = (t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t) * (STOPS - 1);
@@ -70,7 +71,7 @@ static void ramp(double t, double *out)
 }
 
 
-/* what a map shows at a node, in SI */
+/* Returns the value of a map at a node: strain [1], pressure [Pa] or ease [m]. */
 static double value_of(int32_t map, const mus_fit *fit, int32_t i)
 {
     const double warp = mus_fit_warp(fit)[i], weft = mus_fit_weft(fit)[i], gap = mus_fit_gap(fit)[i];
@@ -89,6 +90,13 @@ int fit_map_make(const scene *s, const char *name, const mus_fit *fit, fit_map *
     snprintf(out->title, sizeof out->title, "%s", maps[map].title);
     out->which = map;
     out->low = maps[map].low, out->high = maps[map].high;
+    mus_fit_spread spread;
+    mus_fit_spread_init(&spread, sizeof spread);
+    if (mus_fit_spread_get(fit, maps[map].quantity, &spread) != MUS_OK)
+        return complain(EXIT_FAILED, s->command, "%s", mus_context_error(s->context));
+    out->part[0] = maps[map].unit * spread.p50;
+    out->part[1] = maps[map].unit * spread.p95;
+    out->part[2] = maps[map].unit * spread.p99;
     for (int32_t i = 0; i < n; i++) {
         const double part = (maps[map].unit * value_of(map, fit, i) - out->low) / (out->high - out->low);
         const double t = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
@@ -108,7 +116,7 @@ void fit_map_free(fit_map *map)
 /* ---- the legend ---- */
 
 typedef struct page {
-    int32_t width, height, dot; /* dot: pixels a dot of a letter */
+    int32_t width, height, dot; /* dot: width of a letter's dot, in pixels */
     unsigned char *rgba;
 } page;
 
@@ -133,7 +141,7 @@ static void say(const page *p, int32_t x, int32_t y, const char *text)
 }
 
 
-/* 8 bits of sRGB from linear */
+/* Converts a linear value (0 to 1) to 8 bits of sRGB. */
 static unsigned char eight(double linear)
 {
     const double c = linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
@@ -148,7 +156,7 @@ void fit_map_legend(const fit_map *map, int32_t width, int32_t height, unsigned 
     const int32_t high = height / 4, wide = letter * (int32_t)strlen(map->title);
     const int32_t x = width - wide - 4 * p.dot, y = 3 * line;
 
-    /* the title, the bar from the top down, five numbers */
+    /* title, colour bar from the top down, five numbers */
     say(&p, x, y - 2 * line, map->title);
     for (int32_t j = 0; j < high; j++) {
         double linear[3];
@@ -162,33 +170,37 @@ void fit_map_legend(const fit_map *map, int32_t width, int32_t height, unsigned 
         snprintf(number, sizeof number, fabs(value - floor(value + 0.5)) < 0.005 ? "%.0f" : "%.1f", value + 0.0);
         say(&p, x + bar + 2 * p.dot, y + k * high / 4 - LETTER_HIGH * p.dot / 2, number);
     }
+    static const int32_t percent[] = {50, 95, 99};
+    for (int32_t k = 0; k < 3; k++) {
+        char row[24];
+        snprintf(row, sizeof row, map->part[k] < 9.95 ? "p%d %.2f" : "p%d %.1f", (int)percent[k],
+                 map->part[k] + 0.0);
+        say(&p, x, height - (5 - k) * line, row);
+    }
 }
 
 
 /* ---- the report ---- */
 
-/* most and mean of n numbers that are numbers */
-static void write_spread(json *j, const char *key, int32_t n, const double *value)
+/* Writes the percentiles by area of a quantity, and the extremes of single nodes. */
+static void write_spread(json *j, const char *key, const mus_fit *fit, int32_t quantity)
 {
-    double least = INFINITY, most = -INFINITY, sum = 0.0;
-    int32_t count = 0;
-    for (int32_t i = 0; i < n; i++) {
-        if (isnan(value[i])) continue;
-        least = fmin(least, value[i]), most = fmax(most, value[i]);
-        sum += value[i];
-        count++;
-    }
+    mus_fit_spread spread;
+    mus_fit_spread_init(&spread, sizeof spread);
+    if (mus_fit_spread_get(fit, quantity, &spread) != MUS_OK) return;
     json_open(j, key, '{');
-    json_number(j, "least", least);
-    json_number(j, "most", most);
-    json_number(j, "mean", count > 0 ? sum / count : NAN);
+    json_number(j, "p50", spread.p50);
+    json_number(j, "p95", spread.p95);
+    json_number(j, "p99", spread.p99);
+    json_number(j, "mean", spread.mean);
+    json_number(j, "least", spread.least);
+    json_number(j, "most", spread.largest);
     json_close(j, '}');
 }
 
 
 void fit_write(const mus_fit *fit, json *j)
 {
-    const int32_t n = mus_fit_node_count(fit);
     json_open(j, "fit", '{');
     json_open(j, "levels", '[');
     for (int32_t k = 0; k < mus_fit_level_count(fit); k++) {
@@ -206,9 +218,11 @@ void fit_write(const mus_fit *fit, json *j)
         json_close(j, '}');
     }
     json_close(j, ']');
-    write_spread(j, "strain_warp", n, mus_fit_warp(fit));
-    write_spread(j, "strain_weft", n, mus_fit_weft(fit));
-    write_spread(j, "pressure_Pa", n, mus_fit_pressure(fit));
-    write_spread(j, "gap_m", n, mus_fit_gap(fit));
+    write_spread(j, "strain_warp", fit, MUS_FIT_WARP);
+    write_spread(j, "strain_weft", fit, MUS_FIT_WEFT);
+    write_spread(j, "pressure_Pa", fit, MUS_FIT_PRESSURE);
+    write_spread(j, "gap_m", fit, MUS_FIT_GAP);
     json_close(j, '}');
+    write_spread(j, "strain", fit, MUS_FIT_STRAIN);
+    write_spread(j, "pressure_pa", fit, MUS_FIT_PRESSURE);
 }

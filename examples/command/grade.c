@@ -1,5 +1,6 @@
 /*
- * grade.c: muslin grade: one design drafted for a row of sizes: ease, seams, and the rules from each size to the next.
+ * grade.c: muslin grade: drafts one design in several sizes; prints ease, seams, and the grade rules from each size to
+ * the next.
  */
 #include <math.h>
 #include <stdio.h>
@@ -19,13 +20,13 @@ typedef struct grade_size {
     mus_tape *tape;
     mus_pattern *pattern;
     double ease[MUS_EASE_COUNT];
-    double seam;    /* most that a seam's lengths differ by beside its ease [m] */
-    double *rules;  /* (points x 2) to the next size; NULL for the last */
-    int32_t points; /* that have a rule */
+    double seam;    /* largest difference of the two lengths of a seam, less its ease [m] */
+    double *rules;  /* (points x 2) displacements to the next size [m]; NULL for the last size */
+    int32_t points; /* number of points that have a rule */
 } grade_size;
 
 
-/* "W38,W40,W42": tapes of table sizes */
+/* Makes the tapes of a list of table sizes, "W38,W40,W42". */
 static int grade_read_sizes(scene *s, const char *list, grade_size *sizes, int *count)
 {
     *count = 0;
@@ -63,7 +64,7 @@ static double grade_seams(const mus_pattern *pattern)
 }
 
 
-/* each size drafted, then the rules from each to the next */
+/* Drafts each size, then computes the rules from each to the next. */
 static int grade_draft(scene *s, const source *from, grade_size *sizes, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -87,7 +88,7 @@ static int grade_draft(scene *s, const source *from, grade_size *sizes, int coun
 }
 
 
-/* ---- shown ---- */
+/* ---- output ---- */
 
 static void grade_print(const grade_size *sizes, int count)
 {
@@ -113,7 +114,7 @@ static void grade_print(const grade_size *sizes, int count)
 }
 
 
-/* a rule for each corner that an edge of an outline begins at */
+/* Prints a rule for each point at which an edge of an outline starts. */
 static void grade_json_rules(json *j, const grade_size *from, const grade_size *to)
 {
     json_open(j, NULL, '{');
@@ -161,6 +162,7 @@ static bool grade_json(const grade_size *sizes, int count)
     json_open(&j, "steps", '[');
     for (int i = 0; i + 1 < count; i++) grade_json_rules(&j, &sizes[i], &sizes[i + 1]);
     json_close(&j, ']');
+    json_warnings(&j);
     json_close(&j, '}');
     const bool written = json_write(&j, "grade", "-");
     json_free(&j);
@@ -179,7 +181,7 @@ int command_grade(int argc, char **argv)
                               {"--sizes", OPTION_TEXT, &list, 0, 0, "LIST  table sizes: W36,W38,W40"},
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "ease, seams and rules as JSON"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("grade", "Draft a design for a row of sizes: ease, seams, grade rules.", options, argc, argv))
+    if (!args_read("grade", "Draft a design in several sizes; print ease, seams and grade rules.", options, argc, argv))
         return EXIT_INPUT;
     if (list == NULL) return complain(EXIT_INPUT, "grade", "no sizes are given: --sizes W36,W38,W40");
 

@@ -34,7 +34,8 @@ static void put(json *j, const char *text, size_t bytes)
 }
 
 
-/* bytes of the UTF-8 character at `c`; 0 when it is none (surrogates and longer forms than needed are none) */
+/* Returns the number of bytes of the UTF-8 character at `c`; 0 when it is invalid (surrogates and overlong forms are)
+ */
 static size_t character(const unsigned char *c)
 {
     const size_t bytes = c[0] < 0x80 ? 1 : c[0] < 0xc2 ? 0 : c[0] < 0xe0 ? 2 : c[0] < 0xf0 ? 3 : c[0] < 0xf5 ? 4 : 0;
@@ -46,7 +47,7 @@ static size_t character(const unsigned char *c)
 }
 
 
-/* what is no UTF-8, of a file or cut short, is shown as such: JSON has no other bytes */
+/* Bytes that are not valid UTF-8 are replaced, since a JSON text must not have them. */
 static void put_string(json *j, const char *value)
 {
     put(j, "\"", 1);
@@ -68,7 +69,7 @@ static void put_string(json *j, const char *value)
 }
 
 
-/* comma and key of the next member */
+/* Writes the comma before the next member, and its key. */
 static void begin(json *j, const char *key)
 {
     if (j->comma) put(j, ", ", 2);
@@ -137,6 +138,15 @@ void json_number(json *j, const char *key, double value)
 }
 
 
+void json_warnings(json *j)
+{
+    const complaints *said = complaints_said();
+    json_open(j, "warnings", '[');
+    for (int32_t i = 0; i < said->doubts; i++) json_text(j, NULL, said->doubt[i]);
+    json_close(j, ']');
+}
+
+
 void json_free(json *j)
 {
     free(j->text);
@@ -158,7 +168,7 @@ bool json_write(const json *j, const char *command, const char *path)
         return complain(EXIT_FAILED, command, "standard output: cannot be written: %s", strerror(errno)) == EXIT_DONE;
     }
 
-    /* a device or a pipe is written to; a file is made beside its name and renamed */
+    /* a device or a pipe is written directly; a file is written beside its name and renamed */
     char name[4096];
     struct stat there;
     const bool direct = stat(path, &there) == 0 && !S_ISREG(there.st_mode);

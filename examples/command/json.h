@@ -1,4 +1,4 @@
-/* json.h: JSON text, written in order; and whole files. */
+/* json.h: a JSON text that grows member by member, and is then written to a file. */
 #ifndef MUSLIN_JSON_H
 #define MUSLIN_JSON_H
 
@@ -6,11 +6,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Text that grows. `failed` is set when memory ran out, and stays. */
+/* The text. `failed` becomes true when there is no memory, and stays true. */
 typedef struct json {
     char *text;
     size_t length, capacity;
-    bool comma; /* the next member needs one */
+    bool comma; /* whether the next member needs a comma before it */
     bool failed;
 } json;
 
@@ -22,9 +22,12 @@ void json_bool(json *j, const char *key, bool value);
 void json_null(json *j, const char *key);
 /* nine significant digits; null when not finite */
 void json_number(json *j, const char *key, double value);
+/* the member "warnings": the doubts that the command had up to now (args.h) */
+void json_warnings(json *j);
 void json_free(json *j);
 
-/* Write the text and a line end to `path`, whole or not at all; "-" is standard output. Complains for `command`. */
+/* Writes the text and a line end to `path`, completely or not at all; "-" is standard output. Complains for `command`.
+ */
 bool json_write(const json *j, const char *command, const char *path);
 
 #endif

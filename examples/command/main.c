@@ -1,7 +1,8 @@
 /*
- * main.c: the muslin command: from tape to paper. Each subcommand stands in a file of its own.
+ * main.c: the muslin command. Each subcommand has a file of its own.
  *
- * Exit 0 only when the asked thing was done; 2 for bad input, 1 for a run that failed; one line on standard error.
+ * The exit code is 0 when the task was done, 2 for bad input, 1 for a run that failed; then one line on standard error
+ * says why.
  */
 #include <stdio.h>
 #include <string.h>
@@ -15,18 +16,18 @@ static const struct {
     int (*run)(int argc, char **argv);
     const char *help;
 } commands[] = {
-    {"body", command_body, "tape to body; girths asked, girths made"},
-    {"designs", command_designs, "the named designs"},
-    {"draft", command_draft, "tape to pattern"},
-    {"grade", command_grade, "one design in a row of sizes: ease, seams, rules"},
-    {"dress", command_dress, "sew and drape: picture, mesh, report"},
-    {"sheet", command_sheet, "many designs on many bodies as one picture"},
-    {"print", command_print, "ready-to-cut paper: PDF, SVG"},
-    {"convert", command_convert, "one pattern or tape file to another form"},
-    {"catalogue", command_catalogue, "patterns kept in a file, to be found again"},
-    {"find", command_find, "patterns of a catalogue like a given one"},
-    {"bench", command_bench, "speed table"},
-    {"verify", command_verify, "cases with exact answers: error and tolerance"},
+    {"body", command_body, "make a body from a tape; measures asked for and made"},
+    {"designs", command_designs, "list the named designs"},
+    {"draft", command_draft, "draft a design to a tape"},
+    {"grade", command_grade, "draft one design in several sizes: ease, seams, grade rules"},
+    {"dress", command_dress, "sew and drape a garment: picture, mesh, report"},
+    {"sheet", command_sheet, "dress many designs on many bodies, as one picture"},
+    {"print", command_print, "write paper ready to cut: PDF, SVG"},
+    {"convert", command_convert, "convert a pattern or tape file to another form"},
+    {"catalogue", command_catalogue, "add patterns to a catalogue file"},
+    {"find", command_find, "find patterns of a catalogue that are like a given one"},
+    {"bench", command_bench, "measure speed"},
+    {"verify", command_verify, "run cases with exact answers: error and tolerance"},
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])
@@ -36,7 +37,7 @@ static void usage(void)
 {
     printf("usage: muslin COMMAND [options]\n\n");
     for (size_t i = 0; i < COMMANDS; i++) printf("  %-10s %s\n", commands[i].name, commands[i].help);
-    printf("\nmuslin COMMAND --help tells the options; muslin --version the version.\n");
+    printf("\nmuslin COMMAND --help lists the options; muslin --version prints the version.\n");
 }
 
 

@@ -1,5 +1,5 @@
 /*
- * mesh.c: a body from a mesh, for muslin body and muslin dress; what was found in it as a table or as JSON.
+ * mesh.c: makes a body from a mesh, for muslin body and muslin dress; prints its measures and frame as a table or JSON.
  */
 #include "mesh.h"
 
@@ -13,7 +13,7 @@ static const char *const part_names[MUS_SCAN_PART_COUNT] = {"torso", "head", "ar
 static const char *const girth_names[MUS_SCAN_GIRTH_COUNT] = {"bust", "waist", "hip", "thigh", "wrist"};
 
 
-/* "y", "-z" as the library's number */
+/* Converts an axis, "y" or "-z", to the library's number. */
 static bool axis_read(const char *text, int32_t *out)
 {
     static const char *const names[] = {"-z", "-y", "-x", "", "x", "y", "z"};
@@ -122,6 +122,7 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
         mesh_json(report, &j);
         json_number(&j, "volume_m3", mus_body_volume(body));
         json_number(&j, "seconds", spent);
+        json_warnings(&j);
         json_close(&j, '}');
         if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
     } else if (!is_stdout(obj)) {

@@ -1,4 +1,4 @@
-/* mesh.h: a body from a mesh, for the subcommands that take one: --mesh and how to read it. */
+/* mesh.h: a body from a mesh: the option --mesh and those that say how to read it. */
 #ifndef MUSLIN_MESH_H
 #define MUSLIN_MESH_H
 
@@ -9,21 +9,22 @@
 /* Texts of the options, NULL when not given. */
 typedef struct mesh_source {
     const char *file, *up, *front;
-    double unit; /* 0: found */
+    double unit; /* of the mesh [m]; 0: it is found from the mesh */
 } mesh_source;
 
-#define SOURCE_MESH(m)                                                                                                 \
-    {"--mesh", OPTION_TEXT, &(m).file, 0, 0, "FILE  the body is this OBJ: a scan or an avatar"},                       \
-        {"--up", OPTION_TEXT, &(m).up, 0, 0, "AXIS  of the mesh that points up: x, y, z, -x ... (found)"},             \
-        {"--front", OPTION_TEXT, &(m).front, 0, 0, "AXIS  that the mesh faces (found)"},                               \
-    {                                                                                                                  \
-        "--unit", OPTION_NUMBER, &(m).unit, 1e-6, 1e3, "M  one unit of the mesh in metres (found)"                     \
+#define SOURCE_MESH(m)                                                                                  \
+    {"--mesh", OPTION_TEXT, &(m).file, 0, 0, "FILE  an OBJ, a scan or an avatar, as the body"},         \
+        {"--up", OPTION_TEXT, &(m).up, 0, 0, "AXIS  upward axis of the mesh: x, y, z, -x ... (found)"}, \
+        {"--front", OPTION_TEXT, &(m).front, 0, 0, "AXIS  forward axis of the mesh (found)"},           \
+    {                                                                                                   \
+        "--unit", OPTION_NUMBER, &(m).unit, 1e-6, 1e3, "M  unit of the mesh in metres (found)"          \
     }
 
-/* Read the mesh and make a body of it. `report` may be NULL. Returns an exit code. */
+/* Reads the mesh and makes a body of it. `report` may be NULL. Returns an exit code. */
 int mesh_body(scene *s, const mesh_source *from, mus_scan_report *report, mus_body **out);
 
-/* muslin body --mesh: what was found, for people or as JSON, and the surface, as it stands, to `obj` unless NULL. */
+/* muslin body --mesh: prints the report of the scan, for people or as JSON, and writes the surface in its present pose
+ * to `obj` unless that is NULL. */
 int mesh_command(const mesh_source *from, const stance *how, const char *obj, bool as_json);
 
 #endif

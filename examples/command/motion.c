@@ -1,10 +1,10 @@
 /*
- * motion.c: muslin dress --pose and --move: the garment is settled on the body as made, then the body moves and the
- * cloth is stepped, sixty frames a second of cloth time, each frame in as many steps as the forecast says.
+ * motion.c: muslin dress --pose and --move. The garment is settled on the body as made. Then the body moves and the
+ * cloth is stepped, at 60 frames a second of cloth time; mus_drape_estimate() gives the number of steps of a frame.
  *
- * A pose is reached by easing every angle from how the body stands. A movement begins by easing into its first pose;
- * those frames are not counted. Of every frame the deepest node and the farthest way of a node since the frame before
- * are kept; a picture goes to FOLDER/frame_0001.png and on. The animated .glb holds all frames as keys.
+ * A pose is reached by a smooth change of all angles. A movement begins with a smooth change into its first pose, whose
+ * frames are not counted. The largest depth of a node over all frames and the longest way of a node between two frames
+ * are recorded. Pictures are FOLDER/frame_0001.png and on; the animated .glb has all frames as keys.
  */
 #include "motion.h"
 
@@ -14,21 +14,21 @@
 #include <string.h>
 
 #define EASE_SECONDS 1.5
-#define ARM_GAP 0.02 /* between arms and sides: room for cloth [m] */
+#define ARM_GAP 0.02 /* [m] distance of the arms from the sides; chosen: room for cloth between them */
 
-/* places and normals of one mesh at all keys */
+/* positions and normals of one mesh at all keys */
 typedef struct track {
     double *positions, *normals; /* (keys x vertices x 3) */
     int32_t vertices;
 } track;
 
-/* what a movement needs while it goes on */
+/* the state of a movement */
 typedef struct lead {
     const dressed *d;
     motion *m;
     mus_move *move;
     mus_estimate plan;
-    double *last; /* (nodes x 3) of the frame before */
+    double *last; /* (nodes x 3) positions in the frame before [m] */
     track cloth, body;
     double *times;
     film film;
@@ -53,7 +53,7 @@ int motion_check(const scene *s, const motion *m)
 }
 
 
-/* the middle of the cloth above the middle of the hip, as the body stands [m] */
+/* Returns the height of the cloth's middle above the hip's middle, along the trunk in its present pose [m]. */
 static mus_status height_on_body(const dressed *d, double *out)
 {
     mus_pose pose;
@@ -74,14 +74,14 @@ static mus_status height_on_body(const dressed *d, double *out)
 }
 
 
-/* one frame of stepping, while the body goes into `pose`; what it shows is kept */
+/* Steps one frame while the body moves into `pose`, and records depth and way of the nodes. */
 static mus_status step_frame(const dressed *d, motion *m, const mus_estimate *plan, const mus_pose *pose,
                              double *last)
 {
     const double frame = 1.0 / MOTION_RATE, start = seconds();
     mus_status status = mus_drape_pose_body(d->drape, pose, frame);
 
-    /* as many steps as were planned at rest, or more where the pose has lowered the bound */
+    /* the number of steps estimated at rest, or more where the pose has lowered the step bound */
     const int32_t least = (int32_t)ceil(frame / (0.9 * mus_drape_step_bound(d->drape)));
     const int32_t steps = least > plan->steps_per_frame ? least : plan->steps_per_frame;
     if (status == MUS_OK) status = mus_drape_step(d->drape, steps, frame / steps);
@@ -106,7 +106,7 @@ static mus_status step_frame(const dressed *d, motion *m, const mus_estimate *pl
 }
 
 
-/* ease all angles from how the body stands to `target`: 3 u^2 - 2 u^3 of the way */
+/* Moves all angles from the present pose to `target`, by the share 3 u^2 - 2 u^3 at relative time u. */
 static mus_status ease(const dressed *d, motion *m, const mus_estimate *plan, const mus_pose *target,
                        double *last)
 {
@@ -176,7 +176,7 @@ static void track_keep(track *t, int32_t key, const double *positions, const dou
 }
 
 
-/* the picture of a frame, and its key in the file */
+/* Writes the picture of a frame, and adds its key to the animated file. */
 static int show_frame(lead *q, int32_t k, const mus_pose *pose)
 {
     const dressed *d = q->d;
@@ -211,7 +211,7 @@ static int show_frame(lead *q, int32_t k, const mus_pose *pose)
 }
 
 
-/* the animated file: the meshes of the last frame, moved by the keys */
+/* Writes the animated file: the meshes of the last frame, with the keys. */
 static int write_film(lead *q, const char *glb)
 {
     const dressed *d = q->d;
@@ -230,7 +230,7 @@ static int write_film(lead *q, const char *glb)
 }
 
 
-/* a box that holds the body with its arms out, standing, for all frames */
+/* Computes a box for the camera of all frames: it contains the standing body with its arms spread. */
 static void frame_box(const mus_body *body, double *box)
 {
     const double *x = mus_body_vertices(body);
@@ -275,7 +275,7 @@ static void close_lead(lead *q)
 }
 
 
-/* ease into the first pose, then frame by frame */
+/* Moves the body into the first pose, then steps frame by frame. */
 static int lead_frames(lead *q, mus_status *status)
 {
     const dressed *d = q->d;

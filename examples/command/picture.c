@@ -1,5 +1,5 @@
 /*
- * picture.c: a dressed body as a picture: the renderer's scene from the library's arrays.
+ * picture.c: draws a dressed body: makes the renderer's scene from the library's arrays.
  */
 #include "picture.h"
 
@@ -10,7 +10,7 @@
 #define PIXELS_WIDE 1800
 #define PIXELS_HIGH 1200
 
-/* a tailor's dummy in unbleached linen; the garment's default is a mid blue (linear) */
+/* default colours, linear RGB: body (unbleached linen) and garment (mid blue) */
 static const double dummy_colour[3] = {0.62, 0.57, 0.51};
 static const double cloth_colour[3] = {0.13, 0.24, 0.42};
 
@@ -99,7 +99,7 @@ static void mesh_from_view(const mus_mesh_view *view, int32_t kind, render_mesh 
 }
 
 
-/* load the scene, draw all views, write the file: one place to fail */
+/* Loads the scene, draws all views and writes the file. Returns an exit code. */
 static int draw(film *f, const render_mesh *meshes, int32_t count, const char *path, render_error *error)
 {
     const look *l = f->l;

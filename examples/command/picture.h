@@ -6,7 +6,7 @@
 #include "render/render.h"
 #include "scene.h"
 
-/* What a picture is made with: texts of options, NULL when not given. */
+/* The options of a picture; NULL when not given. */
 typedef struct look {
     const char *colour, *texture, *pixels;
     texts views;
@@ -14,36 +14,36 @@ typedef struct look {
     const fit_map *map; /* colours of the cloth, with a legend; NULL: none */
 } look;
 
-/* Check the texts, and that the texture can be read, before the long work. Returns an exit code. */
+/* Checks the options, and that the texture can be read, before the long work. Returns an exit code. */
 int look_check(const scene *s, const look *l);
 
-/* The garment's arrays, made once for picture and files. */
+/* Meshes of body and garment, made once for picture and files. */
 typedef struct garment {
     double *normals; /* (nodes x 3) */
     mus_mesh_view view[2]; /* body, garment */
 } garment;
 
-/* Views of body (may be NULL) and cloth as they are now. Returns an exit code. */
+/* Makes the views of body (may be NULL) and cloth in their present state. Returns an exit code. */
 int garment_make(const scene *s, const look *l, const mus_body *body, const mus_cloth *cloth, const mus_drape *drape,
                  garment *out);
 void garment_free(garment *g);
 
-/* Draw and write a PNG. Returns an exit code. */
+/* Draws and writes a PNG. Returns an exit code. */
 int picture_write(const scene *s, const look *l, const garment *g, const char *path);
 
-/* A renderer kept open for many pictures by one camera. */
+/* A renderer that is kept open for many pictures by one camera. */
 typedef struct film {
     const scene *s;
     const look *l;
-    const double *box; /* (6) what the camera frames, NULL: each picture its own */
+    const double *box; /* (6) box that the camera shows [m]; NULL: each picture its own */
     render *r;
     render_image print;
 } film;
 
-/* Returns an exit code; close it whatever it was. */
+/* Opens a renderer. Returns an exit code; it must be closed whatever that is. */
 int film_open(film *f, const scene *s, const look *l, const double *box);
 int film_shoot(film *f, const garment *g, const char *path);
-/* Draw one view of the front, a little from the wearer's left, into `rgba` (height x width x 4). */
+/* Draws one view of the front, a little from the wearer's left, into `rgba` (height x width x 4). */
 int film_tile(film *f, const garment *g, int32_t width, int32_t height, unsigned char *rgba);
 void film_close(film *f);
 

@@ -1,5 +1,5 @@
 /*
- * print.c: muslin print: ready-to-cut paper.
+ * print.c: muslin print: writes a pattern as PDF or SVG at true scale, ready to cut.
  */
 #include <stdio.h>
 #include <string.h>
@@ -27,7 +27,7 @@ static int32_t find_paper(const char *name)
 }
 
 
-/* where each page shows the sheet, for who joins tiles by program */
+/* Writes which part of the sheet each page shows, for programs that join tiles. */
 static void describe(const mus_sheet *sheet, json *j)
 {
     double box[4];
@@ -51,6 +51,7 @@ static void describe(const mus_sheet *sheet, json *j)
         json_close(j, '}');
     }
     json_close(j, ']');
+    json_warnings(j);
     json_close(j, '}');
 }
 
@@ -65,13 +66,13 @@ int command_print(int argc, char **argv)
     const option options[] = {
         SOURCE_PATTERN(from),
         SOURCE_TAPE(from),
-        {"--pdf", OPTION_OUTPUT, &pdf, 0, 0, "FILE  tiled PDF at true scale"},
-        {"--svg", OPTION_OUTPUT, &svg, 0, 0, "FILE  one sheet as SVG with named groups"},
+        {"--pdf", OPTION_OUTPUT, &pdf, 0, 0, "FILE  write a tiled PDF at true scale"},
+        {"--svg", OPTION_OUTPUT, &svg, 0, 0, "FILE  write one sheet as SVG with named groups"},
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
-        {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the design says none"},
-        {"--json", OPTION_STDOUT, &as_json, 0, 0, "pages and their places on the sheet, as JSON"},
+        {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the pattern has none"},
+        {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
-    if (!args_read("print", "Print a pattern ready to cut, at true scale.", options, argc, argv)) return EXIT_INPUT;
+    if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
     if (pdf == NULL && svg == NULL)
         return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE or --svg FILE");
     if (asked != NULL) paper = asked;

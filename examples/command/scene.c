@@ -1,11 +1,10 @@
 /*
- * scene.c: tape and pattern by the options that all subcommands share.
+ * scene.c: reads tape, body and pattern by the options that the subcommands share.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "scene.h"
 
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 #include <time.h>
 

@@ -1,9 +1,9 @@
 /*
- * sheet.c: muslin sheet: many designs on many bodies as one picture of tiles.
+ * sheet.c: muslin sheet: many designs on many bodies as tiles of one picture.
  *
- * A tile is a design dressed on a tape, at the spacing and through the same calls as muslin dress. Workers are
- * processes: each dresses every Nth tile and draws it into memory that all share, so that what goes wrong in one tile
- * stays there. A tile that did not come to rest, or could not be drafted, has a red bar at its foot and its reason in
+ * A tile shows one design on one tape, at the spacing given, dressed by the same calls as muslin dress. Workers are
+ * processes: each dresses every Nth tile and draws it into shared memory, so that a crash spoils one tile only. A tile
+ * whose garment did not come to rest, or could not be drafted, has a red bar at its lower edge, and its reason is in
  * the list on standard output.
  */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
@@ -20,14 +20,14 @@
 
 #define ITEM_BYTES 256
 #define ITEMS_MOST 4096
-#define BAR 4 /* pixels of the red bar */
+#define BAR 4 /* [pixels] height of the red bar */
 
 typedef struct items {
     int32_t count;
     char (*at)[ITEM_BYTES];
 } items;
 
-/* what a worker says of a tile */
+/* the result of a tile */
 typedef struct tile {
     char reason[200]; /* "settled", or why not */
     int32_t settled, drawn, nodes;
@@ -39,12 +39,12 @@ typedef struct sheet {
     double spacing_mm, columns, jobs;
     items design, tape;
     mus_fabric fabric;
-    int32_t tiles, wide, high; /* of a tile, pixels */
+    int32_t tiles, wide, high; /* number of tiles; width and height of one, in pixels */
     tile *tile;                /* (tiles), shared */
     unsigned char *rgba;       /* (tiles x high x wide x 4), shared */
 } sheet;
 
-/* linear colours of cloth, one after the other */
+/* colours of the cloth, linear RGB, used in turn */
 static const double palette[][3] = {{0.13, 0.24, 0.42}, {0.42, 0.12, 0.13}, {0.14, 0.30, 0.20}, {0.50, 0.36, 0.12},
                                     {0.28, 0.16, 0.34}, {0.10, 0.30, 0.36}, {0.46, 0.24, 0.16}, {0.20, 0.21, 0.24}};
 
@@ -66,7 +66,7 @@ static int item_add(items *list, const char *text, size_t bytes)
 }
 
 
-/* "a,b,c" */
+/* Splits a list, "a,b,c". */
 static int items_split(items *list, const char *text)
 {
     int code = EXIT_DONE;
@@ -79,7 +79,7 @@ static int items_split(items *list, const char *text)
 }
 
 
-/* a size, a file, or FILE.csv:ROW, as the options of a source */
+/* Reads a tape's name, which is a size, a file, or FILE.csv:ROW, as the options of a source. */
 static void tape_source(char *item, source *from)
 {
     char *row = strstr(item, ".csv:");
@@ -94,7 +94,7 @@ static void tape_source(char *item, source *from)
 }
 
 
-/* whom a tape is of, a bit of MUS_GROUP_*; 0 and a line when it cannot be read */
+/* Returns the group of a tape, a bit of MUS_GROUP_*; prints a line and returns 0 when it cannot be read. */
 static int32_t group_of(const char *item)
 {
     scene s;
@@ -111,7 +111,7 @@ static int32_t group_of(const char *item)
 }
 
 
-/* "all" named designs of the groups of the first tape, or "all:N", N of them spread over the list */
+/* Lists "all" named designs of the first tape's group, or for "all:N" N of them, spread over the list. */
 static int items_all(sheet *sh, const char *text)
 {
     const int32_t group = group_of(sh->tape.at[0]);
@@ -186,7 +186,7 @@ static void tile_make(const sheet *sh, int32_t t, film *f)
     out->settled = code == EXIT_DONE && status == MUS_OK;
     snprintf(out->reason, sizeof out->reason, "%.190s", out->settled ? "settled" : mus_context_error(s.context));
 
-    /* what there is, with the garment as far as it came */
+    /* draw the tile; a garment that failed is drawn in its last state */
     const look plain = {0};
     if (drape != NULL && garment_make(&s, &plain, body, cloth, drape, &g) == EXIT_DONE) {
         memcpy(g.view[1].colour, palette[d % (int32_t)(sizeof palette / sizeof *palette)], sizeof *palette);
@@ -203,7 +203,7 @@ static void tile_make(const sheet *sh, int32_t t, film *f)
 }
 
 
-/* every Nth tile from the first on; the process ends here */
+/* Dresses and draws every Nth tile from `first` on, and ends the process. */
 static void worker(const sheet *sh, int32_t first)
 {
     film f;
@@ -246,7 +246,7 @@ static int run_workers(sheet *sh)
 }
 
 
-/* tiles in rows, light grey where there is none */
+/* Copies the tiles to the picture, row by row; unused space is light grey. */
 static int compose(const sheet *sh)
 {
     const int32_t columns = sh->columns < sh->tiles ? (int32_t)sh->columns : sh->tiles;
@@ -294,14 +294,14 @@ static int read_options(sheet *sh, int argc, char **argv)
     sh->jobs = 1.0;
     const option options[] = {
         {"--designs", OPTION_TEXT, &sh->designs, 0, 0,
-         "LIST  names or words between commas; all; all:N, N spread over those that fit the first tape"},
-        {"--tapes", OPTION_TEXT, &sh->tapes, 0, 0, "LIST  sizes, files or FILE.csv:ROW between commas"},
-        {"--png", OPTION_OUTPUT, &sh->png, 0, 0, "FILE  the picture"},
-        {"--columns", OPTION_WHOLE, &sh->columns, 1, 256, "N  tiles in a row"},
-        {"--tile", OPTION_TEXT, &sh->pixels, 0, 0, "WxH  of a tile in pixels, default 240x300"},
+         "LIST  names or words, between commas; all; all:N, N of those for the first tape"},
+        {"--tapes", OPTION_TEXT, &sh->tapes, 0, 0, "LIST  sizes, files or FILE.csv:ROW, separated by commas"},
+        {"--png", OPTION_OUTPUT, &sh->png, 0, 0, "FILE  write the picture"},
+        {"--columns", OPTION_WHOLE, &sh->columns, 1, 256, "N  number of tiles in a row"},
+        {"--tile", OPTION_TEXT, &sh->pixels, 0, 0, "WxH  size of a tile in pixels, default 240x300"},
         {"--fabric", OPTION_TEXT, &sh->fabric_name, 0, 0, "NAME  default jersey"},
-        {"--spacing", OPTION_NUMBER, &sh->spacing_mm, 1, 100, "MM  of the lattice, default 20"},
-        {"--jobs", OPTION_WHOLE, &sh->jobs, 1, 64, "N  processes, default 1"},
+        {"--spacing", OPTION_NUMBER, &sh->spacing_mm, 1, 100, "MM  spacing of the nodes, default 20"},
+        {"--jobs", OPTION_WHOLE, &sh->jobs, 1, 64, "N  number of processes, default 1"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("sheet", "Dress many designs on many bodies and draw them as one picture.", options, argc, argv))
         return EXIT_INPUT;

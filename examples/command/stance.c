@@ -1,10 +1,10 @@
-/* stance.c: how the body of a command stands. */
+/* stance.c: the pose of a body by the options --pose, --move and --at. */
 #include "stance.h"
 
-#define STANCE_GAP 0.012 /* arms are this far off the sides [m]: two layers of cloth go between */
+#define STANCE_GAP 0.012 /* [m] distance of the arms from the sides; chosen: two layers of cloth fit between */
 
 
-/* the pose of a movement at a time */
+/* Computes the pose of a movement at a time. */
 static mus_status stance_moving(const mus_body *body, const stance *how, mus_pose *pose)
 {
     mus_move *move = NULL;
@@ -15,7 +15,7 @@ static mus_status stance_moving(const mus_body *body, const stance *how, mus_pos
 }
 
 
-/* a named pose, feet on the floor and arms off the sides */
+/* Computes a named pose with the feet on the floor and the arms off the sides. */
 static mus_status stance_standing(const scene *s, const mus_body *body, const stance *how, mus_pose *pose)
 {
     mus_status status = mus_pose_named(s->context, how->pose, pose);

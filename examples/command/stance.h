@@ -1,16 +1,16 @@
-/* stance.h: how the body of a command stands: --pose, or --move and --at. */
+/* stance.h: the pose of a body by the options --pose, or --move and --at. */
 #ifndef MUSLIN_STANCE_H
 #define MUSLIN_STANCE_H
 
 #include "scene.h"
 
-/* Texts of the options, NULL when not given. */
+/* The options; NULL when not given. */
 typedef struct stance {
     const char *pose, *move;
     double at;
 } stance;
 
-/* Put a posed copy in place of *body; feet on the floor, arms off the sides. Without pose and move it stays. */
+/* Replaces *body by a posed copy, feet on the floor and arms off the sides. Without --pose and --move it is kept. */
 mus_status stance_take(const scene *s, const stance *how, mus_body **body);
 
 #endif

@@ -260,8 +260,8 @@ static void discs(verify *v)
 }
 
 
-/* a plate stays flat; fabrics whose coefficient was measured. Without friction inside the cloth stiff ones hang lower
- */
+/* a plate stays flat; fabrics whose coefficient was measured. Broadcloth is a known failure: it hangs lower, for want of
+ * friction inside the cloth, and its coefficient moves by ten points with the mesh and the start */
 static void coefficients(verify *v)
 {
     double percent = NAN;
@@ -277,8 +277,11 @@ static void coefficients(verify *v)
         mus_fabric_find(name[i], &fabric);
         fabric.damping = 0.0;
         status = drape_disc(v, i == 0 ? 0.01 : 0.005, &fabric, 6, &percent);
-        snprintf(text, sizeof text, "%s: %.1f %%, measured %.1f %%, points off", name[i], percent, measured[i]);
-        rest_row(v, status, "B8", text, 0.0, percent - measured[i], 20.0);
+        snprintf(text, sizeof text, "%s, disc of %d mm from 6 folds, coefficient [%%]", name[i], i == 0 ? 10 : 5);
+        if (status == MUS_OK && i == 0)
+            verify_add_negative(v, "B8", text, measured[i], percent, 0.1);
+        else
+            rest_row(v, status, "B8", text, measured[i], percent, 0.15);
     }
 }
 

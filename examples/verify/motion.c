@@ -5,7 +5,6 @@
  * Everything is a cloth of bare nodes or a grid, stepped by mus_drape_step() in double with its own stepper, unless a
  * row says float.
  */
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -20,8 +20,9 @@ extern "C" {
  * Find where the panels of a pattern start round a body, and write it as their placement.
  *
  * Partner edges then face each other, right sides point away from the body, and no panel is in the body. Panels that
- * lie side by side make rings, which go round the trunk, the neck or an arm. Seams decide; the words front, back, left,
- * right, sleeve, collar, hood, cuff and leg in names and labels count as well. The body is taken as it was made.
+ * lie side by side make rings, which go round the trunk, the neck or an arm: the panel's label tells which
+ * (mus_pattern_set_panel_label()). Seams decide the azimuth, and the sides of panels (mus_pattern_set_panel_sides())
+ * where seams do not. The body is taken as it was made.
  * Errors:  MUS_ERR_ARG; MUS_ERR_BODY (a body that was not made of a tape); MUS_ERR_PATTERN (a panel without outline);
  *          MUS_ERR_MEMORY; the pattern is as it was
  * Cost:    a few milliseconds

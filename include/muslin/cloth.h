@@ -74,6 +74,10 @@ typedef struct mus_cloth mus_cloth;
 #define MUS_BEND_PLATE 0 /* second differences, and hinges off the lattice: the fabric's rigidity at any curvature */
 #define MUS_BEND_PAPER 1 /* springs over one node (Metaaphanon and Kanongchaiyos 2005): right at one curvature only */
 
+/* Default of nodes_most: 9.4 m2 at a spacing of 3 mm, a lined coat. A drape of so many nodes holds about 0.4 GB, with
+ * self_contact 1.7 GB. */
+#define MUS_CLOTH_NODES 1048576
+
 /** Options of a cloth. */
 typedef struct mus_cloth_def {
     size_t size;
@@ -82,6 +86,7 @@ typedef struct mus_cloth_def {
     int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
     double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
     int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start */
+    int32_t nodes_most;     /* a pattern that takes more nodes is refused, default MUS_CLOTH_NODES, 1..2^24 */
 } mus_cloth_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_cloth_def) of the caller. */
@@ -92,7 +97,8 @@ MUS_API void mus_cloth_def_init(mus_cloth_def *def, size_t size);
  *
  * The pattern is checked first and read, not kept.
  * Errors:  MUS_ERR_ARG; MUS_ERR_PATTERN (text of the first fault); MUS_ERR_MESH (panel and reason);
- *          MUS_ERR_LIMIT (more than 2^24 nodes); MUS_ERR_MEMORY
+ *          MUS_ERR_LIMIT (more than nodes_most nodes: told from areas and lengths, before the memory is taken);
+ *          MUS_ERR_MEMORY
  * Cost:    about 10 ms for 10,000 nodes
  */
 MUS_API mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
@@ -101,9 +107,9 @@ MUS_API mus_status mus_cloth_create(mus_context *context, const mus_pattern *pat
 /**
  * Make a rectangle that is one pure lattice: rows x columns nodes, node r * columns + c at (c * cell[0], r * cell[1]).
  *
- * cell (2) is the spacing along weft (x) and warp (y) [m]; def->spacing is not read. Springs and masses on the border
- * carry half, corners a quarter. A direction with one node stands for a strip one cell wide and has no diagonals. There
- * is one panel, without seams, in the plane z = 0. `def` may be NULL.
+ * cell (2) is the spacing along weft (x) and warp (y) [m]; def->spacing and nodes_most are not read. Springs and masses
+ * on the border carry half, corners a quarter. A direction with one node stands for a strip one cell wide and has no
+ * diagonals. There is one panel, without seams, in the plane z = 0. `def` may be NULL.
  * Errors:  MUS_ERR_ARG (rows or columns below 1, cell outside 1e-6 to 10 m, fabric); MUS_ERR_VERSION;
  *          MUS_ERR_LIMIT (more than 2^24 nodes); MUS_ERR_MEMORY
  * Cost:    proportional to the nodes
@@ -118,7 +124,7 @@ typedef struct mus_bare {
     int32_t springs;
     int32_t bends;
     int32_t pins;
-    const double *place;          /* (nodes x 3) where a drape starts [m] */
+    const double *place;          /* (nodes x 3) where a drape starts [m], within 1e7 */
     const double *mass;           /* (nodes) 1e-15 to 1e15 kg; 0 is allowed at a pin */
     const int32_t *spring;        /* (springs x 2) nodes a b: E = k/2 (|x_b - x_a| - length)^2 */
     const double *length;         /* (springs) at rest, 0 or more [m] */

@@ -96,8 +96,8 @@ MUS_API mus_status mus_drape_place(mus_drape *drape);
  */
 MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
 
-/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite;
- * with precision 32 more than 10 km from the middle of the cloth as placed). */
+/** Set positions (nodes x 3) [m] and velocities (nodes x 3, may be NULL: zero). Errors: MUS_ERR_ARG (not finite, a
+ * position beyond 1e7 m; with precision 32 more than 10 km from the middle of the cloth as placed). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
 /** Fix a node at its place (fixed nonzero), or free it. Errors: MUS_ERR_ARG. */
@@ -131,18 +131,19 @@ MUS_API mus_status mus_drape_untack(mus_drape *drape, int32_t index);
 MUS_API mus_status mus_drape_set_gravity(mus_drape *drape, const double *gravity);
 
 /**
- * Largest step that is proven stable for the def's integrator with pose, springs, masses and damping as they are now
- * [s].
+ * Largest step for the def's integrator with pose, springs, masses and damping as they are now [s]: proven stable at
+ * this pose, and for Verlet below the first resonance of motion.
  *
  * With O^2 = max_i lambda_max(T_i) / m_i, T_i (3 x 3) the sum over springs at node i of 2 k (n n^T + t (1 - n n^T)), n
  * along the spring and t = max(0, 1 - rest/l) of a stretched one, and of 4 k, 8 k, 4 k (identity) for bending,
  * G = drag + max_i (sum of 2 c over dashpots) / m_i and b the largest c / k:
  *
  *   RK4:     h = min(2.62 / O, 2.785 / r),  r = (G + sqrt(G^2 - 4 (G - drag) / b)) / 2, left out where there is no root
- *   Verlet:  h = 4 / (D + sqrt(D^2 + 4 O^2)),  D = G - drag; without dashpots 2 / O. Any drag is stable
+ *   Verlet:  h = 3 / (D + sqrt(D^2 + 3 O^2)),  D = G - drag; without dashpots sqrt(3) / O. Any drag is stable
  *
  * Source: every root lies in a half disc or on the real axis (proof: lib/sim/step_bound.c); Runge-Kutta is stable in
- * the half disc of radius 2.62 and from -2.785 to 0.
+ * the half disc of radius 2.62 and from -2.785 to 0. Verlet at one pose is stable to 2 / O; in motion a mode whose
+ * period is three steps, sqrt(3) / O, gains energy (Schlick and others, J. Comput. Phys. 140, 1998).
  */
 MUS_API double mus_drape_step_bound(const mus_drape *drape);
 
@@ -154,7 +155,9 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
  * largest number of parts.
  * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
  *          bound: both in the message);
- *          MUS_ERR_DIVERGED (a node not finite or the energy beyond reason: the state is that of the last good step)
+ *          MUS_ERR_DIVERGED (a node not finite or beyond the speed limit; without a body, planes and open seams also:
+ *          the energy is above that of the start by 1 % of the largest kinetic and elastic energy since. The state is
+ *          that of the last good look)
  * Memory:  allocates nothing
  * Cost:    a step is 4 force evaluations (RK4) or 1 (Verlet; its first after a change of the state 1 more) and one
  *          contact pass

@@ -42,6 +42,7 @@ typedef struct mus_dress_def {
     void *progress_user;        /* handed to progress */
     double progress_seconds;    /* wall time between two calls of progress at least [s], default 0.1. Not read with
                                  * `drape` */
+    int32_t nodes_most;         /* of the cloth, as in mus_cloth_def: default MUS_CLOTH_NODES, 1..2^24 */
 } mus_dress_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_dress_def) of the caller. */

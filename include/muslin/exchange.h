@@ -35,7 +35,8 @@ extern "C" {
  *
  * The ending of the name tells the form: .tape or .txt (one measure a line), .yaml or .yml (GarmentCode body), .vit
  * (Valentina), .csv (table; `row` is the name of the row in its first column). `row` is NULL for the other forms.
- * The tape is not completed. Entries that muslin has no use for are ignored, and one log line lists them.
+ * The tape is not completed. Entries that muslin has no use for are ignored, and one log line lists them; another
+ * program's file that has nothing else is MUS_ERR_FORMAT, with these names.
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_TAPE (a value out of range), MUS_ERR_UNSUPPORTED (a formula in a
  *         .vit, by its name), MUS_ERR_ARG (row missing), MUS_ERR_MEMORY
  */

@@ -48,6 +48,38 @@ MUS_API const double *mus_fit_pressure(const mus_fit *fit);
 /** Distance to the body at each node (node_count) [m], NaN farther than 0.3 m. Borrowed likewise. */
 MUS_API const double *mus_fit_gap(const mus_fit *fit);
 
+/** Area of the cloth that belongs to each node, in the flat (node_count) [m2]: a third of its triangles. Borrowed
+ * likewise. */
+MUS_API const double *mus_fit_area(const mus_fit *fit);
+
+/* quantities of a fit */
+#define MUS_FIT_STRAIN 0   /* the greater of the strains along warp and weft */
+#define MUS_FIT_WARP 1     /* strain along the warp */
+#define MUS_FIT_WEFT 2     /* strain along the weft */
+#define MUS_FIT_PRESSURE 3 /* [Pa]; cloth off the skin counts with 0 */
+#define MUS_FIT_GAP 4      /* [m]; cloth farther than 0.3 m is left out */
+
+/** How a quantity is spread over the cloth, by area: half of the area has at most p50, 95 % of it at most p95. Least
+ * and largest are those of one node: they grow with each finer mesh, and tell where to look, not how much. */
+typedef struct mus_fit_spread {
+    size_t size;
+    double p50;     /* of the quantity, in its unit */
+    double p95;
+    double p99;
+    double mean;    /* by area */
+    double least;
+    double largest;
+    int32_t node;   /* that has the largest */
+    double area;    /* of the cloth that counts, in the flat [m2] */
+} mus_fit_spread;
+
+/** Zero `spread` and write its size. */
+MUS_API void mus_fit_spread_init(mus_fit_spread *spread, size_t size);
+
+/** The spread of a quantity (MUS_FIT_*); NaN and node MUS_NONE where no cloth counts. Errors: MUS_ERR_ARG (no such
+ * quantity), MUS_ERR_VERSION, MUS_ERR_MEMORY. Cost: a sort of the nodes */
+MUS_API mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spread *out);
+
 /** A level of the body that the garment goes round. */
 typedef struct mus_fit_level {
     size_t size;

@@ -72,7 +72,7 @@ MUS_API mus_status mus_pattern_set_name(mus_pattern *pattern, const char *name);
 MUS_API mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t *out);
 
 /** Add a point (x, y) [m] to the plane of a panel; *out (may be NULL) is its index. Errors: MUS_ERR_ARG (panel unknown,
- * x or y beyond 1e6 m), MUS_ERR_MEMORY. */
+ * x or y beyond 1e7 m), MUS_ERR_MEMORY. */
 MUS_API mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out);
 
 /** An edge to be added: a chain of pieces between two points of one panel. */
@@ -95,7 +95,7 @@ MUS_API void mus_edge_def_init(mus_edge_def *def, size_t size);
 /**
  * Add an edge to the panel of its two points. *out (may be NULL) is its index.
  *
- * Errors:  MUS_ERR_ARG (unknown points, points of two panels, a wrong count of xy points, one not within 1e6 m, an arc
+ * Errors:  MUS_ERR_ARG (unknown points, points of two panels, a wrong count of xy points, one not within 1e7 m, an arc
  *          whose middle point is nearer to one end, an edge of length 0); MUS_ERR_VERSION; MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_pattern_add_edge(mus_pattern *pattern, const mus_edge_def *def, int32_t *out);
@@ -213,7 +213,7 @@ MUS_API mus_status mus_pattern_add_notch(mus_pattern *pattern, int32_t edge, dou
  *
  * Shapes:  xy (n x 2) [m]
  * `name` says what it is ("centre front").
- * Errors:  MUS_ERR_ARG (no point, a point beyond 1e6 m), MUS_ERR_MEMORY
+ * Errors:  MUS_ERR_ARG (no point, a point beyond 1e7 m), MUS_ERR_MEMORY
  */
 MUS_API mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char *name, int32_t n,
                                         const double *xy, int32_t *out);
@@ -227,8 +227,21 @@ MUS_API mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, do
  * of itself or of another image). */
 MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 
-/** Set the label of a panel ("body", "arm", "leg", free text). Errors: MUS_ERR_ARG. */
+/** Set the label of a panel: its part in the garment ("body", "arm", "leg", "collar", free text). mus_arrange_pattern()
+ * puts an "arm" round an arm, a "neck", "collar" or "hood" round the neck, and all else round the trunk. Errors:
+ * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
+
+/* sides of the wearer; a panel is on none, on one, or on two that are not opposite (the front, left) */
+#define MUS_SIDE_FRONT 1
+#define MUS_SIDE_BACK 2
+#define MUS_SIDE_LEFT 4
+#define MUS_SIDE_RIGHT 8
+
+/** Set the sides of the wearer that a panel is on: the sum of its MUS_SIDE_*, 0 for none; opposite sides cancel. Until
+ * they are set, the words front, back, left and right in the panel's name tell them. Errors: MUS_ERR_ARG (below 0 or
+ * above 15). */
+MUS_API mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 
 /** Declare an opening that the sewn garment is to have, by the label of its boundary loop ("neck"; twice for two
  * cuffs). A pattern that declares any is checked as a garment: see mus_pattern_check(). Errors: MUS_ERR_ARG (an empty
@@ -256,8 +269,8 @@ typedef struct mus_placement {
 /** Write the defaults: flat at the origin, no rotation. */
 MUS_API void mus_placement_init(mus_placement *placement, size_t size);
 
-/** Set where a panel is before sewing. Errors: MUS_ERR_ARG (a number that is not finite, a matrix that is off a
- * rotation by more than 1e-6 or mirrors, a bend of less than 1 mm), MUS_ERR_VERSION. */
+/** Set where a panel is before sewing. Errors: MUS_ERR_ARG (a number that is not finite, an origin or bend_x beyond
+ * 1e7 m, a matrix that is off a rotation by more than 1e-6 or mirrors, a bend of less than 1 mm), MUS_ERR_VERSION. */
 MUS_API mus_status mus_pattern_set_placement(mus_pattern *pattern, int32_t panel, const mus_placement *placement);
 
 /** Where a panel is before sewing; out->size is set by mus_placement_init(). Errors: MUS_ERR_ARG, MUS_ERR_VERSION. */
@@ -318,6 +331,10 @@ MUS_API const char *mus_pattern_panel_name(const mus_pattern *pattern, int32_t p
 
 /** Label of a panel, "" without one; NULL outside the range. Borrowed until the next edit. */
 MUS_API const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
+
+/** Sides of the wearer that a panel is on, the sum of its MUS_SIDE_*; 0 outside the range. *given (may be NULL) is 1
+ * when they were set, 0 when the panel's name tells them. */
+MUS_API int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given);
 
 /** The outline of a panel: *n edges and their directions, +1 along or -1 against the edge; n is 0 without an outline.
  * Borrowed until the next edit; any out may be NULL. Errors: MUS_ERR_ARG. */

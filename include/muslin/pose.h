@@ -28,7 +28,7 @@ extern "C" {
 /** A pose: the angles of all joints. All angles 0: standing, arms hanging, palms to the thighs. */
 typedef struct mus_pose {
     size_t size;
-    double place[3];                  /* translation of the root from where the body was made [m], default 0 */
+    double place[3];                  /* of the root from where the body was made [m], within 1e7, default 0 */
     double angle[MUS_JOINT_COUNT][3]; /* flexion, abduction, rotation [rad], default 0 */
 } mus_pose;
 

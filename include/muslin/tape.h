@@ -109,7 +109,7 @@ MUS_API mus_status mus_tape_set_sex(mus_tape *tape, int32_t sex);
 /** Sex of the person: MUS_SEX_*; MUS_SEX_UNSET for NULL. */
 MUS_API int32_t mus_tape_sex(const mus_tape *tape);
 
-/** Give a tape a name for reports and labels ("Ada", "W40"), at most 63 bytes; it is copied. Errors: MUS_ERR_ARG. */
+/** Give a tape a name for reports and labels ("Ada", "W40"), at most 63 bytes of UTF-8; copied. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_tape_set_name(mus_tape *tape, const char *name);
 
 /** Name of a tape; "" without a name. Borrowed until the name is set again or the tape destroyed. */
@@ -153,7 +153,8 @@ MUS_API const char *mus_tape_size_name(int32_t index);
  *
  * Needs stature, bust, waist and hip; a child's tape needs stature alone. Derived values have the source
  * MUS_SOURCE_DERIVED and are derived anew at each call. Two measures that no body has together are an error; two that
- * hardly any body has together, and a value far from its prediction, are warnings (mus_tape_warning()).
+ * hardly any body has together, and a given value that does not fit the others, are warnings (mus_tape_warning()). A
+ * warning, and the message of an error, name the likely slip: "digits swapped: 96.0 cm?".
  *
  * Errors:  MUS_ERR_TAPE (a needed measure is missing, or two contradict each other: the message names both);
  *          MUS_ERR_MEMORY. The tape is as before the call

@@ -3,16 +3,15 @@
  *
  * Where a stranger starts in this room. Three things are done with panels before they are sewn:
  *
- *   - their placement is found, here: arrange_read.c reads outlines, seams and words; arrange_ring.c puts panels side
- * by side into rings (a torso, a skirt, sleeves, a collar); arrange_limb.c puts each ring round its limb, at the
- * azimuth at which its edges are nearest to their partners; arrange_clear.c moves panels clear of the body
+ *   - their placement is found, here: arrange_from_pattern.c reads outlines, seams and labels; arrange_ring.c puts
+ *     panels side by side into rings (a torso, a skirt, sleeves, a collar); arrange_limb.c puts each ring round its
+ *     limb, at the azimuth at which its edges are nearest to their partners; arrange_clear.c moves panels clear of the
+ *     body
  *   - nodes are put where the placement says: arrange_nodes.c, called by mus_drape_place()
  *   - an arrangement is checked (arrange_check.c, arrange_check_layers.c) and changed where cloth would begin in cloth
- *     (arrange_fan.c, arrange_separate.c), called by mus_drape_start() and mus_drape_sew(). These take a cloth with the
- *     places of its nodes (placed_cloth.h), not a drape. A fault is told as a reason (failure_reason.c)
+ *     (arrange_prefold.c, arrange_separate.c), called by mus_drape_start() and mus_drape_sew(). These take a cloth with
+ *     the places of its nodes (placed_cloth.h), not a drape. A fault is told as a reason (failure_reason.c)
  */
-#include <string.h>
-
 #include "arrange/arrange_internal.h"
 #include "muslin/arrange.h"
 

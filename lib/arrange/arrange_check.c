@@ -246,19 +246,18 @@ static bool check_exchanged(const mus__placed_cloth *placed, int32_t p, int32_t 
 }
 
 
-/* whether a word in a panel's name contradicts its place */
+/* whether a panel's place is not on a side that the pattern tells of it */
 static bool check_belied(const mus__placed_cloth *placed, int32_t panel)
 {
     static const struct {
-        const char *word;
-        int32_t axis;
+        int32_t side, axis;
         double sign;
-    } words[] = {{"left", 0, 1.0}, {"right", 0, -1.0}, {"front", 2, 1.0}, {"back", 2, -1.0}};
+    } sides[] = {
+        {MUS_SIDE_LEFT, 0, 1.0}, {MUS_SIDE_RIGHT, 0, -1.0}, {MUS_SIDE_FRONT, 2, 1.0}, {MUS_SIDE_BACK, 2, -1.0}};
     double middle[3];
     mus__placed_middle(placed, panel, middle);
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strstr(mus_cloth_panel_name(placed->cloth, panel), words[i].word) != NULL &&
-            words[i].sign * middle[words[i].axis] < 0.0)
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+        if ((placed->cloth->panel[panel].sides & sides[i].side) != 0 && sides[i].sign * middle[sides[i].axis] < 0.0)
             return true;
     return false;
 }
@@ -286,7 +285,7 @@ static void check_name_two(const mus__placed_cloth *placed, int32_t p, int32_t q
 }
 
 
-/* prefers the first two panels whose names contradict their places, if there are two, over the two that were found */
+/* prefers the first two panels whose sides contradict their places, if there are two, over the two that were found */
 static void check_name_belied(const mus__placed_cloth *placed, mus_reason *out)
 {
     int32_t first = MUS_NONE;
@@ -303,7 +302,7 @@ static void check_name_belied(const mus__placed_cloth *placed, mus_reason *out)
 
 /*
  * A panel that is misplaced by a motion to where another is that is misplaced so too, or by one that turns it round.
- * Two sleeves that are exchanged lie as front and back would, seen from behind, so a pair that its names contradict is
+ * Two sleeves that are exchanged lie as front and back would, seen from behind, so a pair that its sides contradict is
  * preferred.
  */
 static void check_places(const mus__placed_cloth *placed, mus_reason *out)

@@ -15,7 +15,7 @@ void mus__arrange_check(const mus__placed_cloth *placed, mus_reason *out);
 /* panels through one another, layers whose order is not the same all round. Errors: MUS_ERR_MEMORY */
 mus_status mus__arrange_check_layers(const mus__placed_cloth *placed, mus_reason *out);
 
-/* ---- arrange_fan.c, arrange_separate.c: both return or set whether any node was moved ---- */
+/* ---- arrange_prefold.c, arrange_separate.c: both return or set whether any node was moved ---- */
 
 /* fold panels that fan out wide, in place */
 bool mus__arrange_fans(const mus__placed_cloth *placed);

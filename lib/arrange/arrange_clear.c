@@ -1,8 +1,6 @@
 /*
  * arrange_clear.c: moves panels clear of the body along their outer normals.
  */
-#include <math.h>
-
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
 

@@ -20,11 +20,16 @@
 /* what a ring goes round */
 enum { MUS__ARRANGE_TRUNK, MUS__ARRANGE_NECK, MUS__ARRANGE_ARM };
 
-/* what the words in the name and the label of a panel say; bits */
-enum { MUS__ARRANGE_FRONT = 1, MUS__ARRANGE_BACK = 2, MUS__ARRANGE_LEFT = 4, MUS__ARRANGE_RIGHT = 8 };
+/* sides of the wearer, as the pattern tells them of a panel; bits */
+enum {
+    MUS__ARRANGE_FRONT = MUS_SIDE_FRONT,
+    MUS__ARRANGE_BACK = MUS_SIDE_BACK,
+    MUS__ARRANGE_LEFT = MUS_SIDE_LEFT,
+    MUS__ARRANGE_RIGHT = MUS_SIDE_RIGHT
+};
 
 typedef struct mus__arranged_panel {
-    int32_t limb, says, ring;
+    int32_t limb, says, ring; /* says: the sides it is on */
     int32_t nedge;
     const int32_t *edge, *direction; /* the outline, borrowed from the pattern */
     double sign;                     /* +1: drawn as seen from outside, -1: mirrored */
@@ -87,7 +92,7 @@ typedef struct mus__arrangement {
     double belly;    /* radius of the hips, with room [m] */
 } mus__arrangement;
 
-/* arrange_read.c: read panels, edges and seams of the pattern. Errors: MUS_ERR_PATTERN */
+/* arrange_from_pattern.c: read panels, edges and seams of the pattern. Errors: MUS_ERR_PATTERN */
 mus_status mus__arrange_read(mus__arrangement *arrangement);
 /* number of the dot on b that a seam joins to dot i on a */
 int32_t mus__arrange_partner(const mus__arrangement *arrangement, const mus__arranged_seam *seam, int32_t i);

@@ -4,13 +4,14 @@
  * One ring of each component is hung first: on the shoulders, or where the pattern attaches it, or from the waist down.
  * After it comes, again and again, the ring that is sewn longest to rings that have their place. Of 72 azimuths it
  * takes the one at which its edges are nearest to their partners, and moves along the limb by the mean of the distance
- * left. Words in names count as much as a small distance: they tell the front of a skirt that is alike all round, and
- * do not outweigh seams. Edges that both point up are those of shoulders, which face each other from front and back.
+ * left. The sides of panels count as much as a small distance: they tell the front of a skirt that is alike all
+ * round, and do not outweigh seams. Edges that both point up are those of shoulders, which face each other from front
+ * and back.
  */
 #include <math.h>
 #include <string.h>
 
-#include "body/body_level.h"
+#include "body/body_internal.h"
 #include "arrange/arrange_internal.h"
 #include "geom/vec.h"
 #include "muslin/topology.h"
@@ -18,7 +19,7 @@
 /* All numbers below are chosen; the table of `make wear` (garments that come on) shows what they change. */
 
 #define AROUND_WAYS 72         /* azimuths that are tried */
-#define AROUND_WORD 0.02       /* [m2] cost of a word against an azimuth, in squared distances of edges */
+#define AROUND_ON_SIDE 0.02    /* [m2] cost of a side against an azimuth, in squared distances of edges */
 #define AROUND_SHOULDER 0.02   /* [m2] cost of shoulder edges on the same side of the body */
 #define AROUND_UP 0.5          /* vertical component of the unit normal from which on an edge points up */
 #define AROUND_RADIUS 0.32     /* [m] largest radius of a ring of the trunk */
@@ -43,12 +44,11 @@ static mus_status around_body(mus__arrangement *arrangement)
     static const int32_t levels[] = {MUS__LEVEL_NECK, MUS__LEVEL_ARMPIT, MUS__LEVEL_WAIST, MUS__LEVEL_HIP,
                                      MUS__LEVEL_CROTCH};
     for (int32_t i = 0; i < 5; i++) {
-        mus__body_level level;
-        mus__body_level_find(arrangement->body, levels[i], 0, &level);
-        if (!level.there)
+        const mus__body_level *level = arrangement->body->level[levels[i]];
+        if (!level->there)
             return mus__fail(arrangement->context, MUS_ERR_BODY,
                              "place: the body has no level %s; one made of a tape has", mus_hold_name(levels[i]));
-        arrangement->level[i] = level.point[1];
+        arrangement->level[i] = level->point[1];
     }
     const double waist = mus_body_made(arrangement->body, MUS_MEASURE_WAIST);
     const double hip = mus_body_made(arrangement->body, MUS_MEASURE_HIP),
@@ -61,10 +61,9 @@ static mus_status around_body(mus__arrangement *arrangement)
 
 static void around_upright(const mus__arrangement *arrangement, mus__arranged_ring *ring, int32_t level)
 {
-    mus__body_level at;
-    mus__body_level_find(arrangement->body, level, 0, &at);
+    const mus__body_level *at = arrangement->body->level[level];
     memset(ring->axis, 0, sizeof ring->axis);
-    ring->axis[2] = at.point[2];
+    ring->axis[2] = at->point[2];
     for (int32_t d = 0; d < 3; d++) ring->up[d] = d == 1, ring->front[d] = d == 2, ring->right[d] = d == 0;
 }
 
@@ -95,13 +94,12 @@ static double around_partners(const mus__arrangement *arrangement, int32_t t, do
 /* the frame of a ring round the arm on that side */
 static void around_arm(const mus__arrangement *arrangement, mus__arranged_ring *ring, bool right)
 {
-    mus__body_level biceps;
-    mus__body_level_find(arrangement->body, MUS__LEVEL_BICEPS, right, &biceps);
+    const mus__body_level *biceps = &arrangement->body->level[MUS__LEVEL_BICEPS][right];
     around_upright(arrangement, ring, MUS__LEVEL_BUST);
     ring->body = 0.06;
-    if (!biceps.there) return;
+    if (!biceps->there) return;
     mus_body_landmark(arrangement->body, right ? MUS_LANDMARK_SHOULDER_RIGHT : MUS_LANDMARK_SHOULDER_LEFT, ring->axis);
-    memcpy(ring->up, biceps.up, sizeof ring->up);
+    memcpy(ring->up, biceps->up, sizeof ring->up);
     const double along = mus__dot3(ring->front, ring->up);
     for (int32_t d = 0; d < 3; d++) ring->front[d] -= along * ring->up[d];
     mus__unit3(ring->front);
@@ -157,8 +155,8 @@ static void around_round(const mus__arranged_ring *ring, const mus__arranged_pan
 }
 
 
-/* how much the words of its panels contradict the azimuth of a ring, 0 to 2 */
-static double around_words(const mus__arrangement *arrangement, int32_t t)
+/* how much the sides of its panels contradict the azimuth of a ring, 0 to 2 */
+static double around_sides(const mus__arrangement *arrangement, int32_t t)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
     double sum = 0.0, all = 1e-9;
@@ -177,7 +175,7 @@ static double around_words(const mus__arrangement *arrangement, int32_t t)
 
 
 /* cost [m2] of a ring at its azimuth: mean squared distance of its edges from their partners that have a place, with
- * words and shoulders; *shift gets the mean distance along the limb [m] */
+ * sides and shoulders; *shift gets the mean distance along the limb [m] */
 static double around_cost(const mus__arrangement *arrangement, int32_t t, double *shift)
 {
     const mus__arranged_ring *ring = &arrangement->ring[t];
@@ -212,7 +210,7 @@ static double around_cost(const mus__arrangement *arrangement, int32_t t, double
     }
     *shift = weight > 0.0 ? first / weight : 0.0;
     const double apart = weight > 0.0 ? square / weight - *shift * *shift : 0.0;
-    return apart + AROUND_WORD * around_words(arrangement, t) +
+    return apart + AROUND_ON_SIDE * around_sides(arrangement, t) +
            (seams > 0.0 ? AROUND_SHOULDER * shoulder / seams : 0.0);
 }
 
@@ -359,21 +357,20 @@ static bool around_held(const mus__arrangement *arrangement, int32_t t, double *
         const mus__arranged_edge *edge = &arrangement->edge[e];
         int32_t level;
         double below, mean = 0.0;
-        mus__body_level at;
         if (edge->panel == MUS_NONE || arrangement->panel[edge->panel].ring != t) continue;
         if (mus_pattern_edge_hold(arrangement->pattern, e, &level, &below) != MUS_OK || level == MUS_HOLD_NONE)
             continue;
-        mus__body_level_find(arrangement->body, level, 0, &at);
-        if (!at.there || !(at.point[1] - below > highest)) continue;
+        const mus__body_level *at = arrangement->body->level[level];
+        if (!at->there || !(at->point[1] - below > highest)) continue;
         for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++) mean += edge->dot[2 * k + 1] / MUS__ARRANGE_DOTS;
-        highest = at.point[1] - below;
+        highest = at->point[1] - below;
         *shift = highest - arrangement->panel[edge->panel].v - mean;
     }
     return highest > 0.0;
 }
 
 
-/* places the first ring of a component: turned by words and shoulders, hung by the shoulders, by attached edges, or at
+/* places the first ring of a component: turned by sides and shoulders, hung by the shoulders, by attached edges, or at
  * the waist */
 static void around_hang(mus__arrangement *arrangement, int32_t t)
 {

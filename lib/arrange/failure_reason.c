@@ -3,7 +3,6 @@
  * be cut.
  */
 #include <stdio.h>
-#include <string.h>
 
 #include "arrange/failure_reason.h"
 #include "muslin/topology.h"

@@ -47,8 +47,6 @@ void mus__free(mus_context *context, void *block);
 /* grow *array (capacity *capacity elements of `size`) to hold `need`; new elements are zeroed. Old array kept on
  * failure */
 mus_status mus__reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
-/* copy of a text; NULL when there is no memory */
-char *mus__text(mus_context *context, const char *text);
 
 /* ---- errors and log ---- */
 
@@ -72,6 +70,19 @@ mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_
 
 /* true when x is neither NaN nor infinite */
 bool mus__finite(double x);
+
+/* ---- places ---- */
+
+/* [m] largest coordinate of a point of a pattern, a node, a placement or a pose. Chosen: above the radius of the Earth;
+ * a double there is exact to 2e-9 m, and its square is a normal float */
+#define MUS__FARTHEST 1e7
+
+/* true when each of the n coordinates is within MUS__FARTHEST; NaN is not */
+bool mus__near(int64_t n, const double *x);
+/* MUS_OK when the `n` points of `dim` coordinates x are within MUS__FARTHEST of the origin; else MUS_ERR_ARG with "ITEM
+ * 3: x is 1e+160 m, expected -1e+07 to 1e+07 m". ITEM is the formatted text; one point has no number */
+mus_status mus__check_near(mus_context *context, int32_t n, int32_t dim, const double *x, const char *item, ...)
+    MUS_PRINTF(5, 6);
 
 /* FNV-1a, 64 bit, over bytes; start with MUS_HASH_START */
 #define MUS_HASH_START UINT64_C(14695981039346656037)

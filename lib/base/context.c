@@ -134,15 +134,6 @@ mus_status mus__reserve(mus_context *context, void *array, int32_t *capacity, in
 }
 
 
-char *mus__text(mus_context *context, const char *text)
-{
-    size_t bytes = strlen(text) + 1;
-    char *copy = mus__new(context, (int64_t)bytes, 1);
-    if (copy != NULL) memcpy(copy, text, bytes);
-    return copy;
-}
-
-
 mus_status mus__fail(mus_context *context, mus_status status, const char *format, ...)
 {
     /* through a buffer: an argument may be the old error text itself */

@@ -1,6 +1,7 @@
 /*
  * status.c: the list of statuses as names and sentences; the version; small helpers on defs, numbers and hashes.
  */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/base_internal.h"
@@ -66,6 +67,31 @@ mus_status mus__def_read(mus_context *context, void *own, size_t own_size, size_
 bool mus__finite(double x)
 {
     return x - x == 0.0;
+}
+
+
+bool mus__near(int64_t n, const double *x)
+{
+    for (int64_t i = 0; i < n; i++)
+        if (!(x[i] >= -MUS__FARTHEST && x[i] <= MUS__FARTHEST)) return false;
+    return true;
+}
+
+
+mus_status mus__check_near(mus_context *context, int32_t n, int32_t dim, const double *x, const char *item, ...)
+{
+    int64_t i = 0;
+    while (i < (int64_t)n * dim && mus__near(1, x + i)) i++;
+    if (i == (int64_t)n * dim) return MUS_OK;
+
+    char text[MUS_ERROR_BYTES], number[16] = "";
+    va_list list;
+    va_start(list, item);
+    vsnprintf(text, sizeof text, item, list);
+    va_end(list);
+    if (n > 1) snprintf(number, sizeof number, " %d", (int)(i / dim));
+    return mus__fail(context, MUS_ERR_ARG, "%.300s%s: %c is %g m, expected %g to %g m", text, number, "xyz"[i % dim],
+                     x[i], -MUS__FARTHEST, MUS__FARTHEST);
 }
 
 

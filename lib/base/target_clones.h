@@ -8,9 +8,10 @@
 #define MUS_BASE_TARGET_CLONES_H
 
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(MUS_NO_CLONES)
+    !defined(__SANITIZE_THREAD__) && !defined(MUS_NO_CLONES)
 #if defined(__clang__)
-#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __clang_major__ < 14
+#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || \
+    __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer) || __clang_major__ < 14
 #define MUS_CLONES
 #else
 #define MUS_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))

@@ -7,7 +7,7 @@
 #ifndef MUS_BLOCK_BODICE_H
 #define MUS_BLOCK_BODICE_H
 
-#include "block/chain.h"
+#include "block/block_curve.h"
 #include "block/measures.h"
 
 typedef struct mus__bodice_def {

@@ -6,7 +6,7 @@
 #ifndef MUS_BLOCK_COLLAR_H
 #define MUS_BLOCK_COLLAR_H
 
-#include "block/chain.h"
+#include "block/block_curve.h"
 #include "block/measures.h"
 
 typedef struct mus__stand_def {

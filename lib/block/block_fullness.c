@@ -1,13 +1,14 @@
 /*
- * block_fullness.c: the sleeve block cut open and spread: bell and bishop (a fan from the cap), puff (parallel), leg of
- * mutton (a fan from the elbow), and the cap alone.
+ * block_fullness.c: the sleeve block with fullness added by slashing and spreading: bell and bishop (a fan that opens
+ * from the cap to the hem), puff (parallel slashes), leg of mutton (a fan from the elbow to the cap); and the cap
+ * alone.
  *
- * A fan of infinitely many slashes from the hem, hinged on the cap: the strip below the cap point at x turns by
- * psi(x) = delta x / width, and the cap is drawn again with every tangent turned by the psi of its place, so its length
- * stays as it was to the last digit of the integration. Where a strip has length L the hem gains psi' L.
+ * A fan is the limit of many slashes from the hem, hinged on the cap: the strip below the cap point at x is rotated by
+ * psi(x) = delta x / width. The cap is integrated again from its tangents, each rotated by psi of its point, so its
+ * length stays the same. A strip of length L lengthens the hem by psi' L.
  *
- * Puff and leg of mutton keep the cap from the underarm to the pitches, which is sewn without gathers; above, a higher
- * and wider curve from pitch to pitch is gathered into the armhole.
+ * Puff and leg of mutton keep the cap from the underarm to the pitch points, which is sewn without gathers. A higher
+ * and wider curve from pitch to pitch replaces the rest; it is gathered into the armhole.
  */
 #include <math.h>
 #include <string.h>
@@ -16,7 +17,7 @@
 #include "geom/curve.h"
 #include "geom/vec.h"
 
-#define FAN_STEPS 48 /* of the integration along a cap half; an even number for Simpson's rule */
+#define FAN_STEPS 48 /* intervals of the integration along half a cap; even, for Simpson's rule */
 
 
 static void cut_cubic(mus__chain *chain, const double *cubic, double s0, double s1)
@@ -49,7 +50,7 @@ static const double *cut_end(const mus__chain *chain)
 }
 
 
-/* the four parts of the cap in the order of the cut */
+/* Splits the cap of the block at the pitch points and the crown into the four parts of `out`. */
 static void cut_cap(const mus__sleeve *block, double front, double back, mus__sleeve_cut *out)
 {
     mus__chain *cap = out->cap;
@@ -79,11 +80,11 @@ void mus__sleeve_plain(const mus__sleeve *block, double front, double back, mus_
 typedef struct fan_half {
     double width, delta;
     double length;
-    double s[FAN_STEPS + 1], xy[FAN_STEPS + 1][2], tangent[FAN_STEPS + 1][2]; /* the cap half drawn again */
+    double s[FAN_STEPS + 1], xy[FAN_STEPS + 1][2], tangent[FAN_STEPS + 1][2]; /* half of the cap after spreading */
 } fan_half;
 
 
-/* a half of the cap from the crown out, each tangent turned by delta x / width: cubic runs crown to underarm */
+/* Integrates half of the cap (`cubic`, crown to underarm) with each tangent rotated by delta x / width [rad]. */
 static void fan_cap(const double *cubic, double width, double delta, fan_half *out)
 {
     out->width = width, out->delta = delta;
@@ -91,7 +92,7 @@ static void fan_cap(const double *cubic, double width, double delta, fan_half *o
     memcpy(out->xy[0], cubic, sizeof out->xy[0]);
     double d[3][2], speed = 0.0;
     for (int32_t i = 0; i <= FAN_STEPS; i++) {
-        /* derivative by t at this place, half way back to the one before, and there */
+        /* derivatives by t at the last point, at the middle of the interval and at this point */
         for (int32_t k = i == 0 ? 2 : 0; k < 3; k++) {
             const double t = ((double)i - 0.5 * (double)(2 - k)) / FAN_STEPS;
             double at[2], along[2];
@@ -110,7 +111,7 @@ static void fan_cap(const double *cubic, double width, double delta, fan_half *o
 }
 
 
-/* place and tangent at arc length s from the crown: a Hermite cubic between two of the places that are known */
+/* Point and unit tangent at arc length s [m] from the crown, by a Hermite cubic between two integrated points. */
 static void fan_at(const fan_half *half, double s, double *xy, double *tangent)
 {
     int32_t i = 0;
@@ -126,7 +127,7 @@ static void fan_at(const fan_half *half, double s, double *xy, double *tangent)
 }
 
 
-/* a half between arc lengths s0 < s1 from the crown, as `n` cubics */
+/* Writes the part of half a cap between arc lengths s0 < s1 [m] from the crown as `n` cubics. */
 static void fan_chain(const fan_half *half, double s0, double s1, int32_t n, mus__chain *out)
 {
     double xy[2 * (MUS__CHAIN_PIECES + 1)], tangent[2 * (MUS__CHAIN_PIECES + 1)], ds[MUS__CHAIN_PIECES];
@@ -138,7 +139,7 @@ static void fan_chain(const fan_half *half, double s0, double s1, int32_t n, mus
 }
 
 
-/* area under the cap above the hem, over the width: mean length of the strips */
+/* Returns the mean length of the strips [m]: the area between cap and hem over the width. */
 static double fan_mean(const mus__sleeve *block)
 {
     double area = 0.0;
@@ -155,8 +156,8 @@ static double fan_mean(const mus__sleeve *block)
 }
 
 
-/* hem point below the cap point at parameter t of a half, behind dropped by drop sin^2 (2 pi x / width); `half` holds
- * that half from the crown out */
+/* Writes the hem point below the cap point at parameter t of `cubic`, after spreading. The hem of the back is lowered
+ * by drop sin^2(2 pi x / width) [m]. */
 static void fan_hem(const mus__sleeve *block, const fan_half *half, const double *cubic, double t, double drop,
                     double *out)
 {
@@ -175,7 +176,7 @@ static void fan_hem(const mus__sleeve *block, const fan_half *half, const double
 void mus__sleeve_fan(const mus__sleeve *block, double front, double back, double hem, double drop,
                      mus__sleeve_cut *out)
 {
-    /* hem = hem of the block + delta times the mean strip */
+    /* length of the hem = that of the block + delta times the mean strip length */
     const double delta = (hem - block->hem) / fan_mean(block);
     double outward[2][8];
     fan_half half[2]; /* front, back */
@@ -193,7 +194,7 @@ void mus__sleeve_fan(const mus__sleeve *block, double front, double back, double
     memcpy(out->crown, block->cap_back, sizeof out->crown);
     out->width = block->width;
 
-    /* hem: places at even steps from the front underarm to the crown and on to the back one, tangents by differences */
+    /* hem: points at equal steps from the front underarm over the crown to the back one, tangents by differences */
     double xy[10], tangent[10], ds[4];
     for (int32_t i = 0; i <= 4; i++) {
         const int32_t k = i < 2 ? 0 : 1;
@@ -207,7 +208,7 @@ void mus__sleeve_fan(const mus__sleeve *block, double front, double back, double
         tangent[2 * i] = turn * (b[0] - a[0]) / length, tangent[2 * i + 1] = turn * (b[1] - a[1]) / length;
     }
     for (int32_t i = 0; i < 4; i++) {
-        /* arc on a chord: turn / (2 sin(turn / 2)) times it */
+        /* length of an arc over its chord: turn / (2 sin(turn / 2)) */
         const double c = tangent[2 * i] * tangent[2 * i + 2] + tangent[2 * i + 1] * tangent[2 * i + 3];
         const double turn = acos(fmax(-1.0, fmin(1.0, c)));
         ds[i] = mus__dist2(xy + 2 * i, xy + 2 * i + 2) * (turn > 1e-4 ? 0.5 * turn / sin(0.5 * turn) : 1.0);
@@ -220,7 +221,8 @@ void mus__sleeve_fan(const mus__sleeve *block, double front, double back, double
 
 /* ---- puff and leg of mutton ---- */
 
-/* the high parts again, from pitch to pitch over the crown `top`, leaving the low parts along their tangents */
+/* Draws the two upper parts of the cap again, from pitch to pitch over the crown `top` (2); at the pitch points they
+ * continue the tangents of the lower parts. */
 static void cut_crown(mus__sleeve_cut *out, const double *top)
 {
     const mus__chain *back = &out->cap[MUS__CAP_BACK_LOW], *front = &out->cap[MUS__CAP_FRONT_LOW];
@@ -250,7 +252,7 @@ void mus__sleeve_puff(const mus__sleeve *block, double front, double back, doubl
     cut_crown(out, top);
     out->width = block->width + spread;
 
-    /* the hem hangs by `drop` in its middle: handles 4/3 of it lower */
+    /* the middle of the hem is `drop` lower: a cubic with handles 4/3 drop below its ends */
     const double *f = cut_end(&out->under_front), *b = out->under_back.xy, hang = low - 4.0 / 3.0 * drop;
     double hem[8];
     mus__cubic_set(hem, f, f[0] + 0.3 * (b[0] - f[0]), hang, b[0] - 0.3 * (b[0] - f[0]), hang, b);
@@ -263,7 +265,7 @@ void mus__sleeve_gigot(const mus__sleeve *block, double front, double back, doub
 {
     mus__sleeve_plain(block, front, back, out);
 
-    /* the side at the elbow stays; what is above it turns out until the underarm has moved by half the spread */
+    /* the underarm seam is fixed at the elbow; above it the seam is tilted outwards, half the spread at the underarm */
     const double low = block->height - block->length, part = elbow / low;
     const double x = 0.5 * (block->width + part * (block->hem - block->width));
     const double side[2][2] = {{-x, elbow}, {x, elbow}}, angle = 0.5 * spread / -elbow;
@@ -273,13 +275,10 @@ void mus__sleeve_gigot(const mus__sleeve *block, double front, double back, doub
     cut_crown(out, top);
     out->width = block->width + spread;
 
-    mus__chain upper;
     mus__chain_line(&out->under_back, cut_end(&out->hem), side[1]);
-    mus__chain_line(&upper, side[1], out->cap[MUS__CAP_BACK_LOW].xy);
-    mus__chain_append(&out->under_back, &upper);
+    mus__chain_add_line(&out->under_back, side[1], out->cap[MUS__CAP_BACK_LOW].xy);
     mus__chain_line(&out->under_front, cut_end(&out->cap[MUS__CAP_FRONT_LOW]), side[0]);
-    mus__chain_line(&upper, side[0], out->hem.xy);
-    mus__chain_append(&out->under_front, &upper);
+    mus__chain_add_line(&out->under_front, side[0], out->hem.xy);
 }
 
 
@@ -318,7 +317,7 @@ void mus__sleeve_short_cap(const mus__sleeve *block, double level, double *front
     memcpy(out->crown, block->cap_back, sizeof out->crown);
     out->width = block->width;
 
-    /* hollow: a tenth of the height up in the middle */
+    /* the middle of the hem is raised by a tenth of the cap's height */
     const double *f = cut_end(&out->cap[MUS__CAP_FRONT_HIGH]), *b = out->cap[MUS__CAP_BACK_HIGH].xy;
     const double rise = y + 0.13 * block->height;
     double hem[8];

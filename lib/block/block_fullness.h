@@ -10,11 +10,11 @@
 /* the four parts of a cap, from the back underarm round to the front underarm */
 enum { MUS__CAP_BACK_LOW, MUS__CAP_BACK_HIGH, MUS__CAP_FRONT_HIGH, MUS__CAP_FRONT_LOW, MUS__CAP_PARTS };
 
-/* outline of a sleeve, counter-clockwise from the front of the hem */
+/* outline of a sleeve, counter-clockwise from the front of the hem; lengths in metre */
 typedef struct mus__sleeve_cut {
     mus__chain hem;                 /* front to back */
     mus__chain under_back;          /* up */
-    mus__chain cap[MUS__CAP_PARTS]; /* parted at the pitches and the crown */
+    mus__chain cap[MUS__CAP_PARTS]; /* split at the pitch points and the crown */
     mus__chain under_front;         /* down */
     double crown[2], width;         /* point that the shoulder seam meets; breadth on the biceps line */
 } mus__sleeve_cut;

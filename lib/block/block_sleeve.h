@@ -6,7 +6,7 @@
 #ifndef MUS_BLOCK_SLEEVE_H
 #define MUS_BLOCK_SLEEVE_H
 
-#include "block/chain.h"
+#include "block/block_curve.h"
 #include "block/measures.h"
 
 typedef struct mus__sleeve_def {

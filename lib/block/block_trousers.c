@@ -36,13 +36,10 @@ void mus__trousers_widths(mus__trousers_def *def, double knee, double hem)
 static void leg_inseam(const leg_problem *problem, double fork_y, double a, double b, mus__chain *out)
 {
     const double start[2] = {problem->fork[0], fork_y}, *knee = problem->knee, drop = fork_y - knee[1];
-    double cubic[8];
-    mus__chain line;
-    mus__cubic_set(cubic, start, start[0] + a * (knee[0] - start[0]), start[1] - b * drop, knee[0],
-                   knee[1] + 0.40 * drop, knee);
-    mus__chain_cubic(out, cubic);
-    mus__chain_line(&line, knee, problem->hem);
-    mus__chain_append(out, &line);
+    out->npiece = 0;
+    mus__chain_add_cubic(out, start, start[0] + a * (knee[0] - start[0]), start[1] - b * drop, knee[0],
+                         knee[1] + 0.40 * drop, knee);
+    mus__chain_add_line(out, knee, problem->hem);
 }
 
 
@@ -61,16 +58,11 @@ static double leg_inseam_excess(const void *data, double fork_y)
 static void leg_outseam(const leg_problem *problem, const double *side, mus__chain *out)
 {
     const double *hip = problem->hip, *knee = problem->out_knee, high = side[1] - hip[1], low = hip[1] - knee[1];
-    double cubic[8];
-    mus__chain next;
-    mus__cubic_set(cubic, side, side[0] + 0.55 * (hip[0] - side[0]), side[1] - 0.35 * high, hip[0],
-                   hip[1] + 0.40 * high, hip);
-    mus__chain_cubic(out, cubic);
-    mus__cubic_set(cubic, hip, hip[0], hip[1] - 0.30 * low, knee[0], knee[1] + 0.40 * low, knee);
-    mus__chain_cubic(&next, cubic);
-    mus__chain_append(out, &next);
-    mus__chain_line(&next, knee, problem->out_hem);
-    mus__chain_append(out, &next);
+    out->npiece = 0;
+    mus__chain_add_cubic(out, side, side[0] + 0.55 * (hip[0] - side[0]), side[1] - 0.35 * high, hip[0],
+                         hip[1] + 0.40 * high, hip);
+    mus__chain_add_cubic(out, hip, hip[0], hip[1] - 0.30 * low, knee[0], knee[1] + 0.40 * low, knee);
+    mus__chain_add_line(out, knee, problem->out_hem);
 }
 
 

@@ -2,17 +2,19 @@
  * board.c: the cutting table as an object: begin, fail, find, forget.
  *
  * The room, in the order of use:
- *   board.c           the table and its records
- *   board_chain.c     the line of a side: a chain of lines, arcs and Beziers
- *   board_draw.c      drawing panels side by side, notches, marks
- *   board_pattern.c   a pattern onto the table, and a new pattern from it
- *   board_sew.c       seams; sides split and merged
- *   board_cut.c       panels cut apart, joined, mirrored
- *   board_mirror.c    half garment to whole garment
- *   board_part.c      parts of a panel that move as rigid pieces
- *   board_inner.c     lines inside a panel, and where a cut to their corner goes
- *   board_dart.c      darts: add, rotate, shorten, release
- *   board_spread.c, board_pleat.c, board_smooth.c, board_patch.c   fullness, pleats, smooth lines, patches
+ *   board.c              the table and its records
+ *   board_curve.c        the line of a side: a chain of lines, arcs and Beziers
+ *   board_draw.c         drawing panels side by side, marks
+ *   board_read_write.c   a pattern onto the table, and a new pattern from it
+ *   board_seam.c         seams; sides split and merged
+ *   board_notch.c        notches, on one side and on all sides of a seam
+ *   board_cut.c          panels cut apart, joined, mirrored
+ *   board_mirror.c       half garment to whole garment
+ *   board_rigid_part.c   parts of a panel that move as rigid pieces
+ *   board_inner_line.c   lines inside a panel, and where a cut to their corner goes
+ *   board_dart.c         darts: add, shorten, release to gathers, make part of a seam
+ *   board_dart_rotate.c  darts rotated about their point
+ *   board_spread.c, board_pleat.c, board_smooth.c, board_patch_panel.c  fullness, pleats, smooth lines, patches
  *
  * Callers: lib/edit (a public edit is one or two calls of this room) and the drafting rooms (a design is drawn here).
  *

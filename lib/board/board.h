@@ -66,7 +66,6 @@ int32_t mus__board_run(const mus__board *board, int32_t panel, const char *label
 /* point and unit tangent at arc length s of a side as walked; either may be NULL */
 void mus__board_at(const mus__board *board, int32_t side, double s, double *xy, double *tangent);
 
-int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t kind);
 int32_t mus__board_mark_add(mus__board *board, int32_t panel, const char *name, int32_t n, const double *xy);
 void mus__board_opening_add(mus__board *board, const char *label);
 
@@ -75,11 +74,16 @@ int32_t mus__board_side_new(mus__board *board, int32_t panel, mus__board_chain *
 /* link `next` after `side` in the ring; its start is set to the end of `side`, bit for bit */
 void mus__board_follow(mus__board *board, int32_t side, int32_t next);
 
-/* ---- board_pattern.c ---- */
+/* ---- board_read_write.c ---- */
 
 /* begin the board with the cells of a pattern. A panel without outline or an edge of no outline fails the board */
 void mus__board_read(mus__board *board, const mus_pattern *pattern);
 /* the board as a new pattern; board->status tells how it went, *out is NULL after a failure */
 void mus__board_write(mus__board *board, mus_pattern **out);
+
+/* ---- board_notch.c ---- */
+
+/* put a notch on one side at arc length s; returns its index */
+int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t kind);
 
 #endif

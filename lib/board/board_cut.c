@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "board/board_cut.h"
-#include "board/board_sew.h"
+#include "board/board_seam.h"
 #include "geom/curve.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"

@@ -4,7 +4,7 @@
 #ifndef MUS_BOARD_CUT_H
 #define MUS_BOARD_CUT_H
 
-#include "board/board_chain.h"
+#include "board/board_curve.h"
 
 /* ---- board_cut.c ---- */
 

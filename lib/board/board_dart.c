@@ -1,20 +1,6 @@
 /*
- * board_dart.c: darts: rotated about their point, added, shortened, released to gathers, made part of a seam.
- *
- * Rotation: O is the point of the dart, A1 and A2 the ends of its mouth, Q a place on another side. The panel is cut
- * from O to Q, and one of the two parts is turned about O by a fraction of the dart's angle t. The mouth closes by that
- * angle and the same angle opens at Q: |OQ'| = |OQ''|, the new mouth is 2 |OQ| sin(t / 2) wide. The turn is rigid, so
- * area, lengths and the sum of the angles at O stay, and so does the quotient:
- *
- *          Q                       Q' Q''
- *      ____|____               ____| /____
- *     |    |    |             |    |/     |
- *     |    O    |     ->      |    O      |
- *     |   / \   |             |    |      |
- *     |__/   \__|             |____|_____.
- *       A1    A2                 A1=A2
- *
- * When Q is the mouth of a dart with the same point, the panel is cut there already and the two become one.
+ * board_dart.c: darts as they lie on the table: read, added, shortened, released to gathers, made part of a seam.
+ * board_dart_rotate.c rotates them.
  */
 #include <math.h>
 #include <stdio.h>
@@ -22,14 +8,10 @@
 
 #include "board/board_cut.h"
 #include "board/board_dart.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
 #include "geom/vec.h"
 
-/* [m] two places within this are one: points of two darts, a cut and the end of a side; chosen: above rounding */
-#define DART_SAME 1e-6
-/* [m] largest difference of the legs of a dart that can be closed; chosen: what a cutter trues by eye */
-#define DART_LEGS 2e-3
 /* cosine of the largest angle, 45 degrees, between two sides beside a closed mouth that become one; chosen */
 #define DART_CORNER 0.70710678
 /* [rad] legs that cross by less lie on each other; chosen: above rounding */
@@ -37,16 +19,8 @@
 /* [m] least depth of a dart; chosen: no shorter one is sewn */
 #define DART_SHORTEST 5e-3
 
-/* a dart as it lies on the board */
-typedef struct dart_view {
-    int32_t leg, back, panel;    /* back: the leg from the point to the mouth */
-    double point[2], a[2], b[2]; /* b: end of the other leg */
-    double angle;                /* from a to b about the point, > 0 when the word runs counter-clockwise */
-} dart_view;
-
-
 /* is `leg` sewn to the side that follows it, point to point? */
-static bool dart_is(const mus__board *board, int32_t leg)
+bool mus__board_dart_is(const mus__board *board, int32_t leg)
 {
     int32_t seam = mus__board_seam_of(board, leg), next = board->side[leg].next;
     return seam != MUS_NONE && next != leg && mus__board_partner(board, leg) == next &&
@@ -70,11 +44,11 @@ static double dart_sense(const mus__board *board, int32_t panel)
 }
 
 
-static bool dart_read(mus__board *board, int32_t leg, dart_view *dart)
+bool mus__board_dart_read(mus__board *board, int32_t leg, mus__dart *dart)
 {
     if (!mus__board_has_side(board, leg)) return false;
     const mus__board_side *side = &board->side[leg];
-    if (!dart_is(board, leg)) {
+    if (!mus__board_dart_is(board, leg)) {
         mus__board_fail(board, MUS_ERR_ARG,
                         "side %s of panel %s: it is not the leg of a dart: it is not sewn to the next", side->name,
                         board->panel[side->panel].name);
@@ -93,7 +67,7 @@ static bool dart_read(mus__board *board, int32_t leg, dart_view *dart)
 double mus__board_dart_angle(const mus__board *board, int32_t leg)
 {
     if (board->status != MUS_OK || leg < 0 || leg >= board->nside || board->side[leg].panel == MUS_NONE) return 0.0;
-    if (!dart_is(board, leg)) return 0.0;
+    if (!mus__board_dart_is(board, leg)) return 0.0;
     return dart_between(mus__board_start(board, leg), mus__board_end(board, leg),
                         mus__board_end(board, board->side[leg].next), dart_sense(board, board->side[leg].panel));
 }
@@ -136,7 +110,7 @@ static int32_t dart_line_after(mus__board *board, int32_t side, const char *name
 
 /* add the two sewn legs of a dart after side `before`, whose end and whose next side's start are its mouth; `allowance`
  * [m] is that of the legs. Returns the leg from the mouth */
-static int32_t dart_legs(mus__board *board, int32_t before, const double *point, const char *name, double allowance)
+int32_t mus__board_dart_legs(mus__board *board, int32_t before, const double *point, const char *name, double allowance)
 {
     if (board->status != MUS_OK) return MUS_NONE;
     char names[2][MUS__NAME_BYTES];
@@ -178,14 +152,14 @@ static bool dart_were_one(const mus__board *board, int32_t side)
 
 
 /* merge `before` with the side that follows it after a dart between them has closed, if they were one side */
-static void dart_mouth_close(mus__board *board, int32_t before)
+void mus__board_dart_close(mus__board *board, int32_t before)
 {
     if (board->status == MUS_OK && dart_were_one(board, before)) mus__board_merge(board, before);
 }
 
 
 /* remove both legs and link the sides beside the dart. Returns the side before it */
-static int32_t dart_remove(mus__board *board, const dart_view *dart)
+int32_t mus__board_dart_remove(mus__board *board, const mus__dart *dart)
 {
     if (board->status != MUS_OK) return MUS_NONE;
     int32_t before = board->side[dart->leg].prev, after = board->side[dart->back].next;
@@ -195,138 +169,6 @@ static int32_t dart_remove(mus__board *board, const dart_view *dart)
     mus__board_side_remove(board, dart->back);
     mus__board_follow(board, before, after);
     return before;
-}
-
-
-/* ---- rotating ---- */
-
-/* the two parts of the panel: sides p0..p1 from the dart's second leg on, r0..r1 up to its first */
-typedef struct dart_cut {
-    int32_t p0, p1, r0, r1;
-    int32_t other; /* leg of the dart at Q that has the same point, or MUS_NONE */
-} dart_cut;
-
-
-static bool dart_same_point(const mus__board *board, int32_t leg, const dart_view *dart)
-{
-    return leg != dart->leg && dart_is(board, leg) && mus__dist2(mus__board_end(board, leg), dart->point) <= DART_SAME;
-}
-
-
-/* divide the ring at arc length s of `target`; false when the board fails */
-static bool dart_cut_at(mus__board *board, const dart_view *dart, int32_t target, double s, dart_cut *cut)
-{
-    const mus__board_side *side = &board->side[target];
-    double length = side->length;
-    int32_t before = side->prev, after = side->next;
-    bool at_start = s <= DART_SAME, at_end = s >= length - DART_SAME;
-    cut->p0 = dart->back, cut->r1 = dart->leg, cut->other = MUS_NONE;
-
-    /* a dart cannot be moved to its own mouth */
-    if ((at_end && after == dart->leg) || (at_start && before == dart->back)) {
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m along side %s is its own mouth",
-                        board->side[dart->leg].name, board->panel[dart->panel].name, s, side->name);
-        return false;
-    }
-    if (at_end && dart_same_point(board, after, dart)) cut->other = after;
-    if (at_start && dart_same_point(board, board->side[before].prev, dart)) cut->other = board->side[before].prev;
-    if (cut->other != MUS_NONE) {
-        cut->p1 = cut->other, cut->r0 = board->side[cut->other].next;
-        return true;
-    }
-
-    double q[2];
-    mus__board_at(board, target, s, q, NULL);
-    mus__board_part_clear(board, dart->panel, "dart", dart->point, q);
-    if (board->status != MUS_OK) return false;
-    if (!at_start && !at_end) {
-        mus__board_rim_side(board, target, "dart");
-        cut->p1 = target;
-        cut->r0 = mus__board_split(board, target, s, NULL);
-    } else {
-        cut->r0 = mus__board_rim_corner(board, at_start ? target : after, dart->point, "dart");
-        cut->p1 = cut->r0 != MUS_NONE ? board->side[cut->r0].prev : MUS_NONE;
-    }
-    return board->status == MUS_OK;
-}
-
-
-static bool dart_run_has(const mus__board *board, int32_t first, int32_t last, int32_t side)
-{
-    for (int32_t i = first;; i = board->side[i].next) {
-        if (i == side) return true;
-        if (i == last) return false;
-    }
-}
-
-
-/* turn one part, so that the dart closes by `fraction`; `still` says that the first part stays. A dart that closes
- * whole is turned by the quotient of its legs as complex numbers, whose angle is exact; legs of two lengths meet half
- * way */
-static void dart_turn(mus__board *board, const dart_view *dart, const dart_cut *cut, bool still, double fraction)
-{
-    mus__board_motion motion = {.centre = {dart->point[0], dart->point[1]}};
-    double sign = still ? 1.0 : -1.0;
-    if (fraction < 1.0) {
-        motion.cosine = cos(fraction * dart->angle), motion.sine = sign * sin(fraction * dart->angle);
-    } else {
-        const double *o = dart->point;
-        double u[2] = {dart->a[0] - o[0], dart->a[1] - o[1]}, v[2] = {dart->b[0] - o[0], dart->b[1] - o[1]};
-        double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0], norm = hypot(dot, cross);
-        motion.cosine = dot / norm, motion.sine = sign * cross / norm;
-    }
-
-    mus__board_part p = {0}, r = {0};
-    mus__board_part_run(board, &p, cut->p0, cut->p1);
-    mus__board_part_run(board, &r, cut->r0, cut->r1);
-    mus__board_part_marks(board, dart->panel, still ? &r : &p, still ? &p : &r, &motion);
-    mus__board_part_turn(board, still ? cut->r0 : cut->p0, still ? cut->r1 : cut->p1, &motion);
-    mus__board_part_end(board, &p);
-    mus__board_part_end(board, &r);
-}
-
-
-int32_t mus__board_dart_rotate(mus__board *board, int32_t leg, int32_t target, double s, int32_t keep, double fraction)
-{
-    dart_view dart;
-    dart_cut cut;
-    if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, target) || !mus__board_has_side(board, keep))
-        return MUS_NONE;
-    const char *name = board->panel[dart.panel].name, *title = board->side[leg].name;
-    double a = mus__dist2(dart.a, dart.point), b = mus__dist2(dart.b, dart.point);
-    if (board->side[target].panel != dart.panel || board->side[keep].panel != dart.panel)
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: side %s is of another panel", title, name,
-                        board->side[board->side[target].panel != dart.panel ? target : keep].name);
-    else if (target == dart.leg || target == dart.back)
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it cannot be moved to its own leg", title, name);
-    else if (!(fraction > 0.0 && fraction <= 1.0))
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: a fraction of %g is outside 0 to 1", title, name,
-                        fraction);
-    else if (!(s >= -DART_SAME && s <= board->side[target].length + DART_SAME))
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m is outside side %s, which is %g m long",
-                        title, name, s, board->side[target].name, board->side[target].length);
-    else if (!(fabs(a - b) <= DART_LEGS) || !(fmin(a, b) > DART_SAME))
-        mus__board_fail(board, MUS_ERR_ARG,
-                        "dart at %s of panel %s: its legs reach %g m and %g m, they may differ by %g m", title, name, a,
-                        b, DART_LEGS);
-    else if (mus__board_partner(board, board->side[leg].prev) == board->side[dart.back].next)
-        mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: it is the inner part of one that goes on to %s",
-                        title, name, board->side[board->side[leg].prev].name);
-    if (board->status != MUS_OK || !dart_cut_at(board, &dart, target, s, &cut)) return MUS_NONE;
-
-    bool still = dart_run_has(board, cut.p0, cut.p1, keep);
-    mus__board_part_twins(board, dart.panel);
-    dart_turn(board, &dart, &cut, still, fraction);
-
-    /* the dart at Q opens, the old mouth closes */
-    int32_t made = cut.other;
-    if (made != MUS_NONE)
-        mus__board_part_move_end(board, made, true, dart.point);
-    else
-        made = dart_legs(board, cut.p1, dart.point, board->side[target].name, board->side[leg].attr.allowance);
-    if (board->status == MUS_OK && made == cut.other) mus__board_follow(board, made, board->side[made].next);
-    if (fraction == 1.0) dart_mouth_close(board, dart_remove(board, &dart));
-    return board->status == MUS_OK ? made : MUS_NONE;
 }
 
 
@@ -358,17 +200,16 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     const mus__board_side *own = &board->side[side];
     int32_t panel = own->panel;
     mus__board_rim_side(board, side, "dart");
-    if (!(width > 0.0) || !(s - 0.5 * width >= DART_SAME) || !(s + 0.5 * width <= own->length - DART_SAME)) {
+    if (!(width > 0.0) || !(s - 0.5 * width >= MUS__DART_SAME) || !(s + 0.5 * width <= own->length - MUS__DART_SAME)) {
         mus__board_fail(board, MUS_ERR_ARG,
                         "dart on side %s of panel %s: a mouth of %g m about %g m is not within its %g m", own->name,
                         board->panel[panel].name, width, s, own->length);
         return MUS_NONE;
     }
-    if (!mus__pattern_near(point[0], point[1])) {
-        mus__board_fail(board, MUS_ERR_ARG, "dart on side %s of panel %s: its point (%g, %g) is not within %g m",
-                        own->name, board->panel[panel].name, point[0], point[1], MUS__FARTHEST);
-        return MUS_NONE;
-    }
+    if (board->status == MUS_OK)
+        board->status = mus__check_near(board->context, 1, 2, point, "dart on side %s of panel %s: its point",
+                                        own->name, board->panel[panel].name);
+    if (board->status != MUS_OK) return MUS_NONE;
     double a[2], b[2];
     mus__board_at(board, side, s - 0.5 * width, a, NULL);
     mus__board_at(board, side, s + 0.5 * width, b, NULL);
@@ -391,14 +232,14 @@ int32_t mus__board_dart_add(mus__board *board, int32_t side, double s, double wi
     }
     mus__board_part_move_end(board, side, true, a);
     mus__board_part_move_end(board, after, false, b);
-    return board->status == MUS_OK ? dart_legs(board, side, point, board->side[side].name, 0.0) : MUS_NONE;
+    return board->status == MUS_OK ? mus__board_dart_legs(board, side, point, board->side[side].name, 0.0) : MUS_NONE;
 }
 
 
 void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
 {
-    dart_view dart;
-    if (!dart_read(board, leg, &dart)) return;
+    mus__dart dart;
+    if (!mus__board_dart_read(board, leg, &dart)) return;
     double to[2] = {0.5 * (dart.a[0] + dart.b[0]) - dart.point[0], 0.5 * (dart.a[1] + dart.b[1]) - dart.point[1]};
     double depth = hypot(to[0], to[1]), point[2];
     if (!(back <= depth - DART_SHORTEST) || !(fabs(dart.angle) < MUS_PI)) {
@@ -408,7 +249,7 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
         return;
     }
     for (int i = 0; i < 2; i++) point[i] = dart.point[i] + back / depth * to[i];
-    if (!mus__pattern_near(point[0], point[1])) {
+    if (!mus__near(2, point)) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: %g m off its point is no place on the table",
                         board->side[leg].name, board->panel[dart.panel].name, back);
         return;
@@ -424,8 +265,8 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
 
 int32_t mus__board_dart_release(mus__board *board, int32_t leg)
 {
-    dart_view dart;
-    if (!dart_read(board, leg, &dart)) return MUS_NONE;
+    mus__dart dart;
+    if (!mus__board_dart_read(board, leg, &dart)) return MUS_NONE;
     double width = mus__dist2(dart.a, dart.b);
     int32_t before = board->side[leg].prev, after = board->side[dart.back].next;
     if (before == dart.back) {
@@ -434,8 +275,8 @@ int32_t mus__board_dart_release(mus__board *board, int32_t leg)
         return MUS_NONE;
     }
     mus__board_part_twins(board, dart.panel);
-    if (!(width > DART_SAME)) {
-        dart_mouth_close(board, dart_remove(board, &dart));
+    if (!(width > MUS__DART_SAME)) {
+        mus__board_dart_close(board, mus__board_dart_remove(board, &dart));
         return board->status == MUS_OK ? before : MUS_NONE;
     }
 
@@ -452,10 +293,10 @@ int32_t mus__board_dart_release(mus__board *board, int32_t leg)
     board->side[before].chain = whole;
     board->side[before].length = mouth + width;
     mus__board_part_ease(board, before, width);
-    dart_remove(board, &dart);
+    mus__board_dart_remove(board, &dart);
     mus__board_notch_add(board, before, mouth, MUS_NOTCH_SINGLE);
     mus__board_notch_add(board, before, mouth + width, MUS_NOTCH_SINGLE);
-    if (after != before) dart_mouth_close(board, before);
+    if (after != before) mus__board_dart_close(board, before);
     return board->status == MUS_OK ? before : MUS_NONE;
 }
 
@@ -504,8 +345,8 @@ static void dart_seam(mus__board *board, int32_t side, const char *name)
 int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, const mus__board_path *path,
                                 const char *name, const char *seam_name)
 {
-    dart_view dart;
-    if (!dart_read(board, leg, &dart) || !mus__board_has_side(board, to)) return MUS_NONE;
+    mus__dart dart;
+    if (!mus__board_dart_read(board, leg, &dart) || !mus__board_has_side(board, to)) return MUS_NONE;
     const char *panel = board->panel[dart.panel].name;
     if (board->side[to].panel != dart.panel || to == dart.leg || to == dart.back) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: side %s is no place for its seam to end",
@@ -520,7 +361,7 @@ int32_t mus__board_dart_to_seam(mus__board *board, int32_t leg, int32_t to, cons
 
     /* without a cut the seam continues in a dart with the same point */
     double gap = mus__dist2(dart.point, mus__board_start(board, to));
-    if (!(gap <= DART_SAME)) {
+    if (!(gap <= MUS__DART_SAME)) {
         mus__board_fail(board, MUS_ERR_ARG, "dart at %s of panel %s: its point is %g m from the start of side %s",
                         board->side[leg].name, panel, gap, board->side[to].name);
         return MUS_NONE;

@@ -1,11 +1,12 @@
 /*
- * board_draw.c: drawing on the cutting table: panels side by side, names, notches, marks and openings; and sides by
+ * board_draw.c: drawing on the cutting table: panels side by side, names, marks and openings; and sides by
  * their place on the outline: the point at an arc length, the run of sides that carry a label.
  */
 #include <math.h>
 #include <string.h>
 
-#include "board/board_chain.h"
+#include "base/utf8.h"
+#include "board/board_curve.h"
 #include "geom/vec.h"
 
 /* [m] largest gap between the end of a side and the start of the next: rounding of the drawing, and no more */
@@ -26,6 +27,10 @@ static bool board_name(mus__board *board, const char *name, char *out)
     const size_t n = name != NULL ? strlen(name) : 0;
     if (n >= MUS__NAME_BYTES) {
         mus__board_fail(board, MUS_ERR_ARG, "the name %.40s... is longer than %d bytes", name, MUS__NAME_BYTES - 1);
+        return false;
+    }
+    if (n > 0 && mus__utf8_span(name) < n) {
+        mus__board_fail(board, MUS_ERR_ARG, "a name is not UTF-8 at byte %zu", mus__utf8_span(name));
         return false;
     }
     memset(out, 0, MUS__NAME_BYTES);
@@ -148,32 +153,15 @@ void mus__board_rename(mus__board *board, int32_t side, const char *name, const 
 }
 
 
-int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t kind)
-{
-    if (!mus__board_has_side(board, side)) return MUS_NONE;
-    const double length = board->side[side].length;
-    if (!(s >= -BOARD_GAP && s <= length + BOARD_GAP) || kind < MUS_NOTCH_SINGLE || kind > MUS_NOTCH_TRIPLE) {
-        mus__board_fail(board, MUS_ERR_ARG, "notch on %s: %g m of %g m, kind %d of 1 to 3", board->side[side].name, s,
-                        length, (int)kind);
-        return MUS_NONE;
-    }
-    if (!board_room(board, &board->notch, &board->notch_room, board->nnotch, sizeof *board->notch)) return MUS_NONE;
-    board->notch[board->nnotch] = (mus__board_notch){side, kind, fmin(fmax(s, 0.0), length)};
-    return board->nnotch++;
-}
-
-
 int32_t mus__board_mark_add(mus__board *board, int32_t panel, const char *name, int32_t n, const double *xy)
 {
     mus__board_mark mark = {.panel = panel, .n = n};
     if (!mus__board_has_panel(board, panel) || !board_name(board, name, mark.name)) return MUS_NONE;
-    bool fit = n > 0;
-    for (int32_t i = 0; i < n; i++) fit = fit && mus__pattern_near(xy[2 * i], xy[2 * i + 1]);
-    if (!fit) {
-        mus__board_fail(board, MUS_ERR_ARG, "mark %s: %d points, it needs 1 or more within %g m", mark.name, (int)n,
-                        MUS__FARTHEST);
-        return MUS_NONE;
-    }
+    if (n < 1)
+        mus__board_fail(board, MUS_ERR_ARG, "mark %s: %d points, it needs 1 or more", mark.name, (int)n);
+    else
+        board->status = mus__check_near(board->context, n, 2, xy, "mark %s: point", mark.name);
+    if (board->status != MUS_OK) return MUS_NONE;
     if (!board_room(board, &board->mark, &board->mark_room, board->nmark, sizeof mark)) return MUS_NONE;
     mark.xy = mus__new(board->context, 2 * (int64_t)n, sizeof *xy);
     if (mark.xy == NULL) {

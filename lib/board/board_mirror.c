@@ -15,10 +15,12 @@
 #include <string.h>
 
 #include "board/board_cut.h"
-#include "board/board_sew.h"
+#include "board/board_seam.h"
 #include "geom/vec.h"
 
 #define DOUBLE_STRAIGHT 1e-6 /* [m] a fold is straight, and a mark lies on it, within this; chosen: above rounding */
+
+#define DOUBLE_BOTH (MUS_SIDE_LEFT | MUS_SIDE_RIGHT)
 
 /* a reflection: the map of the plane, and the image of each side that existed before it */
 typedef struct double_mirror {
@@ -191,6 +193,7 @@ static int32_t double_panel(mus__board *board, double_mirror *mirror, int32_t pa
     image->single = own->single;
     image->attr = own->attr;
     image->attr.grain[0] = 0.0 - own->attr.grain[0];
+    if (own->attr.sides != MUS_NONE && (own->attr.sides & DOUBLE_BOTH) != 0) image->attr.sides ^= DOUBLE_BOTH;
     double_place(&own->attr.placement, &image->attr.placement);
     return made;
 }
@@ -259,6 +262,7 @@ static void double_unfold(mus__board *board, double_mirror *mirror, int32_t fold
     board->side[first].prev = ends[1];
     if (board->panel[panel].first == fold) board->panel[panel].first = first;
     mus__board_side_remove(board, fold);
+    if (board->panel[panel].attr.sides != MUS_NONE) board->panel[panel].attr.sides &= ~DOUBLE_BOTH;
     for (int32_t side = ends[0]; side != first; side = board->side[side].next) double_rename(board, side);
 }
 

@@ -14,9 +14,9 @@
  */
 #include <math.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
+#include "board/board_pleat.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
 
 #define PLEAT_MOST 256
 #define PLEAT_NEAR 1e-6 /* [m] folds within this are one; chosen: above rounding */

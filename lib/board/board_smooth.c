@@ -15,14 +15,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
+#include "board/board_rigid_part.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 
 #define FAIR_PLACES 129 /* places along a side: every 4 mm of an armhole */
 #define FAIR_STEPS 12   /* iterations of parameters and handles; chosen: more change no digit that is printed */
-#define FAIR_DEPTH 5    /* halvings of a side: 32 cubics at most; chosen */
+/* halvings of a side: at most 32 cubics; chosen: bounds an array; more would follow the corners that are to go */
+#define FAIR_DEPTH 5
 /* sine of the least angle between two pieces that is a corner: half a degree, below what an eye sees */
 #define FAIR_CORNER 0.0087
 

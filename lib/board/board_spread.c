@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_fullness.h"
-#include "board/board_part.h"
+#include "board/board_spread.h"
+#include "board/board_rigid_part.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 
@@ -250,8 +250,8 @@ void mus__board_lengthen(mus__board *board, int32_t panel, const double *point, 
 {
     if (!mus__board_has_panel(board, panel)) return;
     double norm = hypot(direction[0], direction[1]);
-    if (!mus__pattern_near(point[0], point[1]) || !mus__finite(norm) || !(norm > 0.0) ||
-        !(fabs(amount) <= MUS__FARTHEST)) {
+    if (!mus__near(2, point) || !mus__finite(norm) || !(norm > 0.0) ||
+        !mus__near(1, &amount)) {
         mus__board_fail(board, MUS_ERR_ARG, "lengthen panel %s: %g m across a line through (%g, %g) along (%g, %g)",
                         board->panel[panel].name, amount, point[0], point[1], direction[0], direction[1]);
         return;

@@ -3,18 +3,19 @@
  *
  * A body is made once and does not change. Its files in the order of use:
  *
- *     body.c            mus_body_create(): the steps for a tape (this file); getters
- *     body_posture.c    stoop, head and sway: contours moved forwards and backwards
- *     body_follow.c     bust span and crotch length of the tape, where it gives them
- *     body_without_limbs.c    limbs, or their ends, left out
- *     body_given.c      limbs given by the caller, with body_outline.c for polygons
- *     body_make.c       options, limbs to surface and contact fields, destruction; for every kind of body
- *     body_surface.c    rings and triangles of the limbs, with ring_mesh.c
- *     body_measure.c    girths and heights of the finished surface; body_length.c: lengths along it
- *     bones.c, rig.c    joints; rigid parts and their frames in the rest pose (frame.c)
- *     skin.c            the published skin: fillets where limbs meet; shape.c, digit.c and seat_cleft.c add details
- *     body_landmark.c, body_level.c, body_volume.c   queries
- *     body_copy.c       a copy whose parts stand elsewhere, for lib/pose
+ *     body.c                mus_body_create(): the steps for a tape (this file); getters
+ *     body_posture.c        stoop, head and sway: contours moved forwards and backwards
+ *     body_fit_lengths.c    bust span and crotch length of the tape, where it gives them
+ *     limbs_left_out.c  limbs, or their ends, left out
+ *     body_from_limbs.c     limbs given by the caller, with body_outline.c for polygons
+ *     body_make.c           options, limbs to surface and contact fields, destruction; for every kind of body
+ *     body_surface.c        rings and triangles of the limbs, with ring_mesh.c
+ *     body_measure.c        girths and heights of the finished surface; body_length.c: lengths along it
+ *     bones.c, rig.c        joints; rigid parts and their frames in the rest pose (frame.c)
+ *     skin_fillet.c         the published skin: fillets where limbs meet
+ *     face_hands_feet.c, fingers_toes.c, seat_cleft.c  its details
+ *     body_landmark.c, body_level.c, body_volume.c  queries
+ *     body_copy.c           a copy whose parts stand elsewhere, for lib/pose
  *
  * lib/limb makes the contours of each limb and the radius fields; lib/pose turns joints; lib/scan makes a body from a
  * mesh by mus__body_create_jointed(). lib/contact reads the fields.
@@ -110,6 +111,7 @@ static mus_status body_finish(mus_body *body, const double *turn)
     body->fillet = BODY_FILLET * body->skeleton.crown;
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
     mus_status status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    mus__body_find_levels(body);
     if (status == MUS_OK) status = mus__body_fillets(body, body->fillet);
     if (status != MUS_OK) return status;
     status = mus__body_relief(body);

@@ -1,15 +1,17 @@
 /*
  * body_internal.h: the struct of a body: its limbs, rig, surface, skin and radius fields.
  *
- * Read by lib/body, lib/pose and lib/contact. Everything is made once (body_make.h) and does not change afterwards.
+ * Read by lib/body, lib/pose, lib/contact, lib/arrange and lib/drape. Everything is made once (body_make.h) and does
+ * not change afterwards.
  */
 #ifndef MUS_BODY_BODY_INTERNAL_H
 #define MUS_BODY_BODY_INTERNAL_H
 
 #include "base/base_internal.h"
+#include "body/body_level.h"
 #include "body/bones.h"
 #include "body/rig.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "limb/skeleton.h"
 #include "muslin/body.h"
 
@@ -57,6 +59,7 @@ struct mus_body {
     double fillet;        /* width of the fillets where limbs meet [m], 0: none */
     int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     mus__rig rig;
+    mus__body_level level[MUS__LEVEL_COUNT][2]; /* in the rest pose, left and right; none without a tape */
     mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
     mus__stance stance; /* pose of a posed body */
     mus__field *field;  /* (nfield) one for each part of the rig, in that order */

@@ -4,7 +4,6 @@
  * Of a body of a tape they are points of the contours of those names; of a scan they are at the levels and joints that
  * were found in it. A scan has no nape: its contours do not tell where the neck begins at the back.
  */
-#include <math.h>
 #include <string.h>
 
 #include "body/body_internal.h"

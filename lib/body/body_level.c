@@ -3,8 +3,7 @@
  */
 #include <string.h>
 
-#include "body/body_internal.h"
-#include "body/body_level.h"
+#include "body/body_make.h"
 
 
 /* height [m] of a level of the torso; -1 for a level of arms or legs */
@@ -48,10 +47,9 @@ static int32_t level_part(const mus__rig *rig, int32_t limb, double s)
 }
 
 
-void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out)
+/* find a level; of a level on arms or legs `right` selects the left (0) or the right limb (1) */
+static void level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out)
 {
-    memset(out, 0, sizeof *out);
-    if (!body->measured) return;
     const int32_t arm = level == MUS__LEVEL_BICEPS || level == MUS__LEVEL_WRIST;
     const double height = level_height(&body->skeleton, level);
     const int32_t l = height > 0.0 ? MUS__LIMB_TORSO : (arm ? MUS__LIMB_ARM_LEFT : MUS__LIMB_LEG_LEFT) + right;
@@ -77,8 +75,8 @@ void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mu
 }
 
 
-double mus__body_shoulder(const mus_body *body, double *neck)
+void mus__body_find_levels(mus_body *body)
 {
-    *neck = body->measured ? body->skeleton.neck_side_x : 0.0;
-    return body->measured ? body->skeleton.shoulder_end : 0.0;
+    for (int32_t level = MUS__LEVEL_NECK; level < MUS__LEVEL_COUNT; level++)
+        for (int32_t right = 0; right < 2; right++) level_find(body, level, right, &body->level[level][right]);
 }

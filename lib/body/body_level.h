@@ -1,10 +1,12 @@
 /*
  * body_level.h: levels of a body: planes across a limb, at which girths are taken and edges of a garment are attached.
+ *
+ * They are data of a body (body_internal.h), found once by body_level.c: who reads them links no code of lib/body.
  */
 #ifndef MUS_BODY_BODY_LEVEL_H
 #define MUS_BODY_BODY_LEVEL_H
 
-#include "muslin/body.h"
+#include <stdint.h>
 
 enum {
     MUS__LEVEL_NECK = 1, /* the numbers of MUS_HOLD_* of muslin/pattern.h */
@@ -28,11 +30,5 @@ typedef struct mus__body_level {
     int32_t limb, part;
     double point[3], up[3], side[3];
 } mus__body_level;
-
-/* find a level (MUS__LEVEL_*); of a level on arms or legs `right` selects the left (0) or the right limb (1) */
-void mus__body_level_find(const mus_body *body, int32_t level, int32_t right, mus__body_level *out);
-
-/* half breadth at the shoulder points, and *neck at the side neck points [m]; 0 for a body without a tape */
-double mus__body_shoulder(const mus_body *body, double *neck);
 
 #endif

@@ -1,10 +1,9 @@
 /*
  * body_make.c: the steps that all kinds of body share: options, limbs to surface and radius fields, destruction.
  *
- * Called by body.c for the limbs of a tape, by body_given.c for limbs of the caller and by body_copy.c for copies.
+ * Called by body.c for the limbs of a tape, by body_from_limbs.c for limbs of the caller and by body_copy.c for copies.
  */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_make.h"
 #include "geom/vec.h"

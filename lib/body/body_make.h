@@ -22,6 +22,11 @@ int32_t mus__body_angles(const mus_body *body);
 /* cubic step: 0 for t <= 0, 1 for t >= 1 */
 double mus__cubic_step(double t);
 
+/* ---- body_level.c ---- */
+
+/* the levels of a body made from a tape, from its skeleton, limbs and rig, into body->level */
+void mus__body_find_levels(mus_body *body);
+
 /* ---- body_posture.c ---- */
 
 /* whether the options ask for the upright posture */
@@ -33,7 +38,7 @@ void mus__posture_bones(const mus_body_def *def, mus__skeleton *bone);
 /* move the fitted contours of the torso */
 void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus__limb *torso);
 
-/* ---- body_follow.c ---- */
+/* ---- body_fit_lengths.c ---- */
 
 /* change the fitted contours of the torso so that bust span and crotch length are the tape's, where it gives them;
  * `more` [m] is added to the crotch length, for what the finished surface lacks. Scratch as mus__contour_fit(). Errors:
@@ -43,7 +48,7 @@ mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, c
 /* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
 double mus__span_side(const double *before, const double *at, const double *after);
 
-/* ---- body_without_limbs.c, body_given.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
+/* ---- limbs_left_out.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
 /* mark or cut the fitted limbs that body->def.without names */
 void mus__body_without(mus_body *body);
@@ -86,12 +91,12 @@ mus_status mus__body_give(mus_body *body, const double *turn);
 /* whether the tape of a girth lies over the legs too, which stand out of the torso there */
 bool mus__girth_has_legs(int32_t girth);
 
-/* ---- skin.c ---- */
+/* ---- skin_posed.c ---- */
 
 /* vertices of a posed body near bent joints, on the parts */
 void mus__body_skin(mus_body *body);
 
-/* ---- fillet.c, relief.c, digit.c: what is added to the limbs, unless def.plain; after the fields ---- */
+/* ---- skin_fillet.c, relief.c, fingers_toes.c: what is added to the limbs, unless def.plain; after the fields ---- */
 
 /* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fillets(mus_body *body, double reach);

@@ -6,7 +6,7 @@
  * get the same V at the cleft, so that their surfaces stay on each other. A small child's skull is lowered: its radii
  * are those of its contours further up.
  *
- * Hands are drawn up to the knuckles, and feet up to the ball, where fingers and toes begin (digit.c).
+ * Hands are drawn up to the knuckles, and feet up to the ball, where fingers and toes begin (fingers_toes.c).
  *
  * Proportions of the face: Farkas, Anthropometry of the Head and Face, 1994, in lower relief.
  */

@@ -232,18 +232,6 @@ void mus__rig_make(const mus_body *body, mus__rig *out)
 }
 
 
-const mus__rig *mus__body_rig(const mus_body *body)
-{
-    return &body->rig;
-}
-
-
-const mus__frame *mus__body_frames(const mus_body *body)
-{
-    return body->frame;
-}
-
-
 void mus__part_carry(const mus__limb *limb, const mus__frame *frame, mus__field *field)
 {
     mus__frame_point(frame, limb->origin, field->origin);

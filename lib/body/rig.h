@@ -11,7 +11,7 @@
 #define MUS_BODY_RIG_H
 
 #include "body/frame.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "muslin/body.h"
 
 #define MUS__PARTS_MOST 64 /* most parts of a body: 15 of a tape and 48 limbs added, or 64 given limbs */
@@ -34,10 +34,6 @@ typedef struct mus__rig {
 void mus__rig_make(const mus_body *body, mus__rig *out);
 /* the middle (3) of a limb at s in the rest pose, linear between its contours [m] */
 void mus__rig_middle(const mus__limb *limb, double s, double *out);
-/* the rig of a body, borrowed */
-const mus__rig *mus__body_rig(const mus_body *body);
-/* the frames of its parts (parts), borrowed; NULL in the rest pose */
-const mus__frame *mus__body_frames(const mus_body *body);
 
 /* quaternion (4) of a joint turned by flexion, abduction and rotation `angle` (3) [rad] from the anatomical pose */
 void mus__joint_turn(int32_t joint, const double *angle, double *out);

@@ -5,6 +5,10 @@
  * their distance); search.c (the three searches); containment.c (is one pattern contained in another). The command
  * muslin and other programs call the room; nothing below it does.
  *
+ * A file may come from anybody: it must have the schema below to the letter, its views and triggers are never run, and
+ * a statement stops after as many operations as a file of its size can need (SQLite, Defense Against The Dark Arts,
+ * 2023).
+ *
  * SQLite gives the guarantees: a transaction is on disk when commit returns (rollback journal, synchronous=FULL), and
  * the next program that opens the file undoes a transaction whose program died. SQLite allocates its own memory, not
  * from the context.
@@ -13,6 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "catalogue/catalogue_internal.h"
 #include "muslin/topology.h"
 
@@ -20,7 +25,22 @@
 /* [ms] longest wait while another program writes; chosen: far above one commit, short enough for a person to wait */
 #define BUSY_WAIT 5000
 #define NAME_BYTES 1024 /* [bytes] of a pattern's name with its zero byte; chosen */
+#define BLOB_BYTES (256 << 20) /* [bytes] longest form, traits or name; chosen: the bound of a pattern file */
+#define SQL_BYTES 4096         /* [bytes] longest statement, also of the file's schema; chosen: ours have at most 500 */
+/* operations of SQLite's machine: a statement may take LEAST, and one for each byte of the file, and EACH for each own
+ * edit. A row of a pattern has at least 70 bytes and takes at most 12 operations; only a damaged file needs more */
+#define OPERATIONS_LEAST 1000000
+#define OPERATIONS_EACH 64
+#define OPERATIONS_PERIOD 1000 /* operations from one count to the next */
 #define FORM_BYTES 2048 /* [bytes] first capacity for a canonical form; chosen: most garments need one try */
+
+/* the whole schema; SQLite keeps each statement as it was written, and they are here in the order of their names */
+static const char catalogue_schema[] =
+    "CREATE TABLE form (id INTEGER PRIMARY KEY, hash BLOB NOT NULL, form BLOB NOT NULL);"
+    "CREATE INDEX form_hash ON form (hash);"
+    "CREATE TABLE pattern (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, form INTEGER NOT NULL REFERENCES form "
+    "(id), traits BLOB NOT NULL);"
+    "CREATE INDEX pattern_form ON pattern (form);";
 
 
 mus_status mus__catalogue_fail(const mus_catalogue *catalogue, mus_status status, const char *format, ...)
@@ -39,6 +59,9 @@ mus_status mus__catalogue_trouble(const mus_catalogue *catalogue)
 {
     int code = catalogue->db != NULL ? sqlite3_errcode(catalogue->db) : SQLITE_NOMEM;
     if (code == SQLITE_NOMEM) return mus__catalogue_fail(catalogue, MUS_ERR_MEMORY, "no memory for SQLite");
+    if (code == SQLITE_INTERRUPT)
+        return mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "more than %lld operations for %lld bytes: damaged",
+                                   (long long)catalogue->operations_most, (long long)catalogue->file_bytes);
     mus_status status = code == SQLITE_NOTADB || code == SQLITE_CORRUPT ? MUS_ERR_FORMAT : MUS_ERR_FILE;
     return mus__catalogue_fail(catalogue, status, "%s", sqlite3_errmsg(catalogue->db));
 }
@@ -80,23 +103,97 @@ mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern,
 }
 
 
-/* run SQL that returns no rows */
-static mus_status catalogue_do(const mus_catalogue *catalogue, const char *sql)
+void mus__catalogue_allow(mus_catalogue *catalogue)
 {
+    sqlite3_file *file = NULL;
+    sqlite3_int64 bytes = 0;
+    if (sqlite3_file_control(catalogue->db, NULL, SQLITE_FCNTL_FILE_POINTER, &file) != SQLITE_OK || file == NULL ||
+        file->pMethods == NULL || file->pMethods->xFileSize(file, &bytes) != SQLITE_OK)
+        bytes = 0;
+    catalogue->file_bytes = bytes;
+    catalogue->operations = 0;
+    catalogue->operations_most = OPERATIONS_LEAST + bytes + OPERATIONS_EACH * catalogue->edits;
+}
+
+
+/* SQLite calls it once a period; nonzero ends the statement with SQLITE_INTERRUPT */
+static int catalogue_count_operations(void *user)
+{
+    mus_catalogue *catalogue = user;
+    catalogue->operations += OPERATIONS_PERIOD;
+    return catalogue->operations > catalogue->operations_most;
+}
+
+
+mus_status mus__catalogue_prepare(mus_catalogue *catalogue, const char *sql, unsigned flags, sqlite3_stmt **statement)
+{
+    mus__catalogue_allow(catalogue);
+    if (*statement != NULL || sqlite3_prepare_v3(catalogue->db, sql, -1, flags, statement, NULL) == SQLITE_OK)
+        return MUS_OK;
+    return mus__catalogue_trouble(catalogue);
+}
+
+
+/* run SQL that returns no rows */
+static mus_status catalogue_do(mus_catalogue *catalogue, const char *sql)
+{
+    mus__catalogue_allow(catalogue);
     return sqlite3_exec(catalogue->db, sql, NULL, NULL, NULL) == SQLITE_OK ? MUS_OK : mus__catalogue_trouble(catalogue);
 }
 
 
 /* run SQL and read the first number of its first row */
-static mus_status catalogue_number(const mus_catalogue *catalogue, const char *sql, int64_t *out)
+static mus_status catalogue_number(mus_catalogue *catalogue, const char *sql, int64_t *out)
 {
     sqlite3_stmt *statement = NULL;
-    bool done = sqlite3_prepare_v2(catalogue->db, sql, -1, &statement, NULL) == SQLITE_OK &&
-                sqlite3_step(statement) == SQLITE_ROW;
-    if (done) *out = sqlite3_column_int64(statement, 0);
-    mus_status status = done ? MUS_OK : mus__catalogue_trouble(catalogue);
+    mus_status status = mus__catalogue_prepare(catalogue, sql, 0, &statement);
+    if (status == MUS_OK && sqlite3_step(statement) != SQLITE_ROW) status = mus__catalogue_trouble(catalogue);
+    if (status == MUS_OK) *out = sqlite3_column_int64(statement, 0);
     sqlite3_finalize(statement);
     return status;
+}
+
+
+/* does the file have the schema of a catalogue and nothing else? What ANALYZE keeps (sqlite_stat1) is let be */
+static mus_status catalogue_check_schema(mus_catalogue *catalogue)
+{
+    static const char sql[] = "SELECT group_concat(sql, ';') || ';' FROM (SELECT sql FROM sqlite_master WHERE sql IS "
+                              "NOT NULL AND name NOT GLOB 'sqlite_stat*' ORDER BY name)";
+    sqlite3_stmt *statement = NULL;
+    mus_status status = mus__catalogue_prepare(catalogue, sql, 0, &statement);
+    if (status == MUS_OK && sqlite3_step(statement) != SQLITE_ROW) status = mus__catalogue_trouble(catalogue);
+    if (status == MUS_OK) {
+        const char *schema = (const char *)sqlite3_column_text(statement, 0);
+        if (schema == NULL || strcmp(schema, catalogue_schema) != 0)
+            status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "the tables are not those of a catalogue");
+    }
+    sqlite3_finalize(statement);
+    return status;
+}
+
+
+/* refuse what a hostile file could do: change its own schema, run views and triggers, hold values without a bound */
+static mus_status catalogue_guard(mus_catalogue *catalogue)
+{
+    static const int option[][2] = {{SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                    {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+#if defined(SQLITE_DBCONFIG_ENABLE_VIEW)
+                                    {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+#endif
+#if defined(SQLITE_DBCONFIG_TRUSTED_SCHEMA)
+                                    {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+#endif
+    };
+    for (size_t i = 0; i < sizeof option / sizeof *option; i++)
+        if (sqlite3_db_config(catalogue->db, option[i][0], option[i][1], (int *)NULL) != SQLITE_OK)
+            return mus__catalogue_trouble(catalogue);
+    sqlite3_limit(catalogue->db, SQLITE_LIMIT_LENGTH, BLOB_BYTES);
+    sqlite3_limit(catalogue->db, SQLITE_LIMIT_SQL_LENGTH, SQL_BYTES);
+    sqlite3_limit(catalogue->db, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_progress_handler(catalogue->db, OPERATIONS_PERIOD, catalogue_count_operations, catalogue);
+    sqlite3_busy_timeout(catalogue->db, BUSY_WAIT);
+    return catalogue_do(catalogue, "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0; PRAGMA synchronous = FULL; "
+                                   "PRAGMA cache_size = -65536");
 }
 
 
@@ -108,21 +205,19 @@ static mus_status catalogue_begin_file(mus_catalogue *catalogue)
     if (status != MUS_OK) return status;
     status = catalogue_number(catalogue, "PRAGMA application_id", &id);
     if (status == MUS_OK) status = catalogue_number(catalogue, "PRAGMA user_version", &version);
-    if (status == MUS_OK) status = catalogue_number(catalogue, "SELECT count(*) FROM sqlite_master", &tables);
-    if (status == MUS_OK && id == 0 && tables == 0 && catalogue->writable)
-        return catalogue_do(catalogue,
-                            "CREATE TABLE form (id INTEGER PRIMARY KEY, hash BLOB NOT NULL, form BLOB NOT NULL);"
-                            "CREATE INDEX form_hash ON form (hash);"
-                            "CREATE TABLE pattern (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, form INTEGER NOT "
-                            "NULL REFERENCES form (id), traits BLOB NOT NULL);"
-                            "CREATE INDEX pattern_form ON pattern (form);"
-                            "PRAGMA application_id = 1297437507; PRAGMA user_version = 1; COMMIT");
+    if (status == MUS_OK) status = catalogue_number(catalogue, "SELECT sum(1) FROM sqlite_master", &tables);
+    if (status == MUS_OK && id == 0 && tables == 0 && catalogue->writable) {
+        status = catalogue_do(catalogue, catalogue_schema);
+        if (status != MUS_OK) return status;
+        return catalogue_do(catalogue, "PRAGMA application_id = 1297437507; PRAGMA user_version = 1; COMMIT");
+    }
     if (status == MUS_OK && id != MUS__CATALOGUE_ID)
         status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "not a muslin catalogue");
     if (status == MUS_OK && version != MUS__CATALOGUE_VERSION)
         status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT,
                                      "version %lld, written by a newer muslin; this library reads version %d",
                                      (long long)version, MUS__CATALOGUE_VERSION);
+    if (status == MUS_OK) status = catalogue_check_schema(catalogue);
     sqlite3_exec(catalogue->db, "ROLLBACK", NULL, NULL, NULL);
     return status;
 }
@@ -150,8 +245,7 @@ mus_status mus_catalogue_open(mus_context *context, const char *path, int32_t mo
     int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (own->writable ? SQLITE_OPEN_CREATE : 0);
     mus_status status = MUS_OK;
     if (sqlite3_open_v2(path, &own->db, flags, NULL) != SQLITE_OK) status = mus__catalogue_trouble(own);
-    if (status == MUS_OK) sqlite3_busy_timeout(own->db, BUSY_WAIT);
-    if (status == MUS_OK) status = catalogue_do(own, "PRAGMA synchronous = FULL; PRAGMA cache_size = -65536");
+    if (status == MUS_OK) status = catalogue_guard(own);
     if (status == MUS_OK) status = catalogue_begin_file(own);
     if (status != MUS_OK) {
         mus_catalogue_destroy(own);
@@ -178,22 +272,12 @@ void mus_catalogue_destroy(mus_catalogue *catalogue)
 }
 
 
-/* prepare a statement on its first use; it is kept until the catalogue is closed */
-static mus_status catalogue_statement(const mus_catalogue *catalogue, const char *sql, sqlite3_stmt **statement)
-{
-    if (*statement != NULL ||
-        sqlite3_prepare_v3(catalogue->db, sql, -1, SQLITE_PREPARE_PERSISTENT, statement, NULL) == SQLITE_OK)
-        return MUS_OK;
-    return mus__catalogue_trouble(catalogue);
-}
-
-
 mus_status mus__catalogue_find_form(mus_catalogue *catalogue, const uint8_t *form, size_t n, const uint8_t *hash,
                                     int64_t *out)
 {
     *out = 0;
-    mus_status status =
-        catalogue_statement(catalogue, "SELECT id, form FROM form WHERE hash = ?1", &catalogue->find_form);
+    mus_status status = mus__catalogue_prepare(catalogue, "SELECT id, form FROM form WHERE hash = ?1",
+                                               SQLITE_PREPARE_PERSISTENT, &catalogue->find_form);
     if (status != MUS_OK) return status;
     sqlite3_stmt *find = catalogue->find_form;
     sqlite3_bind_blob(find, 1, hash, 16, SQLITE_STATIC);
@@ -216,7 +300,8 @@ static mus_status catalogue_keep_form(mus_catalogue *catalogue, const uint8_t *f
 {
     mus_status status = mus__catalogue_find_form(catalogue, form, n, hash, out);
     if (status == MUS_OK && *out == 0)
-        status = catalogue_statement(catalogue, "INSERT INTO form (hash, form) VALUES (?1, ?2)", &catalogue->add_form);
+        status = mus__catalogue_prepare(catalogue, "INSERT INTO form (hash, form) VALUES (?1, ?2)",
+                                        SQLITE_PREPARE_PERSISTENT, &catalogue->add_form);
     if (status != MUS_OK || *out != 0) return status;
     sqlite3_stmt *add = catalogue->add_form;
     sqlite3_bind_blob(add, 1, hash, 16, SQLITE_STATIC);
@@ -234,7 +319,7 @@ static mus_status catalogue_put(mus_catalogue *catalogue, const char *name, int6
 {
     static const char sql[] = "INSERT INTO pattern (name, form, traits) VALUES (?1, ?2, ?3) ON CONFLICT (name) DO "
                               "UPDATE SET form = ?2, traits = ?3 RETURNING id";
-    mus_status status = catalogue_statement(catalogue, sql, &catalogue->add);
+    mus_status status = mus__catalogue_prepare(catalogue, sql, SQLITE_PREPARE_PERSISTENT, &catalogue->add);
     if (status != MUS_OK) return status;
     sqlite3_stmt *add = catalogue->add;
     sqlite3_bind_text(add, 1, name, -1, SQLITE_STATIC);
@@ -273,6 +358,8 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     if (pattern == NULL || name == NULL || name[0] == '\0' || strlen(name) >= NAME_BYTES)
         return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "pattern is NULL, or the name is empty or above %d bytes",
                                    NAME_BYTES - 1);
+    if (name[mus__utf8_span(name)] != '\0')
+        return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "the name is not UTF-8 at byte %zu", mus__utf8_span(name));
     if (!catalogue->writable) return mus__catalogue_fail(catalogue, MUS_ERR_STATE, "open for reading");
 
     uint8_t *form = NULL, hash[16], *bytes = NULL;
@@ -281,8 +368,9 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     size_t size = 0;
     mus_status status = mus__catalogue_form(context, pattern, &form, &size, hash);
     if (status == MUS_OK) status = mus__traits_of(pattern, &traits, &n);
-    if (status == MUS_OK && (size > INT32_MAX || n > INT32_MAX / 8))
-        status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "the canonical form of %s is above 2^31 bytes", name);
+    if (status == MUS_OK && (size > BLOB_BYTES || n > BLOB_BYTES / 8))
+        status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "the canonical form of %s has %zu bytes, at most %d",
+                                     name, size, BLOB_BYTES);
     if (status == MUS_OK) {
         bytes = mus_context_alloc(context, NULL, 8 * (size_t)n);
         if (bytes == NULL) status = mus_context_fail(context, MUS_ERR_MEMORY, "no memory for the traits of a pattern");
@@ -342,7 +430,11 @@ int32_t mus_catalogue_count(const mus_catalogue *catalogue)
 {
     int64_t count;
     if (catalogue == NULL) return 0;
-    if (catalogue_number(catalogue, "SELECT count(*) FROM pattern", &count) != MUS_OK) return MUS_NONE;
+    /* counting operations is no change of the catalogue; the copy of the pointer says so without a cast */
+    mus_catalogue *own;
+    memcpy(&own, &catalogue, sizeof own);
+    /* count(*) is one operation, however many rows a damaged file seems to have */
+    if (catalogue_number(own, "SELECT sum(1) FROM pattern", &count) != MUS_OK) return MUS_NONE;
     return (int32_t)count;
 }
 
@@ -353,10 +445,10 @@ mus_status mus_catalogue_name(mus_catalogue *catalogue, int32_t id, const char *
     if (catalogue == NULL) return MUS_ERR_ARG;
     if (name == NULL) return mus__catalogue_fail(catalogue, MUS_ERR_ARG, "name is NULL");
     sqlite3_stmt *statement = NULL;
-    mus_status status = MUS_OK;
-    int code = sqlite3_prepare_v2(catalogue->db, "SELECT name FROM pattern WHERE id = ?1", -1, &statement, NULL);
-    if (code == SQLITE_OK) sqlite3_bind_int(statement, 1, id);
-    if (code == SQLITE_OK) code = sqlite3_step(statement);
+    mus_status status = mus__catalogue_prepare(catalogue, "SELECT name FROM pattern WHERE id = ?1", 0, &statement);
+    if (status != MUS_OK) return status;
+    sqlite3_bind_int(statement, 1, id);
+    const int code = sqlite3_step(statement);
     if (code == SQLITE_ROW) {
         const char *text = (const char *)sqlite3_column_text(statement, 0);
         size_t bytes = text != NULL ? strlen(text) + 1 : 1;

@@ -48,6 +48,7 @@ struct mus_catalogue {
     sqlite3_stmt *add, *add_form, *find_form;
     bool writable, begun;
     char *path, *name;
+    int64_t file_bytes, operations, operations_most; /* the file's size; operations of the statement that runs */
 
     /* index: a row for each pattern, as of SQLite's data version `seen` and the own change number `seen_edits` */
     mus__row *row;
@@ -64,6 +65,10 @@ mus_status mus__catalogue_fail(const mus_catalogue *catalogue, mus_status status
     __attribute__((format(printf, 3, 4)));
 /* make SQLite's last error the context's error text; returns the status that fits it */
 mus_status mus__catalogue_trouble(const mus_catalogue *catalogue);
+/* count the operations of the next statement from zero, and set their bound by the size of the file */
+void mus__catalogue_allow(mus_catalogue *catalogue);
+/* prepare a statement, unless *statement is one already, and allow it its operations */
+mus_status mus__catalogue_prepare(mus_catalogue *catalogue, const char *sql, unsigned flags, sqlite3_stmt **statement);
 /* canonical form of a pattern (n bytes; free it with mus_context_alloc) and its hash (16) */
 mus_status mus__catalogue_form(mus_context *context, const mus_pattern *pattern, uint8_t **form, size_t *n,
                                uint8_t *hash);

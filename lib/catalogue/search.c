@@ -47,22 +47,20 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 {
     sqlite3_stmt *statement = NULL;
     int64_t now = -1;
-    if (sqlite3_prepare_v2(catalogue->db, "PRAGMA data_version", -1, &statement, NULL) == SQLITE_OK &&
-        sqlite3_step(statement) == SQLITE_ROW)
-        now = sqlite3_column_int64(statement, 0);
+    mus_status status = mus__catalogue_prepare(catalogue, "PRAGMA data_version", 0, &statement);
+    if (status == MUS_OK && sqlite3_step(statement) == SQLITE_ROW) now = sqlite3_column_int64(statement, 0);
     sqlite3_finalize(statement);
+    statement = NULL;
     if (now < 0) return mus__catalogue_trouble(catalogue);
     if (now == catalogue->seen && catalogue->edits == catalogue->seen_edits) return MUS_OK;
 
     catalogue->nrow = 0;
     catalogue->npool = 0;
     catalogue->seen = -1;
-    mus_status status = MUS_OK;
-    int code =
-        sqlite3_prepare_v2(catalogue->db, "SELECT id, form, traits FROM pattern ORDER BY id", -1, &statement, NULL);
-    if (code == SQLITE_OK)
-        while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
-            status = search_row(catalogue, statement);
+    int code = SQLITE_OK;
+    status = mus__catalogue_prepare(catalogue, "SELECT id, form, traits FROM pattern ORDER BY id", 0, &statement);
+    while (status == MUS_OK && (code = sqlite3_step(statement)) == SQLITE_ROW)
+        status = search_row(catalogue, statement);
     if (status == MUS_OK && code != SQLITE_DONE) status = mus__catalogue_trouble(catalogue);
     sqlite3_finalize(statement);
     if (status == MUS_OK) catalogue->seen = now, catalogue->seen_edits = catalogue->edits;
@@ -71,12 +69,12 @@ static mus_status search_refresh(mus_catalogue *catalogue)
 
 
 /* get the form with a number; the bytes are borrowed from `statement`, which the caller finalizes */
-static mus_status search_form(const mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
+static mus_status search_form(mus_catalogue *catalogue, int64_t number, sqlite3_stmt **statement,
                               const uint8_t **form, size_t *size)
 {
-    if (*statement == NULL &&
-        sqlite3_prepare_v2(catalogue->db, "SELECT form FROM form WHERE id = ?1", -1, statement, NULL) != SQLITE_OK)
-        return mus__catalogue_trouble(catalogue);
+    const mus_status status =
+        mus__catalogue_prepare(catalogue, "SELECT form FROM form WHERE id = ?1", 0, statement);
+    if (status != MUS_OK) return status;
     sqlite3_reset(*statement);
     sqlite3_bind_int64(*statement, 1, number);
     int code = sqlite3_step(*statement);
@@ -108,10 +106,11 @@ mus_status mus_catalogue_exact(mus_catalogue *catalogue, const mus_pattern *patt
     if (status != MUS_OK || number == 0) return status;
 
     sqlite3_stmt *statement = NULL;
-    int code =
-        sqlite3_prepare_v2(catalogue->db, "SELECT id FROM pattern WHERE form = ?1 ORDER BY id", -1, &statement, NULL);
-    if (code == SQLITE_OK) sqlite3_bind_int64(statement, 1, number);
-    while (statement != NULL && (code = sqlite3_step(statement)) == SQLITE_ROW) {
+    int code = SQLITE_OK;
+    status = mus__catalogue_prepare(catalogue, "SELECT id FROM pattern WHERE form = ?1 ORDER BY id", 0, &statement);
+    if (status != MUS_OK) return status;
+    sqlite3_bind_int64(statement, 1, number);
+    while ((code = sqlite3_step(statement)) == SQLITE_ROW) {
         if (ids != NULL && n < capacity) ids[n] = sqlite3_column_int(statement, 0);
         n++;
     }

@@ -3,9 +3,9 @@
  *
  * Files in the order of use: fabric_table.c and fabric_value.c (measured fabrics), fabric.c (spring constants of a
  * fabric), lattice.c (nodes and cells inside a panel), mesh.c and panel_lines.c (nodes and triangles of a panel),
- * spring.c and strip.c (its springs), pairs.c (seams), calibrate.c (bending rigidity of a panel), pleat.c,
- * edge_elements.c (gathers, elastics, attachments), coarse.c (coarser cuts). grid.c and spring_network.c make a cloth
- * without a pattern. lib/drape moves the cloth.
+ * lattice_springs.c and border_springs.c (its springs), seam_pairs.c (seams), calibrate_bending.c (bending rigidity of
+ * a panel), pleat_folds.c, edge_elements.c (gathers, elastics, attachments), coarse_cut.c (coarser cuts).
+ * rectangle_cloth.c and spring_network.c make a cloth without a pattern. lib/drape moves the cloth.
  *
  * The pattern is checked first. Each panel is then meshed, and its springs are made while its lattice is in memory.
  * Seams come last, when all panels have nodes.
@@ -19,8 +19,11 @@
 
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 {
-    mus_cloth_def own = {
-        .spacing = 0.01, .bending = MUS_BEND_PLATE, .paper_curvature = 30.0, .coarser = 1};
+    mus_cloth_def own = {.spacing = 0.01,
+                         .bending = MUS_BEND_PLATE,
+                         .paper_curvature = 30.0,
+                         .coarser = 1,
+                         .nodes_most = MUS_CLOTH_NODES};
     mus__def_init(def, size, &own, sizeof own);
 }
 
@@ -39,6 +42,9 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
         return mus__fail(context, MUS_ERR_ARG, "bending %d is neither plate (0) nor paper (1)", (int)own->bending);
     if (!(own->paper_curvature >= 0.1 && own->paper_curvature <= 1000.0))
         return mus__fail(context, MUS_ERR_ARG, "paper_curvature %g /m is outside 0.1 to 1000 /m", own->paper_curvature);
+    if (own->nodes_most < 1 || own->nodes_most > MUS__CLOTH_NODES_LIMIT)
+        return mus__fail(context, MUS_ERR_ARG, "nodes_most is %d, expected 1 to %d", (int)own->nodes_most,
+                         MUS__CLOTH_NODES_LIMIT);
     return MUS_OK;
 }
 
@@ -127,6 +133,26 @@ static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, co
 }
 
 
+/* refuses a pattern that takes more nodes than the def allows, before the memory is taken. The forecast is the theorem
+ * of Pick, nodes = area / spacing^2 + border nodes / 2 + 1 for each panel, and at least the nodes of the border; edges
+ * that a seam makes finer are counted while they are meshed */
+static mus_status cloth_forecast(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def)
+{
+    double nodes = mus_pattern_panel_count(pattern), border = 0.0;
+    for (int32_t e = 0; e < mus_pattern_edge_count(pattern); e++)
+        border += fmax(mus_pattern_edge_length(pattern, e) / def->spacing, 1.0);
+    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
+        nodes += mus_pattern_panel_area(pattern, p) / (def->spacing * def->spacing);
+    nodes = fmax(nodes + 0.5 * border, border);
+    if (nodes <= (double)def->nodes_most) return MUS_OK;
+    return mus__fail(context, MUS_ERR_LIMIT,
+                     "the pattern takes about %g nodes at a spacing of %g m, at most %d (nodes_most); a spacing of %.3g "
+                     "m takes fewer",
+                     nodes, def->spacing, (int)def->nodes_most,
+                     def->spacing * fmax(sqrt(nodes / def->nodes_most), border / def->nodes_most));
+}
+
+
 mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def, mus_cloth **out)
 {
     if (out != NULL) *out = NULL;
@@ -142,10 +168,11 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
     if (mus_pattern_panel_count(pattern) == 0) return mus__fail(context, MUS_ERR_PATTERN, "the pattern has no panel");
     status = cloth_check(context, pattern);
+    if (status == MUS_OK) status = cloth_forecast(context, pattern, &own);
     if (status != MUS_OK) return status;
 
-    mus__mesh mesh = {
-        .context = context, .pattern = pattern, .paper = own.bending == MUS_BEND_PAPER ? own.paper_curvature : 0.0};
+    mus__mesh mesh = {.context = context, .pattern = pattern, .nodes_most = own.nodes_most};
+    if (own.bending == MUS_BEND_PAPER) mesh.paper = own.paper_curvature;
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
     cloth->fabric = fabric, cloth->spacing = own.spacing;

@@ -12,7 +12,8 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
-#define MUS__CLOTH_NAME 128 /* bytes: as long as names of patterns are */
+#define MUS__CLOTH_NAME 128              /* bytes: as long as names of patterns are */
+#define MUS__CLOTH_NODES_LIMIT (1 << 24) /* nodes of any cloth: the force program counts elements in 32 bits */
 
 enum {
     MUS__SPRING_WARP = 0,
@@ -65,7 +66,7 @@ typedef struct mus__panel_mesh {
     int32_t lattice_count;
     int32_t first_triangle, triangle_count;
     int32_t first_border, border_count; /* in cloth->border */
-    int32_t layer;
+    int32_t layer, sides; /* sides: MUS_SIDE_* */
     mus_placement placement;
 } mus__panel_mesh;
 

@@ -1,30 +1,29 @@
 /*
- * edge_elements.c: what a pattern says of keeping a garment up, as elements of its cloth: gathered edges, elastics,
- * held nodes.
+ * edge_elements.c: elements of a cloth along the edges of its pattern: gathers, elastics, attachments.
  *
- * Gathers. A seam whose sides are meant to differ (its ease) takes up the fullness in folds finer than any lattice: the
- * thread makes the longer side as long as the shorter. So the springs along the longer side have the length that they
- * are sewn to, and are the stiffer by as much, for that many layers lie there; of those from the seam to the cloth
- * behind, what runs along the seam is drawn in too. That cloth keeps its own length, and is what stands in folds.
+ * Gathers. Where a seam's sides differ in length on purpose (ease), the gathering thread makes the longer side as long
+ * as the shorter, in folds finer than the lattice. So the springs along the longer side get the rest length of the
+ * shorter one, and their stiffness is multiplied by the ratio of lengths, which is the mean number of layers there. Of
+ * the springs from the seam inwards, the component along the seam is shortened too. The cloth behind keeps its rest
+ * length and folds.
  *
- * Elastics. A chain of springs along the edge, `ratio` times as long at rest. The cloth of a casing lies in folds along
- * it and neither helps nor resists until it is drawn flat, which the rows behind do: springs of the cloth along the
- * edge, and along what is sewn to it, have no stiffness.
+ * Elastics. An elastic is a chain of springs along its edge whose rest length is `ratio` times that of the edge. The
+ * cloth of a casing is folded along it and has no stiffness until it is drawn flat; then the rows behind resist. So the
+ * springs of the cloth along the edge, and along the edges sewn to it, have stiffness 0.
  *
- * Holds are nodes with a level and the length of edge that they stand for.
+ * Attachments. Each node of an attached edge gets its level and the length of edge [m] that it stands for.
  */
 #include <math.h>
 
 #include "cloth/mesh.h"
 
-/* the factor on the rest length of a border side, and on its stiffness; of the side that starts at a place of the
- * border */
+/* factors on rest length and stiffness of the border side that starts at an index of cloth->border */
 typedef struct held_side {
     double rest, stiff;
 } held_side;
 
 
-/* place in cloth->border of the side k .. k + 1 of an edge */
+/* Returns the index in cloth->border of the side between steps k and k + 1 of an edge. */
 static int32_t held_place(const mus__mesh *mesh, int32_t edge, int32_t k)
 {
     const mus__edge_nodes *nodes = &mesh->edge[edge];
@@ -32,7 +31,8 @@ static int32_t held_place(const mus__mesh *mesh, int32_t edge, int32_t k)
 }
 
 
-/* a line inside a panel keeps its length: the cloth on both sides holds it */
+/* Sets the factors of all border sides of an edge. A line inside a panel keeps its length, since the cloth on both
+ * sides of it does. */
 static void held_factor(const mus__mesh *mesh, held_side *side, int32_t edge, double rest, double stiff)
 {
     if (mesh->edge[edge].inner != MUS_NONE) return;
@@ -43,7 +43,7 @@ static void held_factor(const mus__mesh *mesh, held_side *side, int32_t edge, do
 }
 
 
-/* which sides gather, which an elastic draws in; returns whether there are any */
+/* Sets the factors of the sides that are gathered or drawn in by an elastic. Returns whether there is any. */
 static bool held_sides(const mus__mesh *mesh, held_side *side)
 {
     bool any = false;
@@ -69,8 +69,7 @@ static bool held_sides(const mus__mesh *mesh, held_side *side)
 }
 
 
-/* the place in cloth->border of the side that a spring runs along, MUS_NONE inside; border nodes of a panel follow each
- * other */
+/* Returns the index in cloth->border of the side along which a spring runs; MUS_NONE for a spring inside the panel. */
 static int32_t held_border(const mus_cloth *cloth, const mus__spring *spring)
 {
     const mus__panel_mesh *panel = &cloth->panel[cloth->node_panel[spring->a]];
@@ -83,9 +82,9 @@ static int32_t held_border(const mus_cloth *cloth, const mus__spring *spring)
 
 
 /*
- * The rest length of a spring from a border node to one inside: the fullness is taken up along the edge, so of the way
- * d between the two the part along the border is drawn in by the mean factor f of the sides at the node:
- * rest^2 = |d|^2 - (1 - f^2) (d . t)^2.
+ * Returns the rest length [m] of a spring from a border node to an inner node. The component of their difference d
+ * along the border's unit tangent t is multiplied by f, the mean factor of the two sides at the border node: rest^2 =
+ * |d|^2 - (1 - f^2) (d . t)^2.
  */
 static double held_strip(const mus_cloth *cloth, const held_side *side, const mus__spring *spring)
 {
@@ -126,7 +125,7 @@ static mus_status held_springs(mus__mesh *mesh)
 }
 
 
-/* the chain of an elastic: each link draws with `stiffness` times its strain */
+/* Adds the springs of an elastic along an edge; the tension of each is `stiffness` [N] times its strain. */
 static mus_status held_elastic(mus__mesh *mesh, int32_t edge, double ratio, double stiffness)
 {
     mus_cloth *cloth = mesh->cloth;
@@ -142,7 +141,7 @@ static mus_status held_elastic(mus__mesh *mesh, int32_t edge, double ratio, doub
 }
 
 
-/* on which side of the body an edge starts: its middle node as its panel is placed, not rolled */
+/* Returns 1 when an edge starts on the wearer's right (X < 0), by its middle node at the unrolled placement. */
 static int32_t held_right(const mus__mesh *mesh, int32_t edge)
 {
     const mus_cloth *cloth = mesh->cloth;
@@ -153,7 +152,7 @@ static int32_t held_right(const mus__mesh *mesh, int32_t edge)
 }
 
 
-/* the nodes of a held edge, half a step at both ends */
+/* Adds the nodes of an attached edge; each stands for one step of the edge, the two end nodes for half a step. */
 static mus_status held_nodes(mus__mesh *mesh, int32_t edge, int32_t level, double below)
 {
     mus_cloth *cloth = mesh->cloth;

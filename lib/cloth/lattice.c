@@ -1,10 +1,10 @@
 /*
- * lattice.c: which lattice places of a panel become nodes, and which of its cells are full.
+ * lattice.c: the square lattice inside a panel: which lattice points become nodes, and which cells are full.
  *
- * A place is a node when it is inside the border and at least LATTICE_CLEAR spacings away from it; a cell is full when
- * its four corners are nodes. Lines inside the panel are kept clear of as the border is. A dart's tip cannot stand in
- * a full cell, because no point of a cell is further than sqrt(1/2) spacings from a corner. What is not full is the
- * strip, which mesh.c triangulates.
+ * A lattice point becomes a node when it lies inside the border and at least LATTICE_CLEAR spacings from it, and from
+ * the lines inside the panel. A cell is full when its four corners are nodes. No dart point lies in a full cell,
+ * because no point of a cell is further than sqrt(1/2) spacings from a corner. The region between border and full cells
+ * is the strip, which mesh.c triangulates.
  *
  *      border  ____________________
  *             / \/ \/ \/ \/ \/ \/ /     strip
@@ -12,23 +12,24 @@
  *            \ /|  |  |  |  |  |/       full cells
  *             o-o--o--o--o--o--o
  *
- * Inside is found by parity: each border side flips all places of a row beyond its crossing, so the work is
- * O(places + border) and nothing is sorted.
+ * Points inside are found by parity: each border side flips all points of a row beyond its crossing. The work is
+ * O(lattice points + border sides), without sorting.
  */
 #include <math.h>
 
 #include "cloth/lattice.h"
 
-/* least distance of a lattice node to the border, in spacings. Smaller makes slivers in the strip, larger long
- * triangles. Over skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm, 0.5 / 0.6 / 0.75 / 0.9 gave a least angle of
- * 23 / 26 / 26 / 26 degrees and a strip that asks for steps 1.5 / 1.44 / 1.32 / 1.18 times smaller than the lattice; at
- * 0.9 the lattice begins to miss narrow panels. Must stay above sqrt(1/2) */
+/* [spacings] least distance of a lattice node from the border; must exceed sqrt(1/2). A smaller value gives slivers in
+ * the strip, a larger one long triangles. Measured on skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm: with
+ * 0.5 / 0.6 / 0.75 / 0.9 the least angle is 23 / 26 / 26 / 26 degrees, and the stable step is 1.5 / 1.44 / 1.32 / 1.18
+ * times smaller than that of the lattice alone; at 0.9 narrow panels get no lattice nodes */
 #define LATTICE_CLEAR 0.75
-/* more places than this would take 640 MB: a panel far larger than its spacing, or a long thin one on the bias */
+/* most lattice points of a panel: they take 640 MB. Only a panel far larger than its spacing, or a long thin one on the
+ * bias, reaches it */
 #define LATTICE_MOST (INT64_C(1) << 27)
 
 
-/* point in lattice units, (column, row) from the origin */
+/* Converts a point [m] to lattice units: (column, row) from the origin. */
 static void lattice_units(const mus__lattice *lattice, const double *point, double *out)
 {
     double x = point[0] - lattice->origin[0], y = point[1] - lattice->origin[1];
@@ -38,8 +39,8 @@ static void lattice_units(const mus__lattice *lattice, const double *point, doub
 
 
 /*
- * Place the lattice in an extent of `half` spacings to both sides of the middle: on the middle (0) or half a spacing
- * beside it (0.5), whichever leaves a rim nearer to one spacing. Both keep a symmetric panel symmetric.
+ * Returns the offset of the lattice from the middle of an extent of 2 `half` spacings: 0 or 0.5 spacings, whichever
+ * leaves a margin nearer to one spacing at the border. With either, a symmetric panel has a symmetric lattice.
  */
 static double lattice_phase(double half)
 {
@@ -52,7 +53,7 @@ static double lattice_phase(double half)
 }
 
 
-/* axes, origin and size from the border's box along the axes */
+/* Computes axes, origin and size of the lattice from the bounding box of the border along the axes. */
 static mus_status lattice_frame(mus_context *context, int32_t n, const double *xy, mus__lattice *lattice)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, at[2], size[2];
@@ -61,7 +62,7 @@ static mus_status lattice_frame(mus_context *context, int32_t n, const double *x
         for (int k = 0; k < 2; k++) low[k] = fmin(low[k], at[k]), high[k] = fmax(high[k], at[k]);
     }
 
-    /* the first place stands at least one spacing before the box */
+    /* the first lattice point lies at least one spacing outside the box */
     double start[2];
     for (int k = 0; k < 2; k++) {
         double half = 0.5 * (high[k] - low[k]), phase = lattice_phase(half), steps = ceil(half - phase) + 1.0;
@@ -78,7 +79,7 @@ static mus_status lattice_frame(mus_context *context, int32_t n, const double *x
 }
 
 
-/* flip the parity of all places of a row beyond the crossing, for each row that the side a b crosses */
+/* Flips the parity of all points beyond the crossing, in each row that the border side a b crosses. */
 static void lattice_flip(mus__lattice *lattice, const double *a, const double *b)
 {
     const double *lower = a[1] <= b[1] ? a : b, *upper = a[1] <= b[1] ? b : a;
@@ -99,7 +100,7 @@ static double lattice_distance(const double *a, const double *b, double x, doubl
 }
 
 
-/* places too near to the side a b are no nodes */
+/* Removes the points nearer than LATTICE_CLEAR to the side a b. */
 static void lattice_clear(mus__lattice *lattice, const double *a, const double *b)
 {
     int32_t i0 = (int32_t)ceil(fmin(a[0], b[0]) - LATTICE_CLEAR), i1 = (int32_t)(fmax(a[0], b[0]) + LATTICE_CLEAR);
@@ -111,7 +112,7 @@ static void lattice_clear(mus__lattice *lattice, const double *a, const double *
 }
 
 
-/* call `visit` for each border side in lattice units */
+/* Calls `visit` for each border side, in lattice units. */
 static void lattice_sides(mus__lattice *lattice, int32_t n, const double *xy,
                           void (*visit)(mus__lattice *lattice, const double *a, const double *b))
 {
@@ -140,7 +141,7 @@ mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy,
     lattice->full = mus__new(context, places, sizeof *lattice->full);
     if (lattice->node == NULL || lattice->full == NULL) return mus__fail_memory(context, "the lattice of a panel");
 
-    /* inside by parity along each row, with `full` holding the flips; then away from the border */
+    /* find the points inside by parity, with `full` as the array of flips; then remove those near the border */
     lattice_sides(lattice, n, xy, lattice_flip);
     for (int64_t p = 0, inside = 0; p < places; p++) {
         inside = p % lattice->columns == 0 ? 0 : inside ^ lattice->full[p];

@@ -19,17 +19,14 @@
 #include "geom/polygon.h"
 #include "geom/triangulate.h"
 
-/* nodes of a cloth at most: the force program counts elements in 32 bits */
-#define MESH_MOST_NODES (1 << 24)
-
 
 /* intervals of an edge by the spacing, `least` of them at least */
 static mus_status mesh_interval(mus__mesh *mesh, int32_t panel, int32_t edge, int32_t least)
 {
     double count = floor(mus_pattern_edge_length(mesh->pattern, edge) / mesh->cloth->spacing + 0.5);
-    if (!(count < MESH_MOST_NODES))
-        return mus__fail(mesh->context, MUS_ERR_LIMIT, "panel '%s': edge %d takes %.0f nodes, more than 2^24",
-                         mus_pattern_panel_name(mesh->pattern, panel), (int)edge, count);
+    if (!(count < mesh->nodes_most))
+        return mus__fail(mesh->context, MUS_ERR_LIMIT, "panel '%s': edge %d takes %g nodes, at most %d (nodes_most)",
+                         mus_pattern_panel_name(mesh->pattern, panel), (int)edge, count, (int)mesh->nodes_most);
     mesh->edge[edge].count = count > least ? (int32_t)count : least;
     mesh->edge[edge].panel = panel;
     return MUS_OK;
@@ -101,9 +98,10 @@ static mus_status mesh_reserve_nodes(mus__mesh *mesh, int64_t more, int64_t bord
 {
     mus_cloth *cloth = mesh->cloth;
     int64_t need = cloth->nnode + more;
-    if (need > MESH_MOST_NODES)
-        return mus__fail(mesh->context, MUS_ERR_LIMIT, "%lld nodes are more than 2^24; the spacing is %g m",
-                         (long long)need, cloth->spacing);
+    if (need > mesh->nodes_most)
+        return mus__fail(mesh->context, MUS_ERR_LIMIT,
+                         "the pattern takes %lld nodes at a spacing of %g m, at most %d (nodes_most)", (long long)need,
+                         cloth->spacing, (int)mesh->nodes_most);
     mus_status status = mus__reserve(mesh->context, &cloth->rest, &mesh->cap_rest, need, 2 * sizeof *cloth->rest);
     if (status == MUS_OK)
         status = mus__reserve(mesh->context, &cloth->mass, &mesh->cap_mass, need, sizeof *cloth->mass);
@@ -131,7 +129,7 @@ static mus_status mesh_border(mus__mesh *mesh, int32_t panel, int32_t *count, in
         total += mesh->edge[edges[i]].count;
         if (mesh->edge[edges[i]].count > most) most = mesh->edge[edges[i]].count;
     }
-    if (total > MESH_MOST_NODES) return mesh_reserve_nodes(mesh, total, total);
+    if (total > mesh->nodes_most) return mesh_reserve_nodes(mesh, total, total);
 
     *xy = mus__new(mesh->context, 2 * total, sizeof **xy);
     double *t = mus__new(mesh->context, most, sizeof *t);
@@ -371,6 +369,7 @@ mus_status mus__mesh_panel(mus__mesh *mesh, int32_t panel, mus__lattice *lattice
     int32_t all = 0;
     out->first_node = cloth->nnode, out->first_triangle = cloth->ntriangle, out->first_border = cloth->nborder;
     out->layer = mus_pattern_layer(mesh->pattern, panel);
+    out->sides = mus_pattern_panel_sides(mesh->pattern, panel, NULL);
     mus_placement_init(&out->placement, sizeof out->placement);
     mus_status status = mus_pattern_placement(mesh->pattern, panel, &out->placement);
     if (status == MUS_OK) status = mesh_border(mesh, panel, &out->border_count, &all, &border);

@@ -36,6 +36,7 @@ typedef struct mus__mesh {
     int32_t ninner;
     double *seam_bend;     /* (panels x 4) what hinges across seams give each panel, by mus__mesh_curvature */
     mus__fabric_lattice constant;
+    int32_t nodes_most;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
 } mus__mesh;
 
@@ -54,29 +55,29 @@ void mus__mesh_lines_done(mus__mesh *mesh, int32_t panel, int32_t nstrip);
 /* node at step k, 0 .. count, along an edge in its own direction */
 int32_t mus__mesh_edge_node(const mus__mesh *mesh, int32_t edge, int32_t k);
 
-/* spring.c: springs and stencils of the full cells of the panel last meshed */
+/* lattice_springs.c: springs and stencils of the full cells of the panel last meshed */
 mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t first_node);
-/* strip.c: springs, hinges and wings of the rest of it */
+/* border_springs.c: springs, hinges and wings of the rest of it */
 mus_status mus__mesh_strip(mus__mesh *mesh, const mus__lattice *lattice, const mus__panel_mesh *panel, int32_t nstrip);
-/* strip.c: a hinge over edge a b of length l in the flat: foot and height of both wings; false for slivers */
+/* border_springs.c: a hinge over edge a b of length l in the flat: foot and height of both wings; false for slivers */
 bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, const double *foot,
                      const double *height, double rigidity, mus__hinge *out);
-/* calibrate.c: the hinges of each panel, so that it bends as its fabric */
+/* calibrate_bending.c: the hinges of each panel, so that it bends as its fabric */
 mus_status mus__mesh_calibrate(mus__mesh *mesh);
-/* calibrate.c: (sum coef_i z_i)^2 on cylinders of curvature 1 along weft, warp, both bias (4); axis is warp */
+/* calibrate_bending.c: (sum coef_i z_i)^2 on cylinders of curvature 1 along weft, warp, both bias (4); axis is warp */
 void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, const double *xy, double *out);
-/* strip.c: soften springs and hinges that would ask for a much smaller step than the lattice does */
+/* border_springs.c: soften springs and hinges that would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
 /* cloth.c: the defaults, then the caller's options, with its fabric in *fabric; all are checked but the spacing */
 mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
-/* coarse.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
+/* coarse_cut.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing);
-/* coarse.c: the same for a grid: nodes of both directions and cell (2) [m] of the coarser one */
+/* coarse_cut.c: the same for a grid: nodes of both directions and cell (2) [m] of the coarser one */
 bool mus__grid_coarser(const mus_cloth *cloth, const mus_cloth_def *def, int32_t *rows, int32_t *columns,
                        const double *cell, double *coarse_cell);
-/* pairs.c: seam pairs and hinges across seams of all panels */
+/* seam_pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
-/* pleat.c: the folds of pleats that are laid */
+/* pleat_folds.c: the folds of pleats that are laid */
 mus_status mus__mesh_pleats(mus__mesh *mesh);
 /* edge_elements.c: gathered sides, elastics and attachments. It comes after mus__mesh_limit(), which must not soften
  * elastics */

@@ -9,9 +9,6 @@
  * Nodes of lines are numbered after the border nodes of their panel, in the order of the outline. A line that ends on
  * the rim or on another line shares the node of that point.
  */
-#include <math.h>
-#include <string.h>
-
 #include "cloth/mesh.h"
 
 

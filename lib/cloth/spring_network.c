@@ -5,19 +5,14 @@
  * is a hinge with its middle node at both ends of the edge, coefficient -1 each, which is the same sum a - 2 b + c and
  * the same bound on stiffness.
  */
-#include <string.h>
-
 #include "cloth/cloth_internal.h"
 
 /* counts at most: the force program counts elements in 32 bits */
-#define BARE_MOST_NODES (1 << 24)
 #define BARE_MOST_SPRINGS (1 << 28)
 #define BARE_MOST_BENDS (1 << 26)
 /* [kg] least mass; [kg], [N/m], [N s/m] largest mass and stiffness: 1 / mass and k / mass stay normal floats */
 #define BARE_LEAST_MASS 1e-15
 #define BARE_MOST 1e15
-/* [m] largest coordinate and rest length. Chosen: its square is a normal float */
-#define BARE_FAR 1e12
 
 
 void mus_bare_init(mus_bare *bare, size_t size)
@@ -69,20 +64,20 @@ static mus_status bare_nodes(mus_context *context, const char *name, const int32
 
 static mus_status bare_check(mus_context *context, const mus_bare *bare)
 {
-    mus_status status = bare_count(context, "nodes", bare->nodes, BARE_MOST_NODES, bare->place && bare->mass);
+    mus_status status = bare_count(context, "nodes", bare->nodes, MUS__CLOTH_NODES_LIMIT, bare->place && bare->mass);
     if (status == MUS_OK)
         status = bare_count(context, "springs", bare->springs, BARE_MOST_SPRINGS,
                             bare->spring && bare->length && bare->stiffness);
     if (status == MUS_OK)
         status = bare_count(context, "bends", bare->bends, BARE_MOST_BENDS, bare->bend && bare->bend_stiffness);
-    if (status == MUS_OK) status = bare_count(context, "pins", bare->pins, BARE_MOST_NODES, bare->pin != NULL);
+    if (status == MUS_OK) status = bare_count(context, "pins", bare->pins, MUS__CLOTH_NODES_LIMIT, bare->pin != NULL);
     if (status == MUS_OK) status = bare_nodes(context, "spring", bare->spring, bare->springs, 2, bare->nodes);
     if (status == MUS_OK) status = bare_nodes(context, "bend", bare->bend, bare->bends, 3, bare->nodes);
     if (status == MUS_OK) status = bare_nodes(context, "pin", bare->pin, bare->pins, 1, bare->nodes);
     if (status == MUS_OK)
-        status = bare_numbers(context, "place", bare->place, 3 * (int64_t)bare->nodes, -BARE_FAR, BARE_FAR);
+        status = bare_numbers(context, "place", bare->place, 3 * (int64_t)bare->nodes, -MUS__FARTHEST, MUS__FARTHEST);
     if (status == MUS_OK) status = bare_numbers(context, "mass", bare->mass, bare->nodes, 0.0, BARE_MOST);
-    if (status == MUS_OK) status = bare_numbers(context, "length", bare->length, bare->springs, 0.0, BARE_FAR);
+    if (status == MUS_OK) status = bare_numbers(context, "length", bare->length, bare->springs, 0.0, MUS__FARTHEST);
     if (status == MUS_OK) status = bare_numbers(context, "stiffness", bare->stiffness, bare->springs, 0.0, BARE_MOST);
     if (status == MUS_OK) status = bare_numbers(context, "dashpot", bare->dashpot, bare->springs, 0.0, BARE_MOST);
     if (status == MUS_OK)

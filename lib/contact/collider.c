@@ -8,20 +8,20 @@
  *
  * The files of this folder in the order of use:
  *
- *   collider.[ch]             surfaces: made from a body, depth of a point, surfaces near a point
- *   offset_surface.[ch]       radius fields of the surface that cloth rests on, made once a body and shared
- *   collider_motion.c         moves parts and planes; motion of each surface in the last step
- *   contact.h, contact_f32.c, contact_f64.c   the passes that a drape calls after a step, in float and in double:
- *     contact_kernel.h          the exact pass, chunk by chunk: boxes, queries, response
- *     query_batch_kernel.h      many nodes asked of one part at once
- *     response_batch_kernel.h   many nodes that touch one part answered at once
- *     response_kernel.h         one node against all surfaces that it touches
- *     manifold_kernel.h         several contacts of one node solved together
- *     friction_kernel.h         friction (Coulomb)
- *     pinch_kernel.h            a node between surfaces that face each other
- *     sweep_kernel.h            a fast node swept along its path
- *     surfaces_kernel.h         boxes, planes and motions in the pass's precision
- *   plane_cache.h, plane_cache_kernel.h       the cheap pass for slow nodes: each remembers a plane
+ *   collider.[ch]                surfaces: made from a body, depth of a point, surfaces near a point
+ *   offset_surface.[ch]          radius fields of the surface that cloth rests on, made once a body and shared
+ *   collider_motion.c            moves parts and planes; motion of each surface in the last step
+ *   contact.h, contact_f32.c, contact_f64.c  the passes that a drape calls after a step, in float and in double:
+ *     contact_kernel.h           the exact pass, chunk by chunk: boxes, queries, response
+ *     query_batch_kernel.h       many nodes asked of one part at once
+ *     response_batch_kernel.h    many nodes that touch one part answered at once
+ *     response_kernel.h          one node against all surfaces that it touches
+ *     contact_manifold_kernel.h  several contacts of one node solved together
+ *     friction_kernel.h          friction (Coulomb)
+ *     pinch_kernel.h             a node between surfaces that face each other
+ *     sweep_kernel.h             a fast node swept along its path
+ *     collider_surfaces_kernel.h          boxes, planes and motions in the pass's precision
+ *   plane_cache.h, plane_cache_kernel.h  the cheap pass for slow nodes: each remembers a plane
  * Called by lib/drape alone: its steppers call the passes, its scene moves the surfaces. Cloth against cloth is the
  * room lib/selfcontact.
  */

@@ -31,19 +31,19 @@ static inline int32_t mus__lowest_bit(uint64_t bits)
 
 #define MUS__REAL float
 #define MUS__NAME(name) mus__##name##_f32
-#include "limb/field_kernel.h"
-#include "contact/manifold_kernel.h"
+#include "limb/radius_field_kernel.h"
+#include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
-#include "contact/surfaces_kernel.h"
+#include "contact/collider_surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME
 
 #define MUS__REAL double
 #define MUS__NAME(name) mus__##name##_f64
-#include "limb/field_kernel.h"
-#include "contact/manifold_kernel.h"
+#include "limb/radius_field_kernel.h"
+#include "contact/contact_manifold_kernel.h"
 #include "contact/friction_kernel.h"
-#include "contact/surfaces_kernel.h"
+#include "contact/collider_surfaces_kernel.h"
 #undef MUS__REAL
 #undef MUS__NAME
 

@@ -2,8 +2,8 @@
  * response_kernel.h: the response of one node to the surfaces that it touches, a part of contact_kernel.h.
  *
  * A node nearer than the clearance is put back along the outward normal, loses its velocity into the surface, and
- * friction takes of its sliding (friction_kernel.h). Several surfaces are solved together (manifold_kernel.h). All is
- * relative to the surface: places to where it carried the node from, velocities to its own there.
+ * friction takes of its sliding (friction_kernel.h). Several surfaces are solved together (contact_manifold_kernel.h).
+ * All is relative to the surface: places to where it carried the node from, velocities to its own there.
  *
  * Pushing a node out of one surface may push it into another. Surfaces within the push distance are therefore solved in
  * the same manifold: between an arm and a side a tight cloth would otherwise be thrown from one to the other.

@@ -3,14 +3,15 @@
  * cutting table as a left half, doubled, written as a pattern and checked.
  *
  * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
- * answers for them; draft_read.c checks options and reads the tape; grade.c compares and moves sizes.
+ * answers for them; draft_inputs.c checks options and reads the tape; grade.c compares and moves sizes.
  */
 #include <math.h>
 #include <string.h>
 
+#include "board/board_notch.h"
 #include "design/draft.h"
 #include "design/words.h"
-#include "style/parts.h"
+#include "style/style_parts.h"
 
 
 /* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18
@@ -71,9 +72,13 @@ static void design_make(mus__half *half)
     if (waist) mus__board_opening_add(&half->board, "waist");
     const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
     for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, block ? "waist" : "hem");
+    mus__board_match_notches(&half->board);
     mus__board_double(&half->board);
     mus__closure_finish(half);
     mus__pocket_finish(half);
+
+    /* once more for the notches of the closure; those of the half were matched before, so that both sides are alike */
+    mus__board_match_notches(&half->board);
 }
 
 

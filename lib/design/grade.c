@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "board/board_chain.h"
+#include "board/board_curve.h"
 #include "design/draft.h"
 
 #define GRADE_CHORDS 16

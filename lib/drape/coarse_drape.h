@@ -8,7 +8,7 @@
 #ifndef MUS_DRAPE_COARSE_DRAPE_H
 #define MUS_DRAPE_COARSE_DRAPE_H
 
-#include "drape/transfer.h"
+#include "drape/barycentric_transfer.h"
 #include "muslin/drape.h"
 
 typedef struct mus__coarse {

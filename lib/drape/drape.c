@@ -3,9 +3,9 @@
  *
  * Where a stranger starts. A drape is a cloth in time; its data is in drape_state.h and the parts that this includes.
  * mus_drape_create() (here) makes the force program and the sim (lib/sim), the scene (scene.c) and self-contact
- * (drape_self.c). mus_drape_place() (drape_place.c) puts the nodes where the panels start (lib/arrange).
- * mus_drape_step() (step.c) steps by hand; estimate.c tells the cost before. Sewing and settling are runs over these
- * (lib/dress); they use weld.c, coarse_drape.c and residual.c. report.c tells what was done.
+ * (drape_self.c). mus_drape_place() (drape_positions.c) puts the nodes where the panels start (lib/arrange).
+ * mus_drape_step() (step.c) steps by hand; cost_estimate.c tells the cost before. Sewing and settling are runs over
+ * these (lib/dress); they use weld.c, coarse_drape.c and residual.c. drape_report.c tells what was done.
  *
  * All memory that stepping needs is taken here.
  */

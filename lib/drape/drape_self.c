@@ -13,7 +13,7 @@
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "geom/vec.h"
-#include "sim/force_program_number.h"
+#include "sim/force_program_constants.h"
 
 #define SELF_PUSH_SPEED 0.5 /* [m/s] overlapping pairs part no faster; chosen: below the speed of falling cloth */
 #define SELF_THICKEST 0.5   /* of the spacing: the largest thickness */

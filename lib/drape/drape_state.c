@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
-#include "sim/force_program_number.h"
+#include "sim/force_program_constants.h"
 #include "sim/step_bound.h"
 
 #define FLOAT_REACH 1e4 /* [m] from the origin of a float state: a float of 10 km is rounded to a millimetre */

@@ -12,7 +12,6 @@
 #include "drape/drape_state.h"
 
 #define SPEED_OF_BODY_MAX 1e3 /* [m/s] largest velocity of the body as a whole */
-#define MOVEMENT_MAX 1e6      /* [s] longest movement from one pose to another */
 
 
 mus_status mus_drape_move_body(mus_drape *drape, const double *velocity)
@@ -76,53 +75,6 @@ void mus__scene_reset(mus_drape *drape)
     }
     mus__scene_update(drape, 0, drape->clock.dt, 0.0);
     drape->scene.moved = 1;
-}
-
-
-mus_status mus_drape_pose_body(mus_drape *drape, const mus_pose *pose, double duration)
-{
-    if (drape == NULL) return MUS_ERR_ARG;
-    mus_context *context = drape->context;
-    mus__scene_body *stance = drape->scene.body;
-    if (stance == NULL) return mus__fail(context, MUS_ERR_STATE, "drape: there is no body to pose");
-    if (!(duration >= 0.0 && duration <= MOVEMENT_MAX))
-        return mus__fail(context, MUS_ERR_ARG, "drape: duration of a movement is %g s, expected 0 to %g", duration,
-                         MOVEMENT_MAX);
-    mus__joint_local end[MUS_JOINT_COUNT];
-    mus_status status = mus_pose_check(context, pose);
-    if (status == MUS_OK) status = mus__pose_locals(context, &stance->rig, pose, end);
-    if (status != MUS_OK) return status;
-
-    /* the movement starts from the pose as it is now */
-    const double part = mus__scene_body_part(drape, 0, drape->clock.dt);
-    mus_pose now;
-    mus__scene_body_pose(drape, &now);
-    mus__pose_blend(stance->start, stance->end, part, stance->start);
-    if (!(part < 1.0)) memcpy(stance->start, stance->end, sizeof stance->start);
-    stance->from = now;
-    stance->to = *pose;
-    memcpy(stance->end, end, sizeof end);
-    stance->posed = 1;
-    stance->time = mus_drape_time(drape);
-    stance->duration = duration;
-    if (duration > 0.0) return MUS_OK;
-    mus__scene_update(drape, 0, drape->clock.dt, 0.0);
-    drape->scene.moved = 1;
-    drape->relax.settled = 0;
-    drape->relax.residual = NAN;
-    memset(drape->sim.distance_cache, 0, (size_t)drape->n * sizeof *drape->sim.distance_cache);
-    return MUS_OK;
-}
-
-
-mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out)
-{
-    if (drape == NULL) return MUS_ERR_ARG;
-    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
-    if (drape->scene.body == NULL) return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body");
-    mus__scene_body_pose(drape, out);
-    for (int32_t i = 0; i < 3; i++) out->place[i] += drape->scene.collider->shift[i];
-    return MUS_OK;
 }
 
 

@@ -4,13 +4,14 @@
  * A place is a product, place0 + velocity (t - t0), never a running sum, so that a long motion keeps its place. Contact
  * works relative to the surface that a node touches; nothing else of a drape knows that surfaces move.
  *
- * Files: scene.c (public calls, the scene at a time), scene_body.c (pose of the body), scene_plane.c (planes),
- * scene_attachment.c (level planes that edges are attached to).
+ * Files: scene.c (public calls, the scene at a time), scene_body.c (how the body stands), scene_pose.c (movements to
+ * another pose), scene_plane.c (planes), scene_attachment.c (level planes that edges are attached to).
  */
 #ifndef MUS_DRAPE_SCENE_H
 #define MUS_DRAPE_SCENE_H
 
 #include "body/body_level.h"
+#include "body/rig.h"
 #include "contact/contact.h"
 #include "muslin/drape.h"
 #include "pose/pose_frame.h"
@@ -26,14 +27,14 @@ typedef struct mus__scene_plane {
 typedef struct mus__scene_body {
     mus__rig rig;
     mus_pose made, from, to;
-    mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT];
+    mus__joint_local as_made[MUS_JOINT_COUNT], start[MUS_JOINT_COUNT], end[MUS_JOINT_COUNT]; /* by scene_pose.c */
     mus__frame frame[MUS__PARTS_MOST];        /* where the parts were last put */
     double time, duration;                    /* when the movement began, how long it takes [s] */
     int32_t posed;                            /* nonzero: not as the limbs were made */
     int32_t came_posed;                       /* nonzero: the body was posed when the drape was made */
-    mus__body_level level[MUS_HOLD_COUNT][2]; /* as made, left and right */
-    double neck,
-        shoulder; /* half the breadth over the inner and the outer ends of the shoulder lines [m]; 0: unknown */
+    mus__body_level level[MUS__LEVEL_COUNT][2]; /* as made, left and right */
+    double neck, shoulder; /* half the breadth over the inner, the outer ends of the shoulder lines [m]; 0: unknown */
+    void (*carry)(struct mus__scene_body *stance, double part); /* NULL until the first movement (scene_pose.c) */
 } mus__scene_body;
 
 typedef struct mus__scene {
@@ -80,8 +81,6 @@ void mus__scene_reset(mus_drape *drape);
 void mus__scene_before_steps(mus_drape *drape);
 void mus__scene_before_step(mus_drape *drape, int64_t steps, double h);
 
-/* find the level planes on the body as made */
-void mus__scene_levels_create(mus_drape *drape, const mus_body *body);
 /* put the level planes of the program where they lie now; does nothing without attachments */
 void mus__scene_levels_update(mus_drape *drape);
 /* where one level plane lies now; out->there 0 without a body that has it */

@@ -1,24 +1,17 @@
 /*
- * scene_attachment.c: the level planes of the body that edges are attached to, moving with the parts of the body.
+ * scene_attachment.c: the level planes of the body that edges are attached to, moved with the parts of the body.
  *
- * An attached node below its level plane is pulled up towards the root of its limb and in no other direction, so it
- * slides along the skin and never far down. Level planes are found once, on the body as made (body/body_level.h). When
- * the body moves, the planes of the force program follow. Coarse drapes take those of their parent.
+ * An attached node below its level plane is pulled along the plane's normal, towards the root of its limb; no other
+ * direction is constrained, so the node slides along the skin. The planes are those of the body in its rest pose
+ * (body/body_level.h). When the body moves, the planes in the force program are moved with its parts. Coarse drapes
+ * copy the planes of their parent.
  */
 #include <string.h>
 
 #include "drape/drape_state.h"
 #include "geom/vec.h"
 
-
-void mus__scene_levels_create(mus_drape *drape, const mus_body *body)
-{
-    for (int32_t level = MUS_HOLD_NONE + 1; level < MUS_HOLD_COUNT; level++)
-        for (int32_t right = 0; right < 2; right++)
-            mus__body_level_find(body, level, right, &drape->scene.body->level[level][right]);
-    drape->scene.body->shoulder = mus__body_shoulder(body, &drape->scene.body->neck);
-    mus__scene_body_frames(drape, 0, drape->clock.dt);
-}
+_Static_assert((int)MUS_HOLD_COUNT == (int)MUS__LEVEL_COUNT, "the levels of a pattern and of a body");
 
 
 void mus__scene_level(const mus_drape *drape, int32_t level, int32_t right, mus__level_plane *out)

@@ -1,27 +1,30 @@
 /*
- * scene_body.c: the pose of a body that moves while the cloth steps.
- *
- * A pose becomes rotations of joints once, with sines and cosines. Between two poses a step blends these rotations, and
- * the frames of the parts follow, by + - * / and sqrt alone (pose/pose_frame.h). The body stands exactly as asked at
- * the end of a movement: from there on the frames are those of the pose itself.
+ * scene_body.c: how the body of a drape stands, as it came or in a movement to another pose (scene_pose.c).
  */
 #include <math.h>
 #include <string.h>
 
+#include "body/body_internal.h"
 #include "drape/drape_state.h"
 
 
 mus_status mus__scene_body_create(mus_drape *drape, const mus_body *body)
 {
-    mus__scene_body *stance = mus__new(drape->context, 1, sizeof *stance);
-    drape->scene.body = stance;
+    mus__scene_body *stance = drape->scene.body = mus__new(drape->context, 1, sizeof *stance);
     if (stance == NULL) return mus__fail_memory(drape->context, "how the body stands");
-    stance->rig = *mus__body_rig(body);
-    stance->came_posed = mus__body_frames(body) != NULL;
-    mus_status status = mus_body_stance(body, &stance->made);
-    if (status == MUS_OK) status = mus__pose_locals(drape->context, &stance->rig, &stance->made, stance->as_made);
-    if (status == MUS_OK) mus__scene_body_reset(drape);
-    return status;
+    stance->rig = body->rig;
+    stance->came_posed = body->frame != NULL;
+    stance->made.size = sizeof stance->made;
+    memcpy(stance->made.angle, stance->came_posed ? body->stance.angle : body->rig.rest, sizeof stance->made.angle);
+    if (stance->came_posed) {
+        memcpy(stance->made.place, body->stance.place, sizeof stance->made.place);
+        memcpy(stance->frame, body->frame, (size_t)body->rig.parts * sizeof *body->frame);
+    }
+    memcpy(stance->level, body->level, sizeof stance->level);
+    stance->neck = body->measured ? body->skeleton.neck_side_x : 0.0;
+    stance->shoulder = body->measured ? body->skeleton.shoulder_end : 0.0;
+    mus__scene_body_reset(drape);
+    return MUS_OK;
 }
 
 
@@ -56,10 +59,7 @@ const mus__frame *mus__scene_body_frames(mus_drape *drape, int64_t steps, double
 {
     mus__scene_body *stance = drape->scene.body;
     if (stance == NULL || !stance->posed) return NULL;
-    mus__joint_local now[MUS_JOINT_COUNT];
-    const double part = mus__scene_body_part(drape, steps, h);
-    if (part < 1.0) mus__pose_blend(stance->start, stance->end, part, now);
-    mus__pose_frames(&stance->rig, part < 1.0 ? now : stance->end, stance->frame);
+    if (stance->carry != NULL) stance->carry(stance, mus__scene_body_part(drape, steps, h));
     return stance->frame;
 }
 
@@ -74,4 +74,15 @@ void mus__scene_body_pose(const mus_drape *drape, mus_pose *out)
     for (int32_t i = 0; i < 3 * MUS_JOINT_COUNT; i++) (&out->angle[0][0])[i] = from[i] + part * (to[i] - from[i]);
     for (int32_t i = 0; i < 3; i++)
         out->place[i] = stance->from.place[i] + part * (stance->to.place[i] - stance->from.place[i]);
+}
+
+
+mus_status mus_drape_body_pose(const mus_drape *drape, mus_pose *out)
+{
+    if (drape == NULL) return MUS_ERR_ARG;
+    if (out == NULL) return mus__fail(drape->context, MUS_ERR_ARG, "drape: out is NULL");
+    if (drape->scene.body == NULL) return mus__fail(drape->context, MUS_ERR_STATE, "drape: there is no body");
+    mus__scene_body_pose(drape, out);
+    for (int32_t i = 0; i < 3; i++) out->place[i] += drape->scene.collider->shift[i];
+    return MUS_OK;
 }

@@ -22,7 +22,6 @@ mus_status mus__scene_add_body(mus_drape *drape, const mus_body *body)
         mus__collider_create(drape->context, body, drape->sim.origin, drape->def.clearance, &drape->scene.collider);
     if (status == MUS_OK) status = mus__scene_body_create(drape, body);
     if (status != MUS_OK) return status;
-    mus__scene_levels_create(drape, body);
     mus__scene_contact(drape);
     return MUS_OK;
 }

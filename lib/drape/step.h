@@ -9,7 +9,7 @@
 /* what mus_drape_step knows of the state, as of its last look; bound 0: something changed since */
 typedef struct mus__stepping {
     double bound;          /* [s] */
-    double energy, active; /* [J] all of it; kinetic and elastic */
+    double energy, active; /* [J] all of it at the start; the largest of kinetic and elastic since */
     double speed, way;  /* of the fastest node at the last check [m/s]; how far it may have gone since the look [m] */
     int32_t since_look; /* steps */
     int32_t parts;      /* in which a step was divided, at most, in the last call */

@@ -9,7 +9,6 @@
  * A coarse drape has each tack between the nodes that are nearest to its ends, as it has pins.
  */
 #include <math.h>
-#include <string.h>
 
 #include "drape/coarse_drape.h"
 #include "drape/drape_state.h"

@@ -4,16 +4,15 @@
  * Runs note their end here. A fault of the arrangement before sewing (arrange_check.c) is noted too. It is the reason
  * given when the run then fails, because a person would mend that first.
  */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "arrange/arrange_check.h"
 #include "arrange/failure_reason.h"
+#include "drape/drape_state.h"
 #include "drape/residual.h"
 #include "dress/diagnosis.h"
-#include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

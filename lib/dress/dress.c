@@ -3,7 +3,7 @@
  *
  * Where a stranger starts in this room, which holds the runs that dress a body: sew.c (mus_drape_sew) with seam_route.c
  * and layers.c, settle.c (mus_drape_settle) with slid_off.c, untangle.c (mus_drape_untangle), the relaxation that all
- * three share (relaxation_loop.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
+ * three share (dynamic_relaxation.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
  *
  * A start is a placement of the panels, and the patience of sewing. An impatient start gives up when the first way of
  * sewing does not close the coarsest cut; a patient one goes on with other ways and with finer cuts, which takes long.
@@ -24,6 +24,9 @@
 
 #include "base/base_internal.h"
 #include "muslin/dress.h"
+
+/* [bytes] of mus_dress_def in release 0.2, the smallest that mus_dress() takes */
+#define DRESS_DEF_FIRST offsetof(mus_dress_def, nodes_most)
 
 /* the call: what it was given, and its report */
 typedef struct dress_call {
@@ -58,6 +61,7 @@ void mus_dress_def_init(mus_dress_def *def, size_t size)
     own.progress_seconds = 0.1;
     own.place = MUS_DRESS_PLACE_BOTH;
     own.retry = 1;
+    own.nodes_most = MUS_CLOTH_NODES;
     mus__def_init(def, size, &own, sizeof own);
 }
 
@@ -106,6 +110,7 @@ static mus_status dress_cut(dress_call *call, const mus_pattern *pattern, bool p
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = call->def.spacing;
     cut.fabric = call->def.fabric;
+    cut.nodes_most = call->def.nodes_most;
     mus_status status = mus_cloth_create(call->context, pattern, &cut, &trial->cloth);
     call->report.cut_seconds += dress_time() - start;
     if (status != MUS_OK) return status;
@@ -271,7 +276,7 @@ static mus_status dress_prepare(dress_call *call, const mus_pattern **pattern)
 static mus_status dress_options(dress_call *call, const mus_dress_def *def)
 {
     mus_dress_def_init(&call->def, sizeof call->def);
-    mus_status status = mus__def_read(call->context, &call->def, sizeof call->def, sizeof call->def, def, "dress def");
+    mus_status status = mus__def_read(call->context, &call->def, sizeof call->def, DRESS_DEF_FIRST, def, "dress def");
     if (status != MUS_OK) return status;
     mus_drape_def_init(&call->drape, sizeof call->drape);
     call->drape.precision = call->def.precision;

@@ -17,7 +17,7 @@
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

@@ -2,9 +2,9 @@
  * settle.c: mus_drape_settle(): relaxation to rest under gravity, coarse to fine.
  *
  * A cloth that is far from rest falls on its coarsest cut first; each finer cut starts where the coarser one came to.
- * On each cut: relaxation (relaxation_loop.c) with a drag that is critical for the slowest motion left, measured from
- * check to check. Kinetic damping, which halts all nodes at peaks of the kinetic energy, was measured and dropped: it
- * let cloth slip that friction holds (by 9 mm on the T-shirt).
+ * On each cut: relaxation (dynamic_relaxation.c) with a drag that is critical for the slowest motion left, measured
+ * from check to check. Kinetic damping, which halts all nodes at peaks of the kinetic energy, was measured and dropped:
+ * it let cloth slip that friction holds (by 9 mm on the T-shirt).
  *
  * A cloth is at rest when two things are small at the mean place of the last steps, in which the rounding of a float
  * state averages out:
@@ -31,10 +31,10 @@
 #include <string.h>
 
 #include "drape/coarse_drape.h"
-#include "dress/diagnosis.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/diagnosis.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

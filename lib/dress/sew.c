@@ -17,10 +17,10 @@
 
 #include "arrange/arrange_check.h"
 #include "drape/coarse_drape.h"
-#include "dress/diagnosis.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/diagnosis.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

@@ -10,12 +10,11 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "arrange/arrange_nodes.h"
-#include "dress/diagnosis.h"
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/diagnosis.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

@@ -22,7 +22,7 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "dress/relaxation_loop.h"
+#include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
 

@@ -3,7 +3,7 @@
  * are looked up as sides, and the table is written back as the new contents of the pattern.
  *
  * The room: edit.c; edit_dart.c, edit_panel.c, edit_spread.c, edit_point.c and edit_seam.c hold the calls of
- * muslin/edit.h, each a few calls of lib/board; history.c undoes and redoes.
+ * muslin/edit.h, each a few calls of lib/board; undo_history.c undoes and redoes.
  *
  * mus__board_read() makes the sides panel by panel, in the order of each word. mus__board_write() writes the remaining
  * panels in their order, each word from its first side. So the side of an edge is the first position that has the edge,
@@ -11,9 +11,9 @@
  */
 #include <string.h>
 
-#include "board/board_part.h"
-#include "board/board_sew.h"
-#include "edit/editing.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
+#include "edit/edit_internal.h"
 
 /* [m] an arc length this far beyond the end of its edge is at the end, as for notches */
 #define EDIT_END 1e-9

@@ -9,12 +9,12 @@
 #include <string.h>
 
 #include "board/board_dart.h"
-#include "board/board_part.h"
-#include "edit/editing.h"
+#include "board/board_rigid_part.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define EDIT_SAME 1e-6  /* [m] the points of two darts within this are one; chosen: above rounding */
-#define EDIT_TARGETS 64 /* most targets of a split; chosen */
+#define EDIT_TARGETS 64 /* most targets of a split; chosen: bounds the arrays on the stack */
 /* fractions whose sum is this near to 1 close the dart whole: rounding of the sum */
 #define EDIT_WHOLE 1e-12
 

@@ -13,10 +13,10 @@
 #include <string.h>
 
 #include "board/board_cut.h"
-#include "board/board_fullness.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
-#include "edit/editing.h"
+#include "board/board_patch_panel.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define OFFSET_STEP 0.015   /* [m] between points of an offset: on an arc of 5 cm radius the cubics are off by 1e-6 m */

@@ -2,22 +2,20 @@
  * edit_point.c: the edits of points and edges (muslin/edit.h): moved, drawn again, split, merged. A program in which a
  * point is dragged on a screen makes one of these calls for each place of the pointer.
  */
-#include <math.h>
-#include <string.h>
-
-#include "board/board_fullness.h"
-#include "board/board_part.h"
-#include "board/board_sew.h"
-#include "edit/editing.h"
+#include "board/board_rigid_part.h"
+#include "board/board_seam.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
+#include "edit/edit_internal.h"
 #include "geom/curve.h"
 
 
-/* is (x, y) within MUS__FARTHEST? The board fails when it is not */
+/* the board fails when (x, y) is not within MUS__FARTHEST */
 static bool edit_near(mus__board *board, const char *what, int32_t index, double x, double y)
 {
-    if (board->status == MUS_OK && !mus__pattern_near(x, y))
-        mus__board_fail(board, MUS_ERR_ARG, "move %s %d: (%g, %g) is not within %g m", what, (int)index, x, y,
-                        MUS__FARTHEST);
+    const double to[2] = {x, y};
+    if (board->status == MUS_OK)
+        board->status = mus__check_near(board->context, 1, 2, to, "move %s %d", what, (int)index);
     return board->status == MUS_OK;
 }
 

@@ -1,5 +1,5 @@
 /*
- * edit_seam.c: seams walked and trued (muslin/edit.h).
+ * edit_seam.c: seams walked, trued and notched (muslin/edit.h).
  *
  * Walking compares two sides at their notches: with lengths a and b, place s of one lies on s b / a of the other
  * (counted from its end when the seam is reversed); ease is spread evenly. Truing moves one end of a side along the
@@ -7,10 +7,10 @@
  * d += wanted - length(d) converges fast.
  */
 #include <math.h>
-#include <string.h>
 
-#include "board/board_part.h"
-#include "edit/editing.h"
+#include "board/board_notch.h"
+#include "board/board_rigid_part.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define TRUE_STEPS 100
@@ -99,7 +99,7 @@ static void edit_true(mus__board *board, int32_t side, bool end, double wanted)
         if (fabs(miss) <= TRUE_ENOUGH) break;
         d += miss;
         for (int k = 0; k < 2; k++) at[k] = from[k] + sign * d * along[k];
-        if (!mus__pattern_near(at[0], at[1])) break;
+        if (!mus__near(2, at)) break;
         mus__board_part_move_end(board, side, end, at);
     }
     if (board->status == MUS_OK && !(fabs(wanted - board->side[side].length) <= 1e3 * TRUE_ENOUGH))
@@ -133,5 +133,17 @@ mus_status mus_pattern_true_seam(mus_pattern *pattern, int32_t seam, int32_t edg
             edit_true(board, side, (at_end == 1) != board->side[side].backward, wanted);
         }
     }
+    return mus__edit_end(&e, 0, NULL, NULL);
+}
+
+
+mus_status mus_pattern_notch_seam(mus_pattern *pattern, int32_t edge, double s, int32_t kind)
+{
+    mus__editing e;
+    double at;
+    const mus_status status = mus__edit_begin(&e, pattern);
+    if (status != MUS_OK) return status;
+    const int32_t side = mus__edit_place(&e, edge, s, &at);
+    mus__board_notch_seam(&e.board, side, at, kind, 0.0);
     return mus__edit_end(&e, 0, NULL, NULL);
 }

@@ -5,14 +5,14 @@
  * lengths from the start of the hem stay true. Each is hinged and opens by 1 / n of the amount. A pleat is a slash that
  * is opened by twice its depth.
  */
-#include <string.h>
-
-#include "board/board_fullness.h"
-#include "edit/editing.h"
+#include "board/board_pleat.h"
+#include "board/board_smooth.h"
+#include "board/board_spread.h"
+#include "edit/edit_internal.h"
 #include "geom/vec.h"
 
 #define FLARE_MOST 64
-#define PLEATS_MOST 256 /* most pleats on one edge; chosen */
+#define PLEATS_MOST 256 /* most pleats on one edge; chosen: bounds the arrays on the stack */
 #define FLARE_WITHIN                                                                                                   \
     0.008 /* [m]: a hem is drawn by eye; a slash a hand's breadth from the next leaves corners of 5 mm */
 

@@ -7,11 +7,10 @@
  * key. Form: muslin_fabric(5).
  */
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/source.h"
+#include "exchange/file_read.h"
+#include "exchange/json_path.h"
 #include "file/sink.h"
 
 #define FABRIC_NAME_BYTES 100    /* [bytes] longest name; chosen, as muslin_fabric(5) says */
@@ -160,14 +159,10 @@ static mus_status fabric_load(mus_context *context, const mus__input *input, mus
     if (status != MUS_OK) return mus__file_fail(context, status, "%s: the size of out; use mus_fabric_init", what);
 
     mus_fabric fabric = *out;
-    mus__locale locale;
     mus__source source;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = fabric_read(&source, &fabric);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
     if (status == MUS_OK) *out = fabric;
     return status;
 }
@@ -205,9 +200,8 @@ static mus_status fabric_check_text(mus_context *context, const char *what, cons
     if (length < 1 || length > most)
         return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s has %zu bytes, expected 1 to %zu", what,
                               length, most);
-    for (const char *at = text; *at != '\0'; at += mus__utf8_length(at))
-        if (mus__utf8_length(at) == 0)
-            return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
+    if (mus__utf8_span(text) < length)
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_fabric_save: %s is not UTF-8", what);
     return MUS_OK;
 }
 

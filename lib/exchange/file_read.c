@@ -15,10 +15,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 
 #define FILE_NAME_BYTES 200  /* [bytes] of a path in a message; chosen: leaves 311 of 511 bytes for the sentence */
 #define FILE_ERROR_BYTES 512 /* [bytes] capacity of the context's error text */
+#define NUMBER_BYTES 64      /* [bytes] of a number with its zero byte; chosen: 17 digits are exact */
 
 
 mus_status mus__source_fail(const mus__source *source, int64_t line, mus_status status, const char *format, ...)
@@ -101,6 +102,25 @@ mus_status mus__input_check(mus_context *context, const mus__input *input, const
 }
 
 
+mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
+{
+    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
+    locale->own = (void *)own;
+    locale->before = (void *)uselocale(own);
+    return MUS_OK;
+}
+
+
+void mus__locale_leave(mus__locale *locale)
+{
+    if (locale->own == NULL) return;
+    uselocale((locale_t)locale->before);
+    freelocale((locale_t)locale->own);
+    locale->own = NULL;
+}
+
+
 mus_status mus__source_open(mus_context *context, const mus__input *input, mus__source *out)
 {
     memset(out, 0, sizeof *out);
@@ -108,8 +128,9 @@ mus_status mus__source_open(mus_context *context, const mus__input *input, mus__
     out->context = context;
     out->path = input->path;
     out->name = length > FILE_NAME_BYTES ? input->path + length - FILE_NAME_BYTES : input->path;
-    const mus_status status =
-        input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
+    mus_status status = mus__locale_enter(context, &out->locale);
+    if (status == MUS_OK)
+        status = input->text != NULL ? source_copy(out, input->text, input->size) : source_read(out, input->path);
     if (status != MUS_OK) {
         mus__source_close(out);
         return status;
@@ -129,6 +150,7 @@ void mus__source_close(mus__source *source)
     mus_context_alloc(source->context, source->text, 0);
     source->text = NULL;
     source->size = 0;
+    mus__locale_leave(&source->locale);
 }
 
 
@@ -181,20 +203,11 @@ void mus__unused_log(const mus__unused *unused, const mus__source *source)
 }
 
 
-mus_status mus__locale_enter(mus_context *context, mus__locale *locale)
+mus_status mus__unused_fail(const mus__unused *unused, const mus__source *source)
 {
-    locale_t own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (own == (locale_t)0) return mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a locale");
-    locale->own = (void *)own;
-    locale->before = (void *)uselocale(own);
-    return MUS_OK;
-}
-
-
-void mus__locale_leave(mus__locale *locale)
-{
-    uselocale((locale_t)locale->before);
-    freelocale((locale_t)locale->own);
+    return mus__source_fail(source, 0, MUS_ERR_FORMAT, "no measure that muslin knows was found%s%s%s",
+                            unused->count > 0 ? "; there are " : "", unused->names,
+                            unused->listed < unused->count ? " and more" : "");
 }
 
 
@@ -219,19 +232,72 @@ size_t mus__number_span(const char *text)
 }
 
 
+/* length of a fraction such as "1/4" or "¼" at the start of a text [bytes], with its value; 0 when there is none */
+static size_t fraction_span(const char *text, double *out)
+{
+    static const char *const digits = "0123456789";
+    static const char *const signs[] = {"⅛", "¼", "⅜", "½", "⅝", "¾", "⅞"};
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+        *out = 0.125 * (double)(i + 1);
+        if (strncmp(text, signs[i], strlen(signs[i])) == 0) return strlen(signs[i]);
+    }
+    const size_t above = strspn(text, digits), below = text[above] == '/' ? strspn(text + above + 1, digits) : 0;
+    if (above == 0 || below == 0) return 0;
+    *out = strtod(text, NULL) / strtod(text + above + 1, NULL);
+    return above + 1 + below;
+}
+
+
+/* length of the comma and the digits behind it, after `whole` digits at `text` [bytes]; 0 with the fault as a text */
+static size_t comma_span(const char *text, size_t whole, const char **fault)
+{
+    const size_t after = strspn(text + whole + 1, "0123456789");
+    const char stop = text[whole + 1 + after];
+    if (strspn(text, "0123456789") < whole || after == 0 || stop == ',' || stop == '.')
+        *fault = "has a comma that is no decimal comma; write the decimal point as \".\"";
+    else if (after == 3 && text[0] != '0')
+        *fault = "has a comma that may be one of thousands; write the decimal point as \".\"";
+    return *fault == NULL ? 1 + after : 0;
+}
+
+
+const char *mus__amount_read(const char *text, double *out, size_t *length)
+{
+    char number[NUMBER_BYTES] = "0";
+    const char *fault = NULL;
+    double part;
+    size_t fraction = fraction_span(text, &part), span = fraction > 0 ? 0 : mus__number_span(text), comma = 0;
+    if (span + fraction == 0) return "is not a number";
+    if (span > 0 && text[span] == ',') {
+        comma = comma_span(text, span, &fault);
+    } else if (span > 0 && strspn(text, "0123456789") == span) {
+        /* "41 1/4" and "41-1/4" */
+        const size_t gap = text[span] == '-' ? 1 : strspn(text + span, " \t");
+        fraction = fraction_span(text + span + gap, &part);
+        if (fraction > 0) fraction += gap;
+    }
+    if (fault != NULL) return fault;
+    if (span + comma >= sizeof number) return "has too many digits";
+    if (fraction > 0 && !(part > 0.0 && part < 1.0)) return "has a fraction that is not between 0 and 1";
+
+    memcpy(number, text, span + comma);
+    if (span > 0) number[span + comma] = '\0';
+    if (comma > 0) number[span] = '.';
+    *out = strtod(number, NULL) + (fraction > 0 ? part : 0.0);
+    *length = span + comma + fraction;
+    return *out - *out != 0.0 ? "is too large" : NULL;
+}
+
+
 const char *mus__number_read(const char *text, double *out)
 {
     const char *blanks = " \t\r\n";
+    double value = 0.0;
+    size_t length = 0;
     text += strspn(text, blanks);
-    size_t span = mus__number_span(text);
-    const char *rest = text + span;
-    if (*rest == ',') return "has a comma; write the decimal point as \".\"";
-    if (span == 0) return "is not a number";
-    rest += strspn(rest, blanks);
-    if (*rest != '\0') return "has more than a number";
-
-    double value = strtod(text, NULL);
-    if (value - value != 0.0) return "is too large";
+    const char *fault = mus__amount_read(text, &value, &length);
+    if (fault != NULL) return fault;
+    if (text[length + strspn(text + length, blanks)] != '\0') return "has more than a number";
     *out = value;
     return NULL;
 }

@@ -16,18 +16,22 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/pattern_forms.h"
+#include "exchange/json_path.h"
+#include "exchange/pattern_readers.h"
 
 #define FS_MILLIMETRE 1e-3  /* [m] unit of the file */
 #define FS_PIECES_MOST 4096 /* most segments of an outline in the file; chosen: bounds memory and time */
 #define FS_TINY 1e-9        /* [m] a shorter segment is left out; chosen: far below any drawing */
 #define FS_GAP 1e-6         /* [m] largest gap between two segments; chosen: the rounding of the file */
-#define FS_ON_FOLD 1e-5     /* [m] a point nearer to the fold line is on it; chosen */
-#define FS_ON_EDGE 1e-4     /* [m] a notch nearer to the outline is on it; chosen */
+#define FS_ON_FOLD 1e-5     /* [m] a point nearer to the fold line is on it; chosen: above the rounding of a dump */
+/* [m] a notch nearer to the outline is on it; chosen: above the rounding of a dump, below the width of a line */
+#define FS_ON_EDGE 1e-4
 #define FS_CORNER 0.96593   /* a corner turns by more than this cosine: 15 degrees. Chosen */
-#define FS_SAMPLES 48       /* points of an edge tried in each round of the search for a notch's place; chosen */
-#define FS_ROUNDS 5         /* rounds; each searches between two points of the last, 24 times finer; chosen */
+/* points of an edge tried in each round of the search for a notch; chosen: fewer could miss the nearest part of a
+ * curve */
+#define FS_SAMPLES 48
+/* rounds of the search, each 24 times finer than the last; chosen: the place is right to 1e-7 of the edge */
+#define FS_ROUNDS 5
 
 /* a segment of the outline: start, control points of a cubic, end [m], y up */
 struct fs_piece {

@@ -10,15 +10,18 @@
  *     circle (radius, large, right):  half way along the arc = a + e/2 + h (left or right normal)
  *                                     h = r -+ sqrt(r^2 - |e|^2/4), - for the short way, + for the long way round
  * Placement: X = R (x, y, 0) + translation, R = Rx Ry Rz of the angles in degrees.
+ *
+ * Names of panels are words with '_' between them ("sl_left_cuff_f"). The reader takes labels and sides of panels from
+ * them, for a file labels a collar "body", and tells no sides.
  * Source: Korosteleva and Sorkine-Hornung, GarmentCode: Programming Parametric Sewing Patterns, 2023, and its files.
  */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/json_at.h"
-#include "exchange/pattern_forms.h"
-#include "exchange/source.h"
+#include "exchange/file_read.h"
+#include "exchange/json_path.h"
+#include "exchange/pattern_readers.h"
 
 #define GC_COUNT_MAX 100000 /* most vertices of a panel, and stitches; chosen: far above any garment */
 #define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this ratio; chosen: a half circle in few digits */
@@ -253,6 +256,62 @@ static mus_status gc_loop(struct gc_reader *reader, const mus__json_at *at, int3
 }
 
 
+/* words in the names of panels: the label and the side that each tells. Of several labels the first in this list holds:
+ * a cuff is on a leg where the name has "pant" */
+static const struct {
+    const char *word, *label;
+    int32_t side;
+} gc_words[] = {{"collar", "collar", 0},
+                {"hood", "hood", 0},
+                {"neck", "neck", 0},
+                {"sleeve", "arm", 0},
+                {"sl", "arm", 0},
+                {"pant", "leg", 0},
+                {"cuff", "arm", 0},
+                {"ftorso", "body", MUS_SIDE_FRONT},
+                {"btorso", "body", MUS_SIDE_BACK},
+                {"front", NULL, MUS_SIDE_FRONT},
+                {"f", NULL, MUS_SIDE_FRONT},
+                {"back", NULL, MUS_SIDE_BACK},
+                {"b", NULL, MUS_SIDE_BACK},
+                {"left", NULL, MUS_SIDE_LEFT},
+                {"l", NULL, MUS_SIDE_LEFT},
+                {"right", NULL, MUS_SIDE_RIGHT},
+                {"r", NULL, MUS_SIDE_RIGHT}};
+
+
+static bool gc_has_word(const char *name, const char *word)
+{
+    const size_t n = strlen(word);
+    for (const char *at = name; at != NULL; at = strchr(at, '_')) {
+        if (*at == '_') at++;
+        if (strncmp(at, word, n) == 0 && (at[n] == '_' || at[n] == '\0')) return true;
+    }
+    return false;
+}
+
+
+/* set label and sides of a panel. The label of the file holds, unless it is the general "body" */
+static mus_status gc_label(const struct gc_reader *reader, const mus__json_at *at, int32_t panel)
+{
+    const char *text = "", *told = NULL;
+    int32_t sides = 0;
+    mus__json_at label = mus__json_member(at, "label");
+    mus_status status = label.json != NULL ? mus__json_text(&label, &text) : MUS_OK;
+    if (status != MUS_OK) return status;
+    for (size_t i = 0; i < sizeof gc_words / sizeof *gc_words; i++) {
+        if (!gc_has_word(at->key, gc_words[i].word)) continue;
+        sides |= gc_words[i].side;
+        if (told == NULL) told = gc_words[i].label;
+    }
+    if (told != NULL && (text[0] == '\0' || strcmp(text, "body") == 0)) text = told;
+    status = mus_pattern_set_panel_label(reader->pattern, panel, text);
+    if (status != MUS_OK) return mus__json_wrap(&label, status);
+    status = mus_pattern_set_panel_sides(reader->pattern, panel, sides);
+    return status == MUS_OK ? MUS_OK : mus__json_wrap(at, status);
+}
+
+
 static mus_status gc_panel(struct gc_reader *reader, const mus__json_at *at)
 {
     mus_status status = mus__json_expect(at, JSON_OBJECT);
@@ -260,16 +319,8 @@ static mus_status gc_panel(struct gc_reader *reader, const mus__json_at *at)
     int32_t panel;
     status = mus_pattern_add_panel(reader->pattern, at->key, &panel);
     if (status != MUS_OK) return mus__json_wrap(at, status);
-
-    const char *text;
-    mus__json_at label = mus__json_member(at, "label");
-    if (label.json != NULL) {
-        status = mus__json_text(&label, &text);
-        if (status != MUS_OK) return status;
-        status = mus_pattern_set_panel_label(reader->pattern, panel, text);
-        if (status != MUS_OK) return mus__json_wrap(&label, status);
-    }
-    status = gc_placement(reader, at, panel);
+    status = gc_label(reader, at, panel);
+    if (status == MUS_OK) status = gc_placement(reader, at, panel);
     return status == MUS_OK ? gc_loop(reader, at, panel) : status;
 }
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 
 #define OBJ_TRIANGLES 16000000 /* most triangles, and most vertices; chosen: far above a scan of a person */
 
@@ -152,9 +152,6 @@ static mus_status obj_load(mus_context *context, const mus__input *input, mus_me
     if (status != MUS_OK) return status;
     mus__source source;
     status = mus__source_open(context, input, &source);
-    if (status != MUS_OK) return status;
-    mus__locale locale;
-    status = mus__locale_enter(context, &locale);
     if (status == MUS_OK) {
         mus_mesh *mesh = mus_context_alloc(context, NULL, sizeof *mesh);
         if (mesh == NULL) {
@@ -168,7 +165,6 @@ static mus_status obj_load(mus_context *context, const mus__input *input, mus_me
             *out = mesh;
         else
             mus_mesh_destroy(mesh);
-        mus__locale_leave(&locale);
     }
     mus__source_close(&source);
     return status;

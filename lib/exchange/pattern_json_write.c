@@ -5,9 +5,7 @@
  * means the same cell again. Numbers have as many digits as the double needs to be read back exactly (at most 17).
  * Optional members with their default value (names, labels, allowances) are left out. Form: muslin_pattern(5).
  */
-#include <stdio.h>
-
-#include "exchange/source.h"
+#include "exchange/file_read.h"
 #include "file/sink.h"
 
 
@@ -38,6 +36,20 @@ static void put_list(mus__sink *sink, const char *key)
 }
 
 
+/* write the sides that a panel is on, unless they are left to its name */
+static void put_sides(mus__sink *sink, const mus_pattern *pattern, int32_t panel)
+{
+    static const char *const names[] = {"front", "back", "left", "right"};
+    int32_t given;
+    const int32_t sides = mus_pattern_panel_sides(pattern, panel, &given);
+    if (!given) return;
+    mus__sink_print(sink, ", \"sides\": [");
+    for (int32_t i = 0, n = 0; i < 4; i++)
+        if ((sides & MUS_SIDE_FRONT << i) != 0) mus__sink_print(sink, "%s\"%s\"", n++ > 0 ? ", " : "", names[i]);
+    mus__sink_print(sink, "]");
+}
+
+
 static void put_item(mus__sink *sink, int32_t index)
 {
     mus__sink_print(sink, index == 0 ? "\n  " : ",\n  ");
@@ -60,6 +72,7 @@ static mus_status put_panel(mus__sink *sink, const mus_pattern *pattern, int32_t
     mus__sink_print(sink, "{\"name\": ");
     mus__sink_quote(sink, mus_pattern_panel_name(pattern, panel));
     put_text(sink, "label", mus_pattern_panel_label(pattern, panel));
+    put_sides(sink, pattern, panel);
     mus__sink_print(sink, ", \"grain\": ");
     put_numbers(sink, 2, grain);
     mus__sink_print(sink, ", \"cut\": %d", (int)count);

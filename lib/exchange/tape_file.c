@@ -8,19 +8,19 @@
  *     size   W40          fills the tape with a table size; lines below it overrule single measures
  *     bust   92 cm
  *     shoulder slope: 22 deg
+ *     height 5 ft 5 1/2 in
  *
- * Units: mm, cm, m, in for lengths; deg, rad for angles. An unknown line is an error that names its number: a measure
- * skipped in silence would be derived from others, and the garment would not fit. See muslin_tape(5).
+ * Units: mm, cm, m, in, ft for lengths; deg, rad for angles. An unknown line is an error that names its number: a
+ * measure skipped in silence would be derived from others, and the garment would not fit. See muslin_tape(5).
  */
 #include <ctype.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 #include "file/sink.h"
 
 #define KEY_BYTES 64 /* [bytes] of a key with its zero byte; chosen: far above the longest name of a measure */
@@ -32,8 +32,21 @@ static const struct {
     double up;
     double down;
 } tape_units[] = {
-    {"m", 'm', 1.0, 1.0},        {"cm", 'm', 1.0, 100.0}, {"mm", 'm', 1.0, 1000.0},
-    {"in", 'm', 254.0, 10000.0}, {"rad", 'r', 1.0, 1.0},  {"deg", 'r', 3.14159265358979323846, 180.0},
+    {"m", 'm', 1.0, 1.0},         {"cm", 'm', 1.0, 100.0}, {"mm", 'm', 1.0, 1000.0},
+    {"in", 'm', 254.0, 10000.0},  {"rad", 'r', 1.0, 1.0},  {"deg", 'r', 3.14159265358979323846, 180.0},
+    {"ft", 'm', 3048.0, 10000.0},
+};
+#define UNIT_INCH 3
+#define UNIT_FOOT 6
+#define UNIT_COUNT 7
+
+/* other ways to write a unit */
+static const struct {
+    const char *name;
+    int unit;
+} tape_unit_names[] = {
+    {"inch", UNIT_INCH}, {"inches", UNIT_INCH}, {"\"", UNIT_INCH}, {"″", UNIT_INCH}, {"''", UNIT_INCH},
+    {"foot", UNIT_FOOT}, {"feet", UNIT_FOOT},   {"'", UNIT_FOOT},  {"′", UNIT_FOOT},
 };
 
 /* state while a tape in text form is read */
@@ -54,14 +67,6 @@ static char *trim(char *text)
     size_t length = strlen(text);
     while (length > 0 && strchr(" \t\r", text[length - 1]) != NULL) text[--length] = '\0';
     return text;
-}
-
-
-static bool is_utf8(const char *text)
-{
-    size_t n = 1;
-    for (; *text != '\0' && n > 0; text += n) n = mus__utf8_length(text);
-    return n > 0;
 }
 
 
@@ -100,39 +105,65 @@ static char *split_key(char *line, char *key)
 }
 
 
+/* the unit at the start of a text, which ends before a digit or a blank, with its length [bytes]; UNIT_COUNT when it is
+ * no unit of the measure */
+static int read_unit(const char *text, int32_t measure, size_t *length)
+{
+    int unit = 0;
+    *length = strcspn(text, " \t+-.0123456789");
+    while (unit < UNIT_COUNT &&
+           (strlen(tape_units[unit].name) != *length || strncmp(text, tape_units[unit].name, *length) != 0))
+        unit++;
+    for (size_t i = 0; i < sizeof tape_unit_names / sizeof *tape_unit_names; i++)
+        if (strlen(tape_unit_names[i].name) == *length && strncmp(text, tape_unit_names[i].name, *length) == 0)
+            unit = tape_unit_names[i].unit;
+    return unit < UNIT_COUNT && tape_units[unit].unit == mus_measure_unit(measure) ? unit : UNIT_COUNT;
+}
+
+
+/* read number and unit, "92 cm" or "5 ft 5 1/2 in" [m or rad]; *end: the text behind them */
+static mus_status read_amount(struct tape_text *text, int32_t measure, const char *key, const char *value,
+                              double *amount, const char **end)
+{
+    const char *at = value, *const wanted = mus_measure_unit(measure) == 'm' ? "mm, cm, m, in or ft" : "deg or rad";
+    int before = UNIT_COUNT, unit = UNIT_COUNT;
+    *amount = 0.0;
+    do {
+        double x = 0.0;
+        size_t digits = 0, length;
+        const char *wrong = mus__amount_read(at, &x, &digits);
+        if (wrong != NULL)
+            return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "%s: expected a number, \"%.40s\" %s",
+                                    key, at, wrong);
+        const char *behind = at + digits + strspn(at + digits, " \t");
+        unit = read_unit(behind, measure, &length);
+        if (unit == UNIT_COUNT || (before == UNIT_FOOT && unit != UNIT_INCH))
+            return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT,
+                                    "%s: expected a unit (%s) behind %.*s, got \"%.*s\"", key,
+                                    before == UNIT_FOOT ? "in" : wanted, (int)digits, at, (int)length, behind);
+        *amount += x * tape_units[unit].up / tape_units[unit].down;
+        at = behind + length + strspn(behind + length, " \t");
+        if (before == UNIT_FOOT) break;
+        before = unit;
+    } while (unit == UNIT_FOOT && *at >= '0' && *at <= '9');
+    *end = at;
+    return MUS_OK;
+}
+
+
 /* read number, unit and, for a derived measure, the word "derived" */
 static mus_status read_measure(struct tape_text *text, int32_t measure, const char *key, const char *value)
 {
-    const mus__source *source = text->source;
-    size_t span = mus__number_span(value);
-    if (value[span] == ',' || span == 0)
-        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: expected a number%s, got \"%s\"", key,
-                                strchr(value, ',') != NULL ? " with a decimal point" : "", value);
-    char number[KEY_BYTES], unit[16] = "", word[16] = "", more[2] = "";
-    if (span >= sizeof number)
-        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: a number of %zu digits", key, span);
-    memcpy(number, value, span);
-    number[span] = '\0';
-    double x = 0.0;
-    const char *wrong = mus__number_read(number, &x);
-    if (wrong != NULL) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: %s %s", key, number, wrong);
-
-    /* the unit must fit the measure */
-    sscanf(value + span, "%15s %15s %1s", unit, word, more);
-    const char *wanted = mus_measure_unit(measure) == 'm' ? "mm, cm, m or in" : "deg or rad";
-    size_t i = 0, n = sizeof tape_units / sizeof tape_units[0];
-    while (i < n && (strcmp(unit, tape_units[i].name) != 0 || tape_units[i].unit != mus_measure_unit(measure))) i++;
-    if (i == n)
-        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: expected a unit (%s) behind %s, got \"%s\"",
-                                key, wanted, number, unit);
-    bool derived = strcmp(word, "derived") == 0;
-    if ((word[0] != '\0' && !derived) || more[0] != '\0')
-        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "%s: unexpected \"%s\" behind the unit", key,
-                                derived ? more : word);
-
-    mus_status status = mus_tape_set(text->tape, measure, x * tape_units[i].up / tape_units[i].down,
-                                     derived ? MUS_SOURCE_DERIVED : MUS_SOURCE_GIVEN);
-    return status == MUS_OK ? MUS_OK : mus__source_wrap(source, text->line, status);
+    double amount;
+    const char *rest = "";
+    mus_status status = read_amount(text, measure, key, value, &amount, &rest);
+    if (status != MUS_OK) return status;
+    const bool derived = strcmp(rest, "derived") == 0;
+    if (*rest != '\0' && !derived)
+        return mus__source_fail(text->source, text->line, MUS_ERR_FORMAT, "%s: unexpected \"%.40s\" behind the unit",
+                                key, rest);
+    status = mus_tape_set(text->tape, measure, amount, derived ? MUS_SOURCE_DERIVED : MUS_SOURCE_GIVEN);
+    return status == MUS_OK ? MUS_OK : mus__source_wrap(text->source, text->line, status);
 }
 
 
@@ -197,7 +228,8 @@ static mus_status read_line(struct tape_text *text, char *line)
     const mus__source *source = text->source;
     line = trim(line);
     if (*line == '\0' || *line == '#') return MUS_OK;
-    if (!is_utf8(line)) return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
+    if (line[mus__utf8_span(line)] != '\0')
+        return mus__source_fail(source, text->line, MUS_ERR_FORMAT, "expected UTF-8 text");
 
     /* a number sign starts a remark, except in a name */
     char key[KEY_BYTES];
@@ -228,7 +260,7 @@ static mus_status read_line(struct tape_text *text, char *line)
 }
 
 
-mus_status mus__tape_read_text(mus__source *source, mus_tape *tape)
+static mus_status tape_read_text(mus__source *source, mus_tape *tape)
 {
     struct tape_text text = {.source = source, .tape = tape};
     const char *zero = memchr(source->text, '\0', source->size);
@@ -268,6 +300,23 @@ static int tape_form(const char *path)
 }
 
 
+/* derive the stature of a tape without one from the height of the nape or of the waist, where one is given */
+static mus_status tape_stature(mus_tape *tape)
+{
+    /* height over stature, unset sex: women, men. The nape's ratio is the mean of ANSUR II (Gordon and others 2014),
+     * with a deviation of 0.7 %; the waist's is that of clothing size tables, with 0.675 stature - 7.5 cm for children
+     */
+    static const double nape[] = {0.861, 0.857, 0.864}, waist[] = {0.6185, 0.622, 0.615};
+    const int32_t sex = mus_tape_sex(tape);
+    const bool child = sex == MUS_SEX_CHILD;
+    const double high = mus_tape_value(tape, MUS_MEASURE_NAPE_HEIGHT);
+    const double low = mus_tape_value(tape, MUS_MEASURE_WAIST_HEIGHT);
+    if (mus_tape_source(tape, MUS_MEASURE_STATURE) != MUS_SOURCE_NONE) return MUS_OK;
+    const double stature = child ? (low + 0.075) / 0.675 : high == high ? high / nape[sex] : low / waist[sex];
+    return stature == stature ? mus_tape_set(tape, MUS_MEASURE_STATURE, stature, MUS_SOURCE_DERIVED) : MUS_OK;
+}
+
+
 static mus_status read_form(mus__source *source, const char *row, int form, mus_tape *tape)
 {
     /* a tape without a name of its own gets that of its file */
@@ -275,15 +324,26 @@ static mus_status read_form(mus__source *source, const char *row, int form, mus_
     char name[KEY_BYTES];
     mus__source_base(source->path, endings, name, sizeof name);
 
+    mus__unused unused = {.count = 0};
     mus_status status;
     if (form == 't')
-        status = mus__tape_read_text(source, tape);
+        status = tape_read_text(source, tape);
     else if (form == 'y')
-        status = mus__tape_read_yaml(source, tape);
+        status = mus__tape_read_yaml(source, tape, &unused);
     else if (form == 'v')
-        status = mus__tape_read_vit(source, tape);
+        status = mus__tape_read_vit(source, tape, &unused);
     else
-        status = mus__tape_read_table(source, row, tape);
+        status = mus__tape_read_table(source, row, tape, &unused);
+
+    /* a file in a form of another program, none of whose names is known, is not an empty tape */
+    bool empty = form != 't';
+    for (int32_t m = 0; m < mus_measure_count(); m++) empty = empty && mus_tape_source(tape, m) == MUS_SOURCE_NONE;
+    if (status == MUS_OK && empty) return mus__unused_fail(&unused, source);
+    if (status == MUS_OK && (form == 'v' || form == 'c')) {
+        status = tape_stature(tape);
+        if (status != MUS_OK) return mus__source_wrap(source, 0, status);
+    }
+    if (status == MUS_OK) mus__unused_log(&unused, source);
     if (status == MUS_OK && mus_tape_name(tape)[0] == '\0') status = mus_tape_set_name(tape, name);
     return status;
 }
@@ -300,29 +360,20 @@ static mus_status tape_load(mus_context *context, const mus__input *input, const
     const int form = tape_form(path);
     if (form == 0)
         return mus__file_fail(context, MUS_ERR_FORMAT,
-                              "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv",
-                              path);
+                              "%.300s: unknown form of tape; expected .tape, .txt, .yaml, .yml, .vit or .csv", path);
     if ((form == 'c') != (row != NULL))
         return mus__file_fail(
             context, MUS_ERR_ARG,
             form == 'c' ? "%.300s: a table needs the name of a row" : "%.300s: has no rows; only a .csv has", path);
-    mus__locale locale;
-    status = mus__locale_enter(context, &locale);
-    if (status != MUS_OK) return status;
-
     mus__source source;
     mus_tape *tape = NULL;
     status = mus__source_open(context, input, &source);
     if (status == MUS_OK) status = mus_tape_create(context, &tape);
     if (status == MUS_OK) status = read_form(&source, row, form, tape);
     mus__source_close(&source);
-    mus__locale_leave(&locale);
-    if (status != MUS_OK) {
-        mus_tape_destroy(tape);
-        return status;
-    }
-    *out = tape;
-    return MUS_OK;
+    if (status == MUS_OK) *out = tape;
+    else mus_tape_destroy(tape);
+    return status;
 }
 
 

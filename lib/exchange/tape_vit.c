@@ -3,20 +3,21 @@
  *
  * expat reads the file as a stream. Values are numbers in the unit of the file; 0 means not measured. A value may also
  * be a formula over other names. A formula in a measure that muslin knows is an error that names the measure. Names
- * that start with "@" are the user's own and are ignored, as are names for which muslin has no measure. A document type
- * declaration is refused, since these files need no entities.
+ * that start with "@" are the user's own and are ignored, as are names for which muslin has no measure, except the
+ * letters of the Russian tailoring standards (GOST 17522, the uniform method of garment design), which many such files
+ * use: the stature, lengths, and halves of girths and widths whose meaning does not differ between books. A document
+ * type declaration is refused, since these files need no entities.
  *
  * Names: reference table of Valentina's known measures by formula name. Where two names fit one measure, the first in
  * the table wins.
  */
 #include <expat.h>
-#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 
 
 static const struct {
@@ -61,15 +62,28 @@ static const struct {
     {"foot_length", MUS_MEASURE_FOOT},
     {"height_neck_back", MUS_MEASURE_NAPE_HEIGHT},
     {"height_bustpoint", MUS_MEASURE_BUST_HEIGHT},
+    {"@Р", MUS_MEASURE_STATURE},
+    {"@Шп", MUS_MEASURE_SHOULDER},
+    {"@Оп", MUS_MEASURE_UPPER_ARM},
+    {"@Сш", MUS_MEASURE_NECK},
+    {"@Сг", MUS_MEASURE_BUST},
+    {"@Сг3", MUS_MEASURE_BUST},
+    {"@СгІІІ", MUS_MEASURE_BUST},
+    {"@Ст", MUS_MEASURE_WAIST},
+    {"@Сб", MUS_MEASURE_HIP},
+    {"@Шс", MUS_MEASURE_ACROSS_BACK},
+    {"@Шг", MUS_MEASURE_ACROSS_FRONT},
+    {"@Цг", MUS_MEASURE_BUST_SPAN},
 };
 
 #define VIT_NAME_COUNT ((int32_t)(sizeof vit_names / sizeof vit_names[0]))
+#define VIT_GOST_HALVES (VIT_NAME_COUNT - 9) /* from this name on the file has half of the measure */
 
 struct vit_reader {
     mus__source *source;
     XML_Parser parser;
     mus_status status;
-    mus__unused unused;
+    mus__unused *unused;
     int32_t depth;
     bool in_personal;
     bool in_measures;
@@ -128,7 +142,7 @@ static void vit_measure(struct vit_reader *reader, const XML_Char **attributes)
     int32_t i = 0;
     while (i < VIT_NAME_COUNT && strcmp(name, vit_names[i].name) != 0) i++;
     if (i == VIT_NAME_COUNT) {
-        mus__unused_add(&reader->unused, name);
+        if (value != NULL && strspn(value, " 0") < strlen(value)) mus__unused_add(reader->unused, name);
         return;
     }
     mus_status status = MUS_OK;
@@ -232,6 +246,7 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
         if (reader->value[i] != reader->value[i] || set) continue;
         bool length = mus_measure_unit(measure) == 'm';
         double value = length ? reader->value[i] * units[u].up / units[u].down : reader->value[i] * MUS__DEGREE;
+        if (i >= VIT_GOST_HALVES) value *= 2.0;
         status = mus_tape_set(tape, measure, value, MUS_SOURCE_GIVEN);
         if (status != MUS_OK) status = mus__source_wrap(reader->source, reader->line[i], status);
     }
@@ -241,15 +256,13 @@ static mus_status vit_measures(const struct vit_reader *reader, mus_tape *tape)
 }
 
 
-mus_status mus__tape_read_vit(mus__source *source, mus_tape *tape)
+mus_status mus__tape_read_vit(mus__source *source, mus_tape *tape, mus__unused *unused)
 {
-    struct vit_reader reader = {.source = source};
+    struct vit_reader reader = {.source = source, .unused = unused};
     for (int32_t i = 0; i < VIT_NAME_COUNT; i++) reader.value[i] = NAN;
     reader.parser = XML_ParserCreate(NULL);
     if (reader.parser == NULL) return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for the XML reader");
     mus_status status = vit_parse(&reader);
     XML_ParserFree(reader.parser);
-    if (status != MUS_OK) return status;
-    mus__unused_log(&reader.unused, source);
-    return vit_measures(&reader, tape);
+    return status == MUS_OK ? vit_measures(&reader, tape) : status;
 }

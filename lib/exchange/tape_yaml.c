@@ -21,11 +21,14 @@
 #include <string.h>
 #include <yaml.h>
 
-#include "exchange/source.h"
-#include "exchange/tape_forms.h"
+#include "exchange/file_read.h"
+#include "exchange/tape_readers.h"
 
-#define BODY_NECK_SIDE 0.0165 /* height of the nape above the side of the neck base, over stature; chosen */
-#define BODY_SCYE 0.9         /* depth of the armpit over the scye depth, which is measured to a lower tape; chosen */
+/* height of the nape above the side of the neck base, over the stature; chosen: sets the nape of a GarmentCode body */
+#define BODY_NECK_SIDE 0.0165
+/* depth of the armpit over the scye depth, which is measured to a lower tape; chosen: sets the armpit of a
+ * GarmentCode body */
+#define BODY_SCYE 0.9
 
 
 /* the measures of the file, by their own names */
@@ -61,7 +64,7 @@ static const char *const body_names[BODY_COUNT] = {BODY_LIST(BODY_NAME)};
 /* state of the reader: in the document, in its top map, or in the map `body` */
 struct body_reader {
     mus__source *source;
-    mus__unused unused;
+    mus__unused *unused;
     double value[BODY_COUNT]; /* NaN: not in the file */
     int32_t depth;
     bool wants_value; /* a key was read and its value is next */
@@ -76,7 +79,7 @@ static mus_status body_number(struct body_reader *reader, const char *text, int6
     int32_t i = 0;
     while (i < BODY_COUNT && strcmp(reader->key, body_names[i]) != 0) i++;
     if (i == BODY_COUNT) {
-        mus__unused_add(&reader->unused, reader->key);
+        mus__unused_add(reader->unused, reader->key);
         return MUS_OK;
     }
     if (reader->value[i] == reader->value[i])
@@ -108,7 +111,7 @@ static mus_status body_scalar(struct body_reader *reader, const yaml_event_t *ev
     if (strcmp(reader->key, "body") == 0)
         return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "body: expected a map of measures, got \"%.40s\"",
                                 text);
-    mus__unused_add(&reader->unused, reader->key);
+    mus__unused_add(reader->unused, reader->key);
     return MUS_OK;
 }
 
@@ -260,9 +263,9 @@ static mus_status body_shoulder(struct body_reader *reader, mus_tape *tape)
 }
 
 
-mus_status mus__tape_read_yaml(mus__source *source, mus_tape *tape)
+mus_status mus__tape_read_yaml(mus__source *source, mus_tape *tape, mus__unused *unused)
 {
-    struct body_reader reader = {.source = source};
+    struct body_reader reader = {.source = source, .unused = unused};
     for (int32_t i = 0; i < BODY_COUNT; i++) reader.value[i] = NAN;
 
     yaml_parser_t parser;
@@ -274,7 +277,6 @@ mus_status mus__tape_read_yaml(mus__source *source, mus_tape *tape)
     if (status != MUS_OK) return status;
 
     if (!reader.found) return mus__source_fail(source, 0, MUS_ERR_FORMAT, "expected a map \"body:\", found none");
-    mus__unused_log(&reader.unused, source);
     status = body_measures(&reader, tape);
     return status == MUS_OK ? body_shoulder(&reader, tape) : status;
 }

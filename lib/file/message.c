@@ -9,24 +9,6 @@
 #define MESSAGE_BYTES 512 /* [bytes] capacity of the context's error text */
 
 
-size_t mus__utf8_length(const char *text)
-{
-    const unsigned char *byte = (const unsigned char *)text;
-    size_t n = byte[0] < 0x80                      ? 1
-               : byte[0] >= 0xC2 && byte[0] < 0xE0 ? 2
-               : byte[0] >= 0xE0 && byte[0] < 0xF0 ? 3
-               : byte[0] >= 0xF0 && byte[0] < 0xF5 ? 4
-                                                   : 0;
-    for (size_t i = 1; i < n; i++)
-        if ((byte[i] & 0xC0) != 0x80) return 0;
-
-    /* refused: overlong forms, surrogates, code points beyond U+10FFFF */
-    if (n == 3 && ((byte[0] == 0xE0 && byte[1] < 0xA0) || (byte[0] == 0xED && byte[1] > 0x9F))) return 0;
-    if (n == 4 && ((byte[0] == 0xF0 && byte[1] < 0x90) || (byte[0] == 0xF4 && byte[1] > 0x8F))) return 0;
-    return n;
-}
-
-
 void mus__text_make_printable(char *text)
 {
     for (char *at = text; *at != '\0';) {

@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 
+#include "base/utf8.h"
 #include "muslin/base.h"
 
 #if defined(__GNUC__)
@@ -15,8 +16,6 @@
 #define MUS__FILE_PRINTF(at, from)
 #endif
 
-/* length of the valid UTF-8 sequence at `text` [bytes], 1..4; 0 if there is none */
-size_t mus__utf8_length(const char *text);
 /* replace each byte of `text` that is not printable UTF-8 by '?' */
 void mus__text_make_printable(char *text);
 /* make the formatted sentence, printable and at most 511 bytes long, the context's error text; returns `status` */

@@ -1,5 +1,6 @@
 /*
- * fit.c: strain, pressure and gap at each node of a draped garment.
+ * fit.c: strain, pressure and gap at each node of a draped garment; fit_girths.c has its levels, fit_spread.c how a
+ * quantity is spread over the cloth.
  *
  * Strain: in each triangle F maps vectors in the flat to vectors in space; the strain is |F w| - 1 along the warp w,
  * and the same along the weft. A node gets the mean over its triangles by area in the flat.
@@ -38,10 +39,11 @@ static double fit_strain(const double *a, const double *b, const double *p, cons
 }
 
 
-/* strains at the nodes; area (n) is scratch */
-static void fit_strains(mus_fit *fit, const mus_drape *drape, double *area)
+/* strains and areas at the nodes */
+static void fit_strains(mus_fit *fit, const mus_drape *drape)
 {
     const mus_cloth *cloth = drape->cloth;
+    double *area = fit->area; /* six times the area of a node, until all triangles are added */
     for (int32_t k = 0; k < cloth->ntriangle; k++) {
         const int32_t *v = cloth->triangle + 3 * (ptrdiff_t)k;
         double flat[2][2], space[2][3], warp[2] = {0.0, 1.0};
@@ -63,8 +65,10 @@ static void fit_strains(mus_fit *fit, const mus_drape *drape, double *area)
             area[v[c]] += size;
         }
     }
-    for (int32_t i = 0; i < fit->n; i++)
+    for (int32_t i = 0; i < fit->n; i++) {
         if (area[i] > 0.0) fit->warp[i] /= area[i], fit->weft[i] /= area[i];
+        area[i] /= 6.0;
+    }
 }
 
 
@@ -101,13 +105,14 @@ mus_status mus_fit_create(const mus_drape *drape, const mus_body *body, mus_fit 
     if (fit != NULL) {
         fit->context = context;
         fit->n = drape->n;
-        fit->warp = mus__new(context, 4 * (int64_t)drape->n, sizeof *fit->warp);
+        fit->warp = mus__new(context, 5 * (int64_t)drape->n, sizeof *fit->warp);
     }
     mus_status status = work != NULL && fit != NULL && fit->warp != NULL ? MUS_OK : mus__fail_memory(context, "a fit");
     if (status == MUS_OK) {
         fit->weft = fit->warp + fit->n, fit->pressure = fit->weft + fit->n, fit->gap = fit->pressure + fit->n;
+        fit->area = fit->gap + fit->n;
         for (int32_t i = 0; i < fit->n; i++) fit->gap[i] = (double)NAN;
-        fit_strains(fit, drape, work);
+        fit_strains(fit, drape);
         fit_pressures(fit, drape, work);
         if (body != NULL) status = mus__fit_levels(fit, drape, body);
     }
@@ -147,6 +152,12 @@ const double *mus_fit_pressure(const mus_fit *fit)
 const double *mus_fit_gap(const mus_fit *fit)
 {
     return fit != NULL ? fit->gap : NULL;
+}
+
+
+const double *mus_fit_area(const mus_fit *fit)
+{
+    return fit != NULL ? fit->area : NULL;
 }
 
 

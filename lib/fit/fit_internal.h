@@ -12,12 +12,12 @@
 struct mus_fit {
     mus_context *context;
     int32_t n, nlevel;
-    double *warp; /* (n) and the next three, one block */
-    double *weft, *pressure, *gap;
+    double *warp; /* (n) and the next four, one block */
+    double *weft, *pressure, *gap, *area;
     mus_fit_level level[MUS__FIT_LEVELS];
 };
 
-/* the levels that the garment goes round; needs gap (fit_level.c) */
+/* the levels that the garment goes round; needs gap (fit_girths.c) */
 mus_status mus__fit_levels(mus_fit *fit, const mus_drape *drape, const mus_body *body);
 
 #endif

@@ -1,9 +1,10 @@
 /*
- * polygon.c: area, perimeter, inside, distance, hull and self-crossing of closed polygons.
+ * polygon.c: area, winding number, distance, convex hull and self-crossing of closed polygons.
  *
- * Orders of points come from a heap sort over indices (no recursion, no library sort, so equal input gives equal
- * output everywhere); sides of lines from the exact predicate, so that inside, hull and crossing never contradict
- * each other. The hull is Andrew's monotone chain (1979); the winding number counts upward and downward crossings.
+ * Points are sorted by a heap sort over indices, without recursion and without the C library's qsort, so that equal
+ * input gives equal output on every machine. On which side of a line a point lies is decided by the exact predicate
+ * (predicate.h), so that inside, hull and crossing are consistent. The hull is Andrew's monotone chain (1979); the
+ * winding number counts upward and downward crossings.
  */
 #include <math.h>
 
@@ -11,7 +12,7 @@
 #include "geom/predicate.h"
 #include "geom/vec.h"
 
-/* what is sorted: points by (x, y), or sides by their least x */
+/* the keys of a sort: points by (x, y), or sides of the polygon by their least x */
 typedef struct polygon_order {
     int32_t n;
     const double *xy;
@@ -31,7 +32,7 @@ static double polygon_least_x(int32_t n, const double *xy, int32_t i)
 }
 
 
-/* strict order; equal keys by index */
+/* Returns whether item i comes before item j; equal keys are ordered by index. */
 static bool polygon_before(const polygon_order *order, int32_t i, int32_t j)
 {
     const double *xy = order->xy;
@@ -70,14 +71,14 @@ static void polygon_sort(const polygon_order *order, int32_t *index)
 }
 
 
-/* true when p, known to be on the line a b, lies between them */
+/* Returns whether p, a point of the line through a and b, lies between them. */
 static bool polygon_between(const double *a, const double *b, const double *p)
 {
     return fmin(a[0], b[0]) <= p[0] && p[0] <= fmax(a[0], b[0]) && fmin(a[1], b[1]) <= p[1] && p[1] <= fmax(a[1], b[1]);
 }
 
 
-/* true when segments a b and c d share a point */
+/* Returns whether segments a b and c d have a common point. */
 static bool polygon_touch(const double *a, const double *b, const double *c, const double *d)
 {
     double c_side = mus__orient2d(a, b, c), d_side = mus__orient2d(a, b, d);
@@ -92,7 +93,7 @@ static bool polygon_touch(const double *a, const double *b, const double *c, con
 
 double mus__polygon_area(int32_t n, const double *xy)
 {
-    /* about the first point, so that a far origin costs no digits */
+    /* relative to the first point, so that a distant origin loses no digits */
     double twice = 0.0;
     for (int32_t i = 1; i + 1 < n; i++)
         twice += (xy[2 * i] - xy[0]) * (xy[2 * i + 3] - xy[1]) - (xy[2 * i + 1] - xy[1]) * (xy[2 * i + 2] - xy[0]);
@@ -140,7 +141,7 @@ int32_t mus__polygon_hull(int32_t n, const double *xy, int32_t *out, int32_t *wo
     polygon_order order = {n, xy, false};
     polygon_sort(&order, work);
 
-    /* lower chain left to right, then upper chain right to left over the points that the lower one left over */
+    /* lower chain from left to right, then upper chain from right to left over the remaining points */
     int32_t count = 0;
     for (int32_t i = 0; i < n; i++) {
         const double *p = xy + 2 * work[i];
@@ -165,7 +166,8 @@ int32_t mus__polygon_hull(int32_t n, const double *xy, int32_t *out, int32_t *wo
 }
 
 
-/* goes round once and turns left all the way: it is its own hull. x may change its way at two corners alone */
+/* Returns whether the polygon is convex and counter-clockwise, so that it is its own hull: it turns left at every
+ * corner, and x changes direction at two corners only. */
 static bool polygon_is_convex(int32_t n, const double *xy)
 {
     const double *before = xy + 2 * (n - 1), *here = xy;
@@ -198,7 +200,7 @@ bool mus__polygon_crosses(int32_t n, const double *xy, int32_t *i, int32_t *j, i
     polygon_order order = {n, xy, true};
     polygon_sort(&order, work);
 
-    /* each side against those that start, in x, before it ends */
+    /* compare each side with those that start, in x, before it ends */
     for (int32_t s = 0; s < n; s++) {
         int32_t a = work[s], a2 = polygon_next(n, a);
         double right = fmax(xy[2 * a], xy[2 * a2]);

@@ -1,28 +1,28 @@
 /*
  * predicate.c: orientation and in-circle tests whose signs are exact.
  *
- * A first value in plain arithmetic is taken when it is larger than its proven error; else the determinant is summed
- * exactly as an expansion: a list of doubles that do not overlap, in rising size, whose last one carries the sign.
- * Zeros are dropped, so points on a lattice (whose differences are exact) cost a few products only. Exact as long as
- * nothing overflows or underflows, which coordinates in metres never come near.
- * Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997
- * (error bounds: figures 21 and 23; expansions: figures 8 and 13); Dekker 1971 (exact product), Knuth (exact sum).
+ * The determinant is first computed in double arithmetic, and its sign is taken when its size exceeds the proven error
+ * bound. Otherwise it is computed exactly as an expansion: a list of doubles that do not overlap, of ascending size,
+ * whose last one has the sign of the sum. Zeros are dropped, so points of a lattice, whose differences are exact, cost
+ * a few products only. The results are exact unless a product overflows or underflows, which coordinates in metres do
+ * not. Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997 (error
+ * bounds: figures 21 and 23; expansions: figures 8 and 13); Dekker 1971 (exact product), Knuth (exact sum).
  */
 #include <math.h>
 
 #include "base/ieee.h"
 #include "geom/predicate.h"
 
-/* half an ulp of 1, and the bounds A of the source */
+/* half the distance from 1 to the next double, and the error bounds A of Shewchuk */
 #define PREDICATE_EPSILON (1.0 / 9007199254740992.0)
 #define PREDICATE_ORIENT ((3.0 + 16.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_PLANE ((7.0 + 56.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_CIRCLE ((10.0 + 96.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
-/* 2^27 + 1: splits a double into two of 26 bits (Dekker 1971) */
+/* 2^27 + 1: multiplying by it splits a double into two of 26 bits (Dekker 1971) */
 #define PREDICATE_SPLIT 134217729.0
 
 
-/* high + low = a + b */
+/* Returns the rounded sum a + b; *low gets its rounding error. */
 static inline double predicate_sum(double a, double b, double *low)
 {
     double high = a + b, part = high - a;
@@ -31,7 +31,7 @@ static inline double predicate_sum(double a, double b, double *low)
 }
 
 
-/* high + low = a * b */
+/* Returns the rounded product a * b; *low gets its rounding error. */
 static inline double predicate_product(double a, double b, double *low)
 {
     double high = a * b;
@@ -42,7 +42,7 @@ static inline double predicate_product(double a, double b, double *low)
 }
 
 
-/* a - b as an expansion of at most 2 */
+/* Writes a - b as an expansion of at most 2 terms; returns their number. */
 static int predicate_difference(double a, double b, double *out)
 {
     double low, high = predicate_sum(a, -b, &low);
@@ -53,7 +53,7 @@ static int predicate_difference(double a, double b, double *out)
 }
 
 
-/* e += b for one double, in place; returns the new length */
+/* Adds a double to an expansion of n terms in place; returns the new number of terms. */
 static int predicate_grow(int n, double *e, double b)
 {
     int kept = 0;
@@ -68,7 +68,7 @@ static int predicate_grow(int n, double *e, double b)
 }
 
 
-/* out = e * f; out holds 2 * ne * nf */
+/* Writes the product of two expansions to out (2 ne nf); returns its number of terms. */
 static int predicate_times(int ne, const double *e, int nf, const double *f, double *out)
 {
     int n = 0;
@@ -82,7 +82,7 @@ static int predicate_times(int ne, const double *e, int nf, const double *f, dou
 }
 
 
-/* e += factor * f, factor 1 or -1 */
+/* Adds factor (1 or -1) times the expansion f to e in place; returns the new number of terms. */
 static int predicate_add(int ne, double *e, int nf, const double *f, double factor)
 {
     for (int i = 0; i < nf; i++) ne = predicate_grow(ne, e, factor * f[i]);
@@ -90,7 +90,7 @@ static int predicate_add(int ne, double *e, int nf, const double *f, double fact
 }
 
 
-/* out = ax by - ay bx of vectors given as expansions x, y of at most 2; out holds 16 */
+/* Writes ax by - ay bx to out (16); the coordinates of both vectors are expansions of at most 2 terms. */
 static int predicate_cross(const int *na, double (*a)[2], const int *nb, double (*b)[2], double *out)
 {
     double part[8];
@@ -120,7 +120,7 @@ static double predicate_circle_exact(const double *const *point, const double *d
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++) length[i][k] = predicate_difference(point[i][k], d[k], delta[i][k]);
 
-    /* sum over the cycle of |p_i - d|^2 times the cross product of the other two */
+    /* cyclic sum of |p_i - d|^2 times the cross product of the other two differences */
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         double cross[16], lift[16], square[8], part[512];
@@ -142,7 +142,7 @@ static double predicate_plane_exact(const double *const *point, const double *d)
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) length[i][k] = predicate_difference(point[i][k], d[k], delta[i][k]);
 
-    /* sum over the cycle of z of one times the cross product of x and y of the other two */
+    /* cyclic sum of one point's z times the cross product of the other two in x and y */
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         double cross[16], part[64];

@@ -1,15 +1,17 @@
 /*
  * triangulate.c: constrained Delaunay triangulation by insertion and flips.
  *
- *   1. all points go one by one into a triangle that holds them all: walk to the triangle that holds the point, split
- *      it (1 to 3, or 2 to 4 on an edge), flip edges until every circumcircle is empty (Lawson 1977)
- *   2. sides of the polygon that are not edges yet are made so by flipping the edges that cross them; the new edges
- *      are then flipped towards Delaunay again, the sides stay (Sloan 1993)
- *   3. triangles that are reached from the outer triangle without crossing a side are dropped
+ *   1. Each point is inserted into a triangulation that starts with one outer triangle: walk to the triangle that
+ *      contains the point, split it (1 into 3, or on an edge 2 into 4), and flip edges until every circumcircle is
+ *      empty (Lawson 1977).
+ *   2. Each side of the polygon that is not an edge becomes one by flipping the edges that cross it. The new edges are
+ *      flipped again where they are not Delaunay; sides are never flipped (Sloan 1993).
+ *   3. Triangles that can be reached from the outer triangle without crossing a side are removed.
  *
- * Points go in by rounds, each a scattered quarter of the next, and along Hilbert's curve within a round: walks are
- * short and, unlike with sorted rows, so are the chains of flips (Amenta, Choi and Rote 2003). All decisions are signs
- * of exact predicates and ties keep the edge as it is, so lattices (four points on every circle) end.
+ * Points are inserted in rounds of about four times as many points each, and along a Hilbert curve within a round.
+ * Walks are short then, and so are the sequences of flips, other than with sorted rows (Amenta, Choi and Rote 2003).
+ * All decisions are signs of exact predicates, and edges with four points on a circle are not flipped, so that the
+ * flips end on lattices too.
  *
  * Triangle t has corners v[3t .. 3t+2], counter-clockwise; across[3t+k] is the triangle beyond the edge opposite to
  * corner k, which runs from corner k+1 to corner k+2. Three vertices n, n+1, n+2 span the outer triangle.
@@ -21,23 +23,23 @@
 #include "geom/predicate.h"
 #include "geom/triangulate.h"
 
-/* most points: more would overflow the 32-bit index of a corner */
+/* most points: the index of a corner of more would overflow 32 bits */
 #define TRIANGULATE_MOST (1 << 28)
-/* the outer triangle stands this many extents away: far enough that its long edges seldom need recovery flips */
+/* distance of the outer triangle, in extents of the points; chosen: a nearer one needs more flips to recover sides */
 #define TRIANGULATE_FAR 32.0
-/* rounds of insertion, each four times the one before: 4^8 points in the last ones, the first holds the rest */
+/* rounds of insertion; each has four times the points of the one before, the first has the rest */
 #define TRIANGULATE_ROUNDS 8
 
 typedef struct tri_mesh {
     mus_context *context;
-    int32_t n, count, last;            /* points; triangles; where the walk starts */
+    int32_t n, count, last;            /* points; triangles; triangle at which the next walk starts */
     double *xy;                        /* (n + 3) x 2 */
     int32_t *v, *across;               /* (triangles x 3) */
-    unsigned char *fixed;              /* (triangles x 3): the edge opposite to this corner is a side */
-    int32_t *of;                       /* (n + 3): some triangle at each vertex */
-    int32_t *order;                    /* (n): in which points go in */
-    int32_t *stack, nstack, cap_stack; /* edges to look at, as pairs of vertices */
-    int32_t *queue, nqueue, cap_queue; /* edges that cross the side in work, as pairs of vertices */
+    unsigned char *fixed;              /* (triangles x 3): 1 when the edge opposite to this corner is a side */
+    int32_t *of;                       /* (n + 3): one triangle at each vertex */
+    int32_t *order;                    /* (n): points in the order of insertion */
+    int32_t *stack, nstack, cap_stack; /* edges to test for the empty circle, as pairs of vertices */
+    int32_t *queue, nqueue, cap_queue; /* edges that cross the side being recovered, as pairs of vertices */
 } tri_mesh;
 
 
@@ -66,7 +68,7 @@ static double tri_side(const tri_mesh *mesh, int32_t a, int32_t b, int32_t c)
 }
 
 
-/* write triangle t: corners and neighbours opposite to them */
+/* Writes triangle t: its corners and the neighbours opposite to them. */
 static void tri_write(tri_mesh *mesh, int32_t t, int32_t a, int32_t b, int32_t c, const int32_t *beyond,
                       const unsigned char *fixed)
 {
@@ -80,7 +82,7 @@ static void tri_write(tri_mesh *mesh, int32_t t, int32_t a, int32_t b, int32_t c
 }
 
 
-/* tell triangle t that what it had beyond as `old` is now `now` */
+/* Replaces neighbour `old` of triangle t by `now`. */
 static void tri_relink(tri_mesh *mesh, int32_t t, int32_t old, int32_t now)
 {
     if (t == MUS_NONE) return;
@@ -112,7 +114,8 @@ static mus_status tri_enqueue(tri_mesh *mesh, int32_t a, int32_t b)
 }
 
 
-/* the triangle with edge a b counter-clockwise and the corner opposite, by turning round a */
+/* Finds the triangle *t with the edge a b counter-clockwise, and its corner *k opposite to the edge, by turning round
+ * vertex a. Returns false when there is none. */
 static bool tri_turn_round(const tri_mesh *mesh, int32_t a, int32_t b, int32_t *t, int32_t *k)
 {
     int32_t start = mesh->of[a], at = start;
@@ -128,12 +131,12 @@ static bool tri_turn_round(const tri_mesh *mesh, int32_t a, int32_t b, int32_t *
 }
 
 
-/* Find edge a b: its triangle with a b counter-clockwise and the corner opposite. false when there is no such edge. */
+/* As tri_turn_round(), for any two vertices. */
 static bool tri_find_edge(const tri_mesh *mesh, int32_t a, int32_t b, int32_t *t, int32_t *k)
 {
     if (a < mesh->n) return tri_turn_round(mesh, a, b, t, k);
 
-    /* round an outer vertex there is no full turn and a crowd of triangles: turn round the other end, then cross */
+    /* an outer vertex has many triangles, and they do not close round it: turn round the other end, then cross */
     int32_t u, j;
     if (b >= mesh->n || !tri_turn_round(mesh, b, a, &u, &j)) return false;
     *t = mesh->across[3 * u + j];
@@ -143,7 +146,7 @@ static bool tri_find_edge(const tri_mesh *mesh, int32_t a, int32_t b, int32_t *t
 
 
 /*
- * Flip the edge opposite to corner k of triangle t; the four points must be a strictly convex quadrilateral.
+ * Flips the edge opposite to corner k of triangle t; the four points must form a strictly convex quadrilateral.
  *
  *       c              c
  *      /|\            / \
@@ -168,7 +171,7 @@ static void tri_flip(tri_mesh *mesh, int32_t t, int32_t k)
 }
 
 
-/* flip the edges on the stack, and those that a flip puts there, until all are Delaunay; sides stay */
+/* Flips the edges on the stack, and those that flips add to it, until all are Delaunay. Sides are not flipped. */
 static mus_status tri_legalise(tri_mesh *mesh)
 {
     while (mesh->nstack > 0) {
@@ -191,7 +194,8 @@ static mus_status tri_legalise(tri_mesh *mesh)
 }
 
 
-/* triangle that holds point i, by walking; *edge is the corner opposite to the edge that i lies on, or MUS_NONE */
+/* Walks to the triangle that contains point i. *edge is the corner opposite to the edge on which the point lies, or
+ * MUS_NONE. */
 static mus_status tri_locate(tri_mesh *mesh, int32_t i, int32_t *triangle, int32_t *edge)
 {
     const double *p = tri_point(mesh, i);
@@ -209,7 +213,7 @@ static mus_status tri_locate(tri_mesh *mesh, int32_t i, int32_t *triangle, int32
             continue;
         }
 
-        /* on two edges: the point is their common corner, which is neither of the two opposite ones */
+        /* on two edges: the point is their common corner */
         if (zeros > 1)
             return mus__fail(mesh->context, MUS_ERR_MESH, "points %d and %d are the same (%.9g, %.9g)",
                              (int)mesh->v[3 * t + 3 - corner], (int)i, p[0], p[1]);
@@ -219,7 +223,7 @@ static mus_status tri_locate(tri_mesh *mesh, int32_t i, int32_t *triangle, int32
 }
 
 
-/* point i into triangle t: three triangles instead of one */
+/* Inserts point i inside triangle t: three triangles in place of one. */
 static void tri_split_inside(tri_mesh *mesh, int32_t i, int32_t t)
 {
     static const unsigned char none[3] = {0, 0, 0};
@@ -234,7 +238,7 @@ static void tri_split_inside(tri_mesh *mesh, int32_t i, int32_t t)
 }
 
 
-/* point i on the edge b c of triangle t = a b c and u = d c b: four triangles instead of two */
+/* Inserts point i on the edge b c of triangles t = a b c and u = d c b: four triangles in place of two. */
 static void tri_split_edge(tri_mesh *mesh, int32_t i, int32_t t, int32_t k)
 {
     static const unsigned char none[3] = {0, 0, 0};
@@ -259,7 +263,7 @@ static mus_status tri_insert(tri_mesh *mesh, int32_t i)
     mus_status status = tri_locate(mesh, i, &t, &edge);
     if (status != MUS_OK) return status;
 
-    /* the rim of the hole becomes the first edges to look at */
+    /* the edges round the new triangles are the first to test */
     int32_t rim[4], nrim = 0;
     if (edge == MUS_NONE) {
         for (int32_t k = 0; k < 3; k++) rim[nrim++] = mesh->v[3 * t + k];
@@ -279,8 +283,8 @@ static mus_status tri_insert(tri_mesh *mesh, int32_t i)
 
 
 /*
- * Collect the edges that cross side a b in the queue, from a to b. An empty queue: a b is an edge.
- * Errors: a point on the side; another side across it.
+ * Collects in the queue the edges that cross side a b, from a to b. The queue is empty when a b is an edge.
+ * Errors: a point on the side; another side that crosses it.
  */
 static mus_status tri_collect(tri_mesh *mesh, int32_t a, int32_t b)
 {
@@ -288,7 +292,7 @@ static mus_status tri_collect(tri_mesh *mesh, int32_t a, int32_t b)
     mesh->nqueue = 0;
     if (tri_find_edge(mesh, a, b, &t, &k)) return MUS_OK;
 
-    /* the triangle at a through whose far edge the side leaves: right end r, left end l of that edge */
+    /* the triangle at a that the side crosses: right end r and left end l of its edge opposite to a */
     int32_t start = mesh->of[a], r, l;
     for (t = start;;) {
         k = tri_corner(mesh, t, a);
@@ -301,7 +305,7 @@ static mus_status tri_collect(tri_mesh *mesh, int32_t a, int32_t b)
             return mus__fail(mesh->context, MUS_ERR_MESH, "side %d-%d leads nowhere", (int)a, (int)b);
     }
 
-    /* across that edge, and so on until b */
+    /* cross that edge, and so on until b */
     for (;;) {
         if (mesh->fixed[3 * t + k])
             return mus__fail(mesh->context, MUS_ERR_MESH, "side %d-%d crosses side %d-%d", (int)a, (int)b, (int)r,
@@ -328,12 +332,12 @@ touch:
 }
 
 
-/* make side a b an edge */
+/* Makes side a b an edge by flips. */
 static mus_status tri_recover(tri_mesh *mesh, int32_t a, int32_t b)
 {
     mus_status status = tri_collect(mesh, a, b);
 
-    /* flip the edges that can be flipped; one that cannot yet, or still crosses, waits for its neighbours */
+    /* flip crossing edges; one whose quadrilateral is not convex, or that still crosses, goes back to the queue */
     int64_t patience = 16 + (int64_t)mesh->nqueue * mesh->nqueue * 4;
     for (int32_t head = 0; status == MUS_OK && head < mesh->nqueue; head += 2) {
         int32_t r = mesh->queue[head], l = mesh->queue[head + 1], t, k;
@@ -354,7 +358,7 @@ static mus_status tri_recover(tri_mesh *mesh, int32_t a, int32_t b)
     }
     if (status != MUS_OK) return status;
 
-    /* mark the side in both of its triangles, then mend what the flips spoilt */
+    /* mark the side in both of its triangles, then make the other new edges Delaunay */
     int32_t t, k;
     if (tri_find_edge(mesh, a, b, &t, &k)) mesh->fixed[3 * t + k] = 1;
     if (tri_find_edge(mesh, b, a, &t, &k)) mesh->fixed[3 * t + k] = 1;
@@ -362,7 +366,7 @@ static mus_status tri_recover(tri_mesh *mesh, int32_t a, int32_t b)
 }
 
 
-/* place along Hilbert's curve of cell (x, y) in a grid of `side` x `side`, a power of 2 */
+/* Returns the index along the Hilbert curve of cell (x, y) in a grid of `side` x `side` cells, a power of 2. */
 static int32_t tri_hilbert(int32_t x, int32_t y, int32_t side)
 {
     int32_t place = 0;
@@ -371,7 +375,7 @@ static int32_t tri_hilbert(int32_t x, int32_t y, int32_t side)
         place += half * half * ((3 * right) ^ up);
         if (up) continue;
 
-        /* the lower quarters are turned */
+        /* the curve is transposed in the lower quarters */
         if (right) x = side - 1 - x, y = side - 1 - y;
         int32_t swap = x;
         x = y, y = swap;
@@ -380,7 +384,7 @@ static int32_t tri_hilbert(int32_t x, int32_t y, int32_t side)
 }
 
 
-/* cell of a point along the curve, of the box that starts at `low` with `scale` cells a metre */
+/* Returns the index along the curve of a point's cell, in the box that starts at `low`, with `scale` cells a metre. */
 static int32_t tri_cell(const double *p, const double *low, double scale, int32_t side)
 {
     int32_t x = (int32_t)((p[0] - low[0]) * scale), y = (int32_t)((p[1] - low[1]) * scale);
@@ -388,7 +392,8 @@ static int32_t tri_cell(const double *p, const double *low, double scale, int32_
 }
 
 
-/* round in which point i goes in, 0 the last: each round holds about a quarter of the next one's points */
+/* Returns the round in which point i is inserted, counted back from the last one, 0. A round has about a quarter of the
+ * points of the one after it. */
 static int32_t tri_round(int32_t i)
 {
     uint32_t mixed = (uint32_t)i * UINT32_C(2654435769);
@@ -400,7 +405,7 @@ static int32_t tri_round(int32_t i)
 }
 
 
-/* order of insertion: by rounds, each along Hilbert's curve (a counting sort over cells of one to four points) */
+/* Computes the order of insertion: by rounds, each along the Hilbert curve (counting sort over cells). */
 static mus_status tri_sort(tri_mesh *mesh, const double *low, double extent)
 {
     int32_t side = 1;
@@ -425,7 +430,7 @@ static mus_status tri_sort(tri_mesh *mesh, const double *low, double extent)
 }
 
 
-/* the order of insertion, and the outer triangle */
+/* Computes the order of insertion and makes the outer triangle. */
 static mus_status tri_start(tri_mesh *mesh)
 {
     double low[2] = {mesh->xy[0], mesh->xy[1]}, high[2] = {mesh->xy[0], mesh->xy[1]};
@@ -474,7 +479,7 @@ static void tri_free(tri_mesh *mesh)
 }
 
 
-/* mark the triangles outside, by flooding from an outer vertex up to the sides */
+/* Marks the triangles outside the polygon, by flooding from an outer vertex up to the sides. */
 static mus_status tri_flood(tri_mesh *mesh, unsigned char *outside)
 {
     mesh->nqueue = 0;
@@ -493,8 +498,8 @@ static mus_status tri_flood(tri_mesh *mesh, unsigned char *outside)
 }
 
 
-/* copy the inside out; a vertex without triangle was outside, a wrong count (Euler) means a polygon that is not simple
- */
+/* Copies the inner triangles to a new array. A vertex without a triangle lay outside; a number of triangles that
+ * Euler's formula does not give means that the polygon is not simple. Both are MUS_ERR_MESH. */
 static mus_status tri_harvest(tri_mesh *mesh, int32_t nborder, int32_t **triangles, int32_t *count)
 {
     int64_t expected = nborder - 2 + 2 * ((int64_t)mesh->n - nborder), kept = 0;

@@ -7,12 +7,12 @@
 #include "base/base_internal.h"
 
 /*
- * Points 0 .. nborder-1 are a simple closed polygon in order (either winding), the rest lie strictly inside it. Every
- * point becomes a vertex; every side of the polygon and each of the segments `sides` becomes an edge; the inside is
- * covered exactly once. Segments may not cross each other, the polygon or a point.
+ * Points 0 .. nborder-1 are a simple closed polygon in order (either orientation), the others lie strictly inside it.
+ * Every point becomes a vertex; every side of the polygon and each of the segments `sides` becomes an edge; the inside
+ * is covered exactly once. Segments must not cross each other or the polygon, or pass through a point.
  *
- * Shapes:  xy (n x 2); sides (nside x 2) pairs of points, NULL when nside is 0; *triangles (*count x 3), ccw in the
- *          plane, from mus__new (the caller frees)
+ * Shapes:  xy (n x 2); sides (nside x 2) pairs of points, NULL when nside is 0; *triangles (*count x 3),
+ *          counter-clockwise, from mus__new (the caller frees)
  * Errors:  MUS_ERR_MESH (two equal points, a polygon that crosses itself, a point outside), MUS_ERR_MEMORY
  * Cost:    O(n log n) typical
  */

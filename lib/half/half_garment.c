@@ -3,7 +3,6 @@
  */
 #include "half/half_garment.h"
 
-#include <string.h>
 
 
 bool mus__style_is(const mus__half *half, int32_t axis, int32_t option)

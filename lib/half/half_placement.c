@@ -7,7 +7,6 @@
  * axis of a back panel points to the wearer's right, so its left half has x <= 0.
  */
 #include <math.h>
-#include <string.h>
 
 #include "geom/vec.h"
 #include "half/half_placement.h"

@@ -3,14 +3,14 @@
  *
  * The room's way, from the tape to the table that contact queries:
  *
- *     skeleton.[ch]      heights and joints of a person, from a completed tape alone
- *     limb.h             contour and limb (this file)
- *     contour.c          radius of a contour by direction, its girth, and scaling it to the tape
- *     torso.c            the contours of torso, neck and head
- *     arms_legs.c        the contours of arms, legs and feet
- *     stack.[ch]         the limb sampled in fixed directions, with splines between the contours
- *     field.[ch]         a part of a limb as a table of radii: depth and normal at a point
- *     field_kernel.h     the query of that table, one text for float and double
+ *     skeleton.[ch]          heights and joints of a person, from a completed tape alone
+ *     limb.h                 contour and limb (this file)
+ *     contour.c              radius of a contour by direction, its girth, and scaling it to the tape
+ *     torso.c                the contours of torso, neck and head
+ *     arms_legs.c            the contours of arms, legs and feet
+ *     contour_stack.[ch]     the limb sampled in fixed directions, with splines between the contours
+ *     radius_field.[ch]      a part of a limb as a table of radii: depth and normal at a point
+ *     radius_field_kernel.h  the query of that table, one text for float and double
  *
  * Callers: lib/body puts limbs together into a body; lib/contact copies the fields; the drafting blocks read the
  * skeleton.

@@ -6,9 +6,6 @@
  * third. The line that is cut on the table is the free reduction of the cyclic word: an edge followed by the same edge
  * back is taken out, until there is none.
  */
-#include <math.h>
-#include <string.h>
-
 #include "pattern/pattern_internal.h"
 
 

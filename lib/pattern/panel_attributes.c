@@ -1,5 +1,6 @@
 /*
- * panel_attributes.c: what is said of a panel: its label, grain, cut and layer, and where it stands before sewing.
+ * panel_attributes.c: what is said of a panel: its label, sides, grain, cut and layer, and where it stands before
+ * sewing.
  */
 #include <math.h>
 #include <string.h>
@@ -32,6 +33,71 @@ mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, cons
 const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel)
 {
     return pattern != NULL && panel >= 0 && panel < pattern->npanel ? pattern->panel[panel].attr.label : NULL;
+}
+
+
+/* sides without those that come with their opposites */
+static int32_t sides_alone(int32_t sides)
+{
+    static const int32_t opposite[] = {MUS_SIDE_FRONT | MUS_SIDE_BACK, MUS_SIDE_LEFT | MUS_SIDE_RIGHT};
+    for (size_t i = 0; i < sizeof opposite / sizeof *opposite; i++)
+        if ((sides & opposite[i]) == opposite[i]) sides &= ~opposite[i];
+    return sides;
+}
+
+
+/* whether `word`, of small letters, is in a name: it begins the name or follows no letter ("FrontSide", "side_front",
+ * "sideFront"), and no small letter follows it */
+static bool sides_word(const char *name, const char *word)
+{
+    for (const char *at = name; *at != '\0'; at++) {
+        const bool small = *at >= 'a' && *at <= 'z';
+        const char before = at == name ? '_' : at[-1];
+        if ((before >= 'a' && before <= 'z' && small) || (before >= 'A' && before <= 'Z')) continue;
+        size_t k = 0;
+        while (word[k] != '\0' && (at[k] | 32) == word[k]) k++;
+        if (word[k] == '\0' && !(at[k] >= 'a' && at[k] <= 'z')) return true;
+    }
+    return false;
+}
+
+
+int32_t mus__sides_named(const char *name)
+{
+    static const struct {
+        const char *word;
+        int32_t side;
+    } words[] = {
+        {"front", MUS_SIDE_FRONT}, {"back", MUS_SIDE_BACK}, {"left", MUS_SIDE_LEFT}, {"right", MUS_SIDE_RIGHT}};
+    int32_t sides = 0;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (sides_word(name, words[i].word)) sides |= words[i].side;
+    return sides_alone(sides);
+}
+
+
+mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides)
+{
+    const int32_t all = MUS_SIDE_FRONT | MUS_SIDE_BACK | MUS_SIDE_LEFT | MUS_SIDE_RIGHT;
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    mus__panel *own = &pattern->panel[panel];
+    if (sides < 0 || sides > all)
+        return mus__fail(pattern->context, MUS_ERR_ARG, "panel %s: sides are %d, expected 0 to %d", own->name,
+                         (int)sides, (int)all);
+    own->attr.sides = sides_alone(sides);
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given)
+{
+    const bool known = pattern != NULL && panel >= 0 && panel < pattern->npanel;
+    const int32_t sides = known ? pattern->panel[panel].attr.sides : MUS_NONE;
+    if (given != NULL) *given = sides != MUS_NONE;
+    return !known ? 0 : sides != MUS_NONE ? sides : mus__sides_named(pattern->panel[panel].name);
 }
 
 
@@ -104,7 +170,7 @@ mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *c
 
 void mus__panel_attributes_init(mus__panel_attributes *attr)
 {
-    *attr = (mus__panel_attributes){.cut_count = 1, .grain = {0.0, 1.0}};
+    *attr = (mus__panel_attributes){.cut_count = 1, .sides = MUS_NONE, .grain = {0.0, 1.0}};
     mus_placement_init(&attr->placement, sizeof attr->placement);
 }
 
@@ -119,8 +185,10 @@ void mus_placement_init(mus_placement *placement, size_t size)
 /* is every number finite, and R^T R = 1 with det R = +1? */
 static mus_status placement_check(mus_context *context, const char *name, const mus_placement *p)
 {
-    bool finite = mus__finite(p->bend) && mus__finite(p->bend_x) && mus__finite(p->fold);
-    for (int32_t i = 0; i < 3; i++) finite = finite && mus__finite(p->origin[i]);
+    mus_status status = mus__check_near(context, 1, 3, p->origin, "placement of panel %s: origin", name);
+    if (status == MUS_OK) status = mus__check_near(context, 1, 1, &p->bend_x, "placement of panel %s: bend_x", name);
+    if (status != MUS_OK) return status;
+    bool finite = mus__finite(p->bend) && mus__finite(p->fold);
     for (int32_t i = 0; i < 9; i++) finite = finite && mus__finite(p->rotation[i]);
     if (!finite) return mus__fail(context, MUS_ERR_ARG, "placement of panel %s: a number is not finite", name);
     if (p->bend != 0.0 && fabs(p->bend) < SMALLEST_BEND)

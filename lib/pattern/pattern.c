@@ -2,13 +2,13 @@
  * pattern.c: a pattern as an object: create, copy, destroy, find by name; and helpers that all of lib/pattern shares.
  *
  * The room, in the order of use:
- *   pattern.c                               the object, its memory, names
- *   cells.c                                 panels, points, edges, outlines
- *   edge_attributes.c, panel_attributes.c   what is said of an edge and of a panel
- *   seam.c                                  seams, closures, declared openings
- *   marks.c                                 notches and marks
- *   join.c                                  garments over one another as one pattern
- *   measure.c, cut_outline.c, crossing.c    lengths and areas; what is cut; an outline that crosses itself
+ *   pattern.c              the object, its memory, names
+ *   panels_edges_points.c  panels, points, edges, outlines
+ *   edge_attributes.c, panel_attributes.c  what is said of an edge and of a panel
+ *   seam.c                 seams, closures, declared openings
+ *   notches_marks.c        notches and marks
+ *   join_garments.c        garments over one another as one pattern
+ *   edge_measure.c, cut_outline.c, outline_crossing.c  lengths and areas; what is cut; an outline that crosses itself
  *
  * A pattern only grows here: no call removes a cell. lib/edit cuts, joins and removes, by way of the cutting table of
  * lib/board. lib/topology glues the seams and checks the pattern. A pattern has some tens of panels and some hundreds
@@ -17,21 +17,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "pattern/pattern_internal.h"
-
-
-/* length of the UTF-8 sequence at s, 0 when it is not one (RFC 3629: no overlong form, no surrogate, <= U+10FFFF) */
-static int32_t pattern_utf8(const unsigned char *s)
-{
-    if (s[0] < 0x80) return 1;
-    int32_t more = s[0] >= 0xC2 && s[0] <= 0xDF ? 1 : (s[0] & 0xF0) == 0xE0 ? 2 : s[0] >= 0xF0 && s[0] <= 0xF4 ? 3 : 0;
-    for (int32_t i = 1; i <= more; i++) {
-        if ((s[i] & 0xC0) != 0x80) return 0;
-    }
-    bool overlong = (s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xF0 && s[1] < 0x90);
-    bool beyond = (s[0] == 0xED && s[1] > 0x9F) || (s[0] == 0xF4 && s[1] > 0x8F);
-    return more == 0 || overlong || beyond ? 0 : more + 1;
-}
 
 
 mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count)
@@ -45,25 +32,16 @@ mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int3
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out)
 {
     char own[MUS__NAME_BYTES] = {0};
-    size_t n = 0;
-    while (name != NULL && name[n] != '\0') {
-        int32_t step = pattern_utf8((const unsigned char *)name + n);
-        if (step == 0)
-            return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name is not UTF-8 at byte %zu", what, n);
-        if (n + (size_t)step > MUS__NAME_BYTES - 1)
-            return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name %.40s... is longer than %d bytes", what, name,
-                             MUS__NAME_BYTES - 1);
-        memcpy(own + n, name + n, (size_t)step);
-        n += (size_t)step;
-    }
+    const size_t n = name != NULL ? strlen(name) : 0;
+    if (n > 0 && mus__utf8_span(name) < n)
+        return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name is not UTF-8 at byte %zu", what,
+                         mus__utf8_span(name));
+    if (n > MUS__NAME_BYTES - 1)
+        return mus__fail(pattern->context, MUS_ERR_ARG, "%s: the name %.40s... is longer than %d bytes", what, name,
+                         MUS__NAME_BYTES - 1);
+    if (n > 0) memcpy(own, name, n); /* by way of a copy, since name may be out */
     memcpy(out, own, sizeof own);
     return MUS_OK;
-}
-
-
-bool mus__pattern_near(double x, double y)
-{
-    return x >= -MUS__FARTHEST && x <= MUS__FARTHEST && y >= -MUS__FARTHEST && y <= MUS__FARTHEST;
 }
 
 

@@ -16,13 +16,12 @@
 #include "muslin/pattern.h"
 
 #define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
-/* coordinates beyond this [m] are a slip of unit or a broken file; inside it no length or area overflows */
-#define MUS__FARTHEST 1e6
 
 /* what is said of a panel, here and on the cutting table (lib/board): copied as one */
 typedef struct mus__panel_attributes {
     char label[MUS__NAME_BYTES];
     int32_t cut_count, layer;
+    int32_t sides;   /* MUS_SIDE_* together; MUS_NONE: those that the name tells */
     double grain[2]; /* unit vector along the warp */
     mus_placement placement;
 } mus__panel_attributes;

@@ -12,8 +12,6 @@
 mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count);
 /* copy a name into `out` (MUS__NAME_BYTES); NULL reads as "". Errors: MUS_ERR_ARG (too long, not UTF-8) */
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out);
-/* are both coordinates of a point within MUS__FARTHEST? NaN is not */
-bool mus__pattern_near(double x, double y);
 /* every call that changes a pattern ends with this: edits that were undone cannot be redone any more */
 void mus__pattern_edited(mus_pattern *pattern);
 /* copy the struct `own` to `out`, a caller's struct whose size field must be own_size. Errors: MUS_ERR_VERSION */
@@ -40,13 +38,15 @@ bool mus__edge_attributes_equal(const mus__edge_attributes *a, const mus__edge_a
 
 /* ---- panel_attributes.c ---- */
 
-/* no label, cut once, layer 0, warp along y, flat at the origin */
+/* no label, sides as the name tells, cut once, layer 0, warp along y, flat at the origin */
 void mus__panel_attributes_init(mus__panel_attributes *attr);
+/* the sides MUS_SIDE_* that the words of a panel's name tell */
+int32_t mus__sides_named(const char *name);
 
 /* Errors: MUS_ERR_ARG (layer outside 0 to MUS_LAYERS_MOST - 1) */
 mus_status mus__layer_check(const mus_pattern *pattern, int32_t layer);
 
-/* ---- crossing.c ---- */
+/* ---- outline_crossing.c ---- */
 
 /* does the outline of a panel cross or touch itself? When *crosses, *a and *b are the two edges, the lower index first.
  * Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT (more than 2^31 chords) */

@@ -5,8 +5,6 @@
  * of a is the start of b. Which side of the cloth that leaves outside depends on how the words of the panels run
  * along the edges, and is for the quotient to say.
  */
-#include <string.h>
-
 #include "pattern/pattern_internal.h"
 
 #define SEAM_BUTTONS 1000 /* at most */

@@ -3,16 +3,14 @@
  *
  * The room turns the joints of a body (lib/body/rig.h). Its files in the order of use:
  *
- *     pose.c          defaults, names of joints (this file)
- *     pose_table.c    limits of joints, named poses
- *     pose_frame.c    from the angles of a pose to the frames of a body's parts; used by lib/drape in each step
- *     body_pose.c     a posed copy of a body
- *     pose_fit.c      a pose or a movement fitted to a body: feet on the floor, arms off the sides
- *     move.c          movements: splines through poses at times
- *     move_table.c    named movements
+ *     pose.c            defaults, names of joints (this file)
+ *     pose_table.c      limits of joints, named poses
+ *     pose_frame.c      from the angles of a pose to the frames of a body's parts; used by lib/drape in each step
+ *     body_pose.c       a posed copy of a body
+ *     pose_fit.c        a pose or a movement fitted to a body: feet on the floor, arms off the sides
+ *     movement.c        movements: splines through poses at times
+ *     movement_table.c  named movements
  */
-#include <string.h>
-
 #include "base/base_internal.h"
 #include "muslin/pose.h"
 

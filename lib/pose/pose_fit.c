@@ -6,7 +6,6 @@
  * far enough off the sides for most people.
  */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_internal.h"
 #include "geom/vec.h"
@@ -15,9 +14,12 @@
 
 #define FIT_STEP (MUS_PI / 180.0) /* [rad] step of an arm's abduction */
 #define FIT_STEPS 60              /* most steps */
-#define FIT_ARMPIT 0.40           /* part of the arm's length below the armpit, from which on it is checked; chosen */
-#define FIT_RING 0.012            /* [m] distance of the rings that are checked; chosen */
-#define FIT_ANGLE 8               /* one of so many directions of a ring is checked; chosen */
+/* part of the arm's length below the armpit from which on it is checked; chosen: nearer the arm cannot leave the
+ * side */
+#define FIT_ARMPIT 0.40
+/* [m] distance of the rings that are checked; chosen: a wider one could miss the nearest place by some mm */
+#define FIT_RING 0.012
+#define FIT_ANGLE 8               /* every eighth direction of a ring is checked; chosen: as FIT_RING */
 
 
 /* the radius fields (parts) of a body in a pose; they borrow the tables of the body's fields. Errors: those of

@@ -14,7 +14,8 @@
 
 #include "geom/vec.h"
 
-#define POSE_SCAPULA_IN 0.5 /* shift of a shoulder joint inwards over its shift upwards; chosen */
+/* shift of a shoulder joint inwards over its shift upwards; chosen: more narrows raised shoulders */
+#define POSE_SCAPULA_IN 0.5
 
 _Static_assert(MUS__FLEXION == MUS_POSE_FLEXION && MUS__ABDUCTION == MUS_POSE_ABDUCTION, "one order of the angles");
 
@@ -36,9 +37,8 @@ mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus
     if (pose == NULL) return mus__fail(context, MUS_ERR_ARG, "the pose is NULL");
     if (pose->size != sizeof *pose)
         return mus__fail(context, MUS_ERR_VERSION, "mus_pose.size %zu is unknown; use mus_pose_init", pose->size);
-    for (int i = 0; i < 3; i++)
-        if (!mus__finite(pose->place[i]))
-            return mus__fail(context, MUS_ERR_ARG, "mus_pose.place %g is not finite", pose->place[i]);
+    const mus_status near = mus__check_near(context, 1, 3, pose->place, "mus_pose.place");
+    if (near != MUS_OK) return near;
 
     for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
         double turn[4], rest[4], back[4];

@@ -13,7 +13,9 @@
 #include "pose/pose_table.h"
 
 #define POSE_DEGREE (MUS_PI / 180.0)
-#define POSE_FAR 1e3       /* [m] most distance of a pose's place from where the body was made; chosen */
+/* [m] largest distance of a pose's root from its place in the rest pose; chosen: a larger one loses digits of float
+ * states */
+#define POSE_FAR 1e3
 #define POSE_ROUNDING 1e-9 /* [rad] an angle may exceed its limit by this: rounding of degrees to radian */
 
 /* least and greatest flexion, abduction, rotation [degrees] */

@@ -1,4 +1,4 @@
-/* pose_table.h: the tables of named poses and named movements (pose_table.c, move_table.c). */
+/* pose_table.h: the tables of named poses and named movements (pose_table.c, movement_table.c). */
 #ifndef MUS_POSE_POSE_TABLE_H
 #define MUS_POSE_POSE_TABLE_H
 

@@ -3,10 +3,9 @@
  * the folder shares.
  *
  * A drawing remembers its first failure and ignores all calls after it. Code that draws needs no checks, and its caller
- * reads `status` once at the end. Letters are paths too (stroke.c), so a writer handles only lines and curves.
+ * reads `status` once at the end. Letters are paths too (stroke_font.c), so a writer handles only lines and curves.
  */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 

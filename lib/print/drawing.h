@@ -99,7 +99,7 @@ void mus__draw_close(mus__drawing *drawing);
 void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width, double height);
 
 
-/* ---- letters (stroke.c) ---- */
+/* ---- letters (stroke_font.c) ---- */
 
 typedef struct mus__text_style {
     double height; /* of a capital [m] */

@@ -15,8 +15,9 @@
 
 #include "print/page.h"
 
-#define DIAMOND 0.004 /* [m] half the width of a diamond; chosen */
-#define COVER_COLUMN 0.048 /* [m] least width right of the squares, for text and page map; chosen */
+#define DIAMOND 0.004 /* [m] half the width of a diamond; chosen: large enough to lay halves on each other by eye */
+/* [m] least width right of the squares, for text and page map; chosen: the shortest lines of text fit */
+#define COVER_COLUMN 0.048
 #define COVER_HEIGHT 0.255 /* [m] least height that the cover needs; chosen: fits Letter and A4 with a margin of 1 cm */
 
 

@@ -7,7 +7,7 @@
 #include "print/sheet.h"
 
 #define MUS__INCH_4 0.1016     /* [m] side of the test square of 4 inches */
-#define MUS__SQUARE_GAP 0.006 /* [m] between the two test squares; chosen */
+#define MUS__SQUARE_GAP 0.006 /* [m] distance of the two test squares; chosen: a ruler can be laid on either */
 
 /* width and height of a paper held upright */
 void mus__paper_size(int32_t paper, double *out);

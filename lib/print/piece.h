@@ -6,7 +6,7 @@
 
 #include "print/drawing.h"
 
-/* ---- offset (offset.c) ---- */
+/* ---- offset (polygon_offset.c) ---- */
 
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {
@@ -23,7 +23,7 @@ void mus__loops_free(mus_context *context, mus__loops *loops);
 mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const double *width,
                        const unsigned char *hem, mus__loops *out);
 
-/* ---- a piece (outline.c) ---- */
+/* ---- a piece (piece_outline.c) ---- */
 
 /* part of an edge of the pattern: a line or a cubic, in the direction of the outline */
 typedef struct mus__span {
@@ -63,8 +63,6 @@ void mus__piece_free(mus_context *context, mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
-/* number of equal chords that stay within `tolerance` [m] of the cubic with the four points p */
-int32_t mus__cubic_chords(const double *p, double tolerance);
 void mus__cubic_at(const double *p, double t, double *out);
 
 /* ---- lines on a piece (piece_marks.c) ---- */

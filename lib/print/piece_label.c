@@ -12,11 +12,13 @@
 #include "print/sheet.h"
 
 #define LABEL_LINES 7    /* most lines of a label: as many as label_lines adds */
-#define LABEL_BYTES 256  /* [bytes] of a line with its zero byte; chosen */
+#define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
 #define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */
-#define LABEL_PAD 0.004  /* [m] kept free around the label; chosen */
-#define LYING 0.05       /* [m] a lying label counts as this much farther from the middle; chosen */
-#define ACROSS 0.15      /* [m] a label that a page edge cuts counts as this much farther; chosen */
+#define LABEL_PAD 0.004  /* [m] distance kept free round the label; chosen: its letters do not touch lines */
+/* [m] added to the distance from the middle of a lying label; chosen: larger values prefer upright labels more */
+#define LYING 0.05
+/* [m] added to the distance of a label that the edge of a page cuts; chosen: larger values avoid such places more */
+#define ACROSS 0.15
 
 typedef struct label_line {
     char text[LABEL_BYTES];

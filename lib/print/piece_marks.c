@@ -2,21 +2,23 @@
  * piece_marks.c: the lines of a placed piece: cut line, sew line, notches, grain line, marks.
  *
  * The sew line is one path for each edge, so that every edge can be measured on the paper. A notch stands on the cut
- * line where the normal of the sew line at the notch meets it: one slit for the front, two for the back, three for
- * centre back and others. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
+ * line where the normal of the sew line at the notch meets it: one slit for a single notch, two for a double, three
+ * for a triple one. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
  */
 #include <math.h>
 
 #include "print/piece.h"
 
-#define SLIT_DEPTH 0.005   /* [m] deepest slit; chosen */
+#define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */
 #define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
 #define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
-#define SLIT_APART 0.004   /* [m] between the slits of one notch; chosen */
-#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen */
-#define ARROW 0.006        /* [m] length of an arrow head; chosen */
-#define CAPTION 0.0025     /* [m] height of capitals in the name of a mark; chosen */
-#define CAPTION_CLEAR 0.004 /* [m] from the mark to the base line of its name; chosen */
+#define SLIT_APART 0.004   /* [m] distance of the slits of one notch; chosen: they can be told apart by eye */
+#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen: with more the line is a little longer */
+#define ARROW 0.006        /* [m] length of an arrow head; chosen: visible at arm's length */
+/* [m] height of capitals in the name of a mark; chosen: the smallest that is read at arm's length */
+#define CAPTION 0.0025
+/* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
+#define CAPTION_CLEAR 0.004
 
 
 static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)
@@ -115,11 +117,14 @@ static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const m
         while (side < piece->nside && piece->sides[side].edge != edge) side++;
         if (side == piece->nside) continue;
 
-        double length = mus_pattern_edge_length(pattern, edge);
+        /* near an end of its edge the notch keeps the distances of its slits, as it does on the edge sewn to it */
+        double length = mus_pattern_edge_length(pattern, edge), half = 0.5 * (kind - 1) * SLIT_APART;
+        double middle = s < half ? half : s > length - half ? length - half : s;
+        if (length < 2.0 * half) middle = 0.5 * length;
         mus__draw_path(out, index, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH);
         mus__draw_edge(out, edge);
         for (int32_t k = 0; k < kind; k++) {
-            double at = s + (k - 0.5 * (kind - 1)) * SLIT_APART;
+            double at = middle - half + k * SLIT_APART;
             at = at < 0.0 ? 0.0 : at > length ? length : at;
             marks_slit(out, pattern, piece, &piece->sides[side], at, length);
         }

@@ -11,7 +11,7 @@
 #include "muslin/topology.h"
 #include "print/page.h"
 
-#define ALLOWANCE_MOST 0.1 /* [m] largest default allowance; chosen */
+#define ALLOWANCE_MOST 0.1 /* [m] largest default allowance; chosen: a larger one is an error of units */
 #define BORDER_MOST 0.1    /* [m] largest margin and overlap; chosen: half the width of A4 */
 
 

@@ -14,7 +14,7 @@
 #include "file/sink.h"
 #include "print/page.h"
 
-#define SVG_GAP 0.005 /* [m] between the sheet and the test squares below it; chosen */
+#define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 
 static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notches", "grain", "marks", "label"};
 
@@ -146,9 +146,10 @@ static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
     if (sheet->tiled) mus__squares_draw(&drawing, 0.0, -SVG_GAP - size[1], true);
     else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1], sheet->squares_beside);
     mus__sink_print(bytes, "<g id=\"scale\">\n");
-    for (int32_t i = 0; i < drawing.npath; i++) svg_path(bytes, &drawing, &drawing.paths[i], sheet->extent[1]);
+    const mus_status status = drawing.status;
+    for (int32_t i = 0; status == MUS_OK && i < drawing.npath; i++)
+        svg_path(bytes, &drawing, &drawing.paths[i], sheet->extent[1]);
     mus__sink_print(bytes, "</g>\n");
-    mus_status status = drawing.status;
     mus__draw_free(&drawing);
     return status;
 }

@@ -1,15 +1,15 @@
 /*
  * scan.c: a body from a triangle mesh: the order of the steps, the options and the report. A stranger starts here.
  *
- *     scan_mesh.c      check and weld the caller's triangles
- *     scan_frame.c     find up, front and unit; move the mesh into the body's frame
- *     scan_slice.c     cut the mesh by planes (used by all the following); scan_outline.c: polygons of sections
- *     scan_find.c      find crotch, neck, armpits, and the axes of the arms
- *     scan_limb.c      cut each limb into outlines
- *     scan_joint.c     find the joints from the outlines
- *     (lib/body)       make a body of these limbs and joints
- *     scan_measure.c   girths of the body
- *     scan_distance.c  distances between mesh and body, most of the time; left out without a report
+ *     scan_mesh.c       check and weld the caller's triangles
+ *     scan_frame.c      find up, front and unit; move the mesh into the body's frame
+ *     scan_slice.c      cut the mesh by planes (used by all the following); scan_outline.c: polygons of sections
+ *     scan_landmarks.c  find crotch, neck, armpits, and the axes of the arms
+ *     scan_limb.c       cut each limb into outlines
+ *     scan_joint.c      find the joints from the outlines
+ *     (lib/body)        make a body of these limbs and joints
+ *     scan_measure.c    girths of the body
+ *     scan_distance.c   distances between mesh and body, most of the time; left out without a report
  */
 #include <math.h>
 #include <string.h>

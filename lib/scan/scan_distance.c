@@ -16,8 +16,11 @@
 #define DISTANCE_CELL 0.008   /* [m] edge of a cell for a mesh of 1.7 m; chosen: about that of the triangles of a scan
                                  */
 #define DISTANCE_CELLS 400.0  /* most cells along a side of the grid: bounds the memory */
-#define DISTANCE_DEEP 0.02    /* [m] the distance of a vertex of the mesh deeper in the body is its depth; chosen */
-#define DISTANCE_BURIED 0.001 /* [m] a vertex of the body deeper in another limb is not on the surface; chosen */
+/* [m] a vertex of the mesh deeper in the body has its depth as distance; chosen: such a vertex is of an inner
+ * surface, not of the skin */
+#define DISTANCE_DEEP 0.02
+/* [m] a vertex of the body deeper in another limb is not on the surface; chosen: above the error of the depth */
+#define DISTANCE_BURIED 0.001
 
 /* triangles sorted into the cells that their boxes overlap */
 typedef struct distance_grid {

@@ -15,11 +15,15 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define FRAME_LEGS 8     /* sections of the legs, from 0.10 of the height up; chosen */
-#define FRAME_HEADS 5    /* sections of the head, from 0.86 of the height up; chosen */
-#define FRAME_UP 10      /* least number of these sections that look as they should, for up to be found; chosen */
-#define FRAME_SNAP 6.0   /* [degrees] a direction this near to an axis of the mesh is set to it; chosen */
-#define FRAME_TOES 0.006 /* least distance of toes before ankles, in parts of the height; chosen */
+#define FRAME_LEGS 8     /* sections of the legs, from 0.10 of the height up; chosen: enough for a vote, FRAME_UP */
+#define FRAME_HEADS 5    /* sections of the head, from 0.86 of the height up; chosen: enough for a vote, FRAME_UP */
+/* least number of these 13 sections that must agree on up; chosen: fewer accept a wrong axis, more refuse scans with
+ * holes */
+#define FRAME_UP 10
+/* [degrees] a direction this near to an axis of the mesh is set to it; chosen: above the error of a direction found */
+#define FRAME_SNAP 6.0
+/* least distance of toes before ankles, in parts of the height (1 cm); chosen: less does not tell front from back */
+#define FRAME_TOES 0.006
 
 
 /* a slicer of the whole mesh along axis `up`, 1 to 3, or against it, -1 to -3 */

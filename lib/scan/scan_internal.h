@@ -18,7 +18,7 @@
  * legs. Errors: MUS_ERR_BODY (one of them cannot be found), MUS_ERR_ARG, MUS_ERR_MEMORY */
 mus_status mus__scan_frame(mus__scan_mesh *mesh, const mus_scan_def *def, mus_scan_report *report, bool *legs);
 
-/* ---- scan_find.c ---- */
+/* ---- scan_landmarks.c ---- */
 
 /* an arm: its axis from the shoulder outwards, and the plane (wall) that separates it from the torso [m] */
 typedef struct mus__scan_arm {

@@ -15,7 +15,7 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-/* chosen */
+/* positions of joints; chosen: about those of a body of a tape; they move the joints, not the surface */
 #define JOINT_ELBOW 0.012     /* elbow beyond the narrowest contour of the upper arm, in parts of the stature */
 #define JOINT_ELBOW_PART 0.55 /* elbow of an arm without one, in parts of shoulder to wrist */
 #define JOINT_KNEE 0.015      /* knee above the narrowest contour below it, in parts of the stature */

@@ -16,16 +16,24 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define LIMB_FLAT 0.03      /* distance of the last contour from a flat end, in parts of the spacing; chosen */
-#define LIMB_CAP 0.004      /* [m] cap of a limb that ends within another one; chosen */
-#define LIMB_LAP 0.06       /* [m] an arm reaches so far behind its wall, for a stature of 1.7 m; chosen */
-#define LIMB_LEG_UP 0.06    /* top of a leg above the crotch, in parts of the stature; chosen */
-#define LIMB_LEG_DOWN 0.030 /* bottom of a leg that has a foot, in parts of the stature; chosen */
+/* distance of the last contour from a flat end, in parts of the spacing; chosen: near enough to keep the end flat */
+#define LIMB_FLAT 0.03
+/* [m] length of the cap of a limb that ends within another one; chosen: it stays inside the other limb */
+#define LIMB_CAP 0.004
+/* [m] an arm reaches this far behind its wall, for a stature of 1.7 m; chosen: less leaves a gap at the shoulder */
+#define LIMB_LAP 0.06
+/* top of a leg above the crotch, in parts of the stature; chosen: less leaves a gap at the hip */
+#define LIMB_LEG_UP 0.06
+/* bottom of a leg that has a foot, above the floor, in parts of the stature; chosen: within the foot */
+#define LIMB_LEG_DOWN 0.030
 #define LIMB_ROUND_UP 0.011 /* the torso is rounded up to so far above the crotch, in parts of the stature, */
 #define LIMB_ROUND 0.02     /* [m] by at most this; chosen: no edge where a leg is lifted */
-#define LIMB_SHOULDER 1.1   /* shoulder joint above the armpit, in parts of the radius of the arm there; chosen */
-#define LIMB_BARE 0.03      /* [m] an arm begins where it has a part farther out than this behind its wall; chosen */
-#define LIMB_UNDER 0.0015   /* [m] the upper end of a leg lies so far under the torso's skin; chosen */
+/* shoulder joint above the armpit, in parts of the radius of the arm there; chosen: about the middle of the deltoid */
+#define LIMB_SHOULDER 1.1
+/* [m] an arm begins where it has a part farther out than this behind its wall; chosen: a smaller part is the chest */
+#define LIMB_BARE 0.03
+/* [m] depth of the upper end of a leg under the torso's skin; chosen: above the error of the depth */
+#define LIMB_UNDER 0.0015
 
 static const char *const limb_names[MUS__SCAN_LIMBS] = {"torso",     "arm_left",  "arm_right", "leg_left",
                                                        "leg_right", "foot_left", "foot_right"};

@@ -13,9 +13,11 @@
 #include "scan/scan_internal.h"
 
 #define WELD_TRIANGLES 16000000 /* most triangles: bounds the memory */
-#define WELD_NEAR 1e-7          /* step of the grid on which equal places are one, in parts of the mesh's size; chosen
-                                   */
-#define WELD_LARGEST 1e9        /* most coordinate, in any unit; chosen */
+/* step of the grid on which equal places are one, in parts of the mesh's size; chosen: above the rounding of files
+ * in float */
+#define WELD_NEAR 1e-7
+/* largest coordinate, in any unit; chosen: squares of it stay finite and keep their digits */
+#define WELD_LARGEST 1e9
 
 /* a vertex in that grid, for sorting */
 typedef struct weld_key {

@@ -17,7 +17,8 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define STAR_LEAST 5e-4 /* [m] least distance of a corner from the centre; chosen */
+/* [m] least distance of a corner from the centre; chosen: a nearer one makes directions uncertain */
+#define STAR_LEAST 5e-4
 #define STAR_ROUNDS 3   /* rounds from the centroid of the largest loop to that of the union */
 
 

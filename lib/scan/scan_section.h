@@ -56,7 +56,6 @@ typedef struct mus__slicer {
     double low, high;               /* range of s of the mesh */
     double gap;                     /* holes up to this width are closed */
     double *sab;                    /* (vertices x 3) s, a, b */
-    int32_t bins;                   /* intervals of s */
     double scale;                   /* bins for a unit of s */
     int32_t *start, *list;          /* triangles of bin i: list[start[i]] to list[start[i + 1] - 1] */
     int32_t *slot;                  /* (edges x 2) segments that end on an edge, -1: none */

@@ -17,16 +17,17 @@
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
-#define SLICE_BINS 512   /* intervals along the axis; chosen */
-#define SLICE_LEAST 1e-8 /* least area of a loop, in parts of the square of the mesh's size; chosen */
-#define SLICE_DEBRIS 4.0 /* an open chain shorter than so many gaps is debris and left out; chosen */
+/* intervals along the axis; chosen: with fewer a plane looks at more triangles, results are the same */
+#define SLICE_BINS 512
+/* least area of a loop, in parts of the square of the mesh's size; chosen: a smaller one is rounding */
+#define SLICE_LEAST 1e-8
+#define SLICE_DEBRIS 4.0 /* an open chain shorter than this many gaps is left out; chosen: as debris of a scan */
 
 
 /* sort the triangles into the bins that they overlap: count, then list */
 static mus_status slice_bins(mus__slicer *slicer)
 {
     const mus__scan_mesh *mesh = slicer->mesh;
-    slicer->bins = SLICE_BINS;
     slicer->scale = SLICE_BINS / fmax(slicer->high - slicer->low, 1e-30);
     slicer->start = mus__new(slicer->context, SLICE_BINS + 2, sizeof *slicer->start);
     if (slicer->start == NULL) return mus__fail_memory(slicer->context, "the sections of a mesh");
@@ -392,5 +393,6 @@ mus_status mus__slice(mus__slicer *slicer, double s, const char *what)
     if (status == MUS_OK) status = slice_chains(slicer);
     if (status == MUS_OK) status = slice_join(slicer, s, what);
     if (status == MUS_OK) slice_order(slicer);
+    else slicer->section.points = slicer->section.loops = 0; /* a section that is half made is none */
     return status;
 }

@@ -122,6 +122,16 @@ void mus__box_tree_fit(mus__box_tree *tree, const uint8_t *stale)
 }
 
 
+/* lanes of tree node j of a tier that hold a thing or a tree node. Boxes of the other lanes are ignored whatever the
+ * reach, which is infinite where a place overflowed */
+static uint32_t tree_held(const mus__box_tree *tree, int32_t tier, int32_t j)
+{
+    const int32_t all = tier == 0 ? tree->count : tree->first[tier] - tree->first[tier - 1];
+    const int32_t held = all - j * MUS__TREE_LANES;
+    return held >= MUS__TREE_LANES ? 0xffffu : (1u << held) - 1;
+}
+
+
 /*
  * mask[r]: the boxes of tree node b that may come within reach of box r of tree node a. The gap along an axis is, for
  * each side, the lesser of those at the start and at the end; the gap of two boxes is the greatest of these.
@@ -186,8 +196,10 @@ static void tree_meet(const tree_search *s, int32_t tier, int32_t i, int32_t j)
     uint32_t mask[MUS__TREE_LANES];
     tree_masks(a->box + of * MUS__TREE_PLANES * MUS__TREE_LANES, b->box + met * MUS__TREE_PLANES * MUS__TREE_LANES,
                s->reach, mask);
+    const uint32_t held = tree_held(b, tier, j);
+    const uint32_t rows = tree_held(a, tier, i);
     for (int32_t r = 0; r < MUS__TREE_LANES; r++) {
-        uint32_t bits = mask[r];
+        uint32_t bits = rows >> r & 1 ? mask[r] & held : 0;
         if (a == b && i == j) bits &= tier > 0 ? ~0u << r : ~0u << r << 1;
         if (bits == 0) continue;
         if (tier == 0) {
@@ -241,7 +253,7 @@ static void tree_ask(const tree_search *s, int32_t i, int32_t from, int32_t tier
     const mus__box_tree *a = s->a, *b = s->b;
     const int64_t block = i / N, lane = i % N, met = b->first[tier] + (int64_t)j;
     const float *box = a->box + block * MUS__TREE_PLANES * N + lane, *boxes = b->box + met * MUS__TREE_PLANES * N;
-    uint32_t bits = tree_mask(box, boxes, s->reach);
+    uint32_t bits = tree_mask(box, boxes, s->reach) & tree_held(b, tier, j);
     if (tier > 0) {
         for (; bits != 0; bits &= bits - 1) tree_ask(s, i, from, tier - 1, j * N + mus__box_tree_lowest(bits));
         return;

@@ -20,7 +20,6 @@
 #define MUS__TREE_LANES 16
 #define MUS__TREE_PLANES 12 /* of a tree node: low (3) and high (3) at the start, low and high at the end */
 #define MUS__TREE_TIERS 8
-#define MUS__TREE_NODES 3
 
 typedef struct mus__box_tree {
     int32_t each;     /* nodes (of the cloth) of a thing: 1, 2 or 3 */

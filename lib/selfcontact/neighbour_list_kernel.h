@@ -12,12 +12,14 @@
 #define MUS__FLAT_SHARE 0.5 /* thickness over the distance in the flat: flat cloth does not touch itself */
 /* mean edges that a node drifts beyond the mean drift in a list's time; chosen: boxes stay small */
 #define MUS__DRIFT_WAY_MAX 1.0
-#define MUS__LIST_SPAN_MAX 0.02 /* [s] that a drifting list is made for; chosen */
-#define MUS__DRIFT_MIN 0.5      /* margins in that time: slower cloth does not drift; chosen */
-#define MUS__LIST_LONGER 2.0    /* a list is made for so many times the age of the last one; chosen */
+#define MUS__LIST_SPAN_MAX 0.02 /* [s] longest time of a drifting list; chosen: longer ones have more pairs */
+#define MUS__DRIFT_MIN 0.5      /* [margins] least way in that time with which homes drift; chosen: cost only */
+#define MUS__LIST_LONGER 2.0    /* time of a list over the age of the last one; chosen: it doubles at most */
 #define MUS__MARGIN_WIDEN 2.0   /* a margin that was halved for want of memory grows by this when a quarter is used */
 #define MUS__PLACE_ROUND 4e-7   /* of a coordinate: bound of the rounding of a difference of floats (3 ulp) */
-#define MUS__LIST_FRESH 0.7 /* of the margin: a node with less left is listed anew together with stale ones; chosen */
+/* [margins] a node with less left is listed anew together with stale ones; chosen: a larger value lists more nodes, a
+ * smaller one lists more often */
+#define MUS__LIST_FRESH 0.7
 /* of the nodes: when more are stale the whole list is made, which is cheaper then */
 #define MUS__LIST_PARTIAL_MAX 0.15
 #define MUS__LIST_TRIES_MAX 16 /* halvings of the margin until the pairs fit: to below a thousandth of a millimetre */

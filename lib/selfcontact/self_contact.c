@@ -9,13 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "selfcontact/self_contact.h"
 #include "geom/union_find.h"
+#include "selfcontact/self_contact.h"
 
-#define SELF_PAIRS_FIRST 8  /* pairs a node that there is memory for at first; more when there are more; chosen */
-#define SELF_PAIRS_MAX 1024 /* pairs a node at most: beyond it the cloth is crumpled; chosen */
+#define SELF_PAIRS_FIRST 8  /* pairs a node in the memory taken first; it grows when there are more; chosen */
+#define SELF_PAIRS_MAX 1024 /* most pairs a node; chosen: only crumpled cloth has more */
 #define SELF_FLAT 0.5   /* thickness at a seam over the least height of a triangle: flat cloth does not touch itself */
-#define SELF_MARGIN 0.2 /* margin of the list over the mean edge; chosen */
+#define SELF_MARGIN 0.2 /* margin of the list over the mean edge; chosen: more means longer lists, less more lists */
 #define SELF_YIELD 0.7  /* of the thickness allowed before: a yield takes no more; see mus__self_contact_yield() */
 #define SELF_THINNEST 0.25 /* of the thickness: pairs that yielded are no thinner; likewise */
 

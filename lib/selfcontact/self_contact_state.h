@@ -24,7 +24,7 @@ typedef struct mus__self_mesh {
 } mus__self_mesh;
 
 #define MUS__RANK_NONE 254 /* rank of a node that nothing supports */
-#define MUS__RANK_MAX 8    /* layers on each other that know what supports them; chosen */
+#define MUS__RANK_MAX 8    /* highest rank: layers above the eighth have the same; chosen */
 
 typedef struct mus__self_contact {
     mus_context *context;

@@ -10,24 +10,34 @@
 /* bound over the distance beyond the thickness of other pairs, which therefore do not come to it unseen; below a
  * half */
 #define MUS__BOUND_APPROACH 0.45
-#define MUS__BOUND_RENEW 0.64      /* of the squared bound: a node beyond it makes the bounds be made anew; chosen */
-#define MUS__BOUND_LONGER 2.0      /* drifting bounds are to last so many times as long as the last ones did; chosen */
-#define MUS__BOUND_STEPS_MIN 2.0   /* steps that drifting bounds must hold for, or nothing drifts; chosen */
-#define MUS__BOUND_DRIFT_SHARE 0.5 /* of a pair's limit that drifts may use up; chosen */
-#define MUS__ACTIVE_DISTANCE 2.0   /* thicknesses: nearer pairs are active until the bounds are made anew; chosen */
+/* squared way of a node over its squared bound at which all bounds are computed again; chosen: below 1, so that few
+ * nodes are held at their bound; a smaller value computes bounds more often */
+#define MUS__BOUND_RENEW 0.64
+/* time that drifting bounds are made for over the time that the last ones lasted; chosen: it doubles at most */
+#define MUS__BOUND_LONGER 2.0
+#define MUS__BOUND_STEPS_MIN 2.0   /* [steps] least time of drifting bounds; chosen: for less, drifts do not pay */
+#define MUS__BOUND_DRIFT_SHARE 0.5 /* largest share of a pair's limit for drifts; chosen: the rest is left for motion */
+/* [thicknesses] pairs nearer than this are active until bounds are computed again; chosen: more costs time, less makes
+ * bounds smaller */
+#define MUS__ACTIVE_DISTANCE 2.0
 /* of the squared travel that leaves a pair apart; a pair whose nodes travelled less is not asked. Below 1 by more
  * than rounding */
 #define MUS__IDLE_SHARE 0.99
-#define MUS__LIST_RENEW 0.3 /* of the margin: with less left for a node the list is made anew; chosen */
+/* [margins] with less left for a node the list is made anew; chosen: a larger value makes lists more often */
+#define MUS__LIST_RENEW 0.3
 /* of the thickness: cloth no further beyond it rests on cloth. Small, for beside an edge cloth is that far off at
  * an angle of the root of twice this (3.6 degrees) */
 #define MUS__REST_BAND 0.002
-#define MUS__PUSH_SHARE 0.05 /* of an overlap that is put apart in one call; chosen */
+/* share of an overlap that is moved apart in one call; chosen: more adds energy to springs, less leaves overlaps longer
+ */
+#define MUS__PUSH_SHARE 0.05
 /* of the impulse of the last call that a pair gives at once (warm start, Catto 2006); chosen, below 1 so that a
  * load that has gone falls to a third in ten calls */
 #define MUS__WARM_START 0.9
-#define MUS__WEIGHT_BEARS 0.05 /* a node with less weight in a pair does not bear on it; chosen */
-/* cosine of support against push from which on a node counts as supported: 60 degrees; chosen */
+/* least weight of a node in a pair that it bears on; chosen: less carries no load that counts */
+#define MUS__WEIGHT_BEARS 0.05
+/* cosine of the angle between support and push, 60 degrees, up to which a node counts as supported; chosen: a larger
+ * angle counts sideward pushes as support */
 #define MUS__SUPPORT_FACING 0.5
 
 #include "selfcontact/pair_distance_kernel.h"

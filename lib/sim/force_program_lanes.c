@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/force_program_number.h"
+#include "sim/force_program_constants.h"
 #include "sim/force_program_parts.h"
 
 #define ITEMS 8 /* of one kind in one row; chosen: most border nodes need one row */

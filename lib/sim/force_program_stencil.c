@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/force_program_number.h"
+#include "sim/force_program_constants.h"
 #include "sim/force_program_parts.h"
 
 #define ITEMS_MOST                                                                                                     \

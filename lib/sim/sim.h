@@ -12,9 +12,9 @@
 #ifndef MUS_SIM_SIM_H
 #define MUS_SIM_SIM_H
 
-#include "base/pool.h"
-#include "selfcontact/self_contact.h"
+#include "base/thread_pool.h"
 #include "contact/plane_cache.h"
+#include "selfcontact/self_contact.h"
 #include "sim/force_program.h"
 #include "sim/sim_ops.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/target_clones.h"
-#include "sim/force_program_number.h"
+#include "sim/force_program_constants.h"
 #include "sim/sim.h"
 
 #define MUS__REAL float

@@ -187,9 +187,14 @@ double mus__step_bound_rk4(double rate2, double gamma, double ratio, double drag
  * Velocity Verlet with the dashpots' velocity half a step old, M (w' - w)/h + C w + K x = 0, w the velocity between the
  * steps, keeps the energy  w (M - h/2 C) w/2 + x K x'/2  from growing; it is an energy as long as
  * M - h/2 C - h^2/4 K >= 0:  h^2 rate2 + 2 h gamma <= 4. Drag acts before and after a force, and is stable for itself.
+ *
+ * That is the limit of a frozen pose. In motion K changes with the pose, and a mode whose period is three steps
+ * (omega h = sqrt(3)) takes energy from the change (resonance of order 3: Schlick, Mandziuk, Skeel and Srinivas,
+ * Nonlinear resonance artifacts in molecular dynamics simulations, J. Comput. Phys. 140, 1998). The bound lies below
+ * it: h^2 rate2 + 2 h gamma <= 3.
  */
 double mus__step_bound_verlet(double rate2, double gamma)
 {
-    const double sum = gamma + sqrt(gamma * gamma + 4.0 * rate2);
-    return sum > 4e-9 ? 4.0 / sum : 1e9;
+    const double sum = gamma + sqrt(gamma * gamma + 3.0 * rate2);
+    return sum > 3e-9 ? 3.0 / sum : 1e9;
 }

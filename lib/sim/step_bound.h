@@ -20,7 +20,7 @@ void mus__program_damping(const mus__program *program, int32_t nnode, double *t,
 
 /* largest step [s] at which RK4 is stable: rate2 bounds omega^2 [1/s2], gamma the damping per mass with drag [1/s] */
 double mus__step_bound_rk4(double rate2, double gamma, double ratio, double drag);
-/* largest step [s] at which velocity Verlet is stable; gamma without drag */
+/* largest step [s] at which velocity Verlet is stable in motion; gamma without drag */
 double mus__step_bound_verlet(double rate2, double gamma);
 
 #endif

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define CAPE_STRETCH_KNIT 1.15
 #define CAPE_STEPS 60

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define CLOSURE_STAND (1.75 * MUS__CM)
 #define CLOSURE_ZIP (1.5 * MUS__CM)
@@ -58,7 +58,7 @@ static bool closure_ends(const char *name, const char *end)
 }
 
 
-/* puts a notch at height y on a half-edge of the front, and on its partner */
+/* puts a notch at height y on a half-edge of the front */
 static void closure_notch(mus__board *board, int32_t side, double y)
 {
     double lo = 0.0, hi = board->side[side].length, at[2];
@@ -72,11 +72,7 @@ static void closure_notch(mus__board *board, int32_t side, double y)
         if ((at[1] > y) == above) lo = s;
         else hi = s;
     }
-    const int32_t other = mus__board_partner(board, side);
     mus__board_notch_add(board, side, lo, MUS_NOTCH_TRIPLE);
-    if (other == MUS_NONE) return;
-    const double part = 1.0 - lo / board->side[side].length;
-    mus__board_notch_add(board, other, part * board->side[other].length, MUS_NOTCH_TRIPLE);
 }
 
 

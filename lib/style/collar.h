@@ -5,9 +5,9 @@
 #define MUS_COLLAR_H
 
 #include "block/block_collar.h"
-#include "half/boundary.h"
+#include "half/boundary_loop.h"
 #include "half/half_placement.h"
-#include "style/parts.h"
+#include "style/style_parts.h"
 
 /* the neckline that a collar is drafted to */
 typedef struct mus__neck {

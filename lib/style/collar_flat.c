@@ -2,12 +2,13 @@
  * collar_flat.c: collars that lie on the shoulders: Peter Pan, shawl and sailor.
  *
  * Front and back are laid flat, shoulder to shoulder, and the collar is drawn on them: its neck edge is the neckline,
- * its outer edge runs at the collar's width outside. Where the shoulders overlap the neck edge becomes straighter than
- * the neckline, and the collar rolls: the overlap's angle is spread over 4 cm on both sides of the shoulder, each
- * tangent of the neckline turned by its share, so the neck edge keeps the neckline's length and has no corner.
+ * and its outer edge lies at the collar's width from it. When the shoulder points overlap, the neck edge is straighter
+ * than the neckline and the collar rolls. The overlap's angle is spread over 4 cm of neckline on both sides of the
+ * shoulder: each tangent is turned by its share of the angle, so that the neck edge has the neckline's length and no
+ * corner.
  *
- * The right side of the bodice goes on into the collar's under side, since the cloth turns over at the neck: the panel
- * is drawn as seen from below, x to the wearer's left, y to the front, centre back at (0, 0).
+ * The collar turns over at the neck, so the right side of its panel continues that of the bodice and becomes the under
+ * side. The panel is drawn as seen from below: x to the wearer's left, y to the front, centre back at (0, 0).
  */
 #include <math.h>
 #include <string.h>
@@ -16,17 +17,19 @@
 #include "style/collar.h"
 
 #define FLAT_SEAM 0.007
-#define FLAT_STEPS 96 /* of the integration along the neck edge */
-#define FLAT_ABOVE 4.0 /* [cm at size 40]: so far above the body's panels a collar starts */
-#define FLAT_TILT 0.7  /* [rad] its back is turned down by this angle, */
-#define FLAT_BEND 1.6  /* its sides round a roll of so many radii of the neck. Flatter ones stand up after sewing (2.2),
-                        * closer ones are caught on the shoulders (1.1) */
+#define FLAT_STEPS 96  /* intervals of the integration along the neck edge */
+#define FLAT_ABOVE 4.0 /* [cm at size 40] height at which a collar starts above the panels of the bodice */
+#define FLAT_TILT 0.7  /* [rad] angle by which the back of a collar starts turned down */
+/* radius of the bend of a collar at its start, in radii of the neck; measured: at 2.2 collars stand up after sewing, at
+ * 1.1 they are caught on the shoulders */
+#define FLAT_BEND 1.6
 
 typedef struct flat_collar {
-    double length;          /* of the neck edge, centre back to centre front */
+    double length;          /* [m] of the neck edge, centre back to centre front */
     double ds;
     double xy[FLAT_STEPS + 1][2], tangent[FLAT_STEPS + 1][2];
-    double width, wide, taper; /* at the back; at its widest; arc length from where it narrows to the front */
+    double width, wide;     /* [m] width at the centre back; greatest width */
+    double taper;           /* [m] arc length of the neck edge along which it narrows, up to the centre front */
     int32_t style;
 } flat_collar;
 
@@ -38,7 +41,8 @@ static double flat_step(double t)
 }
 
 
-/* tangent of the neck edge at s: that of the neckline turned by the share of `angle`, seen from below */
+/* Writes the unit tangent of the neck edge at arc length s [m]: that of the neckline, turned by its share of `angle`
+ * [rad], which is spread over `reach` [m] on both sides of the shoulder. */
 static void flat_tangent(const mus__board *board, const mus__neck *neck, double angle, double reach, double s,
                          double *out)
 {
@@ -50,7 +54,7 @@ static void flat_tangent(const mus__board *board, const mus__neck *neck, double 
 }
 
 
-/* the neck edge by Simpson's rule, `angle` the overlap's */
+/* Integrates the tangents to the points of the neck edge by Simpson's rule. */
 static void flat_neck(const mus__board *board, const mus__neck *neck, double angle, double reach, flat_collar *flat)
 {
     flat->length = neck->length;
@@ -68,7 +72,7 @@ static void flat_neck(const mus__board *board, const mus__neck *neck, double ang
 }
 
 
-/* place and tangent at arc length s */
+/* Interpolates point and unit tangent of the neck edge at arc length s [m]. */
 static void flat_at(const flat_collar *flat, double s, double *xy, double *tangent)
 {
     const double place = fmin(fmax(s / flat->ds, 0.0), (double)FLAT_STEPS);
@@ -83,8 +87,9 @@ static void flat_at(const flat_collar *flat, double s, double *xy, double *tange
 }
 
 
-/* parameter t in 0..1 of the outer edge: arc length on the neck edge, and the width there. Before the taper both run
- * evenly; in it Peter Pan's end is a quarter of a circle, a shawl's goes straight to the point */
+/* Returns the collar's width [m] at parameter t (0 to 1) of the outer edge, and *s, the arc length on the neck edge
+ * there. In the taper (t above 0.5) the end of a Peter Pan collar is a quarter of an ellipse, that of a shawl collar
+ * narrows to a point. */
 static double flat_width(const flat_collar *flat, double t, double *s)
 {
     const double body = flat->length - flat->taper;
@@ -102,7 +107,7 @@ static double flat_width(const flat_collar *flat, double t, double *s)
 }
 
 
-/* point of the outer edge: the width along the normal, outwards */
+/* Writes the point of the outer edge at parameter t: the neck edge's point moved outwards along the normal. */
 static void flat_outer(const flat_collar *flat, double t, double *out)
 {
     double s, xy[2], tangent[2];
@@ -112,7 +117,7 @@ static void flat_outer(const flat_collar *flat, double t, double *out)
 }
 
 
-/* a curve at parameters t0..t1 as four cubics; `point` gives its places */
+/* Writes the curve of `point` between parameters t0 and t1 as four cubics. */
 static void flat_chain(const flat_collar *flat, void (*point)(const flat_collar *flat, double t, double *out),
                        double t0, double t1, mus__chain *out)
 {
@@ -143,7 +148,8 @@ static void flat_inner(const flat_collar *flat, double t, double *out)
 }
 
 
-/* a sailor's: square behind, from the corner over the shoulder to the front */
+/* Writes the outer edge of a sailor's collar: a square back of `depth` and half `width` [m], then a line over the
+ * shoulder to the front. */
 static void flat_sailor(const flat_collar *flat, double depth, double width, mus__chain *back, mus__chain *front)
 {
     const double centre[2] = {0.0, -depth}, corner[2] = {width, -depth};
@@ -158,7 +164,7 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 }
 
 
-/* y (2) is widened to the heights of a panel's corners, and of the points of the curves between them, as placed */
+/* Widens the interval y (2) [m] to the heights of the control points of a panel as it is placed. */
 static void flat_heights(const mus__board *board, int32_t panel, double *y)
 {
     const mus_placement *place = &board->panel[panel].attr.placement;
@@ -181,10 +187,10 @@ static void flat_heights(const mus__board *board, int32_t panel, double *y)
 
 
 /*
- * Places the collar above the highest panel of the body, so that no panel comes through it while the body is sewn; it
- * then falls on to the shoulders. A collar on the shoulders is a cone, which is stable with its edge up or down, and
- * one that starts level ends up standing round the neck. So it starts with its back and its sides turned down, bent
- * about a line from front to back.
+ * Places the collar FLAT_ABOVE above the highest panel of the bodice, so that no panel passes through it while the
+ * bodice is sewn; it falls onto the shoulders then. A flat collar on the shoulders is a cone, which is stable with its
+ * outer edge up or down; one that starts horizontal ends up standing round the neck. So its back starts turned down by
+ * FLAT_TILT, and its sides bent down about a line from back to front.
  */
 static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
 {
@@ -214,7 +220,7 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
         over != MUS_NONE ? board->side[neck->loop.over[over]].length : half->measures.v[MUS_MEASURE_SHOULDER];
     const double front = neck->length - neck->shoulder;
 
-    /* overlap of the shoulder points: 2 cm, a shawl 1, a sailor's collar lies quite flat */
+    /* overlap of the shoulder points at size 40: Peter Pan 2 cm, shawl 1 cm, sailor 0 */
     const double overlap = style == MUS__COLLAR_SAILOR ? 0.0 : (style == MUS__COLLAR_SHAWL ? 1.0 : 2.0) * k * MUS__CM;
     flat_collar flat = {.style = style};
     const double angle = 2.0 * asin(fmin(0.5, 0.5 * overlap / shoulder));

@@ -23,11 +23,10 @@ void mus__hood_attach(mus__half *half, mus__neck *neck)
 
     /* the block has its face at x = 0; here the seam behind is */
     const double back = hood.width + 0.7 * MUS__CM;
-    mus__chain sides[3], straight;
+    mus__chain sides[3];
     mus__chain_cubic(&sides[0], hood.neck);
     mus__chain_cubic(&sides[1], hood.crown);
-    mus__chain_line(&straight, hood.crown + 6, hood.top);
-    mus__chain_append(&sides[1], &straight);
+    mus__chain_add_line(&sides[1], hood.crown + 6, hood.top);
     mus__chain_line(&sides[2], hood.top, hood.neck);
     for (int32_t i = 0; i < 3; i++)
         for (int32_t p = 0; p < sides[i].nxy; p++) sides[i].xy[2 * p] -= back;

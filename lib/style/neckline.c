@@ -11,9 +11,9 @@
 
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
-#define JERSEY_STRETCH 1.15 /* stretch of a knit neckline over the head, as a factor; chosen */
+#define JERSEY_STRETCH 1.15 /* length of a stretched knit neckline over that at rest; chosen: more needs less width */
 #define HEAD_STEPS 60
 
 /* figures of a neckline [cm] on an adult; chosen */
@@ -34,45 +34,6 @@ static const neckline_row neckline_rows[] = {
     {1.0, 3.0, 0.0, 0.8},  /* halter */
     {0.0, 0.0, 0.0, 1.75}, /* strapless */
 };
-
-
-static double neckline_length(const mus__chain *chain)
-{
-    static const int32_t points[] = {[MUS__LINE] = 1, [MUS__ARC] = 2, [MUS__CUBIC] = 3};
-    const double *xy = chain->xy;
-    double length = 0.0;
-    for (int32_t i = 0; i < chain->npiece; i++) {
-        length += mus__curve_length(chain->kinds[i], xy);
-        xy += 2 * points[chain->kinds[i]];
-    }
-    return length;
-}
-
-
-/* a cubic appended to a chain that ends where the cubic starts; the first piece of an empty chain */
-static void neckline_curve(mus__chain *chain, const double *start, double ax, double ay, double bx, double by,
-                           const double *end)
-{
-    double cubic[8];
-    mus__chain piece;
-    mus__cubic_set(cubic, start, ax, ay, bx, by, end);
-    mus__chain_cubic(&piece, cubic);
-    if (chain->npiece == 0)
-        *chain = piece;
-    else
-        mus__chain_append(chain, &piece);
-}
-
-
-static void neckline_line(mus__chain *chain, const double *start, const double *end)
-{
-    mus__chain piece;
-    mus__chain_line(&piece, start, end);
-    if (chain->npiece == 0)
-        *chain = piece;
-    else
-        mus__chain_append(chain, &piece);
-}
 
 
 /* ---- contour ---- */
@@ -104,7 +65,7 @@ static void neckline_contour(mus__bodice_half *front, double width)
 static void neckline_v(const double *c, const double *s, double cm, mus__chain *out)
 {
     const double dx = s[0] - c[0], dy = s[1] - c[1];
-    neckline_curve(out, c, c[0] + 0.33 * dx + 0.4 * cm, c[1] + 0.33 * dy - 0.2 * cm, c[0] + 0.66 * dx + 0.6 * cm,
+    mus__chain_add_cubic(out, c, c[0] + 0.33 * dx + 0.4 * cm, c[1] + 0.33 * dy - 0.2 * cm, c[0] + 0.66 * dx + 0.6 * cm,
                    c[1] + 0.66 * dy - 0.2 * cm, s);
 }
 
@@ -112,7 +73,7 @@ static void neckline_v(const double *c, const double *s, double cm, mus__chain *
 /* the cup: [C, (0.2, C.y + 3), (0.35 bs, Q.y + 0.8), Q] */
 static void neckline_cup(const double *c, const double *q, double cm, mus__chain *out)
 {
-    neckline_curve(out, c, 0.2 * cm, fmin(c[1] + 3.0 * cm, q[1]), 0.7 * q[0], q[1] + 0.8 * cm, q);
+    mus__chain_add_cubic(out, c, 0.2 * cm, fmin(c[1] + 3.0 * cm, q[1]), 0.7 * q[0], q[1] + 0.8 * cm, q);
 }
 
 
@@ -121,9 +82,9 @@ static void neckline_keyhole(const mus__bodice_half *front, double cm, mus__chai
 {
     const double y = front->centre[1], foot[2] = {0.0, y - 9.0 * cm}, wide[2] = {1.5 * cm, y - 6.5 * cm};
     const double *neck = front->neck, head[2] = {0.15 * MUS__CM, y};
-    neckline_curve(out, foot, 0.8 * cm, foot[1], wide[0], y - 8.2 * cm, wide);
-    neckline_curve(out, wide, wide[0], y - 4.5 * cm, head[0], y - 4.0 * cm, head);
-    neckline_curve(out, head, neck[2], neck[3], neck[4], neck[5], front->snp);
+    mus__chain_add_cubic(out, foot, 0.8 * cm, foot[1], wide[0], y - 8.2 * cm, wide);
+    mus__chain_add_cubic(out, wide, wide[0], y - 4.5 * cm, head[0], y - 4.0 * cm, head);
+    mus__chain_add_cubic(out, head, neck[2], neck[3], neck[4], neck[5], front->snp);
 }
 
 
@@ -136,21 +97,21 @@ static void neckline_front(const mus__half *half, const mus__top *top, mus__chai
     switch (half->style.option[MUS__AXIS_NECK]) {
     case MUS__NECK_SCOOP: {
         const double reach = 0.45 * (s[1] - c[1]);
-        neckline_curve(out, c, 0.72 * s[0], c[1], s[0] - reach * sin(slope), s[1] - reach * cos(slope), s);
+        mus__chain_add_cubic(out, c, 0.72 * s[0], c[1], s[0] - reach * sin(slope), s[1] - reach * cos(slope), s);
         break;
     }
     case MUS__NECK_V:
     case MUS__NECK_DEEP_V: neckline_v(c, s, cm, out); break;
     case MUS__NECK_SQUARE: {
         const double corner[2] = {s[0] - 0.5 * cm, c[1]};
-        neckline_line(out, c, corner);
-        neckline_line(out, corner, s);
+        mus__chain_add_line(out, c, corner);
+        mus__chain_add_line(out, corner, s);
         break;
     }
-    case MUS__NECK_BOAT: neckline_curve(out, c, 0.5 * s[0], c[1], s[0] - 3.0 * cm, s[1] + 0.2 * cm, s); break;
+    case MUS__NECK_BOAT: mus__chain_add_cubic(out, c, 0.5 * s[0], c[1], s[0] - 3.0 * cm, s[1] + 0.2 * cm, s); break;
     case MUS__NECK_SWEETHEART:
         neckline_cup(c, q, cm, out);
-        neckline_line(out, q, s);
+        mus__chain_add_line(out, q, s);
         break;
     case MUS__NECK_KEYHOLE: neckline_keyhole(front, cm, out); break;
     default: mus__chain_cubic(out, front->neck); break;
@@ -191,7 +152,7 @@ static void neckline_halter(mus__half *half, mus__top *top)
     mus__top_under(half, top, true, closed, u);
     top->arm[MUS__TOP_FRONT].npiece = 0;
     const double hollow = fmax(u[0] - 5.0 * cm, t[0]);
-    neckline_curve(&top->arm[MUS__TOP_FRONT], u, hollow, u[1] + 3.0 * cm, t[0], t[1] - 5.0 * cm, t);
+    mus__chain_add_cubic(&top->arm[MUS__TOP_FRONT], u, hollow, u[1] + 3.0 * cm, t[0], t[1] - 5.0 * cm, t);
     top->shoulder[MUS__TOP_FRONT] = true;
     neckline_front(half, top, &top->neck[MUS__TOP_FRONT]);
     mus__chain_reverse(&top->neck[MUS__TOP_FRONT]);
@@ -201,7 +162,7 @@ static void neckline_halter(mus__half *half, mus__top *top)
     const double c[2] = {0.0, u[1] - 0.5 * cm};
     mus__chain *neck = &top->neck[MUS__TOP_BACK];
     neck->npiece = 0;
-    neckline_curve(neck, u, 0.66 * u[0], c[1], 0.33 * u[0], c[1], c);
+    mus__chain_add_cubic(neck, u, 0.66 * u[0], c[1], 0.33 * u[0], c[1], c);
     top->arm[MUS__TOP_BACK].npiece = 0;
     top->neck_label[MUS__TOP_BACK] = "armhole";
     memcpy(back->centre, c, sizeof c);
@@ -219,7 +180,7 @@ static void neckline_strapless(mus__half *half, mus__top *top)
     mus__chain *neck = &top->neck[MUS__TOP_FRONT];
     neck->npiece = 0;
     neckline_cup(c, q, cm, neck);
-    neckline_curve(neck, q, q[0] + 0.35 * (u[0] - q[0]), q[1] - 0.4 * cm, q[0] + 0.7 * (u[0] - q[0]),
+    mus__chain_add_cubic(neck, q, q[0] + 0.35 * (u[0] - q[0]), q[1] - 0.4 * cm, q[0] + 0.7 * (u[0] - q[0]),
                    u[1] + 0.25 * (q[1] - u[1]), u);
     mus__chain_reverse(neck);
 
@@ -227,7 +188,7 @@ static void neckline_strapless(mus__half *half, mus__top *top)
     const double b[2] = {0.0, u[1] - 1.0 * cm};
     neck = &top->neck[MUS__TOP_BACK];
     neck->npiece = 0;
-    neckline_curve(neck, u, 0.66 * u[0], b[1], 0.33 * u[0], b[1], b);
+    mus__chain_add_cubic(neck, u, 0.66 * u[0], b[1], 0.33 * u[0], b[1], b);
     for (int which = 0; which < 2; which++) top->arm[which].npiece = 0;
 }
 
@@ -279,7 +240,7 @@ static void neckline_pass(mus__half *half, mus__top *top)
     const double stretch = mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT) ? JERSEY_STRETCH : 1.0;
     mus__bodice_half *front = &half->bodice.front, *back = &half->bodice.back;
     for (int i = 0; i < HEAD_STEPS; i++) {
-        const double girth = 2.0 * (neckline_length(&top->neck[0]) + neckline_length(&top->neck[1]));
+        const double girth = 2.0 * (mus__chain_length(&top->neck[0]) + mus__chain_length(&top->neck[1]));
         if (girth * stretch >= need) return;
         const bool wide = front->shoulder_length < 0.45 * m[MUS_MEASURE_SHOULDER];
         const double out = wide ? 0.0 : fmin(0.2 * MUS__CM, 0.05 * front->shoulder_length);

@@ -1,18 +1,17 @@
 /*
  * pocket.c: patch pockets: where they go on the half, and on the whole garment the pieces themselves.
  *
- * A patch lies on another panel; at three of its edges three sheets meet (board_patch.c). On the half a pocket is a
- * mark of 13 x 15 cm, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
+ * A patch lies on another panel; at three of its edges three sheets meet (board_patch_panel.c). On the half a pocket is
+ * a mark of 13 x 15 cm, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
  * gets a panel; the mark stays and shows where to sew it. A panel that is too small for the pocket keeps the mark
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
  */
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "style/lower.h"
+#include "board/board_patch_panel.h"
+#include "style/waist_edge.h"
 
 #define POCKET_STEP (1.0 * MUS__CM)
 #define POCKET_MOVES 8

@@ -9,11 +9,10 @@
  * Metric Pattern Cutting.
  */
 #include <math.h>
-#include <string.h>
 
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define SHAPING_BACK (2.0 * MUS__CM) /* [m] sewn dart points from the bust point; practice is 2 to 3 cm */
 

@@ -1,41 +1,28 @@
 /*
  * shaping_cut.c: panels of a bodice cut apart: princess lines from shoulder or armhole, empire line, yoke.
  *
- * A princess line takes the bust dart and the waist dart into one seam: the bust dart is turned to where the seam
- * begins and runs on to the lower edge; the edges of both panels are then drawn fair, each a curve above and below the
- * bust point with one tangent there, so their lengths differ by millimetres, which the seam eases. Behind, the seam
- * runs through the waist dart.
+ * A princess seam takes up bust dart and waist dart. In front the bust dart is rotated to the seam's upper end
+ * (shoulder or armhole), and the panel is cut from its point to the lower edge. The edges of both panels are then drawn
+ * again as one curve above the bust point and one below it, with one tangent there. Their lengths differ by
+ * millimetres, which is the ease of the seam. Behind, the seam runs through the waist dart.
  */
 #include <math.h>
 #include <string.h>
 
+#include "board/board_spread.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
-/* a line of a princess seam on one panel: from the upper end over the bust or blade point to the lower edge */
+/* the edge of one panel at a princess seam, from the upper end over the bust point to the lower edge */
 typedef struct princess_line {
-    double head[2], point[2]; /* upper end, bust point or top of the back dart */
-    double axis;              /* x of the waist dart's axis */
-    double wide;              /* half the waist dart, towards the centre negative */
+    double head[2], point[2]; /* upper end; bust point, behind the upper point of the waist dart */
+    double axis;              /* x of the waist dart's axis [m] */
+    double wide;              /* half the width of the waist dart [m]; < 0: the edge on the side of the centre */
 } princess_line;
 
 
-static void princess_append(mus__chain *chain, const double *start, double ax, double ay, double bx, double by,
-                       const double *end)
-{
-    double cubic[8];
-    mus__chain piece;
-    mus__cubic_set(cubic, start, ax, ay, bx, by, end);
-    mus__chain_cubic(&piece, cubic);
-    if (chain->npiece == 0)
-        *chain = piece;
-    else
-        mus__chain_append(chain, &piece);
-}
-
-
-/* tangent at the point: between the line from above and straight down */
+/* Writes the unit tangent at the bust point: the mean of the direction from the upper end and of straight down. */
 static void princess_tangent(const princess_line *line, double *out)
 {
     const double length = mus__dist2(line->head, line->point);
@@ -46,19 +33,20 @@ static void princess_tangent(const princess_line *line, double *out)
 }
 
 
-/* the upper part, from the head to the point */
+/* Writes the part of the edge from the upper end to the bust point. */
 static void princess_high(const princess_line *line, mus__chain *out)
 {
     double along[2];
     const double *h = line->head, *p = line->point, reach = 0.33 * mus__dist2(h, p);
     princess_tangent(line, along);
     out->npiece = 0;
-    princess_append(out, h, h[0] + 0.33 * (p[0] - h[0]), h[1] + 0.33 * (p[1] - h[1]), p[0] - reach * along[0],
+    mus__chain_add_cubic(out, h, h[0] + 0.33 * (p[0] - h[0]), h[1] + 0.33 * (p[1] - h[1]), p[0] - reach * along[0],
                p[1] - reach * along[1], p);
 }
 
 
-/* the lower part, from the point to the lower edge: to the waist, then to the hips and down as a waist dart does */
+/* Writes the part of the edge from the bust point to the lower edge: to the waist, then as the leg of a waist dart
+ * closes towards the hip, then straight down. */
 static void princess_low(const mus__top *top, const princess_line *line, mus__chain *out)
 {
     double along[2];
@@ -68,21 +56,19 @@ static void princess_low(const mus__top *top, const princess_line *line, mus__ch
     out->npiece = 0;
     if (top->hem > 0.0) {
         const double part = 1.0 - top->hem / p[1], end[2] = {line->axis + line->wide * part, top->hem};
-        princess_append(out, p, p[0] + reach * part * along[0], p[1] + reach * part * along[1], end[0],
+        mus__chain_add_cubic(out, p, p[0] + reach * part * along[0], p[1] + reach * part * along[1], end[0],
                    end[1] + reach * part, end);
         return;
     }
-    princess_append(out, p, p[0] + reach * along[0], p[1] + reach * along[1], waist[0], reach, waist);
+    mus__chain_add_cubic(out, p, p[0] + reach * along[0], p[1] + reach * along[1], waist[0], reach, waist);
     if (!(top->hem < 0.0)) return;
 
     const double level = fmax(top->hem, 0.8 * top->hip), part = level / (0.8 * top->hip);
     const double hip[2] = {line->axis + line->wide + part * (narrow - line->wide), level};
-    princess_append(out, waist, waist[0], 0.4 * level, hip[0], 0.6 * level, hip);
+    mus__chain_add_cubic(out, waist, waist[0], 0.4 * level, hip[0], 0.6 * level, hip);
     if (!(top->hem < level - 0.01)) return;
     const double end[2] = {hip[0], top->hem};
-    mus__chain last;
-    mus__chain_line(&last, hip, end);
-    mus__chain_append(out, &last);
+    mus__chain_add_line(out, hip, end);
 }
 
 
@@ -95,7 +81,7 @@ static void princess_whole(const mus__top *top, const princess_line *line, mus__
 }
 
 
-/* draw a side along a chain, which is given from its upper end, as the side runs */
+/* Replaces the curve of a half-edge by `chain`, which runs downwards, in the direction of the half-edge. */
 static void princess_redraw(mus__board *board, int32_t side, const mus__chain *chain)
 {
     if (board->status != MUS_OK || side == MUS_NONE) return;
@@ -106,7 +92,7 @@ static void princess_redraw(mus__board *board, int32_t side, const mus__chain *c
 }
 
 
-/* the ease of a seam is what its sides differ by now */
+/* Sets the ease of a half-edge's seam to the present difference of length. */
 static void princess_ease(mus__board *board, int32_t side)
 {
     if (board->status != MUS_OK || side == MUS_NONE) return;
@@ -117,7 +103,7 @@ static void princess_ease(mus__board *board, int32_t side)
 }
 
 
-/* both sides of a seam drawn anew: of the panel with the centre, and of the other */
+/* Draws both sides of a princess seam again: `centre` of the panel at the centre line, and its partner. */
 static void princess_pair(mus__board *board, int32_t centre, const mus__chain *chain, const mus__chain *other)
 {
     if (board->status != MUS_OK || centre == MUS_NONE) return;
@@ -128,7 +114,7 @@ static void princess_pair(mus__board *board, int32_t centre, const mus__chain *c
 }
 
 
-/* the panel that holds `side` is called `name`, the other of the two `rest` */
+/* If panel `panel` has half-edge `side`, names it `name`, and the panel that has had this name `rest`. */
 static void princess_names(mus__board *board, int32_t side, int32_t panel, const char *name, const char *rest)
 {
     if (board->status != MUS_OK || panel == MUS_NONE || board->side[side].panel != panel) return;
@@ -140,8 +126,8 @@ static void princess_names(mus__board *board, int32_t side, int32_t panel, const
 
 /* ---- princess ---- */
 
-/* split `high` at s and `low` at x, and cut from one to the other over `point` (in the board's frame): the two new
- * sides. In front of a body without a bust dart, and behind */
+/* Cuts a panel from the start of half-edge `from` over `point` to the start of `to`: the back, and a front without a
+ * bust dart. Returns the new panel, called `name`. */
 static int32_t princess_through(mus__board *board, int32_t from, int32_t to, const double *point, const char *name)
 {
     if (board->status != MUS_OK || from == MUS_NONE || to == MUS_NONE) return MUS_NONE;
@@ -153,7 +139,8 @@ static int32_t princess_through(mus__board *board, int32_t from, int32_t to, con
 }
 
 
-/* back: from the middle of the shoulder, or the pitch, over the top of the waist dart. x is mirrored on the board */
+/* The princess seam of the back: from the middle of the shoulder, or the pitch point of the armhole, over the upper
+ * point of the waist dart to the lower edge. x <= 0 on the back's panel. */
 static void princess_back(mus__half *half, mus__top *top, bool armhole)
 {
     mus__board *board = &half->board;
@@ -164,7 +151,7 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
     const int32_t low = mus__shaping_side(half, top, MUS__TOP_BACK, "low");
     if (board->status != MUS_OK || upper == MUS_NONE || low == MUS_NONE) return;
 
-    /* the seam's head, and its foot on the lower edge, which is walked from the side to the centre */
+    /* upper and lower end of the seam; the lower edge runs from the side to the centre */
     const double s = armhole ? back->arm_length - back->arm_low_length : 0.5 * board->side[upper].length;
     const int32_t from = mus__board_split(board, upper, s, NULL);
     const int32_t to = mus__board_split(board, low, board->side[low].length - axis, NULL);
@@ -176,7 +163,8 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
     if (board->status != MUS_OK) return;
     top->panel[MUS__TOP_BACK] = board->side[side].panel;
 
-    /* one edge from head to foot; the centre's is nearer to the centre by half the dart, which is at x > axis here */
+    /* draw both edges: that of the centre panel lies half a dart towards the centre (x > axis), the other half a dart
+     * towards the side */
     const int32_t seam = mus__board_find(board, top->panel[MUS__TOP_BACK], "princess");
     if (seam == MUS_NONE) return;
     mus__chain chain[2];
@@ -190,7 +178,7 @@ static void princess_back(mus__half *half, mus__top *top, bool armhole)
 }
 
 
-/* front without a bust dart: as behind */
+/* The princess seam of a front without a bust dart, cut as that of the back. */
 static void princess_front_flat(mus__half *half, mus__top *top, int32_t upper, int32_t low, bool armhole)
 {
     mus__board *board = &half->board;
@@ -219,7 +207,8 @@ static void princess_front_flat(mus__half *half, mus__top *top, int32_t upper, i
 }
 
 
-/* front: the bust dart turned to the head of the seam, and run on to the lower edge */
+/* The princess seam of the front: the bust dart is rotated to the seam's upper end, and its point is joined to the
+ * lower edge. */
 static void princess_front(mus__half *half, mus__top *top, bool armhole)
 {
     mus__board *board = &half->board;
@@ -247,7 +236,7 @@ static void princess_front(mus__half *half, mus__top *top, bool armhole)
     if (board->status != MUS_OK) return;
     top->panel[MUS__TOP_FRONT] = board->side[cf].panel;
 
-    /* each edge from its own head, which the dart has parted, over the bust point */
+    /* draw both edges, each from its own upper end: the dart has opened between the two */
     const int32_t seam = mus__board_find(board, top->panel[MUS__TOP_FRONT], "princess");
     if (seam == MUS_NONE) return;
     mus__chain chain[2];
@@ -272,7 +261,8 @@ void mus__shaping_princess(mus__half *half, mus__top *top, bool armhole)
 
 /* ---- empire ---- */
 
-/* a midriff below the bust without darts: cut along the dart's axis, edges drawn as the dart's legs, joined again */
+/* Closes the waist dart of the panel below an empire line at height `level` [m]: the panel is cut along the dart's
+ * axis, both edges are drawn as the dart's legs, and the two parts are joined again. */
 static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, double level)
 {
     mus__board *board = &half->board;
@@ -283,7 +273,7 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
     const int32_t high = mus__board_find(board, panel, "empire");
     if (board->status != MUS_OK || low == MUS_NONE || high == MUS_NONE) return;
 
-    /* upper edge runs from the side to the centre, lower edge from the centre to the side */
+    /* the upper edge runs from the side to the centre, the lower edge from the centre to the side */
     const int32_t from = mus__board_split(board, low, axis, NULL);
     const int32_t to = mus__board_split(board, high, board->side[high].length - axis, NULL);
     if (board->status != MUS_OK) return;
@@ -308,7 +298,8 @@ static void princess_midriff(mus__half *half, mus__top *top, int32_t panel, doub
 
 void mus__shaping_empire(mus__half *half, mus__top *top)
 {
-    /* the line: 0.06 of the stature below the bust point, 3 cm above the lower edge, below the bust dart */
+    /* height of the line: 0.06 of the stature below the bust point, at least 3 cm above the lower edge, at most 1 cm
+     * below the bust dart's mouth */
     mus__board *board = &half->board;
     const mus__bodice_half *front = &half->bodice.front;
     const double cm = top->scale * MUS__CM;
@@ -334,7 +325,8 @@ void mus__shaping_empire(mus__half *half, mus__top *top)
     const int32_t under = mus__board_find(board, low, "empire");
     if (board->status != MUS_OK || edge == MUS_NONE || under == MUS_NONE) return;
 
-    /* above the line the waist dart goes on as one of its own; below it is closed, or left as ease where a hem hangs */
+    /* the waist dart: above the line it becomes a dart of its own; below it is closed when the top ends at the waist or
+     * above, and else left as ease */
     const double wide = half->bodice.dart_width * (1.0 - level / front->bust[1]);
     if (!top->darts || !(wide > 2e-3)) return;
     mus__board_rename(board, edge, "empire", "empire");

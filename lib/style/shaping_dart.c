@@ -5,9 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "board/board_spread.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 
 int32_t mus__shaping_side(const mus__half *half, const mus__top *top, int32_t which, const char *name)

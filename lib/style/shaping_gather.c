@@ -12,7 +12,7 @@
 
 #include "geom/curve.h"
 #include "geom/vec.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define GATHER_PARTS 3
 
@@ -65,7 +65,7 @@ void mus__neck_band_attach(mus__half *half)
     gather_pieces(half, boundary, n, length);
 
     /* the lower edge in pieces, back up, the upper edge, down at the front */
-    const int32_t panel = mus__board_panel_add(board, "neck_band", "band");
+    const int32_t panel = mus__board_panel_add(board, "neck_band", "neck");
     for (int32_t i = 0; i < n; i++) {
         const double end[2] = {at[0] + length[i], 0.0};
         char name[16];

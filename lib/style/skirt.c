@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "block/block_skirt.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define SKIRT_ALLOWANCE (1.0 * MUS__CM)
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
@@ -80,10 +80,10 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
 
-    /* notch at the hip level: the outline runs up the side of a front and down that of a back */
-    const double hip = front ? block->side_length - block->side_high_length : block->side_high_length;
-    mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"), hip,
-                         front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE);
+    /* notch of the side seam at the hip level; the outline runs up the side of a front */
+    if (front)
+        mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"),
+                             block->side_length - block->side_high_length, MUS_NOTCH_SINGLE);
     return panel;
 }
 
@@ -108,7 +108,7 @@ static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, c
 
 /* straight; pencil: the hem is 2.5 cm narrower, a half; a_line: it is wider by 0.18 of the length below the hip, a
  * half. A narrow hem that reaches the knee has a slit at the centre back */
-void mus__skirt_straight(mus__half *half)
+static void skirt_straight(mus__half *half)
 {
     const int32_t kind = half->style.option[MUS__AXIS_SKIRT];
     mus__skirt_def def = skirt_block(half, 0.0);
@@ -178,7 +178,7 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
 
 /* a wrap skirt: the fronts are sewn together at the centre half way to the hip; below, the left one laps over the
  * right */
-void mus__skirt_wrap(mus__half *half)
+static void skirt_wrap(mus__half *half)
 {
     mus__skirt_def def = skirt_block(half, 0.0);
     const double below = fmax(0.0, def.length - def.depth);
@@ -208,10 +208,10 @@ void mus__skirt_attach(mus__half *half)
     case MUS__SKIRT_KNIFE:
     case MUS__SKIRT_BOX:
     case MUS__SKIRT_TIERED: mus__skirt_gathered(half); break;
-    case MUS__SKIRT_WRAP: mus__skirt_wrap(half); break;
+    case MUS__SKIRT_WRAP: skirt_wrap(half); break;
     case MUS__SKIRT_BLOCK:
     case MUS__SKIRT_PLAIN: skirt_block_alone(half); break;
-    default: mus__skirt_straight(half); break;
+    default: skirt_straight(half); break;
     }
     mus__lower_waist_sew(half, first);
 }

@@ -2,17 +2,19 @@
  * skirt_gather.c: skirts whose top edge is longer than the waist: gathered, in knife or box pleats, in tiers.
  *
  * Front and back are rectangles, wider than the waist that they are sewn to: gathers 1.8 times, box pleats 2.4, knife
- * pleats 3. The difference is the ease of the seam above. Pleats are notched along the top edge. A tiered skirt has
- * three strips, the first 1.4 times the waist, each further one 1.5 times the one above. Ratios: dressmaking practice.
+ * pleats 3. The difference is the ease of the seam above. The folds of pleats are marked at the top edge. A tiered
+ * skirt has three strips, the first 1.4 times the waist, each further one 1.5 times the one above. Ratios: dressmaking
+ * practice.
  */
 #include <math.h>
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define RUFFLE_TIERS 3
 #define RUFFLE_PLEAT (4.0 * MUS__CM) /* [m] visible width of a pleat */
+#define RUFFLE_MARK (5.0 * MUS__CM)  /* [m] length of the mark of a fold; chosen: the width of a hand's fingers */
 
 typedef struct ruffle_strip {
     const char *name;
@@ -53,15 +55,21 @@ static int32_t ruffle_draw(mus__half *half, const ruffle_strip *strip, bool fron
 }
 
 
-/* notches at the folds of the pleats, each of which takes `fold` [m] of cloth beside its visible width */
+/* marks both folds of each pleat by a line from the top edge down: they are no notches, since they lie on one another
+ * at one place of the waist */
 static void ruffle_pleats(mus__half *half, int32_t panel, double width, double ratio)
 {
     const int32_t side = mus__board_find(&half->board, panel, "waist");
     const int32_t n = (int32_t)lround(width / (ratio * RUFFLE_PLEAT));
     for (int32_t i = 0; i < n; i++) {
         const double from = width * i / n, fold = width / n / ratio;
-        mus__board_notch_add(&half->board, side, from + 0.5 * fold, MUS_NOTCH_SINGLE);
-        mus__board_notch_add(&half->board, side, from + width / n - 0.5 * fold, MUS_NOTCH_SINGLE);
+        const double at[2] = {from + 0.5 * fold, from + width / n - 0.5 * fold};
+        for (int k = 0; k < 2; k++) {
+            double line[4], along[2];
+            mus__board_at(&half->board, side, at[k], line, along);
+            line[2] = line[0] - RUFFLE_MARK * along[1], line[3] = line[1] + RUFFLE_MARK * along[0];
+            mus__board_mark_add(&half->board, panel, "pleat", 2, line);
+        }
     }
 }
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define GORE_ALLOWANCE (1.0 * MUS__CM)
 #define GORES 4 /* of a half garment at most */
@@ -110,25 +110,19 @@ static void gore_edge(const gore_plan *plan, double x, mus__chain *out)
 {
     const double hip = x + plan->intake, r = plan->rise, d = plan->depth;
     const double top[2] = {x, r}, at_hip[2] = {hip, -d};
-    double cubic[8];
-    mus__chain next;
-    mus__cubic_set(cubic, top, x + 0.45 * plan->intake, r - 0.30 * d, hip, -0.55 * d, at_hip);
-    mus__chain_cubic(out, cubic);
+    out->npiece = 0;
+    mus__chain_add_cubic(out, top, x + 0.45 * plan->intake, r - 0.30 * d, hip, -0.55 * d, at_hip);
 
     /* trumpet: in to the knee */
     double from[2] = {hip, -d};
     if (plan->nip > 0.0) {
         const double knee[2] = {hip - plan->nip, -plan->knee}, run = plan->knee - d;
-        mus__cubic_set(cubic, from, from[0], from[1] - 0.35 * run, knee[0], knee[1] + 0.35 * run, knee);
-        mus__chain_cubic(&next, cubic);
-        mus__chain_append(out, &next);
+        mus__chain_add_cubic(out, from, from[0], from[1] - 0.35 * run, knee[0], knee[1] + 0.35 * run, knee);
         memcpy(from, knee, sizeof from);
     }
     const double run = plan->length + from[1], up = 0.4 * (run - plan->hem_rise);
     const double hem[2] = {from[0] + plan->flare, -plan->length + plan->hem_rise};
-    mus__cubic_set(cubic, from, from[0], from[1] - 0.25 * run, hem[0] - up * tan(plan->tilt), hem[1] + up, hem);
-    mus__chain_cubic(&next, cubic);
-    mus__chain_append(out, &next);
+    mus__chain_add_cubic(out, from, from[0], from[1] - 0.25 * run, hem[0] - up * tan(plan->tilt), hem[1] + up, hem);
 }
 
 

@@ -4,28 +4,31 @@
  *          apex        Of a circle's part f the waist is an arc of radius r = waist / (2 pi f), the hem one of r + L.
  *         .`|`.        It is cut in four sectors with seams at the centres and the sides; a sector is drawn about its
  *      r ´  |  `       own middle line, the waist at its lowest point at y = 0. Where the hem falls from front to back
- *       (---0---)      (hi-low), its radius goes with the cosine of the way round, drawn as cubics through points and
- *   L  /         \     (hi-low), its radius goes with the cosine of the way round, drawn as cubics through points and
- *     (___________)    tangents.
+ *       (---0---)      (hi-low), its radius changes with the cosine of the angle from centre front, and it is drawn as
+ *   L  /         \     cubics through points and tangents.
+ *     (___________)
  *
- * Sectors are placed as parts of a cone, tilted out by asin f, but steep enough to stay below the hands. A sector that
- * is then wider than a quarter of the way round is rolled about its middle line until its hem meets the next sector's.
+ * Sectors start as parts of a cone, tilted outwards by asin f, at most by ROUND_TILT. A sector that is then wider than
+ * its quarter of the circle is rolled about its middle line until its hem meets that of the next sector.
  * Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
 
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
-#define ROUND_TILT 0.785 /* from the vertical [rad]: below the hands of arms that hang at 40 degrees */
+/* [rad] largest tilt of a sector from the vertical at the start (45 degrees), so that it starts below the hands of arms
+ * that hang at 40 degrees */
+#define ROUND_TILT 0.785
 #define ROUND_HEM_PIECES 2
 
 typedef struct round_plan {
-    double part;         /* of a circle */
-    double radius;       /* of the waist */
-    double net[2];       /* waist of the front and back sector */
-    double length, fall; /* top edge to hem, on average; the back longer than that, the front shorter, by */
+    double part;   /* share of a full circle, 0.25 to 1 */
+    double radius; /* of the waist's arc [m] */
+    double net[2]; /* waist length of the front and the back sector [m] */
+    double length; /* mean length from waist to hem [m] */
+    double fall;   /* [m] the centre back is longer than `length` by it, the centre front shorter */
 } round_plan;
 
 
@@ -37,16 +40,16 @@ static double round_part(int32_t kind)
 }
 
 
-/* hem radius and its derivative at angle `way` from centre front */
+/* Writes the hem's radius [m] and its derivative at the angle `way` [rad] from centre front, 0 to pi part. */
 static void round_hem_at(const round_plan *plan, double way, double *radius, double *slope)
 {
-    const double rate = 1.0 / plan->part; /* pi over the half garment's angle */
+    const double rate = 1.0 / plan->part; /* pi over the angle of the half garment */
     *radius = plan->radius + plan->length - plan->fall * cos(rate * way);
     *slope = rate * plan->fall * sin(rate * way);
 }
 
 
-/* point at `angle` from the sector's middle line (positive: x > 0), apex (0, r) */
+/* Writes the point at `radius` and `angle` [rad] from the sector's middle line; the apex of the sector is at (0, r). */
 static void round_point(const round_plan *plan, double radius, double angle, double *out)
 {
     out[0] = radius * sin(angle);
@@ -54,8 +57,8 @@ static void round_point(const round_plan *plan, double radius, double angle, dou
 }
 
 
-/* hem from the centre line to the side: an arc, or cubics with dP/dway at their ends. `way` from centre front goes with
- * the angle in front and against it behind */
+/* Writes the hem of a sector of half angle `angle` [rad], from the centre line to the side: one arc, or
+ * ROUND_HEM_PIECES cubics with the exact points and derivatives at their ends. */
 static void round_hem(const round_plan *plan, bool front, double angle, mus__chain *out)
 {
     const double whole = MUS_PI * plan->part, far = plan->radius + plan->length;
@@ -68,8 +71,9 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
         return;
     }
     const double step = 2.0 * angle / ROUND_HEM_PIECES, sign = front ? 1.0 : -1.0;
+    out->npiece = 0;
     for (int i = 0; i < ROUND_HEM_PIECES; i++) {
-        double p[2][2], d[2][2], cubic[8];
+        double p[2][2], d[2][2];
         for (int j = 0; j < 2; j++) {
             const double phi = -angle + (i + j) * step, way = front ? phi + angle : whole - (phi + angle);
             double radius, slope;
@@ -78,19 +82,15 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
             d[j][0] = radius * cos(phi) + sign * slope * sin(phi);
             d[j][1] = radius * sin(phi) - sign * slope * cos(phi);
         }
-        mus__cubic_set(cubic, p[0], p[0][0] + step / 3.0 * d[0][0], p[0][1] + step / 3.0 * d[0][1],
-                       p[1][0] - step / 3.0 * d[1][0], p[1][1] - step / 3.0 * d[1][1], p[1]);
-        mus__chain piece;
-        mus__chain_cubic(&piece, cubic);
-        if (i == 0) *out = piece;
-        else mus__chain_append(out, &piece);
+        mus__chain_add_cubic(out, p[0], p[0][0] + step / 3.0 * d[0][0], p[0][1] + step / 3.0 * d[0][1],
+                             p[1][0] - step / 3.0 * d[1][0], p[1][1] - step / 3.0 * d[1][1], p[1]);
     }
 }
 
 
-/* a cone that leans out, its waist off the body. The corner (x, y) of the hem, rolled by bend b, is at b sin(x/b) along
- * the way round and, with the drop d = b (1 - cos(x/b)), at off - y sin tilt - d cos tilt outwards: no further round
- * than outwards, since four sectors share the way round */
+/* Places a sector as a part of a cone whose waist lies off the body. With bend radius b the hem's corner (x, y) lies
+ * b sin(x/b) sidewards and off - y sin(tilt) - d cos(tilt) outwards, d = b (1 - cos(x/b)). b is reduced until the first
+ * is at most the second: then four sectors fit round the body. */
 static void round_place(mus__half *half, const round_plan *plan, int32_t panel, bool front, const double *corner)
 {
     const double around = (front ? 0.25 : 0.75) * MUS_PI, tilt = fmin(asin(plan->part), ROUND_TILT);
@@ -108,7 +108,7 @@ static void round_place(mus__half *half, const round_plan *plan, int32_t panel, 
 }
 
 
-/* one sector: hem, outer edge up, waist, inner edge down; outer is the side seam */
+/* Draws and places one sector: hem, side seam upwards, waist, centre seam downwards. Returns its panel. */
 static int32_t round_draw(mus__half *half, const round_plan *plan, bool front)
 {
     const double angle = 0.5 * plan->net[front ? 0 : 1] / plan->radius;

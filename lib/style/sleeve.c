@@ -62,7 +62,7 @@ static double plan_width(const mus__half *half, double cap, bool flat)
 }
 
 
-/* length of the sleeve from the crown as part of the arm length; chosen */
+/* length of each sleeve word from the crown, as part of the arm's length; chosen */
 static double plan_part(int32_t sleeve)
 {
     switch (sleeve) {
@@ -140,7 +140,7 @@ static void plan_block(mus__half *half, mus__sleeve_plan *plan)
 }
 
 
-void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
+static void sleeve_plan_read(mus__half *half, mus__sleeve_plan *out)
 {
     mus__board *board = &half->board;
     mus__boundary *arm = &out->arm;
@@ -237,9 +237,6 @@ static void sleeve_sew(mus__half *half, mus__sleeve_plan *plan, const int32_t *c
     mus__boundary *arm = &plan->arm;
     int32_t shoulder = plan->shoulder;
     if (!parted) {
-        const double front = board->side[cap[MUS__CAP_FRONT_HIGH]].length;
-        mus__board_notch_add(board, cap[MUS__CAP_FRONT_HIGH], front - plan->front_low, MUS_NOTCH_SINGLE);
-        mus__board_notch_add(board, cap[MUS__CAP_BACK_HIGH], plan->back_low, MUS_NOTCH_DOUBLE);
         mus__board_sew(board, 1, &cap[MUS__CAP_FRONT_HIGH], shoulder, arm->side);
         mus__board_sew(board, 1, &cap[MUS__CAP_BACK_HIGH], arm->n - shoulder, arm->side + shoulder);
         return;
@@ -323,7 +320,7 @@ void mus__sleeve_attach(mus__half *half)
     sleeve_openings(half);
     if (board->status != MUS_OK || style == MUS__SLEEVE_NONE) return;
     mus__sleeve_plan plan;
-    mus__sleeve_plan_read(half, &plan);
+    sleeve_plan_read(half, &plan);
     if (board->status != MUS_OK) return;
     switch (style) {
     case MUS__SLEEVE_CAP: sleeve_cap_alone(half, &plan); break;

@@ -5,9 +5,9 @@
 #define MUS_SLEEVE_H
 
 #include "block/block_fullness.h"
-#include "half/boundary.h"
+#include "half/boundary_loop.h"
 #include "half/half_placement.h"
-#include "style/parts.h"
+#include "style/style_parts.h"
 
 /* figures of a sleeve by its style and its armhole */
 typedef struct mus__sleeve_plan {
@@ -21,7 +21,6 @@ typedef struct mus__sleeve_plan {
     mus__sleeve block;              /* without its cuff */
 } mus__sleeve_plan;
 
-void mus__sleeve_plan_read(mus__half *half, mus__sleeve_plan *out);
 
 /* ---- sleeve_raglan.c, sleeve_dolman.c: sleeves that recut front and back ---- */
 

@@ -1,7 +1,9 @@
 /*
- * sleeve_dolman.c: the dolman sleeve, drawn in one with front and back. The shoulder continues along the top of the
- * arm, bent down by the angle of the arm; the underarm lies lower on the side seam and is round. A bust dart in its way
- * is rotated further down. Front and back have the same top edge, and undersides of one length.
+ * sleeve_dolman.c: the dolman sleeve, which is cut in one piece with the front and the back.
+ *
+ * The shoulder line continues along the top of the arm, bent down by the angle of the arm. The underarm is a curve that
+ * begins below the armhole on the side seam; a bust dart that opens there is first rotated further down. Front and back
+ * have congruent top edges, and undersides of equal length.
  *
  *        neck ___ shoulder
  *            |   \___
@@ -22,22 +24,24 @@
 #define DOLMAN_HEM 0.025
 
 
-/* one half of it; outward is +1 in front, where x grows to the side, and -1 behind */
+/* the sleeve's front or back half: points [m] and unit vectors in the frame of its panel */
 typedef struct dolman_half {
-    int32_t side, arm;         /* upper end of the side seam, and the armhole: each to be drawn again */
-    double outward, slope;     /* slope of the shoulder below the horizontal */
-    double under[2], tip[2];   /* where the side ends, and the shoulder point */
-    double up[2];              /* unit vector along the side, to the underarm */
-    double bend[2];            /* along the shoulder, outwards */
-    double along[2], below[2]; /* along the top of the arm and along its underside, outwards */
-    double low[2], high[2];    /* ends of the cuff: below, above */
-    double rise, reach;        /* from where the side ends up to its corner with the underside; from there to `low` */
+    int32_t side, arm;         /* half-edges that are replaced: uppermost part of the side seam, armhole */
+    double outward;            /* sign of x towards the side: +1 in front, -1 behind */
+    double slope;              /* angle of the shoulder line below the horizontal [rad] */
+    double under[2], tip[2];   /* upper end of the side seam; shoulder point */
+    double up[2];              /* unit vector along the side seam, upwards */
+    double bend[2];            /* unit vector along the shoulder line, outwards */
+    double along[2], below[2]; /* unit vectors along the top of the arm and along its underside, outwards */
+    double low[2], high[2];    /* lower and upper end of the cuff line */
+    double rise, reach;        /* [m] from `under` along `up` to the corner C with the underside; from C to `low` */
 } dolman_half;
 
 
-/* tip, along the shoulder for 4 cm, then along the arm; the cuff square to it; the underside from the cuff to a point
- * that leaves the arm its room near the body: front and back together 1.08 of its girth and 2 cm, and with `loose` 1.18
- * and 4 */
+/* Computes the points of one half from its side, shoulder and the angle [rad] of the arm below the horizontal. The top
+ * runs from the shoulder point 4 cm along the shoulder line, then along the arm; the cuff line is square to the arm.
+ * The underside passes the point that gives front and back together 1.08 of the arm's girth + 2 cm near the body (loose
+ * 0), up to 1.18 + 4 cm (loose 1). */
 static void dolman_draft(const mus__half *garment, const mus__sleeve_plan *plan, double angle, double loose,
                          dolman_half *half)
 {
@@ -55,7 +59,7 @@ static void dolman_draft(const mus__half *garment, const mus__sleeve_plan *plan,
     const double d = mus__dist2(near, half->low);
     for (int32_t i = 0; i < 2; i++) half->below[i] = (half->low[i] - near[i]) / d;
 
-    /* corner: under + rise up = low - reach below */
+    /* corner C of side seam and underside: under + rise up = low - reach below */
     const double w[2] = {half->low[0] - half->under[0], half->low[1] - half->under[1]};
     const double cross = half->up[0] * half->below[1] - half->up[1] * half->below[0];
     half->rise = (w[0] * half->below[1] - w[1] * half->below[0]) / cross;
@@ -63,19 +67,18 @@ static void dolman_draft(const mus__half *garment, const mus__sleeve_plan *plan,
 }
 
 
-/* the underarm: [U, U + h rise up, Q - h r below, Q], Q beyond the corner by r = 1.2 rise; then straight to the cuff.
- * `hold` h < 1 is the roundness */
+/* Writes the underside to *out: the cubic [U, U + h rise up, Q - h r below, Q] from the side seam's end U to Q, which
+ * lies r = 1.2 rise beyond the corner, then a line to the cuff. h (`hold`, 0 to 1) is the length of the handles as a
+ * share of their tangents: with a larger h the curve lies nearer to the corner. */
 static void dolman_under(const dolman_half *half, double hold, mus__chain *out)
 {
     const double r = fmin(1.2 * half->rise, 0.6 * half->reach), *u = half->under;
-    double q[2], cubic[8];
+    double q[2];
     for (int32_t i = 0; i < 2; i++) q[i] = half->low[i] - (half->reach - r) * half->below[i];
-    mus__cubic_set(cubic, u, u[0] + hold * half->rise * half->up[0], u[1] + hold * half->rise * half->up[1],
-                   q[0] - hold * r * half->below[0], q[1] - hold * r * half->below[1], q);
-    mus__chain straight;
-    mus__chain_cubic(out, cubic);
-    mus__chain_line(&straight, q, half->low);
-    mus__chain_append(out, &straight);
+    out->npiece = 0;
+    mus__chain_add_cubic(out, u, u[0] + hold * half->rise * half->up[0], u[1] + hold * half->rise * half->up[1],
+                         q[0] - hold * r * half->below[0], q[1] - hold * r * half->below[1], q);
+    mus__chain_add_line(out, q, half->low);
 }
 
 
@@ -94,7 +97,7 @@ static double dolman_excess(const void *data, double hold)
 }
 
 
-/* another line for a side that is in no seam */
+/* Replaces the curve of a half-edge that is in no seam. */
 static void dolman_replace(mus__board *board, int32_t side, const mus__chain *chain)
 {
     mus__board_chain made;
@@ -110,7 +113,8 @@ static void dolman_replace(mus__board *board, int32_t side, const mus__chain *ch
 }
 
 
-/* under, cuff and over in the place of the armhole and the end of the side; sides gets them */
+/* Draws underside, cuff line and top of one half in the place of its armhole and of the side seam's end. Writes the
+ * three half-edges to sides (3). */
 static void dolman_draw(mus__half *garment, dolman_half *half, double hold, int32_t *sides)
 {
     mus__board *board = &garment->board;
@@ -126,7 +130,8 @@ static void dolman_draw(mus__half *garment, dolman_half *half, double hold, int3
     mus__chain_cubic(&chain[2], over);
     mus__chain_reverse(&chain[2]);
 
-    /* one side of both, then three of it: in front walked from the underarm, behind towards it */
+    /* side end and armhole are merged and split in three; the front's outline runs from the underarm, the back's to it
+     */
     const int32_t whole = front ? half->side : half->arm;
     mus__board_merge(board, whole);
     if (board->status != MUS_OK) return;
@@ -148,8 +153,8 @@ static void dolman_draw(mus__half *garment, dolman_half *half, double hold, int3
 }
 
 
-/* A bust dart in the side seam just below the armhole is turned about its point to 14 cm lower; then the side up to the
- * armhole is one edge again */
+/* Rotates a bust dart that opens in the side seam just below the armhole `arm` to a place 14 cm lower, and merges the
+ * side above it into one half-edge. */
 static void dolman_free_side(mus__half *garment, int32_t arm)
 {
     mus__board *board = &garment->board;
@@ -168,7 +173,8 @@ static void dolman_free_side(mus__half *garment, int32_t arm)
 }
 
 
-/* how far the underarm comes down the side: 4.5 cm below the corner of side and underside, 6.5 when loose */
+/* Returns the length [m] to take off the side seam's upper end, so that the underarm begins 4.5 cm (loose 0) to 6.5 cm
+ * (loose 1) below the corner of side and underside. */
 static double dolman_drop(const mus__half *garment, const dolman_half *half, double loose)
 {
     const double k = mus__measures_scale(&garment->measures);
@@ -176,7 +182,7 @@ static double dolman_drop(const mus__half *garment, const dolman_half *half, dou
 }
 
 
-/* ends and directions of side and shoulder before [0] and behind [1] */
+/* Reads the ends and directions of side seam and shoulder line of the front [0] and the back [1]. */
 static void dolman_read(const mus__half *garment, const mus__boundary *arm, dolman_half *dolman)
 {
     const mus__board *board = &garment->board;
@@ -195,8 +201,9 @@ static void dolman_read(const mus__half *garment, const mus__boundary *arm, dolm
 }
 
 
-/* both halves drafted along the arm as it is held, closer and then flatter until the underarm is high enough for the
- * side seam: how far the side comes down; NaN: the seam is too short */
+/* Drafts both halves along the arm at its own angle, first loose, then closer, then with the arm raised by steps of
+ * 4 degrees, until the length to take off the side seam is below 0.8 of it. Returns that length [m], the bend of the
+ * shoulder line [rad] and the looseness; NaN when the side seam is too short for all of them. */
 static double dolman_fit(const mus__half *garment, const mus__sleeve_plan *plan, dolman_half *dolman, double *bent,
                          double *loose)
 {
@@ -235,7 +242,7 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan)
     dolman_read(half, arm, dolman);
     const double drop = dolman_fit(half, plan, dolman, &bent, &loose);
 
-    /* the side seam ends lower, and the underarm begins there */
+    /* shorten the side seam; the underarm begins at its new end */
     if (drop > 0.0) {
         mus__board_split(board, dolman[0].side, board->side[dolman[0].side].length - drop, NULL);
         if (board->status != MUS_OK) return;
@@ -256,7 +263,7 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan)
         return;
     }
 
-    /* both undersides alike long: one as round as it is meant, the other fitted to it */
+    /* undersides of equal length: the handles of the front's are 0.6, those of the back's are solved for */
     double hold[2] = {0.6, 0.6};
     mus__chain under;
     dolman_under(&dolman[0], hold[0], &under);
@@ -268,7 +275,7 @@ void mus__sleeve_dolman(mus__half *half, mus__sleeve_plan *plan)
     mus__board_sew(board, 1, &sides[0][0], 1, &sides[1][0]);
     mus__board_sew(board, 1, &sides[0][2], 1, &sides[1][2]);
 
-    /* arms lie between two panels that are all but flat */
+    /* flatter start positions: the arm needs room between front and back */
     for (int32_t i = 0; i < 2; i++) board->panel[board->side[sides[i][0]].panel].attr.placement.bend *= 3.0;
     if (plan->cuff_depth > 0.0)
         mus__cuff_attach(half, plan->cuff_length, plan->cuff_depth, plan->block.length);

@@ -1,8 +1,8 @@
 /*
- * sleeve_raglan.c: the raglan sleeve. Front and back are cut in a bowed line from the neck, 3.5 cm from the shoulder,
- * to the pitch of the armhole. The corners that are cut off are moved to the cap, pitch on pitch, until their shoulder
- * points lie over the crown. The gap between the two shoulder lines is a dart that continues over the ball of the
- * shoulder.
+ * sleeve_raglan.c: the raglan sleeve. Front and back are cut along a bowed line from the neckline, 3.5 cm from the
+ * shoulder seam, to the pitch point of the armhole. The corners that are cut off become part of the sleeve: each is
+ * moved with its pitch point onto that of the cap, and turned until its shoulder point lies above the crown. The gap
+ * between the two shoulder lines is the shoulder dart, whose point lies 6 cm below the shoulder points.
  *
  *          neckB  /\  neckF
  *                /  \
@@ -22,7 +22,7 @@
 #define RAGLAN_HEM 0.025
 
 
-/* a chain of the board as one of ours */
+/* Copies the curve of a half-edge to *out. Fails when it has more pieces than a mus__chain holds. */
 static void raglan_chain(mus__board *board, int32_t side, mus__chain *out)
 {
     memset(out, 0, sizeof *out);
@@ -39,16 +39,16 @@ static void raglan_chain(mus__board *board, int32_t side, mus__chain *out)
 }
 
 
-/* one of the corners that are cut off: sides of it as chains, each as it is walked */
+/* a corner that is cut off a front or back; its curves run counter-clockwise round it */
 typedef struct raglan_corner {
-    int32_t panel;       /* what it was cut from */
-    int32_t rag;         /* its new side there */
+    int32_t panel;       /* panel that it was cut from */
+    int32_t rag;         /* half-edge of that panel along the cut */
     mus__chain neck, shoulder, cut;
     double pitch[2], tip[2];
 } raglan_corner;
 
 
-/* a line from `from` to `to` bowed by `bow` to its left */
+/* Writes a cubic (4 x 2) from `from` to `to` whose middle lies `bow` [m] to the left of the chord. */
 static void raglan_line(const double *from, const double *to, double bow, double *out)
 {
     const double dx = (to[0] - from[0]) / 3.0, dy = (to[1] - from[1]) / 3.0, d = hypot(dx, dy);
@@ -57,7 +57,9 @@ static void raglan_line(const double *from, const double *to, double bow, double
 }
 
 
-/* cut off between the starts of sides `first` and `last`; the corner holds neck, shoulder and the upper armhole */
+/* Cuts a corner off between the starts of half-edges `first` and `last`, along a line bowed by `bow` [m], copies its
+ * curves to *out and removes it. The corner has a part of the neckline, the shoulder and the upper armhole; it fails
+ * when it has anything else. */
 static void raglan_cut(mus__board *board, bool front, int32_t first, int32_t last, double bow, raglan_corner *out)
 {
     memset(out, 0, sizeof *out);
@@ -100,7 +102,7 @@ static void raglan_move(mus__chain *chain, const double *from, double angle, con
 }
 
 
-/* pitch on the cap's pitch `at`, turned until the shoulder point is at x */
+/* Moves a corner: its pitch point comes to `at`, and it is turned until its shoulder point has the given x [m]. */
 static void raglan_set(mus__half *half, raglan_corner *corner, const double *at, double x)
 {
     const double reach = mus__dist2(corner->pitch, corner->tip), dx = x - at[0];
@@ -121,8 +123,8 @@ static void raglan_set(mus__half *half, raglan_corner *corner, const double *at,
 }
 
 
-/* from the shoulder point to the dart's: [T, T + .6 half gap along the shoulder, P + .45 (.5 dx, dy), P], (dx, dy) =
- * T - P: a little rounded, on its own side of the middle */
+/* Writes one leg of the shoulder dart from the shoulder point T (tip) to the dart's point P, as the cubic
+ * [T, T + 0.6 |dx| u, P + 0.45 (0.5 dx, dy), P] with (dx, dy) = T - P and u the direction of the shoulder line. */
 static void raglan_dart(const double *snp, const double *tip, const double *point, double *out)
 {
     const double d = mus__dist2(snp, tip), dx = tip[0] - point[0], dy = tip[1] - point[1], hold = 0.6 * fabs(dx);
@@ -137,7 +139,7 @@ typedef struct raglan_problem {
 } raglan_problem;
 
 
-/* leg before less leg behind for a dart point at x */
+/* Returns the length of the front leg less that of the back leg [m] for a dart point at x. */
 static double raglan_excess(const void *data, double x)
 {
     const raglan_problem *problem = data;
@@ -148,7 +150,9 @@ static double raglan_excess(const void *data, double x)
 }
 
 
-/* the dart's legs: shoulder line, then down to the point; back towards it, front away from it */
+/* Writes the legs of the shoulder dart: each the shoulder line and the curve down to the dart's point, which lies
+ * `depth` [m] below the lower shoulder point, at the x at which both are equally long. The back leg runs to the point,
+ * the front leg from it. */
 static void raglan_legs(const raglan_corner *front, const raglan_corner *back, double depth, mus__chain *leg_front,
                         mus__chain *leg_back)
 {
@@ -169,7 +173,8 @@ static void raglan_legs(const raglan_corner *front, const raglan_corner *back, d
 }
 
 
-/* sides next to the shoulder: neck before and behind, cut `along` from it; each the side that the corner ends with */
+/* Splits the neckline of front and back `along` [m] from the shoulder seam. Writes the half-edges at which the cuts
+ * begin. Returns false, and the board fails, where the neckline is shaped or shorter than 1.3 `along`. */
 static bool raglan_necks(mus__half *half, const mus__sleeve_plan *plan, double along, int32_t *front, int32_t *back)
 {
     mus__board *board = &half->board;
@@ -205,7 +210,7 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
         return;
     }
 
-    /* corners off, and on to the cap: the shoulder points 2 cm apart over the crown */
+    /* cut the corners off and move them to the cap, the shoulder points 2 cm apart above the crown */
     raglan_corner front, back;
     mus__sleeve_cut cut;
     mus__sleeve_plain(&plan->block, plan->front_low, plan->back_low, &cut);
@@ -218,7 +223,7 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
     mus__chain leg_front, leg_back;
     raglan_legs(&front, &back, 6.0 * k * MUS__CM, &leg_front, &leg_back);
 
-    /* the sleeve, counter-clockwise from the front of its hem */
+    /* draw the sleeve, counter-clockwise from the front of its hem */
     const int32_t panel = mus__board_panel_add(board, "sleeve", "arm");
     mus__chain_side(board, panel, "hem", "cuff", RAGLAN_HEM, &cut.hem);
     const int32_t under_back = mus__chain_side(board, panel, "underB", NULL, RAGLAN_SEAM, &cut.under_back);
@@ -236,6 +241,8 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     mus__board_seam_add(board, under_front, under_back, MUS_SEAM_REVERSED, 0.0);
+    mus__board_notch_add(board, cap_front, 0.0, MUS_NOTCH_SINGLE);
+    mus__board_notch_add(board, cap_back, board->side[cap_back].length, MUS_NOTCH_DOUBLE);
     mus__board_sew(board, 1, &dart_front, 1, &dart_back);
     mus__board_sew(board, 1, &rag_front, 1, &front.rag);
     mus__board_sew(board, 1, &rag_back, 1, &back.rag);

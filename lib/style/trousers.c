@@ -15,7 +15,7 @@
 
 #include "block/block_trousers.h"
 #include "geom/vec.h"
-#include "style/lower.h"
+#include "style/waist_edge.h"
 
 #define LEG_ALLOWANCE (1.0 * MUS__CM)
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
@@ -141,15 +141,14 @@ static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, b
     mus__half_centre(half, panel, "crotch", MUS__CENTRE_SEAM);
     mus__half_darts(half, panel);
 
-    /* knee notches: arc lengths are from the hem */
-    const int32_t kind = front ? MUS_NOTCH_SINGLE : MUS_NOTCH_DOUBLE;
+    /* knee notches of the seams, on the front; arc lengths are from the hem */
+    if (!front) return panel;
     const int32_t in = mus__board_find(&half->board, panel, "inseam");
     const int32_t out = mus__board_find(&half->board, panel, "outseam");
     if (block->knee_in > 1.0 * MUS__CM)
-        mus__board_notch_add(&half->board, in, front ? block->inseam_length - block->knee_in : block->knee_in, kind);
+        mus__board_notch_add(&half->board, in, block->inseam_length - block->knee_in, MUS_NOTCH_SINGLE);
     if (block->knee_out > 1.0 * MUS__CM)
-        mus__board_notch_add(&half->board, out, front ? block->knee_out : block->outseam_length - block->knee_out,
-                             kind);
+        mus__board_notch_add(&half->board, out, block->knee_out, MUS_NOTCH_SINGLE);
     return panel;
 }
 

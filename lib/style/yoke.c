@@ -7,8 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "board/board_spread.h"
 #include "geom/curve.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 #define YOKE_FRONT (2.0 * MUS__CM)
 #define YOKE_PLEAT (2.0 * MUS__CM) /* of a half */

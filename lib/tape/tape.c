@@ -7,6 +7,7 @@
  *     tape.c           create, copy, set and read (this file)
  *     tape_size.c      the 28 table sizes
  *     tape_derive.c    measures predicted from stature, bust, waist and hip
+ *     tape_doubt.c     given measures that do not fit the others; tape_people.h is its table of people
  *     tape_check.c     errors and warnings of a sheet
  *     tape_complete.c  derive and check on a copy
  *
@@ -16,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/utf8.h"
 #include "tape/tape_internal.h"
 
 
@@ -84,6 +86,9 @@ mus_status mus_tape_set_name(mus_tape *tape, const char *name)
     size_t length = strlen(name);
     if (length >= MUS__TAPE_NAME_BYTES)
         return mus__fail(tape->context, MUS_ERR_ARG, "a tape's name of %zu bytes is longer than 63", length);
+    if (mus__utf8_span(name) < length)
+        return mus__fail(tape->context, MUS_ERR_ARG, "the name of a tape is not UTF-8 at byte %zu",
+                         mus__utf8_span(name));
     memmove(tape->name, name, length + 1);
     return MUS_OK;
 }
@@ -116,10 +121,13 @@ mus_status mus_tape_set(mus_tape *tape, int32_t measure, double value, int32_t s
     double low, high;
     char text[MUS__TAPE_TEXT_BYTES], from[MUS__TAPE_TEXT_BYTES], to[MUS__TAPE_TEXT_BYTES];
     mus__tape_range(measure, &low, &high);
-    if (value < low || value > high)
-        return mus__fail(tape->context, MUS_ERR_TAPE, "%s of %s is outside %s to %s", name,
+    if (value < low || value > high) {
+        /* ten times a value of the plausible range, which is 2 low to high / 2: millimetres written as centimetres */
+        const bool mm = mus_measure_unit(measure) == 'm' && value >= 20.0 * low && value <= 5.0 * high;
+        return mus__fail(tape->context, MUS_ERR_TAPE, "%s of %s is outside %s to %s%s", name,
                          mus__tape_text(measure, value, text), mus__tape_text(measure, low, from),
-                         mus__tape_text(measure, high, to));
+                         mus__tape_text(measure, high, to), mm ? "; is the unit mm?" : "");
+    }
     tape->value[measure] = value;
     tape->source[measure] = source;
     tape->held[measure] = true;

@@ -38,6 +38,17 @@ void mus__tape_derive(mus_tape *tape);
 /* bust, waist or hip [m] of a child of that stature [m], from the table of sizes */
 double mus__tape_child_girth(double stature, int32_t measure);
 
+/* a given measure that does not fit the others */
+typedef struct mus__doubt {
+    int32_t measure;
+    double expected;   /* [m] predicted from the others */
+    const char *cause; /* the slip that explains the value ("digits swapped"), or NULL */
+    double likely;     /* [m] the value without that slip */
+} mus__doubt;
+
+/* write the doubted measures of a derived tape to doubts (MUS_MEASURE_COUNT + 1); returns their number */
+int32_t mus__tape_doubts(const mus_tape *tape, mus__doubt *doubts);
+
 /* check a derived tape and write its warnings. Errors: MUS_ERR_TAPE (the message names both measures) */
 mus_status mus__tape_check(mus_tape *tape);
 

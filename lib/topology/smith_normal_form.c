@@ -1,15 +1,16 @@
 /*
- * smith_normal_form.c: rank and invariant factors of a sparse matrix of integers: its Smith normal form.
+ * smith_normal_form.c: the Smith normal form of a sparse integer matrix: its rank and its invariant factors.
  *
- * For boundary operators of patterns (tens of rows) and of their meshes (thousands; most entries 1 or -1, most pivots
- * units, so the rows stay short). Each round takes the entry of least size, of the shortest row that has one, and
- * clears its column by row operations and its row by column operations:
+ * Called by homology.c for the boundary operators of patterns (tens of rows) and of their meshes (thousands of rows;
+ * nearly all entries are 1 or -1, so the rows stay short). Each round takes as pivot p the entry of least absolute
+ * value, of the shortest row that has one, in row r and column c. It clears the column by row operations and the row by
+ * column operations:
  *
  *     row_i -= floor(a_ic / p) row_r          column_j -= floor(a_rj / p) column_c
  *
- * A remainder is a smaller entry and the next pivot (Euclid). Once column c has p alone, the second step changes row r
- * alone. The pivots left over make a diagonal, and diag(a, b) ~ diag(gcd, lcm) puts it in order: each factor divides
- * the next. Source: Munkres, Elements of Algebraic Topology, 1984, section 11.
+ * A remainder is smaller than p and becomes the next pivot (Euclid's algorithm). When p is the only entry of column c,
+ * the column operations change no other row. The pivots form a diagonal matrix; replacing diag(a, b) by
+ * diag(gcd, lcm) makes each factor divide the next. Source: Munkres, Elements of Algebraic Topology, 1984, section 11.
  */
 #include <string.h>
 
@@ -19,7 +20,7 @@ typedef struct smith_cell {
     int32_t column, value;
 } smith_cell;
 
-/* a row: cells in order of column; n = -1 once its pivot is done */
+/* a row: n cells in ascending order of columns; n = -1 when the row has been a pivot row */
 typedef struct smith_row {
     int32_t n, room;
     smith_cell *cell;
@@ -38,7 +39,7 @@ static int32_t smith_size(int32_t value)
 }
 
 
-/* entry of a row at a column, 0 when there is none */
+/* Returns the entry of a row at a column; 0 when the row has no cell there. */
 static int32_t smith_at(const smith_row *row, int32_t column)
 {
     int32_t low = 0, high = row->n;
@@ -53,7 +54,7 @@ static int32_t smith_at(const smith_row *row, int32_t column)
 }
 
 
-/* row_i += factor row_r, by way of the spare row */
+/* Adds factor times row r to row i. MUS_ERR_LIMIT when an entry does not fit 32 bits. */
 static mus_status smith_add(smith *m, int32_t i, int32_t r, int64_t factor)
 {
     const smith_row *a = &m->row[i], *b = &m->row[r];
@@ -66,7 +67,7 @@ static mus_status smith_add(smith *m, int32_t i, int32_t r, int64_t factor)
         bool right = j >= a->n || (k < b->n && b->cell[k].column <= a->cell[j].column);
         int32_t column = left ? a->cell[j].column : b->cell[k].column;
 
-        /* |value| and |factor| are below 2^31: the sum fits 64 bits, and has to fit 32 again */
+        /* |value| and |factor| are below 2^31, so the sum fits 64 bits */
         int64_t value = (left ? a->cell[j].value : 0) + (right ? factor * b->cell[k].value : 0);
         if (value > INT32_MAX || value < -INT32_MAX)
             return mus__fail(m->context, MUS_ERR_LIMIT, "homology: an entry of %lld is beyond 2^31", (long long)value);
@@ -80,7 +81,8 @@ static mus_status smith_add(smith *m, int32_t i, int32_t r, int64_t factor)
 }
 
 
-/* the next pivot: least size, then shortest row; false when nothing is left */
+/* Finds the next pivot: the entry of least absolute value, then of the shortest row. Returns false when no entry is
+ * left. */
 static bool smith_pivot(const smith *m, int32_t *row, int32_t *column)
 {
     int32_t least = 0, length = 0;
@@ -98,7 +100,7 @@ static bool smith_pivot(const smith *m, int32_t *row, int32_t *column)
 }
 
 
-/* clear column c but for row r: true in *clean when no remainder is left there */
+/* Clears column c by row operations with row r. *clean becomes true when no remainder is left in the column. */
 static mus_status smith_clear_column(smith *m, int32_t r, int32_t c, bool *clean)
 {
     int32_t pivot = smith_at(&m->row[r], c);
@@ -113,7 +115,7 @@ static mus_status smith_clear_column(smith *m, int32_t r, int32_t c, bool *clean
 }
 
 
-/* rows are sorted and equal columns summed */
+/* Fills the rows from n entries (row, column, value): cells sorted by column, values of equal places summed. */
 static mus_status smith_fill(smith *m, int32_t n, const int32_t *entry)
 {
     for (int32_t k = 0; k < n; k++) {
@@ -132,7 +134,7 @@ static mus_status smith_fill(smith *m, int32_t n, const int32_t *entry)
         }
     }
 
-    /* what summed to nothing is no entry */
+    /* remove cells whose sum is 0 */
     for (int32_t i = 0; i < m->rows; i++) {
         smith_row *row = &m->row[i];
         int32_t kept = 0;
@@ -144,7 +146,7 @@ static mus_status smith_fill(smith *m, int32_t n, const int32_t *entry)
 }
 
 
-/* the diagonal: pivots in the order found */
+/* Reduces the matrix to a diagonal; factor[0 .. *rank - 1] are the pivots in the order in which they were found. */
 static mus_status smith_reduce(smith *m, int32_t *rank, int32_t *factor)
 {
     int32_t r = 0, c = 0;
@@ -154,7 +156,7 @@ static mus_status smith_reduce(smith *m, int32_t *rank, int32_t *factor)
         if (status != MUS_OK) return status;
         if (!clean) continue;
 
-        /* columns clear the row: what is left of each entry is its remainder */
+        /* column operations: each entry of the row is replaced by its remainder */
         smith_row *row = &m->row[r];
         int32_t pivot = smith_at(row, c), kept = 0;
         for (int32_t k = 0; k < row->n; k++) {
@@ -171,7 +173,7 @@ static mus_status smith_reduce(smith *m, int32_t *rank, int32_t *factor)
 }
 
 
-/* diag(a, b) ~ diag(gcd, lcm) until each divides the next */
+/* Replaces pairs of factors by (gcd, lcm) until each factor divides the next. */
 static mus_status smith_order(mus_context *context, int32_t rank, int32_t *factor)
 {
     for (int32_t i = 0; i < rank; i++) {

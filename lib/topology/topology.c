@@ -2,11 +2,11 @@
  * topology.c: the sewn pattern as a surface: V, E, F, Euler characteristic, components, openings, orientation, genus.
  *
  * The room, in the order of use:
- *   quotient.c                 the pattern with its seams glued
- *   topology.c                 counts and boundary loops
- *   smith_normal_form.c, homology.c        homology over the integers
- *   canonical_form_data.c, canonical_form.c        canonical form
- *   faults.c, check.c, check_garment.c   the faults of a pattern, as an object
+ *   quotient.c  the pattern with its seams glued
+ *   topology.c  counts and boundary loops
+ *   smith_normal_form.c, homology.c  homology over the integers
+ *   canonical_form_data.c, canonical_form.c  canonical form
+ *   faults.c, check_pattern.c, check_garment.c  the faults of a pattern, as an object
  * Callers: cloth and print (checks), the drafting rooms (checks), arrange (openings), the catalogue (canonical form).
  *
  * Cells are counted by class: V - E + F. A boundary edge is a class with one sheet. A boundary loop is walked along the
@@ -19,8 +19,6 @@
  * genus = (2 - loops - euler) / 2 for one orientable component. Source: Hatcher, Algebraic Topology, 2002, sections 0
  * and 2.2; Metaaphanon and Kanongchaiyos 2005, section 5.1.
  */
-#include <string.h>
-
 #include "geom/union_find.h"
 #include "topology/quotient.h"
 

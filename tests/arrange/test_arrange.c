@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "drape/scenes.h"
+#include "muslin/exchange.h"
 
 static const struct {
     const char *design, *size;
@@ -190,6 +191,57 @@ START_TEST(a_ring_of_panels_without_words_closes)
 END_TEST
 
 
+/* the pattern read again from its JSON, in which each panel has a name of as many letters that tell nothing */
+static mus_pattern *start_nameless(const start *s)
+{
+    char *text, quoted[160];
+    size_t size;
+    mus_pattern *out;
+    ck_assert_int_eq(mus_pattern_write_bytes(s->pattern, &text, &size), MUS_OK);
+    for (int32_t p = 0; p < mus_pattern_panel_count(s->pattern); p++) {
+        snprintf(quoted, sizeof quoted, "{\"name\": \"%s\"", mus_pattern_panel_name(s->pattern, p));
+        char *at = strstr(text, quoted) + 10;
+        const size_t n = strlen(quoted) - 11;
+        memset(at, 'x', n);
+        at[0] = (char)('a' + p / 26), at[1] = (char)('a' + p % 26);
+    }
+    const mus_status status = mus_pattern_read_from(s->context, text, size, "nameless.json", &out);
+    ck_assert_msg(status == MUS_OK, "%s", mus_context_error(s->context));
+    mus_context_alloc(s->context, text, 0);
+    ck_assert_int_eq(mus_pattern_find_panel(out, mus_pattern_panel_name(s->pattern, 0)), MUS_NONE);
+    return out;
+}
+
+
+/* trousers with cuffs, a hood, a collar, sleeves with cuffs */
+static const char *const specs[] = {"d11_023_m_smpl_average_A40", "d11_036_mean_female", "d11_046_mean_female"};
+enum { SPECS = sizeof specs / sizeof *specs };
+
+START_TEST(names_of_panels_decide_nothing)
+{
+    char relative[128], path[1024];
+    snprintf(relative, sizeof relative, "garmentcode/specs/%s_specification.json", specs[_i]);
+    if (support_data(relative, path, sizeof path) == NULL) return;
+    start s = {.context = support_context()};
+    s.body = scene_body(s.context);
+    ck_assert_int_eq(mus_pattern_read(s.context, path, &s.pattern), MUS_OK);
+    mus_pattern *named = s.pattern, *nameless = start_nameless(&s);
+    uint64_t hash[2];
+    for (int i = 0; i < 2; i++) {
+        s.pattern = i == 0 ? named : nameless;
+        ck_assert_int_eq(mus_arrange_pattern(s.pattern, s.body), MUS_OK);
+        start_cut(&s, 0.05);
+        (void)mus_drape_sew(s.drape, NULL, NULL);
+        hash[i] = mus_drape_hash(s.drape);
+    }
+    ck_assert(hash[0] == hash[1]);
+    s.pattern = named;
+    mus_pattern_destroy(nameless);
+    start_end(&s);
+}
+END_TEST
+
+
 START_TEST(what_cannot_be_placed_is_refused)
 {
     start s = start_draft(0);
@@ -242,6 +294,7 @@ Suite *mus_suite_arrange(void)
     tcase_add_loop_test(tests, found_starts_are_as_good_as_those_of_the_designs, 0, SUPPORT_SLOW ? 3 : GARMENTS);
     tcase_add_test(tests, a_found_start_is_found_again_and_sews);
     tcase_add_test(tests, a_ring_of_panels_without_words_closes);
+    tcase_add_loop_test(tests, names_of_panels_decide_nothing, 0, SUPPORT_SLOW ? 1 : SPECS);
     tcase_add_test(tests, what_cannot_be_placed_is_refused);
     suite_add_tcase(suite, tests);
     return suite;

@@ -4,8 +4,6 @@
  */
 #include "support.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/base_internal.h"
@@ -16,11 +14,11 @@ START_TEST(every_byte_comes_back)
     mus_context *context = support_context();
     void *a = mus__new(context, 10, 8);
     void *b = mus__new(context, 0, 8);
-    char *c = mus__text(context, "nape to waist");
+    void *c = mus__new(context, 14, 1);
     ck_assert_ptr_nonnull(a);
     ck_assert_ptr_nonnull(b);
-    ck_assert_str_eq(c, "nape to waist");
-    ck_assert_uint_ge(mus_context_bytes(context), 80 + strlen(c) + 1);
+    ck_assert_ptr_nonnull(c);
+    ck_assert_uint_ge(mus_context_bytes(context), 80 + 14);
     ck_assert_uint_eq(mus_context_allocations(context), 3);
     mus__free(context, b);
     mus__free(context, a);

@@ -53,6 +53,24 @@ START_TEST(only_numbers_are_finite)
 END_TEST
 
 
+START_TEST(a_place_beyond_the_limit_is_refused_with_item_value_and_limit)
+{
+    mus_context *context = support_context();
+    double x[6] = {0.0, MUS__FARTHEST, -MUS__FARTHEST, 1.0, 2.0, 3.0};
+    ck_assert_int_eq(mus__check_near(context, 2, 3, x, "node"), MUS_OK);
+    x[4] = 1e160;
+    ck_assert_int_eq(mus__check_near(context, 2, 3, x, "drape: node"), MUS_ERR_ARG);
+    ck_assert_str_eq(mus_context_error(context), "drape: node 1: y is 1e+160 m, expected -1e+07 to 1e+07 m");
+    ck_assert_int_eq(mus__check_near(context, 1, 2, x + 3, "point of %s", "front"), MUS_ERR_ARG);
+    ck_assert_str_eq(mus_context_error(context), "point of front: y is 1e+160 m, expected -1e+07 to 1e+07 m");
+    x[4] = (double)NAN;
+    ck_assert_int_eq(mus__check_near(context, 3, 2, x, "node"), MUS_ERR_ARG);
+    ck_assert(mus__near(4, x) && !mus__near(5, x));
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(the_hash_is_fnv_1a)
 {
     /* test vectors of draft-eastlake-fnv, 64 bit */
@@ -73,6 +91,7 @@ Suite *mus_suite_status(void)
     tcase_add_test(tests, statuses_are_numbered_once_and_have_a_sentence);
     tcase_add_test(tests, the_library_that_runs_is_the_one_of_the_header);
     tcase_add_test(tests, only_numbers_are_finite);
+    tcase_add_test(tests, a_place_beyond_the_limit_is_refused_with_item_value_and_limit);
     tcase_add_test(tests, the_hash_is_fnv_1a);
     suite_add_tcase(suite, tests);
     return suite;

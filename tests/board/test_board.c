@@ -164,8 +164,8 @@ END_TEST
 START_TEST(the_first_failure_stays_and_nothing_is_done_after_it)
 {
     mus_context *context = support_context();
-    static const double a[2] = {0, 0}, b[2] = {1, 0}, c[2] = {1, 1}, off[2] = {1.0, 2e-6}, far[2] = {2e6, 0};
-    static const char *const sentences[] = {"starts",  "length is 0", "is not within", "another",   "needs a name",
+    static const double a[2] = {0, 0}, b[2] = {1, 0}, c[2] = {1, 1}, off[2] = {1.0, 2e-6}, far[2] = {2e7, 0};
+    static const char *const sentences[] = {"starts",  "length is 0", "x is 2e+07 m", "another",   "needs a name",
                                             "no side", "not closed",  "longer than",   "is closed", "notch on"};
     char long_name[200];
     memset(long_name, 'x', sizeof long_name);

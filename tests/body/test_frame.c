@@ -1,7 +1,4 @@
 /* test_frame.c: quaternions and matrices are one rotation; a frame and its opposite motion are the identity. */
-#include <math.h>
-#include <string.h>
-
 #include "body/frame.h"
 #include "geom/vec.h"
 #include "support.h"

@@ -74,7 +74,7 @@ START_TEST(rings_go_over_from_part_to_part)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "M50", NULL);
-    const mus__rig *rig = mus__body_rig(body);
+    const mus__rig *rig = &body->rig;
     mus_pose pose;
     mus__joint_local local[MUS_JOINT_COUNT];
     mus__frame frame[MUS__PARTS_MOST], ring, last;

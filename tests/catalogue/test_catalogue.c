@@ -220,6 +220,7 @@ START_TEST(calls_out_of_turn_and_damaged_rows_are_refused)
     ck_assert_int_eq(id, MUS_NONE);
     ck_assert_int_eq(mus_catalogue_add(catalogue, a, "", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_add(catalogue, a, NULL, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_catalogue_add(catalogue, a, "a\xed\xa0\x80", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_add(NULL, a, "a", NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 0, &id, NULL, NULL, &n), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 3, &id, NULL, NULL, &n), MUS_OK);
@@ -243,6 +244,80 @@ START_TEST(calls_out_of_turn_and_damaged_rows_are_refused)
     }
     mus_catalogue_destroy(catalogue);
     mus_catalogue_destroy(NULL);
+    mus_pattern_destroy(a);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a catalogue of one pattern whose table `pattern` names each page below its root sixty times: sixty rows, 60 x 60
+ * rows, and so on for five floors. File format: sqlite.org/fileformat2.html, section 1.6 */
+static void spill_repeating(const char *path)
+{
+    enum { PAGE = 4096, FANOUT = 60, FLOORS = 5 };
+    size_t size;
+    unsigned char *file = (unsigned char *)support_slurp(path, &size);
+    unsigned char *more = calloc(1, size + FLOORS * PAGE);
+    ck_assert_uint_eq(size % PAGE, 0);
+    memcpy(more, file, size);
+    const uint32_t pages = (uint32_t)(size / PAGE), root = 4; /* form, form_hash, pattern */
+    memcpy(more + size, file + (root - 1) * PAGE, PAGE);      /* the leaf */
+    for (uint32_t floor = 0; floor < FLOORS; floor++) {
+        unsigned char *page = floor + 1 < FLOORS ? more + size + (floor + 1) * PAGE : more + (root - 1) * PAGE;
+        const uint32_t child = pages + 1 + floor;
+        memset(page, 0, PAGE);
+        page[0] = 5, page[4] = FANOUT, page[5] = (PAGE - 8 * FANOUT) >> 8, page[6] = (PAGE - 8 * FANOUT) & 255;
+        page[11] = (unsigned char)child;
+        for (uint32_t i = 0; i < FANOUT; i++) {
+            const uint32_t at = PAGE - 8 * (i + 1);
+            page[12 + 2 * i] = (unsigned char)(at >> 8), page[13 + 2 * i] = at & 255;
+            page[at + 3] = (unsigned char)child, page[at + 4] = 1;
+        }
+    }
+    more[31] = (unsigned char)(pages + FLOORS);
+    support_spill(path, more, size + FLOORS * PAGE);
+    free(file);
+    free(more);
+}
+
+
+START_TEST(a_hostile_file_runs_nothing_and_ends)
+{
+    char path[1024];
+    mus_context *context = support_context();
+    mus_catalogue *catalogue;
+    mus_pattern *a = garment_pattern(context, 3, 0);
+    int32_t id, n;
+
+    /* a view in place of a table, whose rows do not end */
+    support_scratch("view.db", path, sizeof path);
+    do_sql(path, "CREATE TABLE form (id INTEGER PRIMARY KEY, hash BLOB NOT NULL, form BLOB NOT NULL);"
+                 "CREATE VIEW pattern AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT "
+                 "x AS id, 'n' AS name, 1 AS form, zeroblob(8) AS traits FROM c;"
+                 "PRAGMA application_id = 1297437507; PRAGMA user_version = 1");
+    for (int32_t mode = 0; mode < 2; mode++) {
+        ck_assert_int_eq(mus_catalogue_open(context, path, mode, &catalogue), MUS_ERR_FORMAT);
+        ck_assert(strstr(mus_context_error(context), "the tables are not those of a catalogue") != NULL);
+    }
+
+    /* a trigger: refused at the door, not run when it comes while the file is open */
+    support_scratch("trigger.db", path, sizeof path);
+    catalogue = open_catalogue(context, path, MUS_CATALOGUE_WRITE);
+    ck_assert_int_eq(mus_catalogue_add(catalogue, a, "a", &id), MUS_OK);
+    do_sql(path, "CREATE TRIGGER t AFTER INSERT ON pattern BEGIN DELETE FROM form; DELETE FROM pattern; END");
+    ck_assert_int_eq(mus_catalogue_add(catalogue, a, "b", &id), MUS_OK);
+    ck_assert_int_eq(mus_catalogue_count(catalogue), 2);
+    mus_catalogue_destroy(catalogue);
+    ck_assert_int_eq(mus_catalogue_open(context, path, MUS_CATALOGUE_WRITE, &catalogue), MUS_ERR_FORMAT);
+    do_sql(path, "DROP TRIGGER t; ANALYZE");
+    mus_catalogue_destroy(open_catalogue(context, path, MUS_CATALOGUE_WRITE));
+
+    /* a tree of pages that names its pages again and again */
+    spill_repeating(path);
+    catalogue = open_catalogue(context, path, MUS_CATALOGUE_READ);
+    ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 1, &id, NULL, NULL, &n), MUS_ERR_FORMAT);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "operations for"));
+    mus_catalogue_destroy(catalogue);
     mus_pattern_destroy(a);
     support_context_end(context);
 }
@@ -351,6 +426,7 @@ Suite *mus_suite_catalogue(void)
     tcase_add_test(tcase, names_are_kept_once_and_transactions_all_or_none);
     tcase_add_test(tcase, what_is_no_catalogue_or_of_a_newer_version_is_refused);
     tcase_add_test(tcase, calls_out_of_turn_and_damaged_rows_are_refused);
+    tcase_add_test(tcase, a_hostile_file_runs_nothing_and_ends);
     tcase_add_test(tcase, a_program_killed_in_its_work_loses_nothing_acknowledged);
     tcase_add_test(tcase, failing_allocations_leave_nothing_and_no_half_row);
     suite_add_tcase(suite, tcase);

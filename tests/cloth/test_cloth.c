@@ -152,7 +152,7 @@ START_TEST(what_cannot_be_cut_is_refused_by_name)
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = 0.001;
     cut_rectangle(pattern, "field", 6.0, 6.0, NULL);
-    check_refused(context, pattern, &def, MUS_ERR_LIMIT, "2^24");
+    check_refused(context, pattern, &def, MUS_ERR_LIMIT, "nodes at a spacing of 0.001 m, at most 1048576 (nodes_most)");
     def.spacing = 0.01;
     const double bow[] = {0, 0, 0.2, 0.2, 0.2, 0, 0, 0.3};
     cut_panel(pattern, "bow", 4, bow, NULL);
@@ -160,6 +160,42 @@ START_TEST(what_cannot_be_cut_is_refused_by_name)
     mus_pattern_destroy(pattern);
     ck_assert_int_eq(mus_cloth_create(NULL, NULL, NULL, NULL), MUS_ERR_ARG);
     ck_assert_int_eq(mus_cloth_create(context, NULL, NULL, NULL), MUS_ERR_ARG);
+    support_context_end(context);
+}
+END_TEST
+
+
+START_TEST(more_nodes_than_allowed_are_refused_before_memory_is_taken)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus_cloth_def def;
+    mus_cloth *cloth;
+    mus_cloth_def_init(&def, sizeof def);
+    ck_assert_int_eq(mus_pattern_create(context, "field", &pattern), MUS_OK);
+    cut_rectangle(pattern, "field", 40.0, 40.0, NULL);
+    const int64_t asked = support_allocations();
+    check_refused(context, pattern, &def, MUS_ERR_LIMIT,
+                  "the pattern takes about 1.6008e+07 nodes at a spacing of 0.01 m, at most 1048576 (nodes_most); a "
+                  "spacing of 0.0391 m takes fewer");
+    ck_assert_int_lt(support_allocations() - asked, 100);
+    mus_pattern_destroy(pattern);
+
+    /* the forecast of a square is the number itself; one node less is refused, by the forecast or while it is cut */
+    ck_assert_int_eq(mus_pattern_create(context, "square", &pattern), MUS_OK);
+    cut_rectangle(pattern, "square", 0.5, 0.5, NULL);
+    def.nodes_most = 51 * 51;
+    ck_assert_int_eq(mus_cloth_create(context, pattern, &def, &cloth), MUS_OK);
+    const int32_t nodes = mus_cloth_node_count(cloth);
+    ck_assert_int_le(nodes, def.nodes_most);
+    mus_cloth_destroy(cloth);
+    def.nodes_most = nodes - 1;
+    check_refused(context, pattern, &def, MUS_ERR_LIMIT, "(nodes_most)");
+    for (int32_t k = 0; k < 3; k++) {
+        def.nodes_most = k == 0 ? 0 : k == 1 ? -1 : (1 << 24) + 1;
+        check_refused(context, pattern, &def, MUS_ERR_ARG, "expected 1 to 16777216");
+    }
+    mus_pattern_destroy(pattern);
     support_context_end(context);
 }
 END_TEST
@@ -200,6 +236,7 @@ Suite *mus_suite_cloth(void)
     tcase_add_test(tests, questions_have_answers);
     tcase_add_test(tests, a_retained_cloth_lives_until_its_last_owner_goes);
     tcase_add_test(tests, what_cannot_be_cut_is_refused_by_name);
+    tcase_add_test(tests, more_nodes_than_allowed_are_refused_before_memory_is_taken);
     tcase_add_test(tests, failing_memory_leaves_nothing_behind);
     suite_add_tcase(suite, tests);
     return suite;

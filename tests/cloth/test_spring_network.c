@@ -69,7 +69,7 @@ START_TEST(bare_nodes_are_what_was_given)
 END_TEST
 
 
-/* numerics I3: one node on one spring keeps E_N/E_0 = (1 - z^6/72 + z^8/576)^N, pinned where it was placed */
+/* a node on one spring, stepped N times by RK4, keeps the energy E_N/E_0 = (1 - z^6/72 + z^8/576)^N, z = omega h */
 START_TEST(an_oscillator_loses_what_runge_kutta_loses)
 {
     mus_context *context = support_context();
@@ -92,7 +92,7 @@ START_TEST(an_oscillator_loses_what_runge_kutta_loses)
 END_TEST
 
 
-/* numerics D2: the amplitude falls by 2 pi zeta / sqrt(1 - zeta^2) a period */
+/* the logarithm of a damped amplitude falls by 2 pi zeta / sqrt(1 - zeta^2) in each period */
 START_TEST(a_dashpot_damps_by_its_own_constant)
 {
     mus_context *context = support_context();

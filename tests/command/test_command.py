@@ -91,6 +91,25 @@ def test_json_goes_to_standard_output_and_nothing_else(command, tape):
         assert done.stderr == b""
 
 
+def test_a_doubt_about_the_tape_is_a_line_and_a_member_of_the_json(command, tmp_path):
+    path = tmp_path / "ada.tape"
+    path.write_text("sex female\nstature 165 cm\nbust 69 cm\nwaist 78 cm\nhip 104 cm\n")
+    done = command("body", "--tape", path, "--json")
+    doubt, = json.loads(done.stdout)["warnings"]
+    assert doubt.startswith("bust of 69.0 cm does not fit the others") and doubt.endswith("digits swapped: 96.0 cm?")
+    assert done.stderr.decode() == f"muslin body: warning: {doubt}\n"
+    assert json.loads(command("body", "--size", "W40", "--json").stdout)["warnings"] == []
+
+    skirt = ("--design", "skirt", "--spacing", 60, "--tape", path)
+    command("dress", *skirt, "--report", tmp_path / "r.json")
+    assert json.loads((tmp_path / "r.json").read_text())["warnings"] == [doubt]
+    command("dress", "--batch", "-", "-o", tmp_path / "out", "--spacing", 60,
+            input=f"--design skirt --tape {path}".encode())
+    assert json.loads((tmp_path / "out" / "results.jsonl").read_text())["warnings"] == [doubt]
+    printed = command("print", *skirt[:2], "--tape", path, "--pdf", tmp_path / "s.pdf", "--json").stdout
+    assert json.loads(printed)["warnings"] == [doubt]
+
+
 # ---- draft and convert ----
 
 def test_designs_have_name_family_and_title(command):
@@ -196,7 +215,7 @@ def test_a_comma_locale_changes_no_byte(command, tape, skirt, tmp_path, comma):
 
 BAD_TAPES = {
     "waist 76": "unit",
-    "waist 76,5 cm": "76,5",
+    "waist 1,234 mm": "thousands",
     "waist nan cm": "nan",
     "waist 1e9 cm": "waist",
     "waist -3 cm": "waist",

@@ -1,6 +1,4 @@
 /* test_offset_surface.c: the offset surface of a body is made once for colliders that live together. */
-#include <string.h>
-
 #include "contact/collider.h"
 #include "muslin/muslin.h"
 #include "support.h"

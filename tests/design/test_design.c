@@ -2,7 +2,6 @@
  * test_design.c: the list of designs, options of a draft and their refusal, drafts twice the same, every failing
  * allocation.
  */
-#include <stdio.h>
 #include <string.h>
 
 #include "block/drafts.h"

@@ -3,7 +3,6 @@
  * `make designs` does for all: each design for one table size of each of its groups, and some people.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -139,7 +138,65 @@ static mus_tape *tape_of(mus_context *context, const char *size)
 }
 
 
-/* each design on the middle size of its first group: no two have the same canonical form, areas and openings */
+/* the notches of a sleeve where it is sewn to a front are single, where it is sewn to a back double; it has both */
+static void check_sleeves(const mus_pattern *pattern, const char *name)
+{
+    const int32_t sleeve = mus_pattern_find_panel(pattern, "sleeve_left");
+    int met[4] = {0};
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern) && sleeve != MUS_NONE; i++) {
+        int32_t edge, kind;
+        double s;
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &edge, &s, &kind), MUS_OK);
+        if (mus_pattern_edge_panel(pattern, edge) != sleeve) continue;
+        ck_assert_int_eq(mus_pattern_seam(pattern, mus_pattern_edge_seam(pattern, edge), &seam), MUS_OK);
+        const int32_t other = seam.edge_a == edge ? seam.edge_b : seam.edge_a;
+        const char *panel = mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, other));
+        met[kind]++;
+        if (strncmp(panel, "front", 5) == 0) ck_assert_msg(kind == MUS_NOTCH_SINGLE, "%s: sleeve and %s", name, panel);
+        if (strncmp(panel, "back", 4) == 0) ck_assert_msg(kind == MUS_NOTCH_DOUBLE, "%s: sleeve and %s", name, panel);
+    }
+    ck_assert_msg(sleeve == MUS_NONE || (met[MUS_NOTCH_SINGLE] > 0 && met[MUS_NOTCH_DOUBLE] > 0),
+                  "%s: notches of the sleeve: %d single, %d double", name, met[MUS_NOTCH_SINGLE],
+                  met[MUS_NOTCH_DOUBLE]);
+}
+
+
+/* the notch `s` [m] from the end of an edge, of a kind: how many there are */
+static int count_notches(const mus_pattern *pattern, int32_t edge, double s, int32_t kind)
+{
+    int n = 0;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t own, own_kind;
+        double at;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &own, &at, &own_kind), MUS_OK);
+        const double length = mus_pattern_edge_length(pattern, edge);
+        n += own == edge && own_kind == kind && fabs(length - at - s) < 1e-6;
+    }
+    return n;
+}
+
+
+/* a panel that is the mirror image of another is printed with it, so it has the mirror image of each of its notches */
+static void check_mirrored(const mus_pattern *pattern, const char *name)
+{
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t edge, kind, copies, mirror;
+        double s;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &edge, &s, &kind), MUS_OK);
+        ck_assert_int_eq(mus_pattern_cut(pattern, mus_pattern_edge_panel(pattern, edge), &copies, &mirror), MUS_OK);
+        if (mirror == MUS_NONE) continue;
+        const char *own = mus_pattern_edge_name(pattern, edge);
+        const int32_t twin = mus_pattern_find_edge(pattern, mirror, own);
+        ck_assert_int_ne(twin, MUS_NONE);
+        ck_assert_msg(count_notches(pattern, twin, s, kind) == 1, "%s: a notch of %s", name, own);
+    }
+}
+
+
+/* each design on the middle size of its first group: no two have the same canonical form, areas and openings; notches
+ * meet */
 START_TEST(no_two_designs_are_the_same_garment)
 {
     static shape shapes[MOST];
@@ -151,6 +208,9 @@ START_TEST(no_two_designs_are_the_same_garment)
         mus_tape *tape = tape_of(context, size_of(mus_design_groups(d), 0));
         try_draft(context, d, tape, &one, &pattern);
         ck_assert_msg(one.status == MUS_OK, "%s: %s", mus_design_name(d), one.text);
+        ck_assert_msg(one.notches == 0, "%s: %d seams whose notches do not meet", mus_design_name(d), one.notches);
+        check_sleeves(pattern, mus_design_name(d));
+        check_mirrored(pattern, mus_design_name(d));
         shapes[d] = shape_of(pattern);
         panels[d] = one.panels;
         for (int32_t k = 0; k < d; k++)
@@ -175,6 +235,8 @@ static void check_draft(mus_context *context, int32_t design, const mus_tape *ta
     ck_assert_msg(one.seam < 5e-4, "%s of %s: a seam is %g m off", mus_design_name(design), whom, one.seam);
     ck_assert_msg(one.dart < 1e-4, "%s of %s: legs of a dart are %g m off", mus_design_name(design), whom, one.dart);
     ck_assert_msg(one.crossings == 0, "%s of %s: an outline meets itself", mus_design_name(design), whom);
+    ck_assert_msg(one.notches == 0, "%s of %s: %d seams whose notches do not meet", mus_design_name(design), whom,
+                  one.notches);
 }
 
 
@@ -215,7 +277,7 @@ START_TEST(people_are_refused_seldom)
             refused += one.status != MUS_OK;
             if (one.status != MUS_OK) ck_assert_int_eq(one.status, MUS_ERR_DESIGN);
             ck_assert(one.status == MUS_OK || strlen(one.text) > 10);
-            ck_assert(one.seam < 5e-4 && one.dart < 1e-4 && one.crossings == 0);
+            ck_assert(one.seam < 5e-4 && one.dart < 1e-4 && one.crossings == 0 && one.notches == 0);
         }
         mus_tape_destroy(tape);
     }

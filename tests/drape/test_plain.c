@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/plain.h"
+#include "bench/edge_list.h"
 #include "scenes.h"
 
 Suite *mus_suite_plain(void);

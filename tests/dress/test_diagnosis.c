@@ -1,7 +1,6 @@
 /*
  * test_diagnosis.c: each reason of the list, made on purpose, with its panel, seam or place.
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

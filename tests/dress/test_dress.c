@@ -2,7 +2,6 @@
  * test_dress.c: mus_dress() gives what the steps one by one give, tries another start where the first one fails, and
  * tells which starts it tried.
  */
-#include <math.h>
 #include <string.h>
 
 #include "drape/scenes.h"

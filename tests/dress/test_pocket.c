@@ -5,10 +5,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "muslin/edit.h"
 #include "drape/scenes.h"
+#include "muslin/edit.h"
 
 #define SPACING 0.0125
 

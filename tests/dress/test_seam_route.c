@@ -5,7 +5,7 @@
  */
 #include <math.h>
 
-#include "body/body_level.h"
+#include "body/body_internal.h"
 #include "drape/drape_state.h"
 #include "dress/sew.h"
 #include "geom/vec.h"
@@ -92,7 +92,8 @@ static double lift_rim(const worn *w, double *neck, double *height)
     double top[3];
     ck_assert_int_eq(mus_body_landmark(w->body, MUS_LANDMARK_SHOULDER_LEFT, top), MUS_OK);
     *height = top[1];
-    return mus__body_shoulder(w->body, neck);
+    *neck = w->body->skeleton.neck_side_x;
+    return w->body->skeleton.shoulder_end;
 }
 
 

@@ -344,6 +344,35 @@ START_TEST(edges_merge_with_the_ease_of_both_seams_whichever_way_they_were_sewn)
 END_TEST
 
 
+/* a notch put on the armhole of a blouse stands on the sleeve too, in the same place of the seam; undone, on neither */
+START_TEST(a_notch_is_put_on_both_edges_of_a_seam)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = drafts_pattern(context, "tshirt", "W40");
+    mus_seam_walk walk;
+    mus_seam_walk_init(&walk, sizeof walk);
+    const int32_t cap = edit_edge(pattern, "sleeve_left", "capF"), seam = mus_pattern_edge_seam(pattern, cap);
+    const int32_t before = mus_pattern_notch_count(pattern);
+    const double length = mus_pattern_edge_length(pattern, cap);
+    edit_well(mus_pattern_keep_history(pattern, 4));
+    ck_assert_int_eq(mus_pattern_notch_seam(pattern, cap, 1.1 * length, MUS_NOTCH_SINGLE), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_notch_seam(pattern, cap, 0.1 * length, 4), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_notch_seam(pattern, -1, 0.1 * length, MUS_NOTCH_SINGLE), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_notch_seam(NULL, cap, 0.1 * length, MUS_NOTCH_SINGLE), MUS_ERR_ARG);
+    edit_well(mus_pattern_notch_seam(pattern, cap, 0.1 * length, MUS_NOTCH_SINGLE));
+    ck_assert_int_eq(mus_pattern_notch_count(pattern), before + 2);
+    edit_well(mus_pattern_walk_seam(pattern, seam, &walk));
+    ck_assert_int_eq(walk.notches_a, 2);
+    ck_assert_int_eq(walk.notches_b, 2);
+    ck_assert_double_le(walk.notch_off, 1e-9);
+    edit_well(mus_pattern_undo(pattern));
+    ck_assert_int_eq(mus_pattern_notch_count(pattern), before);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_edit(void);
 
 
@@ -355,6 +384,7 @@ Suite *mus_suite_edit(void)
     tcase_add_test(tcase, a_dart_is_split_into_three_and_merged_again);
     tcase_add_test(tcase, points_move_and_their_curves_with_them);
     tcase_add_test(tcase, a_seam_walks_true_and_is_trued);
+    tcase_add_test(tcase, a_notch_is_put_on_both_edges_of_a_seam);
     tcase_add_test(tcase, edges_merge_with_the_ease_of_both_seams_whichever_way_they_were_sewn);
     suite_add_tcase(suite, tcase);
     return suite;

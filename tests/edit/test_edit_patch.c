@@ -3,7 +3,6 @@
  * edge, and nothing else changed.
  */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "edit/edits.h"

@@ -1,8 +1,6 @@
 /*
  * test_edit_pleat.c: pleats laid on an edge: what shows is sewn, what lies under it is sewn to it.
  */
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "edit/edits.h"

@@ -2,7 +2,6 @@
  * test_damaged.c: every reader on damaged files: a good one cut at many bytes, and with bytes changed. Whatever is in
  * the file, the reader ends with a status and a sentence or with an object, and gives all its memory back.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

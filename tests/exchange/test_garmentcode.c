@@ -163,6 +163,43 @@ START_TEST(units_labels_and_seams_are_those_of_the_file)
 END_TEST
 
 
+/* names that the format gives to panels, the label of the file, and what is read of both */
+static const struct {
+    const char *name, *given, *label;
+    int32_t sides;
+} labels[] = {{"left_ftorso", "body", "body", MUS_SIDE_FRONT | MUS_SIDE_LEFT},
+              {"right_btorso", "", "body", MUS_SIDE_BACK | MUS_SIDE_RIGHT},
+              {"right_sleeve_f", "", "arm", MUS_SIDE_FRONT | MUS_SIDE_RIGHT},
+              {"sl_left_cuff_skirt_b", "arm", "arm", MUS_SIDE_BACK | MUS_SIDE_LEFT},
+              {"left_collar_front", "body", "collar", MUS_SIDE_FRONT | MUS_SIDE_LEFT},
+              {"right_hood", "body", "hood", MUS_SIDE_RIGHT},
+              {"pant_f_r", "leg", "leg", MUS_SIDE_FRONT | MUS_SIDE_RIGHT},
+              {"pant_l_cuff_b", "", "leg", MUS_SIDE_BACK | MUS_SIDE_LEFT},
+              {"ins_skirt_front_1", "leg", "leg", MUS_SIDE_FRONT},
+              {"wb_back", "body", "body", MUS_SIDE_BACK},
+              {"skirt_panel_8", "leg", "leg", 0},
+              {"slip", "", "", 0}};
+enum { LABELS = sizeof labels / sizeof *labels };
+
+START_TEST(names_of_panels_are_read_as_labels_and_sides)
+{
+    /* the second panel of the text gets that name and label */
+    char text[4096];
+    const char *plain = SPEC("", ""), *at = strstr(plain, "\"back\":{");
+    snprintf(text, sizeof text, "%.*s\"%s\":{\"label\":\"%s\",%s", (int)(at - plain), plain, labels[_i].name,
+             labels[_i].given, at + strlen("\"back\":{"));
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    ck_assert_int_eq(read_spec(context, text, &pattern), MUS_OK);
+    ck_assert_str_eq(mus_pattern_panel_name(pattern, 1), labels[_i].name);
+    ck_assert_str_eq(mus_pattern_panel_label(pattern, 1), labels[_i].label);
+    ck_assert_int_eq(mus_pattern_panel_sides(pattern, 1, NULL), labels[_i].sides);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a lower part whose upper edge is free, or sewn to a top of 2, 0.5 and 0.2 m, from either side; how far below held */
 static const struct {
     const char *stitch, *units;
@@ -390,6 +427,7 @@ Suite *mus_suite_garmentcode(void)
     tcase_set_timeout(tests, 120);
     tcase_add_test(tests, all_real_specifications_agree_with_the_figures_taken_of_them);
     tcase_add_test(tests, units_labels_and_seams_are_those_of_the_file);
+    tcase_add_loop_test(tests, names_of_panels_are_read_as_labels_and_sides, 0, LABELS);
     tcase_add_loop_test(tests, a_lower_part_is_held_as_far_below_the_waist_as_its_top_reaches, 0,
                         (int)(sizeof uppers / sizeof *uppers));
     tcase_add_test(tests, a_strapless_top_is_held_a_little_under_the_arms);

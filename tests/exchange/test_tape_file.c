@@ -57,6 +57,36 @@ START_TEST(every_way_to_write_a_measure_is_read)
 END_TEST
 
 
+START_TEST(fractions_feet_and_a_decimal_comma_are_read)
+{
+    static const struct {
+        const char *text;
+        double inches, cm;
+    } row[] = {
+        {"bust 41 1/4 in", 41.25, 0},    {"bust: 41-1/4 inches", 41.25, 0}, {"bust 41¼ in", 41.25, 0},
+        {"bust 41 ⅜\"", 41.375, 0},      {"bust 38\"", 38, 0},              {"bust = 38″", 38, 0},
+        {"bust 38''", 38, 0},            {"bust 38.5 inch", 38.5, 0},       {"bust 3 ft", 36, 0},
+        {"bust 3 ft 2 1/2 in", 38.5, 0}, {"bust 3'2\"", 38, 0},             {"bust 3' 2 1/2\" derived", 38.5, 0},
+        {"bust 3 feet 2 inches", 38, 0}, {"bust 3′2″", 38, 0},              {"bust 92,5 cm", 0, 92.5},
+        {"bust 0,925 m", 0, 92.5},       {"bust 0,92 m", 0, 92},            {"bust 925,0 mm # flat", 0, 92.5},
+        {"bust 92,1250 cm", 0, 92.125},  {"bust 92 1/2 cm", 0, 92.5},
+    };
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        mus_tape *tape;
+        mus_status status = read_text(context, row[i].text, &tape);
+        ck_assert_msg(status == MUS_OK, "%s: %s", row[i].text, mus_context_error(context));
+        const double bust = mus_tape_value(tape, MUS_MEASURE_BUST), wanted = row[i].cm / 100 + row[i].inches * 0.0254;
+        ck_assert_msg(fabs(bust - wanted) < 1e-15, "%s: %.17g", row[i].text, bust);
+        ck_assert_int_eq(mus_tape_source(tape, MUS_MEASURE_BUST),
+                         strstr(row[i].text, "derived") != NULL ? MUS_SOURCE_DERIVED : MUS_SOURCE_GIVEN);
+        mus_tape_destroy(tape);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_size_line_fills_the_tape_and_lines_below_overrule_it)
 {
     mus_context *context = support_context();
@@ -82,11 +112,24 @@ static const struct {
     const char *line;
     const char *words;
 } refusals[] = {
-    {"bust 92,5 cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "decimal point"},
+    {"bust 1,234 mm\n", MUS_ERR_FORMAT, "ada.tape:1:", "\"1,234 mm\" has a comma that may be one of thousands"},
+    {"bust 1,234,5 mm\n", MUS_ERR_FORMAT, "ada.tape:1:", "no decimal comma"},
+    {"bust 1.234,5 mm\n", MUS_ERR_FORMAT, "ada.tape:1:", "no decimal comma"},
+    {"bust 92, cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "no decimal comma"},
+    {"bust 41 5/4 in\n", MUS_ERR_FORMAT, "ada.tape:1:", "a fraction that is not between 0 and 1"},
+    {"bust 41 1/0 in\n", MUS_ERR_FORMAT, "ada.tape:1:", "a fraction that is not between 0 and 1"},
+    {"bust 41 1/ in\n", MUS_ERR_FORMAT, "ada.tape:1:", "behind 41, got \"\""},
+    {"bust 41.5 1/4 in\n", MUS_ERR_FORMAT, "ada.tape:1:", "behind 41.5, got \"\""},
+    {"bust 41 1/4\n", MUS_ERR_FORMAT, "ada.tape:1:", "behind 41 1/4, got \"\""},
+    {"height 5 ft 5\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (in) behind 5, got \"\""},
+    {"height 5 ft 5 cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (in) behind 5, got \"cm\""},
+    {"height 65 in 5 ft\n", MUS_ERR_FORMAT, "ada.tape:1:", "unexpected \"5 ft\" behind the unit"},
+    {"height 5 ft 5 in 2 in\n", MUS_ERR_FORMAT, "ada.tape:1:", "unexpected \"2 in\" behind the unit"},
+    {"shoulder_slope 20 ft\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (deg or rad)"},
     {"\nbist 92 cm\n", MUS_ERR_FORMAT, "ada.tape:2:", "did you mean \"bust\""},
     {"colour of the eyes 92 cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "unknown measure \"colour_of_the_eyes\""},
-    {"bust 92\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (mm, cm, m or in)"},
-    {"bust 92 deg\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (mm, cm, m or in)"},
+    {"bust 92\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (mm, cm, m, in or ft)"},
+    {"bust 92 deg\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (mm, cm, m, in or ft)"},
     {"shoulder_slope 20 cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "expected a unit (deg or rad)"},
     {"bust nan cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "bust: expected a number"},
     {"bust inf cm\n", MUS_ERR_FORMAT, "ada.tape:1:", "bust: expected a number"},
@@ -100,6 +143,7 @@ static const struct {
     {"bust 0 cm\n", MUS_ERR_TAPE, "ada.tape:1:", "bust"},
     {"bust -92 cm\n", MUS_ERR_TAPE, "ada.tape:1:", "bust"},
     {"bust 92 m\n", MUS_ERR_TAPE, "ada.tape:1:", "bust"},
+    {"bust 920 cm\n", MUS_ERR_TAPE, "ada.tape:1:", "is the unit mm?"},
     {"sex lady\n", MUS_ERR_FORMAT, "ada.tape:1:", "female, male or child"},
     {"sex male\nsex male\n", MUS_ERR_FORMAT, "ada.tape:2:", "second time"},
     {"size W41\n", MUS_ERR_FORMAT, "ada.tape:1:", "W40"},
@@ -297,6 +341,7 @@ Suite *mus_suite_tape_file(void)
     Suite *suite = suite_create("tape_file");
     TCase *tests = tcase_create("tape_file");
     tcase_add_test(tests, every_way_to_write_a_measure_is_read);
+    tcase_add_test(tests, fractions_feet_and_a_decimal_comma_are_read);
     tcase_add_test(tests, a_size_line_fills_the_tape_and_lines_below_overrule_it);
     tcase_add_loop_test(tests, a_line_that_is_not_understood_is_named, 0, sizeof refusals / sizeof refusals[0]);
     tcase_add_test(tests, a_zero_byte_is_refused_with_its_place);

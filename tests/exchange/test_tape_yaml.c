@@ -195,7 +195,7 @@ static const struct {
     {"person:\n  height: 170\n", MUS_ERR_FORMAT, "body.yaml:2: expected a number, got a map"},
     {"height: 170\n", MUS_ERR_FORMAT, "found none"},
     {"body: 3\n", MUS_ERR_FORMAT, "body.yaml:1: body: expected a map"},
-    {"body:\n  height: 170,5\n", MUS_ERR_FORMAT, "body.yaml:2: height: expected a number"},
+    {"body:\n  height: 1,705\n", MUS_ERR_FORMAT, "body.yaml:2: height: expected a number"},
     {"body:\n  height: .nan\n", MUS_ERR_FORMAT, "body.yaml:2: height: expected a number"},
     {"body:\n  height: tall\n", MUS_ERR_FORMAT, "\"tall\" is not a number"},
     {"body:\n  height: 1e999\n", MUS_ERR_FORMAT, "too large"},

@@ -375,6 +375,41 @@ START_TEST(the_depth_of_a_point_that_is_not_finite_is_refused)
 END_TEST
 
 
+/* positions beyond the range of a float once led the search of pairs out of its memory */
+START_TEST(places_beyond_the_limit_are_refused_at_each_door)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.1);
+    mus_cloth *cloth = scene_cut(context, pattern, 0.02, 0.0);
+    mus_drape *drape;
+    mus_drape_def def;
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1, def.precision = 64;
+    ck_assert_int_eq(mus_drape_create(context, cloth, NULL, &def, &drape), MUS_OK);
+    const int32_t n = 3 * mus_drape_node_count(drape);
+    double *x = malloc((size_t)n * sizeof *x);
+    memcpy(x, mus_drape_positions(drape), (size_t)n * sizeof *x);
+    x[1] = 1e154;
+    ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_ERR_ARG);
+    ck_assert_str_eq(mus_context_error(context), "drape: node 0: y is 1e+154 m, expected -1e+07 to 1e+07 m");
+    ck_assert_int_eq(mus_drape_step(drape, 1, 1e-5), MUS_OK);
+
+    mus_placement place;
+    mus_placement_init(&place, sizeof place);
+    place.origin[2] = -1e160;
+    ck_assert_int_eq(mus_pattern_set_placement(pattern, 0, &place), MUS_ERR_ARG);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "origin: z is -1e+160 m, expected -1e+07 to 1e+07 m"));
+    place.origin[2] = 0.0, place.bend_x = 1e8;
+    ck_assert_int_eq(mus_pattern_set_placement(pattern, 0, &place), MUS_ERR_ARG);
+    free(x);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_refused_cloth(void)
 {
     Suite *suite = suite_create("refused_cloth");
@@ -387,6 +422,7 @@ Suite *mus_suite_refused_cloth(void)
     tcase_add_test(tests, the_depth_of_a_point_that_is_not_finite_is_refused);
     tcase_add_test(tests, a_body_glides_at_no_speed_that_is_not_finite);
     tcase_add_loop_test(tests, a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was, 0, 2);
+    tcase_add_test(tests, places_beyond_the_limit_are_refused_at_each_door);
     tcase_add_test(tests, gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was);
     suite_add_tcase(suite, tests);
     return suite;

@@ -157,6 +157,12 @@ static mus_status refuse_split_edge(const edit_case *c, int32_t k, double bad)
 }
 
 
+static mus_status refuse_notch_seam(const edit_case *c, int32_t k, double bad)
+{
+    return k >= 1 ? MUS_NONE : mus_pattern_notch_seam(c->pattern, c->cf, bad, MUS_NOTCH_SINGLE);
+}
+
+
 static mus_status refuse_fair_edge(const edit_case *c, int32_t k, double bad)
 {
     return k >= 1 ? MUS_NONE : mus_pattern_fair_edge(c->pattern, c->cf, bad);
@@ -167,7 +173,7 @@ static const edit_call edit_calls[] = {refuse_add_dart,     refuse_rotate_dart, 
                                        refuse_dart_to_seam, refuse_separate,    refuse_add_facing, refuse_spread,
                                        refuse_flare,        refuse_pleat,       refuse_lengthen,   refuse_move_point,
                                        refuse_move_control, refuse_redraw_edge, refuse_split_edge, refuse_fair_edge,
-                                       refuse_lay_pleats,   refuse_add_patch};
+                                       refuse_lay_pleats,   refuse_add_patch,   refuse_notch_seam};
 
 
 START_TEST(no_edit_takes_a_number_that_is_not_finite)
@@ -196,7 +202,7 @@ START_TEST(no_edit_takes_a_number_that_is_not_finite)
             }
         }
     }
-    ck_assert_int_eq(tried, 3 * 57);
+    ck_assert_int_eq(tried, 3 * 58);
     mus_pattern_destroy(copy);
     mus_pattern_destroy(c.pattern);
     support_context_end(context);

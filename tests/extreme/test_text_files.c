@@ -143,11 +143,14 @@ END_TEST
 
 
 /* X39 */
-START_TEST(a_decimal_comma_is_refused_with_its_line)
+START_TEST(a_decimal_comma_is_read_in_a_tape_and_refused_in_json)
 {
     char place[64];
-    is_refused(_i, changed(files[_i].text, files[_i].number, files[_i].comma, false),
-               place_of(_i, files[_i].line, place, sizeof place));
+    char *text = changed(files[_i].text, files[_i].number, files[_i].comma, false);
+    if (strstr(files[_i].name, ".json") == NULL)
+        reads_the_same(_i, text);
+    else
+        is_refused(_i, text, place_of(_i, files[_i].line, place, sizeof place));
 }
 END_TEST
 
@@ -206,7 +209,7 @@ Suite *mus_suite_text_files(void)
     const int n = sizeof files / sizeof *files;
     tcase_add_loop_test(tests, line_ends_of_two_bytes_change_nothing, 0, n);
     tcase_add_loop_test(tests, a_byte_order_mark_changes_nothing, 0, n);
-    tcase_add_loop_test(tests, a_decimal_comma_is_refused_with_its_line, 0, n);
+    tcase_add_loop_test(tests, a_decimal_comma_is_read_in_a_tape_and_refused_in_json, 0, n);
     tcase_add_loop_test(tests, a_line_of_a_megabyte_is_refused_with_its_line, 0, n);
     tcase_add_loop_test(tests, a_missing_end_is_refused_with_its_line, 0, n);
     tcase_add_loop_test(tests, a_count_of_1e9_is_refused_with_its_place, 0, n);

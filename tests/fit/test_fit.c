@@ -40,6 +40,53 @@ START_TEST(strain_is_along_warp_and_weft)
         ck_assert_double_eq_tol(mus_fit_weft(fit)[i], 0.03, 1e-9);
         ck_assert(mus_fit_pressure(fit)[i] == 0.0 && isnan(mus_fit_gap(fit)[i]));
     }
+    mus_fit_spread spread;
+    mus_fit_spread_init(&spread, sizeof spread);
+    ck_assert_int_eq(mus_fit_spread_get(fit, MUS_FIT_STRAIN, &spread), MUS_OK);
+    ck_assert_double_eq_tol(spread.p50, 0.03, 1e-9);
+    ck_assert_double_eq_tol(spread.mean, 0.03, 1e-9);
+    ck_assert_double_eq_tol(spread.area, 0.2 * 0.2, 1e-9);
+    ck_assert_int_eq(mus_fit_spread_get(fit, MUS_FIT_GAP, &spread), MUS_OK);
+    ck_assert(isnan(spread.p50) && spread.node == MUS_NONE && spread.area == 0.0);
+    ck_assert_int_eq(mus_fit_spread_get(fit, 5, &spread), MUS_ERR_ARG);
+    spread.size = 8;
+    ck_assert_int_eq(mus_fit_spread_get(fit, MUS_FIT_WARP, &spread), MUS_ERR_VERSION);
+    free(x);
+    mus_fit_destroy(fit);
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a strain that grows evenly from 0 to 10 % along a square: percentiles by area are those parts of 10 %, on each mesh;
+ * the largest is that of the last row of nodes */
+START_TEST(percentiles_are_by_area)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = scene_square(context, 0.2);
+    mus_cloth *cloth = scene_cut(context, pattern, _i == 0 ? 0.02 : 0.008, 0.0);
+    mus_drape *drape = scene_drape(context, cloth, 64, 1);
+    const int32_t n = mus_drape_node_count(drape);
+    double *x = calloc(3 * (size_t)n, sizeof *x), low = 1e9;
+    mus_fit *fit;
+    mus_fit_spread spread;
+    for (int32_t i = 0; i < n; i++) low = fmin(low, mus_cloth_rest(cloth)[2 * i]);
+    for (int32_t i = 0; i < n; i++) {
+        const double s = mus_cloth_rest(cloth)[2 * i] - low;
+        x[3 * i] = s + 0.25 * s * s, x[3 * i + 1] = mus_cloth_rest(cloth)[2 * i + 1];
+    }
+    ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_OK);
+    ck_assert_int_eq(mus_fit_create(drape, NULL, &fit), MUS_OK);
+    mus_fit_spread_init(&spread, sizeof spread);
+    ck_assert_int_eq(mus_fit_spread_get(fit, MUS_FIT_WEFT, &spread), MUS_OK);
+    ck_assert_double_eq_tol(spread.p50, 0.05, 0.006);
+    ck_assert_double_eq_tol(spread.p95, 0.095, 0.006);
+    ck_assert_double_eq_tol(spread.mean, 0.05, 0.002);
+    ck_assert_double_le(spread.p99, spread.largest);
+    ck_assert_double_eq(spread.largest, mus_fit_weft(fit)[spread.node]);
     free(x);
     mus_fit_destroy(fit);
     mus_drape_destroy(drape);
@@ -210,6 +257,7 @@ Suite *mus_suite_fit(void)
     TCase *tests = tcase_create("fit");
     tcase_set_timeout(tests, 60.0);
     tcase_add_loop_test(tests, strain_is_along_warp_and_weft, 0, 2);
+    tcase_add_loop_test(tests, percentiles_are_by_area, 0, 2);
     tcase_add_test(tests, a_tube_on_a_cylinder_presses_by_laplace);
     tcase_add_test(tests, ease_is_cloth_less_body_at_each_level);
     suite_add_tcase(suite, tests);

@@ -100,7 +100,7 @@ static double sine_error(int32_t n, bool periodic)
 
 START_TEST(the_order_is_four)
 {
-    /* numerics N1: a natural spline where the second derivative ends at 0, a periodic one everywhere */
+    /* a natural spline where the second derivative ends at 0, a periodic one everywhere */
     for (int k = 0; k < 2; k++) {
         double order = log2(sine_error(32, k == 1) / sine_error(64, k == 1));
         near(order, 4.0, 0.1);

@@ -74,6 +74,7 @@ guard() # NAME COMMAND...
 guard includes "$python" tests/guard/includes.py
 guard size "$python" tests/guard/size.py
 guard house "$python" tests/guard/house.py "$out" --check
+guard panel_names "$python" tests/guard/panel_names.py
 guard circles "$python" tests/guard/circles.py "$out"
 guard carried sh tests/guard/carried.sh "$out/lib"
 guard headers sh tests/guard/headers.sh

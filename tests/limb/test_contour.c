@@ -8,7 +8,7 @@
 
 #include "geom/polygon.h"
 #include "geom/vec.h"
-#include "limb/field.h"
+#include "limb/radius_field.h"
 #include "support.h"
 
 #define SAMPLES 512

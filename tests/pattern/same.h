@@ -86,6 +86,7 @@ static inline void same_panels(const mus_pattern *a, const mus_pattern *b)
         }
         ck_assert_str_eq(mus_pattern_panel_name(a, i), mus_pattern_panel_name(b, i));
         ck_assert_str_eq(mus_pattern_panel_label(a, i), mus_pattern_panel_label(b, i));
+        ck_assert_int_eq(mus_pattern_panel_sides(a, i, NULL), mus_pattern_panel_sides(b, i, NULL));
         ck_assert_int_eq(n[0], n[1]);
         if (n[0] > 0) ck_assert_mem_eq(edges[0], edges[1], (size_t)n[0] * sizeof *edges[0]);
         if (n[0] > 0) ck_assert_mem_eq(directions[0], directions[1], (size_t)n[0] * sizeof *directions[0]);

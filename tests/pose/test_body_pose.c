@@ -135,7 +135,7 @@ START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
     mus_context *context = support_context();
     const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.05};
     mus_body *body = people_body(context, "M50", &def);
-    const mus__rig *rig = mus__body_rig(body);
+    const mus__rig *rig = &body->rig;
     uint64_t seed = 43;
     for (int round = 0; round < 200; round++) {
         mus_pose pose;

@@ -1,6 +1,5 @@
 /* test_pose_frame.c: frames of parts: the rest pose is the identity, frames are rotations, blends meet their ends. */
 #include <math.h>
-#include <string.h>
 
 #include "body/body_internal.h"
 #include "body/people.h"
@@ -19,8 +18,8 @@ START_TEST(the_rest_pose_is_the_identity)
     mus__frame frame[MUS__PARTS_MOST];
     ck_assert_int_eq(mus_body_rest_pose(body, &pose), MUS_OK);
     ck_assert_int_eq(mus_pose_check(context, &pose), MUS_OK);
-    ck_assert_int_eq(mus__pose_locals(context, mus__body_rig(body), &pose, local), MUS_OK);
-    mus__pose_frames(mus__body_rig(body), local, frame);
+    ck_assert_int_eq(mus__pose_locals(context, &body->rig, &pose, local), MUS_OK);
+    mus__pose_frames(&body->rig, local, frame);
     for (int32_t p = 0; p < body->rig.parts; p++)
         for (int i = 0; i < 9; i++) {
             ck_assert_double_eq_tol(frame[p].turn[i], i % 4 == 0 ? 1.0 : 0.0, 1e-15);
@@ -65,7 +64,7 @@ START_TEST(frames_are_rotations_that_meet_at_the_joints)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
-    const mus__rig *rig = mus__body_rig(body);
+    const mus__rig *rig = &body->rig;
     uint64_t seed = 31;
     for (int round = 0; round < 300; round++) {
         mus__joint_local a[MUS_JOINT_COUNT], b[MUS_JOINT_COUNT], c[MUS_JOINT_COUNT];

@@ -2,7 +2,6 @@
  * test_piece_marks.c: what is drawn on a piece: seam line edge by edge, slits on the cut line, grain, marks, label.
  */
 #include <math.h>
-#include <string.h>
 
 #include "print/page.h"
 #include "print/sample_patterns.h"
@@ -117,6 +116,34 @@ START_TEST(a_notch_stands_at_its_arc_length)
 END_TEST
 
 
+/* at an end of its edge a double notch has both slits on the edge, 4 mm apart as elsewhere; on an edge of 3 mm both
+ * stand at its ends */
+START_TEST(a_notch_at_an_end_keeps_its_slits_apart)
+{
+    const double xy[] = {0, 0, 0.3, 0, 0.3, 0.2, 0.297, 0.2, 0, 0.2};
+    mus_pattern *shape = sample_polygon(context, 5, xy);
+    mus_sheet_def def;
+    mus_sheet_def_init(&def, sizeof def);
+    def.allowance = 0.01;
+    ck_assert_int_eq(mus_pattern_add_notch(shape, 0, 0.3, MUS_NOTCH_DOUBLE, NULL), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_notch(shape, 4, 0.0005, MUS_NOTCH_TRIPLE, NULL), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_notch(shape, 2, 0.0, MUS_NOTCH_DOUBLE, NULL), MUS_OK);
+    mus_sheet_destroy(sheet);
+    ck_assert_int_eq(mus_sheet_create(context, shape, &def, &sheet), MUS_OK);
+    const double apart[3] = {0.004, 0.008, 0.003};
+    int32_t n = 0;
+    for (int32_t k = 0; k < sheet->drawing.npath; k++) {
+        const mus__path *path = &sheet->drawing.paths[k];
+        if (path->layer != MUS__LAYER_NOTCHES) continue;
+        const double *first = sheet->drawing.xy + path->at, *last = first + 2 * (path->nop - 2);
+        ck_assert_double_eq_tol(hypot(last[0] - first[0], last[1] - first[1]), apart[n++], 1e-9);
+    }
+    ck_assert_int_eq(n, 3);
+    mus_pattern_destroy(shape);
+}
+END_TEST
+
+
 START_TEST(the_grain_line_is_upright_inside_and_long)
 {
     for (int32_t i = 0; i < sheet->npiece; i++) {
@@ -206,6 +233,7 @@ Suite *mus_suite_piece_marks(void)
     tcase_add_test(test, each_edge_is_a_seam_path_of_its_own);
     tcase_add_test(test, slits_start_on_the_cut_line_and_stop_before_the_seam);
     tcase_add_test(test, a_notch_stands_at_its_arc_length);
+    tcase_add_test(test, a_notch_at_an_end_keeps_its_slits_apart);
     tcase_add_test(test, the_grain_line_is_upright_inside_and_long);
     tcase_add_test(test, labels_stand_inside_the_seam_line_clear_of_grain_and_marks);
     tcase_add_test(test, without_allowance_cut_line_and_seam_line_are_one);

@@ -63,6 +63,9 @@ def test_panels_are_cut_filled_out_and_faced(pattern):
     pattern.move_point(pattern.edge_ends(edge("side1", "front_left"))[0], 0.2, -0.03)
     pattern.true_seam(seam, edge("side1", "front_left"), at_end=False)
     assert abs(pattern.walk_seam(seam)["excess"]) < 1e-9
+    notches = len(pattern.notches())
+    pattern.notch_seam(edge("side1", "front_left"), 0.05, kind=2)
+    assert len(pattern.notches()) == notches + 2
     pattern.remove_seam(seam)
     part = pattern.split_edge(edge("neck", "front_right"), 0.03, "neck_part")
     assert pattern.edge_name(part) == "neck_part"

@@ -174,6 +174,9 @@ def test_what_is_said_of_a_pattern_is_what_it_answers(context):
     pattern.set_allowance(0, 0.03)
     pattern.set_grain(0, 3, 4)
     pattern.set_cut(0, 2)
+    assert pattern.sides(0) == []
+    pattern.set_sides(0, "left", "front")
+    assert pattern.sides(0) == ["front", "left"]
     pattern.add_notch(0, 0.25, 2)
     pattern.add_mark(0, "centre", [(0.6, 0.0), (0.6, 0.4)])
     assert pattern.edge_label(0) == "hem" and pattern.edge_label(1) == ""
@@ -391,6 +394,12 @@ def test_bytes_are_the_files_and_read_back(tmp_path):
     assert pattern.to_bytes() == (tmp_path / "p.json").read_bytes()
     assert muslin.Pattern.parse(pattern.to_bytes()).to_bytes() == pattern.to_bytes()
     assert muslin.Tape.parse(tape.to_bytes()).to_bytes() == tape.to_bytes()
+    assert tape.complete() == []
+    tape["bust"] = 0.29
+    with pytest.raises(muslin.MuslinError, match="digits swapped: 92.0 cm"):
+        tape.complete()
+    tape["bust"], tape["hip"] = 0.92, 1.4
+    assert tape.complete() == tape.warnings and "hip of 140.0 cm does not fit" in tape.warnings[0]
     sheet = muslin.Sheet(pattern)
     sheet.write_svg(tmp_path / "s.svg")
     assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()

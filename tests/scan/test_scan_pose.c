@@ -4,7 +4,6 @@
  * 5 mm of the contours. And a mesh of the test data whose arms are turned up: its girths are those of its A-pose.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -181,11 +181,52 @@ START_TEST(what_comes_near_is_found)
 END_TEST
 
 
+/* fails where a thing is named that the trees do not have */
+static void swarm_known(void *user, int32_t a, int32_t b, uint32_t mask)
+{
+    swarm *s = user;
+    ck_assert(a >= 0 && a < s->tree[1].count && b >= 0 && b <= (s->met->count - 1) / 16);
+    for (int32_t k = 0; k < 16; k++)
+        if (mask >> k & 1) ck_assert_int_lt(16 * b + k, s->met->count);
+    s->count++;
+}
+
+
+/* places that overflow a float make the reach infinite, and then each box is near, also those of empty lanes */
+START_TEST(an_infinite_reach_finds_no_thing_that_is_not_there)
+{
+    static swarm s;
+    memset(&s, 0, sizeof s);
+    s.context = support_context();
+    for (int32_t i = 0; i < NODES; i++) {
+        s.class_of[i] = i;
+        s.worn[i] = 1;
+    }
+    swarm_grow(&s, 0, 3, 290);
+    swarm_grow(&s, 1, 1, 37);
+    mus__box_tree_raise(&s.tree[0], 4);
+    mus__box_tree_raise(&s.tree[1], 4);
+    s.met = &s.tree[0];
+    swarm_boxes(&s, &s.tree[0], NULL);
+    swarm_boxes(&s, &s.tree[1], NULL);
+    mus__box_tree_pairs(&s.tree[1], &s.tree[0], INFINITY, swarm_known, &s);
+    ck_assert_int_gt(s.count, 37 * 18);
+    swarm_boxes(&s, &s.tree[0], s.worn);
+    swarm_boxes(&s, &s.tree[1], s.worn);
+    mus__box_tree_stale_pairs(&s.tree[1], &s.tree[0], INFINITY, swarm_known, swarm_known, &s);
+    mus__box_tree_destroy(s.context, &s.tree[0]);
+    mus__box_tree_destroy(s.context, &s.tree[1]);
+    support_context_end(s.context);
+}
+END_TEST
+
+
 Suite *mus_suite_box_tree(void)
 {
     Suite *suite = suite_create("box_tree");
     TCase *tests = tcase_create("tree");
     tcase_add_loop_test(tests, what_comes_near_is_found, 0, 4);
+    tcase_add_test(tests, an_infinite_reach_finds_no_thing_that_is_not_there);
     suite_add_tcase(suite, tests);
     return suite;
 }

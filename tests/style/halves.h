@@ -9,7 +9,7 @@
 #include "block/drafts.h"
 #include "design/draft.h"
 #include "design/words.h"
-#include "style/top.h"
+#include "style/bodice.h"
 
 /* the eases of the house: less for a knit and a slim one, more for a loose one */
 static inline void halves_begin(mus_context *context, const mus_tape *tape, const mus__style *style, mus__half *half)

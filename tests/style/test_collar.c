@@ -1,7 +1,7 @@
 /*
  * test_collar.c: every collar on a half shirt drawn by hand, with the sleeves that change its neckline: the whole
- * garment is clean, the neck edge has the length of the neckline, the opening at the neck is the collar's edge, and the
- * topology is as counted by hand for hood, turtleneck and raglan.
+ * garment has no fault, the neck edge has the length of the neckline, the opening at the neck is the collar's edge, and
+ * the topology of hood, turtleneck and raglan is as counted by hand.
  */
 #include <stdio.h>
 
@@ -86,7 +86,7 @@ START_TEST(every_collar_is_a_clean_shirt)
 END_TEST
 
 
-/* what is sewn to the neckline is as long as it: all but the rib of a turtleneck, which is 0.87 of it */
+/* the edge sewn to the neckline is as long as the neckline; the rib of a turtleneck is 0.87 of it */
 START_TEST(collars_are_as_long_as_the_neckline)
 {
     mus_context *context = support_context();
@@ -157,7 +157,7 @@ START_TEST(rows_of_the_reference)
 END_TEST
 
 
-/* a neckline that is not there */
+/* a half without a neckline is refused */
 START_TEST(no_neckline_no_collar)
 {
     mus_context *context = support_context();

@@ -2,9 +2,6 @@
  * test_pocket_word.c: pocket=patch is two pieces sewn to lines of the garment, mirror images of one another, at any
  * size; a front that closes is a closure.
  */
-#include <stdio.h>
-#include <string.h>
-
 #include "block/drafts.h"
 #include "muslin/topology.h"
 

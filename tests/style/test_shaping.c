@@ -1,18 +1,19 @@
 /*
- * test_shaping.c: what shapes, necks and closures of a top promise, on the half garment that they are worked on.
+ * test_shaping.c: shapes, necklines and closures of a top, on the half garment: darts, waist lengths, openings.
  *
- * Figures by hand: a bust dart rotated into the waist, the T-shirt, waist lines that meet.
+ * Figures computed by hand: a bust dart rotated into the waist, the T-shirt, waist lines that meet.
  */
 #include <stdio.h>
 
-#include "style/halves.h"
+#include "board/board_notch.h"
 #include "geom/vec.h"
+#include "style/halves.h"
 
 #define LENGTH_SAME 1e-9
 #define JERSEY 1.15
 
 
-/* a half from words; to be given back with its tape by half_end() */
+/* Drafts a half from words; half_end() frees it and its tape. */
 static mus_tape *half_make(mus_context *context, const char *size, const char *words, mus__half *half)
 {
     mus__style style;
@@ -76,7 +77,8 @@ START_TEST(the_waist_takes_the_bust_dart)
 END_TEST
 
 
-/* the waist of a dress is W + its ease whatever the shape; the smoothed waist of a French dart a hair less */
+/* the waist of a dress is the waist girth plus its ease for every shape; that of a French dart, smoothed, slightly less
+ */
 START_TEST(waists_have_their_ease_in_every_shape)
 {
     static const char *const sizes[] = {"W34", "W40", "W52"};
@@ -105,7 +107,7 @@ START_TEST(waists_have_their_ease_in_every_shape)
 END_TEST
 
 
-/* a princess seam is one fair curve on both panels, eased by less than 1.2 cm */
+/* a princess seam has no corner on either panel, and its ease is below 1.2 cm */
 START_TEST(princess_seams_are_fair)
 {
     static const char *const shapes[] = {"princess_shoulder", "princess_armhole"};
@@ -135,7 +137,7 @@ START_TEST(princess_seams_are_fair)
 END_TEST
 
 
-/* nothing opens: the head passes every neckline */
+/* the head passes every neckline of a top without a closure */
 START_TEST(heads_pass_what_does_not_open)
 {
     static const char *const sizes[] = {"W34", "W52", "M50", "C56", "C116"};
@@ -179,7 +181,7 @@ START_TEST(darts_are_not_moved_on_a_block_without)
 END_TEST
 
 
-/* notches of a side zip are on the left alone, four; buttons stand on the centre, evenly, 8.5 cm apart at most */
+/* a side zip has four notches, all on the left; buttons are on the centre line at equal distances, at most 8.5 cm */
 START_TEST(closures_are_marked)
 {
     mus_context *context = support_context();
@@ -187,6 +189,7 @@ START_TEST(closures_are_marked)
     mus_tape *tape = half_make(context, "W40", "top closure=side neck=scoop", &half);
     mus__board_double(&half.board);
     mus__closure_finish(&half);
+    mus__board_match_notches(&half.board);
     half_good(context, &half, "closure=side");
     int32_t triple = 0;
     for (int32_t i = 0; i < half.board.nnotch; i++) {
@@ -221,7 +224,7 @@ START_TEST(closures_are_marked)
 END_TEST
 
 
-/* every allocation that fails leaves an error and no byte */
+/* an allocation that fails gives an error and leaves no memory allocated */
 START_TEST(failing_allocations_are_told)
 {
     static const char *const words[] = {"dress closure=back shape=french neck=v", "top closure=back shape=neck_gathers",

@@ -1,6 +1,6 @@
 /*
- * test_sleeve.c: every sleeve on a half shirt drawn by hand: the whole garment is clean, its topology that of a
- * T-shirt (characteristic -2, four openings, no handle), and what is sewn fits.
+ * test_sleeve.c: every sleeve on a half shirt drawn by hand: the whole garment has no fault, the topology of a T-shirt
+ * (Euler characteristic -2, four openings, no handle), and sewn edges of equal length but for their ease.
  */
 #include <stdio.h>
 
@@ -24,7 +24,7 @@ static mus__style style_of(int32_t sleeve, int32_t cloth, int32_t cuff)
 }
 
 
-/* the pattern of a half that is done, checked */
+/* Doubles the finished half, writes it as a pattern and checks that it has no fault. */
 static mus_pattern *whole(mus__half *half, const char *what)
 {
     mus_pattern *pattern;

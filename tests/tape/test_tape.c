@@ -213,6 +213,8 @@ START_TEST(names_are_kept_up_to_63_bytes)
     ck_assert_int_eq(mus_tape_set_name(tape, name), MUS_OK);
     ck_assert_str_eq(mus_tape_name(tape), name);
     ck_assert_int_eq(mus_tape_set_name(tape, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_tape_set_name(tape, "Ad\xff"), MUS_ERR_ARG);
+    ck_assert_str_eq(mus_context_error(context), "the name of a tape is not UTF-8 at byte 2");
     mus_tape_destroy(tape);
     support_context_end(context);
 }

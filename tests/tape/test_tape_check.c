@@ -100,9 +100,9 @@ START_TEST(doubtful_pairs_are_warned_of)
     } row[] = {
         {MUS_MEASURE_HIGH_BUST, 95.5, "high_bust", "bust"},
         {MUS_MEASURE_UNDERBUST, 61.0, "bust", "underbust"},
-        {MUS_MEASURE_NECK, 51.0, "neck", "bust"},
-        {MUS_MEASURE_THIGH, 76.0, "thigh", "hip"},
-        {MUS_MEASURE_THIGH, 44.0, "thigh", "hip"},
+        {MUS_MEASURE_NECK, 51.0, "neck", "36.9 cm"},
+        {MUS_MEASURE_THIGH, 76.0, "thigh", "59.8 cm"},
+        {MUS_MEASURE_THIGH, 44.0, "thigh", "59.8 cm"},
         {MUS_MEASURE_KNEE, 30.0, "calf", "knee"},
         {MUS_MEASURE_BACK_WAIST, 58.0, "back_waist", "waist_to_hip"},
         {MUS_MEASURE_ACROSS_BACK, 56.0, "across_back", "across_front"},

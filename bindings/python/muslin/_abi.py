@@ -155,6 +155,10 @@ MUS_CLOSURE_BUTTONS = 2
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
+MUS_SIDE_FRONT = 1
+MUS_SIDE_BACK = 2
+MUS_SIDE_LEFT = 4
+MUS_SIDE_RIGHT = 8
 MUS_LAYERS_MOST = 16
 MUS_FAULT_OPEN_OUTLINE = 1
 MUS_FAULT_CROSSING = 2
@@ -177,6 +181,7 @@ MUS_EASE_HIP = 2
 MUS_EASE_COUNT = 3
 MUS_BEND_PLATE = 0
 MUS_BEND_PAPER = 1
+MUS_CLOTH_NODES = 1048576
 MUS_METHOD_RK4 = 0
 MUS_METHOD_VERLET = 1
 MUS_METHOD_EULER = 2
@@ -197,6 +202,11 @@ MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
 MUS_DRESS_STARTS_MOST = 8
+MUS_FIT_STRAIN = 0
+MUS_FIT_WARP = 1
+MUS_FIT_WEFT = 2
+MUS_FIT_PRESSURE = 3
+MUS_FIT_GAP = 4
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -390,6 +400,10 @@ class mus_dress_report(Structure):
     pass
 
 
+class mus_fit_spread(Structure):
+    pass
+
+
 class mus_fit_level(Structure):
     pass
 
@@ -466,7 +480,8 @@ mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_d
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
                        ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
-                          ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32)]
+                          ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
+                          ("nodes_most", c_int32)]
 mus_bare._fields_ = [("size", c_size_t), ("nodes", c_int32), ("springs", c_int32), ("bends", c_int32),
                      ("pins", c_int32), ("place", POINTER(c_double)), ("mass", POINTER(c_double)),
                      ("spring", POINTER(c_int32)), ("length", POINTER(c_double)), ("stiffness", POINTER(c_double)),
@@ -506,11 +521,14 @@ mus_dress_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", 
                           ("self_contact", c_int32), ("precision", c_int32), ("threads", c_int32),
                           ("friction", c_double), ("drape", POINTER(mus_drape_def)), ("place", c_int32),
                           ("retry", c_int32), ("open_closures", c_int32), ("progress", mus_progress_fn),
-                          ("progress_user", c_void_p), ("progress_seconds", c_double)]
+                          ("progress_user", c_void_p), ("progress_seconds", c_double), ("nodes_most", c_int32)]
 mus_dress_report._fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
                              ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
                              ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),
                              ("sew_seconds", c_double), ("settle_seconds", c_double)]
+mus_fit_spread._fields_ = [("size", c_size_t), ("p50", c_double), ("p95", c_double), ("p99", c_double),
+                           ("mean", c_double), ("least", c_double), ("largest", c_double), ("node", c_int32),
+                           ("area", c_double)]
 mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double),
                           ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
@@ -644,6 +662,7 @@ FUNCTIONS = {
     "mus_pattern_set_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_pattern_set_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
     "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
+    "mus_pattern_set_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32]),
     "mus_pattern_add_opening": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_placement_init": ("core", None, [POINTER(mus_placement), c_size_t]),
     "mus_pattern_set_placement": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_placement)]),
@@ -663,6 +682,7 @@ FUNCTIONS = {
     "mus_pattern_find_edge": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_panel_name": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_panel_label": ("core", c_char_p, [POINTER(mus_pattern), c_int32]),
+    "mus_pattern_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32)]),
     "mus_pattern_outline": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32),
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
     "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
@@ -761,6 +781,7 @@ FUNCTIONS = {
     "mus_seam_walk_init": ("core", None, [POINTER(mus_seam_walk), c_size_t]),
     "mus_pattern_walk_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_walk)]),
     "mus_pattern_true_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_notch_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32]),
     "mus_design_count": ("core", c_int32, []),
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),
@@ -885,6 +906,9 @@ FUNCTIONS = {
     "mus_fit_weft": ("core", POINTER(c_double), [POINTER(mus_fit)]),
     "mus_fit_pressure": ("core", POINTER(c_double), [POINTER(mus_fit)]),
     "mus_fit_gap": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_area": ("core", POINTER(c_double), [POINTER(mus_fit)]),
+    "mus_fit_spread_init": ("core", None, [POINTER(mus_fit_spread), c_size_t]),
+    "mus_fit_spread_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_spread)]),
     "mus_fit_level_init": ("core", None, [POINTER(mus_fit_level), c_size_t]),
     "mus_fit_level_count": ("core", c_int32, [POINTER(mus_fit)]),
     "mus_fit_level_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_level)]),

@@ -63,7 +63,7 @@ def _definition(fabric, options):
 
 class Cloth(Object):
     """A pattern cut in cloth. fabric: a name or a Fabric; spacing of the lattice [m]; options: fields of mus_cloth_def
-    (bending=muslin.cloth.PAPER)."""
+    (bending=muslin.cloth.PAPER, nodes_most=100000)."""
 
     _kind = "cloth"
 

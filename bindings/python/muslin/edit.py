@@ -182,6 +182,10 @@ class Edits:
         """One end of an edge of the seam moves until the seam is true."""
         self.do("true_seam", seam, edge, 1 if at_end else 0)
 
+    def notch_seam(self, edge, s, kind=1):
+        """Put a notch on an edge at arc length s [m], and on every edge that is sewn to it."""
+        self.do("notch_seam", edge, s, kind)
+
     def _made(self, function, *arguments):
         index = ctypes.c_int32()
         self.do(function, *arguments, ctypes.byref(index))

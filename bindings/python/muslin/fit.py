@@ -43,6 +43,25 @@ class Fit(Object):
         return self._array("gap")
 
     @property
+    def area(self):
+        """Area of the cloth that belongs to each node, in the flat [m2]."""
+        return self._array("area")
+
+    def spread(self, quantity):
+        """How a quantity is spread over the cloth by area: a dict of p50, p95, p99, mean, least, largest, node, area.
+
+        quantity: "strain" (the greater of warp and weft), "warp", "weft", "pressure" or "gap". Half of the area has at
+        most p50. least and largest are those of one node and grow as the mesh gets finer.
+        """
+        names = {"strain": _abi.MUS_FIT_STRAIN, "warp": _abi.MUS_FIT_WARP, "weft": _abi.MUS_FIT_WEFT,
+                 "pressure": _abi.MUS_FIT_PRESSURE, "gap": _abi.MUS_FIT_GAP}
+        if quantity not in names:
+            raise ValueError(f"quantity {quantity!r} is not one of {', '.join(names)}")
+        spread = make_def(_abi.mus_fit_spread, lib.mus_fit_spread_init)
+        self.do("spread_get", names[quantity], ctypes.byref(spread))
+        return read_struct(spread)
+
+    @property
     def levels(self):
         """One dict a level: level and side by name, body, garment, worn, ease, gap [m]."""
         result = []

@@ -11,6 +11,8 @@ from .topology import Topology
 
 _PIECES = {"line": _abi.MUS_PIECE_LINE, "quadratic": _abi.MUS_PIECE_QUADRATIC, "cubic": _abi.MUS_PIECE_CUBIC,
            "arc": _abi.MUS_PIECE_ARC}
+_SIDES = {"front": _abi.MUS_SIDE_FRONT, "back": _abi.MUS_SIDE_BACK, "left": _abi.MUS_SIDE_LEFT,
+          "right": _abi.MUS_SIDE_RIGHT}
 
 
 class Pattern(Topology, Edits, Object):
@@ -130,6 +132,14 @@ class Pattern(Topology, Edits, Object):
 
     def layer(self, panel):
         return lib.mus_pattern_layer(self.handle, panel)
+
+    def set_sides(self, panel, *sides):
+        """The sides of the wearer that a panel is on ("front", "left"); until then its name tells them."""
+        self.do("set_panel_sides", panel, sum({_SIDES[side] for side in sides}))
+
+    def sides(self, panel):
+        told = lib.mus_pattern_panel_sides(self.handle, panel, None)
+        return [side for side, bit in _SIDES.items() if told & bit]
 
     def join(self, other, layer):
         """Another garment over this one: all cells of a pattern, its panels in `layer`."""

@@ -14,6 +14,9 @@
 #define CHORDS 12
 #define LINE 256 /* points of an edge */
 #define MOST_CHORDS 4096
+#define NOTCHES 64
+#define NOTCH_OFF 1e-6   /* [m] notches that meet are so far apart at most */
+#define NOTCH_NEAR 0.010 /* [m] two single notches nearer than this look like a double one, or a triple one */
 #define NOISE 1e-12 /* [m2]: 0.1 nm beside a chord of a centimetre */
 
 
@@ -46,6 +49,43 @@ void try_reason(const char *text, char *key, int size)
 }
 
 
+/* ---- notches ---- */
+
+/* the notches of an edge in the order of their places: arc lengths (NOTCHES) from its start, or from its end when
+ * `turned`, as parts of its length, and kinds (NOTCHES). Returns their number */
+static int notches_of(const mus_pattern *pattern, int32_t edge, bool turned, double *t, int32_t *kind)
+{
+    int n = 0;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern) && n < NOTCHES; i++) {
+        int32_t own, k;
+        double s;
+        if (mus_pattern_notch(pattern, i, &own, &s, &k) != MUS_OK || own != edge) continue;
+        const double part = s / mus_pattern_edge_length(pattern, edge), at = turned ? 1.0 - part : part;
+        int j = n++;
+        for (; j > 0 && t[j - 1] > at; j--) t[j] = t[j - 1], kind[j] = kind[j - 1];
+        t[j] = at, kind[j] = k;
+    }
+    return n;
+}
+
+
+/* are the notches of both edges of a seam the same in number, kind and place, none two in one place? */
+static bool notches_meet(const mus_pattern *pattern, const mus_seam_def *seam)
+{
+    double a[NOTCHES], b[NOTCHES];
+    int32_t kind_a[NOTCHES], kind_b[NOTCHES];
+    const double la = mus_pattern_edge_length(pattern, seam->edge_a);
+    const double lb = mus_pattern_edge_length(pattern, seam->edge_b);
+    const int n = notches_of(pattern, seam->edge_a, false, a, kind_a);
+    if (n != notches_of(pattern, seam->edge_b, seam->direction == MUS_SEAM_REVERSED, b, kind_b)) return false;
+    for (int i = 0; i < n; i++) {
+        if (kind_a[i] != kind_b[i] || fabs(a[i] - b[i]) * fmax(la, lb) > NOTCH_OFF) return false;
+        if (i > 0 && (a[i] - a[i - 1]) * fmin(la, lb) < NOTCH_NEAR) return false;
+    }
+    return true;
+}
+
+
 /* ---- seams and darts ---- */
 
 static void look_at_seams(const mus_pattern *pattern, design_try *out)
@@ -60,6 +100,7 @@ static void look_at_seams(const mus_pattern *pattern, design_try *out)
         out->seam = fmax(out->seam, fabs(lb - la - seam.ease));
         mus_pattern_edge_ends(pattern, seam.edge_a, &a[0], &a[1]);
         mus_pattern_edge_ends(pattern, seam.edge_b, &b[0], &b[1]);
+        if (!notches_meet(pattern, &seam)) out->notches++, out->notch = s;
         const bool same = mus_pattern_edge_panel(pattern, seam.edge_a) == mus_pattern_edge_panel(pattern, seam.edge_b);
         const bool touch = a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
         if (same && touch) out->dart = fmax(out->dart, fabs(la - lb));

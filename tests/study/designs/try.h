@@ -1,6 +1,7 @@
 /*
  * try.h: one named design drafted for one tape, and looked at without the library's own check: sewn edges against each
- * other, legs of darts, outlines that meet themselves. What `make designs` does for all and a test for a sample.
+ * other, their notches, legs of darts, outlines that meet themselves. What `make designs` does for all and a test for a
+ * sample.
  */
 #ifndef MUS_TESTS_DESIGNS_TRY_H
 #define MUS_TESTS_DESIGNS_TRY_H
@@ -17,6 +18,9 @@ typedef struct design_try {
     double seconds;      /* CPU time of the draft */
     double seam;         /* most that a seam's lengths differ by beside its ease [m] */
     double dart;         /* most that the legs of a dart differ by [m] */
+    int notches;         /* seams whose two edges differ in number, kind or place of their notches, or have two of them
+                            within 10 mm */
+    int notch;           /* one of those seams */
     int crossings;       /* outlines that meet themselves, as chords */
     int crossing;        /* one of those panels */
     int panels, seams;

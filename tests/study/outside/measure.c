@@ -16,30 +16,30 @@ enum { TORSO, ARM = 1, LEG = 3, FOOT = 5 }; /* limbs of a body of a tape; each b
 #define HEIGHT 2e-3
 
 const outside_row outside_rows[OUTSIDE_ROWS] = {
-    {MUS_MEASURE_BUST, 'g', "bust", TORSO, GIRTH},
-    {MUS_MEASURE_WAIST, 'g', "waist", TORSO, GIRTH},
-    {MUS_MEASURE_HIP, 'g', "hip", TORSO, GIRTH},
-    {MUS_MEASURE_UNDERBUST, 'g', "underbust", TORSO, GIRTH},
-    {MUS_MEASURE_HIGH_BUST, 'g', "high_bust", TORSO, GIRTH},
-    {MUS_MEASURE_HIGH_HIP, 'g', "high_hip", TORSO, GIRTH},
-    {MUS_MEASURE_NECK, 'g', "neck", TORSO, GIRTH},
-    {MUS_MEASURE_HEAD, 'g', "brow", TORSO, GIRTH},
-    {MUS_MEASURE_UPPER_ARM, 'l', "upper_arm", ARM, GIRTH},
-    {MUS_MEASURE_WRIST, 'l', "wrist", ARM, GIRTH},
-    {MUS_MEASURE_HAND, 'l', "hand", ARM, GIRTH},
-    {MUS_MEASURE_THIGH, 'l', "thigh", LEG, GIRTH},
-    {MUS_MEASURE_KNEE, 'l', "knee", LEG, GIRTH},
-    {MUS_MEASURE_CALF, 'l', "calf", LEG, GIRTH},
-    {MUS_MEASURE_ANKLE, 'l', "ankle", LEG, GIRTH},
-    {MUS_MEASURE_STATURE, 'h', NULL, TORSO, HEIGHT},
-    {MUS_MEASURE_INLEG, 'h', NULL, TORSO, HEIGHT},
-    {MUS_MEASURE_FOOT, 'h', NULL, FOOT, HEIGHT},
-    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT},
-    {MUS_MEASURE_ACROSS_FRONT, 's', "armpit", TORSO, INFINITY},
-    {MUS_MEASURE_BUST_SPAN, 's', "bust", TORSO, HEIGHT},
-    {MUS_MEASURE_CROTCH_LENGTH, 's', "waist", TORSO, INFINITY},
-    {MUS_MEASURE_SHOULDER, 's', "neck", TORSO, HEIGHT},
-    {MUS_MEASURE_SHOULDER_SLOPE, 's', "neck", TORSO, INFINITY},
+    {MUS_MEASURE_BUST, 'g', "bust", TORSO, GIRTH, true},
+    {MUS_MEASURE_WAIST, 'g', "waist", TORSO, GIRTH, false},
+    {MUS_MEASURE_HIP, 'g', "hip", TORSO, GIRTH, true},
+    {MUS_MEASURE_UNDERBUST, 'g', "underbust", TORSO, GIRTH, false},
+    {MUS_MEASURE_HIGH_BUST, 'g', "high_bust", TORSO, GIRTH, true},
+    {MUS_MEASURE_HIGH_HIP, 'g', "high_hip", TORSO, GIRTH, true},
+    {MUS_MEASURE_NECK, 'g', "neck", TORSO, GIRTH, false},
+    {MUS_MEASURE_HEAD, 'g', "brow", TORSO, GIRTH, true},
+    {MUS_MEASURE_UPPER_ARM, 'l', "upper_arm", ARM, GIRTH, false},
+    {MUS_MEASURE_WRIST, 'l', "wrist", ARM, GIRTH, false},
+    {MUS_MEASURE_HAND, 'l', "hand", ARM, GIRTH, false},
+    {MUS_MEASURE_THIGH, 'l', "thigh", LEG, GIRTH, true},
+    {MUS_MEASURE_KNEE, 'l', "knee", LEG, GIRTH, false},
+    {MUS_MEASURE_CALF, 'l', "calf", LEG, GIRTH, false},
+    {MUS_MEASURE_ANKLE, 'l', "ankle", LEG, GIRTH, false},
+    {MUS_MEASURE_STATURE, 'h', NULL, TORSO, HEIGHT, false},
+    {MUS_MEASURE_INLEG, 'h', NULL, TORSO, HEIGHT, false},
+    {MUS_MEASURE_FOOT, 'h', NULL, FOOT, HEIGHT, true},
+    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT, true},
+    {MUS_MEASURE_ACROSS_FRONT, 's', "armpit", TORSO, INFINITY, false},
+    {MUS_MEASURE_BUST_SPAN, 's', "bust", TORSO, HEIGHT, true},
+    {MUS_MEASURE_CROTCH_LENGTH, 's', "waist", TORSO, INFINITY, false},
+    {MUS_MEASURE_SHOULDER, 's', "neck", TORSO, HEIGHT, false},
+    {MUS_MEASURE_SHOULDER_SLOPE, 's', "neck", TORSO, INFINITY, false},
 };
 
 static const double across[3] = {1.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0}, forward[3] = {0.0, 0.0, 1.0};
@@ -252,7 +252,8 @@ static double slope(const ruler_mesh *mesh, const mus_body *body)
         if (!ridge(mesh, x, high, at)) return NAN;
         const double way = sqrt(pow(x - last[0], 2) + pow(at[0] - last[1], 2) + pow(at[1] - last[2], 2));
         const double t = (shoulder - gone) / way;
-        if (t <= 1.0) return atan2(plane.point[1] - last[1] - t * (at[0] - last[1]), last[0] + t * (x - last[0]) - side);
+        const double down = plane.point[1] - last[1] - t * (at[0] - last[1]), out = last[0] + t * (x - last[0]) - side;
+        if (t <= 1.0) return atan2(down, out);
         gone += way;
         last[0] = x, last[1] = at[0], last[2] = at[1];
     }

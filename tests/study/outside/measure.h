@@ -17,6 +17,7 @@ typedef struct outside_row {
     const char *contour;  /* of a girth */
     int32_t limb;         /* of a girth; the left one of two */
     double most;          /* what it may be off by: girths 1 mm, heights 2 mm, across_back and bust_span 2 mm [m] */
+    bool known;           /* it is known to be beyond that: fillets and details move the skin after it is measured */
 } outside_row;
 
 #define OUTSIDE_ROWS 24

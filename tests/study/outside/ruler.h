@@ -47,7 +47,7 @@ ruler_plane ruler_plane_at(const double *point, const double *normal, const doub
 bool ruler_cut_at(const ruler_mesh *mesh, const ruler_plane *plane, ruler_cut *out);
 void ruler_cut_free(ruler_cut *cut);
 
-/* take the loops on both sides of u = 0, and with `inner` those whose middles lie between them (the legs below a hip) */
+/* take the loops on both sides of u = 0, and with `inner` those whose middles lie between them (the legs at the hip) */
 void ruler_take_trunk(ruler_cut *cut, bool inner);
 /* take the loop whose middle is nearest to the plane's point */
 void ruler_take_nearest(ruler_cut *cut);

@@ -1,0 +1,85 @@
+/*
+ * dynamic_relaxation.c: relaxation: batches of symplectic Euler steps with scaled inertia. sew.c, settle.c and
+ * untangle.c share it.
+ *
+ * Method: dynamic relaxation with mass scaling. The inertia of a node is raised where the mesh is stiffer than its
+ * lattice, so that one step suits all nodes; a shape at rest does not depend on inertia.
+ * Source: Underwood, Dynamic relaxation, in: Computational Methods for Transient Analysis, 1983.
+ *
+ * A batch is: h = mus__relax_step(), mus__relax_ready(), mus__relax_run(), then mus__drape_tick() by the caller.
+ */
+#include <string.h>
+
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
+#include "dress/dynamic_relaxation.h"
+#include "dress/sew.h"
+
+
+mus_status mus__relax_create(mus_drape *drape)
+{
+    const int64_t n3 = 3 * (int64_t)drape->n;
+    if (drape->relax.mean != NULL) return MUS_OK;
+    drape->relax.mean = mus__new(drape->context, 4 * n3, sizeof *drape->relax.mean);
+    if (drape->relax.mean == NULL) return mus__fail_memory(drape->context, "a settle");
+    drape->relax.before = drape->relax.mean + n3;
+    drape->relax.left = drape->relax.before + n3;
+    drape->relax.anchor = drape->relax.left + n3;
+    return MUS_OK;
+}
+
+
+void mus__relax_clear(mus_drape *drape)
+{
+    mus__free(drape->context, drape->relax.mean);
+    drape->relax.mean = drape->relax.before = drape->relax.left = drape->relax.anchor = NULL;
+}
+
+
+double mus__relax_step(mus_drape *drape, double safety)
+{
+    /* the bound of symplectic Euler is 2/omega, that of RK4 2.62/omega */
+    return safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1);
+}
+
+
+mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, double h)
+{
+    mus__sim *sim = &drape->sim;
+    const double travel = rule->speed_limit * h;
+    memcpy(sim->gravity, rule->gravity, sizeof sim->gravity);
+    sim->drag = rule->drag;
+    sim->speed_limit = rule->speed_limit;
+    sim->dashpots = 0;
+    sim->rule = (mus__contact_rule){.clearance = drape->def.clearance,
+                                    .friction = rule->grip * drape->scene.friction,
+                                    .push = rule->push_speed > 0.0 ? rule->push_speed * h : 2.0 * travel,
+                                    .deep = rule->deep_rate,
+                                    .travel = travel,
+                                    .slip = h,
+                                    .step = h,
+                                    .cache_radius = MUS__CACHE_RADIUS,
+                                    .slick = 1.0 - rule->grip};
+    return mus__drape_self_ready(drape, h);
+}
+
+
+mus_status mus__relax_run(mus_drape *drape, double h, int32_t steps, int32_t averaged)
+{
+    mus__sim *sim = &drape->sim;
+    const int64_t n3 = 3 * (int64_t)drape->n;
+    for (int32_t i = 0; i < steps - averaged; i++) sim->ops->euler(sim, h);
+    if (averaged > 0) {
+        double *mean = drape->relax.mean;
+        memset(mean, 0, (size_t)n3 * sizeof *mean);
+        mus__drape_self_forget(drape);
+        for (int32_t i = 0; i < averaged; i++) {
+            sim->ops->euler(sim, h);
+            sim->ops->add(sim, mean);
+        }
+        for (int64_t k = 0; k < n3; k++) mean[k] = mean[k] / averaged + sim->origin[k % 3];
+        sim->ops->get(sim, drape->x, drape->v);
+    }
+    const mus_status status = mus__drape_keep_good(drape);
+    return status == MUS_OK ? mus__drape_self_fits(drape) : status;
+}

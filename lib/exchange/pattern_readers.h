@@ -1,0 +1,16 @@
+/*
+ * pattern_readers.h: the readers of the forms of a pattern file. Each fills an empty pattern.
+ */
+#ifndef MUS_EXCHANGE_PATTERN_READERS_H
+#define MUS_EXCHANGE_PATTERN_READERS_H
+
+#include "exchange/json_path.h"
+
+/* most panels of a file; chosen: no garment has more. Panels are searched by name in turn, so this bounds the time */
+#define MUS__FILE_PANELS_MAX 10000
+
+mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern);
+mus_status mus__pattern_read_garmentcode(const mus__json_at *root, mus_pattern *pattern);
+mus_status mus__pattern_read_freesewing(const mus__json_at *root, mus_pattern *pattern);
+
+#endif

@@ -1,0 +1,176 @@
+/*
+ * waistband.c: the finish of the waist of a skirt or trousers: a straight band, a shaped band, a facing, elastic, or
+ * none.
+ *
+ * A band is a ring on the waist. A straight or elastic band is a strip. A shaped band is a strip of a cone whose lower
+ * and upper edges l0, l1 have the girth of the body and its ease at their heights, h apart:
+ *
+ *   angle = (l1 - l0) / h, radii l0 / angle and l1 / angle of lower and upper edge
+ *
+ * A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is eased, gathered or
+ * pleated into it. A facing lies inside and is not a panel: the line to cut it along is marked on the pieces. A waist
+ * that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
+ * mus_design(3).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "style/waist_edge.h"
+
+#define BAND_FACING (5.0 * MUS__CM)
+#define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */
+#define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
+#define BAND_ELASTIC_RATIO 0.9
+#define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
+
+typedef struct band_plan {
+    double height;
+    double low[2], high[2]; /* lengths of the lower and upper edge, front and back */
+    const char *label;
+} band_plan;
+
+
+/* part of the waist, from centre back to centre front, at which front and back meet: the joint nearest to `expected`,
+ * else `expected` */
+static double band_joint(const mus__half *half, int32_t n, const int32_t *waist, double expected)
+{
+    double length = 0.0, at = 0.0, best = expected, distance = 0.03;
+    for (int32_t i = 0; i < n; i++) length += half->board.side[waist[i]].length;
+    for (int32_t i = 0; i + 1 < n; i++) {
+        at += half->board.side[waist[i]].length;
+        if (fabs(at / length - expected) >= distance) continue;
+        best = at / length;
+        distance = fabs(best - expected);
+    }
+    return best;
+}
+
+
+/* sets the height of the band and the lengths of its edges: girth of the body at their heights and ease of the waist */
+static void band_plan_make(const mus__half *half, bool full, double part, band_plan *plan)
+{
+    /* straight, contour, facing, elastic: as high as that for a natural or low rise, and for a high one */
+    static const double height[4][2] = {{3.5, 6.0}, {4.0, 6.0}, {2.5, 4.0}, {3.0, 5.0}};
+    const int32_t band = half->style.option[MUS__AXIS_BAND], rise = half->style.option[MUS__AXIS_RISE];
+    const double scale = mus__lower_scale(half), level = mus__lower_level(half);
+    const bool high = rise == MUS__RISE_HIGH;
+    memset(plan, 0, sizeof *plan);
+    plan->label = band == MUS__BAND_ELASTIC ? "elastic" : "band";
+    if (band == MUS__BAND_FACING && !full && !high) return;
+    plan->height = height[band][high ? 1 : 0] * scale * MUS__CM;
+    const double ease = mus__lower_waist_ease(half);
+    double low = 0.5 * (mus__lower_girth(half, level) + ease);
+    double top = 0.5 * (mus__lower_girth(half, level + plan->height) + ease);
+    if (band == MUS__BAND_ELASTIC) top = low = 0.5 * (mus__lower_girth(half, level) + BAND_ELASTIC_EASE);
+    else if (band != MUS__BAND_CONTOUR && !high) top = low;
+    plan->low[1] = part * low, plan->low[0] = low - plan->low[1];
+    plan->high[1] = part * top, plan->high[0] = top - plan->high[1];
+}
+
+
+/* half a band of the front or back: lower edge from the centre outwards, end up, upper edge back, centre down */
+static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
+{
+    const double l0 = plan->low[front ? 0 : 1], l1 = plan->high[front ? 0 : 1], h = plan->height;
+    const double angle = (l1 - l0) / h;
+    mus__chain low, high;
+    double p[6][2] = {{0.0, 0.0}, {0.5 * l0, 0.0}, {l0, 0.0}, {l1, h}, {0.5 * l1, h}, {0.0, h}};
+    if (fabs(angle) > 1e-4) {
+        /* centre of the cone at (0, c): below when the band widens upwards */
+        const double c = -l0 / angle;
+        for (int i = 0; i < 6; i++) {
+            const double turn = angle * (i % 3 == 1 ? 0.5 : i == 2 || i == 3 ? 1.0 : 0.0);
+            const double radius = (i < 3 ? l0 : l1) / angle;
+            p[i][0] = radius * sin(turn);
+            p[i][1] = c + radius * cos(turn);
+        }
+        p[5][0] = 0.0;
+        mus__chain_arc(&low, p[0], p[1], p[2]);
+        mus__chain_arc(&high, p[3], p[4], p[5]);
+    } else {
+        mus__chain_line(&low, p[0], p[2]);
+        mus__chain_line(&high, p[3], p[5]);
+    }
+    mus__outline outline;
+    mus__outline_begin(&outline);
+    mus__outline_add(&outline, "low", "band", 1.0 * MUS__CM, &low);
+    mus__outline_line(&outline, "end", "side", 1.0 * MUS__CM, p[2], p[3]);
+    mus__outline_add(&outline, "top", "waist", 1.0 * MUS__CM, &high);
+    mus__outline_line(&outline, "centre", "centre", 1.0 * MUS__CM, p[5], p[0]);
+    const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
+    mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
+    mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
+                          half->waist_level + mus__lower_level(half));
+    return panel;
+}
+
+
+/* attaches the edge to the height `level` of the body; an elastic band gets its elastic */
+static void band_stay(mus__half *half, int32_t side, double level)
+{
+    mus__edge_attributes *stay = &half->board.side[side].attr;
+    stay->hold = MUS_HOLD_WAIST;
+    stay->below = BAND_SETTLES - level;
+    if (half->style.option[MUS__AXIS_BAND] != MUS__BAND_ELASTIC) return;
+    stay->ratio = BAND_ELASTIC_RATIO;
+    stay->stiffness = BAND_ELASTIC_STIFFNESS;
+}
+
+
+/* marks the lower edge of a facing on the pieces, below the waist by its depth */
+static void band_facing_mark(mus__half *half, int32_t n, const int32_t *waist)
+{
+    mus__board *board = &half->board;
+    const double depth = BAND_FACING * mus__lower_scale(half);
+    for (int32_t i = 0; i < n && board->status == MUS_OK; i++) {
+        double xy[8];
+        const double length = board->side[waist[i]].length;
+        for (int k = 0; k < 4; k++) {
+            double tangent[2];
+            mus__board_at(board, waist[i], length * (0.02 + 0.32 * k), xy + 2 * k, tangent);
+            xy[2 * k] -= depth * tangent[1];
+            xy[2 * k + 1] += depth * tangent[0];
+        }
+        mus__board_mark_add(board, board->side[waist[i]].panel, "facing", 4, xy);
+    }
+}
+
+
+void mus__band_attach(mus__half *half)
+{
+    mus__board *board = &half->board;
+    int32_t waist[MUS__WAIST_SIDES];
+    if (board->status != MUS_OK || mus__lower_has_top(half)) return;
+    if (half->style.option[MUS__AXIS_BAND] == MUS__BAND_NONE) return;
+    const int32_t n = mus__lower_waist(half, 0, board->npanel, waist);
+    if (board->status == MUS_OK && n == 0)
+        mus__board_fail(board, MUS_ERR_DESIGN, "band: no waist to sew it to");
+    if (board->status != MUS_OK) return;
+
+    /* gathered or not */
+    const int32_t skirt = half->style.option[MUS__AXIS_SKIRT];
+    const bool full = half->style.option[MUS__AXIS_GARMENT] == MUS__GARMENT_SKIRT &&
+                      (skirt == MUS__SKIRT_GATHERED || skirt == MUS__SKIRT_KNIFE || skirt == MUS__SKIRT_BOX ||
+                       skirt == MUS__SKIRT_TIERED);
+    band_plan plan;
+    band_plan_make(half, full, band_joint(half, n, waist, 0.5), &plan);
+    if (!(plan.height > 0.0)) {
+        for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], mus__lower_level(half));
+        band_facing_mark(half, n, waist);
+        return;
+    }
+    const int32_t front = band_draw(half, &plan, true), back = band_draw(half, &plan, false);
+    mus__half_sew(half, front, "end", back, "end", 0.0);
+    if (board->status != MUS_OK) return;
+    for (int32_t i = 0; i < n; i++) {
+        char name[MUS__NAME_BYTES];
+        memcpy(name, board->side[waist[i]].name, sizeof name);
+        mus__board_rename(board, waist[i], name, "band");
+    }
+    const int32_t low[2] = {mus__board_find(board, front, "low"), mus__board_find(board, back, "low")};
+    mus__board_sew(board, 2, low, n, waist);
+    if (board->status != MUS_OK) return;
+    const double level = mus__lower_level(half) + plan.height;
+    band_stay(half, mus__board_find(board, front, "top"), level);
+    band_stay(half, mus__board_find(board, back, "top"), level);
+}

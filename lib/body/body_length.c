@@ -209,6 +209,8 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     const mus__skeleton *bone = &body->skeleton;
     const int32_t n = body->def.samples, quarter = n / 4;
     const double left[3] = {1.0, 0.0, 0.0}, front[3] = {0.0, 0.0, 1.0}, s = 0.5 * (bone->armpit + bone->shoulder);
+    const bool left_arm = !body->limb[MUS__LIMB_ARM_LEFT].gone, back = middle == quarter;
+    const int32_t side = left_arm == back ? -1 : 1; /* to the side that has an arm; the other is its mirror image */
     double x[3], last[3], depth = 0.0, before = -1.0;
     length_begin(row, left, front);
 
@@ -217,7 +219,7 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     int32_t reach = 0;
     double part = 1.0;
     for (; reach < quarter; reach++) {
-        length_at(body, torso, s, (middle + reach + 1) % n, x);
+        length_at(body, torso, s, (middle + side * (reach + 1) + n) % n, x);
         depth = length_in_arms(body, x);
         if (depth >= 0.0) {
             part = before < -1e29 ? 1.0 : before / (before - depth);
@@ -226,13 +228,15 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
         before = depth;
     }
     for (int32_t k = -reach - 1; k <= reach + 1; k++) {
-        const bool end = k == -reach - 1 || k == reach + 1;
+        const int32_t aside = k < 0 ? -k : k;
+        const bool end = aside == reach + 1;
         if (end && reach == quarter) continue;
-        length_at(body, torso, s, (middle + k + n) % n, x);
+        length_at(body, torso, s, (middle + side * aside + n) % n, x);
         if (end) {
-            length_at(body, torso, s, (middle + (k < 0 ? k + 1 : k - 1) + n) % n, last);
+            length_at(body, torso, s, (middle + side * (aside - 1) + n) % n, last);
             for (int i = 0; i < 3; i++) x[i] = last[i] + part * (x[i] - last[i]);
         }
+        if ((k < 0) == (x[0] > 0.0)) x[0] = -x[0];
         length_put(row, x);
     }
     return length_tape(row, 1.0);

@@ -61,6 +61,9 @@ mus_status mus__body_outlines(mus_body *body, int32_t first, int32_t limbs, cons
 
 /* ---- body_surface.c, ring_mesh.c ---- */
 
+/* section of limb l at s: centre (2) and radii (n) in the directions that mus__field_steps() placed in the tables */
+void mus__body_section(const mus_body *body, int32_t l, double s, int32_t n, const int32_t *entry, const double *share,
+                       double *centre, double *radius);
 /* free fields, fillets and surface, to make them again */
 void mus__body_release(mus_body *body);
 /* rings, vertices, normals and triangles of all limbs, from the fields, in the directions `turn` (def.samples x 2).

@@ -51,11 +51,18 @@ static const mus__field *surface_field(const mus_body *body, int32_t l, double s
 }
 
 
+void mus__body_section(const mus_body *body, int32_t l, double s, int32_t n, const int32_t *entry, const double *share,
+                       double *centre, double *radius)
+{
+    mus__field_ring(surface_field(body, l, s), s, n, entry, share, centre, radius);
+}
+
+
 /* the section of a limb at s in the directions of the surface */
 static void surface_section(const mus_body *body, int32_t l, double s, const surface_work *work, double *centre,
                             double *radius)
 {
-    mus__field_ring(surface_field(body, l, s), s, work->n, work->entry, work->share, centre, radius);
+    mus__body_section(body, l, s, work->n, work->entry, work->share, centre, radius);
 }
 
 

@@ -53,16 +53,6 @@ double mus__give_tape(int32_t n, const double *turn, const double *radius, doubl
 }
 
 
-/* the field of the part of limb l that contains s */
-static const mus__field *give_field(const mus_body *body, int32_t l, double s)
-{
-    int32_t found = MUS_NONE;
-    for (int32_t p = 0; p < body->nfield; p++)
-        if (body->rig.part[p].limb == l && (found == MUS_NONE || s >= body->rig.part[p].end[0])) found = p;
-    return found != MUS_NONE ? &body->field[found] : NULL;
-}
-
-
 /* directions of the surface in the tables, and scratch for a tape round torso and legs */
 typedef struct give {
     const double *turn;
@@ -75,10 +65,9 @@ typedef struct give {
 /* append the section of limb l at s to at->xy, which has `count` points; returns their number */
 static int32_t give_section(const mus_body *body, int32_t l, double s, give *at, int32_t count)
 {
-    const mus__field *field = give_field(body, l, s);
     double centre[2];
-    if (field == NULL || s <= body->limb[l].pole[0] || s >= body->limb[l].pole[1]) return count;
-    mus__field_ring(field, s, at->n, at->entry, at->share, centre, at->radius);
+    if (body->limb[l].gone || s <= body->limb[l].pole[0] || s >= body->limb[l].pole[1]) return count;
+    mus__body_section(body, l, s, at->n, at->entry, at->share, centre, at->radius);
     for (int32_t k = 0; k < at->n; k++, count++) {
         at->xy[2 * count] = centre[0] + at->radius[k] * at->turn[2 * k];
         at->xy[2 * count + 1] = centre[1] + at->radius[k] * at->turn[2 * k + 1];
@@ -104,6 +93,16 @@ bool mus__girth_has_legs(int32_t girth)
 }
 
 
+/* the contour of a limb that is nearest to s */
+static int32_t give_nearest(const mus__limb *limb, double s)
+{
+    int32_t best = 0;
+    for (int32_t i = 1; i < limb->count; i++)
+        if (fabs(limb->contour[i].s - s) < fabs(limb->contour[best].s - s)) best = i;
+    return best;
+}
+
+
 /* scale the rings about each contour once; true: a girth was not reached. At the hip the tops of the legs give way too */
 static bool give_round(mus_body *body, give *at)
 {
@@ -117,8 +116,7 @@ static bool give_round(mus_body *body, give *at)
             more = true;
             mus__give_scale(body, l, i, part, at->step);
             for (int32_t leg = MUS__LIMB_LEG_LEFT; leg <= MUS__LIMB_LEG_RIGHT && mus__girth_has_legs(c->girth); leg++)
-                for (int32_t k = 0; k < body->limb[leg].count; k++)
-                    if (body->limb[leg].contour[k].s == c->s) mus__give_scale(body, leg, k, part, at->step);
+                if (!body->limb[leg].gone) mus__give_scale(body, leg, give_nearest(&body->limb[leg], c->s), part, at->step);
         }
     return more;
 }

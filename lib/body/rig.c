@@ -96,10 +96,10 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
     /* a cap is one radius long; of the torso the radius is the half depth, across which it bends */
     for (int32_t k = 0; k < cuts; k++) {
         double at[4];
-        rig_section(limb, s[k], at);
+        rig_section(limb, part[k].end[1], at);
         double radius = l == body->bones.limb[MUS__LIMB_TORSO] ? at[3] : 0.5 * (at[2] + at[3]);
-        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - s[k]));
-        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (s[k] - part[k].end[0]));
+        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - part[k].end[1]));
+        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (part[k].end[1] - part[k].end[0]));
     }
     part[0].deep = body->measured && l == MUS__LIMB_TORSO;
     out->parts += cuts + 1;

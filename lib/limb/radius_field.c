@@ -61,17 +61,17 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
 {
     const mus__limb *limb = stack->limb;
     const double cap = part->deep ? part->end[0] - limb->pole[0] : part->round[0];
-    const double low = part->end[0] - FIELD_CAP * cap, high = part->end[1] + FIELD_CAP * part->round[1];
-    const double length = high - low;
+    const double length = part->end[1] - part->end[0], steps = fmin(ceil(length / spacing), 4000.0);
+    const double ds = length / steps, low = floor(FIELD_CAP * cap / ds), high = floor(FIELD_CAP * part->round[1] / ds);
     memset(out, 0, sizeof *out);
     memcpy(out->origin, limb->origin, sizeof out->origin);
     memcpy(out->axis, limb->axis, sizeof out->axis);
     memcpy(out->side, limb->side, sizeof out->side);
     memcpy(out->front, limb->front, sizeof out->front);
-    out->nring = (int32_t)fmin(ceil(length / spacing), 4000.0) + 1;
+    out->nring = (int32_t)(low + steps + high) + 1;
     out->nangle = stack->n;
-    out->s0 = low;
-    out->ds = length / (out->nring - 1);
+    out->s0 = part->end[0] - low * ds;
+    out->ds = ds;
     out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
     out->radius = mus__room(context, (int64_t)out->nring * out->nangle, sizeof(double));
     out->largest = mus__new(context, out->nring, sizeof(double));
@@ -86,7 +86,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
         mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
 
     for (int32_t j = 0; j < out->nring; j++) {
-        double s = j + 1 < out->nring ? out->s0 + j * out->ds : high;
+        double s = j + 1 < out->nring || high > 0.0 ? out->s0 + j * out->ds : part->end[1];
         field_ring(stack, part, s, joint, out->centre + 2 * j, out->radius + (ptrdiff_t)j * out->nangle);
     }
     mus__field_bounds(out);

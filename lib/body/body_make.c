@@ -8,6 +8,10 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
+/* rings of the chest are closer by this part: neck and shoulders bend within a few millimetres, and the fillet of an
+ * armpit is steep. Measured: what the table's own chords miss falls from 0.8 to 0.2 mm */
+#define MAKE_CHEST 0.5
+
 /* most limbs added to those of a tape: with its 15 parts they fit MUS__PARTS_MOST */
 #define MAKE_ADDED 48
 
@@ -74,7 +78,9 @@ static mus_status make_fields(mus_body *body, int32_t l, const double *turn, dou
     mus__stack_limit(&stack, &body->limb[l]);
     while (status == MUS_OK && body->nfield < body->rig.parts && body->rig.part[body->nfield].limb == l) {
         const int32_t p = body->nfield;
-        status = mus__field_make(body->context, &stack, &body->rig.part[p], spacing, &body->field[p]);
+        const mus__part *part = &body->rig.part[p];
+        const bool chest = body->measured && l == MUS__LIMB_TORSO && part->joint == MUS_JOINT_LUMBAR;
+        status = mus__field_make(body->context, &stack, part, chest ? MAKE_CHEST * spacing : spacing, &body->field[p]);
         if (status == MUS_OK) body->nfield = p + 1;
     }
     mus__stack_free(body->context, &stack);

@@ -61,9 +61,10 @@
  * field of the other limb carries it */
 #define FILLET_SLOPE 0.26
 
-/* an entry whose own surface falls along its ray by less than FILLET_SLOPE does not grow; from this slope on it grows
- * as far as the union. Chosen: so that rings on the steep shoulder change gradually */
-#define FILLET_FLAT 0.5
+/* an entry whose own surface falls along its ray by less than FILLET_STEEP does not grow, and one from FILLET_FLAT on
+ * grows as far as the union. Chosen: the ridge of the shoulder, which falls by 15 to 30 degrees, keeps its length */
+#define FILLET_STEEP 0.45
+#define FILLET_FLAT 0.65
 
 /* [m] an entry that grows by less is as it was: a hundredth of what a drawing shows */
 #define FILLET_LEAST 1e-5
@@ -201,13 +202,13 @@ static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double 
             int32_t near;
             mus__fillet_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
             ray->slope = mus__dot3(ray->normal, ray->way);
-            if (ray->slope < FILLET_SLOPE) return 0.0;
+            if (ray->slope < FILLET_STEEP) return 0.0;
         }
         double n[3] = {ray->normal[0], ray->normal[1], ray->normal[2]};
         const double grown = fillet_grow(at, fillet_reach(at, part[q].limb, other), first, end, ray, n);
         if (grown >= most) most = grown, memcpy(normal, n, sizeof n), *turned = true;
     }
-    return fmax(most, 0.0) * mus__cubic_step((ray->slope - FILLET_SLOPE) / (FILLET_FLAT - FILLET_SLOPE));
+    return fmax(most, 0.0) * mus__cubic_step((ray->slope - FILLET_STEEP) / (FILLET_FLAT - FILLET_STEEP));
 }
 
 

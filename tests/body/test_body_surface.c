@@ -208,7 +208,7 @@ END_TEST
 
 /* every triangle lies on the surface of the radius fields, at armpit, crotch and groin too: off the hands beyond the
  * knuckles and the feet beyond the ball, where fingers and toes are drawn. In the bottom of an armpit, where two fields
- * meet at an acute angle, a few triangles are up to 2 mm off */
+ * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within */
 START_TEST(what_is_drawn_is_what_cloth_touches)
 {
     static const char *const sizes[] = {"W40", "W52", "M50", "M60", "C56", "C116"};
@@ -219,7 +219,7 @@ START_TEST(what_is_drawn_is_what_cloth_touches)
         outside_touch(body, 1, &gap);
         ck_assert_int_gt(gap.points, 50000);
         ck_assert_msg(gap.far * 500 <= gap.points, "%s: %d of %d", sizes[i], (int)gap.far, (int)gap.points);
-        ck_assert_msg(gap.outside < 0.003 && gap.inside < 0.003, "%s: %g m outside, %g m inside", sizes[i], gap.outside,
+        ck_assert_msg(gap.outside < 0.002 && gap.inside < 0.004, "%s: %g m outside, %g m inside", sizes[i], gap.outside,
                       gap.inside);
         mus_body_destroy(body);
     }

@@ -128,7 +128,7 @@ START_TEST(depth_is_continuous_across_rings_and_round_the_angle)
             }
             /* the radius is continuous, its slope is not: the first-order distance may step by up to half of itself
              * where the limb is steep to its axis, and by more where a fillet ends */
-            const double part = is_fine(f, ring) ? 1.5 : 0.5;
+            const double part = is_fine(f, ring) ? 2.5 : 0.5;
             ck_assert_msg(fabs(depth[1] - depth[0]) < 1e-6 + part * fabs(depth[0]), "limb %d: %g %g", (int)l, depth[0],
                           depth[1]);
             ck_assert((depth[0] > 1e-6) == (depth[1] > 1e-6) || fabs(depth[0]) < 2e-6);

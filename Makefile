@@ -11,8 +11,7 @@
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
 # config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
-# OMIT="print design" leaves modules, and the modules that need them, out of `make` and `make install`.
-# CC, CPPFLAGS, CFLAGS, LDFLAGS and PYTHON are the user's.
+# OMIT="print design" leaves modules, and those that need them, out. CC, CPPFLAGS, CFLAGS, LDFLAGS, PYTHON are yours.
 
 config ?= release
 PREFIX ?= /usr/local
@@ -22,7 +21,6 @@ PKG_CONFIG ?= pkg-config
 MUSLIN_DATA ?= ../shared/data
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 OUT ?= $(if $(filter release,$(config)),build,build/$(config))
-
 # the version stands in base.h and nowhere else
 VERSION := $(shell sed -n 's/^.define MUS_VERSION_\(MAJOR\|MINOR\|PATCH\) //p' include/muslin/base.h | paste -sd.)
 ABI := $(shell sed -n 's/^.define MUS_ABI //p' include/muslin/base.h)
@@ -38,14 +36,15 @@ $(if $(OPTIMISE_$(config)),,$(error config=$(config) is unknown: release, debug,
 # instruction; these flags follow the user's CFLAGS, since an -O2 there would make a drape 2.3 times slower
 KERNEL_release = -O3 -fno-math-errno
 KERNEL =
+FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
 SAME_BITS = -ffp-contract=off # no fused multiply-add: the same bits from every compiler
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
 FLAGS = -std=c11 -Iinclude -Ilib -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections -pthread
-COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
-LINK = $(CC) -pthread $(OPTIMISE_$(config)) $(CFLAGS) $(LDFLAGS)
-
+COMPILE = $(CC) -MMD -MP $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CPPFLAGS) $(CFLAGS) $(KERNEL) $(SAME_BITS)
+LINK = $(CC) -pthread $(OPTIMISE_$(config)) -Wl,-z,relro,-z,now $(CFLAGS) $(LDFLAGS)
 silent := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
 Q := $(if $(filter 1,$(V)),,@)
 say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  $(1)  $(2)')
@@ -103,7 +102,6 @@ tests: $(BIN)/tests $(EXAMPLES)
 examples: $(EXAMPLES)
 
 # ---- compile ----
-# one sentence instead of a missing header
 $(NEED): need-%:
 	@for p in $(PKG_$*); do $(PKG_CONFIG) --exists $$p || { echo "muslin: $$p is not installed; \`make packages\` \
 	installs what is missing, \`make lib\` needs none" >&2; exit 1; }; done
@@ -117,6 +115,7 @@ $(eval $(call needs_packages,examples,-Iexamples))
 $(eval $(call needs_packages,tests,-Itests -Iexamples -I$(OUT)))
 $(call objects,$(SRC_tests)): WARN := $(TEST_WARN)
 $(call objects,$(KERNELS)): KERNEL = $(KERNEL_$(config))
+$(call objects,$(KERNELS)): HARDEN_release =
 $(call objects,tests/main.c): $(OUT)/suites.h
 
 $(OUT)/obj/%.o: %.c
@@ -172,11 +171,10 @@ ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
 # what apt must have beside the packages of a build
-same check check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
+same check check-hosts check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
 report page girths: APT_GROUP = report
 check-ports: APT_GROUP = ports
 gallery: APT_GROUP = report test
-
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
@@ -190,6 +188,7 @@ RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --j
 RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
 RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
+RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png
@@ -202,13 +201,14 @@ SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M5
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
   $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
 RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
-  REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
+  REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
 CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
 $(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 NEEDS_check-threads = $(call library,muslin).a

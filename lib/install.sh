@@ -17,7 +17,7 @@ mkdir -p "$destdir$prefix/bin" "$destdir$prefix/include/muslin" "$lib/pkgconfig"
 for program in muslin muslin-render; do
     [ ! -e "$out/bin/$program" ] || install -m 755 "$out/bin/$program" "$destdir$prefix/bin"
 done
-install -m 644 include/muslin/*.h "$destdir$prefix/include/muslin"
+install -m 644 include/muslin/*.h bindings/cpp/muslin.hpp "$destdir$prefix/include/muslin"
 for name in muslin muslin-print muslin-exchange muslin-catalogue; do
     [ -e "$out/lib/lib$name.a" ] || continue
     install -m 644 "$out/lib/lib$name.a" "$lib"

@@ -110,6 +110,8 @@ enum {
     MUS_POSE_FLEXION = 0,
     MUS_POSE_ABDUCTION = 1,
     MUS_POSE_ROTATION = 2,
+    MUS_FOOT_LEFT = 1,
+    MUS_FOOT_RIGHT = 2,
     MUS_SCAN_FOUND = 0,
     MUS_SCAN_X = 1,
     MUS_SCAN_Y = 2,
@@ -773,10 +775,12 @@ mus_status mus_pose_check(mus_context *context, const mus_pose *pose);
 int32_t mus_pose_count(void);
 const char *mus_pose_name(int32_t pose);
 mus_status mus_pose_named(mus_context *context, const char *name, mus_pose *out);
+int32_t mus_pose_feet(const char *name);
 mus_status mus_body_pose(const mus_body *body, const mus_pose *pose, mus_body **out);
 mus_status mus_body_rest_pose(const mus_body *body, mus_pose *pose);
 mus_status mus_body_stance(const mus_body *body, mus_pose *pose);
 mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
+mus_status mus_body_stand(const mus_body *body, int32_t feet, mus_pose *pose);
 mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap);
 mus_status mus_move_create(mus_context *context, int32_t keys, const double *times, const mus_pose *poses, double period, mus_move **out);
 void mus_move_destroy(mus_move *move);

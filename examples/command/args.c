@@ -17,6 +17,9 @@
 #include <unistd.h>
 
 
+#define PRINTED_BYTES 8192 /* of a line for people: two paths and a sentence */
+
+
 /* receives complaints in place of standard error; NULL: standard error. One for the process, as standard error is */
 static complaints *kept;
 /* the doubts that were printed */
@@ -30,13 +33,38 @@ void complaints_keep(complaints *into)
 }
 
 
+void print_shown(FILE *file, const char *text)
+{
+    for (const unsigned char *at = (const unsigned char *)text; *at != '\0'; at++) {
+        const bool c1 = at[0] == 0xC2 && at[1] >= 0x80 && at[1] < 0xA0;
+        if (*at < 0x20 || *at == 0x7F || c1) fprintf(file, "\\x%02x", *at);
+        else fputc(*at, file);
+        if (c1) fprintf(file, "\\x%02x", *++at);
+    }
+}
+
+
+void print_line(const char *format, ...)
+{
+    char text[PRINTED_BYTES];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    print_shown(stdout, text);
+    putchar('\n');
+}
+
+
 int complain(int code, const char *command, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
     if (kept == NULL) {
+        char text[PRINTED_BYTES];
+        vsnprintf(text, sizeof text, format, list);
         fprintf(stderr, "muslin %s: ", command);
-        vfprintf(stderr, format, list);
+        print_shown(stderr, text);
         fputc('\n', stderr);
     } else if (kept->text[0] == '\0') {
         vsnprintf(kept->text, sizeof kept->text, format, list);
@@ -49,7 +77,11 @@ int complain(int code, const char *command, const char *format, ...)
 void doubt(const char *command, const char *text)
 {
     complaints *into = kept != NULL ? kept : &printed;
-    if (kept == NULL) fprintf(stderr, "muslin %s: warning: %s\n", command, text);
+    if (kept == NULL) {
+        fprintf(stderr, "muslin %s: warning: ", command);
+        print_shown(stderr, text);
+        fputc('\n', stderr);
+    }
     if (into->doubts < (int32_t)(sizeof into->doubt / sizeof *into->doubt))
         snprintf(into->doubt[into->doubts++], sizeof *into->doubt, "%s", text);
 }

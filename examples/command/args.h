@@ -3,6 +3,7 @@
 #define MUSLIN_ARGS_H
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdint.h>
 
 #define EXIT_DONE 0
@@ -49,6 +50,12 @@ bool is_stdout(const char *path);
 
 /* Whether `path` can be written, as far as that can be told before the work; prints a line when it cannot. */
 bool output_check(const char *command, const char *path);
+
+/* Prints a text with its control characters as \x1b: names from files must not steer the terminal. */
+void print_shown(FILE *file, const char *text);
+
+/* Prints one line on standard output, as print_shown() does. */
+void print_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Prints one line on standard error, "muslin COMMAND: text". Returns `code`. */
 int complain(int code, const char *command, const char *format, ...) __attribute__((format(printf, 3, 4)));

@@ -110,13 +110,15 @@ int command_body(int argc, char **argv)
         mus_status status = scene_body(&s, &from, NULL, &body);
         const double spent = seconds() - start;
         if (status == MUS_OK) status = stance_take(&s, &how, &body);
-        if (status == MUS_OK && obj != NULL) {
+        if (status != MUS_OK) code = scene_fail(&s, status);
+        if (code == EXIT_DONE && obj != NULL) {
             mus_mesh_view view;
             body_view(body, &view);
             status = mus_mesh_write_obj(s.context, obj, 1, &view);
+            if (status != MUS_OK) code = scene_fail_output(&s, status);
         }
-        if (status != MUS_OK) {
-            code = scene_fail(&s, status);
+        if (code != EXIT_DONE) {
+            /* the line is printed */
         } else if (as_json) {
             write_json(body, spent, &j);
             if (!json_write(&j, "body", "-")) code = EXIT_FAILED;

@@ -41,8 +41,9 @@ static int convert_tape(scene *s, const char *in, const char *row, const char *o
     if (!is_form(out, to, "tape") && !is_form(out, to, "txt") && (to != NULL || !is_stdout(out)))
         return complain(EXIT_INPUT, "convert", "%s: a tape is written as tape or txt", to != NULL ? to : out);
     mus_status status = mus_tape_read(s->context, in, row, &s->tape);
-    if (status == MUS_OK) status = mus_tape_write(s->tape, out);
-    return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
+    if (status != MUS_OK) return scene_fail(s, status);
+    status = mus_tape_write(s->tape, out);
+    return status == MUS_OK ? EXIT_DONE : scene_fail_output(s, status);
 }
 
 
@@ -54,12 +55,13 @@ static int convert_pattern(scene *s, const char *in, const char *out, const char
 
     mus_sheet *sheet = NULL;
     mus_status status = mus_pattern_read(s->context, in, &s->pattern);
-    if (status == MUS_OK && !svg && !pdf) status = mus_pattern_write(s->pattern, out);
+    if (status != MUS_OK) return scene_fail(s, status);
+    if (!svg && !pdf) status = mus_pattern_write(s->pattern, out);
     if (status == MUS_OK && (svg || pdf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
     if (status == MUS_OK && svg) status = mus_sheet_write_svg(sheet, out);
     if (status == MUS_OK && pdf) status = mus_sheet_write_pdf(sheet, out);
     mus_sheet_destroy(sheet);
-    return status == MUS_OK ? EXIT_DONE : scene_fail(s, status);
+    return status == MUS_OK ? EXIT_DONE : scene_fail_output(s, status);
 }
 
 

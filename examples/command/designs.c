@@ -62,7 +62,7 @@ int command_draft(int argc, char **argv)
     if (code == EXIT_DONE) code = scene_pattern(&s, &from);
     if (code == EXIT_DONE) {
         const mus_status status = mus_pattern_write(s.pattern, out);
-        if (status != MUS_OK) code = scene_fail(&s, status);
+        if (status != MUS_OK) code = scene_fail_output(&s, status);
     }
     scene_close(&s);
     return code;

@@ -146,7 +146,7 @@ static int write_shapes(dress *d)
     if (code == EXIT_DONE && d->glb != NULL && !d->led) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
     if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
         status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
-    if (status != MUS_OK) code = scene_fail(&d->s, status);
+    if (status != MUS_OK) code = scene_fail_output(&d->s, status);
     const double start = seconds();
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
     d->render_seconds = seconds() - start;
@@ -304,10 +304,11 @@ static int write_report(const dress *d)
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
     if (mus_drape_report_get(d->drape, &r) == MUS_OK)
-        printf("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, %.1f s\n",
-               mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
-               1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
-               d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
+        print_line("%s: %s; %d nodes, %d of %d seams closed, gap %.2f mm, depth %.2f mm, largest strain %.1f %%, "
+                   "%.1f s",
+                   mus_pattern_name(d->s.pattern), dress_status(d), (int)r.nodes, (int)r.seams_closed, (int)r.seams,
+                   1000.0 * r.max_seam_gap, 1000.0 * r.max_penetration, 100.0 * r.max_strain,
+                   d->dressed.cut_seconds + d->dressed.sew_seconds + d->dressed.settle_seconds);
     return code;
 }
 

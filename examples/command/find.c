@@ -75,7 +75,7 @@ int command_catalogue(int argc, char **argv)
 }
 
 
-/* Prints the patterns found. */
+/* The patterns found, the nearest first, and their distances. */
 typedef struct finds {
     int32_t count, id[FIND_MOST], exact[FIND_MOST];
     double distance[FIND_MOST];
@@ -108,7 +108,7 @@ static mus_status find_print(mus_catalogue *catalogue, const mus_pattern *patter
         status = mus_catalogue_explain(catalogue, pattern, f->id[i], NULL, text, sizeof text);
         if (status == MUS_OK) status = mus_catalogue_name(catalogue, f->id[i], &name);
         if (status != MUS_OK) break;
-        if (!as_json) printf("%8.3f %s %s\n", f->distance[i], f->exact[i] ? "=" : " ", name);
+        if (!as_json) print_line("%8.3f %s %s", f->distance[i], f->exact[i] ? "=" : " ", name);
         for (const char *line = text; why && !as_json && *line != '\0'; line += strcspn(line, "\n") + 1)
             printf("             %.*s\n", (int)strcspn(line, "\n"), line);
         json_open(&j, NULL, '{');

@@ -75,7 +75,7 @@ static void ramp(double t, double *out)
 static double value_of(int32_t map, const mus_fit *fit, int32_t i)
 {
     const double warp = mus_fit_warp(fit)[i], weft = mus_fit_weft(fit)[i], gap = mus_fit_gap(fit)[i];
-    if (map == 0) return fabs(warp) > fabs(weft) ? warp : weft;
+    if (map == 0) return fmax(warp, weft);
     if (map == 1) return mus_fit_pressure(fit)[i];
     return isnan(gap) ? maps[2].high : gap;
 }

@@ -156,7 +156,7 @@ int mesh_command(const mesh_source *from, const stance *how, const char *obj, bo
         view.positions = mus_body_vertices(body), view.normals = mus_body_normals(body);
         view.triangles = mus_body_triangles(body);
         const mus_status status = mus_mesh_write_obj(s.context, obj, 1, &view);
-        if (status != MUS_OK) code = scene_fail(&s, status);
+        if (status != MUS_OK) code = scene_fail_output(&s, status);
     }
     if (code == EXIT_DONE) code = mesh_tell(body, &report, spent, obj, as_json);
     mus_body_destroy(body);

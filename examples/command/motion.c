@@ -147,7 +147,7 @@ mus_status motion_into(const dressed *d, motion *m, const char *pose)
     mus_pose_init(&target, sizeof target);
     mus_status status = mus_pose_named(d->s->context, pose, &target);
     if (status == MUS_OK) status = mus_body_clear_arms(d->body, &target, ARM_GAP);
-    if (status == MUS_OK) status = mus_body_ground(d->body, &target);
+    if (status == MUS_OK) status = mus_body_stand(d->body, mus_pose_feet(pose), &target);
     if (status == MUS_OK) status = begin(d, &plan, &last);
     if (status == MUS_OK) status = ease(d, m, &plan, &target, last);
     if (status == MUS_OK) status = mus_drape_pose_body(d->drape, &target, 0.0);
@@ -223,7 +223,7 @@ static int write_film(lead *q, const char *glb)
         moves[0].positions = q->body.positions, moves[0].normals = q->body.normals;
         moves[1].positions = q->cloth.positions, moves[1].normals = q->cloth.normals;
         mus_status status = mus_mesh_write_glb_motion(d->s->context, glb, 2, g.view, q->m->made, q->times, moves);
-        if (status != MUS_OK) code = scene_fail(d->s, status);
+        if (status != MUS_OK) code = scene_fail_output(d->s, status);
     }
     garment_free(&g);
     return code;

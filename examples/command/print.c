@@ -94,14 +94,14 @@ int command_print(int argc, char **argv)
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && pdf != NULL) status = mus_sheet_write_pdf(sheet, pdf);
         if (status == MUS_OK && svg != NULL) status = mus_sheet_write_svg(sheet, svg);
-        if (status != MUS_OK) code = scene_fail(&s, status);
+        if (status != MUS_OK) code = scene_fail_output(&s, status);
     }
     if (code == EXIT_DONE && as_json) {
         describe(sheet, &j);
         if (!json_write(&j, "print", "-")) code = EXIT_FAILED;
     } else if (code == EXIT_DONE && pdf != NULL && !is_stdout(pdf) && !is_stdout(svg)) {
         const int pages = (int)mus_sheet_page_count(sheet);
-        printf("%s: %d page%s of %s\n", pdf, pages, pages == 1 ? "" : "s", paper);
+        print_line("%s: %d page%s of %s", pdf, pages, pages == 1 ? "" : "s", paper);
     }
     json_free(&j);
     mus_sheet_destroy(sheet);

@@ -61,6 +61,13 @@ int scene_fail(const scene *s, mus_status status)
 }
 
 
+int scene_fail_output(const scene *s, mus_status status)
+{
+    scene_fail(s, status);
+    return status == MUS_ERR_FILE ? EXIT_FAILED : failure_code(status);
+}
+
+
 int scene_tape(scene *s, const source *from)
 {
     mus_status status;

@@ -57,6 +57,9 @@ int failure_code(mus_status status);
 /* Prints one line for a status other than MUS_OK, and returns its exit code. */
 int scene_fail(const scene *s, mus_status status);
 
+/* The same after an output could not be written: a full device is a run that failed, not bad input. */
+int scene_fail_output(const scene *s, mus_status status);
+
 /* Returns the wall time since an arbitrary start [s]. */
 double seconds(void);
 

@@ -277,9 +277,9 @@ static int tell(const sheet *sh)
         const tile *one = &sh->tile[t];
         settled += one->settled;
         if (is_stdout(sh->png)) continue;
-        printf("row %d column %d: %s on %s: %s, %d nodes, %.1f s\n", (int)(t / columns) + 1, (int)(t % columns) + 1,
-               sh->design.at[t / sh->tape.count], sh->tape.at[t % sh->tape.count],
-               one->reason[0] != '\0' ? one->reason : "not dressed", (int)one->nodes, one->seconds);
+        print_line("row %d column %d: %s on %s: %s, %d nodes, %.1f s", (int)(t / columns) + 1, (int)(t % columns) + 1,
+                   sh->design.at[t / sh->tape.count], sh->tape.at[t % sh->tape.count],
+                   one->reason[0] != '\0' ? one->reason : "not dressed", (int)one->nodes, one->seconds);
     }
     if (!is_stdout(sh->png)) printf("%d of %d settled\n", (int)settled, (int)sh->tiles);
     if (settled == sh->tiles) return output_end("sheet");

@@ -20,7 +20,7 @@ static mus_status stance_standing(const scene *s, const mus_body *body, const st
 {
     mus_status status = mus_pose_named(s->context, how->pose, pose);
     if (status == MUS_OK) status = mus_body_clear_arms(body, pose, STANCE_GAP);
-    return status == MUS_OK ? mus_body_ground(body, pose) : status;
+    return status == MUS_OK ? mus_body_stand(body, mus_pose_feet(how->pose), pose) : status;
 }
 
 

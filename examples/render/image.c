@@ -132,6 +132,9 @@ int render_png_read(const char *path, render_image *out, render_error *error)
     memset(out, 0, sizeof *out);
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
+    struct stat there;
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
+        return render_fail(error, "%s: is no regular file", path);
     if (!png_image_begin_read_from_file(&image, path)) goto fail;
     if (image.width > RENDER_SIZE_MAX || image.height > RENDER_SIZE_MAX) {
         png_image_free(&image);

@@ -260,8 +260,8 @@ static void discs(verify *v)
 }
 
 
-/* a plate stays flat; fabrics whose coefficient was measured. Broadcloth is a known failure: it hangs lower, for want of
- * friction inside the cloth, and its coefficient moves by ten points with the mesh and the start */
+/* a plate stays flat; fabrics whose coefficient was measured. Broadcloth is a known failure: it hangs lower, for want
+ * of friction inside the cloth, and its coefficient moves by ten points with the mesh and the start */
 static void coefficients(verify *v)
 {
     double percent = NAN;

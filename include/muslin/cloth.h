@@ -107,9 +107,9 @@ MUS_API mus_status mus_cloth_create(mus_context *context, const mus_pattern *pat
 /**
  * Make a rectangle that is one pure lattice: rows x columns nodes, node r * columns + c at (c * cell[0], r * cell[1]).
  *
- * cell (2) is the spacing along weft (x) and warp (y) [m]; def->spacing and nodes_most are not read. Springs and masses
- * on the border carry half, corners a quarter. A direction with one node stands for a strip one cell wide and has no
- * diagonals. There is one panel, without seams, in the plane z = 0. `def` may be NULL.
+ * cell (2) is the spacing along weft (x) and warp (y) [m]; def->spacing is not read, and nodes_most is no bound.
+ * Springs and masses on the border carry half, corners a quarter. A direction with one node stands for a strip one cell
+ * wide and has no diagonals. There is one panel, without seams, in the plane z = 0. `def` may be NULL.
  * Errors:  MUS_ERR_ARG (rows or columns below 1, cell outside 1e-6 to 10 m, fabric); MUS_ERR_VERSION;
  *          MUS_ERR_LIMIT (more than 2^24 nodes); MUS_ERR_MEMORY
  * Cost:    proportional to the nodes

@@ -155,9 +155,9 @@ MUS_API double mus_drape_step_bound(const mus_drape *drape);
  * largest number of parts.
  * Errors:  MUS_ERR_ARG (steps < 0; dt negative, not finite, or below 1e-30 s and not 0); MUS_ERR_STEP (dt above the
  *          bound: both in the message);
- *          MUS_ERR_DIVERGED (a node not finite or beyond the speed limit; without a body, planes and open seams also:
- *          the energy is above that of the start by 1 % of the largest kinetic and elastic energy since. The state is
- *          that of the last good look)
+ *          MUS_ERR_DIVERGED (a node not finite or beyond the speed limit; without a body, planes, open seams and
+ *          self-contact: the energy is above that of the start by 1 % of the largest kinetic and elastic energy since.
+ *          The state is that of the last good look)
  * Memory:  allocates nothing
  * Cost:    a step is 4 force evaluations (RK4) or 1 (Verlet; its first after a change of the state 1 more) and one
  *          contact pass

@@ -300,7 +300,8 @@ MUS_API mus_status mus_pattern_true_seam(mus_pattern *pattern, int32_t seam, int
 
 /** Put a notch of `kind` (MUS_NOTCH_*) on the seam of an edge: at arc length s [m] of the edge, and at the same
  * relative arc length on every edge that is sewn to it, directly or through others. mus_pattern_add_notch() puts one on
- * one edge alone. Errors: MUS_ERR_ARG (kind, or s beyond the edge). */
+ * one edge alone. Errors: MUS_ERR_ARG (kind, or s beyond the edge), MUS_ERR_LIMIT (more than 64 edges are sewn to one
+ * another there), MUS_ERR_PATTERN (an edge is sewn to itself the other way round). */
 MUS_API mus_status mus_pattern_notch_seam(mus_pattern *pattern, int32_t edge, double s, int32_t kind);
 
 #ifdef __cplusplus

@@ -60,7 +60,8 @@ MUS_API const double *mus_fit_area(const mus_fit *fit);
 #define MUS_FIT_GAP 4      /* [m]; cloth farther than 0.3 m is left out */
 
 /** How a quantity is spread over the cloth, by area: half of the area has at most p50, 95 % of it at most p95. Least
- * and largest are those of one node: they grow with each finer mesh, and tell where to look, not how much. */
+ * and largest are those of one node: they move apart with each finer mesh, and tell where to look, not how
+ * much. */
 typedef struct mus_fit_spread {
     size_t size;
     double p50;     /* of the quantity, in its unit */
@@ -77,7 +78,7 @@ typedef struct mus_fit_spread {
 MUS_API void mus_fit_spread_init(mus_fit_spread *spread, size_t size);
 
 /** The spread of a quantity (MUS_FIT_*); NaN and node MUS_NONE where no cloth counts. Errors: MUS_ERR_ARG (no such
- * quantity), MUS_ERR_VERSION, MUS_ERR_MEMORY. Cost: a sort of the nodes */
+ * quantity, or NULL), MUS_ERR_VERSION, MUS_ERR_MEMORY. Cost: a sort of the nodes */
 MUS_API mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spread *out);
 
 /** A level of the body that the garment goes round. */

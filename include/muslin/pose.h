@@ -25,10 +25,14 @@ extern "C" {
 #define MUS_POSE_ABDUCTION 1
 #define MUS_POSE_ROTATION 2
 
+/* The feet that stand in a pose, as a sum. */
+#define MUS_FOOT_LEFT 1
+#define MUS_FOOT_RIGHT 2
+
 /** A pose: the angles of all joints. All angles 0: standing, arms hanging, palms to the thighs. */
 typedef struct mus_pose {
     size_t size;
-    double place[3];                  /* of the root from where the body was made [m], within 1e7, default 0 */
+    double place[3];                  /* of the root from where the body was made [m], within 1e3, default 0 */
     double angle[MUS_JOINT_COUNT][3]; /* flexion, abduction, rotation [rad], default 0 */
 } mus_pose;
 
@@ -52,9 +56,13 @@ MUS_API int32_t mus_pose_count(void);
 /** Name of a named pose ("sit"); NULL for an index outside 0 to mus_pose_count() - 1. Static text. */
 MUS_API const char *mus_pose_name(int32_t pose);
 
-/** Get a named pose, with the place 0. mus_body_clear_arms() and mus_body_ground() fit it to a body.
+/** Get a named pose, with the place 0. mus_body_clear_arms() and mus_body_stand() fit it to a body.
  * Errors: MUS_ERR_ARG (unknown name). */
 MUS_API mus_status mus_pose_named(mus_context *context, const char *name, mus_pose *out);
+
+/** Feet that stand in a named pose: a sum of MUS_FOOT_LEFT and MUS_FOOT_RIGHT. 0: none (a person who kneels), or the
+ * name is unknown or NULL. */
+MUS_API int32_t mus_pose_feet(const char *name);
 
 /**
  * Make a posed copy of a body.
@@ -77,6 +85,21 @@ MUS_API mus_status mus_body_stance(const mus_body *body, mus_pose *pose);
 /** Change the height of a pose's place so that the lowest point of the body is on the floor (Y = 0).
  * Errors: as mus_body_pose(). Cost: 1 ms. */
 MUS_API mus_status mus_body_ground(const mus_body *body, mus_pose *pose);
+
+/**
+ * Put the standing feet of a pose on the floor (Y = 0), each with its lowest point.
+ *
+ * The root gets the height at which the changes of both legs are alike, or the nearest one where both reach. Then hip,
+ * knee and ankle of a leg whose foot would float or sink are flexed so that the ankle moves straight up or down. The
+ * foot keeps its inclination until the ankle is at its limit. A foot that does not stand is lifted only where it would
+ * be below the floor. A foot that the body lacks does not stand; without standing feet the call is mus_body_ground().
+ *
+ * Errors:  as mus_body_pose(); MUS_ERR_ARG (feet is no such sum); MUS_ERR_BODY also where the limits of hips and knees
+ *          keep a foot off the floor. The pose is then left as it was
+ * Accuracy: the lowest vertex of mus_body_vertices() is within 0.01 mm of the floor
+ * Cost:    about 5 ms on a skin of 60,000 vertices
+ */
+MUS_API mus_status mus_body_stand(const mus_body *body, int32_t feet, mus_pose *pose);
 
 /**
  * Abduct the arms of a pose until they keep a distance of `gap` from the rest of the body.
@@ -122,12 +145,12 @@ MUS_API mus_status mus_move_named(mus_context *context, const char *name, double
 /**
  * Make a named movement fitted to a body.
  *
- * At each key and half way between two keys, mus_body_ground() puts the feet on the floor and mus_body_clear_arms()
- * keeps the arms `gap` off the sides.
+ * At each key and half way between two keys, mus_body_stand() puts the standing feet on the floor and
+ * mus_body_clear_arms() keeps the arms `gap` off the sides. A foot stands half way when it stands at both keys.
  *
  * Units:   gap [m], 0 to 0.04
  * Errors:  as mus_body_pose(); MUS_ERR_ARG (unknown name, or a body of given limbs)
- * Cost:    about 40 ms
+ * Cost:    about 100 ms
  */
 MUS_API mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus_move **out);
 

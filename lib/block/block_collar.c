@@ -53,7 +53,6 @@ mus_status mus__stand_draft(mus_context *context, const mus__stand_def *def, mus
     const double t[2] = {x - h * sin(b), def->rise + h * cos(b)};
     mus__cubic_set(out->top, start, 0.45 * t[0], def->height, t[0] - 0.35 * t[0] * cos(b), t[1] - 0.35 * t[0] * sin(b),
                    t);
-    out->bottom_length = mus__cubic_length(out->bottom);
     out->top_length = mus__cubic_length(out->top);
     return MUS_OK;
 }
@@ -90,8 +89,6 @@ mus_status mus__leaf_draft(mus_context *context, const mus__leaf_def *def, mus__
     const double tip[2] = {x + 1.2 * p, def->rise - def->point + 0.6 * p};
     leaf_inner(x, def->rise, out->inner);
     mus__cubic_set(out->outer, start, 0.5 * x, -def->fall, tip[0] - 0.4 * x, tip[1] + 0.35 * p, tip);
-    out->inner_length = mus__cubic_length(out->inner);
-    out->outer_length = mus__cubic_length(out->outer);
     return MUS_OK;
 }
 
@@ -130,8 +127,5 @@ mus_status mus__hood_draft(mus_context *context, const mus__hood_def *def, mus__
     const double w = out->width, h = out->height, out_w = w + 1.5 * MUS__CM, end[2] = {0.45 * w, h};
     mus__cubic_set(out->crown, out->neck + 6, out_w, 0.35 * h, out_w, h, end);
     out->top[0] = -1.0 * MUS__CM, out->top[1] = h;
-    out->neck_length = mus__cubic_length(out->neck);
-    out->crown_length = mus__cubic_length(out->crown) + end[0] - out->top[0];
-    out->face_length = hypot(out->top[0] - out->neck[0], out->top[1] - out->neck[1]);
     return MUS_OK;
 }

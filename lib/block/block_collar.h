@@ -18,7 +18,7 @@ typedef struct mus__stand_def {
 /* a standing collar: a mandarin collar, or the stand of a shirt collar */
 typedef struct mus__stand {
     double bottom[8], top[8]; /* centre back to front */
-    double bottom_length, top_length;
+    double top_length;
 } mus__stand;
 
 mus_status mus__stand_draft(mus_context *context, const mus__stand_def *def, mus__stand *out);
@@ -33,7 +33,6 @@ typedef struct mus__leaf_def {
 /* the part of a shirt collar that falls over its stand: inner edge above, y = 0 at the centre back */
 typedef struct mus__leaf {
     double inner[8], outer[8]; /* centre back to front */
-    double inner_length, outer_length;
 } mus__leaf;
 
 mus_status mus__leaf_draft(mus_context *context, const mus__leaf_def *def, mus__leaf *out);
@@ -49,7 +48,6 @@ typedef struct mus__hood {
     double crown[8]; /* centre back up and forward */
     double top[2];   /* corner of the straight end of the crown and the face edge */
     double width, height;
-    double neck_length, crown_length, face_length;
 } mus__hood;
 
 mus_status mus__hood_draft(mus_context *context, const mus__hood_def *def, mus__hood *out);

@@ -90,6 +90,5 @@ mus_status mus__sleeve_draft(mus_context *context, const mus__sleeve_def *def, m
     out->length = def->length, out->hem = def->hem;
     out->front_length = mus__cubic_length(out->cap_front);
     out->back_length = mus__cubic_length(out->cap_back);
-    out->under_length = hypot(0.5 * (w - def->hem), def->length - height);
     return MUS_OK;
 }

@@ -20,7 +20,7 @@ typedef struct mus__sleeve {
     double width, height, crown, length, hem; /* crown: x of the crown */
     double cap_front[8];                      /* front underarm to crown */
     double cap_back[8];                       /* crown to back underarm */
-    double front_length, back_length, under_length;
+    double front_length, back_length;
 } mus__sleeve;
 
 mus_status mus__sleeve_draft(mus_context *context, const mus__sleeve_def *def, mus__sleeve *out);

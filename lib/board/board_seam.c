@@ -75,9 +75,12 @@ int32_t mus__board_sewn(mus__board *board, int32_t side, double t, mus__board_pl
             const int32_t known = sew_listed(place, n, other);
             const bool against = known != MUS_NONE && fabs(place[known].t - there) > 1e-9;
             if (against || (known == MUS_NONE && n == MUS__SEWN_MOST)) {
-                mus__board_fail(board, against ? MUS_ERR_PATTERN : MUS_ERR_LIMIT, "side %s: %s",
-                                board->side[other].name,
-                                against ? "it is sewn to itself the other way round" : "more than 64 sheets meet");
+                const char *name = board->side[other].name;
+                if (against)
+                    mus__board_fail(board, MUS_ERR_PATTERN, "side %s is sewn to itself the other way round", name);
+                else
+                    mus__board_fail(board, MUS_ERR_LIMIT, "side %s: more than %d sides are sewn to one another", name,
+                                    MUS__SEWN_MOST);
                 return 0;
             }
             if (known == MUS_NONE) place[n++] = (mus__board_place){other, there, i, k, MUS_NONE};

@@ -368,7 +368,10 @@ mus_status mus_catalogue_add(mus_catalogue *catalogue, const mus_pattern *patter
     size_t size = 0;
     mus_status status = mus__catalogue_form(context, pattern, &form, &size, hash);
     if (status == MUS_OK) status = mus__traits_of(pattern, &traits, &n);
-    if (status == MUS_OK && (size > BLOB_BYTES || n > BLOB_BYTES / 8))
+    if (status == MUS_OK && n > BLOB_BYTES / 8)
+        status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "%s has %d traits, at most %d", name, (int)n,
+                                     BLOB_BYTES / 8);
+    if (status == MUS_OK && size > BLOB_BYTES)
         status = mus__catalogue_fail(catalogue, MUS_ERR_LIMIT, "the canonical form of %s has %zu bytes, at most %d",
                                      name, size, BLOB_BYTES);
     if (status == MUS_OK) {

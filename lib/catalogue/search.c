@@ -186,8 +186,9 @@ mus_status mus_catalogue_nearest(mus_catalogue *catalogue, const mus_pattern *pa
 /* format a number with two decimals and a decimal point, in every locale */
 static const char *search_number(double value, char *out)
 {
-    long long hundredths = (long long)floor(value * 100.0 + 0.5);
-    snprintf(out, 32, "%lld.%02lld", hundredths / 100, hundredths % 100);
+    const long long hundredths = fabs(value) < 1e15 ? (long long)floor(value * 100.0 + 0.5) : 0;
+    if (fabs(value) < 1e15) snprintf(out, 32, "%lld.%02lld", hundredths / 100, hundredths % 100);
+    else snprintf(out, 32, "%.0e", value); /* of a damaged file */
     return out;
 }
 
@@ -233,11 +234,11 @@ static void search_text(const double *a, const double *b, const double *parts, c
             search_openings(b, own[1], sizeof own[1]);
         } else if (k == MUS_DISTANCE_PIECES || k == MUS_DISTANCE_SEAMS) {
             int32_t t = k == MUS_DISTANCE_PIECES ? MUS__TRAIT_PANELS : MUS__TRAIT_SEAMS;
-            snprintf(own[0], sizeof own[0], "%.0f", a[t]);
-            snprintf(own[1], sizeof own[1], "%.0f", b[t]);
+            snprintf(own[0], sizeof own[0], "%.9g", a[t]);
+            snprintf(own[1], sizeof own[1], "%.9g", b[t]);
         } else if (k == MUS_DISTANCE_SURFACE) {
-            snprintf(own[0], sizeof own[0], "%.0f, %.0f", a[MUS__TRAIT_PIECES], a[MUS__TRAIT_EULER]);
-            snprintf(own[1], sizeof own[1], "%.0f, %.0f", b[MUS__TRAIT_PIECES], b[MUS__TRAIT_EULER]);
+            snprintf(own[0], sizeof own[0], "%.9g, %.9g", a[MUS__TRAIT_PIECES], a[MUS__TRAIT_EULER]);
+            snprintf(own[1], sizeof own[1], "%.9g, %.9g", b[MUS__TRAIT_PIECES], b[MUS__TRAIT_EULER]);
         } else {
             const double *side[2] = {a, b};
             for (int32_t i = 0; i < 2; i++)

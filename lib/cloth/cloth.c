@@ -11,10 +11,16 @@
  * Seams come last, when all panels have nodes.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cloth/mesh.h"
 #include "muslin/topology.h"
+
+/* [m] range of a spacing; chosen: threads are half a millimetre apart, and a coarser mesh has no sleeve */
+#define SPACING_LEAST 0.001
+#define SPACING_MOST 0.1
+#define FORECAST_ROOM 0.95 /* of nodes_most: a forecast is 3 % too low at most where seams make edges finer */
 
 
 void mus_cloth_def_init(mus_cloth_def *def, size_t size)
@@ -133,23 +139,33 @@ static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, co
 }
 
 
-/* refuses a pattern that takes more nodes than the def allows, before the memory is taken. The forecast is the theorem
- * of Pick, nodes = area / spacing^2 + border nodes / 2 + 1 for each panel, and at least the nodes of the border; edges
- * that a seam makes finer are counted while they are meshed */
-static mus_status cloth_forecast(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def)
+/* the nodes that a pattern takes at a spacing [m], by the theorem of Pick: area / spacing^2 + border nodes / 2 + 1 for
+ * each panel, and at least the nodes of the border; edges that a seam makes finer are counted while they are meshed */
+static double cloth_forecast(const mus_pattern *pattern, double spacing)
 {
     double nodes = mus_pattern_panel_count(pattern), border = 0.0;
     for (int32_t e = 0; e < mus_pattern_edge_count(pattern); e++)
-        border += fmax(mus_pattern_edge_length(pattern, e) / def->spacing, 1.0);
+        border += fmax(mus_pattern_edge_length(pattern, e) / spacing, 1.0);
     for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
-        nodes += mus_pattern_panel_area(pattern, p) / (def->spacing * def->spacing);
-    nodes = fmax(nodes + 0.5 * border, border);
-    if (nodes <= (double)def->nodes_most) return MUS_OK;
+        nodes += mus_pattern_panel_area(pattern, p) / (spacing * spacing);
+    return fmax(nodes + 0.5 * border, border);
+}
+
+
+/* MUS_ERR_LIMIT for a pattern that takes more nodes than the def allows, before the memory is taken. The sentence has
+ * a spacing that takes few enough, where there is one */
+static mus_status cloth_limit(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def)
+{
+    const double nodes = cloth_forecast(pattern, def->spacing), most = def->nodes_most;
+    if (nodes <= most) return MUS_OK;
+    double spacing = def->spacing;
+    while (spacing <= SPACING_MOST && cloth_forecast(pattern, spacing) > FORECAST_ROOM * most)
+        spacing = ceil(1e4 * 1.02 * spacing) / 1e4; /* 2 % and at least a tenth of a millimetre more */
+    char advice[64] = "";
+    if (spacing <= SPACING_MOST) snprintf(advice, sizeof advice, "; a spacing of %g m takes fewer", spacing);
     return mus__fail(context, MUS_ERR_LIMIT,
-                     "the pattern takes about %g nodes at a spacing of %g m, at most %d (nodes_most); a spacing of %.3g "
-                     "m takes fewer",
-                     nodes, def->spacing, (int)def->nodes_most,
-                     def->spacing * fmax(sqrt(nodes / def->nodes_most), border / def->nodes_most));
+                     "the pattern takes about %g nodes at a spacing of %g m, at most %d (nodes_most)%s", nodes,
+                     def->spacing, (int)def->nodes_most, advice);
 }
 
 
@@ -164,11 +180,12 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     mus_fabric fabric;
     mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
     if (status != MUS_OK) return status;
-    if (!(own.spacing >= 0.001 && own.spacing <= 0.1))
-        return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside 0.001 to 0.1 m", own.spacing);
+    if (!(own.spacing >= SPACING_LEAST && own.spacing <= SPACING_MOST))
+        return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside %g to %g m", own.spacing, SPACING_LEAST,
+                         SPACING_MOST);
     if (mus_pattern_panel_count(pattern) == 0) return mus__fail(context, MUS_ERR_PATTERN, "the pattern has no panel");
     status = cloth_check(context, pattern);
-    if (status == MUS_OK) status = cloth_forecast(context, pattern, &own);
+    if (status == MUS_OK) status = cloth_limit(context, pattern, &own);
     if (status != MUS_OK) return status;
 
     mus__mesh mesh = {.context = context, .pattern = pattern, .nodes_most = own.nodes_most};

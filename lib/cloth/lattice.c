@@ -71,7 +71,7 @@ static mus_status lattice_frame(mus_context *context, int32_t n, const double *x
     }
     if (!(size[0] * size[1] < (double)LATTICE_MOST))
         return mus__fail(context, MUS_ERR_LIMIT,
-                         "%.0f x %.0f lattice places are more than 2^27: the spacing is too small", size[0], size[1]);
+                         "%g x %g lattice places are more than 2^27: the spacing is too small", size[0], size[1]);
     lattice->columns = (int32_t)size[0], lattice->rows = (int32_t)size[1];
     for (int k = 0; k < 2; k++)
         lattice->origin[k] += lattice->spacing * (start[0] * lattice->weft[k] + start[1] * lattice->warp[k]);

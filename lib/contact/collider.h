@@ -2,10 +2,10 @@
  * collider.h: the surfaces that cloth meets: the parts of a body and planes.
  *
  * A body is a set of rigid parts; each has a radius field: the radius of its section by height along the part's axis
- * and by direction (body/field.h). The distance of a node is found by its height, the section there, and the line from
- * the section's centre to the node (Metaaphanon and Kanongchaiyos 2005, section 4.1): a constant cost a part, no
- * triangle is asked. A part keeps the field that it was made with and is moved by a frame, so a moving part costs what
- * one at rest does. How it came to its place in the last step is two affine maps (mus__surface_motion).
+ * and by direction (limb/radius_field.h). The distance of a node is found by its height, the section there, and the
+ * line from the section's centre to the node (Metaaphanon and Kanongchaiyos 2005, section 4.1): a constant cost a part,
+ * no triangle is asked. A part keeps the field that it was made with and is moved by a frame, so a moving part costs
+ * what one at rest does. How it came to its place in the last step is two affine maps (mus__surface_motion).
  *
  * The files of this folder in the order of use are listed in collider.c.
  */

@@ -1,7 +1,7 @@
 /*
  * query_batch_kernel.h: the nodes of a chunk asked of the parts in whose boxes they are, a part of contact_kernel.h.
  *
- * The query of body/field_kernel.h in a loop over nodes that are in one part's box, without a branch, so that it
+ * The query of limb/radius_field_kernel.h in a loop over nodes that are in one part's box, without a branch, so that it
  * becomes vectors. Nodes in a cap, beyond the first or the last ring, are asked in a loop of their own.
  */
 

@@ -9,8 +9,8 @@
 #include "drape/weld.h"
 
 
-/* Sets the clock to 0 and the scene to its beginning, after all nodes were moved. far: whether the cloth is far from its
- * shape at rest. */
+/* Sets the clock to 0 and the scene to its beginning, after all nodes were moved. far: whether the cloth is far from
+ * its shape at rest. */
 static void positions_begin(mus_drape *drape, int32_t far)
 {
     drape->clock.time0 = 0.0;

@@ -151,7 +151,7 @@ mus_status mus__drape_check_motion(mus_drape *drape)
     sim->ops->restore(sim);
     mus__drape_stale(drape);
     return mus__fail(drape->context, MUS_ERR_DIVERGED,
-                     "drape: the motion diverged before %.6f s (speed %g m/s, limit %g); the last good state is kept",
+                     "drape: the motion diverged before %g s (speed %g m/s, limit %g); the last good state is kept",
                      mus_drape_time(drape), sqrt(speed2), SPEED_MAX);
 }
 

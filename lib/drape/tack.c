@@ -45,7 +45,7 @@ static mus_status check_tack(const mus_drape *drape, int32_t a, int32_t b, doubl
     }
     const double gap = sqrt(gap2);
     if (is_held(drape, a) && is_held(drape, b) && gap > drape->def.collision_distance)
-        return mus__fail(context, MUS_ERR_STATE, "drape: a tack of nodes %d and %d cannot close: gap %.3f m, both held",
+        return mus__fail(context, MUS_ERR_STATE, "drape: a tack of nodes %d and %d cannot close: gap %g m, both held",
                          (int)a, (int)b, gap);
     return MUS_OK;
 }

@@ -16,13 +16,11 @@
  *
  * Everything here goes through public functions.
  */
-#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
-#include "base/base_internal.h"
+#include "dress/progress.h"
 #include "muslin/dress.h"
 
 /* [bytes] of mus_dress_def in release 0.2, the smallest that mus_dress() takes */
@@ -73,14 +71,6 @@ void mus_dress_report_init(mus_dress_report *report, size_t size)
 }
 
 
-static double dress_time(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-
 /* the caller's progress function; remembers that it stopped the run */
 static int32_t dress_progress(void *user, const mus_progress *progress)
 {
@@ -105,14 +95,14 @@ static bool dress_is_placed(const mus_pattern *pattern)
 /* cut the cloth and put it round the body, before the first step */
 static mus_status dress_cut(dress_call *call, const mus_pattern *pattern, bool patient, dress_trial *trial)
 {
-    const double start = dress_time();
+    const double start = mus__progress_time();
     mus_cloth_def cut;
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = call->def.spacing;
     cut.fabric = call->def.fabric;
     cut.nodes_most = call->def.nodes_most;
     mus_status status = mus_cloth_create(call->context, pattern, &cut, &trial->cloth);
-    call->report.cut_seconds += dress_time() - start;
+    call->report.cut_seconds += mus__progress_time() - start;
     if (status != MUS_OK) return status;
     call->drape.sew_once = !patient;
     status = mus_drape_create(call->context, trial->cloth, call->body, &call->drape, &trial->drape);
@@ -134,13 +124,13 @@ static mus_status dress_look(dress_trial *trial)
 static mus_status dress_sew(dress_call *call, mus_drape *drape)
 {
     const mus_progress_fn progress = call->def.progress != NULL ? dress_progress : NULL;
-    double start = dress_time();
+    double start = mus__progress_time();
     mus_status status = mus_drape_sew(drape, progress, call);
-    call->report.sew_seconds += dress_time() - start;
+    call->report.sew_seconds += mus__progress_time() - start;
     if (status != MUS_OK) return status;
-    start = dress_time();
+    start = mus__progress_time();
     status = mus_drape_settle(drape, progress, call);
-    call->report.settle_seconds += dress_time() - start;
+    call->report.settle_seconds += mus__progress_time() - start;
     return status;
 }
 
@@ -178,7 +168,7 @@ static void dress_text(dress_trial *trial)
 /* one start: from cutting the cloth to rest, or to the reason why not; noted in the report */
 static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t place, bool patient, dress_trial *trial)
 {
-    const double start = dress_time();
+    const double start = mus__progress_time();
     memset(trial, 0, sizeof *trial);
     trial->status = dress_cut(call, pattern, patient, trial);
     if (trial->status == MUS_OK) trial->status = dress_look(trial);
@@ -192,7 +182,7 @@ static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t pla
     report->start_place[i] = place;
     report->start_patient[i] = patient;
     report->start_end[i] = trial->reason.kind;
-    report->start_seconds[i] = dress_time() - start;
+    report->start_seconds[i] = mus__progress_time() - start;
 }
 
 
@@ -239,10 +229,10 @@ static void dress_starts(dress_call *call, const mus_pattern *pattern, bool othe
 
     const bool open = !kept->refused && kept->reason.kind == MUS_REASON_SEAM_OPEN;
     int32_t end = MUS_REASON_NONE;
-    const double start = dress_time();
+    const double start = mus__progress_time();
     mus_status status = mus_pattern_copy(pattern, &call->found);
     if (status == MUS_OK) status = mus_arrange_pattern(call->found, call->body);
-    call->report.place_seconds += dress_time() - start;
+    call->report.place_seconds += mus__progress_time() - start;
     if (status == MUS_OK) end = dress_again(call, call->found, MUS_DRESS_PLACE_FOUND, false, false, kept);
     if (kept->status != MUS_OK && open && !call->stopped)
         dress_again(call, pattern, MUS_DRESS_PLACE_PATTERN, true, true, kept);
@@ -263,9 +253,9 @@ static mus_status dress_prepare(dress_call *call, const mus_pattern **pattern)
     if (call->own != NULL) *pattern = call->own;
     if (status == MUS_OK && def->open_closures) status = mus_pattern_open_closures(call->own, 1, NULL);
     if (status == MUS_OK && find) {
-        const double start = dress_time();
+        const double start = mus__progress_time();
         status = mus_arrange_pattern(call->own, call->body);
-        call->report.place_seconds = dress_time() - start;
+        call->report.place_seconds = mus__progress_time() - start;
     }
     call->report.found = find;
     return status;

@@ -11,8 +11,7 @@
 #include "dress/progress.h"
 
 
-/* wall time [s] */
-static double progress_time(void)
+double mus__progress_time(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -29,7 +28,7 @@ mus_status mus__progress_start(mus__progress *run, const mus_drape *drape, const
     run->x = mus__new(drape->context, 6 * (int64_t)drape->n, sizeof *run->x);
     if (run->x == NULL) return mus__fail_memory(drape->context, "the positions of a progress function");
     run->v = run->x + 3 * (ptrdiff_t)drape->n;
-    run->next_call = progress_time();
+    run->next_call = mus__progress_time();
     return MUS_OK;
 }
 
@@ -37,7 +36,7 @@ mus_status mus__progress_start(mus__progress *run, const mus_drape *drape, const
 void mus__progress_report(mus__progress *run, const mus_drape *drape, double share)
 {
     if (run->progress == NULL) return;
-    const double now = progress_time();
+    const double now = mus__progress_time();
     if (now < run->next_call) return;
     run->next_call = now + run->period;
     mus__drape_read(drape, run->x, run->v);

@@ -19,6 +19,8 @@ typedef struct mus__progress {
     int32_t sleeved;  /* nonzero: panels that close round limbs are sewn over worn layers, and pass through none */
 } mus__progress;
 
+/* wall time since an arbitrary start [s] */
+double mus__progress_time(void);
 /* begin a run of `drape`, which ends with mus__progress_end(). Errors: MUS_ERR_MEMORY */
 mus_status mus__progress_start(mus__progress *run, const mus_drape *drape, const char *phase, mus_progress_fn progress,
                                void *user);

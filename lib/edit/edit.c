@@ -160,12 +160,16 @@ void mus_cut_def_init(mus_cut_def *def, size_t size)
 }
 
 
-mus_status mus__edit_cut_def(const mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own)
+mus_status mus__edit_begin_cut(mus__editing *e, mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own,
+                               int32_t *panel, int32_t *seam)
 {
+    if (panel != NULL) *panel = MUS_NONE;
+    if (seam != NULL) *seam = MUS_NONE;
     if (pattern == NULL) return MUS_ERR_ARG;
     if (def == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "cut: its def is NULL");
     mus_cut_def_init(own, sizeof *own);
-    return mus__def_read(pattern->context, own, sizeof *own, sizeof *own, def, "cut def");
+    const mus_status status = mus__def_read(pattern->context, own, sizeof *own, sizeof *own, def, "cut def");
+    return status == MUS_OK ? mus__edit_begin(e, pattern) : status;
 }
 
 

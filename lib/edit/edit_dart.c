@@ -220,12 +220,9 @@ mus_status mus_pattern_release_dart(mus_pattern *pattern, int32_t leg, int32_t *
 
 mus_status mus_pattern_dart_to_seam(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam)
 {
-    if (panel != NULL) *panel = MUS_NONE;
-    if (seam != NULL) *seam = MUS_NONE;
     mus__editing e;
     mus_cut_def cut;
-    mus_status status = mus__edit_cut_def(pattern, def, &cut);
-    if (status == MUS_OK) status = mus__edit_begin(&e, pattern);
+    const mus_status status = mus__edit_begin_cut(&e, pattern, def, &cut, panel, seam);
     if (status != MUS_OK) return status;
     mus__board *board = &e.board;
     const int32_t from = mus__edit_leg(&e, cut.edge_a);

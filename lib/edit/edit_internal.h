@@ -59,8 +59,10 @@ void mus__edit_cut_check(mus__editing *e, int32_t panel, int32_t made);
  * board fails. npiece 0 is a straight line */
 double *mus__edit_chain(mus__editing *e, const double *start, const double *end, int32_t npiece, const int32_t *kinds,
                         int32_t nxy, const double *xy);
-/* a caller's def of a cut as `own`. Errors: MUS_ERR_ARG (pattern or def NULL), MUS_ERR_VERSION */
-mus_status mus__edit_cut_def(const mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own);
+/* begin the edit of a cut: set *panel and *seam (may be NULL) to MUS_NONE, read the caller's def to `own`, and
+ * mus__edit_begin(). Errors: MUS_ERR_ARG (pattern or def NULL), MUS_ERR_VERSION */
+mus_status mus__edit_begin_cut(mus__editing *e, mus_pattern *pattern, const mus_cut_def *def, mus_cut_def *own,
+                               int32_t *panel, int32_t *seam);
 /* the path of a cut from `start` to `end`: the block that it points into, to be freed; NULL when the board fails */
 double *mus__edit_path(mus__editing *e, const double *start, const double *end, const mus_cut_def *cut,
                        mus__board_path *path);

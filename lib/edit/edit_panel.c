@@ -26,12 +26,9 @@
 
 mus_status mus_pattern_separate(mus_pattern *pattern, const mus_cut_def *def, int32_t *panel, int32_t *seam)
 {
-    if (panel != NULL) *panel = MUS_NONE;
-    if (seam != NULL) *seam = MUS_NONE;
     mus__editing e;
     mus_cut_def cut;
-    mus_status status = mus__edit_cut_def(pattern, def, &cut);
-    if (status == MUS_OK) status = mus__edit_begin(&e, pattern);
+    const mus_status status = mus__edit_begin_cut(&e, pattern, def, &cut, panel, seam);
     if (status != MUS_OK) return status;
     mus__board *board = &e.board;
     int32_t from, to, made = MUS_NONE, goes = MUS_NONE;

@@ -2,7 +2,8 @@
  * file_read.c: load a file into memory; make messages with file and line; read numbers independent of the locale.
  *
  * A reader gets the text in one allocation with a zero byte behind it, so a pointer can walk it without reading past
- * the end. The allocation grows while the file is read, since a pipe has no length; the size limit holds for both.
+ * the end. Regular files alone are read. The allocation grows while the file is read, since a file of /proc tells no
+ * length.
  */
 #if !defined(_XOPEN_SOURCE)
 #define _XOPEN_SOURCE 700 /* newlocale, uselocale */
@@ -14,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "exchange/file_read.h"
 
@@ -86,6 +88,11 @@ static mus_status source_copy(mus__source *source, const char *text, size_t size
 
 static mus_status source_read(mus__source *source, const char *path)
 {
+    /* opening a pipe waits for a writer, perhaps for ever; a device may have no end */
+    struct stat info;
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+        return mus__source_fail(source, 0, MUS_ERR_FILE, "is no regular file, but a %s",
+                                S_ISDIR(info.st_mode) ? "folder" : S_ISFIFO(info.st_mode) ? "pipe" : "device");
     errno = 0;
     FILE *file = fopen(path, "rb");
     if (file == NULL) return mus__source_fail(source, 0, MUS_ERR_FILE, "cannot be opened: %s", strerror(errno));

@@ -98,7 +98,7 @@ static mus_status fs_segment(struct fs_part *part, const mus__json_at *at)
     if (status == MUS_OK) status = fs_member_point(at, "to", piece.p + (piece.kind == MUS_PIECE_CUBIC ? 6 : 2));
     if (status != MUS_OK) return status;
     if (part->n > 0 && fs_far(fs_end(&part->piece[part->n - 1]), piece.p) > FS_GAP)
-        return mus__json_fail(at, MUS_ERR_FORMAT, "starts %.4f mm from where the outline was, expected no gap",
+        return mus__json_fail(at, MUS_ERR_FORMAT, "starts %g mm from where the outline was, expected no gap",
                               fs_far(fs_end(&part->piece[part->n - 1]), piece.p) / FS_MILLIMETRE);
     if (fs_far(piece.p, fs_end(&piece)) > FS_TINY) part->piece[part->n++] = piece;
     return MUS_OK;

@@ -58,7 +58,7 @@ static mus_status read_sides(const mus__json_at *at, mus_pattern *pattern, int32
     static const char *const names[] = {"front", "back", "left", "right"};
     mus__json_at list = mus__json_member(at, "sides");
     if (list.json == NULL) return MUS_OK;
-    size_t count;
+    size_t count = 0;
     int32_t sides = 0;
     mus_status status = mus__json_array(&list, 0, 4, &count);
     for (size_t i = 0; i < count && status == MUS_OK; i++) {

@@ -6,7 +6,7 @@
 
 #include "exchange/json_path.h"
 
-/* most panels of a file; chosen: no garment has more. Panels are searched by name in turn, so this bounds the time */
+/* most panels of a file; chosen: no garment has more, and it bounds the memory that a small file can ask for */
 #define MUS__FILE_PANELS_MAX 10000
 
 mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern);

@@ -102,6 +102,15 @@ static void vit_fail(struct vit_reader *reader, mus_status status)
 }
 
 
+/* whether a text subtracts: "92-1/2" is 91.5 in Valentina, and a half more than 92 where no formula is meant */
+static bool vit_subtracts(const char *text)
+{
+    for (const char *at = text; *at != '\0'; at++)
+        if (*at >= '0' && *at <= '9' && at[1] == '-') return true;
+    return false;
+}
+
+
 /* read a value: a number, nothing, or a formula */
 static mus_status vit_value(struct vit_reader *reader, int32_t i, const char *text, int64_t line)
 {
@@ -111,13 +120,14 @@ static mus_status vit_value(struct vit_reader *reader, int32_t i, const char *te
 
     double value = 0.0;
     const char *wrong = mus__number_read(text, &value);
-    if (wrong == NULL) {
+    const bool formula = vit_subtracts(text) || text[strspn(text, " \t\r\n+-.,0123456789")] != '\0';
+    if (wrong == NULL && !vit_subtracts(text)) {
         if (value != 0.0) reader->value[i] = value;
         return MUS_OK;
     }
 
     /* a text with letters or operators is a formula */
-    if (text[strspn(text, " \t\r\n+-.,0123456789")] == '\0')
+    if (!formula)
         return mus__source_fail(reader->source, line, MUS_ERR_FORMAT, "%s: expected a number, \"%.40s\" %s", name, text,
                                 wrong);
     return mus__source_fail(reader->source, line, MUS_ERR_UNSUPPORTED,

@@ -60,8 +60,10 @@ mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spre
     if (quantity < MUS_FIT_STRAIN || quantity > MUS_FIT_GAP)
         return mus__fail(fit->context, MUS_ERR_ARG, "fit: quantity %d is not one of %d to %d", (int)quantity,
                          MUS_FIT_STRAIN, MUS_FIT_GAP);
-    if (out == NULL || out->size != sizeof *out)
-        return mus__fail(fit->context, MUS_ERR_VERSION, "fit spread: size unknown; use mus_fit_spread_init");
+    if (out == NULL) return mus__fail(fit->context, MUS_ERR_ARG, "fit: out is NULL");
+    if (out->size != sizeof *out)
+        return mus__fail(fit->context, MUS_ERR_VERSION, "mus_fit_spread.size %zu is unknown; use mus_fit_spread_init",
+                         out->size);
     fit_entry *entry = mus__new(fit->context, fit->n, sizeof *entry);
     if (entry == NULL) return mus__fail_memory(fit->context, "the spread of a fit");
 

@@ -34,6 +34,10 @@
 #include "limb/skeleton.h"
 #include "muslin/design.h"
 
+/* allowances of dressmaking practice [m]: a seam that is pressed open; a hem that is turned twice */
+#define MUS__SEAM_ALLOWANCE 0.010
+#define MUS__HEM_ALLOWANCE 0.025
+
 typedef struct mus__half {
     mus_context *context;
     mus__measures measures;

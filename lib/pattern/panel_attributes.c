@@ -46,8 +46,8 @@ static int32_t sides_alone(int32_t sides)
 }
 
 
-/* whether `word`, of small letters, is in a name: it begins the name or follows no letter ("FrontSide", "side_front",
- * "sideFront"), and no small letter follows it */
+/* whether `word`, of small letters, is in a name: it begins the name, follows no letter, or is a capital after a small
+ * letter ("FrontSide", "side_front", "sideFront"), and no small letter follows it */
 static bool sides_word(const char *name, const char *word)
 {
     for (const char *at = name; *at != '\0'; at++) {

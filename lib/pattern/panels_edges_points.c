@@ -28,6 +28,8 @@ mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t
     mus__panel_attributes_init(&panel.attr);
     mus_status status = mus__pattern_take_name(pattern, "panel", name, panel.name);
     if (status != MUS_OK) return status;
+    status = mus__pattern_name_panels(pattern);
+    if (status != MUS_OK) return status;
     int32_t taken = mus_pattern_find_panel(pattern, panel.name);
     if (taken != MUS_NONE)
         return mus__fail(context, MUS_ERR_ARG, "panel %s: panel %d has this name already", panel.name, (int)taken);

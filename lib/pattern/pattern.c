@@ -12,13 +12,17 @@
  *
  * A pattern only grows here: no call removes a cell. lib/edit cuts, joins and removes, by way of the cutting table of
  * lib/board. lib/topology glues the seams and checks the pattern. A pattern has some tens of panels and some hundreds
- * of edges, so finding by name walks the list.
+ * of edges, so finding by name walks the list; panels of a larger pattern are found by a hash table.
  */
 #include <stdio.h>
 #include <string.h>
 
 #include "base/utf8.h"
 #include "pattern/pattern_internal.h"
+
+
+/* panels from which on they are found by a table; chosen: a walk over fewer is as fast, and no garment has more */
+#define NAMED_LEAST 64
 
 
 mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count)
@@ -128,6 +132,7 @@ void mus_pattern_destroy(mus_pattern *pattern)
     mus__free(context, pattern->notch);
     mus__free(context, pattern->mark);
     mus__free(context, pattern->opening);
+    mus__free(context, pattern->named);
     mus__free(context, pattern);
 }
 
@@ -282,10 +287,43 @@ int32_t mus_pattern_mark_count(const mus_pattern *pattern)
 }
 
 
+/* slot of the table where the panel of a name stands, or would */
+static int32_t pattern_slot(const mus_pattern *pattern, const char *name)
+{
+    const uint64_t hash = mus__hash(MUS_HASH_START, name, strlen(name));
+    int32_t slot = (int32_t)((hash ^ hash >> 32) & (uint64_t)(pattern->named_room - 1));
+    while (pattern->named[slot] != MUS_NONE && strcmp(pattern->panel[pattern->named[slot]].name, name) != 0)
+        slot = (slot + 1) & (pattern->named_room - 1);
+    return slot;
+}
+
+
+mus_status mus__pattern_name_panels(mus_pattern *pattern)
+{
+    if (pattern->npanel < NAMED_LEAST) return MUS_OK;
+    if (2 * (int64_t)pattern->npanel > pattern->named_room) {
+        const int64_t room = 4 * (int64_t)pattern->npanel;
+        int64_t slots = 1;
+        while (slots < room) slots *= 2;
+        if (slots > INT32_MAX) return mus__fail(pattern->context, MUS_ERR_LIMIT, "%d panels", (int)pattern->npanel);
+        int32_t *named = mus__room(pattern->context, slots, sizeof *named);
+        if (named == NULL) return mus__fail_memory(pattern->context, "the names of panels");
+        mus__free(pattern->context, pattern->named);
+        pattern->named = named, pattern->named_room = (int32_t)slots, pattern->nnamed = 0;
+        for (int64_t i = 0; i < slots; i++) named[i] = MUS_NONE;
+    }
+    for (; pattern->nnamed < pattern->npanel; pattern->nnamed++)
+        pattern->named[pattern_slot(pattern, pattern->panel[pattern->nnamed].name)] = pattern->nnamed;
+    return MUS_OK;
+}
+
+
 int32_t mus_pattern_find_panel(const mus_pattern *pattern, const char *name)
 {
     if (pattern == NULL || name == NULL) return MUS_NONE;
-    for (int32_t i = 0; i < pattern->npanel; i++) {
+    const int32_t known = pattern->nnamed > 0 ? pattern->named[pattern_slot(pattern, name)] : MUS_NONE;
+    if (known != MUS_NONE) return known;
+    for (int32_t i = pattern->nnamed; i < pattern->npanel; i++) {
         if (strcmp(pattern->panel[i].name, name) == 0) return i;
     }
     return MUS_NONE;

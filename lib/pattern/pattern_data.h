@@ -94,6 +94,9 @@ struct mus_pattern {
     mus__notch *notch;     /* (nnotch) */
     mus__mark *mark;       /* (nmark) */
     mus__opening *opening; /* (nopening) */
+    /* panels by name, of a pattern of many: an open hash table of the first nnamed panels, MUS_NONE where it is free */
+    int32_t *named;
+    int32_t nnamed, named_room;
     mus__history *history; /* what it was before edits, NULL unless it is kept */
 };
 

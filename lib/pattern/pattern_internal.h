@@ -12,6 +12,8 @@
 mus_status mus__pattern_known(const mus_pattern *pattern, const char *what, int32_t index, int32_t count);
 /* copy a name into `out` (MUS__NAME_BYTES); NULL reads as "". Errors: MUS_ERR_ARG (too long, not UTF-8) */
 mus_status mus__pattern_take_name(const mus_pattern *pattern, const char *what, const char *name, char *out);
+/* bring the table of panels by name up to date, where the pattern has many. Errors: MUS_ERR_MEMORY */
+mus_status mus__pattern_name_panels(mus_pattern *pattern);
 /* every call that changes a pattern ends with this: edits that were undone cannot be redone any more */
 void mus__pattern_edited(mus_pattern *pattern);
 /* copy the struct `own` to `out`, a caller's struct whose size field must be own_size. Errors: MUS_ERR_VERSION */

@@ -3,9 +3,10 @@
  *
  * The walk stays in place, as on a treadmill. A leg follows the normative curves of hip, knee and ankle over the cycle
  * from heel strike; the other leg does the same half a period later. Normative hip angles refer to a pelvis tilted
- * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed more than the
- * norm, since toes do not bend here. The pelvis turns towards the leg behind, drops on the swinging side and shifts to
- * the standing side; the chest turns against the pelvis, and legs and head keep their direction.
+ * forwards; here it is upright, so 8 degrees are subtracted. At 50 % of the cycle the ankle is flexed by 4 degrees, so
+ * that the ball of the foot is on the floor when the other heel strikes: toes do not bend here. The pelvis turns
+ * towards the leg behind, drops on the swinging side and shifts to the standing side; the chest turns against the
+ * pelvis, and legs and head keep their direction.
  *
  * Every other movement goes from hanging arms through shares of one named pose, and some back again. The root moves
  * down and backwards so that standing feet stay in place, for a mean thigh of 0.225 and a mean shank of 0.234 of the
@@ -29,17 +30,18 @@
 #define WALK_TURN 4.0     /* [degrees] amplitude of the pelvis's rotation */
 #define WALK_LIST 4.0     /* [degrees] amplitude of its drop to the swinging side */
 #define WALK_SWAY 0.010   /* amplitude of its shift to the standing side, in parts of the stature */
+#define WALK_STANCE 5     /* last key of the cycle at which the foot stands: toe off is at 60 % of it */
 #define WALK_ARM_OFF 16.0 /* [degrees] abduction of the arms; chosen: clear of the hips */
 
 /* every 10 % of the cycle: flexion of hip and knee, dorsiflexion of the ankle, flexion of shoulder and elbow of the
  * same side [degrees] */
 static const double walk_rows[WALK_KEYS][5] = {
     {30, 5, 0, -20, 15},  {26, 17, -4, -18, 17}, {17, 15, 4, -12, 20}, {7, 8, 8, -4, 25},   {-3, 5, 10, 4, 30},
-    {-10, 12, 12, 10, 33}, {-4, 38, -16, 8, 30},  {13, 60, -4, 2, 25},  {26, 53, 8, -8, 20}, {32, 23, 4, -16, 16},
+    {-10, 12, 4, 10, 33}, {-4, 38, -16, 8, 30},  {13, 60, -4, 2, 25},  {26, 53, 8, -8, 20}, {32, 23, 4, -16, 16},
 };
 
 /* height of the root against standing, in parts of the stature, with which the lower foot is on the floor, over half a
- * cycle: the mean of mus_body_ground() over W34, W40 and M50 */
+ * cycle: the mean of mus_body_ground() over W34, W40 and M50, to 0.0004. mus_body_move() finds each body's own */
 static const double walk_bob[WALK_KEYS / 2] = {-0.0099, -0.0038, -0.0038, -0.0069, -0.0099};
 
 /* a key: time [s], share of the named pose, rotation of the root [degrees], nonzero: left and right exchanged */
@@ -207,4 +209,17 @@ int32_t mus__move_keys(int32_t move, double stature, double *times, mus_pose *po
             move_pose(move, &moves[move].key[i], stature, &poses[i]);
     }
     return moves[move].keys;
+}
+
+
+int32_t mus__move_feet(int32_t move, int32_t key)
+{
+    const move_key *at = &moves[move].key[key];
+    if (moves[move].pose == NULL) {
+        const int32_t right = (key + WALK_KEYS / 2) % WALK_KEYS;
+        return (key <= WALK_STANCE ? MUS_FOOT_LEFT : 0) | (right <= WALK_STANCE ? MUS_FOOT_RIGHT : 0);
+    }
+    const int32_t feet = mus_pose_feet(moves[move].pose), both = MUS_FOOT_LEFT | MUS_FOOT_RIGHT;
+    if (at->share <= 0.0 || feet == both) return both;
+    return at->mirror ? both & ~feet : feet; /* one foot: the other one of the mirrored pose */
 }

@@ -7,7 +7,8 @@
  *     pose_table.c      limits of joints, named poses
  *     pose_frame.c      from the angles of a pose to the frames of a body's parts; used by lib/drape in each step
  *     body_pose.c       a posed copy of a body
- *     pose_fit.c        a pose or a movement fitted to a body: feet on the floor, arms off the sides
+ *     pose_stand.c      a pose put on the floor: legs bent so that the standing feet reach it
+ *     pose_fit.c        arms off the sides; a movement fitted to a body
  *     movement.c        movements: splines through poses at times
  *     movement_table.c  named movements
  */

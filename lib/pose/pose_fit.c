@@ -1,7 +1,7 @@
 /*
- * pose_fit.c: poses and movements fitted to a body: feet on the floor, arms off the sides.
+ * pose_fit.c: arms fitted to a body, and movements fitted to it, feet (pose_stand.c) and arms.
  *
- * Both query the radius fields of the body, carried by the frames of their parts, without a posed copy. An arm is
+ * The arms query the radius fields of the body, carried by the frames of their parts, without a posed copy. An arm is
  * abducted by steps of a degree until all of it below the armpit keeps its distance. The named poses have arms that are
  * far enough off the sides for most people.
  */
@@ -9,7 +9,7 @@
 
 #include "body/body_internal.h"
 #include "geom/vec.h"
-#include "pose/pose_frame.h"
+#include "pose/pose_stand.h"
 #include "pose/pose_table.h"
 
 #define FIT_STEP (MUS_PI / 180.0) /* [rad] step of an arm's abduction */
@@ -20,67 +20,6 @@
 /* [m] distance of the rings that are checked; chosen: a wider one could miss the nearest place by some mm */
 #define FIT_RING 0.012
 #define FIT_ANGLE 8               /* every eighth direction of a ring is checked; chosen: as FIT_RING */
-
-
-/* the radius fields (parts) of a body in a pose; they borrow the tables of the body's fields. Errors: those of
- * mus_pose_check() and mus__pose_locals() */
-static mus_status fit_carry(const mus_body *body, const mus_pose *pose, mus__field *out)
-{
-    mus__joint_local local[MUS_JOINT_COUNT];
-    mus__frame frame[MUS__PARTS_MOST];
-    mus_status status = mus_pose_check(body->context, pose);
-    if (status == MUS_OK) status = mus__pose_locals(body->context, &body->rig, pose, local);
-    if (status != MUS_OK) return status;
-    mus__pose_frames(&body->rig, local, frame);
-    for (int32_t p = 0; p < body->nfield; p++) {
-        const mus__limb *limb = &body->limb[body->rig.part[p].limb];
-        out[p] = body->field[p];
-        mus__part_carry(limb, &frame[p], &out[p]);
-    }
-    return MUS_OK;
-}
-
-
-/* the point (3) of a field at (a, b, s) */
-static void fit_point(const mus__field *field, double a, double b, double s, double *out)
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = field->origin[i] + a * field->side[i] + b * field->front[i] + s * field->axis[i];
-}
-
-
-/* height of the lowest point of a field's rings and poles [m] */
-static double fit_lowest(const mus__field *field, const double *turn)
-{
-    double lowest = INFINITY, x[3];
-    for (int32_t j = 0; j < field->nring; j++) {
-        const double *c = field->centre + 2 * (ptrdiff_t)j, *r = field->radius + (ptrdiff_t)j * field->nangle;
-        fit_point(field, c[0], c[1], field->s0 + j * field->ds, x);
-        for (int32_t k = 0; k < field->nangle; k++)
-            lowest = fmin(lowest, x[1] + r[k] * (turn[2 * k] * field->side[1] + turn[2 * k + 1] * field->front[1]));
-    }
-    for (int end = 0; end < 2; end++) {
-        const double *c = field->centre + 2 * (ptrdiff_t)(end == 0 ? 0 : field->nring - 1);
-        fit_point(field, c[0], c[1], field->pole[end], x);
-        lowest = fmin(lowest, x[1]);
-    }
-    return lowest;
-}
-
-
-mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
-{
-    if (body == NULL) return MUS_ERR_ARG;
-    mus__field field[MUS__PARTS_MOST];
-    mus_status status = fit_carry(body, pose, field);
-    if (status != MUS_OK) return status;
-
-    double turn[2 * MUS__FIELD_MOST], lowest = INFINITY;
-    mus__field_turns(field[0].nangle, turn);
-    for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, fit_lowest(&field[p], turn));
-    pose->place[1] -= lowest;
-    return MUS_OK;
-}
 
 
 /* largest depth [m] of the points of an arm below the armpit in the parts of other limbs */
@@ -99,7 +38,7 @@ static double fit_arm_depth(const mus_body *body, const mus__field *field, int32
             if (s < armpit) continue;
             for (int32_t k = 0; k < own->nangle; k += FIT_ANGLE) {
                 const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
-                fit_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
+                mus__field_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
                 for (int32_t q = 0; q < body->nfield; q++)
                     if (body->rig.part[q].limb != arm) deepest = fmax(deepest, mus__field_depth(&field[q], x, normal));
             }
@@ -115,7 +54,7 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
     if (!(gap >= 0.0 && gap <= 0.04))
         return mus__fail(body->context, MUS_ERR_ARG, "gap %g m is outside 0 to 0.04 m", gap);
     mus__field field[MUS__PARTS_MOST];
-    mus_status status = fit_carry(body, pose, field);
+    mus_status status = mus__pose_fields(body, pose, field);
     if (status != MUS_OK || !body->jointed) return status;
 
     double turn[2 * MUS__FIELD_MOST];
@@ -127,7 +66,7 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
         for (int32_t step = 0; step < FIT_STEPS && *lift + FIT_STEP <= high; step++) {
             if (fit_arm_depth(body, field, right, turn) <= -gap) break;
             *lift += FIT_STEP;
-            fit_carry(body, pose, field);
+            mus__pose_fields(body, pose, field);
         }
     }
     return MUS_OK;
@@ -150,17 +89,18 @@ mus_status mus_body_move(const mus_body *body, const char *name, double gap, mus
     double times[2 * MUS__MOVE_KEYS], rough[MUS__MOVE_KEYS + 1], period;
     mus_pose poses[2 * MUS__MOVE_KEYS];
     mus_move *of_mean = NULL;
-    int32_t keys = mus__move_keys(move, body->skeleton.crown, rough, poses, &period);
-    mus_status status = mus_move_create(body->context, keys, rough, poses, period, &of_mean);
-    rough[keys] = rough[0] + period;
-    keys = period > 0.0 ? 2 * keys : 2 * keys - 1;
+    const int32_t given = mus__move_keys(move, body->skeleton.crown, rough, poses, &period);
+    mus_status status = mus_move_create(body->context, given, rough, poses, period, &of_mean);
+    rough[given] = rough[0] + period;
+    const int32_t keys = period > 0.0 ? 2 * given : 2 * given - 1;
     for (int32_t i = 0; i < keys && status == MUS_OK; i++) {
         times[i] = i % 2 == 0 ? rough[i / 2] : 0.5 * (rough[i / 2] + rough[i / 2 + 1]);
         status = mus_move_at(of_mean, times[i], &poses[i]);
 
-        /* each key fitted to the body */
+        /* each key fitted to the body; a foot stands half way when it stands at both keys */
         if (status == MUS_OK) status = mus_body_clear_arms(body, &poses[i], gap);
-        if (status == MUS_OK) status = mus_body_ground(body, &poses[i]);
+        const int32_t next = (i + 1) / 2 % given, feet = mus__move_feet(move, i / 2) & mus__move_feet(move, next);
+        if (status == MUS_OK) status = mus_body_stand(body, feet, &poses[i]);
     }
     mus_move_destroy(of_mean);
     return status == MUS_OK ? mus_move_create(body->context, keys, times, poses, period, out) : status;

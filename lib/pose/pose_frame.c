@@ -37,8 +37,6 @@ mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus
     if (pose == NULL) return mus__fail(context, MUS_ERR_ARG, "the pose is NULL");
     if (pose->size != sizeof *pose)
         return mus__fail(context, MUS_ERR_VERSION, "mus_pose.size %zu is unknown; use mus_pose_init", pose->size);
-    const mus_status near = mus__check_near(context, 1, 3, pose->place, "mus_pose.place");
-    if (near != MUS_OK) return near;
 
     for (int32_t j = 0; j < MUS_JOINT_COUNT; j++) {
         double turn[4], rest[4], back[4];
@@ -48,7 +46,7 @@ mus_status mus__pose_locals(mus_context *context, const mus__rig *rig, const mus
         for (int k = 0; k < 3 && rig->missing[j]; k++)
             if (pose->angle[j][k] != 0.0)
                 return mus__fail(context, MUS_ERR_BODY,
-                                 "%s is asked to turn by %.1f degrees, and the scan has no such limb: set it to 0",
+                                 "%s is asked to turn by %g degrees, and the scan has no such limb: set it to 0",
                                  mus_joint_name(j), pose->angle[j][k] * 180.0 / MUS_PI);
         mus__joint_turn(j, pose->angle[j], turn);
         mus__joint_turn(j, rig->rest[j], rest);

@@ -55,24 +55,26 @@ typedef struct pose_row {
     double angle[3];
 } pose_row;
 
+#define POSE_BOTH (MUS_FOOT_LEFT | MUS_FOOT_RIGHT)
 #define POSE_ROWS 12 /* most rows of a pose; joints without a row have the angles 0 */
 
 /* Hanging arms are abducted so far that hips and two layers of cloth fit between; in poses that bend the trunk the arms
  * hang vertically. The feet of standing legs are flat: dorsiflexion = knee - (hip - root). */
 static const struct {
     const char *name;
+    int32_t feet; /* that stand */
     pose_row row[POSE_ROWS];
 } pose_named[] = {
-    {"a", {{MUS_JOINT_SHOULDER_LEFT, true, {5, 42, 0}}}},
-    {"t", {{MUS_JOINT_SHOULDER_LEFT, true, {0, 90, 0}}}},
-    {"arms_down", {{MUS_JOINT_SHOULDER_LEFT, true, {4, 15, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {12, 0, 0}}}},
-    {"arms_raised", {{MUS_JOINT_SHOULDER_LEFT, true, {0, 170, 0}}}},
-    {"arms_forward", {{MUS_JOINT_SHOULDER_LEFT, true, {85, 8, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {5, 0, 0}}}},
-    {"hands_on_hips",
+    {"a", POSE_BOTH, {{MUS_JOINT_SHOULDER_LEFT, true, {5, 42, 0}}}},
+    {"t", POSE_BOTH, {{MUS_JOINT_SHOULDER_LEFT, true, {0, 90, 0}}}},
+    {"arms_down", POSE_BOTH, {{MUS_JOINT_SHOULDER_LEFT, true, {4, 15, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {12, 0, 0}}}},
+    {"arms_raised", POSE_BOTH, {{MUS_JOINT_SHOULDER_LEFT, true, {0, 170, 0}}}},
+    {"arms_forward", POSE_BOTH, {{MUS_JOINT_SHOULDER_LEFT, true, {85, 8, 0}}, {MUS_JOINT_ELBOW_LEFT, true, {5, 0, 0}}}},
+    {"hands_on_hips", POSE_BOTH,
      {{MUS_JOINT_SHOULDER_LEFT, true, {-25, 46, 66}},
       {MUS_JOINT_ELBOW_LEFT, true, {98, 0, 0}},
       {MUS_JOINT_WRIST_LEFT, true, {-60, 0, 0}}}},
-    {"step",
+    {"step", POSE_BOTH,
      {{MUS_JOINT_HIP_LEFT, false, {26, 2, 0}},
       {MUS_JOINT_HIP_RIGHT, false, {-16, 2, 0}},
       {MUS_JOINT_KNEE_LEFT, false, {8, 0, 0}},
@@ -82,7 +84,7 @@ static const struct {
       {MUS_JOINT_SHOULDER_LEFT, false, {-16, 18, 0}},
       {MUS_JOINT_SHOULDER_RIGHT, false, {20, 18, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {20, 0, 0}}}},
-    {"lunge",
+    {"lunge", POSE_BOTH,
      {{MUS_JOINT_HIP_LEFT, false, {78, 4, 0}},
       {MUS_JOINT_KNEE_LEFT, false, {82, 0, 0}},
       {MUS_JOINT_ANKLE_LEFT, false, {4, 0, 0}},
@@ -91,14 +93,14 @@ static const struct {
       {MUS_JOINT_ANKLE_RIGHT, false, {10, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {5, 20, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {25, 0, 0}}}},
-    {"sit",
+    {"sit", POSE_BOTH,
      {{MUS_JOINT_HIP_LEFT, true, {90, 7, 0}},
       {MUS_JOINT_KNEE_LEFT, true, {90, 0, 0}},
       {MUS_JOINT_LUMBAR, false, {10, 0, 0}},
       {MUS_JOINT_NECK, false, {-8, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {18, 14, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {72, 0, 0}}}},
-    {"squat",
+    {"squat", POSE_BOTH,
      {{MUS_JOINT_ROOT, false, {20, 0, 0}},
       {MUS_JOINT_HIP_LEFT, true, {118, 15, 0}},
       {MUS_JOINT_KNEE_LEFT, true, {116, 0, 0}},
@@ -107,36 +109,36 @@ static const struct {
       {MUS_JOINT_NECK, false, {-25, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {110, 10, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {10, 0, 0}}}},
-    {"kneel",
+    {"kneel", 0,
      {{MUS_JOINT_HIP_LEFT, true, {0, 5, 0}},
       {MUS_JOINT_KNEE_LEFT, true, {90, 0, 0}},
       {MUS_JOINT_ANKLE_LEFT, true, {-50, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {4, 18, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {12, 0, 0}}}},
-    {"bend",
+    {"bend", POSE_BOTH,
      {{MUS_JOINT_ROOT, false, {45, 0, 0}},
       {MUS_JOINT_HIP_LEFT, true, {45, 3, 0}},
       {MUS_JOINT_LUMBAR, false, {40, 0, 0}},
       {MUS_JOINT_NECK, false, {10, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {85, 6, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {8, 0, 0}}}},
-    {"side_bend",
+    {"side_bend", POSE_BOTH,
      {{MUS_JOINT_LUMBAR, false, {0, 24, 0}},
       {MUS_JOINT_NECK, false, {0, 12, 0}},
       {MUS_JOINT_SHOULDER_LEFT, false, {4, 30, 0}},
       {MUS_JOINT_SHOULDER_RIGHT, false, {0, 150, 0}}}},
-    {"twist",
+    {"twist", POSE_BOTH,
      {{MUS_JOINT_LUMBAR, false, {0, 0, 30}},
       {MUS_JOINT_NECK, false, {0, 0, 30}},
       {MUS_JOINT_SHOULDER_LEFT, true, {5, 42, 0}},
       {MUS_JOINT_ELBOW_LEFT, true, {20, 0, 0}}}},
-    {"reach",
+    {"reach", POSE_BOTH,
      {{MUS_JOINT_LUMBAR, false, {-4, 6, 0}},
       {MUS_JOINT_NECK, false, {-20, 0, 0}},
       {MUS_JOINT_SHOULDER_RIGHT, false, {155, 5, 0}},
       {MUS_JOINT_SHOULDER_LEFT, false, {4, 18, 0}},
       {MUS_JOINT_ELBOW_LEFT, false, {12, 0, 0}}}},
-    {"knee_up",
+    {"knee_up", MUS_FOOT_RIGHT,
      {{MUS_JOINT_HIP_LEFT, false, {95, 3, 0}},
       {MUS_JOINT_KNEE_LEFT, false, {95, 0, 0}},
       {MUS_JOINT_SHOULDER_LEFT, true, {4, 30, 0}},
@@ -158,10 +160,25 @@ const char *mus_pose_name(int32_t pose)
 }
 
 
-bool mus__pose_find(const char *name, mus_pose *out)
+/* index of a named pose; POSE_COUNT: the name is unknown */
+static int32_t pose_index(const char *name)
 {
     int32_t i = 0;
     while (i < POSE_COUNT && strcmp(pose_named[i].name, name) != 0) i++;
+    return i;
+}
+
+
+int32_t mus_pose_feet(const char *name)
+{
+    const int32_t i = name != NULL ? pose_index(name) : POSE_COUNT;
+    return i < POSE_COUNT ? pose_named[i].feet : 0;
+}
+
+
+bool mus__pose_find(const char *name, mus_pose *out)
+{
+    const int32_t i = pose_index(name);
     if (i == POSE_COUNT) return false;
     mus_pose_init(out, sizeof *out);
     for (const pose_row *row = pose_named[i].row; row < pose_named[i].row + POSE_ROWS; row++)

@@ -14,5 +14,7 @@ int32_t mus__move_find(const char *name);
 /* times (MUS__MOVE_KEYS) [s], poses (MUS__MOVE_KEYS) and period [s] (0: it ends) of named movement `move` for a stature
  * [m]; returns the number of keys */
 int32_t mus__move_keys(int32_t move, double stature, double *times, mus_pose *poses, double *period);
+/* feet that stand at a key of a named movement */
+int32_t mus__move_feet(int32_t move, int32_t key);
 
 #endif

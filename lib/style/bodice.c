@@ -148,7 +148,7 @@ static void torso_draw(mus__half *half, mus__top *top, int32_t which)
     const mus__chain *neck = &top->neck[which], *low = &side.edge[0].chain;
     const double *head = neck->xy + 2 * (neck->nxy - 1), foot[2] = {0.0, top->hem};
     mus__chain_line(&chain, head, foot);
-    mus__outline_add(&outline, front ? "cf" : "cb", "centre", MUS__TOP_SEAM, &chain);
+    mus__outline_add(&outline, front ? "cf" : "cb", "centre", MUS__SEAM_ALLOWANCE, &chain);
     mus__top_low(half, top, which, low->xy, &outline);
     for (int32_t i = 0; i < side.n; i++) {
         const mus__outline_edge *edge = &side.edge[i];
@@ -157,10 +157,10 @@ static void torso_draw(mus__half *half, mus__top *top, int32_t which)
 
     /* armhole, shoulder, neck */
     if (top->arm[which].npiece > 0)
-        mus__outline_add(&outline, "arm", "armhole", MUS__TOP_SEAM, &top->arm[which]);
+        mus__outline_add(&outline, "arm", "armhole", MUS__SEAM_ALLOWANCE, &top->arm[which]);
     if (top->shoulder[which]) {
         mus__chain_line(&chain, top->arm[which].xy + 2 * (top->arm[which].nxy - 1), neck->xy);
-        mus__outline_add(&outline, "sh", "shoulder", MUS__TOP_SEAM, &chain);
+        mus__outline_add(&outline, "sh", "shoulder", MUS__SEAM_ALLOWANCE, &chain);
     }
     mus__outline_add(&outline, "neck", top->neck_label[which], MUS__TOP_NECK_SEAM, neck);
 

@@ -13,9 +13,7 @@
 #include "half/panel_outline.h"
 #include "style/style_parts.h"
 
-#define MUS__TOP_SEAM (1.0 * MUS__CM)
-#define MUS__TOP_NECK_SEAM (0.7 * MUS__CM)
-#define MUS__TOP_HEM (2.5 * MUS__CM)
+#define MUS__TOP_NECK_SEAM (0.7 * MUS__CM) /* [m] allowance of a neck edge: narrow, since it is turned or bound */
 
 #define MUS__TOP_RUN 32 /* half-edges of one run */
 

@@ -92,7 +92,7 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
     if (!front || !(block->theta > 0.0)) {
         mus__chain_line(&line, start, under);
         if (curved) mus__chain_append(&chain, &line);
-        mus__outline_add(outline, "side", "side", MUS__TOP_SEAM, curved ? &chain : &line);
+        mus__outline_add(outline, "side", "side", MUS__SEAM_ALLOWANCE, curved ? &chain : &line);
         return;
     }
 
@@ -104,7 +104,7 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
     mus__top_turn(lower, block->bust, block->theta, upper);
     mus__chain_line(&line, start, lower);
     if (curved) mus__chain_append(&chain, &line);
-    mus__outline_add(outline, "side1", "side", MUS__TOP_SEAM, curved ? &chain : &line);
+    mus__outline_add(outline, "side1", "side", MUS__SEAM_ALLOWANCE, curved ? &chain : &line);
     const double middle[2] = {0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1])};
     const double back = fmin(top->point_back / mus__dist2(middle, block->bust), 0.6);
     double point[2];
@@ -114,7 +114,7 @@ void mus__top_side(const mus__half *half, const mus__top *top, bool front, mus__
     mus__chain_line(&line, point, upper);
     mus__outline_add(outline, "bd2", "", 0.0, &line);
     mus__chain_line(&line, upper, turned);
-    mus__outline_add(outline, "side2", "side", MUS__TOP_SEAM, &line);
+    mus__outline_add(outline, "side2", "side", MUS__SEAM_ALLOWANCE, &line);
 }
 
 
@@ -154,7 +154,7 @@ void mus__top_low(const mus__half *half, const mus__top *top, int32_t which, con
     const bool alone = mus__top_hem(half);
     const mus__bodice_half *block = which == MUS__TOP_FRONT ? &half->bodice.front : &half->bodice.back;
     const char *label = alone ? "hem" : "waist";
-    const double allowance = alone ? MUS__TOP_HEM : MUS__TOP_SEAM;
+    const double allowance = alone ? MUS__HEM_ALLOWANCE : MUS__SEAM_ALLOWANCE;
     const int32_t ndart = top->waist_darts[which] ? block->ndart : 0;
     const mus__chain *neck = &top->neck[which];
     const double highest = neck->xy[2 * (neck->nxy - 1) + 1] - 3.0 * top->scale * MUS__CM;

@@ -70,9 +70,9 @@ static int32_t cape_panel(mus__half *half, bool front, double length)
     mus__outline_add(&outline, front ? "cf" : "cb", "centre", 0.0, &chain);
     mus__cubic_set(hem, bottom, snp[0] + reach, bottom[1], end[0] + reach * along[1], end[1] - reach * along[0], end);
     mus__chain_cubic(&chain, hem);
-    mus__outline_add(&outline, "hem", "hem", MUS__TOP_HEM, &chain);
+    mus__outline_add(&outline, "hem", "hem", MUS__HEM_ALLOWANCE, &chain);
     mus__chain_line(&chain, end, snp);
-    mus__outline_add(&outline, "sh", "shoulder", MUS__TOP_SEAM, &chain);
+    mus__outline_add(&outline, "sh", "shoulder", MUS__SEAM_ALLOWANCE, &chain);
     mus__chain_cubic(&chain, block->neck);
     mus__chain_reverse(&chain);
     mus__outline_add(&outline, "neck", "neck", MUS__TOP_NECK_SEAM, &chain);

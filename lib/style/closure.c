@@ -44,7 +44,7 @@ void mus__closure_set(mus__half *half)
         const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
         side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
         side->attr.allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
-        if (seam) side->attr.allowance = MUS__TOP_SEAM;
+        if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
         if (opens && front) closure_buttons(half, i);
     }
 }

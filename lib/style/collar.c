@@ -11,7 +11,6 @@
 
 #include "style/collar.h"
 
-#define COLLAR_SEAM 0.007
 /* length of a rib round the neck as part of the neckline; chosen, within the stretch of a knit */
 #define TURTLENECK_PART 0.87
 
@@ -48,12 +47,12 @@ static int32_t collar_band(mus__half *half, const char *name, const mus__chain *
     mus__chain_line(front ? &end : &centre, stop, high_start);
     mus__chain_line(front ? &centre : &end, high_stop, start);
     const int32_t panel = mus__board_panel_add(board, name, "collar");
-    sides[0] = mus__chain_side(board, panel, "bottom", NULL, COLLAR_SEAM, &low);
-    if (front) sides[1] = mus__chain_side(board, panel, "cb", "neck", COLLAR_SEAM, &end);
-    else sides[3] = mus__chain_side(board, panel, "cb", "centre", COLLAR_SEAM, &centre);
-    sides[2] = mus__chain_side(board, panel, "top", "neck", COLLAR_SEAM, &high);
-    if (front) sides[3] = mus__chain_side(board, panel, "cf", "centre", COLLAR_SEAM, &centre);
-    else sides[1] = mus__chain_side(board, panel, "end", "neck", COLLAR_SEAM, &end);
+    sides[0] = mus__chain_side(board, panel, "bottom", NULL, MUS__COLLAR_SEAM, &low);
+    if (front) sides[1] = mus__chain_side(board, panel, "cb", "neck", MUS__COLLAR_SEAM, &end);
+    else sides[3] = mus__chain_side(board, panel, "cb", "centre", MUS__COLLAR_SEAM, &centre);
+    sides[2] = mus__chain_side(board, panel, "top", "neck", MUS__COLLAR_SEAM, &high);
+    if (front) sides[3] = mus__chain_side(board, panel, "cf", "centre", MUS__COLLAR_SEAM, &centre);
+    else sides[1] = mus__chain_side(board, panel, "end", "neck", MUS__COLLAR_SEAM, &end);
     mus__board_panel_close(board, panel);
     if (board->status == MUS_OK) {
         board->side[sides[3]].centre = MUS__CENTRE_FOLD;

@@ -9,6 +9,8 @@
 #include "half/half_placement.h"
 #include "style/style_parts.h"
 
+#define MUS__COLLAR_SEAM 0.007 /* [m] allowance of a collar: narrow, since it is turned */
+
 /* the neckline that a collar is drafted to */
 typedef struct mus__neck {
     mus__boundary loop;      /* the neckline, centre back to centre front */

@@ -16,7 +16,6 @@
 #include "geom/vec.h"
 #include "style/collar.h"
 
-#define FLAT_SEAM 0.007
 #define FLAT_STEPS 96  /* intervals of the integration along the neck edge */
 #define FLAT_ABOVE 4.0 /* [cm at size 40] height at which a collar starts above the panels of the bodice */
 #define FLAT_TILT 0.7  /* [rad] angle by which the back of a collar starts turned down */
@@ -247,11 +246,12 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
 
     const int32_t panel = mus__board_panel_add(board, "collar", "collar");
     int32_t neck_sides[2];
-    neck_sides[0] = mus__chain_side(board, panel, "neckF", NULL, FLAT_SEAM, &inner[0]);
-    neck_sides[1] = mus__chain_side(board, panel, "neckB", NULL, FLAT_SEAM, &inner[1]);
-    const int32_t cb = mus__chain_side(board, panel, "cb", neck->back_open ? "neck" : "centre", FLAT_SEAM, &centre);
-    mus__chain_side(board, panel, "outer", "neck", FLAT_SEAM, &outer[0]);
-    mus__chain_side(board, panel, "front", "neck", FLAT_SEAM, &outer[1]);
+    neck_sides[0] = mus__chain_side(board, panel, "neckF", NULL, MUS__COLLAR_SEAM, &inner[0]);
+    neck_sides[1] = mus__chain_side(board, panel, "neckB", NULL, MUS__COLLAR_SEAM, &inner[1]);
+    const int32_t cb =
+        mus__chain_side(board, panel, "cb", neck->back_open ? "neck" : "centre", MUS__COLLAR_SEAM, &centre);
+    mus__chain_side(board, panel, "outer", "neck", MUS__COLLAR_SEAM, &outer[0]);
+    mus__chain_side(board, panel, "front", "neck", MUS__COLLAR_SEAM, &outer[1]);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[cb].centre = neck->back_open ? MUS__CENTRE_OPEN : MUS__CENTRE_FOLD;

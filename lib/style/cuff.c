@@ -6,7 +6,6 @@
 
 #include "style/sleeve.h"
 
-#define CUFF_SEAM 0.010
 #define CUFF_SIDES 8
 
 
@@ -51,7 +50,7 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     for (int32_t i = 0; i < 4; i++) {
         mus__chain line;
         mus__chain_line(&line, corner[i], corner[(i + 1) % 4]);
-        side[i] = mus__chain_side(board, panel, names[i], i == 0 ? "cuff" : NULL, CUFF_SEAM, &line);
+        side[i] = mus__chain_side(board, panel, names[i], i == 0 ? "cuff" : NULL, MUS__SEAM_ALLOWANCE, &line);
     }
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;

@@ -7,9 +7,6 @@
 #include "geom/vec.h"
 #include "style/collar.h"
 
-#define HOOD_SEAM 0.010
-#define HOOD_HEM 0.025
-
 
 void mus__hood_attach(mus__half *half, mus__neck *neck)
 {
@@ -32,9 +29,9 @@ void mus__hood_attach(mus__half *half, mus__neck *neck)
         for (int32_t p = 0; p < sides[i].nxy; p++) sides[i].xy[2 * p] -= back;
 
     const int32_t panel = mus__board_panel_add(board, "hood", "hood");
-    const int32_t edge = mus__chain_side(board, panel, "neck", NULL, HOOD_SEAM, &sides[0]);
-    const int32_t crown = mus__chain_side(board, panel, "crown", "centre", HOOD_SEAM, &sides[1]);
-    mus__chain_side(board, panel, "face", "neck", HOOD_HEM, &sides[2]);
+    const int32_t edge = mus__chain_side(board, panel, "neck", NULL, MUS__SEAM_ALLOWANCE, &sides[0]);
+    const int32_t crown = mus__chain_side(board, panel, "crown", "centre", MUS__SEAM_ALLOWANCE, &sides[1]);
+    mus__chain_side(board, panel, "face", "neck", MUS__HEM_ALLOWANCE, &sides[2]);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[crown].centre = MUS__CENTRE_SEAM;

@@ -10,7 +10,6 @@
 #include "block/block_skirt.h"
 #include "style/waist_edge.h"
 
-#define SKIRT_ALLOWANCE (1.0 * MUS__CM)
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
 
 
@@ -69,11 +68,11 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     mus__chain_cubic(&low, block->side_low);
     mus__chain_append(&chain, &low);
     mus__chain_reverse(&chain);
-    mus__outline_add(&outline, "side", "side", SKIRT_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "side", "side", MUS__SEAM_ALLOWANCE, &chain);
     skirt_waist_parts(block, part);
     mus__lower_top(&outline, block->ndart, block->dart, part);
-    mus__outline_line(&outline, "centre", "centre", SKIRT_ALLOWANCE, top, slit > 0.0 ? open : bottom);
-    if (slit > 0.0) mus__outline_line(&outline, "slit", "hem", SKIRT_ALLOWANCE, open, bottom);
+    mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, top, slit > 0.0 ? open : bottom);
+    if (slit > 0.0) mus__outline_line(&outline, "slit", "hem", MUS__SEAM_ALLOWANCE, open, bottom);
 
     const int32_t panel = mus__outline_panel(half, &outline, front ? "skirt_front" : "skirt_back", "skirt", !front);
     mus__half_centre(half, panel, "centre", (front || whole) && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
@@ -161,9 +160,9 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
     mus__cubic_set(low, c, c[0] + handle * reach * cos(angle), c[1] - handle * reach * sin(angle), -handle * height,
                    bottom, a);
     mus__chain_cubic(&chain, low);
-    mus__outline_add(&outline, "hem", "hem", SKIRT_ALLOWANCE, &chain);
-    mus__outline_line(&outline, "join", "centre", SKIRT_ALLOWANCE, a, b);
-    mus__outline_line(&outline, "edge", "hem", SKIRT_ALLOWANCE, b, c);
+    mus__outline_add(&outline, "hem", "hem", MUS__SEAM_ALLOWANCE, &chain);
+    mus__outline_line(&outline, "join", "centre", MUS__SEAM_ALLOWANCE, a, b);
+    mus__outline_line(&outline, "edge", "hem", MUS__SEAM_ALLOWANCE, b, c);
     const int32_t lap = mus__outline_panel(half, &outline, "skirt_lap", "skirt", false);
     if (half->board.status != MUS_OK) return;
     half->board.panel[lap].single = 1;

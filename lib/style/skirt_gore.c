@@ -15,7 +15,6 @@
 #include "geom/vec.h"
 #include "style/waist_edge.h"
 
-#define GORE_ALLOWANCE (1.0 * MUS__CM)
 #define GORES 4 /* of a half garment at most */
 
 typedef struct gore_plan {
@@ -145,16 +144,16 @@ static void gore_edge_add(const gore_plan *plan, mus__outline *outline, const mu
     const char *name = outer ? "out" : "in", *name_low = outer ? "out_low" : "in_low";
     if (plan->godet > 0.0) gore_edge_split(plan, edge, &high, &low);
     if (!outer) {
-        mus__outline_add(outline, name, "side", GORE_ALLOWANCE, &high);
-        if (plan->godet > 0.0) mus__outline_add(outline, name_low, "side", GORE_ALLOWANCE, &low);
+        mus__outline_add(outline, name, "side", MUS__SEAM_ALLOWANCE, &high);
+        if (plan->godet > 0.0) mus__outline_add(outline, name_low, "side", MUS__SEAM_ALLOWANCE, &low);
         return;
     }
     mus__chain_reverse(&high);
     if (plan->godet > 0.0) {
         mus__chain_reverse(&low);
-        mus__outline_add(outline, name_low, "side", GORE_ALLOWANCE, &low);
+        mus__outline_add(outline, name_low, "side", MUS__SEAM_ALLOWANCE, &low);
     }
-    mus__outline_add(outline, name, "side", GORE_ALLOWANCE, &high);
+    mus__outline_add(outline, name, "side", MUS__SEAM_ALLOWANCE, &high);
 }
 
 
@@ -203,9 +202,9 @@ static int32_t gore_draw(mus__half *half, const gore_plan *plan, int32_t index, 
     mus__outline_begin(&outline);
     mus__outline_add(&outline, "hem", "hem", 3.0 * MUS__CM, &hem);
     gore_edge_add(plan, &outline, &edge, true);
-    mus__outline_add(&outline, "waist", "waist", GORE_ALLOWANCE, &waist);
+    mus__outline_add(&outline, "waist", "waist", MUS__SEAM_ALLOWANCE, &waist);
     if (on_fold)
-        mus__outline_line(&outline, "in", "centre", GORE_ALLOWANCE, waist.xy + 2 * (waist.nxy - 1), hem.xy);
+        mus__outline_line(&outline, "in", "centre", MUS__SEAM_ALLOWANCE, waist.xy + 2 * (waist.nxy - 1), hem.xy);
     else
         gore_edge_add(plan, &outline, &inner, false);
     return mus__outline_panel(half, &outline, name, "skirt", !front);
@@ -225,9 +224,9 @@ static int32_t gore_godet(mus__half *half, const gore_plan *plan, const char *na
     if (on_fold) mus__chain_arc(&hem, low, mid, b);
     else mus__chain_arc(&hem, a, low, b);
     mus__outline_add(&outline, "hem", "hem", 3.0 * MUS__CM, &hem);
-    mus__outline_line(&outline, "out", "side", GORE_ALLOWANCE, b, apex);
+    mus__outline_line(&outline, "out", "side", MUS__SEAM_ALLOWANCE, b, apex);
     if (on_fold) mus__outline_line(&outline, "fold", "centre", 0.0, apex, low);
-    else mus__outline_line(&outline, "in", "side", GORE_ALLOWANCE, apex, a);
+    else mus__outline_line(&outline, "in", "side", MUS__SEAM_ALLOWANCE, apex, a);
     const int32_t panel = mus__outline_panel(half, &outline, name, "godet", !front);
     mus__half_centre(half, panel, "fold", MUS__CENTRE_FOLD);
     return panel;

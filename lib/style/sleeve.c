@@ -12,8 +12,6 @@
 
 #include "style/sleeve.h"
 
-#define SLEEVE_SEAM 0.010
-#define SLEEVE_HEM 0.025
 /* pitch of an armhole without a notch, as part of its length from the underarm up: near that of the bodice block */
 #define PITCH_FRONT 0.47
 #define PITCH_BACK 0.48
@@ -202,8 +200,8 @@ static int32_t sleeve_panel(mus__half *half, const mus__sleeve_cut *cut, bool pa
     static const char *const names[MUS__CAP_PARTS] = {"capB_low", "capB", "capF", "capF_low"};
     mus__board *board = &half->board;
     const int32_t panel = mus__board_panel_add(board, "sleeve", "arm");
-    mus__chain_side(board, panel, "hem", "cuff", SLEEVE_HEM, &cut->hem);
-    const int32_t back = mus__chain_side(board, panel, "underB", NULL, SLEEVE_SEAM, &cut->under_back);
+    mus__chain_side(board, panel, "hem", "cuff", MUS__HEM_ALLOWANCE, &cut->hem);
+    const int32_t back = mus__chain_side(board, panel, "underB", NULL, MUS__SEAM_ALLOWANCE, &cut->under_back);
     for (int32_t i = 0; i < MUS__CAP_PARTS; i++) {
         mus__chain chain = cut->cap[i];
         cap[i] = MUS_NONE;
@@ -214,9 +212,9 @@ static int32_t sleeve_panel(mus__half *half, const mus__sleeve_cut *cut, bool pa
         } else if (!parted) {
             mus__chain_append(&chain, &cut->cap[MUS__CAP_FRONT_LOW]);
         }
-        cap[i] = mus__chain_side(board, panel, names[i], NULL, SLEEVE_SEAM, &chain);
+        cap[i] = mus__chain_side(board, panel, names[i], NULL, MUS__SEAM_ALLOWANCE, &chain);
     }
-    const int32_t front = mus__chain_side(board, panel, "underF", NULL, SLEEVE_SEAM, &cut->under_front);
+    const int32_t front = mus__chain_side(board, panel, "underF", NULL, MUS__SEAM_ALLOWANCE, &cut->under_front);
     mus__board_panel_close(board, panel);
     mus__board_seam_add(board, front, back, MUS_SEAM_REVERSED, 0.0);
 
@@ -287,11 +285,11 @@ static void sleeve_cap_alone(mus__half *half, mus__sleeve_plan *plan)
     double front, back;
     mus__sleeve_short_cap(&plan->block, 0.3, &front, &back, &cut);
     const int32_t panel = mus__board_panel_add(board, "sleeve", "arm");
-    mus__chain_side(board, panel, "hem", "armhole", SLEEVE_HEM, &cut.hem);
+    mus__chain_side(board, panel, "hem", "armhole", MUS__HEM_ALLOWANCE, &cut.hem);
     const int32_t b =
-        mus__chain_side(board, panel, "capB", NULL, SLEEVE_SEAM, &cut.cap[MUS__CAP_BACK_HIGH]);
+        mus__chain_side(board, panel, "capB", NULL, MUS__SEAM_ALLOWANCE, &cut.cap[MUS__CAP_BACK_HIGH]);
     const int32_t f =
-        mus__chain_side(board, panel, "capF", NULL, SLEEVE_SEAM, &cut.cap[MUS__CAP_FRONT_HIGH]);
+        mus__chain_side(board, panel, "capF", NULL, MUS__SEAM_ALLOWANCE, &cut.cap[MUS__CAP_FRONT_HIGH]);
     mus__board_panel_close(board, panel);
 
     const int32_t n = arm->n, first = mus__boundary_split(board, arm, front), shoulder = plan->shoulder + arm->n - n;

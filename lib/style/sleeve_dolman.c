@@ -20,9 +20,6 @@
 #include "geom/vec.h"
 #include "style/sleeve.h"
 
-#define DOLMAN_SEAM 0.010
-#define DOLMAN_HEM 0.025
-
 
 /* the sleeve's front or back half: points [m] and unit vectors in the frame of its panel */
 typedef struct dolman_half {
@@ -146,7 +143,7 @@ static void dolman_draw(mus__half *garment, dolman_half *half, double hold, int3
         dolman_replace(board, side, &chain[i]);
         if (board->status != MUS_OK) return;
         mus__board_rename(board, side, names[i], i == 1 ? "cuff" : "");
-        board->side[side].attr.allowance = i == 1 ? DOLMAN_HEM : DOLMAN_SEAM;
+        board->side[side].attr.allowance = i == 1 ? MUS__HEM_ALLOWANCE : MUS__SEAM_ALLOWANCE;
         sides[i] = side;
     }
     for (int32_t i = 0; i < 3; i++) mus__board_follow(board, order[i], board->side[order[i]].next);

@@ -18,9 +18,6 @@
 #include "geom/vec.h"
 #include "style/sleeve.h"
 
-#define RAGLAN_SEAM 0.010
-#define RAGLAN_HEM 0.025
-
 
 /* Copies the curve of a half-edge to *out. Fails when it has more pieces than a mus__chain holds. */
 static void raglan_chain(mus__board *board, int32_t side, mus__chain *out)
@@ -225,19 +222,19 @@ void mus__sleeve_raglan(mus__half *half, mus__sleeve_plan *plan)
 
     /* draw the sleeve, counter-clockwise from the front of its hem */
     const int32_t panel = mus__board_panel_add(board, "sleeve", "arm");
-    mus__chain_side(board, panel, "hem", "cuff", RAGLAN_HEM, &cut.hem);
-    const int32_t under_back = mus__chain_side(board, panel, "underB", NULL, RAGLAN_SEAM, &cut.under_back);
+    mus__chain_side(board, panel, "hem", "cuff", MUS__HEM_ALLOWANCE, &cut.hem);
+    const int32_t under_back = mus__chain_side(board, panel, "underB", NULL, MUS__SEAM_ALLOWANCE, &cut.under_back);
     const int32_t cap_back =
-        mus__chain_side(board, panel, "capB_low", NULL, RAGLAN_SEAM, &cut.cap[MUS__CAP_BACK_LOW]);
-    const int32_t rag_back = mus__chain_side(board, panel, "ragB", NULL, RAGLAN_SEAM, &back.cut);
-    mus__chain_side(board, panel, "neckB", "neck", RAGLAN_SEAM, &back.neck);
-    const int32_t dart_back = mus__chain_side(board, panel, "shB", NULL, RAGLAN_SEAM, &leg_back);
-    const int32_t dart_front = mus__chain_side(board, panel, "shF", NULL, RAGLAN_SEAM, &leg_front);
-    mus__chain_side(board, panel, "neckF", "neck", RAGLAN_SEAM, &front.neck);
-    const int32_t rag_front = mus__chain_side(board, panel, "ragF", NULL, RAGLAN_SEAM, &front.cut);
+        mus__chain_side(board, panel, "capB_low", NULL, MUS__SEAM_ALLOWANCE, &cut.cap[MUS__CAP_BACK_LOW]);
+    const int32_t rag_back = mus__chain_side(board, panel, "ragB", NULL, MUS__SEAM_ALLOWANCE, &back.cut);
+    mus__chain_side(board, panel, "neckB", "neck", MUS__SEAM_ALLOWANCE, &back.neck);
+    const int32_t dart_back = mus__chain_side(board, panel, "shB", NULL, MUS__SEAM_ALLOWANCE, &leg_back);
+    const int32_t dart_front = mus__chain_side(board, panel, "shF", NULL, MUS__SEAM_ALLOWANCE, &leg_front);
+    mus__chain_side(board, panel, "neckF", "neck", MUS__SEAM_ALLOWANCE, &front.neck);
+    const int32_t rag_front = mus__chain_side(board, panel, "ragF", NULL, MUS__SEAM_ALLOWANCE, &front.cut);
     const int32_t cap_front =
-        mus__chain_side(board, panel, "capF_low", NULL, RAGLAN_SEAM, &cut.cap[MUS__CAP_FRONT_LOW]);
-    const int32_t under_front = mus__chain_side(board, panel, "underF", NULL, RAGLAN_SEAM, &cut.under_front);
+        mus__chain_side(board, panel, "capF_low", NULL, MUS__SEAM_ALLOWANCE, &cut.cap[MUS__CAP_FRONT_LOW]);
+    const int32_t under_front = mus__chain_side(board, panel, "underF", NULL, MUS__SEAM_ALLOWANCE, &cut.under_front);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     mus__board_seam_add(board, under_front, under_back, MUS_SEAM_REVERSED, 0.0);

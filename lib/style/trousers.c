@@ -17,7 +17,6 @@
 #include "geom/vec.h"
 #include "style/waist_edge.h"
 
-#define LEG_ALLOWANCE (1.0 * MUS__CM)
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
 #define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
 
@@ -129,14 +128,14 @@ static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, b
     mus__outline_add(&outline, "hem", "hem", 4.0 * MUS__CM, &chain);
     chain = block->outseam;
     mus__chain_reverse(&chain);
-    mus__outline_add(&outline, "outseam", "side", LEG_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "outseam", "side", MUS__SEAM_ALLOWANCE, &chain);
     trousers_waist(block, part);
     mus__lower_top(&outline, block->ndart, block->dart, part);
     mus__chain_line(&chain, block->centre, block->centre + 2);
     mus__chain_cubic(&crotch, block->crotch);
     mus__chain_append(&chain, &crotch);
-    mus__outline_add(&outline, "crotch", "centre", LEG_ALLOWANCE, &chain);
-    mus__outline_add(&outline, "inseam", "inseam", LEG_ALLOWANCE, &block->inseam);
+    mus__outline_add(&outline, "crotch", "centre", MUS__SEAM_ALLOWANCE, &chain);
+    mus__outline_add(&outline, "inseam", "inseam", MUS__SEAM_ALLOWANCE, &block->inseam);
     const int32_t panel = mus__outline_panel(half, &outline, front ? "leg_front" : "leg_back", "leg", !front);
     mus__half_centre(half, panel, "crotch", MUS__CENTRE_SEAM);
     mus__half_darts(half, panel);
@@ -164,9 +163,9 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
     mus__outline outline;
     mus__outline_begin(&outline);
     mus__outline_line(&outline, "hem", "hem", 0.0, a, b);
-    mus__outline_line(&outline, "end_back", "inseam", LEG_ALLOWANCE, b, c);
-    mus__outline_line(&outline, "top", "cuff", LEG_ALLOWANCE, c, d);
-    mus__outline_line(&outline, "end_front", "inseam", LEG_ALLOWANCE, d, a);
+    mus__outline_line(&outline, "end_back", "inseam", MUS__SEAM_ALLOWANCE, b, c);
+    mus__outline_line(&outline, "top", "cuff", MUS__SEAM_ALLOWANCE, c, d);
+    mus__outline_line(&outline, "end_front", "inseam", MUS__SEAM_ALLOWANCE, d, a);
     const int32_t rib = mus__outline_panel(half, &outline, "leg_rib", "rib", false);
     mus__half_sew(half, rib, "end_back", rib, "end_front", 0.0);
     const int32_t hems[2] = {mus__board_find(board, front, "hem"), mus__board_find(board, back, "hem")};

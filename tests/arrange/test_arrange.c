@@ -93,7 +93,7 @@ static void start_end(start *s)
 }
 
 
-/* how many nodes are deeper than 5 mm; how many triangles of trunk panels face the middle of the body */
+/* Counts the nodes deeper than 5 mm in the body, and the triangles of trunk panels that face its middle. */
 static void start_look(const start *s, int32_t *deep, int32_t *inward)
 {
     const int32_t n = mus_drape_node_count(s->drape);
@@ -142,7 +142,7 @@ START_TEST(found_starts_are_as_good_as_those_of_the_designs)
 END_TEST
 
 
-/* what was there before does not count, and the same is found again, bit for bit; it sews */
+/* a former placement has no effect: the same one is found again, bit for bit; it can be sewn */
 START_TEST(a_found_start_is_found_again_and_sews)
 {
     start s = start_draft(0);

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "muslin/exchange.h"
 #include "drape/scenes.h"
+#include "muslin/exchange.h"
 
 typedef struct begin {
     mus_context *context;
@@ -38,7 +38,7 @@ static void begin_end(begin *s)
 }
 
 
-/* what is said of a pattern: by its check, else of where it lies before it is sewn */
+/* Returns the reason that a pattern's check gives, else that of its arrangement before sewing. */
 static mus_reason begin_reason(const begin *s, double spacing)
 {
     mus_reason reason;

@@ -115,7 +115,7 @@ START_TEST(others_start_flat)
 END_TEST
 
 
-/* what a body stands between, with one try: the seam stays open and is told after half the time */
+/* a seam whose edges lie on two sides of the body, with one way of sewing: it is reported open after half the time */
 START_TEST(one_try_is_one)
 {
     mus_context *context = support_context();

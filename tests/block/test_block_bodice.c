@@ -171,7 +171,7 @@ START_TEST(a_measured_front_waist_sets_the_bust_dart)
     ck_assert_int_eq(mus__bodice_draft(context, &measures, &def, &bodice), MUS_OK);
     const double drop = bodice.dart_drop, front_waist = bodice.front_waist;
 
-    /* what the draft came to, given as a measure, gives the draft again; 1 cm more opens the dart by 1 cm */
+    /* the front waist length of a draft, given as a measure, gives the same draft; 1 cm more opens the dart by 1 cm */
     measures.front_waist_given = true;
     measures.v[MUS_MEASURE_FRONT_WAIST] = front_waist;
     ck_assert_int_eq(mus__bodice_draft(context, &measures, &def, &bodice), MUS_OK);
@@ -200,7 +200,7 @@ START_TEST(a_lowered_neck_moves_along_the_shoulder)
 END_TEST
 
 
-/* what cannot be drawn is told by the measures that forbid it */
+/* a bodice that cannot be drafted is refused with the names of the measures */
 START_TEST(impossible_measures_are_refused_by_name)
 {
     static const struct {

@@ -39,7 +39,8 @@ START_TEST(sleeves_are_the_golden_numbers)
     CK_GOLDEN(size, "crown shift", sleeve.crown, CM, golden[_i].crown, GOLDEN);
     CK_GOLDEN(size, "front cap", sleeve.front_length, CM, golden[_i].front, GOLDEN);
     CK_GOLDEN(size, "back cap", sleeve.back_length, CM, golden[_i].back, GOLDEN);
-    CK_GOLDEN(size, "underarm", sleeve.under_length, CM, golden[_i].under, GOLDEN);
+    const double under = hypot(0.5 * (sleeve.width - sleeve.hem), sleeve.length - sleeve.height);
+    CK_GOLDEN(size, "underarm", under, CM, golden[_i].under, GOLDEN);
     support_context_end(context);
 }
 END_TEST

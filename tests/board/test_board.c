@@ -1,10 +1,10 @@
 /*
  * test_board.c: the cutting table: read and written it is the pattern that it was; drawing, finding, failing.
  */
+#include "board/table.h"
+#include "pattern/same.h"
 #include "topology/garments.h"
 #include "topology/gluing.h"
-#include "pattern/same.h"
-#include "board/table.h"
 
 
 START_TEST(a_pattern_read_and_written_is_the_same)
@@ -46,7 +46,7 @@ START_TEST(an_outline_that_comes_back_to_a_point_still_does)
             MUS_OK);
     ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, 6, edge, along), MUS_OK);
 
-    /* as it was, mirrored, and in the part of a cut that has the point twice */
+    /* read and written as it is, mirrored, and the part of a cut whose outline passes the point twice */
     const int32_t arc = MUS_PIECE_ARC, points[3] = {5, 10, 12};
     const double cut[6] = {0.3, 0.0, 0.15, -0.05, 0.0, 0.0};
     mus__board_read(&board, pattern);

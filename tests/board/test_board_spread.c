@@ -21,7 +21,7 @@ static int32_t skirt_draw(mus__board *board)
 }
 
 
-/* what a random slash is asked for, and what the panel was before */
+/* a random slash, and the figures of the panel before it */
 typedef struct slash {
     mus__board board;
     int32_t panel, from, to, sides;

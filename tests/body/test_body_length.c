@@ -188,7 +188,7 @@ START_TEST(middle_lines_are_those_of_the_surface)
         middle_at(body, range, top, -1.0, nape);
         memcpy(back[behind++], waist, sizeof waist);
 
-        /* what is below the waist; what is behind the way from waist to nape */
+        /* vertices below the waist; vertices behind the line from waist to nape */
         for (int32_t v = range[0]; v < range[0] + range[1] && under < POINTS - 1; v++) {
             const double *x = mus_body_vertices(body) + 3 * (ptrdiff_t)v, at[2] = {x[2], x[1]};
             if (fabs(x[0]) > 1e-9) continue;

@@ -130,7 +130,7 @@ START_TEST(contradictions_are_refused_with_both_names_and_the_amount)
           {MUS_MEASURE_INLEG, 98}},
          {"inleg of 98.0 cm", "stature of 168.0 cm", "by 3.9 cm", ""}},
         {{{MUS_MEASURE_STATURE, 66}, {MUS_MEASURE_BUST, 92}, {MUS_MEASURE_WAIST, 76}, {MUS_MEASURE_HIP, 100}},
-         {"bust of 92.0 cm", "stature of 66.0 cm", "inches taken for cm", "167.6 cm"}},
+         {"bust of 92.0 cm", "stature of 66.0 cm", "the first digit lost", "166.0 cm"}},
         {{{MUS_MEASURE_STATURE, 175}, {MUS_MEASURE_BUST, 102}, {MUS_MEASURE_WAIST, 34}, {MUS_MEASURE_HIP, 104}},
          {"waist of 34.0 cm", "inches taken for cm", "86.4 cm", ""}},
     };
@@ -288,7 +288,7 @@ START_TEST(limbs_can_be_added)
     ck_assert_msg(more > ball + 5e-4 && more < ball + 5.5e-3, "%g", more);
     ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_WAIST), 0.76, 1e-9);
 
-    /* what must be refused */
+    /* a sum of limbs that there is not, and a def of another size, are refused */
     mus_tape *tape = odd_tape(context, MUS_SEX_FEMALE, odd_woman);
     mus_body_def def;
     mus_body *none = NULL;

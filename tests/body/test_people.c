@@ -95,7 +95,7 @@ Suite *mus_suite_people(void)
     Suite *suite = suite_create("people");
     TCase *tests = tcase_create("people");
     tcase_set_timeout(tests, 120);
-    tcase_add_test(tests, people_of_the_survey_are_their_tapes_and_their_weights);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, people_of_the_survey_are_their_tapes_and_their_weights);
     suite_add_tcase(suite, tests);
     return suite;
 }

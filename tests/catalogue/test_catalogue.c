@@ -155,7 +155,7 @@ START_TEST(names_are_kept_once_and_transactions_all_or_none)
     ck_assert_int_eq(mus_catalogue_commit(catalogue), MUS_ERR_STATE);
     ck_assert_int_eq(mus_catalogue_rollback(catalogue), MUS_ERR_STATE);
 
-    /* what another program adds is seen by the next search */
+    /* a pattern added by another program is found by the next search */
     mus_catalogue *other = open_catalogue(context, path, MUS_CATALOGUE_WRITE);
     ck_assert_int_eq(mus_catalogue_add(other, a, "tube", NULL), MUS_OK);
     ck_assert_int_eq(mus_catalogue_nearest(catalogue, a, 1, &again, NULL, NULL, &n), MUS_OK);

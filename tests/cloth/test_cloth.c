@@ -177,7 +177,7 @@ START_TEST(more_nodes_than_allowed_are_refused_before_memory_is_taken)
     const int64_t asked = support_allocations();
     check_refused(context, pattern, &def, MUS_ERR_LIMIT,
                   "the pattern takes about 1.6008e+07 nodes at a spacing of 0.01 m, at most 1048576 (nodes_most); a "
-                  "spacing of 0.0391 m takes fewer");
+                  "spacing of 0.0402 m takes fewer");
     ck_assert_int_lt(support_allocations() - asked, 100);
     mus_pattern_destroy(pattern);
 
@@ -191,6 +191,17 @@ START_TEST(more_nodes_than_allowed_are_refused_before_memory_is_taken)
     mus_cloth_destroy(cloth);
     def.nodes_most = nodes - 1;
     check_refused(context, pattern, &def, MUS_ERR_LIMIT, "(nodes_most)");
+
+    /* the spacing of the sentence is allowed; where none is, the sentence has none */
+    def.nodes_most = 500;
+    check_refused(context, pattern, &def, MUS_ERR_LIMIT, "; a spacing of ");
+    def.spacing = strtod(strstr(mus_context_error(context), "; a spacing of ") + strlen("; a spacing of "), NULL);
+    ck_assert_double_le(def.spacing, 0.026);
+    ck_assert_int_eq(mus_cloth_create(context, pattern, &def, &cloth), MUS_OK);
+    mus_cloth_destroy(cloth);
+    def.nodes_most = 3;
+    check_refused(context, pattern, &def, MUS_ERR_LIMIT, "at most 3 (nodes_most)");
+    ck_assert_ptr_null(strstr(mus_context_error(context), "takes fewer"));
     for (int32_t k = 0; k < 3; k++) {
         def.nodes_most = k == 0 ? 0 : k == 1 ? -1 : (1 << 24) + 1;
         check_refused(context, pattern, &def, MUS_ERR_ARG, "expected 1 to 16777216");

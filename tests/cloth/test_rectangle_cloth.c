@@ -203,7 +203,7 @@ START_TEST(the_springs_of_the_paper_are_right_at_one_curvature)
         grid_near(grid_moment(cloth, 20.0), 5e-6 * 20.0, 0.02);
         grid_near(grid_moment(cloth, 2.0) / (5e-6 * 2.0), 0.01, 0.02);
 
-        /* what they stretch is taken from the lines */
+        /* the springs along the lines are softer by the stretch stiffness of the bending springs */
         const double area = 30 * cell[k][0] * 8 * cell[k][1], *skip = cell[k];
         mus__fabric_lattice c;
         mus__fabric_on_cell(&cloth->fabric, skip, &c);

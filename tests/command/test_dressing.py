@@ -333,13 +333,6 @@ def test_json_stays_json_on_a_terminal(program, tape):
     assert code == 0 and json.loads(out)["status"] == "settled"
 
 
-# ---- speed ----
-
-def test_a_draft_takes_less_than_50_ms(dress, tape):
-    report, _ = dress("--design", "skirt", "--tape", tape, "--spacing", 40)
-    assert report["seconds"]["draft"] < 0.05
-
-
 def test_a_locale_with_a_decimal_comma_changes_no_report(command, comma, tape, timeless):
     scene = ("dress", "--design", "skirt", "--tape", tape, "--spacing", "37.5", "--friction", "0.35", "--json")
     plain, other = (json.loads(command(*scene, **options).stdout) for options in ({}, comma))

@@ -1,4 +1,6 @@
 """What the command refuses: one line that names the thing, the right exit code, no file left, no work done first."""
+import json
+import os
 import subprocess
 
 import pytest
@@ -110,5 +112,37 @@ def test_a_bad_request_is_refused_before_the_work(program, tmp_path):
 def test_a_full_standard_output_is_told(program, arguments):
     with open("/dev/full", "wb") as full:
         done = subprocess.run([program, *arguments], stdout=full, stderr=subprocess.PIPE, timeout=60)
-    assert done.returncode in (1, 2)
+    assert done.returncode == 1
     assert done.stderr.count(b"\n") == 1 and b"cannot be written" in done.stderr
+
+
+@pytest.mark.parametrize("arguments", [["body", "--size", "W40", "--obj"], [*DRAFT, "-o"], [*PRINT, "--pdf"],
+                                       [*PRINT, "--svg"], [*DRESS, "--glb"], [*DRESS, "--report"]], ids=" ".join)
+def test_a_full_device_is_a_run_that_failed(command, arguments):
+    assert b"cannot be written" in command(*arguments, "/dev/full", code=1).stderr
+
+
+# ---- files that are none ----
+
+@pytest.mark.parametrize("arguments", [["dress", "--size", "W40", "--pattern"], ["dress", "--design", "skirt", "--tape"],
+                                       [*DRESS, "--fabric"], ["body", "--mesh"],
+                                       [*DRESS, "--png", "x.png", "--texture"]], ids=" ".join)
+def test_a_pipe_is_refused_before_it_is_opened(command, one_line, tmp_path, arguments):
+    pipe = tmp_path / ("p.tape" if "--tape" in arguments else "p.obj" if "--mesh" in arguments else "p.json")
+    os.mkfifo(pipe)
+    said = one_line(command(*arguments, pipe, code=2))
+    assert str(pipe) in said and "no regular file" in said
+
+
+# ---- names that would steer the terminal ----
+
+def test_control_characters_of_a_name_are_shown(command, one_line, tmp_path):
+    pattern = tmp_path / "a.json"
+    command(*DRAFT, "-o", pattern)
+    text = json.loads(pattern.read_text())
+    text["name"] = "a\x1b[31mred\x9b1m\n"
+    pattern.write_text(json.dumps(text))
+    done = command("dress", "--size", "W40", "--spacing", "50", "--pattern", pattern)
+    assert rb"a\x1b[31mred\xc2\x9b1m\x0a: settled" in done.stdout and b"\x1b" not in done.stdout
+    said = one_line(command("dress", "--size", "W40", "--pattern", "no\x1b[2J.json", code=2))
+    assert "\x1b" not in said and "[2J" in said

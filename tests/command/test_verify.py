@@ -22,13 +22,13 @@ def test_every_row_holds(rows):
 
 def test_every_case_of_integration_and_damping_is_there(rows):
     ids = {row["id"] for row in rows}
-    assert {f"I{i}" for i in range(1, 13)} | {"D1", "D2", "D3"} <= ids
+    assert {f"I{i}" for i in range(1, 14)} | {"D1", "D2", "D3"} <= ids
 
 
 def test_every_case_of_membrane_and_bending_is_there(rows):
     ids = {row["id"] for row in rows}
     assert {f"M{i}" for i in range(1, 11)} | {f"B{i}" for i in range(1, 9)} <= ids
-    assert {row["id"] for row in rows if row.get("negative")} == {"B6", "M2", "M3"}
+    assert {row["id"] for row in rows if row.get("negative")} == {"B6", "B8", "M2", "M3"}
 
 
 def test_every_case_on_limbs_and_planes_is_there(rows):

@@ -102,7 +102,7 @@ static void meeting_run(meeting *m, double seconds)
 }
 
 
-/* X6: contact acts by impulses: the bound with a body is the bound without, it holds when cloth lands, and a step above
+/* contact acts by impulses: the bound with a body is the bound without, it holds when cloth lands, and a step above
  * it is refused */
 START_TEST(a_body_does_not_lower_the_step_bound)
 {
@@ -129,7 +129,7 @@ START_TEST(a_body_does_not_lower_the_step_bound)
 END_TEST
 
 
-/* X13: at 100 m/s: no node goes through, none moves into the skin afterwards, energy never grows */
+/* at 100 m/s: no node goes through, none moves into the skin afterwards, energy never grows */
 START_TEST(cloth_hits_a_body_at_a_hundred_metres_a_second)
 {
     meeting m = meeting_start(16, 0.02, 0.0);
@@ -155,7 +155,7 @@ START_TEST(cloth_hits_a_body_at_a_hundred_metres_a_second)
 END_TEST
 
 
-/* X13: one node at 100 m/s and a step of 10 ms: it stops at the near side */
+/* one node at 100 m/s and a step of 10 ms: it stops at the near side */
 START_TEST(a_bullet_stops_at_the_near_side)
 {
     meeting m = meeting_start(1, 0.0, 0.0);
@@ -187,7 +187,7 @@ START_TEST(a_node_in_free_fall_stops_at_the_near_side)
 END_TEST
 
 
-/* X14: a body at 10 m/s, and one that moves a metre in a step, takes the cloth along on its front */
+/* a body at 10 m/s, and one that moves a metre in a step, takes the cloth along on its front */
 START_TEST(nothing_is_left_behind_a_body_that_rushes_on)
 {
     static const double speeds[] = {10.0, 100.0, 1000.0};
@@ -213,7 +213,7 @@ START_TEST(nothing_is_left_behind_a_body_that_rushes_on)
 END_TEST
 
 
-/* X14: where the body was put stays when it stops, and placing brings it back */
+/* where the body was put stays when it stops, and placing brings it back */
 START_TEST(a_body_stays_where_it_stops)
 {
     meeting m = meeting_start(1, 0.0, 0.0);
@@ -235,8 +235,8 @@ START_TEST(a_body_stays_where_it_stops)
 END_TEST
 
 
-/* X15: cloth that starts in the body comes out at about 1 m/s: no burst. From near the axis it must stretch over the
- * roller to come out, and snaps when it slips over */
+/* cloth that starts just in the body comes out below 1 m/s: no burst. From deep inside it must stretch over the roller
+ * to come out, and snaps when it slips over: at the speeds of such elastic energies, some metres a second */
 START_TEST(cloth_that_starts_inside_comes_out_slowly)
 {
     static const double heights[] = {0.099, 0.05, 0.03};
@@ -254,13 +254,13 @@ START_TEST(cloth_that_starts_inside_comes_out_slowly)
         deepest = report.max_penetration;
     }
     ck_assert_double_le(deepest, 1e-6);
-    ck_assert_msg(fastest < (_i / 2 % 3 < 2 ? 3.0 : 10.0), "%g m/s, %g J", fastest, elastic);
+    ck_assert_msg(fastest < (_i / 2 % 3 == 0 ? 1.0 : 10.0), "%g m/s, %g J", fastest, elastic);
     meeting_end(&m);
 }
 END_TEST
 
 
-/* X15: a cloth on both sides of the axis is torn apart by no burst either */
+/* a cloth on both sides of the axis is torn apart by no burst either */
 START_TEST(a_swallowed_cloth_stays_calm)
 {
     meeting m = meeting_start(8, 0.02, 0.0);
@@ -277,7 +277,7 @@ START_TEST(a_swallowed_cloth_stays_calm)
 END_TEST
 
 
-/* X31: on a slope of 30 degrees a point slides as friction says, and from 0.58 on not at all */
+/* on a slope of 30 degrees a point slides as friction says, and from 0.58 on not at all */
 START_TEST(friction_from_none_to_infinite)
 {
     static const double friction[] = {0.0, 0.3, 0.57, 0.6, 1.0, 10.0, INFINITY};
@@ -300,7 +300,7 @@ START_TEST(friction_from_none_to_infinite)
 END_TEST
 
 
-/* X25: cloth at rest on a slope does not creep */
+/* cloth at rest on a slope does not creep */
 START_TEST(what_sticks_on_a_slope_does_not_creep)
 {
     const double tilt = 0.3;
@@ -382,7 +382,7 @@ Suite *mus_suite_contact_scenes(void)
     tcase_add_loop_test(tests, cloth_that_starts_inside_comes_out_slowly, 0, 12);
     tcase_add_test(tests, a_swallowed_cloth_stays_calm);
     tcase_add_loop_test(tests, friction_from_none_to_infinite, 0, 2);
-    tcase_add_loop_test(tests, what_sticks_on_a_slope_does_not_creep, 0, 4);
+    tcase_add_loop_test(tests, what_sticks_on_a_slope_does_not_creep, 0, SUPPORT_SLOW ? 1 : 4);
     tcase_add_loop_test(tests, no_glide_is_no_change, 0, 4);
     tcase_add_loop_test(tests, threads_do_not_matter_to_fast_nodes, 0, 4);
     suite_add_tcase(suite, tests);

@@ -88,7 +88,7 @@ START_TEST(planes_do_what_asking_every_time_does)
 END_TEST
 
 
-/* what is deep comes out by `push`, and by `deep` of what is more than a millimetre; with none, by `push` alone */
+/* a deep node moves out by `push`, and by the share `deep` of its depth beyond 1 mm; with `deep` 0 by `push` only */
 START_TEST(what_is_deep_comes_out_faster)
 {
     mus_context *context = support_context();

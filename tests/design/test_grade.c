@@ -96,7 +96,7 @@ START_TEST(rules_of_one_step_make_the_next_size)
 END_TEST
 
 
-/* what is asked of a draft is measured on its cloth */
+/* the ease asked for is the ease of the draft, measured on its panels */
 START_TEST(ease_is_what_was_asked)
 {
     mus_context *context = support_context();

@@ -284,7 +284,7 @@ START_TEST(layers_have_the_same_bytes_for_any_number_of_threads)
 END_TEST
 
 
-/* what is not near is not touched: a single sheet that hangs has the bytes that it has without */
+/* a hanging sheet without contacts has the same bytes with self-contact as without */
 START_TEST(where_nothing_is_near_nothing_changes)
 {
     const double size[] = {0.1, 0.1, 0.3, 0.3};
@@ -305,7 +305,6 @@ START_TEST(where_nothing_is_near_nothing_changes)
 END_TEST
 
 
-/* X34 of cloth on cloth: thickness 0, larger than half the cell */
 /* neighbours that go round together do not come near each other: a sheet that turns and falls asks for next to nothing
  * (9,460 distances while the list had what drifts apart or together by as much as these differ) */
 START_TEST(what_turns_with_its_neighbours_is_not_asked)

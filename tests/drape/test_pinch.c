@@ -1,6 +1,6 @@
 /*
  * test_pinch.c: cloth between two bodies that leave it no room, in the crease of a body that touches itself, and cloth
- * that starts inside one (cases X32, X15): it lies still, is told where it is inside, and gets no more energy
+ * that starts inside one: it lies still, is told where it is inside, and gets no more energy
  * than the report says.
  */
 #include <math.h>
@@ -96,7 +96,7 @@ static void pinch_run(pinch *p, double seconds)
 }
 
 
-/* how far the node that moves most goes in `seconds` */
+/* Returns the longest way of a node in `seconds` [m]. */
 static double pinch_jitter(pinch *p, double seconds)
 {
     const double *x = mus_drape_positions(p->drape);
@@ -113,7 +113,7 @@ static double pinch_jitter(pinch *p, double seconds)
 
 
 /*
- * X32: a sheet that hangs between bodies that leave it less room than the clearance asks for (1 mm of 4), none (they
+ * a sheet that hangs between bodies that leave it less room than the clearance asks for (1 mm of 4), none (they
  * touch), or that lie in one another by 1 cm. Settled, each node has left the narrow place on one side and lies there:
  * settled again none goes as far as the collision distance.
  */
@@ -146,7 +146,7 @@ END_TEST
 
 
 /*
- * X32, stepped: what bodies that stand still do to a sheet between them is no source of energy. It was 18 to 45 J, the
+ * stepped: what bodies that stand still do to a sheet between them is no source of energy. It was 18 to 45 J, the
  * nodes' speed 100 to 200 m/s, until they were out: they were put out at 1 m/s against any spring. In gaps of 1 mm and
  * none they come out (the clearance is more); in bodies that lie in one another they lie still where they are, and how
  * deep is told.
@@ -174,7 +174,7 @@ START_TEST(bodies_give_no_energy_to_what_they_pinch)
 END_TEST
 
 
-/* X32: a sheet that falls onto the crease between two that lie in one another by 1 cm: no node trembles */
+/* a sheet that falls onto the crease between two that lie in one another by 1 cm: no node trembles */
 START_TEST(cloth_in_a_crease_lies_still)
 {
     const double gravity[3] = {0.0, -9.81, 0.0};
@@ -189,7 +189,7 @@ END_TEST
 
 
 /*
- * X15: which nodes begin inside is told, node by node, before the run: 1 mm, 5 cm, and on both sides of the axis. What
+ * which nodes begin inside is told, node by node, before the run: 1 mm, 5 cm, and on both sides of the axis. What
  * pushes them out is reported: the cloth's momentum is the impulse of the body, its kinetic energy no more than the
  * energy that it got.
  */

@@ -15,7 +15,7 @@ Suite *mus_suite_plain(void);
 #define N (SIDE * SIDE)
 
 
-/* G 300, C11 1300, one rigidity in every direction; see bench_speed.c */
+/* G 300, C11 1300, one rigidity in every direction; as examples/bench/steps.c has them */
 static plain_lattice plain_of(mus_context *context, int32_t precision, mus_cloth **cloth, mus_drape **drape)
 {
     const double cell[2] = {0.01, 0.01}, rigidity = 2e-3;

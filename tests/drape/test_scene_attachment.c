@@ -58,7 +58,7 @@ START_TEST(a_held_waist_stays_and_carries_the_garment)
     ck_assert_double_gt(low, waist[1] - 0.02 - 0.003);
     ck_assert_double_lt(low, waist[1] - 0.02 + 0.003);
 
-    /* what the holds pull is what the skin does not carry: part of the weight, and no more than all of it */
+    /* the attachments carry the part of the weight that the skin does not: more than 0, at most all of it */
     const double weight = 9.81 * mus_cloth_mass(cloth);
     double pull = 0.0;
     for (int32_t i = 0; i < drape->program.nattachment; i++) {

@@ -189,7 +189,7 @@ START_TEST(cloth_comes_to_lie_on_the_ground)
 END_TEST
 
 
-/* what sticks on a slope lies there for ever, to the last bit */
+/* cloth that sticks to an incline does not move, to the last bit */
 START_TEST(what_sticks_on_an_incline_does_not_creep)
 {
     ground g = ground_start(1);
@@ -427,7 +427,7 @@ START_TEST(adding_a_plane_fails_clean)
 END_TEST
 
 
-/* what contact sees is told: over an incline the height and its normal, far off nothing */
+/* the query of contact: over an incline its height and normal, far from it nothing */
 START_TEST(depth_is_the_height_over_the_plane)
 {
     ground g = ground_start(0);

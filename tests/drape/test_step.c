@@ -24,7 +24,7 @@ static mus_drape *grid_scene(mus_context *context, mus_cloth **cloth, int32_t pr
 }
 
 
-/* X5 by hand, flat square cells: inside, lambda_max = 4 k + 4 k_d (all threads of one kind, half of each diagonal). A
+/* by hand, flat square cells: inside, lambda_max = 4 k + 4 k_d (all threads of one kind, half of each diagonal). A
  * corner has a quarter of the mass, half threads and one whole diagonal: [k + k_d, k_d; k_d, k + k_d], so k + 2 k_d.
  * The identity in place of n n^T would give 8 k + 8 k_d inside */
 START_TEST(bound_is_that_of_the_three_by_three_matrix)
@@ -90,7 +90,7 @@ START_TEST(strong_shear_lowers_the_bound)
 END_TEST
 
 
-/* X4: what gets through is caught. The bound is falsified, a shaken cloth stepped far above it: the state that comes
+/* what gets through is caught. The bound is falsified, a shaken cloth stepped far above it: the state that comes
  * back is one that was good, with its time */
 START_TEST(energy_that_rises_ends_the_run_at_the_last_good_state)
 {
@@ -153,7 +153,7 @@ START_TEST(a_plan_says_what_a_frame_costs_and_changes_nothing)
 END_TEST
 
 
-/* X21: all held: the reactions carry the weight. X35: gravity changed on the way changes the forces by m dg exactly */
+/* all held: the reactions carry the weight. Gravity changed on the way changes the forces by m dg exactly */
 START_TEST(forces_of_held_nodes_are_their_weight)
 {
     mus_context *context = support_context();

@@ -1,6 +1,5 @@
 /*
- * test_tack_kept.c: tacks stay through sewing, opening and settling, on coarser cuts too, and where memory fails
- * (cases X6, X20).
+ * test_tack_kept.c: tacks stay through sewing, opening and settling, on coarser cuts too, and where memory fails.
  */
 #include <stdio.h>
 
@@ -9,7 +8,7 @@
 Suite *mus_suite_tack_kept(void);
 
 
-/* X20: the first, and one for which there is no room left; what was in stays in. Steps and taking out need no memory */
+/* the first, and one for which there is no room left; what was in stays in. Steps and taking out need no memory */
 START_TEST(a_tack_without_memory_leaves_the_drape_as_it_was)
 {
     const int32_t have = _i ? 16 : 0; /* there is room for 16 */
@@ -172,7 +171,7 @@ START_TEST(tacked_cloth_rests_on_cloth)
 END_TEST
 
 
-/* what waits to be sewn is not drawn by what is worn: a tack to it waits too, and is there again when it does not */
+/* a tack between a worn layer and one that is not sewn yet exerts no force until that layer is sewn */
 START_TEST(a_tack_to_a_layer_that_waits_is_slack)
 {
     mus_context *context = support_context();

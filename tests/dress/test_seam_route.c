@@ -7,10 +7,10 @@
 
 #include "body/body_internal.h"
 #include "drape/drape_state.h"
-#include "dress/sew.h"
-#include "geom/vec.h"
 #include "drape/scenes.h"
 #include "drape/worn.h"
+#include "dress/sew.h"
+#include "geom/vec.h"
 
 Suite *mus_suite_seam_route(void);
 
@@ -109,7 +109,7 @@ static void lift_settle(const worn *w)
 }
 
 
-/* where a pair of seam ends lies once it is sewn */
+/* Returns the position of a pair of a seam's ends after sewing. */
 static const double *lift_pair_at(const worn *w, int32_t pair)
 {
     return w->drape->x + 3 * (int64_t)w->drape->rep[w->cloth->pair[2 * pair]];
@@ -131,8 +131,8 @@ START_TEST(straps_close_over_the_shoulders)
     lift_sew(&w);
     mus__scene_level(w.drape, MUS_HOLD_ARMPIT, 0, &armpit);
 
-    /* seams 2 and 3 are the straps': sewn on the shoulders, inside their rim and not on the neck; at rest still there,
-     * as far out as they are cut */
+    /* seams 2 and 3 are those of the straps: they are sewn on the shoulders, between their edge and the neck, and are
+     * there at rest, at the distance at which they are cut */
     for (int32_t settled = 0; settled < 2; settled++) {
         for (int32_t p = 0; p < w.cloth->npair; p++) {
             if (w.cloth->pair_seam[p] < 2) continue;
@@ -188,7 +188,7 @@ START_TEST(a_strap_before_the_arm_is_not_on_the_shoulder)
 END_TEST
 
 
-/* what is short and points up is a strap on the shoulders (_i 0), a cuff's below the armpits (1) */
+/* a short seam whose edges point up is a strap's above the shoulders (_i 0), a cuff's below the armpits (1) */
 START_TEST(cuffs_are_no_straps)
 {
     worn w = lift_body();

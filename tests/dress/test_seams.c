@@ -1,18 +1,18 @@
 /*
  * test_seams.c: seams of every kind on small patterns: unequal, at a junction, over a dart, laid in pleats, left open,
- * buttoned, and those that cannot be (cases S4, X33, X34).
+ * buttoned, and those that cannot be.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "drape/scenes.h"
 #include "muslin/exchange.h"
 #include "muslin/topology.h"
-#include "drape/scenes.h"
 
 
-/* how many pairs each node is in: (nodes), to be freed */
+/* Returns the number of pairs of each node: (nodes), to be freed. */
 static int32_t *pair_counts(const mus_cloth *cloth)
 {
     int32_t *count = calloc((size_t)mus_cloth_node_count(cloth), sizeof *count);
@@ -155,7 +155,7 @@ START_TEST(a_junction_and_a_dart_leave_no_node)
 END_TEST
 
 
-/* X33: ten times as long closes; an edge with itself, or one of another pattern, is no seam; a dart is */
+/* ten times as long closes; an edge with itself, or one of another pattern, is no seam; a dart is */
 START_TEST(odd_seams_close_or_are_refused)
 {
     mus_context *context = support_context();
@@ -183,7 +183,7 @@ START_TEST(odd_seams_close_or_are_refused)
 END_TEST
 
 
-/* X33: both edges held, a metre apart */
+/* both edges held, a metre apart */
 START_TEST(held_edges_apart_cannot_close)
 {
     mus_context *context = support_context();
@@ -214,7 +214,7 @@ START_TEST(held_edges_apart_cannot_close)
 END_TEST
 
 
-/* X34: 0 and more than the cell are refused by name; at a thousandth of a millimetre a seam still closes */
+/* 0 and more than the cell are refused by name; at a thousandth of a millimetre a seam still closes */
 START_TEST(collision_distances_have_limits)
 {
     mus_context *context = support_context();
@@ -267,7 +267,7 @@ static mus_pattern *pleated(mus_context *context, bool box)
 }
 
 
-/* issue 6 e: a pleat takes twice its depth, to 1 %; the layers lie on one another without a gap */
+/* a pleat takes twice its depth, to 1 %; the layers lie on one another without a gap */
 START_TEST(laid_pleats_take_twice_their_depth)
 {
     mus_context *context = support_context();

@@ -1,5 +1,5 @@
 /*
- * test_tube.c: a tube that is sewn hangs as one that never was open (case S5): a skirt without flare, from a
+ * test_tube.c: a tube that is sewn hangs as one that never was open: a skirt without flare, from a
  * waist that is held.
  */
 #include <math.h>

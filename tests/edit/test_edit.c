@@ -93,7 +93,7 @@ START_TEST(a_bodice_is_recut_edit_by_edit_and_undone)
 
     edits_back_and_forth(pattern, n, bytes, copies);
 
-    /* what is done now ends what there was to redo */
+    /* a new edit clears the list of edits to redo */
     ck_assert_int_eq(mus_pattern_redo_count(pattern), n - 1);
     edit_well(mus_pattern_set_edge_label(pattern, 0, "other"));
     ck_assert_int_eq(mus_pattern_redo_count(pattern), 0);

@@ -76,7 +76,7 @@ START_TEST(a_patch_is_a_third_sheet_and_changes_nothing_else)
     const mus_homology h = homology_of(pattern);
     ck_assert(h.betti[0] == 1 && h.betti[1] == 1 && h.betti[2] == 0 && h.torsion == 0);
 
-    /* what is cut is as it was */
+    /* the cut line has not changed */
     ck_assert_double_eq_tol(mus_pattern_panel_area(pattern, 0), area, 1e-15);
     ck_assert_double_eq_tol(mus_pattern_panel_perimeter(pattern, 0), round, 1e-15);
     ck_assert_double_eq_tol(mus_pattern_panel_area(pattern, patch), 0.12 * 0.15, 1e-15);
@@ -119,7 +119,7 @@ START_TEST(patches_are_kept_by_files_copies_and_mirrors)
 END_TEST
 
 
-/* what is wrong with the garment is found behind a pocket too */
+/* faults of a garment are found when it has a pocket too */
 START_TEST(a_patch_hides_no_fault)
 {
     mus_context *context = support_context();

@@ -6,7 +6,7 @@
 #include "edit/edits.h"
 
 
-/* how many edges of a panel have names that begin so, and how long they are together */
+/* Counts the edges of a panel whose names begin so; *length gets the sum of their lengths [m]. */
 static int32_t parts(const mus_pattern *pattern, int32_t panel, const char *name, double *length)
 {
     int32_t n, count = 0;

@@ -28,7 +28,7 @@ enum {
     EDIT_KINDS
 };
 
-/* what a pattern is, as far as edits keep it */
+/* the figures of a pattern that edits keep or change by a known amount */
 typedef struct summary {
     mus_topology topology;
     double area, angles, off; /* of all panels; of all darts; the worst that a seam is off by */
@@ -172,7 +172,7 @@ static mus_status edit_random(mus_pattern *pattern, uint64_t *state, int32_t kin
 }
 
 
-/* what an edit that went well has kept */
+/* Checks the figures after an edit that succeeded. */
 static void edit_claims(int32_t kind, bool free, const summary *a, const summary *b)
 {
     const mus_topology *x = &a->topology, *y = &b->topology;

@@ -48,7 +48,7 @@ static=$(pkg-config --static --libs muslin-exchange | sed 's/-l\(muslin[a-z-]*\)
 for kind in shared static; do
     eval "libs=\$$kind"
     $CC -std=c99 -Wall -Wextra -Wpedantic -Werror $flags examples/hello.c $libs -o "$scratch/bin/c_$kind"
-    $CXX -std=c++11 -Wall -Wextra -Wpedantic -Werror $flags tests/embed/hello.cpp $libs -o "$scratch/bin/cpp_$kind"
+    $CXX -std=c++17 -Wall -Wextra -Wpedantic -Werror $flags tests/embed/hello.cpp $libs -o "$scratch/bin/cpp_$kind"
 done
 
 if command -v cmake >/dev/null 2>&1; then

@@ -98,7 +98,7 @@ static mus_status read_bytes(int reader, const char *bytes, size_t size)
                   status == MUS_ERR_PATTERN || (status == MUS_ERR_ARG && readers[reader].row != NULL));
     }
 
-    /* what was accepted can be used and written */
+    /* a pattern that was accepted can be used and written */
     if (tape != NULL) (void)mus_tape_complete(tape);
     int32_t faults;
     if (pattern != NULL) ck_assert_int_eq(mus_pattern_check(pattern, &faults, NULL), MUS_OK);

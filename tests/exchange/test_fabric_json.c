@@ -1,6 +1,6 @@
 /*
  * test_fabric_json.c: fabric files: what was written comes back bit for bit under any locale; the example is a named
- * fabric; what is wrong is refused with file, line and name (case X39).
+ * fabric; what is wrong is refused with file, line and name.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>

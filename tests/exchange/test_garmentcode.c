@@ -252,7 +252,7 @@ START_TEST(a_strapless_top_is_held_a_little_under_the_arms)
 END_TEST
 
 
-/* where a point of a panel goes */
+/* Returns the position of a panel's point in space [m]. */
 static void place(const mus_pattern *pattern, int32_t panel, double x, double y, double *out)
 {
     mus_placement p;
@@ -341,7 +341,7 @@ START_TEST(curves_are_relative_to_their_edge)
 END_TEST
 
 
-/* what is refused, and what the sentence must hold */
+/* texts that are refused, and a part of the message */
 static const struct {
     const char *from, *to;
     const char *words;

@@ -82,7 +82,7 @@ START_TEST(what_is_wrong_has_file_and_line)
 END_TEST
 
 
-/* what our own writer writes comes back to the digits of a float */
+/* a file of the library's own writer is read back to the digits of a float */
 START_TEST(a_written_mesh_is_read_back)
 {
     mus_context *context = support_context();

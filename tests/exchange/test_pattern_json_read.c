@@ -30,7 +30,7 @@ static void arc_middle(const double *a, const double *b, double *out)
 }
 
 
-/* how panels are made up: cut, labels, allowance, hold, elastic, placement */
+/* attributes of panels and edges: cut, labels, allowance, attachment, elastic, placement */
 static void make_up(mus_pattern *pattern, uint64_t *seed, int32_t edges[3][4])
 {
     ck_assert_int_eq(mus_pattern_set_cut(pattern, 0, 2, MUS_NONE), MUS_OK);
@@ -350,7 +350,7 @@ static const char small[] =
     "\"notches\": [{\"edge\": 0, \"kind\": 1, \"s\": 0.5}],\n"
     "\"marks\": [{\"panel\": 0, \"name\": \"dart\", \"points\": [[0.5, 0.5]]}]}\n";
 
-/* what is refused, and what the sentence must hold */
+/* texts that are refused, and a part of the message */
 static const struct {
     const char *from, *to;
     const char *words;

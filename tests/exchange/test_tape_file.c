@@ -105,7 +105,7 @@ START_TEST(a_size_line_fills_the_tape_and_lines_below_overrule_it)
 END_TEST
 
 
-/* what is refused: text, status, and what the sentence must hold */
+/* texts that are refused: text, status, a part of the message */
 static const struct {
     const char *text;
     mus_status status;

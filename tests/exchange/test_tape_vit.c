@@ -85,6 +85,7 @@ static const struct {
     {VIT("cm", "<m name=\"@Сг\" value=\"hip_circ/2\"/>"), MUS_ERR_UNSUPPORTED, "@Сг: expected a number"},
     {VIT("cm", "<m name=\"hip_circ\" value=\"0\"/>"), MUS_ERR_FORMAT, "no measure that muslin knows was found"},
     {VIT("cm", "<m name=\"hip_circ\" value=\"90+2\"/>"), MUS_ERR_FORMAT, "hip_circ"},
+    {VIT("cm", "<m name=\"hip_circ\" value=\"92-1/2\"/>"), MUS_ERR_UNSUPPORTED, "\"92-1/2\" is a formula"},
     {VIT("cm", "<m name=\"hip_circ\" value=\"1e9\"/>"), MUS_ERR_TAPE, "ada.vit:6: hip"},
     {VIT("cm", "<m name=\"hip_circ\" value=\"-92\"/>"), MUS_ERR_TAPE, "ada.vit:6: hip"},
     {VIT("cm", "<m name=\"hip_circ\"/>"), MUS_ERR_FORMAT, "hip_circ: expected a value"},

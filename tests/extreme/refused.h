@@ -1,5 +1,5 @@
 /*
- * refused.h: numbers that no setter takes, put in each field of a def in turn (cases X8, X23).
+ * refused.h: numbers that no setter takes, put in each field of a def in turn.
  *
  * The tables of fields name each as "struct.member"; tests/guard/setters.py reads these names and holds them against
  * the public headers, so that a new number without a row here is a fault.

@@ -1,6 +1,6 @@
 /*
  * test_changes.c: gravity and stiffness changed between steps: the energy jumps by exactly what the change is worth,
- * the state does not, and the run goes on below the new bound (cases X35; X6 for the bound).
+ * the state does not, and the run goes on below the new bound.
  */
 #include <stdio.h>
 
@@ -96,7 +96,7 @@ END_TEST
 
 
 /*
- * X6: what is met from now on. Contact acts by impulses: a plane that is put under a swinging sheet, a little of which
+ * what is met from now on. Contact acts by impulses: a plane that is put under a swinging sheet, a little of which
  * is below it, leaves the bound as it is; a step above it is refused with both numbers. Springs between nodes are tacks
  * (tests/drape/test_tack.c). mus_drape_place opens seams that were welded: the bound is that of a drape that never was
  * sewn.

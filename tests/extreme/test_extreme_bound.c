@@ -1,6 +1,6 @@
 /*
  * test_extreme_bound.c: the step bound of a drape against the true limit, found by power iteration on a stiffness
- * matrix that is written down here and not taken from the library, and by stepping (cases X5).
+ * matrix that is written down here and not taken from the library, and by stepping.
  */
 #include "bare.h"
 
@@ -152,7 +152,7 @@ static void net_grid(spring_net *net, int32_t side, double ks, double kd, double
 }
 
 
-/* X5: the bound is never above the limit, in 300 scenes of random springs, stretched ones and stencils among them */
+/* the bound is never above the limit, in 300 scenes of random springs, stretched ones and stencils among them */
 START_TEST(the_bound_is_never_above_the_limit)
 {
     static spring_net net;
@@ -170,7 +170,7 @@ START_TEST(the_bound_is_never_above_the_limit)
 END_TEST
 
 
-/* X5: on free lattices the bound is close */
+/* on free lattices the bound is close */
 START_TEST(the_bound_of_a_lattice_is_close)
 {
     static const double stiff[][3] = {{1000, 0, 0},    {1000, 40, 0},   {1000, 300, 0},
@@ -191,7 +191,7 @@ START_TEST(the_bound_of_a_lattice_is_close)
 END_TEST
 
 
-/* X5, X4: and no energy is won in 200 steps at 0.999 of it, in scenes of springs with dashpots from none to far beyond
+/* and no energy is won in 200 steps at 0.999 of it, in scenes of springs with dashpots from none to far beyond
  * critical, thrown about; 1.01 of it is refused */
 START_TEST(a_step_below_the_bound_wins_no_energy)
 {

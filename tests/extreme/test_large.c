@@ -1,6 +1,6 @@
 /*
  * test_large.c: cloths of 90,000 nodes, more than 16 bits count: memory by formula, building and stepping in proportion
- * to the nodes, by counts and not by the clock (cases X19, and memory of section 6).
+ * to the nodes, by counts and not by the clock.
  *
  * MUSLIN_LARGE=1000 in the environment (`make check-large`) makes it a million nodes and eight million springs.
  */
@@ -45,7 +45,7 @@ static double drape_bytes(int32_t side, int32_t precision, bool dashpots, uint64
 }
 
 
-/* X19: by the formula of mus_drape(3), n (29 r + 166) + 1080 rows + 6500 r, with dashpots n (32 r + 174), to 5 %;
+/* by the formula of mus_drape(3), n (29 r + 166) + 1080 rows + 6500 r, with dashpots n (32 r + 174), to 5 %;
  * test_bytes.c holds it to 1 % on smaller sheets */
 START_TEST(memory_of_many_nodes_is_predicted)
 {
@@ -61,7 +61,7 @@ START_TEST(memory_of_many_nodes_is_predicted)
 END_TEST
 
 
-/* X19: as many allocations for 90,000 nodes as for 900, and bytes in proportion: nothing is searched for or grown */
+/* as many allocations for 90,000 nodes as for 900, and bytes in proportion: nothing is searched for or grown */
 START_TEST(a_sheet_is_built_in_as_many_pieces_whatever_its_size)
 {
     uint64_t small, large;
@@ -74,7 +74,7 @@ START_TEST(a_sheet_is_built_in_as_many_pieces_whatever_its_size)
 END_TEST
 
 
-/* X19: the same of a cut pattern: four times the nodes are made in hardly more allocations (arrays double as they grow)
+/* the same of a cut pattern: four times the nodes are made in hardly more allocations (arrays double as they grow)
  * and in four times the bytes */
 START_TEST(a_pattern_is_cut_in_proportion_to_its_nodes)
 {
@@ -100,7 +100,7 @@ START_TEST(a_pattern_is_cut_in_proportion_to_its_nodes)
 END_TEST
 
 
-/* X19: indices do not wrap: in a sheet stretched by 1 % both ways, inner nodes feel no force however far along they
+/* indices do not wrap: in a sheet stretched by 1 % both ways, inner nodes feel no force however far along they
  * are, every row but the border's neighbours feels what the middle row feels, and so do they after a step */
 START_TEST(the_last_node_is_joined_as_the_first)
 {

@@ -1,6 +1,6 @@
 /*
  * test_long_and_far.c: cloth whose bending is far softer than its threads, long runs, steps that are none, scenes far
- * from the origin and of other units (cases X1, X24, X25, X36).
+ * from the origin and of other units.
  */
 #include "bare.h"
 
@@ -9,7 +9,7 @@ Suite *mus_suite_long_and_far(void);
 static const double weightless[3] = {0.0, 0.0, 0.0}, down[3] = {0.0, -9.81, 0.0};
 
 
-/* ---- X1: stiff threads, soft bending ---- */
+/* ---- stiff threads, soft bending ---- */
 
 /* three nodes in a row, two held, threads of `ratio` N/m and bending of 1 N/m on them: the third swings across with
  * omega = 1 exactly, while a push along the row would swing with sqrt(ratio) */
@@ -35,7 +35,7 @@ static mus_drape *reed(mus_context *context, double ratio, double across)
 }
 
 
-/* X1: at 0.9 of the bound the slow motion is right to 1e-6 (and to the z^4/120 of RK4 where all is slow), and the steps
+/* at 0.9 of the bound the slow motion is right to 1e-6 (and to the z^4/120 of RK4 where all is slow), and the steps
  * that it takes grow as the root of the ratio, which the bound says before the run */
 START_TEST(soft_bending_on_stiff_threads_swings_right)
 {
@@ -60,7 +60,7 @@ START_TEST(soft_bending_on_stiff_threads_swings_right)
 END_TEST
 
 
-/* ---- X24: steps that are none ---- */
+/* ---- steps that are none ---- */
 
 START_TEST(no_step_and_steps_of_zero_change_nothing_and_others_are_refused)
 {
@@ -87,7 +87,7 @@ START_TEST(no_step_and_steps_of_zero_change_nothing_and_others_are_refused)
 END_TEST
 
 
-/* ---- X25: long runs ---- */
+/* ---- long runs ---- */
 
 #define LINKS 5
 
@@ -159,7 +159,7 @@ START_TEST(time_is_no_running_sum_of_steps)
 END_TEST
 
 
-/* ---- X36: far away, and in other units ---- */
+/* ---- far away, and in other units ---- */
 
 /* a chain of eight nodes let go level, `far` from the origin, all lengths `scale` times as long */
 static void let_go(mus_context *context, int32_t precision, double far, double scale, double *out)
@@ -176,7 +176,7 @@ static void let_go(mus_context *context, int32_t precision, double far, double s
 }
 
 
-/* X36: 1e6 m away a double holds 1.2e-10 m, and the shape after half a second is that of the origin to 1e-8 m. Float
+/* 1e6 m away a double holds 1.2e-10 m, and the shape after half a second is that of the origin to 1e-8 m. Float
  * keeps its places from the middle of the cloth, and is as good there as anywhere */
 START_TEST(cloth_a_thousand_kilometres_away_moves_as_here)
 {
@@ -192,7 +192,7 @@ START_TEST(cloth_a_thousand_kilometres_away_moves_as_here)
 END_TEST
 
 
-/* X36: what float cannot hold is refused by name */
+/* what float cannot hold is refused by name */
 START_TEST(places_that_float_cannot_hold_are_refused)
 {
     mus_context *context = support_context();
@@ -221,7 +221,7 @@ START_TEST(places_that_float_cannot_hold_are_refused)
 END_TEST
 
 
-/* X36: lengths in millimetres or kilometres (gravity with them) give the same shape: forces of springs are k times a
+/* lengths in millimetres or kilometres (gravity with them) give the same shape: forces of springs are k times a
  * length, so nothing else changes */
 START_TEST(lengths_in_other_units_give_the_same_shape)
 {

@@ -1,6 +1,6 @@
 /*
  * test_odd_scenes.c: cloth folded, flattened and turned inside out; gravity from every side; cloths of one node, of
- * none, all held and not held at all (cases X11, X16, X17, X18, X21, X22).
+ * none, all held and not held at all.
  */
 #include "drape/drape_state.h"
 #include "muslin/topology.h"
@@ -14,7 +14,7 @@ Suite *mus_suite_odd_scenes(void);
 static const double weightless[3] = {0.0, 0.0, 0.0}, down[3] = {0.0, -9.81, 0.0};
 
 
-/* ---- X11: folded, flat, inverted ---- */
+/* ---- folded, flat, inverted ---- */
 
 /* node i of an n x n grid of cell a, on its face: 0 mirrored, 1 folded flat along the middle column, 2 all on one line,
  * 3 rolled into the upright plane and crumpled */
@@ -31,7 +31,7 @@ static void fold(int32_t how, int32_t n, double a, const double *rest, double *x
 }
 
 
-/* X11: the energy is finite and the force is its gradient, by central differences, and the kernel's force is the same
+/* the energy is finite and the force is its gradient, by central differences, and the kernel's force is the same
  */
 START_TEST(force_is_the_gradient_of_the_energy_however_cloth_is_folded)
 {
@@ -66,7 +66,7 @@ START_TEST(force_is_the_gradient_of_the_energy_however_cloth_is_folded)
 END_TEST
 
 
-/* X11: and let go, it moves without gaining energy */
+/* and let go, it moves without gaining energy */
 START_TEST(folded_cloth_let_go_gains_no_energy)
 {
     enum { SIDE = 5, N = SIDE * SIDE };
@@ -92,9 +92,9 @@ START_TEST(folded_cloth_let_go_gains_no_energy)
 END_TEST
 
 
-/* ---- X16: gravity ---- */
+/* ---- gravity ---- */
 
-/* X16, M1: a chain of 16 springs hangs in g times gravity, in any direction, with the first node held: set where the
+/* a chain of 16 springs hangs in g times gravity, in any direction, with the first node held: set where the
  * closed form says, it stays; the end is g times as far from its place as at 1 */
 START_TEST(a_chain_at_rest_stays_at_rest_in_any_gravity)
 {
@@ -125,7 +125,7 @@ START_TEST(a_chain_at_rest_stays_at_rest_in_any_gravity)
 END_TEST
 
 
-/* X16: 1e6 times gravity: refused with value and limit; at the limit of 1e4 m/s2 everything is finite and the report
+/* 1e6 times gravity: refused with value and limit; at the limit of 1e4 m/s2 everything is finite and the report
  * shows the strain */
 START_TEST(gravity_beyond_reason_is_refused_and_at_its_limit_is_finite)
 {
@@ -153,9 +153,9 @@ START_TEST(gravity_beyond_reason_is_refused_and_at_its_limit_is_finite)
 END_TEST
 
 
-/* ---- X17, X18, X22: few nodes, none, none held ---- */
+/* ---- few nodes, none, none held ---- */
 
-/* X17, X22, I2: cloths of a few nodes, free: each node falls as a point does, at any step that the bound allows, and
+/* cloths of a few nodes, free: each node falls as a point does, at any step that the bound allows, and
  * nothing is made that the shape has no room for */
 START_TEST(a_cloth_of_a_few_nodes_falls_as_a_point)
 {
@@ -176,7 +176,7 @@ START_TEST(a_cloth_of_a_few_nodes_falls_as_a_point)
                                     _i ? 1e-12 : 3e-5);
         ck_assert_double_eq_tol(mus_drape_velocities(drape)[1], -9.81 * t, _i ? 1e-11 : 1e-4);
 
-        /* what works on a garment works on them */
+        /* calls for garments work on these cloths too */
         ck_assert_int_eq(mus_drape_sew(drape, NULL, NULL), MUS_OK);
         const mus_status status = mus_drape_settle(drape, NULL, NULL);
         ck_assert(status == MUS_OK || status == MUS_ERR_UNSETTLED);
@@ -188,7 +188,7 @@ START_TEST(a_cloth_of_a_few_nodes_falls_as_a_point)
 END_TEST
 
 
-/* X18: no node at all: every call is a no-op that succeeds, nothing is divided by the count */
+/* no node at all: every call is a no-op that succeeds, nothing is divided by the count */
 START_TEST(a_cloth_without_nodes_does_nothing_well)
 {
     mus_context *context = support_context();
@@ -216,7 +216,7 @@ START_TEST(a_cloth_without_nodes_does_nothing_well)
 END_TEST
 
 
-/* X18: nodes without a spring: any step is stable */
+/* nodes without a spring: any step is stable */
 START_TEST(nodes_without_springs_have_no_bound)
 {
     mus_context *context = support_context();
@@ -236,7 +236,7 @@ START_TEST(nodes_without_springs_have_no_bound)
 END_TEST
 
 
-/* X18: no panel, a panel without an outline, no place in the field of a body: a status or nothing, no division by 0 */
+/* no panel, a panel without an outline, no place in the field of a body: a status or nothing, no division by 0 */
 START_TEST(a_pattern_without_panels_cannot_be_cut)
 {
     mus_context *context = support_context();
@@ -258,9 +258,9 @@ START_TEST(a_pattern_without_panels_cannot_be_cut)
 END_TEST
 
 
-/* ---- X21: all held ---- */
+/* ---- all held ---- */
 
-/* X21: every node held in a pose under tension: not a bit moves, and time goes on */
+/* every node held in a pose under tension: not a bit moves, and time goes on */
 START_TEST(a_cloth_that_is_held_everywhere_does_not_move_a_bit)
 {
     enum { SIDE = 7, N = SIDE * SIDE };
@@ -290,7 +290,7 @@ START_TEST(a_cloth_that_is_held_everywhere_does_not_move_a_bit)
 END_TEST
 
 
-/* X21: what holds a flat cloth that is held everywhere carries each node's own weight */
+/* what holds a flat cloth that is held everywhere carries each node's own weight */
 START_TEST(reactions_of_held_nodes_are_their_weight)
 {
     enum { SIDE = 7, N = SIDE * SIDE };

@@ -1,6 +1,6 @@
 /*
  * test_odd_springs.c: nodes as light as 1e-12 kg and as heavy as 1e6 kg, springs without length, nodes in one place,
- * springs crushed and torn (cases X7, X8, X9, X10, X12).
+ * springs crushed and torn.
  */
 #include "bare.h"
 
@@ -9,7 +9,7 @@ Suite *mus_suite_odd_springs(void);
 static const double weightless[3] = {0.0, 0.0, 0.0};
 
 
-/* X7: a node of any mass on a spring: the bound is announced by formula, and RK4 loses what it loses (I3) */
+/* a node of any mass on a spring: the bound is announced by formula, and RK4 loses what it loses (I3) */
 START_TEST(a_node_of_any_mass_swings_under_its_announced_bound)
 {
     static const double masses[] = {1e-12, 1e-6, 1.0, 1e6};
@@ -38,7 +38,7 @@ START_TEST(a_node_of_any_mass_swings_under_its_announced_bound)
 END_TEST
 
 
-/* X7: 1e12 between two masses of one cloth. The light end swings 1e6 times as fast and sets the bound; both the light
+/* 1e12 between two masses of one cloth. The light end swings 1e6 times as fast and sets the bound; both the light
  * mode and the slow pull on the heavy node come out as in closed form. Float keeps its own digits of the same */
 START_TEST(masses_of_1_to_1e12_live_in_one_cloth)
 {
@@ -63,7 +63,7 @@ START_TEST(masses_of_1_to_1e12_live_in_one_cloth)
 END_TEST
 
 
-/* X8: a mass of 0 is allowed at a pin, and stays held when it is let go: nothing else can be done with it */
+/* a mass of 0 is allowed at a pin, and stays held when it is let go: nothing else can be done with it */
 START_TEST(a_massless_node_is_held_whatever_is_asked)
 {
     mus_context *context = support_context();
@@ -81,7 +81,7 @@ START_TEST(a_massless_node_is_held_whatever_is_asked)
 END_TEST
 
 
-/* X9, S1: two free nodes on a spring of rest length 0 meet at pi / (2 sqrt(2 k / m)) at speed d sqrt(2 k / m), and go
+/* two free nodes on a spring of rest length 0 meet at pi / (2 sqrt(2 k / m)) at speed d sqrt(2 k / m), and go
  * through each other */
 START_TEST(a_spring_without_length_is_a_linear_force)
 {
@@ -105,7 +105,7 @@ START_TEST(a_spring_without_length_is_a_linear_force)
 END_TEST
 
 
-/* X10: two nodes in one place on a spring that wants 0.1 m: no direction, so no force, and no NaN; a third node on the
+/* two nodes in one place on a spring that wants 0.1 m: no direction, so no force, and no NaN; a third node on the
  * same chain is pulled as ever. Strain -1 stands in no report of the largest; the energy counts it */
 START_TEST(nodes_in_one_place_feel_no_force_and_no_nan)
 {
@@ -130,7 +130,7 @@ START_TEST(nodes_in_one_place_feel_no_force_and_no_nan)
 END_TEST
 
 
-/* X10: a whole cloth in one place */
+/* a whole cloth in one place */
 START_TEST(a_cloth_heaped_in_one_place_stays_finite)
 {
     mus_context *context = support_context();
@@ -149,7 +149,7 @@ START_TEST(a_cloth_heaped_in_one_place_stays_finite)
 END_TEST
 
 
-/* X12: a spring at 1e-12 of its length, and one at 1000 times: the report says the strain, and nothing is clamped: the
+/* a spring at 1e-12 of its length, and one at 1000 times: the report says the strain, and nothing is clamped: the
  * stretched one flies through the middle and out to the other side with the energy that it had */
 START_TEST(a_spring_is_crushed_and_torn_without_a_clamp)
 {

@@ -1,6 +1,6 @@
 /*
- * test_refused_bare.c: numbers that are not finite, and masses that are none, at the doors of cloths without a pattern
- * (cases X8, X23): refused by name, nothing kept.
+ * test_refused_bare.c: numbers that are not finite, and masses that are none, at the doors of cloths without a pattern:
+ * refused by name, nothing kept.
  */
 #include <stdio.h>
 
@@ -37,7 +37,7 @@ static mus_status chain_try(mus_context *context, const chain *c)
 static const chain good = {{0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}, {0, 1, 1, 1}, {1, 1, 1}, {9, 9, 9}, {1, 1, 1}, {2, 2}};
 
 
-/* X23: mus_bare.place mus_bare.mass mus_bare.length mus_bare.stiffness mus_bare.dashpot mus_bare.bend_stiffness */
+/* mus_bare.place mus_bare.mass mus_bare.length mus_bare.stiffness mus_bare.dashpot mus_bare.bend_stiffness */
 START_TEST(bare_nodes_that_are_not_finite_are_refused_by_name)
 {
     const struct {
@@ -70,7 +70,7 @@ START_TEST(bare_nodes_that_are_not_finite_are_refused_by_name)
 END_TEST
 
 
-/* X8: a node that moves has a mass; X7: from 1e-15 to 1e15 kg, ratio 1e30 in one cloth */
+/* a node that moves has a mass; from 1e-15 to 1e15 kg, ratio 1e30 in one cloth */
 START_TEST(a_node_without_mass_is_refused_unless_held)
 {
     mus_context *context = support_context();
@@ -100,7 +100,6 @@ static mus_status try_grid(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23 */
 START_TEST(a_grid_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {

@@ -1,5 +1,5 @@
 /*
- * test_refused_body.c: numbers that are not finite at the doors of tape and body (cases X23): refused by name,
+ * test_refused_body.c: numbers that are not finite at the doors of tape and body: refused by name,
  * and the object is as it was. NaN unsets a measure: that is its meaning there.
  */
 #include "muslin/body.h"
@@ -11,7 +11,7 @@ Suite *mus_suite_refused_body(void);
 /* mus_tape_set */
 
 
-/* X23: each measure of a complete tape */
+/* each measure of a complete tape */
 START_TEST(an_infinite_measure_leaves_the_tape_as_it_was)
 {
     mus_context *context = support_context();
@@ -28,7 +28,7 @@ START_TEST(an_infinite_measure_leaves_the_tape_as_it_was)
                               mus_context_error(context));
             }
 
-    /* X8: zero, negative and denormal lengths too */
+    /* zero, negative and denormal lengths too */
     const double none[] = {0.0, -0.0, -1.0, 1e-310, 1e300};
     for (int32_t m = 0; m < MUS_MEASURE_COUNT; m++)
         for (size_t v = 0; v < sizeof none / sizeof *none; v++)
@@ -61,7 +61,6 @@ static mus_status try_body(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23 */
 START_TEST(a_body_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -90,7 +89,7 @@ static mus_status try_limb(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23; mus_limb.contour: each number of each row */
+/* mus_limb.contour: each number of each row */
 START_TEST(a_limb_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -121,7 +120,7 @@ START_TEST(a_limb_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23; mus_limb.outline: each number of each corner */
+/* mus_limb.outline: each number of each corner */
 START_TEST(an_outline_that_is_not_finite_is_refused_by_name)
 {
     const double rows[12] = {0.0, 0.0, 0.0, NAN, NAN, NAN, 0.5, 0.0, 0.0, NAN, NAN, NAN};
@@ -148,7 +147,7 @@ START_TEST(an_outline_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23: a question, not a setter: a point that is nowhere is out of reach of every limb, and no memory is touched */
+/* a question, not a setter: a point that is nowhere is out of reach of every limb, and no memory is touched */
 /* mus_body_depth */
 START_TEST(the_depth_of_a_point_that_is_not_finite_is_out_of_reach)
 {
@@ -183,7 +182,6 @@ static mus_status try_pose(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23 */
 START_TEST(a_pose_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {REFUSED(mus_pose, place, 3, false, "mus_pose.place"),
@@ -195,7 +193,7 @@ START_TEST(a_pose_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23: mus_move_create, mus_move_named, mus_move_at */
+/* mus_move_create, mus_move_named, mus_move_at */
 START_TEST(times_of_a_movement_that_are_not_finite_are_refused)
 {
     mus_context *context = support_context();
@@ -222,7 +220,7 @@ START_TEST(times_of_a_movement_that_are_not_finite_are_refused)
 END_TEST
 
 
-/* X23: mus_body_clear_arms, mus_body_move */
+/* mus_body_clear_arms, mus_body_move */
 START_TEST(a_gap_that_is_not_finite_is_refused)
 {
     mus_context *context = support_context();

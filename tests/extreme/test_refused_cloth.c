@@ -1,6 +1,6 @@
 /*
- * test_refused_cloth.c: numbers that are not finite, and masses that are none, at every door of fabric, cloth and drape
- * (cases X8, X23): refused by name, and the state is as it was, to the bit.
+ * test_refused_cloth.c: numbers that are not finite, and masses that are none, at every door of fabric, cloth and
+ * drape: refused by name, and the state is as it was, to the bit.
  */
 #include <stdlib.h>
 
@@ -33,7 +33,6 @@ static mus_status try_fabric(mus_context *context, const void *fabric, void *use
 }
 
 
-/* X23 */
 START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -57,7 +56,7 @@ START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23: one value at a time */
+/* one value at a time */
 START_TEST(a_value_that_is_not_finite_is_refused_by_mus_fabric_set)
 {
     mus_context *context = support_context();
@@ -74,7 +73,7 @@ START_TEST(a_value_that_is_not_finite_is_refused_by_mus_fabric_set)
 END_TEST
 
 
-/* X8: a fabric that weighs nothing, less than nothing or a denormal has no mass to move */
+/* a fabric that weighs nothing, less than nothing or a denormal has no mass to move */
 START_TEST(a_fabric_without_weight_is_refused)
 {
     mus_context *context = support_context();
@@ -109,7 +108,7 @@ static mus_status try_drape(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23; mus_drape_def.friction, mus_drape_def.self_friction: NaN is the fabric's, infinity sticks (X31) */
+/* mus_drape_def.friction, mus_drape_def.self_friction: NaN is the fabric's, infinity sticks */
 START_TEST(a_drape_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -162,7 +161,7 @@ static mus_status try_plane(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23: mus_drape_add_plane, mus_drape_move_plane */
+/* mus_drape_add_plane, mus_drape_move_plane */
 START_TEST(a_plane_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -212,7 +211,7 @@ START_TEST(a_plane_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23: mus_drape_move_body */
+/* mus_drape_move_body */
 START_TEST(a_body_glides_at_no_speed_that_is_not_finite)
 {
     mus_context *context = support_context();
@@ -274,7 +273,7 @@ START_TEST(a_body_glides_at_no_speed_that_is_not_finite)
 END_TEST
 
 
-/* X23: the moving state: first and last node, each coordinate; then a step that is no number */
+/* the moving state: first and last node, each coordinate; then a step that is no number */
 /* mus_drape_set_state mus_drape_step */
 START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
 {
@@ -317,7 +316,7 @@ START_TEST(a_state_or_step_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
-/* X23: mus_drape_set_gravity mus_drape_estimate mus_drape_tack */
+/* mus_drape_set_gravity mus_drape_estimate mus_drape_tack */
 START_TEST(gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was)
 {
     mus_context *context = support_context();
@@ -351,7 +350,7 @@ START_TEST(gravity_frame_or_tack_that_is_not_finite_leaves_the_drape_as_it_was)
 END_TEST
 
 
-/* X23: mus_drape_depth */
+/* mus_drape_depth */
 START_TEST(the_depth_of_a_point_that_is_not_finite_is_refused)
 {
     mus_context *context = support_context();

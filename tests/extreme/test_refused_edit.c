@@ -1,5 +1,5 @@
 /*
- * test_refused_edit.c: numbers that are not finite at every door of muslin/edit.h (cases X23): refused with a
+ * test_refused_edit.c: numbers that are not finite at every door of muslin/edit.h: refused with a
  * sentence, and the pattern is as it was, to the bit.
  */
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * test_refused_integrate.c: numbers that are not finite at the door of the integrators (cases X23): each field of
+ * test_refused_integrate.c: numbers that are not finite at the door of the integrators: each field of
  * the def is named, and so is the number of the state.
  */
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /*
- * test_refused_paper.c: numbers that are not finite at the doors of the sheet and of mesh files (cases X23):
+ * test_refused_paper.c: numbers that are not finite at the doors of the sheet and of mesh files:
  * refused with a sentence, and no file is made.
  */
 #include <unistd.h>
@@ -25,7 +25,6 @@ static mus_status try_sheet(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23 */
 START_TEST(a_sheet_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {

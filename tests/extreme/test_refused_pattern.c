@@ -1,5 +1,5 @@
 /*
- * test_refused_pattern.c: numbers that are not finite at every door of a pattern and of a draft (cases X23):
+ * test_refused_pattern.c: numbers that are not finite at every door of a pattern and of a draft:
  * refused with a sentence, and the pattern is as it was, to the bit.
  */
 #include "muslin/design.h"
@@ -179,7 +179,6 @@ static const struct {
 };
 
 
-/* X23 */
 START_TEST(a_number_that_is_not_finite_leaves_the_pattern_as_it_was)
 {
     mus_context *context = support_context();
@@ -219,7 +218,7 @@ static mus_status try_draft(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23: NaN takes the design's own value, infinity is refused */
+/* NaN takes the design's own value, infinity is refused */
 START_TEST(an_infinite_option_of_a_draft_is_refused_by_name)
 {
     static const refused_field fields[] = {

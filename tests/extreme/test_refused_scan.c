@@ -1,4 +1,4 @@
-/* test_refused_scan.c: numbers that are not finite at the doors of scanning (cases X23): refused by name. */
+/* test_refused_scan.c: numbers that are not finite at the doors of scanning: refused by name. */
 #include "muslin/scan.h"
 #include "refused.h"
 #include "scan/solids.h"
@@ -18,7 +18,6 @@ static mus_status try_scan(mus_context *context, const void *def, void *user)
 }
 
 
-/* X23 */
 START_TEST(a_scan_def_that_is_not_finite_is_refused_by_name)
 {
     static const refused_field fields[] = {
@@ -66,7 +65,7 @@ START_TEST(a_scan_def_that_is_not_finite_is_refused_by_name)
 END_TEST
 
 
-/* X23; mus_body_create_scan: each coordinate of a vertex */
+/* mus_body_create_scan: each coordinate of a vertex */
 START_TEST(a_vertex_that_is_not_finite_is_refused_by_its_number)
 {
     mus_context *context = support_context();

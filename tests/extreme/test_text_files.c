@@ -1,5 +1,5 @@
 /*
- * test_text_files.c: every reader of text on what editors, mail and other programs do to a file (cases X39): line
+ * test_text_files.c: every reader of text on what editors, mail and other programs do to a file: line
  * ends of two bytes and a byte order mark change nothing; a line of a megabyte, a missing end, a decimal comma and a
  * count of 1e9 are refused with the place: the line, or the path of the value in JSON.
  */
@@ -124,7 +124,6 @@ static const char *place_of(int i, int line, char *buffer, size_t size)
 }
 
 
-/* X39 */
 START_TEST(line_ends_of_two_bytes_change_nothing)
 {
     reads_the_same(_i, changed(files[_i].text, "\n", "\r\n", true));
@@ -132,7 +131,6 @@ START_TEST(line_ends_of_two_bytes_change_nothing)
 END_TEST
 
 
-/* X39 */
 START_TEST(a_byte_order_mark_changes_nothing)
 {
     char *text = malloc(strlen(files[_i].text) + 4);
@@ -142,7 +140,6 @@ START_TEST(a_byte_order_mark_changes_nothing)
 END_TEST
 
 
-/* X39 */
 START_TEST(a_decimal_comma_is_read_in_a_tape_and_refused_in_json)
 {
     char place[64];
@@ -155,7 +152,7 @@ START_TEST(a_decimal_comma_is_read_in_a_tape_and_refused_in_json)
 END_TEST
 
 
-/* X39: a number of a million digits, and the same of letters */
+/* a number of a million digits, and the same of letters */
 START_TEST(a_line_of_a_megabyte_is_refused_with_its_line)
 {
     char place[64];
@@ -171,7 +168,7 @@ START_TEST(a_line_of_a_megabyte_is_refused_with_its_line)
 END_TEST
 
 
-/* X39: the last number without its last digits and all behind it; a form of lines may be whole without its last lines
+/* the last number without its last digits and all behind it; a form of lines may be whole without its last lines
  */
 START_TEST(a_missing_end_is_refused_with_its_line)
 {
@@ -187,7 +184,6 @@ START_TEST(a_missing_end_is_refused_with_its_line)
 END_TEST
 
 
-/* X39 */
 START_TEST(a_count_of_1e9_is_refused_with_its_place)
 {
     if (files[_i].count[0] == '\0') return;

@@ -1,6 +1,6 @@
 /*
  * test_tiny_numbers.c: motion that dies away to nothing leaves zeros and no denormal numbers, on which arithmetic is
- * ten times as slow (cases X26). They are counted; no clock is asked.
+ * ten times as slow. They are counted; no clock is asked.
  */
 #include <float.h>
 
@@ -46,7 +46,7 @@ static mus_drape *calm_sheet(mus_context *context, int32_t precision, int32_t in
 }
 
 
-/* X26: velocities of 1e-310 (1e-40 in float) at rest */
+/* velocities of 1e-310 (1e-40 in float) at rest */
 START_TEST(a_denormal_state_becomes_rest)
 {
     mus_context *context = support_context();
@@ -69,7 +69,7 @@ START_TEST(a_denormal_state_becomes_rest)
 END_TEST
 
 
-/* X26: a sheet that glides as a whole, under a drag which takes 1 mm/s to 1e-200 of it: never a denormal at a look */
+/* a sheet that glides as a whole, under a drag which takes 1 mm/s to 1e-200 of it: never a denormal at a look */
 START_TEST(a_motion_that_dies_away_passes_no_denormal)
 {
     mus_context *context = support_context();

@@ -152,7 +152,7 @@ static mus_cloth *narrow_tube(mus_context *context, double *tension)
 }
 
 
-/* issue 6 f: p = T / r within 3 % */
+/* the pressure of a tube is its tension over its radius, p = T / r, within 3 % */
 START_TEST(a_tube_on_a_cylinder_presses_by_laplace)
 {
     mus_context *context = support_context();

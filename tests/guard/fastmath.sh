@@ -1,5 +1,5 @@
 #!/bin/sh
-# fastmath.sh: a build that may reorder sums or forget NaN ends at the first file, with a sentence that says why (X37).
+# fastmath.sh: a build that may reorder sums or forget NaN ends at the first file, with a sentence that says why.
 set -eu
 cd "$(dirname "$0")/../.."
 CC=${CC:-cc}

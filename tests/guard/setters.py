@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""setters.py: every number that a public header takes is tried with NaN and infinity by a test (cases X23).
+"""setters.py: every number that a public header takes is tried with NaN and infinity by a test.
 
 Takes from include/muslin/*.h the double members of structs that a caller fills, and the functions with a double or an
 array of doubles among their arguments; each must be named in tests/extreme/test_refused_*.c ("mus_x_def.member",
@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # filled by the library for the caller to read
 OUT = {"mus_seam_walk", "mus_drape_report", "mus_scan_report", "mus_topology", "mus_estimate", "mus_reason",
-       "mus_fit_level", "mus_dress_report", "mus_progress", "mus_sheet_piece", "mus_sheet_line"}
+       "mus_fit_level", "mus_fit_spread", "mus_dress_report", "mus_progress", "mus_sheet_piece", "mus_sheet_line"}
 
 
 def plain(text):

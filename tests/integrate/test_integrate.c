@@ -1,6 +1,6 @@
 /*
  * test_integrate.c: the laws of the integrators on scenes with exact answers (cases I1-I4, I6), their
- * orders, and what they refuse (X4 forced, X23, X24, X25).
+ * orders, and what they refuse.
  */
 #include <float.h>
 #include <math.h>
@@ -177,7 +177,7 @@ static void note_time(void *user, double t, const double *y, double *dy)
 }
 
 
-/* X25: the time of step k is start + k h to the last bit, in float runs too, where a sum of 1 ms stops at 32768 s */
+/* the time of step k is start + k h to the last bit, in float runs too, where a sum of 1 ms stops at 32768 s */
 START_TEST(time_is_no_running_sum)
 {
     double latest = 0.0, y[2] = {0.0, 0.0};
@@ -225,7 +225,7 @@ END_TEST
 
 /* ---- the guard ---- */
 
-/* X4, forced: above the limit the energy guard ends the run, at a state that was good; RK4 within 100 steps, the others
+/* above the limit the energy guard ends the run, at a state that was good; RK4 within 100 steps, the others
  * within 400, since at rest they hardly hold the part that grows */
 START_TEST(a_step_above_the_limit_ends_with_the_last_good_state)
 {
@@ -254,7 +254,7 @@ START_TEST(a_step_above_the_limit_ends_with_the_last_good_state)
 END_TEST
 
 
-/* X4: below the limit nothing is refused and nothing grows; the energy of Euler swings by (1 + z/2) / (1 - z/2) */
+/* below the limit nothing is refused and nothing grows; the energy of Euler swings by (1 + z/2) / (1 - z/2) */
 START_TEST(a_step_below_the_limit_runs_on)
 {
     const double zeta[] = {0.0, 0.5, 1.0, 2.0}, reach[] = {2.8284271, 2.6231, 2.78529, 0.7463}, under[] = {0.5, 0.99};
@@ -334,7 +334,7 @@ START_TEST(a_start_at_energy_zero_needs_the_floor)
 END_TEST
 
 
-/* ---- what is refused: X23, X24 ---- */
+/* ---- refused calls ---- */
 
 START_TEST(steps_and_counts_outside_their_range_are_refused)
 {

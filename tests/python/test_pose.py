@@ -45,6 +45,20 @@ def test_a_posed_body_keeps_its_measures():
     assert body.stance["shoulder_left"] == body.rest_pose["shoulder_left"]
 
 
+def test_both_feet_of_a_lunge_stand():
+    body = muslin.Body(muslin.Tape.size("W40"))
+    lunge = muslin.Pose("lunge")
+    assert lunge.feet == muslin.FOOT_LEFT | muslin.FOOT_RIGHT and muslin.Pose("knee_up").feet == muslin.FOOT_RIGHT
+    rest, posed = body.vertices.tolist(), body.posed(body.fit(lunge)).vertices.tolist()
+    for side in (1.0, -1.0):
+        foot = [now[1] for was, now in zip(rest, posed) if was[1] < 0.06 and side * was[0] > 0.0]
+        assert min(foot) == pytest.approx(0.0, abs=1e-4)
+    apart = muslin.Pose(hip_left=(1.5, 0.0, 0.0))
+    apart.feet = muslin.FOOT_LEFT | muslin.FOOT_RIGHT
+    with pytest.raises(muslin.MuslinError, match="do not reach the floor together"):
+        body.fit(apart)
+
+
 def test_a_walk_is_periodic():
     walk = muslin.Move("walk", stature=1.68)
     assert walk.period == walk.duration > 0.8

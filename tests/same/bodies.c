@@ -164,7 +164,7 @@ static void make_pose(same_run *run, const void *what, int32_t index)
     same_must(run, mus_body_rest_pose(body, &rest), "mus_body_rest_pose");
     same_reals(run, &rest.angle[0][0], 3 * MUS_JOINT_COUNT);
     same_must(run, mus_body_clear_arms(body, &pose, 0.02), "mus_body_clear_arms");
-    same_must(run, mus_body_ground(body, &pose), "mus_body_ground");
+    same_must(run, mus_body_stand(body, mus_pose_feet(mus_pose_name(index)), &pose), "mus_body_stand");
     digest_posed(run, body, &pose);
 }
 

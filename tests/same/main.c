@@ -174,7 +174,7 @@ static void add_groups(same_list *list)
 }
 
 
-/* what it took, and which row most of that */
+/* Prints the CPU seconds of all rows, and the row that took most. */
 static void print_seconds(const same_list *list)
 {
     const same_row *slowest = NULL;
@@ -211,7 +211,7 @@ static int compare(const same_list *list, char **words, int count)
 }
 
 
-/* what was made goes into the tables; where a row failed or was skipped, what they have stays */
+/* Writes the digests made to the tables; the digest of a row that failed or was skipped stays. */
 static int write_tables(same_list *list, char paths[2][PATH_MAX], const char *machine)
 {
     int made = 0, failed = 0;

@@ -30,7 +30,7 @@ static void pose_named(same_run *run, const same_dressed *d, const char *name)
     mus_pose_init(&pose, sizeof pose);
     same_must(run, mus_pose_named(run->context, name, &pose), name);
     same_must(run, mus_body_clear_arms(d->body, &pose, 0.02), name);
-    same_must(run, mus_body_ground(d->body, &pose), name);
+    same_must(run, mus_body_stand(d->body, mus_pose_feet(name), &pose), name);
     same_must(run, mus_drape_pose_body(d->drape, &pose, 0.3), name);
     same_step_seconds(run, d, 0.3);
     if (same_status(run, mus_drape_body_pose(d->drape, &pose)))

@@ -83,7 +83,7 @@ static void make_net(same_run *run, const void *what, int32_t flags)
 }
 
 
-/* what a cloth is: nodes, masses, triangles, pairs, borders */
+/* Hashes a cloth: nodes, masses, triangles, pairs, borders. */
 static void make_cloth(same_run *run, const void *what, int32_t index)
 {
     static const double spacings[] = {0.01, 0.02, 0.035};

@@ -37,7 +37,7 @@ typedef struct same_dressed {
 const char *same_body_file(const char *body, const char *ending);
 mus_body *same_scan(const same_run *run, const char *body, bool distances, mus_scan_report *report);
 
-/* what is worn: the tape's draft or the file, with what is worn over it */
+/* the garment of a scene: a design drafted to a tape, or a file, and garments worn over it */
 mus_pattern *same_garment(const same_run *run, const char *garment, const mus_tape *tape);
 
 /* cloth of the pattern, and a drape of it round the body, placed */

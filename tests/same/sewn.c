@@ -145,7 +145,7 @@ static mus_catalogue *catalogue_of(same_run *run)
 }
 
 
-/* what is near to a garment of another size, the same as it, and contains it */
+/* searches for a garment of another size: the nearest, the same, and those that contain it */
 static void make_find(same_run *run, const void *what, int32_t index)
 {
     (void)index;

@@ -91,7 +91,7 @@ static void gliding(same_run *run, const same_dressed *d)
 }
 
 
-/* what a run will cost, but for seconds; and what an evaluation leaves as it is */
+/* Hashes the estimated cost of a run without its seconds, and the state after force evaluations, which is the same. */
 static void forecast(same_run *run, const same_dressed *d)
 {
     mus_estimate plan;

@@ -240,9 +240,9 @@ Suite *mus_suite_scan_people(void)
     Suite *suite = suite_create("scan_people");
     TCase *tests = tcase_create("scan_people");
     tcase_set_timeout(tests, 60);
-    tcase_add_test(tests, the_girths_of_the_tape_are_on_the_body);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, the_girths_of_the_tape_are_on_the_body);
     tcase_add_test(tests, the_sections_are_those_of_an_independent_script);
-    tcase_add_test(tests, mesh_and_body_are_a_fraction_of_a_millimetre_apart);
+    if (!SUPPORT_SLOW) tcase_add_test(tests, mesh_and_body_are_a_fraction_of_a_millimetre_apart);
     suite_add_tcase(suite, tests);
     return suite;
 }

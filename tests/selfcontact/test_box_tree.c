@@ -83,7 +83,7 @@ static void swarm_met_back(void *user, int32_t b, int32_t a, uint32_t mask)
 }
 
 
-/* how far two things' boxes are apart, at the least of some times */
+/* Returns the least distance of the boxes of two things over several times [m]. */
 static float swarm_gap(const swarm *s, int32_t a, int32_t aeach, int32_t b, int32_t beach)
 {
     float least = 1e9f;

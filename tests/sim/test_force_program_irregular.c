@@ -53,7 +53,7 @@ static mus_drape *rest_in_space(mus_context *context, const mus_cloth *cloth)
 }
 
 
-/* S3 and issue 6 e: 1.5 : 1 and 3 : 1 end at the length of the shorter side, to 1 % */
+/* gathered 1.5 : 1 and 3 : 1, seams end at the length of the shorter side, to 1 % */
 START_TEST(a_gathered_seam_is_as_long_as_its_shorter_side)
 {
     const double ratio = _i == 0 ? 1.05 : _i == 1 ? 1.5 : 3.0;

@@ -16,7 +16,7 @@ Suite *mus_suite_force_program_stencil(void);
 /* rows and columns: single lines, less than a block, whole blocks, blocks over the ends of rows, several chunks */
 static const int32_t grids[][2] = {{1, 1},  {1, 9},   {13, 1},  {2, 2},   {3, 3},  {4, 5},
                                    {5, 17}, {16, 16}, {17, 33}, {40, 23}, {3, 700}};
-/* what a fabric has: stretch alone, with shear, with bending, with all, all with the paper's springs over one node */
+/* features of a fabric: stretch only, with shear, with bending, with both, both with bending springs over one node */
 static const double fabrics[][3] = {{0, 0, 0},         {250, 0, 0},     {0, 2e-5, 0},     {250, 2e-5, 0},
                                     {250, 2e-5, 3e-5}, {0, 2e-5, 3e-5}, {250, 2e-5, 3e-5}};
 #define PAPER 6

@@ -1,5 +1,5 @@
 /*
- * test_step_bound.c: the step bound with dashpots and drag (cases X4, X5): runs at 0.99 of it lose
+ * test_step_bound.c: the step bound with dashpots and drag: runs at 0.99 of it lose
  * energy, runs above it are refused with both numbers, and it is not far below the true limit.
  */
 #include <math.h>
@@ -8,8 +8,8 @@
 
 #include <check.h>
 
-#include "sim/step_bound.h"
 #include "muslin/drape.h"
+#include "sim/step_bound.h"
 #include "support.h"
 
 Suite *mus_suite_step_bound(void);
@@ -56,7 +56,7 @@ static double energy(const mus_drape *drape)
 }
 
 
-/* X4: 1e4 steps at 0.5 and 0.99 of the bound; Verlet's energy swings, by less than 2: the bound is below the limit */
+/* 1e4 steps at 0.5 and 0.99 of the bound; Verlet's energy swings, by less than 2: the bound is below the limit */
 START_TEST(steps_below_the_bound_never_gain_energy)
 {
     const double zeta[] = {0.0, 0.3, 0.5, 0.7, 1.0}, part[] = {0.5, 0.99};
@@ -109,7 +109,7 @@ START_TEST(the_bound_of_a_pair_is_its_limit)
 END_TEST
 
 
-/* X4: above the bound the step is refused up front, with both numbers, and nothing has moved */
+/* above the bound the step is refused up front, with both numbers, and nothing has moved */
 START_TEST(steps_above_the_bound_are_refused)
 {
     const double zeta[] = {0.0, 0.5, 1.0}, part[] = {1.01, 2.0};

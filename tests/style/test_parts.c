@@ -12,7 +12,7 @@ static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
 #define SLEEVES 12
 #define COLLARS 8
 
-/* what is tried in turn until the rules allow it with sleeve and collar */
+/* options that are tried in turn until the rules allow one with sleeve and collar */
 static const char *const rest[] = {
     "shape=princess_armhole closure=front", "shape=boxy cloth=knit yoke=yoke closure=front",
     "shape=princess_shoulder closure=back", "shape=side_waist closure=back ease=slim",

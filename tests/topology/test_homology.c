@@ -30,7 +30,7 @@ START_TEST(garments_have_the_homology_of_the_tables)
                       g->name, (int)h.betti[0], (int)h.betti[1], (int)h.betti[2]);
         ck_assert(h.euler == g->euler && h.torsion == 0);
 
-        /* as cut: a disc for each panel, unless a bridge goes round a hole */
+        /* before sewing: a disc for each panel, or an annulus where a bridge leads to a hole */
         mus_homology cut = homology_of(pattern, 0, NULL);
         int32_t holes = strchr(g->panels, '-') != NULL;
         ck_assert_int_eq(cut.betti[0], g->faces);

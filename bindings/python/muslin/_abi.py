@@ -113,6 +113,8 @@ MUS_JOINT_COUNT = 15
 MUS_POSE_FLEXION = 0
 MUS_POSE_ABDUCTION = 1
 MUS_POSE_ROTATION = 2
+MUS_FOOT_LEFT = 1
+MUS_FOOT_RIGHT = 2
 MUS_SCAN_FOUND = 0
 MUS_SCAN_X = 1
 MUS_SCAN_Y = 2
@@ -614,10 +616,12 @@ FUNCTIONS = {
     "mus_pose_count": ("core", c_int32, []),
     "mus_pose_name": ("core", c_char_p, [c_int32]),
     "mus_pose_named": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_pose)]),
+    "mus_pose_feet": ("core", c_int32, [c_char_p]),
     "mus_body_pose": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose), POINTER(POINTER(mus_body))]),
     "mus_body_rest_pose": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
     "mus_body_stance": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
     "mus_body_ground": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose)]),
+    "mus_body_stand": ("core", c_int32, [POINTER(mus_body), c_int32, POINTER(mus_pose)]),
     "mus_body_clear_arms": ("core", c_int32, [POINTER(mus_body), POINTER(mus_pose), c_double]),
     "mus_move_create": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(c_double), POINTER(mus_pose),
                                           c_double, POINTER(POINTER(mus_move))]),

@@ -2,7 +2,8 @@
 
 Looked for in this order: the file (or folder) that the environment variable MUSLIN_LIB names; libmuslin.so beside this
 file (a wheel); build/lib of the repository that this file lies in; the system's own search. libmuslin-print,
-libmuslin-exchange and libmuslin-catalogue lie where libmuslin lies, and are opened when one of their functions is first asked for.
+libmuslin-exchange and libmuslin-catalogue lie where libmuslin lies, and are opened when one of their functions is first
+asked for.
 """
 import ctypes
 import ctypes.util

@@ -45,8 +45,9 @@ class Body(Object):
             lib.mus_limb_init(ctypes.byref(struct), ctypes.sizeof(struct))
             fill(struct, given)
         definition = make_def(_abi.mus_body_def, lib.mus_body_def_init, options)
-        return cls(context, _handle=create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
-                                           ctypes.byref(definition)))
+        handle = create(context, "body", "mus_body_create_limbs", context.handle, len(limbs), structs,
+                        ctypes.byref(definition))
+        return cls(context, _handle=handle)
 
     def posed(self, pose):
         """A copy of the body in a Pose (or a mus_pose); measures and volume are those of the rest pose."""
@@ -69,9 +70,9 @@ class Body(Object):
         return pose
 
     def fit(self, pose, gap=0.012):
-        """Fit a Pose to the body: arms `gap` [m] off its sides, its lowest point on the floor. Returns the pose."""
+        """Fit a Pose to the body: arms `gap` [m] off its sides, its feet (pose.feet) on the floor. Returns the pose."""
         self.do("clear_arms", ctypes.byref(pose.struct), gap)
-        self.do("ground", ctypes.byref(pose.struct))
+        self.do("stand", pose.feet, ctypes.byref(pose.struct))
         return pose
 
     def move(self, name, gap=0.012):

@@ -191,7 +191,7 @@ class Drape(Object):
         return result(forces, 3)
 
     def depth(self, points):
-        """(depth (n) [m], positive inside; outward normals (n x 3)) of points (n x 3) in what the cloth collides with."""
+        """(depth (n) [m], positive inside; outward normals (n x 3)) of points (n x 3) in what the cloth meets."""
         places, n = doubles(points, 3)
         depth, normals = (ctypes.c_double * n)(), (ctypes.c_double * (3 * n))()
         self.do("depth", n, places, depth, normals)

@@ -39,9 +39,9 @@ def dress(garment, wearer, fabric=None, strict=True, progress=None, draft_option
 
     garment: a Pattern, or what draft() takes: the name of a design, or words. wearer: a Tape, of which a body is made,
     or a Body (and a Pattern). fabric: a name or a Fabric. options: spacing, self_contact, precision, threads, friction,
-    place ("both", "pattern" or "found"), retry, open_closures, nodes_most (mus_dress_def). drape_options: all options of the drape
-    instead (mus_drape_def). progress(Progress) may return True to stop. A garment that does not come to rest raises
-    MuslinError, or with strict=False is returned with its reason.
+    place ("both", "pattern" or "found"), retry, open_closures, nodes_most (mus_dress_def). drape_options: all
+    options of the drape instead (mus_drape_def). progress(Progress) may return True to stop. A garment that does not
+    come to rest raises MuslinError, or with strict=False is returned with its reason.
     """
     pattern = garment if isinstance(garment, Pattern) else draft(garment, wearer, **(draft_options or {}))
     body = wearer if isinstance(wearer, Body) or wearer is None else Body(wearer)

@@ -51,7 +51,7 @@ class Fit(Object):
         """How a quantity is spread over the cloth by area: a dict of p50, p95, p99, mean, least, largest, node, area.
 
         quantity: "strain" (the greater of warp and weft), "warp", "weft", "pressure" or "gap". Half of the area has at
-        most p50. least and largest are those of one node and grow as the mesh gets finer.
+        most p50. least and largest are those of one node and move apart as the mesh gets finer.
         """
         names = {"strain": _abi.MUS_FIT_STRAIN, "warp": _abi.MUS_FIT_WARP, "weft": _abi.MUS_FIT_WEFT,
                  "pressure": _abi.MUS_FIT_PRESSURE, "gap": _abi.MUS_FIT_GAP}

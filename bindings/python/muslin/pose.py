@@ -19,6 +19,9 @@ def moves():
     return [lib.mus_move_name(i).decode() for i in range(lib.mus_move_count())]
 
 
+FOOT_LEFT, FOOT_RIGHT = _abi.MUS_FOOT_LEFT, _abi.MUS_FOOT_RIGHT
+
+
 def joint_limits(joint):
     """Limits of a joint by name [rad]: (low, high) of flexion, of abduction and of rotation."""
     low, high, limits = ctypes.c_double(), ctypes.c_double(), []
@@ -32,11 +35,14 @@ class Pose:
     """Angles of the joints [rad] and the place of the root [m]: pose["knee_left"] is (flexion, abduction, rotation).
 
     Pose() stands with hanging arms, Pose("sit") is a named pose; joints by keyword: Pose(knee_left=(1.5, 0, 0)).
+    pose.feet are the feet that Body.fit() puts on the floor, a sum of FOOT_LEFT and FOOT_RIGHT: those of the named
+    pose. With 0, as for joints by keyword, the lowest point of the body goes there.
     """
 
     def __init__(self, name=None, context=None, **joints):
         self.struct = _abi.mus_pose()
         lib.mus_pose_init(ctypes.byref(self.struct), ctypes.sizeof(self.struct))
+        self.feet = lib.mus_pose_feet(name.encode()) if name is not None else 0
         if name is not None:
             context = context or Context.of_thread()
             context.call("mus_pose_named", context.handle, name.encode(), ctypes.byref(self.struct))

@@ -5,8 +5,8 @@
  *
  * Each 15th person, or each N-th; --sizes: table sizes alone; --list: a line for each refusal, and for each design that
  * has any. Printed: drafts, refusals by reason with one of them in full, how far seams and legs of darts are off,
- * seams whose notches do not meet, outlines that meet themselves, CPU time of a draft. Exit 1 when a figure is not
- * what the issue asks: under 1 % refused, seams within 0.5 mm of their ease, legs of darts equal to 0.1 mm, notches
+ * seams whose notches do not meet, outlines that meet themselves, CPU time of a draft. Exit 1 when a figure is
+ * beyond its limit: under 1 % refused, seams within 0.5 mm of their ease, legs of darts equal to 0.1 mm, notches
  * that meet, simple outlines, median under 5 ms.
  */
 #include <math.h>

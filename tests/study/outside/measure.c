@@ -290,15 +290,10 @@ static double measured(const ruler_mesh *mesh, const mus_body *body, const outsi
 }
 
 
-bool outside_measure(mus_context *context, const mus_body *body, const char *path, double *made)
+bool outside_measure(const mus_body *body, const char *path, double *made)
 {
-    mus_mesh_view view;
-    mus_mesh_view_init(&view, sizeof view);
-    view.name = "body";
-    view.vertex_count = mus_body_vertex_count(body), view.positions = mus_body_vertices(body);
-    view.triangle_count = mus_body_triangle_count(body), view.triangles = mus_body_triangles(body);
     ruler_mesh mesh;
-    if (mus_mesh_write_obj(context, path, 1, &view) != MUS_OK || !ruler_read(path, &mesh)) return false;
+    if (!ruler_read(path, &mesh)) return false;
     for (int i = 0; i < OUTSIDE_ROWS; i++) made[i] = measured(&mesh, body, &outside_rows[i]);
     ruler_free(&mesh);
     return true;

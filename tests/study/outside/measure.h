@@ -8,6 +8,7 @@
 #define MUS_TESTS_OUTSIDE_MEASURE_H
 
 #include "muslin/body.h"
+#include "muslin/exchange.h"
 #include "ruler.h"
 
 /* measures that a ruler finds on a mesh: girths, heights, lengths */
@@ -23,9 +24,21 @@ typedef struct outside_row {
 #define OUTSIDE_ROWS 24
 extern const outside_row outside_rows[OUTSIDE_ROWS];
 
-/* write the skin of a body to `path` as OBJ, read it back and measure it: made (OUTSIDE_ROWS) [m] or [rad], NaN where
- * the body has no such measure. false: the file cannot be written or read */
-bool outside_measure(mus_context *context, const mus_body *body, const char *path, double *made);
+/* write the skin of a body to `path` as OBJ. Inline, so that a test that calls it names the writer itself: a build
+ * without the writers leaves the test out */
+static inline mus_status outside_write(mus_context *context, const mus_body *body, const char *path)
+{
+    mus_mesh_view view;
+    mus_mesh_view_init(&view, sizeof view);
+    view.name = "body";
+    view.vertex_count = mus_body_vertex_count(body), view.positions = mus_body_vertices(body);
+    view.triangle_count = mus_body_triangle_count(body), view.triangles = mus_body_triangles(body);
+    return mus_mesh_write_obj(context, path, 1, &view);
+}
+
+/* read the OBJ file of a body and measure it: made (OUTSIDE_ROWS) [m] or [rad], NaN where the body has no such measure.
+ * false: the file cannot be read */
+bool outside_measure(const mus_body *body, const char *path, double *made);
 
 #define OUTSIDE_CLOSE 5e-4 /* [m] what cloth touches is what is drawn up to this */
 

@@ -45,7 +45,8 @@ static void measure_one(mus_context *context, const mus_tape *tape, const char *
 {
     mus_body *body = NULL;
     double made[OUTSIDE_ROWS];
-    if (mus_body_create(context, tape, NULL, &body) != MUS_OK || !outside_measure(context, body, path, made)) {
+    if (mus_body_create(context, tape, NULL, &body) != MUS_OK || outside_write(context, body, path) != MUS_OK ||
+        !outside_measure(body, path, made)) {
         printf("%s: %s\n", who, mus_context_error(context));
         mus_body_destroy(body);
         return;

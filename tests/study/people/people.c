@@ -4,7 +4,7 @@
  * people TABLE [--csv FILE] [--each N]. Printed: how many build, and each refusal; asked against made of every asked
  * measure (the library's own figure, and the same by slicing the triangles); CPU time of a body; volume against weight;
  * breadth and depth of the made body against the survey's calipers, and girths that were not asked. FILE gets a row a
- * person; N takes each Nth person alone. Exit 1 when a figure is not what the issue asks.
+ * person; N takes each Nth person alone. Exit 1 when a figure is beyond its limit.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,16 +1,16 @@
 /*
- * test_way.c: the whole way from the tape to the draped garment when memory fails (cases X20).
+ * test_failing_allocations.c: every call from the tape to the draped garment with failing allocations.
  *
- * Each call of the way is made with its first allocation failing, then its second, and so on until it gets through;
- * what was made before stays in use. At the end stands the garment of an undisturbed run, to the bit, and no byte is
- * left.
+ * Each call is made with its first allocation failing, then its second, and so on until it succeeds; objects made
+ * before it remain in use. At the end the garment is that of an undisturbed run, to the bit, and no memory is left
+ * allocated.
  */
 #include "muslin/muslin.h"
 #include "support.h"
 
-Suite *mus_suite_way(void);
+Suite *mus_suite_failing_allocations(void);
 
-/* what the way makes */
+/* the objects of one run, from the tape to the drape */
 typedef struct way {
     mus_context *context;
     mus_tape *tape;
@@ -170,7 +170,6 @@ static uint64_t way_run(bool failing, int32_t *failures)
 }
 
 
-/* X20 */
 START_TEST(each_allocation_on_the_way_may_fail_and_the_end_is_the_same)
 {
     int32_t failures;
@@ -183,9 +182,9 @@ START_TEST(each_allocation_on_the_way_may_fail_and_the_end_is_the_same)
 END_TEST
 
 
-Suite *mus_suite_way(void)
+Suite *mus_suite_failing_allocations(void)
 {
-    Suite *suite = suite_create("way");
+    Suite *suite = suite_create("failing_allocations");
     TCase *tests = tcase_create("way");
     tcase_set_timeout(tests, 120);
     tcase_add_test(tests, each_allocation_on_the_way_may_fail_and_the_end_is_the_same);

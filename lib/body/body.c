@@ -60,8 +60,11 @@ static mus_status body_add(mus_body *body)
 
 
 /* check the contours of limb l and scale each to its target girth */
-static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double *xy, int32_t *work)
+static mus_status body_fit(mus_body *body, int32_t l, double *xy, int32_t *work)
 {
+    const int32_t n = mus__body_samples(body, l);
+    double turn[2 * MUS__CONTOUR_SAMPLES];
+    mus__field_turns(n, turn);
     mus__limb *limb = &body->limb[l];
     mus_status status = mus__limb_check(body->context, limb, BODY_CONTOUR_GAP * body->skeleton.crown);
     for (int32_t i = 0; i < limb->count && status == MUS_OK; i++) {
@@ -70,7 +73,7 @@ static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double
             contour->n = 2.0;
             contour->bump[0] = contour->bump[1] = 0.0;
         }
-        if (contour->target > 0.0) mus__contour_fit(contour, contour->target, body->def.samples, turn, xy, work);
+        if (contour->target > 0.0) mus__contour_fit(contour, contour->target, n, turn, xy, work);
     }
     return status;
 }
@@ -84,7 +87,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, double mor
     mus__limb *limb = body->limb;
     const mus__skeleton *bone = &body->skeleton;
     mus__limb_torso(tape, bone, &limb[MUS__LIMB_TORSO]);
-    mus_status status = body_fit(body, MUS__LIMB_TORSO, turn, xy, work);
+    mus_status status = body_fit(body, MUS__LIMB_TORSO, xy, work);
     if (status == MUS_OK) status = mus__body_follow(body, tape, more, turn, xy, work);
     if (status != MUS_OK) return status;
 
@@ -98,7 +101,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, double mor
         mus__limb_foot(tape, bone, right, &limb[MUS__LIMB_FOOT_LEFT + right]);
     }
     for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
-        status = body_fit(body, l, turn, xy, work);
+        status = body_fit(body, l, xy, work);
     if (status != MUS_OK) return status;
     mus__body_without(body);
     return MUS_OK;
@@ -106,7 +109,7 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, double mor
 
 
 /* fields, fillets and details of the finished contours; then the surface, and what a tape finds on it */
-static mus_status body_finish(mus_body *body, const double *turn)
+static mus_status body_finish(mus_body *body)
 {
     body->fillet = BODY_FILLET * body->skeleton.crown;
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
@@ -117,8 +120,8 @@ static mus_status body_finish(mus_body *body, const double *turn)
     status = mus__body_relief(body);
     if (status != MUS_OK) return status;
     if (mus__body_is_even(body)) mus__body_mirror(body);
-    status = mus__body_give(body, turn);
-    if (status == MUS_OK) status = mus__body_surface(body, turn);
+    status = mus__body_give(body);
+    if (status == MUS_OK) status = mus__body_surface(body);
     if (status == MUS_OK && body->digit_vertices > 0) mus__digit_make(body);
     if (status == MUS_OK) status = mus__body_remeasure(body);
     return status == MUS_OK ? mus__body_lengths(body) : status;
@@ -151,7 +154,7 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
             const double last = body->made[MUS_MEASURE_CROTCH_LENGTH];
             mus__body_release(body);
             status = body_contours(body, tape, more, turn, xy, work);
-            if (status == MUS_OK) status = body_finish(body, turn);
+            if (status == MUS_OK) status = body_finish(body);
             const double off = body->asked[MUS_MEASURE_CROTCH_LENGTH] - body->made[MUS_MEASURE_CROTCH_LENGTH];
             const bool stuck = round > 0 && fabs(body->made[MUS_MEASURE_CROTCH_LENGTH] - last) < 0.1 * BODY_CLOSE;
             if (body->source[MUS_MEASURE_CROTCH_LENGTH] != MUS_SOURCE_GIVEN || fabs(off) < BODY_CLOSE || stuck) break;

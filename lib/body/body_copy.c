@@ -66,7 +66,6 @@ static mus_status copy_make(const mus_body *from, const mus__frame *frame, mus_b
 
     to->frame = mus__new(to->context, to->rig.parts, sizeof *to->frame);
     to->field = mus__new(to->context, from->nfield, sizeof *to->field);
-    double turn[2 * MUS__CONTOUR_SAMPLES];
     to->crease = mus__room(to->context, from->creases, sizeof *to->crease);
     if (to->frame == NULL || to->field == NULL || to->crease == NULL)
         return mus__fail_memory(to->context, "a posed body");
@@ -78,8 +77,7 @@ static mus_status copy_make(const mus_body *from, const mus__frame *frame, mus_b
         status = copy_field(to->context, &from->field[p], limb, &to->frame[p], &to->field[p]);
         if (status == MUS_OK) to->nfield = p + 1;
     }
-    mus__field_turns(to->def.samples, turn);
-    if (status == MUS_OK) status = mus__body_surface(to, turn);
+    if (status == MUS_OK) status = mus__body_surface(to);
     if (status != MUS_OK) return status;
     if (to->digit_vertices > 0) mus__digit_make(to);
     mus__body_skin(to);

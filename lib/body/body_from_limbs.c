@@ -152,10 +152,8 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
     if (status != MUS_OK) return status;
     if (bones != NULL) given_bones(body, bones);
 
-    double turn[2 * MUS__CONTOUR_SAMPLES];
-    mus__field_turns(body->def.samples, turn);
     status = mus__body_fields(body, spacing);
-    return status == MUS_OK ? mus__body_surface(body, turn) : status;
+    return status == MUS_OK ? mus__body_surface(body) : status;
 }
 
 

@@ -65,7 +65,7 @@ static double length_tape(length_row *row, double side)
 /* vertex k (3) of a ring of a limb */
 static const double *length_vertex(const mus_body *body, const mus__limb *limb, int32_t ring, int32_t k)
 {
-    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples + k);
+    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * limb->samples + k);
 }
 
 
@@ -174,7 +174,7 @@ static void length_shoulder(mus_body *body, length_row *row)
 static void length_arm(mus_body *body, const mus__limb *arm, length_row *row)
 {
     const mus__skeleton *bone = &body->skeleton;
-    const int32_t outer = body->def.samples / 2;
+    const int32_t outer = arm->samples / 2;
     const double out[3] = {-arm->side[0], -arm->side[1], -arm->side[2]};
     double straight[2];
     for (int to = 0; to < 2; to++) {

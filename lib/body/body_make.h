@@ -16,8 +16,11 @@ mus_status mus__body_limbs(mus_body *body, int32_t count);
 /* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
-/* steps of the diamond angle of the fields of a body: its samples, where they are more than MUS__FIELD_ANGLES */
-int32_t mus__body_angles(const mus_body *body);
+/* directions of the surface's rings of limb l: mus_body_def.samples, and for arms, legs and feet of a tape half as many,
+ * since they are thinner than a torso */
+int32_t mus__body_samples(const mus_body *body, int32_t l);
+/* steps of the diamond angle of the fields of limb l: its samples, but no fewer than a table needs */
+int32_t mus__body_angles(const mus_body *body, int32_t l);
 
 /* cubic step: 0 for t <= 0, 1 for t >= 1 */
 double mus__cubic_step(double t);
@@ -66,9 +69,8 @@ void mus__body_section(const mus_body *body, int32_t l, double s, int32_t n, con
                        double *centre, double *radius);
 /* free fields, fillets and surface, to make them again */
 void mus__body_release(mus_body *body);
-/* rings, vertices, normals and triangles of all limbs, from the fields, in the directions `turn` (def.samples x 2).
- * Errors: MUS_ERR_MEMORY */
-mus_status mus__body_surface(mus_body *body, const double *turn);
+/* rings, vertices, normals and triangles of all limbs, from the fields. Errors: MUS_ERR_MEMORY */
+mus_status mus__body_surface(mus_body *body);
 /* normals (rings n + 2 x 3) of the closed surface of an end point, rings of n vertices, and an end point, from ring
  * `from` on */
 void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, double *normals);
@@ -84,13 +86,12 @@ mus_status mus__body_lengths(mus_body *body);
 
 /* ---- give.c: girths kept by the finished surface ---- */
 
-/* scale the rings of limb l about its contour i, and the contour, by 1 + more; turn: the directions of the fields */
+/* scale the rings of limb l about its contour i, and the contour, by 1 + more; turn: the directions of its fields */
 void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more, const double *turn);
 /* girth [m] of a tape round n points at the radii (n) in the directions `turn` (n x 2). Scratch: xy (2n), work (2n) */
 double mus__give_tape(int32_t n, const double *turn, const double *radius, double *xy, int32_t *work);
-/* scale the rings about all contours with a girth until the surface in the directions `turn` (def.samples x 2) has it.
- * Errors: MUS_ERR_MEMORY */
-mus_status mus__body_give(mus_body *body, const double *turn);
+/* scale the rings about all contours with a girth until the surface has it. Errors: MUS_ERR_MEMORY */
+mus_status mus__body_give(mus_body *body);
 /* whether the tape of a girth lies over the legs too, which stand out of the torso there */
 bool mus__girth_has_legs(int32_t girth);
 

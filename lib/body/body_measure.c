@@ -14,7 +14,7 @@
 /* the first vertex of a ring of a limb */
 static const double *measure_ring(const mus_body *body, const mus__limb *limb, int32_t ring)
 {
-    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
+    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * limb->samples);
 }
 
 
@@ -23,7 +23,7 @@ static const double *measure_ring(const mus_body *body, const mus__limb *limb, i
 static int32_t measure_section(const mus_body *body, const mus__limb *limb, double s, double *xy, int32_t count)
 {
     const double *at = body->ring + limb->first_ring;
-    const int32_t n = body->def.samples;
+    const int32_t n = limb->samples;
     int32_t ring = 0;
     while (ring + 2 < limb->rings && at[ring + 1] <= s + 1e-12) ring++;
     if (limb->rings < 2 || s < at[ring] - 1e-12 || s > at[ring + 1]) return count;
@@ -75,7 +75,7 @@ static double measure_foot(const mus_body *body, int32_t right)
 static double measure_height(const mus_body *body, const char *name)
 {
     const mus__limb *limb = &body->limb[MUS__LIMB_TORSO];
-    int32_t n = body->def.samples;
+    int32_t n = limb->samples;
     for (int32_t i = 0; i < limb->count; i++) {
         const char *p = limb->contour[i].name, *q = name;
         while (*p != '\0' && *p == *q) p++, q++;

@@ -33,8 +33,8 @@
 
 /* the sampling of a limb: its directions in the tables, and scratch for rings */
 typedef struct surface_work {
-    int32_t n, *entry;       /* (n) */
-    double *share;           /* (n) */
+    int32_t n, angles, *entry; /* (n), and the steps of the tables */
+    double *turn, *share;      /* (n x 2), (n) */
     double *radius, *before, *middle; /* (n) */
     double *stop, *ring;     /* s of the rings that must be there of one limb, and of all rings of all limbs */
     int32_t most;            /* room for so many rings */
@@ -55,6 +55,17 @@ void mus__body_section(const mus_body *body, int32_t l, double s, int32_t n, con
                        double *centre, double *radius)
 {
     mus__field_ring(surface_field(body, l, s), s, n, entry, share, centre, radius);
+}
+
+
+/* take the directions of limb l */
+static void surface_turn(const mus_body *body, int32_t l, surface_work *work)
+{
+    const int32_t n = body->limb[l].samples, angles = mus__body_angles(body, l);
+    if (work->n == n && work->angles == angles) return;
+    work->n = n, work->angles = angles;
+    mus__field_turns(n, work->turn);
+    mus__field_steps(angles, n, work->turn, work->entry, work->share);
 }
 
 
@@ -170,10 +181,10 @@ static void surface_point(const mus__limb *limb, double a, double b, double s, d
 
 
 /* vertices (rings n + 2 x 3) of limb l in the rest pose */
-static void surface_vertices(const mus_body *body, int32_t l, const double *turn, const surface_work *work, double *out)
+static void surface_vertices(const mus_body *body, int32_t l, const surface_work *work, double *out)
 {
     const mus__limb *limb = &body->limb[l];
-    const double *s = body->ring + limb->first_ring;
+    const double *s = body->ring + limb->first_ring, *turn = work->turn;
     double centre[2], *radius = work->radius;
     surface_section(body, l, limb->pole[0], work, centre, radius);
     surface_point(limb, centre[0], centre[1], limb->pole[0], out);
@@ -193,7 +204,7 @@ static void surface_vertices(const mus_body *body, int32_t l, const double *turn
 static void surface_carry(const mus_body *body, int32_t l, const double *s, double *x)
 {
     const mus__limb *limb = &body->limb[l];
-    const int32_t n = body->def.samples;
+    const int32_t n = limb->samples;
     mus__frame frame;
     mus__rig_ring(&body->rig, body->frame, l, limb->pole[0], &frame);
     mus__frame_point(&frame, x, x);
@@ -230,10 +241,10 @@ static void surface_contour_normals(mus_body *body, int32_t l, const mus__contou
     const double *s = body->ring + limb->first_ring + contour->ring;
     const double low = field->s0 + field->fine[0] * field->ds, high = field->s0 + field->fine[1] * field->ds;
     if (contour->ring < 1 || contour->ring + 1 >= limb->rings || s[-1] < low || s[1] > high) return;
-    const ptrdiff_t row = 3 * (ptrdiff_t)body->def.samples;
+    const ptrdiff_t row = 3 * (ptrdiff_t)limb->samples;
     const double t = (s[0] - s[-1]) / (s[1] - s[-1]);
     double *normal = body->normals + 3 * (ptrdiff_t)(limb->first_vertex + 1) + contour->ring * row;
-    for (int32_t k = 0; k < body->def.samples; k++, normal += 3) {
+    for (int32_t k = 0; k < limb->samples; k++, normal += 3) {
         for (int i = 0; i < 3; i++) normal[i] = normal[i - row] + t * (normal[i + row] - normal[i - row]);
         mus__unit3(normal);
     }
@@ -242,19 +253,19 @@ static void surface_contour_normals(mus_body *body, int32_t l, const mus__contou
 
 /* the normals that fillets know, where a ring of the surface is a ring of the field in the same directions. In a pose
  * they turn with their part */
-static void surface_creases(mus_body *body, const surface_work *work)
+static void surface_creases(mus_body *body)
 {
     int32_t part = MUS_NONE, row = MUS_NONE, ring = -1;
-    for (int32_t i = 0; i < body->creases && work->n == mus__body_angles(body); i++) {
+    for (int32_t i = 0; i < body->creases; i++) {
         const mus__crease *crease = &body->crease[i];
         const mus__field *field = &body->field[crease->part];
-        const int32_t l = body->rig.part[crease->part].limb;
+        const int32_t l = body->rig.part[crease->part].limb, n = body->limb[l].samples;
         if (crease->part != part || crease->ring != row) {
             part = crease->part, row = crease->ring;
-            ring = surface_ring_at(body, l, field->s0 + row * field->ds, 1e-9);
+            ring = n == field->nangle ? surface_ring_at(body, l, field->s0 + row * field->ds, 1e-9) : -1;
         }
         if (ring < 0) continue;
-        double *normal = body->normals + 3 * (body->limb[l].first_vertex + 1 + (ptrdiff_t)ring * work->n + crease->entry);
+        double *normal = body->normals + 3 * (body->limb[l].first_vertex + 1 + (ptrdiff_t)ring * n + crease->entry);
         memcpy(normal, crease->normal, sizeof crease->normal);
         if (body->frame != NULL) mus__frame_turn(&body->frame[crease->part], crease->normal, normal);
     }
@@ -265,22 +276,22 @@ static void surface_creases(mus_body *body, const surface_work *work)
 
 
 /* scratch for the rings of all limbs. Errors: MUS_ERR_MEMORY */
-static mus_status surface_begin(const mus_body *body, const double *turn, surface_work *work)
+static mus_status surface_begin(const mus_body *body, surface_work *work)
 {
-    const int32_t n = work->n = body->def.samples;
+    const int32_t n = body->def.samples;
     int64_t rows = 0;
     for (int32_t p = 0; p < body->nfield; p++) rows += body->field[p].nring;
     work->most = (int32_t)rows;
     for (int32_t l = 0; l < body->limb_count; l++)
         work->most += SURFACE_STEPS * body->limb[l].count + 2 * SURFACE_CAP_RINGS;
     work->entry = mus__new(body->context, n, sizeof *work->entry);
-    work->share = mus__new(body->context, 4 * (int64_t)n, sizeof *work->share);
+    work->share = mus__new(body->context, 6 * (int64_t)n, sizeof *work->share);
     work->stop = mus__room(body->context, rows + MUS__LIMB_CONTOURS, sizeof *work->stop);
     work->ring = mus__room(body->context, work->most, sizeof *work->ring);
     if (!work->entry || !work->share || !work->stop || !work->ring)
         return mus__fail_memory(body->context, "the surface of a body");
     work->radius = work->share + n, work->before = work->radius + n, work->middle = work->before + n;
-    mus__field_steps(mus__body_angles(body), n, turn, work->entry, work->share);
+    work->turn = work->middle + n;
     return MUS_OK;
 }
 
@@ -295,12 +306,13 @@ static void surface_end(const mus_body *body, surface_work *work)
 
 
 /* rings of all limbs into body->ring, and their ranges. Errors: MUS_ERR_MEMORY */
-static mus_status surface_ranges(mus_body *body, const surface_work *work)
+static mus_status surface_ranges(mus_body *body, surface_work *work)
 {
-    const int32_t n = body->def.samples;
     int32_t rings = 0;
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
+        const int32_t n = limb->samples;
+        if (!limb->gone) surface_turn(body, l, work);
         limb->rings = limb->gone ? 0 : surface_rings(body, l, work, work->ring + rings);
         limb->vertices = limb->gone ? 0 : limb->rings * n + 2;
         limb->triangles = 2 * n * limb->rings;
@@ -323,7 +335,7 @@ static mus_status surface_ranges(mus_body *body, const surface_work *work)
 static void surface_flip(mus_body *body, int32_t l, int32_t ring)
 {
     const mus__limb *limb = &body->limb[l];
-    const int32_t n = body->def.samples, first = limb->first_vertex + 1 + ring * n;
+    const int32_t n = limb->samples, first = limb->first_vertex + 1 + ring * n;
     int32_t *triangle = body->triangles + 3 * (limb->first_triangle + (ptrdiff_t)n * (1 + 2 * ring));
     const double *x = body->vertices;
     double middle[3] = {0.0, 0.0, 0.0};
@@ -361,9 +373,8 @@ static void surface_flips(mus_body *body)
 
 
 /* vertices, triangles and normals of all limbs. Errors: MUS_ERR_MEMORY */
-static mus_status surface_fill(mus_body *body, const double *turn, const surface_work *work)
+static mus_status surface_fill(mus_body *body, surface_work *work)
 {
-    const int32_t n = body->def.samples;
     if (!body->def.plain) mus__digit_counts(body, &body->digit_vertices, &body->digit_triangles);
     const int64_t vertices = (int64_t)body->vertex_count + body->digit_vertices;
     body->vertices = mus__room(body->context, 3 * vertices, sizeof(double));
@@ -377,24 +388,25 @@ static mus_status surface_fill(mus_body *body, const double *turn, const surface
         mus__limb *limb = &body->limb[l];
         double *x = body->vertices + 3 * (ptrdiff_t)limb->first_vertex;
         if (limb->gone) continue;
-        surface_vertices(body, l, turn, work, x);
+        surface_turn(body, l, work);
+        surface_vertices(body, l, work, x);
         if (body->frame != NULL) surface_carry(body, l, body->ring + limb->first_ring, x);
-        mus__ring_triangles(limb->first_vertex, limb->rings, n,
+        mus__ring_triangles(limb->first_vertex, limb->rings, limb->samples,
                             body->triangles + 3 * (ptrdiff_t)limb->first_triangle);
-        mus__ring_normals(x, n, limb->rings, 0, body->normals + 3 * (ptrdiff_t)limb->first_vertex);
+        mus__ring_normals(x, limb->samples, limb->rings, 0, body->normals + 3 * (ptrdiff_t)limb->first_vertex);
     }
-    surface_creases(body, work);
+    surface_creases(body);
     surface_flips(body);
     return MUS_OK;
 }
 
 
-mus_status mus__body_surface(mus_body *body, const double *turn)
+mus_status mus__body_surface(mus_body *body)
 {
     surface_work work = {0};
-    mus_status status = surface_begin(body, turn, &work);
+    mus_status status = surface_begin(body, &work);
     if (status == MUS_OK) status = surface_ranges(body, &work);
-    if (status == MUS_OK) status = surface_fill(body, turn, &work);
+    if (status == MUS_OK) status = surface_fill(body, &work);
     surface_end(body, &work);
     return status;
 }

@@ -182,10 +182,12 @@ double mus_body_volume(const mus_body *body)
     if (body == NULL) return NAN;
     if (body->frame != NULL) return volume_at_rest(body);
     double turn[2 * MUS__FIELD_MOST], weight[MUS__FIELD_MOST], volume = 0.0;
-    const int32_t n = body->nfield > 0 ? body->field[0].nangle : MUS__FIELD_ANGLES;
-    mus__field_turns(n, turn);
-    volume_weights(n, turn, weight);
     for (int32_t p = 0; p < body->nfield; p++) {
+        const int32_t n = body->field[p].nangle;
+        if (p == 0 || n != body->field[p - 1].nangle) {
+            mus__field_turns(n, turn);
+            volume_weights(n, turn, weight);
+        }
         volume += volume_part(&body->field[p], &body->rig.part[p], weight);
         if (body->rig.part[p].limb > 0) volume -= volume_overlap(body, p, turn, weight);
     }

@@ -55,11 +55,22 @@ double mus__give_tape(int32_t n, const double *turn, const double *radius, doubl
 
 /* directions of the surface in the tables, and scratch for a tape round torso and legs */
 typedef struct give {
-    const double *turn;
-    double step[2 * MUS__FIELD_MOST]; /* directions of the tables */
-    int32_t n, entry[MUS__CONTOUR_SAMPLES], work[6 * MUS__CONTOUR_SAMPLES];
+    double turn[2 * MUS__CONTOUR_SAMPLES], step[2 * MUS__FIELD_MOST]; /* directions of the surface and of the tables */
+    int32_t n, angles, entry[MUS__CONTOUR_SAMPLES], work[6 * MUS__CONTOUR_SAMPLES];
     double share[MUS__CONTOUR_SAMPLES], radius[MUS__CONTOUR_SAMPLES], xy[6 * MUS__CONTOUR_SAMPLES];
 } give;
+
+
+/* take the directions of limb l */
+static void give_turn(const mus_body *body, int32_t l, give *at)
+{
+    const int32_t n = body->limb[l].samples, angles = mus__body_angles(body, l);
+    if (at->n == n && at->angles == angles) return;
+    at->n = n, at->angles = angles;
+    mus__field_turns(n, at->turn);
+    mus__field_turns(angles, at->step);
+    mus__field_steps(angles, n, at->turn, at->entry, at->share);
+}
 
 
 /* append the section of limb l at s to at->xy, which has `count` points; returns their number */
@@ -67,6 +78,7 @@ static int32_t give_section(const mus_body *body, int32_t l, double s, give *at,
 {
     double centre[2];
     if (body->limb[l].gone || s <= body->limb[l].pole[0] || s >= body->limb[l].pole[1]) return count;
+    give_turn(body, l, at);
     mus__body_section(body, l, s, at->n, at->entry, at->share, centre, at->radius);
     for (int32_t k = 0; k < at->n; k++, count++) {
         at->xy[2 * count] = centre[0] + at->radius[k] * at->turn[2 * k];
@@ -114,21 +126,23 @@ static bool give_round(mus_body *body, give *at)
             const double made = give_made(body, l, i, at), asked = body->asked[c->girth], part = asked / made - 1.0;
             if (fabs(made - asked) < GIVE_CLOSE || fabs(part) > GIVE_MOST) continue;
             more = true;
+            give_turn(body, l, at);
             mus__give_scale(body, l, i, part, at->step);
             for (int32_t leg = MUS__LIMB_LEG_LEFT; leg <= MUS__LIMB_LEG_RIGHT && mus__girth_has_legs(c->girth); leg++)
-                if (!body->limb[leg].gone) mus__give_scale(body, leg, give_nearest(&body->limb[leg], c->s), part, at->step);
+                if (!body->limb[leg].gone) {
+                    give_turn(body, leg, at);
+                    mus__give_scale(body, leg, give_nearest(&body->limb[leg], c->s), part, at->step);
+                }
         }
     return more;
 }
 
 
-mus_status mus__body_give(mus_body *body, const double *turn)
+mus_status mus__body_give(mus_body *body)
 {
     give *at = mus__room(body->context, 1, sizeof *at);
     if (at == NULL) return mus__fail_memory(body->context, "measuring a body");
-    at->turn = turn, at->n = body->def.samples;
-    mus__field_turns(mus__body_angles(body), at->step);
-    mus__field_steps(mus__body_angles(body), at->n, turn, at->entry, at->share);
+    at->n = at->angles = 0;
     for (int round = 0; round < GIVE_ROUNDS && give_round(body, at); round++) continue;
     for (int32_t p = 0; p < body->nfield; p++) mus__field_bounds(&body->field[p]);
     mus__free(body->context, at);

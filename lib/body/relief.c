@@ -293,15 +293,16 @@ static double relief_front(const mus__limb *limb, int32_t girth)
 
 
 /* the details of part q. Errors: MUS_ERR_MEMORY */
-static mus_status relief_part(const relief *at, mus_body *body, int32_t q, const double *turn)
+static mus_status relief_part(const relief *at, mus_body *body, int32_t q)
 {
     mus__field *field = &body->field[q], old = *field;
     const int32_t l = body->rig.part[q].limb;
     const bool head = l == MUS__LIMB_TORSO && body->rig.part[q].joint == MUS_JOINT_NECK;
     const int64_t size = (int64_t)field->nring * field->nangle;
-    double range[2];
+    double range[2], turn[2 * MUS__FIELD_MOST];
     relief_range(at, l, q, range);
     if (range[0] > range[1] || (head && (at->chin == NULL || at->brow == NULL))) return MUS_OK;
+    mus__field_turns(field->nangle, turn);
     if (head) relief_lower(at, field, turn);
     old.radius = mus__room(body->context, size, sizeof(double));
     if (old.radius == NULL) return mus__fail_memory(body->context, "the details of a body");
@@ -321,10 +322,8 @@ mus_status mus__body_relief(mus_body *body)
     const mus__skeleton *bone = &body->skeleton;
     relief at = {.body = body, .chin = relief_contour(torso, "chin"), .brow = relief_contour(torso, "brow"),
                  .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip, .even = mus__body_is_even(body)};
-    double turn[2 * MUS__FIELD_MOST];
     mus_status status = MUS_OK;
     if (!body->measured) return MUS_OK;
-    mus__field_turns(mus__body_angles(body), turn);
     for (int32_t i = 0; i < torso->count; i++)
         if (torso->contour[i].girth == MUS_MEASURE_HIP) at.middle = -torso->contour[i].cb;
     at.groin = relief_front(torso, MUS_NONE) + RELIEF_GROIN * at.h -
@@ -332,7 +331,7 @@ mus_status mus__body_relief(mus_body *body)
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
         if (l < MUS__LIMB_COUNT && (!at.even || l == MUS__LIMB_TORSO || l % 2 == 1))
-            status = relief_part(&at, body, q, turn);
+            status = relief_part(&at, body, q);
     }
     return status;
 }

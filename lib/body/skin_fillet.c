@@ -94,6 +94,8 @@ typedef struct fillet {
     double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
     int32_t creases, room;
     mus__crease *crease;
+    int32_t angles;                 /* steps of the tables that `turn` is of */
+    double turn[2 * MUS__FIELD_MOST];
     int32_t count;                  /* number of parts near the ring */
     int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
 } fillet;
@@ -231,10 +233,10 @@ static void fillet_keep(fillet *at, int32_t q, int32_t j, int32_t k, const doubl
 
 /* entry k of ring j of part q: its new radius into *out, and with `keep` its normal. Returns its growth [m], FILLET_FINE
  * at least where the normal turns, and -1 far from all other limbs */
-static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, const double *turn, double *out)
+static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, double *out)
 {
     const mus__field *field = &at->body->field[q];
-    const double *c = field->centre + 2 * (ptrdiff_t)j, radius = field->radius[(ptrdiff_t)j * field->nangle + k];
+    const double *turn = at->turn, *c = field->centre + 2 * (ptrdiff_t)j, radius = field->radius[(ptrdiff_t)j * field->nangle + k];
     fillet_ray ray = {.slope = 0.0};
     double normal[3] = {0.0, 0.0, 0.0};
     bool far, turned;
@@ -254,7 +256,7 @@ static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, 
 
 /* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. The odd entries are asked beside even
  * ones that changed. Returns the largest growth [m] */
-static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, const double *turn, double *out)
+static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, double *out)
 {
     const int32_t n = at->body->field[q].nangle;
     double grew = 0.0;
@@ -263,7 +265,7 @@ static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep
         for (int32_t k = odd; k < n; k += 2) {
             if (half && k > n / 4 && k < n - n / 4) continue;
             if (odd && !changed[k - 1] && !changed[(k + 1) % n]) continue;
-            const double more = fillet_at(at, q, j, k, keep, turn, &out[k]);
+            const double more = fillet_at(at, q, j, k, keep, &out[k]);
             changed[k] = more > FILLET_LEAST;
             grew = fmax(grew, more);
             if (more < 0.0 && !odd) k += FILLET_SKIP;
@@ -350,12 +352,22 @@ static void fillet_parts(fillet *at, int32_t q, int32_t j)
 }
 
 
+/* take the directions of part q */
+static void fillet_turn(fillet *at, int32_t q)
+{
+    const int32_t n = at->body->field[q].nangle;
+    if (at->angles != n) mus__field_turns(n, at->turn);
+    at->angles = n;
+}
+
+
 /* new radii of all rings of a part. Errors: MUS_ERR_MEMORY */
-static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *turn)
+static mus_status fillet_part(fillet *at, int32_t q, bool half)
 {
     mus__field *field = &at->body->field[q];
     const mus__part *part = &at->body->rig.part[q];
     const size_t row = (size_t)field->nangle;
+    fillet_turn(at, q);
     for (int32_t j = 0; j < field->nring; j++) {
         const double s = field->s0 + j * field->ds;
         if (part->round[0] > 0.0 && s < part->end[0]) continue; /* a round cap lies within the next part */
@@ -367,7 +379,7 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *tu
             if (at->fresh[q] == NULL) return mus__fail_memory(at->body->context, "the fillets of a body");
             memcpy(at->fresh[q], field->radius, (size_t)field->nring * row * sizeof(double));
         }
-        if (fillet_ring(at, q, j, half, true, turn, at->fresh[q] + (size_t)j * row) < FILLET_FINE) continue;
+        if (fillet_ring(at, q, j, half, true, at->fresh[q] + (size_t)j * row) < FILLET_FINE) continue;
         if (j < field->fine[0]) field->fine[0] = j;
         if (j > field->fine[1]) field->fine[1] = j;
     }
@@ -379,7 +391,7 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half, const double *tu
 
 /* the girth that fillets add to the contours of the tape is taken off them before: each ring about a contour gives way
  * (give.c). Scratch: xy (2 nangle), work (2 nangle) */
-static void fillet_give(fillet *at, const double *turn, double *xy, int32_t *work)
+static void fillet_give(fillet *at, double *xy, int32_t *work)
 {
     mus_body *body = at->body;
     double row[MUS__FIELD_MOST];
@@ -391,13 +403,14 @@ static void fillet_give(fillet *at, const double *turn, double *xy, int32_t *wor
             const double s = limb->contour[i].s;
             if (limb->contour[i].girth == MUS_NONE || s < part->end[0] || s >= part->end[1]) continue;
             const int32_t j = (int32_t)lround((s - field->s0) / field->ds), n = field->nangle;
+            fillet_turn(at, q);
             const double *radius = field->radius + (ptrdiff_t)j * n;
             fillet_parts(at, q, j);
             if (at->count == 0) continue;
             memcpy(row, radius, (size_t)n * sizeof *row);
-            if (fillet_ring(at, q, j, false, false, turn, row) == 0.0) continue;
-            const double before = mus__give_tape(n, turn, radius, xy, work);
-            mus__give_scale(body, part->limb, i, before / mus__give_tape(n, turn, row, xy, work) - 1.0, turn);
+            if (fillet_ring(at, q, j, false, false, row) == 0.0) continue;
+            const double before = mus__give_tape(n, at->turn, radius, xy, work);
+            mus__give_scale(body, part->limb, i, before / mus__give_tape(n, at->turn, row, xy, work) - 1.0, at->turn);
         }
     }
 }
@@ -489,19 +502,18 @@ mus_status mus__body_fillets(mus_body *body, double reach)
 {
     if (reach == 0.0) return MUS_OK;
     fillet *at = mus__new(body->context, 1, sizeof *at);
-    double turn[2 * MUS__FIELD_MOST], xy[2 * MUS__FIELD_MOST];
+    double xy[2 * MUS__FIELD_MOST];
     int32_t work[2 * MUS__FIELD_MOST];
     if (at == NULL) return mus__fail_memory(body->context, "the fillets of a body");
     at->body = body, at->reach = reach, at->room = FILLET_CREASES;
-    mus__field_turns(mus__body_angles(body), turn);
     fillet_begin(at);
     at->crease = mus__room(body->context, at->room, sizeof *at->crease);
     mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");
-    if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, turn, xy, work);
+    if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, xy, work);
     const bool even = mus__body_is_even(body);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
-        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(at, q, even && l == 0, turn);
+        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(at, q, even && l == 0);
     }
     for (int32_t q = 0; q < body->nfield; q++) {
         mus__field *field = &body->field[q];

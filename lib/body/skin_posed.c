@@ -44,10 +44,10 @@ static void skin_settle(const mus_body *body, double *x)
 
 void mus__body_skin(mus_body *body)
 {
-    const int32_t n = body->def.samples;
     if (body->frame == NULL || !body->jointed) return;
     for (int32_t l = 0; l < body->limb_count; l++) {
         const mus__limb *limb = &body->limb[l];
+        const int32_t n = limb->samples;
         bool moved = false;
         for (int32_t ring = 0; ring < limb->rings; ring++) {
             if (!skin_blended(body, l, body->ring[limb->first_ring + ring])) continue;

@@ -98,8 +98,10 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
     if (status != MUS_OK) return status;
 
     double turn[2 * MUS__FIELD_MOST], lowest = INFINITY;
-    mus__field_turns(body->nfield > 0 ? field[0].nangle : MUS__FIELD_ANGLES, turn);
-    for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    for (int32_t p = 0; p < body->nfield; p++) {
+        mus__field_turns(field[p].nangle, turn);
+        lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    }
     pose->place[1] -= lowest;
     return MUS_OK;
 }

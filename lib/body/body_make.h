@@ -116,6 +116,11 @@ double mus__relief_short(const mus_body *body, int32_t l, double s);
 bool mus__body_is_even(const mus_body *body);
 /* the right half of a symmetric body from its left one */
 void mus__body_mirror(mus_body *body);
+/* a finger or toe in the skin: an end point, rings of so many vertices, an end point; chosen */
+#define MUS__DIGIT_ROUND 12
+#define MUS__DIGIT_RINGS 9
+/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
+bool mus__digit_has(const mus_body *body, int32_t which);
 /* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 /* write vertices, normals and triangles of fingers and toes after those of the limbs */

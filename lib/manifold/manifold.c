@@ -13,6 +13,10 @@
  */
 #include "manifold/manifold_internal.h"
 
+/* web between two digits, in spacings: it fills gaps up to half of it; chosen: a gap of one spacing has points of the
+ * lattice in it everywhere */
+#define MANIFOLD_WEB 2.4
+
 
 void mus_manifold_def_init(mus_manifold_def *def, size_t size)
 {
@@ -61,7 +65,7 @@ static mus_status manifold_make(mus_context *context, const mus__solids *solids,
     status = mus__bcc_make(context, pool, solids, def->spacing, &lattice);
     if (status == MUS_OK) status = manifold_surface(&lattice, out, &euler);
     if (status == MUS_OK && (out->pieces != 1 || euler != 2)) {
-        manifold_unsnap(&lattice);
+            manifold_unsnap(&lattice);
         status = mus__bcc_grow(&lattice);
         if (status == MUS_OK) status = manifold_surface(&lattice, out, &euler);
     }
@@ -93,7 +97,7 @@ mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def
         status = mus__fail_memory(context, "a manifold");
     } else {
         manifold->context = context;
-        mus__solids_make(body, solids);
+        mus__solids_make(body, MANIFOLD_WEB * own.spacing, solids);
         status = manifold_make(context, solids, &own, manifold);
     }
     mus__free(context, solids);

@@ -14,7 +14,8 @@
 #include "body/body_make.h"
 #include "muslin/manifold.h"
 
-#define MUS__DIGITS_MOST 20 /* fingers and toes */
+#define MUS__DIGITS_A_LIMB 5 /* fingers of a hand, toes of a foot */
+#define MUS__DIGITS_MOST (4 * MUS__DIGITS_A_LIMB)
 #define MUS__DIGIT_STATIONS (MUS__DIGIT_RINGS + 1) /* cross-sections of a digit: its rings and its tip */
 #define MUS__SOLIDS_MOST (MUS__PARTS_MOST + MUS__DIGITS_MOST)
 
@@ -50,6 +51,7 @@ typedef struct mus__solids {
     int32_t count;
     mus__solid solid[MUS__SOLIDS_MOST];
     mus__digit digit[MUS__DIGITS_MOST];
+    double web; /* gaps between two digits up to half of it are filled [m] */
 } mus__solids;
 
 /* the label of a point */
@@ -81,13 +83,28 @@ typedef struct mus__bcc {
     uint8_t *cut;              /* (crossings) 1: both ends lie inside, a handle was opened */
     float *part;               /* (crossings) place on the edge, 0 at its owner, 1 at the other end */
     uint16_t touch[MUS__LINKS]; /* bit e of touch[d]: neighbours d and e of a point are neighbours of each other */
+    uint8_t simple[1 << (MUS__LINKS - 3)]; /* bit of each set of neighbours inside: the point is simple */
 } mus__bcc;
 
 /* steps to a neighbour in doubled coordinates */
 extern const int8_t mus__bcc_step[MUS__LINKS][3];
 
-/* the neighbour of a point in direction d; MUS_NONE: in no active block, and outside */
-int32_t mus__bcc_next(const mus__bcc *lattice, int32_t point, int32_t d);
+/* the neighbour of a point beyond its block, whose cell is (i, j, k) from the corner of the block */
+int32_t mus__bcc_beyond(const mus__bcc *lattice, uint32_t block, int32_t odd, int32_t i, int32_t j, int32_t k);
+/* the neighbour of a point in direction d; MUS_NONE: in no active block, and outside. The bits of a point's number are
+ * its block, its kind, and the cell in the block */
+static inline int32_t mus__bcc_next(const mus__bcc *lattice, int32_t point, int32_t d)
+{
+    const int8_t *step = mus__bcc_step[d];
+    const uint32_t p = (uint32_t)point;
+    const int32_t odd = (int32_t)(p / MUS__BLOCK_CELLS % 2), n = MUS__BLOCK, other = (odd + step[0]) & 1;
+    const int32_t i = (int32_t)(p % MUS__BLOCK) + ((odd + step[0]) >> 1);
+    const int32_t j = (int32_t)(p / MUS__BLOCK % MUS__BLOCK) + ((odd + step[1]) >> 1);
+    const int32_t k = (int32_t)(p / (MUS__BLOCK * MUS__BLOCK) % MUS__BLOCK) + ((odd + step[2]) >> 1);
+    const uint32_t block = p / MUS__BLOCK_POINTS;
+    if (((i | j | k) & ~(n - 1)) != 0) return mus__bcc_beyond(lattice, block, other, i, j, k);
+    return (int32_t)(block * MUS__BLOCK_POINTS) + other * MUS__BLOCK_CELLS + (k * n + j) * n + i;
+}
 /* the edge of a point in direction d, as the index of its crossing */
 int32_t mus__bcc_crossing(const mus__bcc *lattice, int32_t point, int32_t d);
 /* whether the block and all about it lie on one side of the surface */
@@ -95,10 +112,14 @@ bool mus__bcc_plain(const mus__bcc *lattice, int32_t block);
 
 /* ---- manifold_solid.c ---- */
 
-/* the solids of a body where it stands */
-void mus__solids_make(const mus_body *body, mus__solids *out);
-/* depth of x (3) in the union of the n listed solids, positive inside; -1e30: far outside [m] */
-double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x);
+/* the solids of a body where it stands, with webs [m] between its digits */
+void mus__solids_make(const mus_body *body, double web, mus__solids *out);
+/* whether a ball of radius r [m] about x (3) may touch a solid */
+bool mus__solid_near(const mus__solid *solid, const double *x, double r);
+/* depth of x (3) in the union of the n listed solids, positive inside; -1e30: far outside. Where one of
+ * them is deeper than `enough`, the others are not asked [m] */
+double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x,
+                         double enough);
 
 /* ---- manifold_lattice.c ---- */
 

@@ -64,9 +64,19 @@ static bool label_connected(const mus__bcc *lattice, uint32_t mask)
 }
 
 
+/* one bit for each set of neighbours inside: whether the point is simple */
+static void label_table(mus__bcc *lattice)
+{
+    const uint32_t all = (1u << MUS__LINKS) - 1;
+    for (uint32_t in = 1; in < all; in++)
+        if (label_connected(lattice, in) && label_connected(lattice, all & ~in))
+            lattice->simple[in / 8] |= (uint8_t)(1u << in % 8);
+}
+
+
 static bool label_simple(const mus__bcc *lattice, const link *at)
 {
-    return at->in != 0 && at->out != 0 && label_connected(lattice, at->in) && label_connected(lattice, at->out);
+    return (lattice->simple[at->in / 8] >> at->in % 8 & 1) != 0;
 }
 
 
@@ -146,6 +156,7 @@ mus_status mus__bcc_grow(mus__bcc *lattice)
 {
     const int32_t points = lattice->blocks * MUS__BLOCK_POINTS;
     growth grow = {.lattice = lattice, .top = -1};
+    label_table(lattice);
     double most = 0.0;
     for (int32_t i = 0; i < points; i++) most = fmax(most, (double)lattice->depth[i]);
     grow.scale = LABEL_LEVELS / most;
@@ -218,6 +229,7 @@ static int32_t label_draw(const mus__bcc *lattice, int32_t point)
 
 void mus__bcc_snap(mus__bcc *lattice)
 {
+    label_table(lattice);
     for (int32_t b = 0; b < lattice->blocks; b++) {
         if (mus__bcc_plain(lattice, b)) continue;
         for (int32_t point = b * MUS__BLOCK_POINTS; point < (b + 1) * MUS__BLOCK_POINTS; point++) {

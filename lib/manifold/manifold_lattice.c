@@ -11,6 +11,10 @@
 #define BCC_UP 0.37
 #define BCC_FORWARD 0.29
 
+/* [m] a point that is less deep is outside: rounding does not decide where a plane of points lies in a flat wall, as
+ * that between the legs */
+#define BCC_FLAT 1e-6
+
 /* most active blocks: 2^30 points */
 #define BCC_BLOCKS (INT32_C(1) << 20)
 
@@ -23,35 +27,14 @@ const int8_t mus__bcc_step[MUS__LINKS][3] = {
     {-2, 0, 0}, {0, -2, 0}, {0, 0, -2}, {-1, 1, 1},  {-1, -1, 1}, {-1, 1, -1}, {-1, -1, -1}};
 
 
-/* doubled coordinates (3) of a point from the corner of the grid */
-static void bcc_where(const mus__bcc *lattice, int32_t point, int32_t *out)
+int32_t mus__bcc_beyond(const mus__bcc *lattice, uint32_t block, int32_t odd, int32_t i, int32_t j, int32_t k)
 {
-    const int32_t block = point / MUS__BLOCK_POINTS, local = point % MUS__BLOCK_POINTS;
-    const int32_t odd = local / MUS__BLOCK_CELLS, cell = local % MUS__BLOCK_CELLS;
-    const int32_t at[3] = {cell % MUS__BLOCK, cell / MUS__BLOCK % MUS__BLOCK, cell / (MUS__BLOCK * MUS__BLOCK)};
-    for (int i = 0; i < 3; i++) out[i] = 2 * (MUS__BLOCK * lattice->place[3 * (ptrdiff_t)block + i] + at[i]) + odd;
-}
-
-
-/* the point at doubled coordinates; MUS_NONE: in no active block */
-static int32_t bcc_at(const mus__bcc *lattice, int32_t x, int32_t y, int32_t z)
-{
-    const int32_t *grid = lattice->grid, odd = x & 1, i = x >> 1, j = y >> 1, k = z >> 1;
-    const int32_t a = i / MUS__BLOCK, b = j / MUS__BLOCK, c = k / MUS__BLOCK;
-    if (x < 0 || y < 0 || z < 0 || a >= grid[0] || b >= grid[1] || c >= grid[2]) return MUS_NONE;
-    const int32_t block = lattice->table[((ptrdiff_t)c * grid[1] + b) * grid[0] + a];
-    if (block == MUS_NONE) return MUS_NONE;
-    const int32_t low = (k % MUS__BLOCK * MUS__BLOCK + j % MUS__BLOCK) * MUS__BLOCK + i % MUS__BLOCK;
-    return block * MUS__BLOCK_POINTS + odd * MUS__BLOCK_CELLS + low;
-}
-
-
-int32_t mus__bcc_next(const mus__bcc *lattice, int32_t point, int32_t d)
-{
-    int32_t at[3];
-    const int8_t *step = mus__bcc_step[d];
-    bcc_where(lattice, point, at);
-    return bcc_at(lattice, at[0] + step[0], at[1] + step[1], at[2] + step[2]);
+    const int32_t *at = lattice->place + 3 * (ptrdiff_t)block, *grid = lattice->grid, n = MUS__BLOCK;
+    const int32_t a = at[0] + (i >= n) - (i < 0), b = at[1] + (j >= n) - (j < 0), c = at[2] + (k >= n) - (k < 0);
+    if (a < 0 || b < 0 || c < 0 || a >= grid[0] || b >= grid[1] || c >= grid[2]) return MUS_NONE;
+    const int32_t next = lattice->table[((ptrdiff_t)c * grid[1] + b) * grid[0] + a];
+    const int32_t cell = ((k & (n - 1)) * n + (j & (n - 1))) * n + (i & (n - 1));
+    return next == MUS_NONE ? MUS_NONE : next * MUS__BLOCK_POINTS + odd * MUS__BLOCK_CELLS + cell;
 }
 
 
@@ -80,15 +63,16 @@ bool mus__bcc_plain(const mus__bcc *lattice, int32_t block)
 }
 
 
-/* whether a block, widened by two spacings, touches the box of a solid */
+/* whether a block, widened by two spacings, touches a solid */
 static bool bcc_touches(const mus__bcc *lattice, const int32_t *place, const mus__solid *solid)
 {
-    const double wide = MUS__BLOCK * lattice->spacing, more = 2.0 * lattice->spacing;
+    const double half = (0.5 * MUS__BLOCK + 2.0) * lattice->spacing;
+    double middle[3];
     for (int i = 0; i < 3; i++) {
-        const double low = lattice->origin[i] + place[i] * wide;
-        if (solid->low[i] > low + wide + more || solid->high[i] < low - more) return false;
+        middle[i] = lattice->origin[i] + (place[i] + 0.5) * MUS__BLOCK * lattice->spacing;
+        if (solid->low[i] > middle[i] + half || solid->high[i] < middle[i] - half) return false;
     }
-    return true;
+    return mus__solid_near(solid, middle, sqrt(3.0) * half);
 }
 
 
@@ -179,9 +163,10 @@ static mus_status bcc_blocks(mus__bcc *lattice)
 /* place (3) of a point [m] */
 static void bcc_point(const mus__bcc *lattice, int32_t point, double *x)
 {
-    int32_t at[3];
-    bcc_where(lattice, point, at);
-    for (int i = 0; i < 3; i++) x[i] = lattice->origin[i] + 0.5 * lattice->spacing * at[i];
+    const int32_t n = MUS__BLOCK, at[3] = {point % n, point / n % n, point / (n * n) % n};
+    const int32_t *block = lattice->place + 3 * (ptrdiff_t)(point / MUS__BLOCK_POINTS);
+    const double shift = point / MUS__BLOCK_CELLS % 2 != 0 ? 0.5 : 0.0;
+    for (int i = 0; i < 3; i++) x[i] = lattice->origin[i] + lattice->spacing * (n * block[i] + at[i] + shift);
 }
 
 
@@ -197,7 +182,8 @@ static void bcc_sample(void *user, int32_t part, int32_t parts)
             const int32_t point = b * MUS__BLOCK_POINTS + i;
             double x[3];
             bcc_point(lattice, point, x);
-            lattice->depth[point] = (float)mus__solids_depth(lattice->solids, n, near, x);
+            const double depth = mus__solids_depth(lattice->solids, n, near, x, lattice->spacing);
+            lattice->depth[point] = depth > 0.0 && depth < BCC_FLAT ? 0.0f : (float)depth;
             lattice->label[point] = lattice->depth[point] > 0.0f ? MUS__POINT_IN : 0;
             inside += lattice->label[point];
         }
@@ -260,7 +246,7 @@ static double bcc_root(const mus__bcc *lattice, int32_t block, const double *x, 
         t = far ? 0.5 * (low + high) : (low * f1 - high * f0) / (f1 - f0);
         if (!(t > low && t < high)) t = 0.5 * (low + high);
         const double at[3] = {x[0] + t * way[0], x[1] + t * way[1], x[2] + t * way[2]};
-        const double f = mus__solids_depth(lattice->solids, n, near, at);
+        const double f = mus__solids_depth(lattice->solids, n, near, at, lattice->spacing);
         if (fabs(f) < BCC_CLOSE) break;
         if ((f > 0.0) == (f0 > 0.0)) {
             low = t, f0 = f;

@@ -32,7 +32,7 @@ typedef struct mesh_corner {
 } mesh_corner;
 
 
-/* the point in direction (dx, dy, dz) blocks' cells: read the points of a block; false: they lie on one side */
+/* read the points of a block and of the layer beyond it; false: they all lie on one side */
 static bool mesh_read(const mus__bcc *lattice, int32_t block, mesh_block *out)
 {
     if (mus__bcc_plain(lattice, block)) return false;
@@ -114,6 +114,18 @@ static int32_t mesh_tetrahedron(const mus__bcc *lattice, const mesh_corner *corn
 }
 
 
+/* whether the points of the tetrahedra about a cell lie on one side */
+static bool mesh_skips(const mesh_block *from, const int32_t *cell)
+{
+    int32_t inside = 0;
+    for (int32_t m = 1; m < 8; m++)
+        inside += from->label[0][cell[2] + (m >> 2)][cell[1] + (m >> 1 & 1)][cell[0] + (m & 1)] & MUS__POINT_IN;
+    for (int32_t m = 0; m < 4; m++)
+        inside += from->label[1][cell[2] + (m == 3)][cell[1] + (m == 2)][cell[0] + (m == 1)] & MUS__POINT_IN;
+    return inside == 0 || inside == 11;
+}
+
+
 /* triangles of the tetrahedra about the cell (i, j, k): about the three edges from its middle to the next middles */
 static int32_t mesh_cell(const mus__bcc *lattice, const mesh_block *from, const int32_t *cell, int32_t *to,
                          int32_t count)
@@ -152,7 +164,7 @@ static void mesh_blocks(void *user, int32_t part, int32_t parts)
         const bool read = mesh_read(lattice, b, &block);
         for (int32_t i = 0; i < MUS__BLOCK_CELLS && read; i++) {
             const int32_t cell[3] = {i % MUS__BLOCK, i / MUS__BLOCK % MUS__BLOCK, i / (MUS__BLOCK * MUS__BLOCK)};
-            count = mesh_cell(lattice, &block, cell, to, count);
+            if (!mesh_skips(&block, cell)) count = mesh_cell(lattice, &block, cell, to, count);
         }
         if (to == NULL) work->first[b] = count;
     }

@@ -3,7 +3,12 @@
  *
  * A body that is drawn with fingers and toes has shorter palms and balls of the feet, from which they grow. A digit is
  * read from its rings in the skin: elliptic cross-sections, whose squared half axes are linear between two rings, which
- * closes the tip round.
+ * closes the tip round. Two digits beside each other have a web, so that the gap that is left between them is wider than
+ * the lattice's spacing: the smooth union
+ *
+ *     max(d1, d2) + k/4 (1 - |d1 - d2|/k)^2
+ *
+ * of their depths fills gaps up to k/2 (Quilez, Smooth Minimum, 2013).
  */
 #include <math.h>
 #include <string.h>
@@ -111,7 +116,7 @@ static void solid_stations(const double *x, mus__digit *out)
 static void solid_of_digits(const mus_body *body, int32_t which, const double *x, mus__solids *out, int32_t *digits)
 {
     const int32_t each = MUS__DIGIT_ROUND * MUS__DIGIT_RINGS + 2;
-    for (int32_t d = 0; d < MUS__DIGITS_MOST / 4; d++, x += 3 * (ptrdiff_t)each) {
+    for (int32_t d = 0; d < MUS__DIGITS_A_LIMB; d++, x += 3 * (ptrdiff_t)each) {
         mus__digit *digit = &out->digit[(*digits)++];
         mus__solid *solid = solid_new(out);
         memset(digit, 0, sizeof *digit);
@@ -129,10 +134,11 @@ static void solid_of_digits(const mus_body *body, int32_t which, const double *x
 }
 
 
-void mus__solids_make(const mus_body *body, mus__solids *out)
+void mus__solids_make(const mus_body *body, double web, mus__solids *out)
 {
-    const int32_t side = MUS__DIGITS_MOST / 4 * (MUS__DIGIT_ROUND * MUS__DIGIT_RINGS + 2);
+    const int32_t side = MUS__DIGITS_A_LIMB * (MUS__DIGIT_ROUND * MUS__DIGIT_RINGS + 2);
     out->count = 0;
+    out->web = web;
     for (int32_t p = 0; p < body->nfield; p++) solid_of_field(body, p, out);
     if (body->digit_vertices == 0) return;
     const double *x = body->vertices + 3 * (ptrdiff_t)body->vertex_count;
@@ -145,50 +151,88 @@ void mus__solids_make(const mus_body *body, mus__solids *out)
 }
 
 
-/* depth of x (3) in a digit: between two cross-sections, the distance from the ellipse between them */
+/* depth of x (3) in a digit: between two cross-sections, the distance from the ellipse between them; beyond the tip, the
+ * distance from it */
 static double solid_digit_depth(const mus__digit *digit, const double *x)
 {
-    double best = -1e30, before = 0.0;
+    double best = -1e30, before = -1.0;
     for (int32_t j = 0; j < MUS__DIGIT_STATIONS; j++) {
         const mus__station *s = &digit->station[j], *r = s - 1;
         const double off[3] = {x[0] - s->centre[0], x[1] - s->centre[1], x[2] - s->centre[2]};
         const double here = mus__dot3(off, s->along);
-        if (j > 0 && before >= 0.0 && here < 0.0) {
+        if (before >= 0.0 && here < 0.0) {
             const double t = before / (before - here);
-            double from[3], a = 0.0, b = 0.0;
+            double a = 0.0, b = 0.0;
             for (int i = 0; i < 3; i++) {
-                from[i] = x[i] - (r->centre[i] + t * (s->centre[i] - r->centre[i]));
-                a += from[i] * (r->side[i] + t * (s->side[i] - r->side[i]));
-                b += from[i] * (r->front[i] + t * (s->front[i] - r->front[i]));
+                const double from = x[i] - (r->centre[i] + t * (s->centre[i] - r->centre[i]));
+                a += from * (r->side[i] + t * (s->side[i] - r->side[i]));
+                b += from * (r->front[i] + t * (s->front[i] - r->front[i]));
             }
             b /= r->flat + t * (s->flat - r->flat);
             best = fmax(best, sqrt(r->square + t * (s->square - r->square)) - sqrt(a * a + b * b));
         }
+        if (here >= 0.0 && j == MUS__DIGIT_STATIONS - 1) best = fmax(best, -mus__norm3(off));
         before = here;
     }
     return digit->toe ? fmin(best, mus__dot3(x, digit->floor) - digit->floor[3]) : best;
 }
 
 
-double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x)
+/* depth of x in a radius field, of which a part may be drawn shorter */
+static double solid_field_depth(const mus__solid *solid, const double *x)
 {
-    double best = -1e30, normal[3];
-    for (int32_t i = 0; i < n; i++) {
+    const mus__field *field = solid->field;
+    double normal[3], off[3], y[3];
+    if (solid->keep >= 1.0) return mus__field_depth(field, x, normal);
+    for (int k = 0; k < 3; k++) off[k] = x[k] - field->origin[k];
+    const double above = fmax(mus__dot3(off, field->axis) - solid->from, 0.0), more = above / solid->keep - above;
+    for (int k = 0; k < 3; k++) y[k] = x[k] + more * field->axis[k];
+    return mus__field_depth(field, y, normal);
+}
+
+
+/* bounds: the box; for a field the largest radius of the rings that the ball reaches along the axis */
+bool mus__solid_near(const mus__solid *solid, const double *x, double r)
+{
+    const mus__field *field = solid->field;
+    for (int i = 0; i < 3; i++)
+        if (x[i] + r < solid->low[i] || x[i] - r > solid->high[i]) return false;
+    if (field == NULL || solid->keep < 1.0) return true;
+    double off[3];
+    for (int i = 0; i < 3; i++) off[i] = x[i] - field->origin[i];
+    const double s = mus__dot3(off, field->axis), a = mus__dot3(off, field->side), b = mus__dot3(off, field->front);
+    if (s + r < field->pole[0] || s - r > field->pole[1]) return false;
+    const double last = field->nring - 2.0, low = floor((s - r - field->s0) / field->ds);
+    const double high = floor((s + r - field->s0) / field->ds);
+    for (int32_t j = (int32_t)fmin(fmax(low, 0.0), last); j <= (int32_t)fmin(fmax(high, 0.0), last); j++) {
+        const double *c = field->centre + 2 * (ptrdiff_t)j, most = field->largest[j] + r;
+        for (int k = 0; k < 4; k += 2)
+            if ((a - c[k]) * (a - c[k]) + (b - c[k + 1]) * (b - c[k + 1]) <= most * most) return true;
+    }
+    return false;
+}
+
+
+double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x, double enough)
+{
+    double best = -1e30, first = -1e30;
+    int32_t limb = MUS_NONE;
+    for (int32_t i = 0; i < n && best <= enough; i++) {
         const mus__solid *solid = &solids->solid[list[i]];
-        double depth;
-        if (solid->digit != NULL) {
-            depth = solid_digit_depth(solid->digit, x);
-        } else if (solid->keep < 1.0) {
-            double off[3], y[3];
-            for (int k = 0; k < 3; k++) off[k] = x[k] - solid->field->origin[k];
-            const double above = fmax(mus__dot3(off, solid->field->axis) - solid->from, 0.0);
-            const double more = above / solid->keep - above;
-            for (int k = 0; k < 3; k++) y[k] = x[k] + more * solid->field->axis[k];
-            depth = mus__field_depth(solid->field, y, normal);
-        } else {
-            depth = mus__field_depth(solid->field, x, normal);
+        if (solid->digit == NULL) {
+            best = fmax(best, solid_field_depth(solid, x));
+            continue;
         }
-        if (depth > best) best = depth;
+
+        /* digits of one hand or foot: the smooth union of the one before and this one */
+        const int32_t here = (int32_t)(solid->digit - solids->digit) / MUS__DIGITS_A_LIMB;
+        const double depth = solid_digit_depth(solid->digit, x), apart = fabs(depth - first);
+        best = fmax(best, depth);
+        if (here == limb && apart < solids->web) {
+            const double share = 1.0 - apart / solids->web;
+            best = fmax(best, fmax(depth, first) + 0.25 * solids->web * share * share);
+        }
+        limb = here, first = depth;
     }
     return best;
 }

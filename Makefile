@@ -51,12 +51,12 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
-$(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
+$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
   $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
@@ -205,7 +205,7 @@ RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
-CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
+CHECK_OMIT = print exchange catalogue design integrate drape cloth scan manifold pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)

@@ -42,6 +42,7 @@ static mus_status manifold_surface(mus__bcc *lattice, mus_manifold *out, int32_t
     mus_status status = mus__bcc_cross(lattice);
     if (status != MUS_OK) return status;
     mus__bcc_snap(lattice);
+    mus__bcc_part(lattice);
     return mus__bcc_mesh(lattice, out, euler);
 }
 
@@ -93,10 +94,10 @@ mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def
 
     mus_manifold *manifold = mus__new(context, 1, sizeof *manifold);
     mus__solids *solids = mus__new(context, 1, sizeof *solids);
+    if (manifold != NULL) manifold->context = context;
     if (manifold == NULL || solids == NULL) {
         status = mus__fail_memory(context, "a manifold");
     } else {
-        manifold->context = context;
         mus__solids_make(body, MANIFOLD_WEB * own.spacing, solids);
         status = manifold_make(context, solids, &own, manifold);
     }
@@ -110,9 +111,8 @@ mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def
 void mus_manifold_destroy(mus_manifold *manifold)
 {
     if (manifold == NULL) return;
-    mus_context *context = manifold->context;
-    if (context != NULL) manifold_clear(manifold);
-    mus__free(context, manifold);
+    manifold_clear(manifold);
+    mus__free(manifold->context, manifold);
 }
 
 

@@ -129,6 +129,8 @@ mus_status mus__bcc_make(mus_context *context, mus__pool *pool, const mus__solid
 void mus__bcc_free(mus__bcc *lattice);
 /* find the point of the surface on each edge whose ends have different labels. Errors: MUS_ERR_MEMORY */
 mus_status mus__bcc_cross(mus__bcc *lattice);
+/* move crossings that are nearly at a point of the lattice, and stayed, a little away from it */
+void mus__bcc_part(mus__bcc *lattice);
 
 /* ---- manifold_label.c ---- */
 

@@ -15,6 +15,10 @@
  * that between the legs */
 #define BCC_FLAT 1e-6
 
+/* a crossing that is nearer to an end of its edge than this share of it is moved to there, so that two of them are two
+ * points: 4 micrometres at the default spacing; chosen */
+#define BCC_APART 1e-3
+
 /* most active blocks: 2^30 points */
 #define BCC_BLOCKS (INT32_C(1) << 20)
 
@@ -328,4 +332,22 @@ mus_status mus__bcc_cross(mus__bcc *lattice)
         return mus__fail_memory(context, "the surface of a manifold");
     mus__pool_run(lattice->pool, bcc_find, lattice);
     return MUS_OK;
+}
+
+
+void mus__bcc_part(mus__bcc *lattice)
+{
+    for (int32_t point = 0; point < lattice->blocks * MUS__BLOCK_POINTS; point++) {
+        if (lattice->crossed[point] == 0 || (lattice->label[point] & MUS__POINT_ON) != 0) continue;
+        for (int32_t d = 0; d < MUS__OWNED; d++) {
+            if ((lattice->crossed[point] >> d & 1) == 0) continue;
+            const int32_t next = mus__bcc_next(lattice, point, d), at = mus__bcc_crossing(lattice, point, d);
+            const double t = (double)lattice->part[at], apart = fmin(fmax(t, BCC_APART), 1.0 - BCC_APART);
+            double x[3];
+            if (t == apart || (next != MUS_NONE && (lattice->label[next] & MUS__POINT_ON) != 0)) continue;
+            bcc_point(lattice, point, x);
+            for (int i = 0; i < 3; i++)
+                lattice->crossing[3 * (ptrdiff_t)at + i] = x[i] + apart * 0.5 * lattice->spacing * mus__bcc_step[d][i];
+        }
+    }
 }

@@ -28,6 +28,7 @@ call_of()
     cloth) echo "mus_cloth_create" ;;
     pattern) echo "mus_pattern_create" ;;
     scan) echo "mus_body_create_scan" ;;
+    manifold) echo "mus_manifold_create" ;;
     body) echo "mus_body_create" ;;
     esac
 }

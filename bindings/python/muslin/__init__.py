@@ -27,6 +27,7 @@ from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
 from .fit import Fit
 from .integrate import integrate
+from .manifold import Manifold
 from .pattern import Pattern
 from .pose import FOOT_LEFT, FOOT_RIGHT, Move, Pose, joint_limits, moves, poses
 from .print import Sheet
@@ -34,7 +35,7 @@ from .scan import scan
 from .tape import Tape, measures, sizes
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LEFT", "FOOT_RIGHT", "Fabric", "Fit",
-           "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs", "draft",
+           "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs", "draft",
            "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "pattern_reason",
            "poses", "read_obj", "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj",
            "__version__"]

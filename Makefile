@@ -232,7 +232,6 @@ $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROG
 	@mkdir -p $(OUT)/out
 	$(Q)$(RUN_$*)
 
-# ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
 install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build

@@ -6,8 +6,8 @@
  *     manifold_label.c  points moved onto the surface, for well shaped triangles; a solid grown without handles
  *     manifold_mesh.c   the triangles
  *
- * The points inside are taken as they are first. Where their surface is not one sphere for the body (the lattice does not
- * resolve a gap, or the body touches itself), the solid is grown anew as a ball, which takes twice as long.
+ * First the points inside are taken as they are. If their surface is not one sphere (the lattice does not resolve a
+ * gap, or the body touches itself), the solid is grown anew as a ball, which takes twice as long.
  *
  * Callers: examples, and whoever prints or carves a body. Nothing in the library needs it.
  */
@@ -71,8 +71,8 @@ static mus_status manifold_make(mus_context *context, const mus__solids *solids,
         if (status == MUS_OK) status = manifold_surface(&lattice, out, &euler);
     }
     if (status == MUS_OK && (out->pieces == 0 || euler != 2 * out->pieces))
-        status = mus__fail(context, MUS_ERR_BODY, "a spacing of %g m gives no closed surface of this body; try a smaller one",
-                           def->spacing);
+        status = mus__fail(context, MUS_ERR_BODY,
+                           "a spacing of %g m gives no closed surface of this body; a smaller one may", def->spacing);
     mus__bcc_free(&lattice);
     mus__pool_destroy(pool);
     return status;

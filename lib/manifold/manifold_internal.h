@@ -1,9 +1,9 @@
 /*
- * manifold_internal.h: the solids of a body, the lattice that samples their union, and the steps from one to the other.
+ * manifold_internal.h: the lattice that samples the union of a body's solids, and the steps to its surface.
  *
- * The lattice is body-centred cubic: points at (i, j, k) and at (i + 1/2, j + 1/2, k + 1/2) spacings, in blocks of 8 x 8
- * x 8 of both kinds. Coordinates are doubled, so that they are integers: all even, or all odd. A point has 14
- * neighbours; the tetrahedra have two points of either kind, and two long edges (1 spacing) and four short ones (sqrt(3)/2).
+ * The lattice is body-centred cubic: points at (i, j, k) and at (i + 1/2, j + 1/2, k + 1/2) spacings, in blocks of 8 x
+ * 8 x 8 of both kinds. Coordinates are doubled, so that they are integers: all even, or all odd. A point has 14
+ * neighbours; a tetrahedron has two points of either kind, two long edges (1 spacing) and four short ones (sqrt(3)/2).
  *
  * Directions d = 0 to 6 are those of the edges that a point owns, d + 7 is opposite to d.
  */
@@ -11,48 +11,14 @@
 #define MUS_MANIFOLD_MANIFOLD_INTERNAL_H
 
 #include "base/thread_pool.h"
-#include "body/body_make.h"
+#include "manifold/manifold_solid.h"
 #include "muslin/manifold.h"
-
-#define MUS__DIGITS_A_LIMB 5 /* fingers of a hand, toes of a foot */
-#define MUS__DIGITS_MOST (4 * MUS__DIGITS_A_LIMB)
-#define MUS__DIGIT_STATIONS (MUS__DIGIT_RINGS + 1) /* cross-sections of a digit: its rings and its tip */
-#define MUS__SOLIDS_MOST (MUS__PARTS_MOST + MUS__DIGITS_MOST)
 
 #define MUS__BLOCK 8
 #define MUS__BLOCK_CELLS (MUS__BLOCK * MUS__BLOCK * MUS__BLOCK)
 #define MUS__BLOCK_POINTS (2 * MUS__BLOCK_CELLS)
 #define MUS__LINKS 14 /* neighbours of a point */
 #define MUS__OWNED 7  /* edges that a point owns */
-
-/* a cross-section of a digit: an ellipse in the plane of `side` and `front` */
-typedef struct mus__station {
-    double centre[3], along[3], side[3], front[3]; /* [m]; directions are unit vectors */
-    double square, flat;                           /* squared half axis along `side` [m2]; ratio of front to side */
-} mus__station;
-
-/* a finger or toe: cross-sections from root to tip, above the floor */
-typedef struct mus__digit {
-    mus__station station[MUS__DIGIT_STATIONS];
-    bool toe;
-    double floor[4]; /* unit normal, and distance from the origin [m] */
-} mus__digit;
-
-/* one of the solids whose union is the body: a radius field, of which the part above s = from is drawn at the part
- * `keep` of its length, or a digit */
-typedef struct mus__solid {
-    const mus__field *field; /* NULL: a digit */
-    const mus__digit *digit;
-    double from, keep;
-    double low[3], high[3]; /* box [m] */
-} mus__solid;
-
-typedef struct mus__solids {
-    int32_t count;
-    mus__solid solid[MUS__SOLIDS_MOST];
-    mus__digit digit[MUS__DIGITS_MOST];
-    double web; /* gaps between two digits up to half of it are filled [m] */
-} mus__solids;
 
 /* the label of a point */
 enum {
@@ -109,17 +75,6 @@ static inline int32_t mus__bcc_next(const mus__bcc *lattice, int32_t point, int3
 int32_t mus__bcc_crossing(const mus__bcc *lattice, int32_t point, int32_t d);
 /* whether the block and all about it lie on one side of the surface */
 bool mus__bcc_plain(const mus__bcc *lattice, int32_t block);
-
-/* ---- manifold_solid.c ---- */
-
-/* the solids of a body where it stands, with webs [m] between its digits */
-void mus__solids_make(const mus_body *body, double web, mus__solids *out);
-/* whether a ball of radius r [m] about x (3) may touch a solid */
-bool mus__solid_near(const mus__solid *solid, const double *x, double r);
-/* depth of x (3) in the union of the n listed solids, positive inside; -1e30: far outside. Where one of
- * them is deeper than `enough`, the others are not asked [m] */
-double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x,
-                         double enough);
 
 /* ---- manifold_lattice.c ---- */
 

@@ -1,6 +1,6 @@
 /*
- * manifold_label.c: labels of points whose surface is a manifold of spheres: growing a solid without handles, and moving
- * points onto the surface.
+ * manifold_label.c: labels of points whose surface is a manifold of spheres: a solid grown without handles, and points
+ * moved onto the surface.
  *
  * Both rest on the link of a point: the sphere of triangles that its 14 neighbours span. A point is simple if those of
  * its neighbours that are inside are connected, and so are those that are outside, and there are some of both. To

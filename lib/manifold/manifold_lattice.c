@@ -1,5 +1,5 @@
 /*
- * manifold_lattice.c: the lattice near a body: its blocks, the depth of its points, and the surface's points on its edges.
+ * manifold_lattice.c: the lattice near a body: blocks, the depth of its points, and points of the surface on its edges.
  */
 #include <math.h>
 #include <string.h>
@@ -7,7 +7,8 @@
 #include "manifold/manifold_internal.h"
 
 /* share of the spacing by which the lattice is shifted up and forwards: planes of points then do not lie in the floor,
- * on which the soles are flat; chosen. Its middle plane is that of the body, so that legs that nearly touch are parted */
+ * on which the soles are flat; chosen. The body's middle plane is one of the lattice, so that legs that nearly touch
+ * are parted */
 #define BCC_UP 0.37
 #define BCC_FORWARD 0.29
 
@@ -208,7 +209,8 @@ mus_status mus__bcc_make(mus_context *context, mus__pool *pool, const mus__solid
         for (int32_t e = 0; e < MUS__LINKS; e++) {
             const int8_t *p = mus__bcc_step[d], *q = mus__bcc_step[e];
             const int32_t x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], square = x * x + y * y + z * z;
-            if (square == 3 || (square == 4 && (x == 0) + (y == 0) + (z == 0) == 2)) out->touch[d] |= (uint16_t)(1u << e);
+            const bool is_long = square == 4 && (x == 0) + (y == 0) + (z == 0) == 2;
+            if (square == 3 || is_long) out->touch[d] |= (uint16_t)(1u << e);
         }
     mus_status status = bcc_grid(out);
     if (status == MUS_OK) status = bcc_blocks(out);
@@ -301,7 +303,8 @@ static void bcc_find(void *user, int32_t part, int32_t parts)
         for (int32_t d = 0; d < MUS__OWNED; d++) {
             if ((lattice->crossed[point] >> d & 1) == 0) continue;
             const int32_t next = mus__bcc_next(lattice, point, d), at = mus__bcc_crossing(lattice, point, d);
-            const double f0 = (double)lattice->depth[point], f1 = next == MUS_NONE ? -1e30 : (double)lattice->depth[next];
+            const double f0 = (double)lattice->depth[point];
+            const double f1 = next == MUS_NONE ? -1e30 : (double)lattice->depth[next];
             for (int i = 0; i < 3; i++) way[i] = 0.5 * lattice->spacing * mus__bcc_step[d][i];
             lattice->cut[at] = f0 > 0.0 && f1 > 0.0;
             const double t = lattice->cut[at] ? 0.5 : bcc_root(lattice, point / MUS__BLOCK_POINTS, x, way, f0, f1);

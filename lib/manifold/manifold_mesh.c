@@ -1,5 +1,5 @@
 /*
- * manifold_mesh.c: the triangles of the lattice's surface: one or two in each tetrahedron that has points on both sides.
+ * manifold_mesh.c: the triangles of the lattice's surface: one or two in each tetrahedron with points on both sides.
  *
  * A vertex is a crossing of an edge. The crossings about a point that was moved onto the surface are one vertex, that
  * which drew it; triangles that have it twice are left out.

@@ -3,8 +3,8 @@
  *
  * A body that is drawn with fingers and toes has shorter palms and balls of the feet, from which they grow. A digit is
  * read from its rings in the skin: elliptic cross-sections, whose squared half axes are linear between two rings, which
- * closes the tip round. Two digits beside each other have a web, so that the gap that is left between them is wider than
- * the lattice's spacing: the smooth union
+ * closes the tip round. Two digits beside each other have a web, so that the gap that is left between them is wider
+ * than the lattice's spacing: the smooth union
  *
  *     max(d1, d2) + k/4 (1 - |d1 - d2|/k)^2
  *
@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "geom/vec.h"
-#include "manifold/manifold_internal.h"
+#include "manifold/manifold_solid.h"
 
 /* [m] step along a limb at which the part that is drawn shorter is measured; any small length will do, since it is a
  * constant share */
@@ -151,8 +151,8 @@ void mus__solids_make(const mus_body *body, double web, mus__solids *out)
 }
 
 
-/* depth of x (3) in a digit: between two cross-sections, the distance from the ellipse between them; beyond the tip, the
- * distance from it */
+/* depth of x (3) in a digit: between two cross-sections, the distance from the ellipse between them; beyond the tip,
+ * the distance from it */
 static double solid_digit_depth(const mus__digit *digit, const double *x)
 {
     double best = -1e30, before = -1.0;

@@ -123,7 +123,8 @@ static void check_shapes(const check *c, closed_report *out)
 static int orient(const int64_t *a, const int64_t *b, const int64_t *c, const int64_t *d)
 {
     double u[3], v[3], w[3];
-    for (int i = 0; i < 3; i++) u[i] = (double)(b[i] - a[i]), v[i] = (double)(c[i] - a[i]), w[i] = (double)(d[i] - a[i]);
+    for (int i = 0; i < 3; i++)
+        u[i] = (double)(b[i] - a[i]), v[i] = (double)(c[i] - a[i]), w[i] = (double)(d[i] - a[i]);
     double sum = 0.0, most = 0.0;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -155,7 +156,8 @@ static bool folded(const int64_t *a, const int64_t *b, const int64_t *p, const i
 {
     if (orient(a, b, p, q) != 0) return false;
     double u[3], v[3], w[3], product = 0.0;
-    for (int i = 0; i < 3; i++) u[i] = (double)(b[i] - a[i]), v[i] = (double)(p[i] - a[i]), w[i] = (double)(q[i] - a[i]);
+    for (int i = 0; i < 3; i++)
+        u[i] = (double)(b[i] - a[i]), v[i] = (double)(p[i] - a[i]), w[i] = (double)(q[i] - a[i]);
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         product += (u[j] * v[k] - u[k] * v[j]) * (u[j] * w[k] - u[k] * w[j]);

@@ -1,8 +1,8 @@
 /*
- * closed.h: whether the triangles of a mesh are one closed surface without self-crossings. Nothing here knows of muslin.
+ * closed.h: whether the triangles of a mesh are one closed surface without self-crossings. It knows nothing of muslin.
  *
- * Coordinates are rounded to 1e-12 m, which keeps nine decimals of a file, and all signs are exact: a double decides where
- * its error bound allows, else integers of 128 bits.
+ * Coordinates are rounded to 1e-12 m, which keeps nine decimals of a file, and all signs are exact: a double decides
+ * where its error bound allows, else integers of 128 bits.
  */
 #ifndef MUS_TESTS_MANIFOLD_CLOSED_H
 #define MUS_TESTS_MANIFOLD_CLOSED_H

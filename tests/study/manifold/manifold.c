@@ -1,12 +1,13 @@
 /*
  * manifold.c: the bodies of all table sizes, of people of ANSUR II and in poses, as closed surfaces: `make manifold`.
  *
- * manifold TABLE FOLDER [--each N] [--spacing MM] [--poses N]. The file is written to FOLDER and judged by a program that
- * reads the file alone (closed.h, and the ruler of `make outside`). A row for each body: triangles, pieces, V - E + F,
- * open edges, pinched vertices, crossings, least height and angle of a triangle, vertices on a cut, volume against
- * the body's own, the worst girth, CPU time. The volume is compared on a body without fingers and toes, as
- * mus_body_volume() counts it. --each N: every Nth person; --poses N: in every Nth pose, a woman and a man. Exit 1
- * when one is not closed, is not a sphere or crosses itself, or a girth is off by more than 1 mm.
+ * manifold TABLE FOLDER [--sizes N] [--each N] [--poses N] [--spacing MM]. The file is written to FOLDER and judged by
+ * programs that read the file alone (closed.h, and the ruler of `make outside`). A row for each body: triangles,
+ * pieces, V - E + F, open edges, pinched vertices, crossings, least height and angle of a triangle, vertices on a cut,
+ * volume against the body's own, the worst girth, CPU time. The volume is compared on a body without fingers and toes,
+ * as mus_body_volume() counts it. --sizes N, --each N, --poses N: every Nth table size, person of the survey, and pose
+ * of a woman and a man; 0: none. Exit 1 when one is not closed, is not a sphere or crosses itself, or a girth is off by
+ * more than 1 mm.
  */
 #include <math.h>
 #include <stdio.h>
@@ -134,8 +135,8 @@ int main(int argc, char **argv)
     }
     poses(&of, pose);
     remove(of.path);
-    printf("%d bodies, %d faults; worst girth %.2f mm, volume %.3f %%, least angle %.2f degrees, %ld vertices on cuts, %.2f s "
-           "of CPU each\n",
+    printf("%d bodies, %d faults; worst girth %.2f mm, volume %.3f %%, least angle %.2f degrees, %ld vertices on cuts, "
+           "%.2f s of CPU each\n",
            of.bodies, of.faults, 1000.0 * of.girth, 100.0 * of.volume, of.angle, of.cuts, of.spent / of.bodies);
     mus_context_destroy(of.context);
     ansur_close(&table);

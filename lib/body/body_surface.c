@@ -19,7 +19,7 @@
 #define SURFACE_CAP_RINGS 6
 
 /* [m] ring_spacing up to which each of a field's changed rings is drawn: the default */
-#define SURFACE_FINE 0.01
+#define SURFACE_FINE 0.015
 
 /* [m] between two contours the surface bends off the chords of its rings by no more than about this; chosen: half of
  * what the drawn skin may be off what cloth touches */
@@ -339,8 +339,8 @@ static void surface_flip(mus_body *body, int32_t l, int32_t ring)
     int32_t *triangle = body->triangles + 3 * (limb->first_triangle + (ptrdiff_t)n * (1 + 2 * ring));
     const double *x = body->vertices;
     double middle[3] = {0.0, 0.0, 0.0};
-    for (int32_t k = 0; k < 2 * n; k++)
-        for (int i = 0; i < 3; i++) middle[i] += 0.5 * x[3 * (first + (ptrdiff_t)k) + i] / n;
+    for (int32_t k = 0; k < 2 * n; k += n / 4) /* four vertices of each ring */
+        for (int i = 0; i < 3; i++) middle[i] += 0.125 * x[3 * (first + (ptrdiff_t)k) + i];
     for (int32_t k = 0; k < n; k++, triangle += 6) {
         const int32_t a = first + k, b = first + (k + 1) % n, c = a + n, d = b + n;
         double cut = 0.0, other = 0.0;

@@ -36,7 +36,7 @@ static double fit_arm_depth(const mus_body *body, const mus__field *field, int32
         mus__field_turns(own->nangle, turn);
         for (int32_t j = 0; j < own->nring; j += step) {
             const double s = own->s0 + j * own->ds, *c = own->centre + 2 * (ptrdiff_t)j;
-            if (s < armpit) continue;
+            if (s < armpit || (j >= own->fine[0] && j <= own->fine[1])) continue; /* a fillet touches the side */
             for (int32_t k = 0; k < own->nangle; k += skip) {
                 const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
                 mus__field_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);

@@ -208,6 +208,10 @@ CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern 
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_wheel = $(PYTHON) bindings/python/wheel.py '$(OUT)/wheel'
+RUN_check-wheel = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/wheel.py
+NEEDS_wheel = lib
+NEEDS_check-wheel = all run-wheel
 RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
 $(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests

@@ -8,12 +8,12 @@
  *     body_fit_lengths.c    bust span and crotch length of the tape, where it gives them
  *     limbs_left_out.c  limbs, or their ends, left out
  *     body_from_limbs.c     limbs given by the caller, with body_outline.c for polygons
- *     body_make.c           options, limbs to surface and contact fields, destruction; for every kind of body
- *     body_surface.c        rings and triangles of the limbs, with ring_mesh.c
+ *     body_make.c           options, limbs to radius fields, destruction; for every kind of body
  *     body_measure.c        girths and heights of the finished surface; body_length.c: lengths along it
  *     bones.c, rig.c        joints; rigid parts and their frames in the rest pose (frame.c)
- *     skin_fillet.c         the published skin: fillets where limbs meet
- *     face_hands_feet.c, fingers_toes.c, seat_cleft.c  its details
+ *     skin_fillet.c, relief.c  fillets where limbs meet; face, feet and seat: written into the radius fields
+ *     give.c                contours give way, so that the finished fields have the tape's girths
+ *     body_surface.c        rings and triangles drawn from the fields, with ring_mesh.c; fingers_toes.c
  *     body_landmark.c, body_level.c, body_volume.c  queries
  *     body_copy.c           a copy whose parts stand elsewhere, for lib/pose
  *

@@ -8,12 +8,12 @@
  *     body_fit_lengths.c    bust span and crotch length of the tape, where it gives them
  *     limbs_left_out.c  limbs, or their ends, left out
  *     body_from_limbs.c     limbs given by the caller, with body_outline.c for polygons
- *     body_make.c           options, limbs to surface and contact fields, destruction; for every kind of body
- *     body_surface.c        rings and triangles of the limbs, with ring_mesh.c
+ *     body_make.c           options, limbs to radius fields, destruction; for every kind of body
  *     body_measure.c        girths and heights of the finished surface; body_length.c: lengths along it
  *     bones.c, rig.c        joints; rigid parts and their frames in the rest pose (frame.c)
- *     skin_fillet.c         the published skin: fillets where limbs meet
- *     face_hands_feet.c, fingers_toes.c, seat_cleft.c  its details
+ *     skin_fillet.c, relief.c  fillets where limbs meet; face, feet and seat: written into the radius fields
+ *     give.c                contours give way, so that the finished fields have the tape's girths
+ *     body_surface.c        rings and triangles drawn from the fields, with ring_mesh.c; fingers_toes.c
  *     body_landmark.c, body_level.c, body_volume.c  queries
  *     body_copy.c           a copy whose parts stand elsewhere, for lib/pose
  *
@@ -66,6 +66,7 @@ static mus_status body_fit(mus_body *body, int32_t l, double *xy, int32_t *work)
     double turn[2 * MUS__CONTOUR_SAMPLES];
     mus__field_turns(n, turn);
     mus__limb *limb = &body->limb[l];
+    const mus__contour *left = mus__limb_is_right(l) ? body->limb[l - 1].contour : NULL;
     mus_status status = mus__limb_check(body->context, limb, BODY_CONTOUR_GAP * body->skeleton.crown);
     for (int32_t i = 0; i < limb->count && status == MUS_OK; i++) {
         mus__contour *contour = &limb->contour[i];
@@ -73,7 +74,11 @@ static mus_status body_fit(mus_body *body, int32_t l, double *xy, int32_t *work)
             contour->n = 2.0;
             contour->bump[0] = contour->bump[1] = 0.0;
         }
-        if (contour->target > 0.0) mus__contour_fit(contour, contour->target, n, turn, xy, work);
+        if (left != NULL) { /* it has the shape of the left one */
+            contour->a = left[i].a, contour->b = left[i].b;
+            memcpy(contour->bump, left[i].bump, sizeof contour->bump);
+        } else if (contour->target > 0.0)
+            mus__contour_fit(contour, contour->target, n, turn, xy, work);
     }
     return status;
 }
@@ -119,8 +124,9 @@ static mus_status body_finish(mus_body *body)
     if (status != MUS_OK) return status;
     status = mus__body_relief(body);
     if (status != MUS_OK) return status;
-    if (mus__body_is_even(body)) mus__body_mirror(body);
+    if (mus__body_is_even(body)) mus__body_mirror(body, false);
     status = mus__body_give(body);
+    if (mus__body_is_even(body)) mus__body_mirror(body, true);
     if (status == MUS_OK) status = mus__body_surface(body);
     if (status == MUS_OK && body->digit_vertices > 0) mus__digit_make(body);
     if (status == MUS_OK) status = mus__body_remeasure(body);

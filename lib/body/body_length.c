@@ -25,6 +25,10 @@
 /* the tape of a bent arm is longer than that of the straight arm by this part; as in skeleton.c */
 #define LENGTH_BEND 0.05
 
+/* [m] where torso and arm are nearer to each other they carry one fillet; chosen: what their tables differ by on it
+ * between two directions */
+#define LENGTH_SHEET 2e-3
+
 /* points of a row in a plane, and scratch for their hull */
 typedef struct length_row {
     int32_t count;
@@ -202,6 +206,15 @@ static double length_in_arms(const mus_body *body, const double *x)
 }
 
 
+/* the step between k and k + 1 at which a depth in the arms passes `level` [m] for the first time; `found`, if it is
+ * known already */
+static double length_step(int32_t k, double before, double depth, double level, double found, int32_t none)
+{
+    if (found < none || depth < level) return found;
+    return before < -1e29 ? k + 1.0 : k + fmin(fmax((level - before) / (depth - before), 0.0), 1.0);
+}
+
+
 /* across_back or across_front [m]: from arm to arm over line `middle` of the ring half way down the armhole */
 static double length_across(const mus_body *body, int32_t middle, length_row *row)
 {
@@ -214,19 +227,18 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     double x[3], last[3], depth = 0.0, before = -1.0;
     length_begin(row, left, front);
 
-    /* number of samples to one side, and the part of the next step, until the arm begins; the other side is its
-     * mirror */
-    int32_t reach = 0;
-    double part = 1.0;
-    for (; reach < quarter; reach++) {
-        length_at(body, torso, s, (middle + side * (reach + 1) + n) % n, x);
+    /* steps of samples to one side until the arm begins, and until the torso goes into it: the fields of both carry the
+     * fillet between the two, and the crease is half way. The other side is its mirror image */
+    double begin = quarter, end_at = quarter;
+    for (int32_t k = 0; k < quarter && end_at == quarter; k++, before = depth) {
+        length_at(body, torso, s, (middle + side * (k + 1) + n) % n, x);
         depth = length_in_arms(body, x);
-        if (depth >= 0.0) {
-            part = before < -1e29 ? 1.0 : before / (before - depth);
-            break;
-        }
-        before = depth;
+        begin = length_step(k, before, depth, -LENGTH_SHEET, begin, quarter);
+        end_at = length_step(k, before, depth, LENGTH_SHEET, end_at, quarter);
     }
+    const double crease = 0.5 * (begin + end_at);
+    const int32_t reach = (int32_t)fmin(crease, quarter);
+    const double part = crease - reach;
     for (int32_t k = -reach - 1; k <= reach + 1; k++) {
         const int32_t aside = k < 0 ? -k : k;
         const bool end = aside == reach + 1;
@@ -239,7 +251,7 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
         if ((k < 0) == (x[0] > 0.0)) x[0] = -x[0];
         length_put(row, x);
     }
-    return length_tape(row, 1.0);
+    return length_tape(row, back ? -1.0 : 1.0); /* the row goes to the left */
 }
 
 

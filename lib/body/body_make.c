@@ -22,7 +22,7 @@
 
 void mus_body_def_init(mus_body_def *def, size_t size)
 {
-    mus_body_def own = {.samples = 128, .ring_spacing = 0.01};
+    mus_body_def own = {.samples = 128, .ring_spacing = 0.015};
     mus__def_init(def, size, &own, sizeof own);
 }
 
@@ -88,6 +88,21 @@ mus_status mus__body_limbs(mus_body *body, int32_t count)
 }
 
 
+/* append the fields of right limb l of a symmetric body, without their radii */
+static mus_status make_mirrored(mus_body *body, int32_t l)
+{
+    mus_status status = MUS_OK;
+    const int32_t parts = body->limb[l].cuts + 1;
+    body->limb[l].samples = body->limb[l - 1].samples;
+    for (int32_t i = 0; i < parts && status == MUS_OK; i++) {
+        const int32_t p = body->nfield;
+        status = mus__field_like(body->context, &body->limb[l], &body->field[p - parts], &body->field[p]);
+        if (status == MUS_OK) body->nfield = p + 1;
+    }
+    return status;
+}
+
+
 /* append the fields of the parts of limb l; rings about `spacing` [m] apart */
 static mus_status make_fields(mus_body *body, int32_t l, double spacing)
 {
@@ -96,6 +111,7 @@ static mus_status make_fields(mus_body *body, int32_t l, double spacing)
     const int32_t n = mus__body_angles(body, l);
     body->limb[l].samples = mus__body_samples(body, l);
     if (body->limb[l].gone) return MUS_OK;
+    if (mus__body_is_even(body) && mus__limb_is_right(l)) return make_mirrored(body, l);
     mus__field_turns(n, turn);
     mus_status status = mus__stack_make(body->context, &body->limb[l], n, turn, &stack);
     if (status != MUS_OK) return status;

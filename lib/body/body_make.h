@@ -13,7 +13,8 @@
 mus_status mus__body_read_def(mus_context *context, const mus_body_def *def, mus_body_def *own);
 /* allocate `count` empty limbs. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_limbs(mus_body *body, int32_t count);
-/* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart. Errors: MUS_ERR_MEMORY */
+/* the rig, and the radius fields of all its parts with rings about `spacing` [m] apart; the right limbs of a symmetric
+ * body get their radii by mus__body_mirror(). Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
 /* directions of the surface's rings of limb l: mus_body_def.samples, and for arms, legs and feet of a tape half as many,
@@ -111,16 +112,13 @@ mus_status mus__body_relief(mus_body *body);
 /* how far [m] the ring at s of limb l is drawn below its place on the axis: hands and feet end where fingers and toes
  * begin */
 double mus__relief_short(const mus_body *body, int32_t l, double s);
-/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Fillets and details are then made
- * on its left half */
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Its left half is then made alone */
 bool mus__body_is_even(const mus_body *body);
-/* the right half of a symmetric body from its left one */
-void mus__body_mirror(mus_body *body);
-/* a finger or toe in the skin: an end point, rings of so many vertices, an end point; chosen */
-#define MUS__DIGIT_ROUND 12
-#define MUS__DIGIT_RINGS 9
-/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
-bool mus__digit_has(const mus_body *body, int32_t which);
+/* whether limb l of a tape is a right one, made by mus__body_mirror() in a symmetric body */
+bool mus__limb_is_right(int32_t l);
+/* the radii of the right half of the torso of a symmetric body from those of its left one; with `limbs` the radii and
+ * contours of its right limbs instead */
+void mus__body_mirror(mus_body *body, bool limbs);
 /* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 /* write vertices, normals and triangles of fingers and toes after those of the limbs */

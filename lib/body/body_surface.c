@@ -19,7 +19,7 @@
 #define SURFACE_CAP_RINGS 6
 
 /* [m] ring_spacing up to which each of a field's changed rings is drawn: the default */
-#define SURFACE_FINE 0.01
+#define SURFACE_FINE 0.015
 
 /* [m] between two contours the surface bends off the chords of its rings by no more than about this; chosen: half of
  * what the drawn skin may be off what cloth touches */
@@ -156,11 +156,17 @@ static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work
         if (contour > 0 && limb->contour[contour - 1].fine) spacing *= 0.5;
         for (int32_t k = 0; k < n && i > 0; k++) most = fmax(most, fabs(now[k] - last[k]));
         double steps = ceil(sqrt((s - low) * (s - low) + most * most) / spacing), bulge = 0.0;
-        if (steps > 1.0 && spacing < SURFACE_FINE + 1e-9) {
-            surface_section(body, l, 0.5 * (low + s), work, centre, work->middle);
-            for (int32_t k = 0; k < n; k++)
-                bulge = fmax(bulge, fabs(work->middle[k] - 0.5 * (now[k] + last[k])) * (s - low));
-            steps = fmax(steps, ceil(sqrt(bulge / sqrt((s - low) * (s - low) + most * most) / SURFACE_BULGE)));
+        if (s - low > 2.5 * surface_field(body, l, low)->ds && spacing < SURFACE_FINE + 1e-9) {
+            for (int third = 1; third < 3; third++) { /* an S has no bulge in the middle */
+                const double t = third / 3.0;
+                surface_section(body, l, low + t * (s - low), work, centre, work->middle);
+                for (int32_t k = 0; k < n; k++) {
+                    const double rise = now[k] - last[k], off = work->middle[k] - last[k] - t * rise;
+                    const double square = off * off * (s - low) * (s - low) / ((s - low) * (s - low) + rise * rise);
+                    if (square > bulge) bulge = square;
+                }
+            }
+            steps = fmax(steps, ceil(sqrt(sqrt(bulge) / SURFACE_BULGE)));
         }
         steps = fmin(steps, SURFACE_STEPS);
         for (int32_t j = 1; j < steps && count + stops - i < most_rings; j++) out[count++] = low + (s - low) * j / steps;
@@ -339,8 +345,8 @@ static void surface_flip(mus_body *body, int32_t l, int32_t ring)
     int32_t *triangle = body->triangles + 3 * (limb->first_triangle + (ptrdiff_t)n * (1 + 2 * ring));
     const double *x = body->vertices;
     double middle[3] = {0.0, 0.0, 0.0};
-    for (int32_t k = 0; k < 2 * n; k++)
-        for (int i = 0; i < 3; i++) middle[i] += 0.5 * x[3 * (first + (ptrdiff_t)k) + i] / n;
+    for (int32_t k = 0; k < 2 * n; k += n / 4) /* four vertices of each ring */
+        for (int i = 0; i < 3; i++) middle[i] += 0.125 * x[3 * (first + (ptrdiff_t)k) + i];
     for (int32_t k = 0; k < n; k++, triangle += 6) {
         const int32_t a = first + k, b = first + (k + 1) % n, c = a + n, d = b + n;
         double cut = 0.0, other = 0.0;

@@ -93,36 +93,53 @@ double mus__relief_short(const mus_body *body, int32_t l, double s)
 
 /* ---- the head ---- */
 
-/* relief of the face at height q (chin 0, brow 1) and x half breadths off the middle plane, in half depths */
-static double relief_of_face(double q, double x)
+/* the factors of the head's details that depend on the height alone: those of one ring */
+typedef struct relief_height {
+    double bell[sizeof relief_face / sizeof *relief_face], ridge, ridge_wide, ear;
+    bool none; /* no detail is there */
+} relief_height;
+
+
+/* the factors at height q (chin 0, brow 1) */
+static void relief_at_height(double q, relief_height *out)
 {
-    double sum = 0.0;
-    if (q < -0.3 || q > 1.3) return 0.0;
-    for (size_t i = 0; i < sizeof relief_face / sizeof *relief_face; i++) {
-        const double up = relief_bell((q - relief_face[i].high) / relief_face[i].tall);
-        sum += relief_face[i].out * up * relief_bell((fabs(x) - relief_face[i].aside) / relief_face[i].wide);
-    }
+    const size_t rows = sizeof relief_face / sizeof *relief_face;
+    const bool face = q >= -0.3 && q <= 1.3;
+    for (size_t i = 0; i < rows; i++)
+        out->bell[i] = face ? relief_face[i].out * relief_bell((q - relief_face[i].high) / relief_face[i].tall) : 0.0;
 
     /* the nose rises from between the eyes to its tip and falls to the lip */
-    const double ridge = mus__cubic_step((0.86 - q) / 0.40) * mus__cubic_step((q - 0.38) / 0.09);
-    return sum + 0.085 * ridge * relief_bell(x / (0.10 + 0.05 * mus__cubic_step((0.62 - q) / 0.2)));
+    out->ridge = face ? 0.085 * mus__cubic_step((0.86 - q) / 0.40) * mus__cubic_step((q - 0.38) / 0.09) : 0.0;
+    out->ridge_wide = 0.10 + 0.05 * mus__cubic_step((0.62 - q) / 0.2);
+    out->ear = relief_bell((q - 0.66) / 0.20);
+    out->none = out->ridge == 0.0 && out->ear == 0.0;
+    for (size_t i = 0; i < rows; i++) out->none = out->none && out->bell[i] == 0.0;
+}
+
+
+/* relief of a face x half breadths off the middle plane, in half depths */
+static double relief_of_face(const relief_height *up, double x)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < sizeof relief_face / sizeof *relief_face; i++)
+        if (up->bell[i] != 0.0) sum += up->bell[i] * relief_bell((fabs(x) - relief_face[i].aside) / relief_face[i].wide);
+    return up->ridge != 0.0 ? sum + up->ridge * relief_bell(x / up->ridge_wide) : sum;
 }
 
 
 /* V of the head at x: outwards along the radius, with less of it to the sides so that a nose points forwards; ears
  * behind the middle */
-static void relief_head(const relief *at, const double *x, double *v)
+static void relief_head(const relief *at, const relief_height *up, const double *x, double *v)
 {
-    const double q = (x[1] - at->chin->s) / (at->brow->s - at->chin->s), dz = x[2] + at->brow->cb;
-    const double side = x[0] / at->brow->a, front = dz / at->brow->b;
+    const double dz = x[2] + at->brow->cb, side = x[0] / at->brow->a, front = dz / at->brow->b;
+    if (up->none) return;
     if (front > 0.0) {
-        const double out = relief_of_face(q, side) * at->brow->b * mus__cubic_step(front / 0.5);
+        const double out = relief_of_face(up, side) * at->brow->b * mus__cubic_step(front / 0.5);
         const double length = sqrt(x[0] * x[0] + dz * dz);
         v[0] += 0.5 * out * x[0] / length;
         v[2] += out * dz / length;
     }
-    const double flank = relief_bell((front + 0.08) / 0.13) * mus__cubic_step(4.0 * fabs(side) - 2.4);
-    const double ear = relief_bell((q - 0.66) / 0.20) * flank;
+    const double ear = up->ear * relief_bell((front + 0.08) / 0.13) * mus__cubic_step(4.0 * fabs(side) - 2.4);
     v[0] += (x[0] > 0.0 ? 0.13 : -0.13) * ear * at->brow->a;
     v[2] -= 0.10 * ear * at->brow->a;
 }
@@ -224,12 +241,12 @@ static void relief_range(const relief *at, int32_t l, int32_t part, double *rang
 }
 
 
-/* V (3) at a point x of limb l; false: it is none */
-static bool relief_way(const relief *at, int32_t l, bool head, const double *x, double *v)
+/* V (3) at a point x of limb l; `up`: the factors of its ring on the head, NULL elsewhere. false: it is none */
+static bool relief_way(const relief *at, int32_t l, const relief_height *up, const double *x, double *v)
 {
     v[0] = v[1] = v[2] = 0.0;
-    if (head)
-        relief_head(at, x, v);
+    if (up != NULL)
+        relief_head(at, up, x, v);
     else if (l >= MUS__LIMB_FOOT_LEFT)
         relief_foot(at, l, x, v);
     else
@@ -239,14 +256,14 @@ static bool relief_way(const relief *at, int32_t l, bool head, const double *x, 
 
 
 /* the new radius of an entry whose ray is start + radius way, in the rest pose; `old` is the field as it was */
-static double relief_radius(const relief *at, const mus__field *old, int32_t l, bool head, const double *start,
-                            const double *way, double radius)
+static double relief_radius(const relief *at, const mus__field *old, int32_t l, const relief_height *up,
+                            const double *start, const double *way, double radius)
 {
     const double least = 0.5 * radius;
     for (int step = 0; step < RELIEF_STEPS; step++) {
         double x[3], v[3], normal[3];
         for (int i = 0; i < 3; i++) x[i] = start[i] + radius * way[i];
-        if (!relief_way(at, l, head, x, v)) break;
+        if (!relief_way(at, l, up, x, v)) break;
         for (int i = 0; i < 3; i++) x[i] -= v[i];
         const double depth = mus__field_depth(old, x, normal), slope = mus__dot3(normal, way);
         if (depth < -1e29 || fabs(depth) < RELIEF_NEAR) break;
@@ -265,6 +282,9 @@ static void relief_ring(const relief *at, const mus__field *old, mus__field *fie
     const double *c = field->centre + 2 * (ptrdiff_t)j, s = field->s0 + j * field->ds;
     const mus__limb *limb = &at->body->limb[l];
     double *radius = field->radius + (ptrdiff_t)j * n, most = 0.0;
+    relief_height up;
+    if (head) relief_at_height((s - at->chin->s) / (at->brow->s - at->chin->s), &up); /* the rays are horizontal */
+    if (head && up.none) return;
     for (int32_t k = 0; k < n; k++) {
         double start[3], way[3];
         if (half && k > n / 4 && k < n - n / 4) continue;
@@ -272,7 +292,7 @@ static void relief_ring(const relief *at, const mus__field *old, mus__field *fie
             start[i] = limb->origin[i] + c[0] * limb->side[i] + c[1] * limb->front[i] + s * limb->axis[i];
             way[i] = turn[2 * k] * limb->side[i] + turn[2 * k + 1] * limb->front[i];
         }
-        const double fresh = relief_radius(at, old, l, head, start, way, radius[k]);
+        const double fresh = relief_radius(at, old, l, head ? &up : NULL, start, way, radius[k]);
         most = fmax(most, fabs(fresh - radius[k]));
         radius[k] = fresh;
     }

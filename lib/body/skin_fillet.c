@@ -50,6 +50,9 @@
 /* distance up to which the normals of two surfaces are blended, in parts of the reach (8 mm of 25); chosen */
 #define FILLET_EVEN 0.3
 
+/* |d1 - d2| from which on k is smaller, in reaches: the root of x^2 + 2 x / FILLET_ROUND = 1 */
+#define FILLET_OUT 0.588
+
 /* largest Newton step, in reaches: a longer one could cross a narrow gap between the limbs */
 #define FILLET_STRIDE 0.2
 
@@ -86,17 +89,21 @@
 
 typedef struct fillet {
     mus_body *body;
+    bool even;                      /* the body is symmetric: its left half is made alone */
     double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
     double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
     double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
     mus__fillet_field query[MUS__PARTS_MOST];
     double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
+    bool *done[MUS__PARTS_MOST];    /* (nring) rings of it that are set */
     int32_t creases, room;
     mus__crease *crease;
     int32_t angles;                 /* steps of the tables that `turn` is of */
     double turn[2 * MUS__FIELD_MOST];
-    int32_t count;                  /* number of parts near the ring */
+    double slack[MUS__FIELD_MOST];  /* how far [m] each entry may move along the limb until a limb can be near; see fillet_slack() */
+    uint64_t parts;                 /* the parts near the ring, a bit each */
+    int32_t count;                  /* their number */
     int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
 } fillet;
 
@@ -140,16 +147,34 @@ static double fillet_reach(const fillet *at, int32_t l, int32_t m)
 }
 
 
-/* largest depth [m] of point p in the listed parts from number `first` to `end`, and the normal there */
-static double fillet_depth(const fillet *at, int32_t first, int32_t end, const double *p, double *normal)
+/* distance [m] of a point to a box along the axis on which it is farthest out; 0: within */
+static double fillet_off_box(const double *low, const double *high, const double *p)
+{
+    double off = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double under = low[i] - p[i], over = p[i] - high[i];
+        if (under > off) off = under;
+        if (over > off) off = over;
+    }
+    return off;
+}
+
+
+/* largest depth [m] of point p in the listed parts from number `first` to `end`, and the normal there. *off: the least
+ * distance to the boxes of the other parts [m], if p is in none of theirs */
+static double fillet_depth(const fillet *at, int32_t first, int32_t end, const double *p, double *normal, double *off)
 {
     double most = -1e30, n[3];
+    *off = INFINITY;
     for (int32_t i = first; i < end; i++) {
         const int32_t q = at->part[i];
-        const double *low = at->low[q], *high = at->high[q];
-        if (p[0] < low[0] || p[0] > high[0] || p[1] < low[1] || p[1] > high[1] || p[2] < low[2] || p[2] > high[2])
+        const double beyond = fillet_off_box(at->low[q], at->high[q], p);
+        if (beyond > 0.0) {
+            if (beyond < *off) *off = beyond;
             continue;
+        }
         const double d = fillet_field(at, q, p, n);
+        if (d < -1e29) *off = 0.0;
         if (d > most) most = d, memcpy(normal, n, sizeof n);
     }
     return most;
@@ -163,9 +188,9 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
 {
     double t = 0.0, last = 0.0, short_of = 0.0, before = 1.0;
     for (int step = 0; step < FILLET_STEPS; step++) {
-        double p[3], n[3] = {ray->other[0], ray->other[1], ray->other[2]};
+        double p[3], n[3] = {ray->other[0], ray->other[1], ray->other[2]}, off;
         for (int i = 0; i < 3; i++) p[i] = ray->start[i] + t * ray->way[i];
-        const double own = -t * ray->slope, d = step == 0 ? ray->depth : fillet_depth(at, first, end, p, n);
+        const double own = -t * ray->slope, d = step == 0 ? ray->depth : fillet_depth(at, first, end, p, n, &off);
         if (d < -reach) return t;
         const double cosine = mus__dot3(ray->normal, n), apart = fabs(own - d);
         const double square = 1.0 - cosine * cosine - 2.0 * apart / (FILLET_ROUND * reach);
@@ -188,18 +213,23 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
 
 
 /* the growth of an entry of part q whose ray begins at ray->start: the largest of those to each near limb; normal (3) of
- * the union there, and the entry's own in ray->normal. *far: no limb is near. 0: none, and *turned is false */
-static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double *normal, bool *far, bool *turned)
+ * the union there, and the entry's own in ray->normal. *far: no limb is near. 0: none, and *turned is false. *slack: the
+ * distance [m] to where it could grow */
+static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double *normal, bool *far, bool *turned,
+                           double *slack)
 {
     const mus__part *part = at->body->rig.part;
-    double most = -1.0;
-    *far = true, *turned = false;
+    double most = -1.0, off;
+    *far = true, *turned = false, *slack = INFINITY;
     for (int32_t first = 0, end = 0; first < at->count; first = end) {
         const int32_t other = part[at->part[first]].limb;
         while (end < at->count && part[at->part[end]].limb == other) end++;
-        ray->depth = fillet_depth(at, first, end, ray->start, ray->other);
+        ray->depth = fillet_depth(at, first, end, ray->start, ray->other, &off);
         *far = *far && ray->depth < -FILLET_FAR * at->reach;
-        if (ray->depth < -at->reach || ray->depth > at->reach) continue;
+        const double reach = fillet_reach(at, part[q].limb, other), out = fabs(ray->depth);
+        const double most_out = fmax(FILLET_OUT * reach, FILLET_EVEN * at->reach);
+        *slack = fmin(*slack, fmax(fmin(out - most_out, off), 0.0));
+        if (out > most_out) continue;
         if (most < 0.0) {
             int32_t near;
             mus__fillet_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
@@ -207,7 +237,7 @@ static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double 
             if (ray->slope < FILLET_STEEP) return 0.0;
         }
         double n[3] = {ray->normal[0], ray->normal[1], ray->normal[2]};
-        const double grown = fillet_grow(at, fillet_reach(at, part[q].limb, other), first, end, ray, n);
+        const double grown = fillet_grow(at, reach, first, end, ray, n);
         if (grown >= most) most = grown, memcpy(normal, n, sizeof n), *turned = true;
     }
     return fmax(most, 0.0) * mus__cubic_step((ray->slope - FILLET_STEEP) / (FILLET_FLAT - FILLET_STEEP));
@@ -243,7 +273,7 @@ static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, 
     fillet_point(field, c[0] + radius * turn[2 * k], c[1] + radius * turn[2 * k + 1], field->s0 + j * field->ds,
                  ray.start);
     for (int i = 0; i < 3; i++) ray.way[i] = turn[2 * k] * field->side[i] + turn[2 * k + 1] * field->front[i];
-    const double more = fillet_entry(at, q, &ray, normal, &far, &turned);
+    const double more = fillet_entry(at, q, &ray, normal, &far, &turned, &at->slack[k]);
     if (far) return -1.0;
     if (more > FILLET_LEAST) *out = radius + more;
     if (!turned) return more;
@@ -264,6 +294,7 @@ static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep
     for (int32_t odd = 0; odd < 2; odd++)
         for (int32_t k = odd; k < n; k += 2) {
             if (half && k > n / 4 && k < n - n / 4) continue;
+            if (at->slack[k] > 0.0) continue;
             if (odd && !changed[k - 1] && !changed[(k + 1) % n]) continue;
             const double more = fillet_at(at, q, j, k, keep, &out[k]);
             changed[k] = more > FILLET_LEAST;
@@ -343,12 +374,25 @@ static void fillet_parts(fillet *at, int32_t q, int32_t j)
     const mus__field *field = &body->field[q];
     double low[3], high[3];
     fillet_ring_box(field, j, field->s0 + j * field->ds, field->largest[j], low, high);
-    at->count = 0;
+    at->count = 0, at->parts = 0;
     for (int32_t o = 0; o < body->nfield; o++) {
-        bool apart = !fillet_joins(body, body->rig.part[q].limb, body->rig.part[o].limb);
+        bool apart = (at->even && mus__limb_is_right(body->rig.part[o].limb)) ||
+                     !fillet_joins(body, body->rig.part[q].limb, body->rig.part[o].limb);
         for (int i = 0; i < 3; i++) apart |= low[i] > at->high[o][i] || high[i] < at->low[o][i];
-        if (!apart) at->part[at->count++] = o;
+        if (!apart) at->part[at->count++] = o, at->parts |= UINT64_C(1) << o;
     }
+}
+
+
+/* entries move from ring j - 1 to ring j of a field: what is left of their slacks. A depth is a distance to first order
+ * alone, so a way counts twice. `fresh`: the slacks begin at 0 */
+static void fillet_slack(fillet *at, const mus__field *field, int32_t j, bool fresh)
+{
+    const int32_t n = field->nangle;
+    const double *r = field->radius + (ptrdiff_t)j * n, *c = field->centre + 2 * (ptrdiff_t)j;
+    const double shift = fresh ? 0.0 : fabs(c[0] - c[-2]) + fabs(c[1] - c[-1]) + field->ds;
+    for (int32_t k = 0; k < n; k++)
+        at->slack[k] = fresh ? 0.0 : fmax(at->slack[k] - 2.0 * (shift + fabs(r[k] - r[k - n])), 0.0);
 }
 
 
@@ -368,18 +412,24 @@ static mus_status fillet_part(fillet *at, int32_t q, bool half)
     const mus__part *part = &at->body->rig.part[q];
     const size_t row = (size_t)field->nangle;
     fillet_turn(at, q);
+    at->parts = 0;
     for (int32_t j = 0; j < field->nring; j++) {
         const double s = field->s0 + j * field->ds;
         if (part->round[0] > 0.0 && s < part->end[0]) continue; /* a round cap lies within the next part */
         if (part->round[1] > 0.0 && s > part->end[1]) continue;
+        const uint64_t parts = at->parts;
         fillet_parts(at, q, j);
+        fillet_slack(at, field, j, j == 0 || parts != at->parts);
         if (at->count == 0) continue;
         if (at->fresh[q] == NULL) {
             at->fresh[q] = mus__room(at->body->context, (int64_t)field->nring * field->nangle, sizeof(double));
-            if (at->fresh[q] == NULL) return mus__fail_memory(at->body->context, "the fillets of a body");
-            memcpy(at->fresh[q], field->radius, (size_t)field->nring * row * sizeof(double));
+            at->done[q] = mus__new(at->body->context, field->nring, sizeof(bool));
+            if (!at->fresh[q] || !at->done[q]) return mus__fail_memory(at->body->context, "the fillets of a body");
         }
-        if (fillet_ring(at, q, j, half, true, at->fresh[q] + (size_t)j * row) < FILLET_FINE) continue;
+        double *out = at->fresh[q] + (size_t)j * row;
+        memcpy(out, field->radius + (size_t)j * row, row * sizeof *out);
+        at->done[q][j] = true;
+        if (fillet_ring(at, q, j, half, true, out) < FILLET_FINE) continue;
         if (j < field->fine[0]) field->fine[0] = j;
         if (j > field->fine[1]) field->fine[1] = j;
     }
@@ -399,16 +449,20 @@ static void fillet_give(fillet *at, double *xy, int32_t *work)
         const mus__part *part = &body->rig.part[q];
         const mus__limb *limb = &body->limb[part->limb];
         const mus__field *field = &body->field[q];
+        if (at->even && mus__limb_is_right(part->limb)) continue;
+        const bool half = at->even && part->limb == MUS__LIMB_TORSO;
         for (int32_t i = 0; i < limb->count && part->limb < MUS__LIMB_COUNT; i++) {
             const double s = limb->contour[i].s;
             if (limb->contour[i].girth == MUS_NONE || s < part->end[0] || s >= part->end[1]) continue;
             const int32_t j = (int32_t)lround((s - field->s0) / field->ds), n = field->nangle;
             fillet_turn(at, q);
+            fillet_slack(at, field, j, true);
             const double *radius = field->radius + (ptrdiff_t)j * n;
             fillet_parts(at, q, j);
             if (at->count == 0) continue;
             memcpy(row, radius, (size_t)n * sizeof *row);
-            if (fillet_ring(at, q, j, false, false, row) == 0.0) continue;
+            if (fillet_ring(at, q, j, half, false, row) == 0.0) continue;
+            for (int32_t k = n / 4 + 1; half && k < n - n / 4; k++) row[k] = row[(n + n / 2 - k) % n];
             const double before = mus__give_tape(n, at->turn, radius, xy, work);
             mus__give_scale(body, part->limb, i, before / mus__give_tape(n, at->turn, row, xy, work) - 1.0, at->turn);
         }
@@ -445,6 +499,12 @@ static void fillet_mirror_creases(fillet *at)
 }
 
 
+bool mus__limb_is_right(int32_t l)
+{
+    return l > MUS__LIMB_TORSO && l < MUS__LIMB_COUNT && l % 2 == 0;
+}
+
+
 bool mus__body_is_even(const mus_body *body)
 {
     return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
@@ -452,14 +512,16 @@ bool mus__body_is_even(const mus_body *body)
 
 
 /* entry k on the left, X > 0, mirrors entry n/2 - k on the right */
-void mus__body_mirror(mus_body *body)
+void mus__body_mirror(mus_body *body, bool limbs)
 {
     for (int32_t q = 0; q < body->nfield; q++) {
         const mus__field *from = &body->field[q];
         const int32_t l = body->rig.part[q].limb, n = from->nangle;
-        if (l != MUS__LIMB_TORSO && l % 2 == 0) continue;
+        if (limbs == (l == MUS__LIMB_TORSO) || mus__limb_is_right(l)) continue;
         mus__field *to = &body->field[fillet_mirror_part(body, q)];
         memcpy(to->fine, from->fine, sizeof to->fine);
+        memcpy(to->largest, from->largest, (size_t)from->nring * sizeof *to->largest);
+        to->reach = from->reach;
         for (int32_t j = 0; j < from->nring; j++) {
             const double *x = from->radius + (ptrdiff_t)j * n;
             double *y = to->radius + (ptrdiff_t)j * n;
@@ -467,6 +529,13 @@ void mus__body_mirror(mus_body *body)
                 if (to != from || k <= n / 4 || k >= n - n / 4) y[(n + n / 2 - k) % n] = x[k];
         }
     }
+    for (int32_t l = MUS__LIMB_ARM_RIGHT; l < MUS__LIMB_COUNT && limbs; l += 2)
+        for (int32_t i = 0; i < body->limb[l].count; i++) {
+            const mus__contour *from = &body->limb[l - 1].contour[i];
+            mus__contour *to = &body->limb[l].contour[i];
+            to->a = from->a, to->b = from->b;
+            memcpy(to->bump, from->bump, sizeof to->bump);
+        }
 }
 
 
@@ -507,20 +576,22 @@ mus_status mus__body_fillets(mus_body *body, double reach)
     if (at == NULL) return mus__fail_memory(body->context, "the fillets of a body");
     at->body = body, at->reach = reach, at->room = FILLET_CREASES;
     fillet_begin(at);
+    const bool even = at->even = mus__body_is_even(body);
     at->crease = mus__room(body->context, at->room, sizeof *at->crease);
     mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");
     if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, xy, work);
-    const bool even = mus__body_is_even(body);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
-        if (!even || l == MUS__LIMB_TORSO || l % 2 == 1) status = fillet_part(at, q, even && l == 0);
+        if (!even || !mus__limb_is_right(l)) status = fillet_part(at, q, even && l == 0);
     }
     for (int32_t q = 0; q < body->nfield; q++) {
         mus__field *field = &body->field[q];
-        if (at->fresh[q] == NULL) continue;
-        if (status == MUS_OK)
-            memcpy(field->radius, at->fresh[q], (size_t)field->nring * (size_t)field->nangle * sizeof(double));
+        const size_t row = (size_t)field->nangle;
+        for (int32_t j = 0; j < field->nring && status == MUS_OK && at->fresh[q] != NULL; j++)
+            if (at->done[q][j])
+                memcpy(field->radius + (size_t)j * row, at->fresh[q] + (size_t)j * row, row * sizeof(double));
         mus__free(body->context, at->fresh[q]);
+        mus__free(body->context, at->done[q]);
     }
     if (even && status == MUS_OK) fillet_mirror_creases(at);
     body->crease = at->crease, body->creases = at->creases;

@@ -56,6 +56,35 @@ static void field_ring(const mus__stack *stack, const mus__part *part, double s,
 }
 
 
+/* place of a limb into a field, and room for its rings and directions. Errors: MUS_ERR_MEMORY */
+static mus_status field_begin(mus_context *context, const mus__limb *limb, mus__field *out)
+{
+    memcpy(out->origin, limb->origin, sizeof out->origin);
+    memcpy(out->axis, limb->axis, sizeof out->axis);
+    memcpy(out->side, limb->side, sizeof out->side);
+    memcpy(out->front, limb->front, sizeof out->front);
+    out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
+    out->radius = mus__room(context, (int64_t)out->nring * out->nangle, sizeof(double));
+    out->largest = mus__new(context, out->nring, sizeof(double));
+    if (out->centre && out->radius && out->largest) return MUS_OK;
+    mus__field_free(context, out);
+    return mus__fail_memory(context, "a contact field");
+}
+
+
+mus_status mus__field_like(mus_context *context, const mus__limb *limb, const mus__field *from, mus__field *out)
+{
+    *out = *from;
+    mus_status status = field_begin(context, limb, out);
+    if (status != MUS_OK) return status;
+    for (int32_t j = 0; j < from->nring; j++) {
+        out->centre[2 * j] = -from->centre[2 * j], out->centre[2 * j + 1] = from->centre[2 * j + 1];
+        out->largest[j] = from->largest[j];
+    }
+    return MUS_OK;
+}
+
+
 mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
                            mus__field *out)
 {
@@ -64,21 +93,12 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
     const double length = part->end[1] - part->end[0], steps = fmin(ceil(length / spacing), 4000.0);
     const double ds = length / steps, low = floor(FIELD_CAP * cap / ds), high = floor(FIELD_CAP * part->round[1] / ds);
     memset(out, 0, sizeof *out);
-    memcpy(out->origin, limb->origin, sizeof out->origin);
-    memcpy(out->axis, limb->axis, sizeof out->axis);
-    memcpy(out->side, limb->side, sizeof out->side);
-    memcpy(out->front, limb->front, sizeof out->front);
     out->nring = (int32_t)(low + steps + high) + 1;
     out->nangle = stack->n;
     out->s0 = part->end[0] - low * ds;
     out->ds = ds;
-    out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
-    out->radius = mus__room(context, (int64_t)out->nring * out->nangle, sizeof(double));
-    out->largest = mus__new(context, out->nring, sizeof(double));
-    if (!out->centre || !out->radius || !out->largest) {
-        mus__field_free(context, out);
-        return mus__fail_memory(context, "a contact field");
-    }
+    mus_status status = field_begin(context, limb, out);
+    if (status != MUS_OK) return status;
 
     /* radii at the joints */
     double *joint = stack->work + limb->count, middle[2];
@@ -149,7 +169,12 @@ void mus__field_ring(const mus__field *field, double s, int32_t n, const int32_t
     for (int i = 0; i < 2; i++) centre[i] = c0[i] + t * (c0[i + 2] - c0[i]);
     for (int32_t k = 0; k < n; k++) {
         const int32_t p = entry[k], q = p + 1 < m ? p + 1 : 0;
-        const double w = share[k], a = low[p] * low[p], b = high[p] * high[p];
+        const double w = share[k];
+        if (w == 0.0 && t == 0.0) { /* an entry of the table */
+            radius[k] = shrink == 1.0 ? low[p] : sqrt(shrink) * low[p];
+            continue;
+        }
+        const double a = low[p] * low[p], b = high[p] * high[p];
         const double c = a + w * (low[q] * low[q] - a), d = b + w * (high[q] * high[q] - b);
         radius[k] = sqrt(shrink * (c + t * (d - c)));
     }

@@ -55,6 +55,8 @@ void mus__field_turns(int32_t n, double *turn);
  * [m] apart. Errors: MUS_ERR_MEMORY */
 mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
                            mus__field *out);
+/* a field of the size of another one, on a limb that mirrors it; its radii are not set. Errors: MUS_ERR_MEMORY */
+mus_status mus__field_like(mus_context *context, const mus__limb *limb, const mus__field *from, mus__field *out);
 void mus__field_free(mus_context *context, mus__field *field);
 /* `largest` and `reach` of a field whose radii were changed */
 void mus__field_bounds(mus__field *field);

@@ -2,8 +2,8 @@
  * pose_fit.c: arms fitted to a body, and movements fitted to it, feet (pose_stand.c) and arms.
  *
  * The arms query the radius fields of the body, carried by the frames of their parts, without a posed copy. An arm is
- * abducted by steps of a degree until all of it below the armpit keeps its distance. The named poses have arms that are
- * far enough off the sides for most people.
+ * abducted by steps of a degree, or adducted where it is raised above the horizontal, until all of it below the armpit
+ * keeps its distance. The named poses have arms that are far enough off the sides for most people.
  */
 #include <math.h>
 
@@ -36,7 +36,7 @@ static double fit_arm_depth(const mus_body *body, const mus__field *field, int32
         mus__field_turns(own->nangle, turn);
         for (int32_t j = 0; j < own->nring; j += step) {
             const double s = own->s0 + j * own->ds, *c = own->centre + 2 * (ptrdiff_t)j;
-            if (s < armpit) continue;
+            if (s < armpit || (j >= own->fine[0] && j <= own->fine[1])) continue; /* a fillet touches the side */
             for (int32_t k = 0; k < own->nangle; k += skip) {
                 const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
                 mus__field_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
@@ -62,9 +62,10 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
         if (body->bones.limb[MUS__LIMB_ARM_LEFT + right] == MUS_NONE) continue;
         double *lift = &pose->angle[MUS_JOINT_SHOULDER_LEFT + right][MUS_POSE_ABDUCTION], low, high;
         mus_joint_limits(MUS_JOINT_SHOULDER_LEFT + right, MUS_POSE_ABDUCTION, &low, &high);
-        for (int32_t step = 0; step < FIT_STEPS && *lift + FIT_STEP <= high; step++) {
+        const double way = *lift > 0.5 * MUS_PI ? -FIT_STEP : FIT_STEP; /* a raised arm goes down, off the head */
+        for (int32_t step = 0; step < FIT_STEPS && *lift + way <= high && *lift + way >= low; step++) {
             if (fit_arm_depth(body, field, right) <= -gap) break;
-            *lift += FIT_STEP;
+            *lift += way;
             mus__pose_fields(body, pose, field);
         }
     }

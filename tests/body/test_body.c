@@ -11,7 +11,7 @@ START_TEST(defaults_are_safe_and_old_sizes_are_refused)
     mus_body *body = NULL;
     mus_body_def_init(&def, sizeof def);
     ck_assert_int_eq(def.samples, 128);
-    ck_assert(def.ring_spacing == 0.01 && def.ellipse == 0 && def.size == sizeof def);
+    ck_assert(def.ring_spacing == 0.015 && def.ellipse == 0 && def.size == sizeof def);
     ck_assert_int_eq(mus_body_create(context, tape, &def, &body), MUS_OK);
     mus_body_destroy(body);
 

@@ -82,9 +82,10 @@ START_TEST(contours_keep_the_conditions_of_the_paper)
     mus_context *context = support_context();
     for (int32_t size = 0; size < mus_tape_size_count(); size++) {
         mus_body *body = people_body(context, mus_tape_size_name(size), NULL);
-        int32_t n = body->def.samples, work[MUS__CONTOUR_SAMPLES], i, j;
+        int32_t work[MUS__CONTOUR_SAMPLES], i, j;
         for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
             const mus__limb *limb = &body->limb[l];
+            const int32_t n = limb->samples;
             double last = -1e9, xy[2 * MUS__CONTOUR_SAMPLES];
             for (int32_t ring = 0; ring < limb->rings; ring++) {
                 const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * n);
@@ -112,9 +113,9 @@ START_TEST(triangles_take_two_neighbours_of_a_contour_at_most)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
-    int32_t n = body->def.samples;
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
+        const int32_t n = limb->samples;
         for (int32_t t = 0; t < limb->triangles; t++) {
             const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
             int32_t ring[3], at[3];
@@ -192,10 +193,9 @@ START_TEST(rings_are_as_close_as_asked)
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
         const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1);
-        for (int32_t i = 3 * def.samples * limb->contour[0].ring;
-             i < 3 * def.samples * limb->contour[limb->count - 1].ring; i += 3) {
-            double d[3] = {x[i] - x[i + 3 * def.samples], x[i + 1] - x[i + 1 + 3 * def.samples],
-                           x[i + 2] - x[i + 2 + 3 * def.samples]};
+        const int32_t n = limb->samples;
+        for (int32_t i = 3 * n * limb->contour[0].ring; i < 3 * n * limb->contour[limb->count - 1].ring; i += 3) {
+            double d[3] = {x[i] - x[i + 3 * n], x[i + 1] - x[i + 1 + 3 * n], x[i + 2] - x[i + 2 + 3 * n]};
             ck_assert_msg(mus__norm3(d) < 1.6 * 0.02, "%s %g", limb->name,
                           mus__norm3(d)); /* a cubic is up to 1.5 steeper */
         }
@@ -208,7 +208,8 @@ END_TEST
 
 /* every triangle lies on the surface of the radius fields, at armpit, crotch and groin too: off the hands beyond the
  * knuckles and the feet beyond the ball, where fingers and toes are drawn. In the bottom of an armpit, where two fields
- * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within */
+ * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within. Points are
+ * one a triangle, and triangles are smallest there */
 START_TEST(what_is_drawn_is_what_cloth_touches)
 {
     static const char *const sizes[] = {"W40", "W52", "M50", "M60", "C56", "C116"};
@@ -218,7 +219,7 @@ START_TEST(what_is_drawn_is_what_cloth_touches)
         outside_gap gap;
         outside_touch(body, 1, &gap);
         ck_assert_int_gt(gap.points, 50000);
-        ck_assert_msg(gap.far * 500 <= gap.points, "%s: %d of %d", sizes[i], (int)gap.far, (int)gap.points);
+        ck_assert_msg(gap.far * 400 <= gap.points, "%s: %d of %d", sizes[i], (int)gap.far, (int)gap.points);
         ck_assert_msg(gap.outside < 0.002 && gap.inside < 0.004, "%s: %g m outside, %g m inside", sizes[i], gap.outside,
                       gap.inside);
         mus_body_destroy(body);

@@ -217,6 +217,7 @@ START_TEST(any_limb_can_be_left_out)
             double most = 1e-5; /* girths are approached on each body */
             for (int k = 0; k < 4; k++)
                 if (m == lengths[k]) most = 5e-3; /* a fillet less, where an arm is missing */
+            if (m == MUS_MEASURE_CROTCH_LENGTH) most = 1e-4; /* the tape runs over the fillet of a missing leg */
             ck_assert_msg(!(fabs(made - before) > most), "%d: %s %.15g, %.15g", (int)bit, mus_measure_name(m), made,
                           before);
             ck_assert(isnan(made) == isnan(before));

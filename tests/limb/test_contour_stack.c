@@ -167,12 +167,13 @@ END_TEST
 static double ring_girth(const mus_body *body, const mus__limb *limb, int32_t ring)
 {
     double xy[2 * 128];
-    const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * 128);
-    for (int32_t k = 0; k < 128; k++) {
+    const int32_t n = limb->samples;
+    const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * n);
+    for (int32_t k = 0; k < n; k++) {
         xy[2 * k] = mus__dot3(x + 3 * (ptrdiff_t)k, limb->side);
         xy[2 * k + 1] = mus__dot3(x + 3 * (ptrdiff_t)k, limb->front);
     }
-    return mus__polygon_perimeter(128, xy);
+    return mus__polygon_perimeter(n, xy);
 }
 
 

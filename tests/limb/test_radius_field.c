@@ -166,7 +166,7 @@ START_TEST(the_surface_has_depth_zero)
         mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
             const mus__limb *limb = &body->limb[l];
-            int32_t n = body->def.samples, first = limb->contour[0].ring, last = limb->contour[limb->count - 1].ring;
+            int32_t n = limb->samples, first = limb->contour[0].ring, last = limb->contour[limb->count - 1].ring;
             for (int32_t v = n * first; v < n * last; v++) {
                 const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + v);
                 double s = -mus__dot3(limb->origin, limb->axis) + mus__dot3(x, limb->axis);

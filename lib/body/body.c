@@ -40,7 +40,8 @@
 #define BODY_CONTOUR_GAP 0.006
 
 
-/* a crotch length of the tape that the finished surface misses by more [m] is followed again, in so many rounds at most */
+/* a crotch length of the tape that the finished surface misses by more [m] is followed again, in so many rounds at most
+ */
 #define BODY_CLOSE 5e-4
 #define BODY_ROUNDS 4
 

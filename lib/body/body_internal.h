@@ -76,4 +76,16 @@ bool mus__digit_has(const mus_body *body, int32_t which);
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);
 
+/* ---- body_mirror.c ---- */
+
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Its left half is then made alone */
+bool mus__body_is_even(const mus_body *body);
+/* whether limb l of a tape is a right one, made by mus__body_mirror() in a symmetric body */
+bool mus__limb_is_right(int32_t l);
+/* the part that mirrors part q of a symmetric body: that of the limb after a left one */
+int32_t mus__mirror_part(const mus_body *body, int32_t q);
+/* the radii of the right half of the torso of a symmetric body from those of its left one; with `limbs` the radii and
+ * contours of its right limbs instead */
+void mus__body_mirror(mus_body *body, bool limbs);
+
 #endif

@@ -32,8 +32,8 @@
 /* points of a row in a plane, and scratch for their hull */
 typedef struct length_row {
     int32_t count;
-    double *xy;    /* (count x 2) */
-    int32_t *work; /* (count x 2) */
+    double *xy;        /* (count x 2) */
+    int32_t *work;     /* (count x 2) */
     double u[3], v[3]; /* the directions of the plane's two axes */
 } length_row;
 

@@ -17,8 +17,7 @@ mus_status mus__body_limbs(mus_body *body, int32_t count);
  * body get their radii by mus__body_mirror(). Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fields(mus_body *body, double spacing);
 
-/* directions of the surface's rings of limb l: mus_body_def.samples, and for arms, legs and feet of a tape half as many,
- * since they are thinner than a torso */
+/* directions of the rings of limb l in the surface: mus_body_def.samples, for thin limbs of a tape half as many */
 int32_t mus__body_samples(const mus_body *body, int32_t l);
 /* steps of the diamond angle of the fields of limb l: its samples, but no fewer than a table needs */
 int32_t mus__body_angles(const mus_body *body, int32_t l);
@@ -112,13 +111,6 @@ mus_status mus__body_relief(mus_body *body);
 /* how far [m] the ring at s of limb l is drawn below its place on the axis: hands and feet end where fingers and toes
  * begin */
 double mus__relief_short(const mus_body *body, int32_t l, double s);
-/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Its left half is then made alone */
-bool mus__body_is_even(const mus_body *body);
-/* whether limb l of a tape is a right one, made by mus__body_mirror() in a symmetric body */
-bool mus__limb_is_right(int32_t l);
-/* the radii of the right half of the torso of a symmetric body from those of its left one; with `limbs` the radii and
- * contours of its right limbs instead */
-void mus__body_mirror(mus_body *body, bool limbs);
 /* number of vertices and triangles of fingers and toes */
 void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangles);
 /* write vertices, normals and triangles of fingers and toes after those of the limbs */

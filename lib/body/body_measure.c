@@ -18,8 +18,8 @@ static const double *measure_ring(const mus_body *body, const mus__limb *limb, i
 }
 
 
-/* append to xy (count x 2) the points at which the plane at s meets the lines of limb l from ring to ring; returns their
- * number */
+/* append to xy (count x 2) the points at which the plane at s meets the lines of limb l from ring to ring; returns
+ * their number */
 static int32_t measure_section(const mus_body *body, const mus__limb *limb, double s, double *xy, int32_t count)
 {
     const double *at = body->ring + limb->first_ring;

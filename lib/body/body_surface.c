@@ -33,11 +33,11 @@
 
 /* the sampling of a limb: its directions in the tables, and scratch for rings */
 typedef struct surface_work {
-    int32_t n, angles, *entry; /* (n), and the steps of the tables */
-    double *turn, *share;      /* (n x 2), (n) */
+    int32_t n, angles, *entry;        /* (n), and the steps of the tables */
+    double *turn, *share;             /* (n x 2), (n) */
     double *radius, *before, *middle; /* (n) */
-    double *stop, *ring;     /* s of the rings that must be there of one limb, and of all rings of all limbs */
-    int32_t most;            /* room for so many rings */
+    double *stop, *ring;              /* s of the rings that must be there of one limb, and of all rings of all limbs */
+    int32_t most;                     /* room for so many rings */
 } surface_work;
 
 
@@ -111,7 +111,8 @@ static int32_t surface_stops(const mus_body *body, int32_t l, double *stop)
         const mus__part *part = &body->rig.part[p];
         const mus__field *field = &body->field[p];
         if (part->limb != l) continue;
-        const double first = part->round[0] > 0.0 ? part->end[0] : low, last = part->round[1] > 0.0 ? part->end[1] : high;
+        const double first = part->round[0] > 0.0 ? part->end[0] : low,
+                     last = part->round[1] > 0.0 ? part->end[1] : high;
         for (int32_t j = field->fine[0]; j <= field->fine[1]; j += surface_flat(field, j) ? 2 * stride : stride) {
             const double s = field->s0 + j * field->ds;
             if (s < first || s > last || surface_at_contour(limb, s, SURFACE_NEAR * field->ds)) continue;
@@ -169,7 +170,8 @@ static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work
             steps = fmax(steps, ceil(sqrt(sqrt(bulge) / SURFACE_BULGE)));
         }
         steps = fmin(steps, SURFACE_STEPS);
-        for (int32_t j = 1; j < steps && count + stops - i < most_rings; j++) out[count++] = low + (s - low) * j / steps;
+        for (int32_t j = 1; j < steps && count + stops - i < most_rings; j++)
+            out[count++] = low + (s - low) * j / steps;
         if (contour < limb->count && s >= limb->contour[contour].s) limb->contour[contour++].ring = count;
         out[count++] = s;
         double *swap = now;
@@ -232,8 +234,10 @@ static int32_t surface_ring_at(const mus_body *body, int32_t l, double s, double
     int32_t low = -1, high = limb->rings;
     while (high - low > 1) {
         const int32_t middle = low + (high - low) / 2;
-        if (ring[middle] < s - near) low = middle;
-        else high = middle;
+        if (ring[middle] < s - near)
+            low = middle;
+        else
+            high = middle;
     }
     return high < limb->rings && ring[high] < s + near ? high : -1;
 }

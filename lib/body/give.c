@@ -30,13 +30,15 @@ void mus__give_scale(mus_body *body, int32_t l, int32_t i, double more, const do
         if (body->rig.part[p].limb != l) continue;
         const int32_t first = (int32_t)fmax(ceil((low - field->s0) / field->ds), 0.0);
         for (int32_t j = first; j < field->nring; j++) {
-            const double s = field->s0 + j * field->ds, u = s < c->s ? (c->s - s) / (c->s - low) : (s - c->s) / (high - c->s);
+            const double s = field->s0 + j * field->ds,
+                         u = s < c->s ? (c->s - s) / (c->s - low) : (s - c->s) / (high - c->s);
             if (s >= high) break;
             const double scale = 1.0 + more * (1.0 - u * u * (3.0 - 2.0 * u));
             double *radius = field->radius + (ptrdiff_t)j * field->nangle;
             const double room = field->centre[2 * j] * limb->wall_side - limb->wall;
             for (int32_t k = 0; k < field->nangle; k++) radius[k] *= scale;
-            for (int32_t k = 0; k < field->nangle && limb->wall_side != 0.0; k++) { /* a leg keeps off the middle plane */
+            for (int32_t k = 0; k < field->nangle && limb->wall_side != 0.0;
+                 k++) { /* a leg keeps off the middle plane */
                 const double inward = -turn[2 * k] * limb->wall_side;
                 if (radius[k] * inward > room) radius[k] = room / inward;
             }
@@ -145,7 +147,8 @@ static double give_step(give *at, int32_t l, int32_t i, bool shared, double made
 }
 
 
-/* scale the rings about each contour once; true: a girth was not reached. At the hip the tops of the legs give way too */
+/* scale the rings about each contour once; true: a girth was not reached. At the hip the tops of the legs give way too
+ */
 static bool give_round(mus_body *body, give *at)
 {
     bool more = false;

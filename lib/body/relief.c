@@ -1,10 +1,10 @@
 /*
  * relief.c: face, ears, arch of the foot and cleft of the seat, cut into the radius fields.
  *
- * A detail is a small displacement V(x) in the rest pose, a sum of bell curves. A point x is on the new surface when x -
- * V(x) was on the old one: the radius of an entry is the root of that along its ray, by Newton's method. Torso and legs
- * get the same V at the cleft, so that their surfaces stay on each other. A small child's skull is lowered: its radii
- * are those of its contours further up.
+ * A detail is a small displacement V(x) in the rest pose, a sum of bell curves. A point x is on the new surface when x
+ * - V(x) was on the old one: the radius of an entry is the root of that along its ray, by Newton's method. Torso and
+ * legs get the same V at the cleft, so that their surfaces stay on each other. A small child's skull is lowered: its
+ * radii are those of its contours further up.
  *
  * Hands are drawn up to the knuckles, and feet up to the ball, where fingers and toes begin (fingers_toes.c).
  *
@@ -33,9 +33,9 @@
 #define RELIEF_GROIN 0.008      /* in front the torso is put so far behind the thighs */
 #define RELIEF_GROIN_WIDE 0.028 /* half width of that bell at 1/e */
 
-#define RELIEF_SLOPE 0.3  /* least slope of the depth along a ray; chosen: on steeper ones the root takes more steps */
-#define RELIEF_FINE 3e-4  /* [m] each ring that changes by more is drawn; of feet, whose arch is flat, fewer are */
-#define RELIEF_STEPS 3    /* Newton steps at most; they end where the depth is below RELIEF_NEAR [m] */
+#define RELIEF_SLOPE 0.3 /* least slope of the depth along a ray; chosen: on steeper ones the root takes more steps */
+#define RELIEF_FINE 3e-4 /* [m] each ring that changes by more is drawn; of feet, whose arch is flat, fewer are */
+#define RELIEF_STEPS 3   /* Newton steps at most; they end where the depth is below RELIEF_NEAR [m] */
 #define RELIEF_NEAR 1e-4
 #define RELIEF_LEAST 1e-4 /* [m] a smaller displacement is none */
 
@@ -44,13 +44,12 @@
 static const struct {
     double high, aside, tall, wide, out;
 } relief_face[] = {
-    {0.78, 0.42, 0.10, 0.24, -0.036}, /* eyes */
-    {0.98, 0.36, 0.09, 0.30, 0.012},  /* brows */
-    {0.60, 0.72, 0.13, 0.24, 0.012},  /* cheeks */
-    {0.26, 0.00, 0.050, 0.24, 0.024}, /* lips */
-    {0.16, 0.00, 0.045, 0.26, -0.008},
-    {0.04, 0.00, 0.085, 0.30, 0.026}, /* chin */
-    {0.46, 0.17, 0.045, 0.08, 0.018}, /* wings of the nose */
+    {0.78, 0.42, 0.10, 0.24, -0.036},                                    /* eyes */
+    {0.98, 0.36, 0.09, 0.30, 0.012},                                     /* brows */
+    {0.60, 0.72, 0.13, 0.24, 0.012},                                     /* cheeks */
+    {0.26, 0.00, 0.050, 0.24, 0.024},                                    /* lips */
+    {0.16, 0.00, 0.045, 0.26, -0.008}, {0.04, 0.00, 0.085, 0.30, 0.026}, /* chin */
+    {0.46, 0.17, 0.045, 0.08, 0.018},                                    /* wings of the nose */
 };
 
 /* the levels and contours that the details refer to */
@@ -122,7 +121,8 @@ static double relief_of_face(const relief_height *up, double x)
 {
     double sum = 0.0;
     for (size_t i = 0; i < sizeof relief_face / sizeof *relief_face; i++)
-        if (up->bell[i] != 0.0) sum += up->bell[i] * relief_bell((fabs(x) - relief_face[i].aside) / relief_face[i].wide);
+        if (up->bell[i] != 0.0)
+            sum += up->bell[i] * relief_bell((fabs(x) - relief_face[i].aside) / relief_face[i].wide);
     return up->ridge != 0.0 ? sum + up->ridge * relief_bell(x / up->ridge_wide) : sum;
 }
 
@@ -168,7 +168,8 @@ static void relief_lower(const relief *at, mus__field *field, const double *turn
         const double s = field->s0 + j * field->ds, *c = field->centre + 2 * (ptrdiff_t)j;
         if (s < at->body->skeleton.nape) continue;
         for (int32_t k = 0; k < n; k++) {
-            const double up = s + relief_child(at, s, -turn[2 * k + 1]), u = fmin((up - field->s0) / field->ds, field->nring - 1.0);
+            const double up = s + relief_child(at, s, -turn[2 * k + 1]);
+            const double u = fmin((up - field->s0) / field->ds, field->nring - 1.0);
             const int32_t i = (int32_t)fmin(u, field->nring - 2.0);
             const double t = u - i, *low = field->radius + (ptrdiff_t)i * n + k, *d = field->centre + 2 * (ptrdiff_t)i;
             const double a = d[0] + t * (d[2] - d[0]) - c[0], b = d[1] + t * (d[3] - d[1]) - c[1];
@@ -215,7 +216,10 @@ double mus__relief_cleft(const mus_body *body, double y, double z)
 {
     const mus__skeleton *bone = &body->skeleton;
     const mus__contour *hip = relief_contour(&body->limb[MUS__LIMB_TORSO], "hip");
-    const relief at = {.body = body, .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip,
+    const relief at = {.body = body,
+                       .h = bone->crown,
+                       .crotch = bone->crotch,
+                       .hip = bone->hip,
                        .middle = hip != NULL ? -hip->cb : 0.0};
     const double x[3] = {0.0, y, z};
     double v[3] = {0.0, 0.0, 0.0};
@@ -340,8 +344,13 @@ mus_status mus__body_relief(mus_body *body)
 {
     mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const mus__skeleton *bone = &body->skeleton;
-    relief at = {.body = body, .chin = relief_contour(torso, "chin"), .brow = relief_contour(torso, "brow"),
-                 .h = bone->crown, .crotch = bone->crotch, .hip = bone->hip, .even = mus__body_is_even(body)};
+    relief at = {.body = body,
+                 .chin = relief_contour(torso, "chin"),
+                 .brow = relief_contour(torso, "brow"),
+                 .h = bone->crown,
+                 .crotch = bone->crotch,
+                 .hip = bone->hip,
+                 .even = mus__body_is_even(body)};
     mus_status status = MUS_OK;
     if (!body->measured) return MUS_OK;
     for (int32_t i = 0; i < torso->count; i++)
@@ -350,8 +359,7 @@ mus_status mus__body_relief(mus_body *body)
                relief_front(&body->limb[MUS__LIMB_LEG_LEFT], MUS_MEASURE_THIGH);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
-        if (l < MUS__LIMB_COUNT && (!at.even || l == MUS__LIMB_TORSO || l % 2 == 1))
-            status = relief_part(&at, body, q);
+        if (l < MUS__LIMB_COUNT && (!at.even || l == MUS__LIMB_TORSO || l % 2 == 1)) status = relief_part(&at, body, q);
     }
     return status;
 }

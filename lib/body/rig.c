@@ -12,7 +12,8 @@
 #define RIG_HORIZONTAL 0.3 /* an arm whose axis falls by less than this part of its length counts as horizontal; chosen
                               */
 #define RIG_SCAPULA 0.02   /* rise of the shoulder joint with the arm, in parts of the stature; chosen */
-#define RIG_LEAST 0.01   /* least length of a part, in parts of its limb: the joints of a scan may lie beyond its contours */
+/* least length of a part, in parts of its limb: the joints of a scan may lie beyond its contours */
+#define RIG_LEAST 0.01
 #define RIG_CAP_MOST 0.8   /* a round cap is at most this part of the next part's length, so that it ends within it */
 
 

@@ -99,12 +99,12 @@ typedef struct fillet {
     bool *done[MUS__PARTS_MOST];    /* (nring) rings of it that are set */
     int32_t creases, room;
     mus__crease *crease;
-    int32_t angles;                 /* steps of the tables that `turn` is of */
+    int32_t angles; /* steps of the tables that `turn` is of */
     double turn[2 * MUS__FIELD_MOST];
-    double slack[MUS__FIELD_MOST];  /* how far [m] each entry may move along the limb until a limb can be near; see fillet_slack() */
-    uint64_t parts;                 /* the parts near the ring, a bit each */
-    int32_t count;                  /* their number */
-    int32_t part[MUS__PARTS_MOST];  /* and their indices, those of one limb one after the other */
+    double slack[MUS__FIELD_MOST]; /* how far [m] each entry is off where it could grow; see fillet_slack() */
+    uint64_t parts;                /* the parts near the ring, a bit each */
+    int32_t count;                 /* their number */
+    int32_t part[MUS__PARTS_MOST]; /* and their indices, those of one limb one after the other */
 } fillet;
 
 /* a ray of an entry: where it leaves its own limb, its direction, the normal there, and their product; then, for the
@@ -181,8 +181,8 @@ static double fillet_depth(const fillet *at, int32_t first, int32_t end, const d
 }
 
 
-/* how far [m] the ray of an entry goes on to the smooth union with the listed parts from `first` to `end`; normal (3) of
- * the union there */
+/* how far [m] the ray of an entry goes on to the smooth union with the listed parts from `first` to `end`; normal (3)
+ * of the union there */
 static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t end, const fillet_ray *ray,
                           double *normal)
 {
@@ -212,9 +212,9 @@ static double fillet_grow(const fillet *at, double reach, int32_t first, int32_t
 }
 
 
-/* the growth of an entry of part q whose ray begins at ray->start: the largest of those to each near limb; normal (3) of
- * the union there, and the entry's own in ray->normal. *far: no limb is near. 0: none, and *turned is false. *slack: the
- * distance [m] to where it could grow */
+/* the growth of an entry of part q whose ray begins at ray->start: the largest of those to each near limb; normal (3)
+ * of the union there, and the entry's own in ray->normal. *far: no limb is near. 0: none, and *turned is false. *slack:
+ * the distance [m] to where it could grow */
 static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double *normal, bool *far, bool *turned,
                            double *slack)
 {
@@ -261,12 +261,13 @@ static void fillet_keep(fillet *at, int32_t q, int32_t j, int32_t k, const doubl
 }
 
 
-/* entry k of ring j of part q: its new radius into *out, and with `keep` its normal. Returns its growth [m], FILLET_FINE
- * at least where the normal turns, and -1 far from all other limbs */
+/* entry k of ring j of part q: its new radius into *out, and with `keep` its normal. Returns its growth [m],
+ * FILLET_FINE at least where the normal turns, and -1 far from all other limbs */
 static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, double *out)
 {
     const mus__field *field = &at->body->field[q];
-    const double *turn = at->turn, *c = field->centre + 2 * (ptrdiff_t)j, radius = field->radius[(ptrdiff_t)j * field->nangle + k];
+    const double *turn = at->turn, *c = field->centre + 2 * (ptrdiff_t)j;
+    const double radius = field->radius[(ptrdiff_t)j * field->nangle + k];
     fillet_ray ray = {.slope = 0.0};
     double normal[3] = {0.0, 0.0, 0.0};
     bool far, turned;
@@ -284,8 +285,8 @@ static double fillet_at(fillet *at, int32_t q, int32_t j, int32_t k, bool keep, 
 }
 
 
-/* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. The odd entries are asked beside even
- * ones that changed. Returns the largest growth [m] */
+/* new radii `out` (nangle) of ring j of part q; with `half` of its left half alone. The odd entries are asked beside
+ * even ones that changed. Returns the largest growth [m] */
 static double fillet_ring(fillet *at, int32_t q, int32_t j, bool half, bool keep, double *out)
 {
     const int32_t n = at->body->field[q].nangle;
@@ -470,18 +471,6 @@ static void fillet_give(fillet *at, double *xy, int32_t *work)
 }
 
 
-/* the part that mirrors part q of a symmetric body: that of the limb after a left one */
-static int32_t fillet_mirror_part(const mus_body *body, int32_t q)
-{
-    const int32_t l = body->rig.part[q].limb;
-    int32_t first = q, other = 0;
-    if (l == MUS__LIMB_TORSO) return q;
-    while (first > 0 && body->rig.part[first - 1].limb == l) first--;
-    while (body->rig.part[other].limb != l + 1) other++;
-    return other + q - first;
-}
-
-
 /* the normals of the right half, from those of the left one */
 static void fillet_mirror_creases(fillet *at)
 {
@@ -490,52 +479,12 @@ static void fillet_mirror_creases(fillet *at)
         mus__crease *crease = &at->crease[at->creases];
         *crease = at->crease[i];
         const int32_t n = at->body->field[crease->part].nangle, to = (n + n / 2 - crease->entry) % n;
-        if (crease->part == fillet_mirror_part(at->body, crease->part) && to == crease->entry) continue;
-        crease->part = fillet_mirror_part(at->body, crease->part);
+        if (crease->part == mus__mirror_part(at->body, crease->part) && to == crease->entry) continue;
+        crease->part = mus__mirror_part(at->body, crease->part);
         crease->entry = to;
         crease->normal[0] = -crease->normal[0];
         at->creases++;
     }
-}
-
-
-bool mus__limb_is_right(int32_t l)
-{
-    return l > MUS__LIMB_TORSO && l < MUS__LIMB_COUNT && l % 2 == 0;
-}
-
-
-bool mus__body_is_even(const mus_body *body)
-{
-    return body->measured && body->frame == NULL && body->def.without == 0 && body->limb_count == MUS__LIMB_COUNT;
-}
-
-
-/* entry k on the left, X > 0, mirrors entry n/2 - k on the right */
-void mus__body_mirror(mus_body *body, bool limbs)
-{
-    for (int32_t q = 0; q < body->nfield; q++) {
-        const mus__field *from = &body->field[q];
-        const int32_t l = body->rig.part[q].limb, n = from->nangle;
-        if (limbs == (l == MUS__LIMB_TORSO) || mus__limb_is_right(l)) continue;
-        mus__field *to = &body->field[fillet_mirror_part(body, q)];
-        memcpy(to->fine, from->fine, sizeof to->fine);
-        memcpy(to->largest, from->largest, (size_t)from->nring * sizeof *to->largest);
-        to->reach = from->reach;
-        for (int32_t j = 0; j < from->nring; j++) {
-            const double *x = from->radius + (ptrdiff_t)j * n;
-            double *y = to->radius + (ptrdiff_t)j * n;
-            for (int32_t k = 0; k < n; k++)
-                if (to != from || k <= n / 4 || k >= n - n / 4) y[(n + n / 2 - k) % n] = x[k];
-        }
-    }
-    for (int32_t l = MUS__LIMB_ARM_RIGHT; l < MUS__LIMB_COUNT && limbs; l += 2)
-        for (int32_t i = 0; i < body->limb[l].count; i++) {
-            const mus__contour *from = &body->limb[l - 1].contour[i];
-            mus__contour *to = &body->limb[l].contour[i];
-            to->a = from->a, to->b = from->b;
-            memcpy(to->bump, from->bump, sizeof to->bump);
-        }
 }
 
 

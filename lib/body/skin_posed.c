@@ -1,6 +1,6 @@
 /*
- * skin_posed.c: the skin of a posed body: near a bent joint its rings stand between two parts, and their vertices are moved
- * onto the parts, which contact knows.
+ * skin_posed.c: the skin of a posed body: near a bent joint its rings stand between two parts, and their vertices are
+ * moved onto the parts, which contact knows.
  *
  * Elsewhere a ring moves with its part, and lies on its field as in the rest pose.
  */
@@ -9,9 +9,9 @@
 
 #include "body/body_make.h"
 
-#define SKIN_ROUNDS 3     /* rounds that bring a vertex to its parts */
-#define SKIN_LOOSE 1e-4   /* [m] distance up to which it may stay */
-#define SKIN_DEEP 0.012   /* [m] a vertex deeper within the parts is not seen and keeps its place; chosen */
+#define SKIN_ROUNDS 3   /* rounds that bring a vertex to its parts */
+#define SKIN_LOOSE 1e-4 /* [m] distance up to which it may stay */
+#define SKIN_DEEP 0.012 /* [m] a vertex deeper within the parts is not seen and keeps its place; chosen */
 
 
 /* whether the ring at s of limb l stands between two parts that the pose turned against each other */

@@ -102,8 +102,7 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
 
     /* radii at the joints */
     double *joint = stack->work + limb->count, middle[2];
-    for (int end = 0; end < 2; end++)
-        mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
+    for (int end = 0; end < 2; end++) mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
 
     for (int32_t j = 0; j < out->nring; j++) {
         double s = j + 1 < out->nring || high > 0.0 ? out->s0 + j * out->ds : part->end[1];

@@ -61,7 +61,8 @@ void mus__field_free(mus_context *context, mus__field *field);
 /* `largest` and `reach` of a field whose radii were changed */
 void mus__field_bounds(mus__field *field);
 
-/* where n directions (n x 2) lie in a table of nangle steps: entry (n) before each, and the share (n) of the next one */
+/* where n directions (n x 2) lie in a table of nangle steps: entry (n) before each, and the share (n) of the next one
+ */
 void mus__field_steps(int32_t nangle, int32_t n, const double *turn, int32_t *entry, double *share);
 /* the surface of a field at s [m], beyond the rings that of its caps: centre (2), and radius (n) in the directions that
  * mus__field_steps() placed */

@@ -19,7 +19,7 @@
 #define FIT_ARMPIT 0.40
 /* [m] distance of the rings that are checked; chosen: a wider one could miss the nearest place by some mm */
 #define FIT_RING 0.012
-#define FIT_ANGLES 16             /* so many directions of a ring are checked; chosen: as FIT_RING */
+#define FIT_ANGLES 16 /* so many directions of a ring are checked; chosen: as FIT_RING */
 
 
 /* largest depth [m] of the points of an arm below the armpit in the parts of other limbs */

@@ -208,8 +208,8 @@ END_TEST
 
 /* every triangle lies on the surface of the radius fields, at armpit, crotch and groin too: off the hands beyond the
  * knuckles and the feet beyond the ball, where fingers and toes are drawn. In the bottom of an armpit, where two fields
- * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within. Points are
- * one a triangle, and triangles are smallest there */
+ * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within. Points
+ * are one a triangle, and triangles are smallest there */
 START_TEST(what_is_drawn_is_what_cloth_touches)
 {
     static const char *const sizes[] = {"W40", "W52", "M50", "M60", "C56", "C116"};

@@ -153,8 +153,8 @@ static bool near_fillet(const mus_body *body, int32_t l, double s)
 
 
 /* the vertices of the surface a centimetre from the end contours and on lie on the field's surface of their own limb,
- * to 0.6 mm, which two parts differ by at the neck; where a limb is steep to its axis the field's linear blend is coarser along it, so what counts is the
- * distance */
+ * to 0.6 mm, which two parts differ by at the neck; where a limb is steep to its axis the field's linear blend is
+ * coarser along it, so what counts is the distance */
 START_TEST(the_surface_has_depth_zero)
 {
     static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C56", "C116"};

@@ -49,17 +49,18 @@ static int convert_tape(scene *s, const char *in, const char *row, const char *o
 
 static int convert_pattern(scene *s, const char *in, const char *out, const char *to)
 {
-    const bool svg = is_form(out, to, "svg"), pdf = is_form(out, to, "pdf");
-    if (!svg && !pdf && !is_form(out, to, "json") && (to != NULL || !is_stdout(out)))
+    const bool svg = is_form(out, to, "svg"), pdf = is_form(out, to, "pdf"), dxf = is_form(out, to, "dxf");
+    if (!svg && !pdf && !dxf && !is_form(out, to, "json") && (to != NULL || !is_stdout(out)))
         return complain(EXIT_INPUT, "convert", "%s: a pattern is written as json, svg or pdf", to != NULL ? to : out);
 
     mus_sheet *sheet = NULL;
     mus_status status = mus_pattern_read(s->context, in, &s->pattern);
     if (status != MUS_OK) return scene_fail(s, status);
-    if (!svg && !pdf) status = mus_pattern_write(s->pattern, out);
-    if (status == MUS_OK && (svg || pdf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
+    if (!svg && !pdf && !dxf) status = mus_pattern_write(s->pattern, out);
+    if (status == MUS_OK && (svg || pdf || dxf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
     if (status == MUS_OK && svg) status = mus_sheet_write_svg(sheet, out);
     if (status == MUS_OK && pdf) status = mus_sheet_write_pdf(sheet, out);
+    if (status == MUS_OK && dxf) status = mus_sheet_write_dxf(sheet, NULL, out);
     mus_sheet_destroy(sheet);
     return status == MUS_OK ? EXIT_DONE : scene_fail_output(s, status);
 }

@@ -23,6 +23,8 @@ struct mus_sheet {
     int32_t npiece;
     mus__piece *pieces; /* (npiece) in the order of the pattern */
     char (*names)[128]; /* (npiece) names of the panels */
+    char (*labels)[128]; /* (npiece) labels of the panels */
+    char (*marks)[128]; /* (marks of the pattern) names of the marks */
     double extent[2];
     bool tiled;         /* has a cover; else the test squares stand on the sheet */
     double squares[2];  /* low corner of the test squares [m], when not tiled */

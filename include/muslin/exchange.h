@@ -86,12 +86,12 @@ MUS_API void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 /**
  * Read the pieces of a DXF (AAMA, ASTM D6673, as Gerber, CLO and Valentina write them) as a pattern without seams.
  *
- * A block with an outline on layer 1 is a panel. The sew line (14; in Valentina's AAMA the first closed line of 8) is its
- * outline, and the distance to the cut line the allowance of each edge; without a sew line the boundary is the outline,
- * with allowance 0. Edges begin at turn points (2) and where polylines end; without either, at corners of more than 30
- * degrees. Notches (4), grain (7), lines inside (8, 11) and drill points (13) are kept; half a piece with a mirror line
- * (6) is unfolded; a piece that is cut in pairs ("Quantity: 1,1") gets its mirror image. A size without blocks of its
- * own is made from the sample by the rules, linearly by arc length between graded points.
+ * A block with an outline on layer 1 is a panel. The sew line (14; in Valentina's AAMA the first closed line of 8) is
+ * its outline, and the distance to the cut line the allowance of each edge; without a sew line the boundary is the
+ * outline, with allowance 0. Edges begin at turn points (2) and where polylines end; without either, at corners of
+ * more than 30 degrees. Notches (4), grain (7), lines inside (8, 11) and drill points (13) are kept; half a piece
+ * with a mirror line (6) is unfolded; a piece that is cut in pairs ("Quantity: 1,1") gets its mirror image. A size
+ * without blocks of its own is made from the sample by the rules, linearly by arc length between graded points.
  * Units:  metre; the file's are millimetres, or inches with "Units: ENGLISH"
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (the message has file, line and the expected content), MUS_ERR_UNSUPPORTED (an
  *         arc or a spline in an outline), MUS_ERR_ARG (a size that the file has not: the message lists its sizes),

@@ -2,7 +2,7 @@
  * muslin/print.h: ready-to-cut paper (libmuslin-print).
  *
  * A sheet holds the pieces of a pattern at true scale, with cut line, sew line, allowance, notches, grain line, labels
- * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, or as DXF with its RUL file.
+ * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, or as DXF with its RUL.
  * Outside dependency: cairo.
  */
 #ifndef MUSLIN_PRINT_H
@@ -140,7 +140,7 @@ MUS_API mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **byte
 /* ---- DXF and RUL, for cutters and CAD of the trade ---- */
 
 #define MUS_DXF_AAMA 0 /* ANSI/AAMA-292: a notch is a line on layer 4 */
-#define MUS_DXF_ASTM 1 /* ASTM D6673: a notch is a point with depth and angle; layers 84, 85 and 87 repeat 1, 8 and 14 */
+#define MUS_DXF_ASTM 1 /* ASTM D6673: a notch is a point with depth and angle; 84, 85 and 87 repeat 1, 8 and 14 */
 
 #define MUS_DXF_CUT 0 /* layer 1 is the cut line, layer 14 the sew line */
 #define MUS_DXF_SEW 1 /* layer 1 is the sew line: the receiver adds the allowances */
@@ -164,9 +164,9 @@ MUS_API void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);
 /**
  * Write the pieces as DXF R12, one block a piece (and size, when nested); def NULL takes the defaults.
  *
- * Layers: 1 boundary and texts, 2 turn points, 3 curve points, 4 notches, 7 grain, 8 lines inside, 11 cut-outs, 13 drill
- * points, 14 sew line (one polyline an edge), 15 annotation. Names are capitals, digits and "_", at most 20. Curves are
- * chords within 0.01 mm. With sizes, the ends of edges carry the numbers of their grade rules ("# 3").
+ * Layers: 1 boundary and texts, 2 turn points, 3 curve points, 4 notches, 7 grain, 8 lines inside, 11 cut-outs, 13
+ * drill points, 14 sew line (one polyline an edge), 15 annotation. Names are capitals, digits and "_", at most 20.
+ * Curves are chords within 0.01 mm. With sizes, the ends of edges carry the numbers of their grade rules ("# 3").
  * Units:  millimetres in the file
  * Errors: MUS_ERR_ARG (an unknown dialect or boundary; a size whose pieces or edges are not those of the sheet),
  *         MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY. path "-" writes to standard output

@@ -17,7 +17,6 @@
 #define MUS__PRINT_PI 3.14159265358979323846
 
 /* ---- helpers (drawing.c) ---- */
-
 mus_status mus__print_memory(mus_context *context, const char *what);
 /* write x [m] as millimetres with at most one decimal, in every locale; returns the number of characters */
 int32_t mus__print_millimetres(char *out, size_t size, double x);
@@ -30,7 +29,6 @@ void mus__print_free(mus_context *context, void *block);
 mus_status mus__print_reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
 
 /* ---- a drawing ---- */
-
 typedef enum mus__pen {
     MUS__PEN_CUT,    /* cut line: solid 0.5 mm */
     MUS__PEN_SEAM,   /* seam line: dashed 0.25 mm; no other pen has these dashes, so a reader can find seam lines */
@@ -102,7 +100,6 @@ void mus__draw_line(mus__drawing *drawing, double x, double y);
 void mus__draw_curve(mus__drawing *drawing, const double *xy); /* cubic: two control points and the end */
 void mus__draw_close(mus__drawing *drawing);
 void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width, double height);
-
 
 /* ---- letters (stroke_font.c) ---- */
 

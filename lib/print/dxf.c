@@ -12,34 +12,6 @@
 
 #include "print/dxf.h"
 
-#define TEXT_HEIGHT "2.5" /* [mm] of letters; chosen: as Valentina writes them */
-
-
-void mus__dxf_text(mus__sink *bytes, int32_t code, const char *text)
-{
-    mus__sink_print(bytes, "%d\n", (int)code);
-    while (*text != '\0') {
-        const uint32_t c = mus__text_character(&text);
-        if (c >= 0x20 && c < 0x7f) mus__sink_print(bytes, "%c", (int)c);
-        else if (c >= 0xa0 && c < 0x10000 && c != 0xfffd) mus__sink_print(bytes, "\\U+%04X", (unsigned)c);
-        else mus__sink_print(bytes, "?");
-    }
-    mus__sink_add(bytes, "\n", 1);
-}
-
-
-void mus__dxf_label(mus__sink *bytes, int32_t layer, const double *at, const char *key, const char *value)
-{
-    char text[256];
-    snprintf(text, sizeof text, "%s%s%.160s", key != NULL ? key : "", key != NULL ? ": " : "", value);
-    mus__sink_print(bytes, "0\nTEXT\n8\n%d\n10\n", (int)layer);
-    mus__print_number(bytes, at[0]);
-    mus__sink_print(bytes, "\n20\n");
-    mus__print_number(bytes, at[1]);
-    mus__sink_print(bytes, "\n40\n" TEXT_HEIGHT "\n");
-    mus__dxf_text(bytes, 1, text);
-}
-
 
 /* name of the block of a piece: with its size when there are several */
 static void dxf_block_name(const mus__dxf *dxf, int32_t piece, int32_t size, char *out, size_t capacity)
@@ -113,8 +85,9 @@ static void rul_document(const mus__dxf *dxf)
     snprintf(title, sizeof title, "%.200s", dxf->sheet->title);
     for (char *c = title; *c != '\0'; c++)
         if (*c < ' ' || *c > '~') *c = '_';
-    mus__sink_print(bytes, "%s\r\nAUTHOR: muslin\r\n", dxf->def.dialect == MUS_DXF_AAMA
-                                                       ? "version ANSI/AAMA-292-B" : "ASTM/D13Proposal 1 Version: D 6673-04");
+    const bool aama = dxf->def.dialect == MUS_DXF_AAMA;
+    mus__sink_print(bytes, "%s\r\nAUTHOR: muslin\r\n",
+                    aama ? "version ANSI/AAMA-292-B" : "ASTM/D13Proposal 1 Version: D 6673-04");
     if (dxf->def.date != NULL) mus__sink_print(bytes, "CREATION DATE: %.40s\r\n", dxf->def.date);
     mus__sink_print(bytes, "UNITS: METRIC\r\nGRADE RULE TABLE: %s\r\nSAMPLE SIZE:", title);
     rul_size(dxf, 0);

@@ -1,8 +1,8 @@
 /*
  * dxf.h: what the DXF and the RUL of a sheet share: the options, the names and the grade rules.
  *
- * Flow: dxf_rules.c checks the options and numbers the grade rules; dxf.c writes the sections and texts; dxf_piece.c
- * writes the block of a piece.
+ * Flow: dxf_rules.c checks the options, numbers the grade rules and writes texts; dxf_piece.c writes the block of a
+ * piece; dxf.c writes the sections and the RUL file.
  */
 #ifndef MUS__PRINT_DXF_H
 #define MUS__PRINT_DXF_H

@@ -1,5 +1,5 @@
 /*
- * dxf_rules.c: the options of a DXF file, names of pieces as the trade allows them, and grade rules.
+ * dxf_rules.c: the options of a DXF file, its texts, names of pieces as the trade allows them, and grade rules.
  *
  * A grade rule is the displacement of a point from the sample size to each size. The points are the ends of the edges,
  * in the frame of their panel with the grain up. Points with equal rules share a number.
@@ -12,6 +12,7 @@
 
 #define SIZES_MOST 64 /* sizes besides the sample; chosen: twice the longest size list of a shop */
 #define RULE_UNIT 1e-7 /* [m] step of a rule: the last digit of the file */
+#define DXF_LETTERS "2.5" /* [mm] height of letters; chosen: as Valentina writes them */
 
 
 void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size)
@@ -21,6 +22,32 @@ void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size)
     if (size < sizeof *def) return;
     def->size = size;
     def->dialect = MUS_DXF_ASTM;
+}
+
+
+void mus__dxf_text(mus__sink *bytes, int32_t code, const char *text)
+{
+    mus__sink_print(bytes, "%d\n", (int)code);
+    while (*text != '\0') {
+        const uint32_t c = mus__text_character(&text);
+        if (c >= 0x20 && c < 0x7f) mus__sink_print(bytes, "%c", (int)c);
+        else if (c >= 0xa0 && c < 0x10000 && c != 0xfffd) mus__sink_print(bytes, "\\U+%04X", (unsigned)c);
+        else mus__sink_print(bytes, "?");
+    }
+    mus__sink_add(bytes, "\n", 1);
+}
+
+
+void mus__dxf_label(mus__sink *bytes, int32_t layer, const double *at, const char *key, const char *value)
+{
+    char text[256];
+    snprintf(text, sizeof text, "%s%s%.160s", key != NULL ? key : "", key != NULL ? ": " : "", value);
+    mus__sink_print(bytes, "0\nTEXT\n8\n%d\n10\n", (int)layer);
+    mus__print_number(bytes, at[0]);
+    mus__sink_print(bytes, "\n20\n");
+    mus__print_number(bytes, at[1]);
+    mus__sink_print(bytes, "\n40\n" DXF_LETTERS "\n");
+    mus__dxf_text(bytes, 1, text);
 }
 
 

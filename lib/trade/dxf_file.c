@@ -87,7 +87,8 @@ bool mus__dxf_same(mus__dxf_slice a, mus__dxf_slice b)
 static mus__dxf_slice slice_trim(mus__dxf_slice slice)
 {
     while (slice.length > 0 && (slice.at[0] == ' ' || slice.at[0] == '\t')) slice.at++, slice.length--;
-    while (slice.length > 0 && (slice.at[slice.length - 1] == ' ' || slice.at[slice.length - 1] == '\t')) slice.length--;
+    for (const char *end = slice.at + slice.length - 1; slice.length > 0 && (*end == ' ' || *end == '\t'); end--)
+        slice.length--;
     return slice;
 }
 
@@ -197,12 +198,14 @@ static mus_status text_pair(dxf_text *t)
     const mus__source *source = t->file->source;
     double code;
     if (*t->at == '\0')
-        return mus__source_fail(source, t->line, MUS_ERR_FORMAT, "the file ends; expected \"0\" and \"EOF\" at its end");
+        return mus__source_fail(source, t->line, MUS_ERR_FORMAT,
+                                "the file ends; expected \"0\" and \"EOF\" at its end");
     mus__dxf_slice line = text_line(t);
     if (!mus__dxf_number(line, &code) || code != floor(code) || fabs(code) > 9999.0) {
         char got[41];
         mus__dxf_copy(line, got, sizeof got);
-        return mus__source_fail(source, t->line, MUS_ERR_FORMAT, "expected a group code (a whole number), got \"%s\"", got);
+        return mus__source_fail(source, t->line, MUS_ERR_FORMAT,
+                                "expected a group code (a whole number), got \"%s\"", got);
     }
     if (*t->at == '\0')
         return mus__source_fail(source, t->line, MUS_ERR_FORMAT, "the file ends behind group code %d", (int)code);

@@ -3,7 +3,7 @@
  *
  * Flow of a reader: dxf_file.c (text -> entities), dxf_read.c (which blocks are the pieces of the wanted size),
  * dxf_ring.c (lines of a layer -> one closed ring; mirror line, grading), dxf_panel.c (ring -> panel of the pattern),
- * rul_read.c (the grade rules beside the file). pattern_read.c calls it for every file that is no JSON.
+ * dxf_name.c, rul_read.c (the grade rules beside the file). pattern_read.c calls it for every file that is no JSON.
  */
 #ifndef MUS__TRADE_DXF_FILE_H
 #define MUS__TRADE_DXF_FILE_H

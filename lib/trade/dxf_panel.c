@@ -1,28 +1,27 @@
 /*
  * dxf_panel.c: a block of a DXF as a panel: outline with edges and allowances, grain, notches, marks, quantity.
  *
- * The outline is the sew line where the file has one that goes round inside the cut line: layer 14 (or its copy 87), or,
- * as Valentina writes AAMA, the first closed polyline of layer 8. Else it is the boundary of layer 1 (or its copy 84),
- * which is then cut as it is, without allowance. The allowance of an edge is its distance from the cut line.
+ * The outline is the sew line where the file has one that goes round inside the cut line: layer 14 (or its copy 87),
+ * or, as Valentina writes AAMA, the first closed polyline of layer 8. Else it is the boundary of layer 1 (or its copy
+ * 84), which is then cut as it is, without allowance. The allowance of an edge is its distance from the cut line.
  *
  * A notch is a point (with its angle inwards, or square to the edge) or a line from the cut line inwards; it goes to
  * the place of the sew line that it points at. Two or three of them side by side are one double or triple notch.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "trade/dxf_panel.h"
 
 #define ALLOWANCE_LARGEST 0.1    /* [m] a sew line farther inside is none; chosen: as the largest of a sheet */
-#define ALLOWANCE_LAYER_8 0.05   /* [m] the same of a line of layer 8, which may be a line of a pocket; chosen: a deep hem */
+#define ALLOWANCE_LAYER_8 0.05   /* [m] the same of a line of layer 8, which may be a pocket; chosen: a deep hem */
 #define ALLOWANCE_STEP 1e-5      /* [m] allowances are rounded to this: the last digit of the files is finer */
 #define ALLOWANCE_PLACES 12      /* places of an edge that are measured; half of them must agree */
 #define ALLOWANCE_SPREAD 5e-5    /* [m] distances that agree; chosen: five times the chords of a file */
 #define NOTCH_ASIDE 0.0065       /* [m] slits this near are one notch; chosen: a quarter inch, the trade's distance */
 #define TEXT_NEAR 5e-4           /* [m] a text this near to a mark is its name; chosen: files round to 0.01 mm */
-#define MARKS_MOST 5000          /* most marks, and most notches, of a piece; chosen: bounds the time of a hostile file */
+#define MARKS_MOST 5000          /* most marks, and most notches, of a piece; chosen: bounds the time a file can take */
 
 typedef struct dxf_slit {
     int32_t edge; /* in the order of the outline */
@@ -448,6 +447,15 @@ static mus_status mark_add(dxf_panel *p, const mus__dxf_entity *entity)
 }
 
 
+/* true for a cut-out (11) beside the sew line: a hole that the allowance leaves where the sew line is near itself */
+static bool mark_outside(const dxf_panel *p, const mus__dxf_entity *entity)
+{
+    double at[2];
+    panel_place(p, entity, 0, at);
+    return entity->layer == 11 && p->cut.n > 0 && !mus__ring_inside(&p->ring, at);
+}
+
+
 /* lines inside (8, or their copy 85 alone), cut-outs (11), drill points (13) */
 static mus_status panel_marks(dxf_panel *p)
 {
@@ -460,7 +468,7 @@ static mus_status panel_marks(dxf_panel *p)
         const bool point = entity->kind == MUS__DXF_POINT && entity->layer == 13;
         const bool line = (entity->kind == MUS__DXF_LINE || entity->kind == MUS__DXF_POLYLINE) && entity->n > 1 &&
                           (entity->layer == inner || entity->layer == 11);
-        if ((!point && !line) || i == p->sewn_line) continue;
+        if ((!point && !line) || i == p->sewn_line || mark_outside(p, entity)) continue;
         if (++count > MARKS_MOST)
             return mus__source_fail(p->file->source, entity->line, MUS_ERR_LIMIT, "more than %d marks", MARKS_MOST);
         status = mark_add(p, entity);
@@ -482,82 +490,6 @@ static mus_status panel_grain(dxf_panel *p)
         return panel_wrap(p, mus_pattern_set_grain(p->job->pattern, p->panel, dx, dy));
     }
     return MUS_OK;
-}
-
-
-/* ---- names and quantity ---- */
-
-/* copy a name; one in capitals becomes small, since the trade's names have no small letters */
-static void name_copy(mus__dxf_slice slice, char *out, size_t capacity)
-{
-    bool small = false;
-    mus__dxf_copy(slice, out, capacity);
-    for (const char *c = out; *c != '\0'; c++) small = small || (*c >= 'a' && *c <= 'z');
-    for (char *c = out; *c != '\0' && !small; c++)
-        if (*c >= 'A' && *c <= 'Z') *c = (char)(*c - 'A' + 'a');
-}
-
-
-static bool name_has_letters(const char *name)
-{
-    for (; *name != '\0'; name++)
-        if ((*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z') || (*name & 0x80) != 0) return true;
-    return false;
-}
-
-
-/* the text "Piece Name", else the block's name, else the text of layer 15, else "piece_3" */
-static void panel_name(const dxf_panel *p, char *out, size_t capacity)
-{
-    const mus__dxf_slice piece = mus__dxf_value(p->file, p->block, "Piece Name");
-    name_copy(piece.length > 0 ? piece : p->block->name, out, capacity);
-    for (int32_t i = 0; i < p->block->n && !name_has_letters(out); i++) {
-        const mus__dxf_entity *entity = &p->file->entities[p->block->first + i];
-        if (entity->kind == MUS__DXF_TEXT && entity->layer == 15) name_copy(entity->text, out, capacity);
-    }
-    if (!name_has_letters(out)) snprintf(out, capacity, "piece_%d", (int)p->job->npiece + 1);
-}
-
-
-/* put a number behind a name that the pattern has */
-static void name_free(const mus_pattern *pattern, char *name, size_t capacity)
-{
-    size_t n = strlen(name);
-    if (n > capacity - 16) n = mus__utf8_span(name) < capacity - 16 ? n : capacity - 16;
-    while (n > 0 && (name[n] & 0xc0) == 0x80) n--;
-    for (int32_t i = 2; mus_pattern_find_panel(pattern, name) != MUS_NONE; i++)
-        snprintf(name + n, capacity - n, "_%d", (int)i);
-}
-
-
-/* the name of the image: the other side's, where the name has a side */
-static void name_mirror(char *name, size_t capacity)
-{
-    static const char *const sides[2] = {"left", "right"};
-    char from[128];
-    snprintf(from, sizeof from, "%s", name);
-    for (int32_t i = 0; i < 2; i++) {
-        const char *at = strstr(from, sides[i]);
-        if (at == NULL) continue;
-        snprintf(name, capacity, "%.*s%s%s", (int)(at - from), from, sides[1 - i], at + strlen(sides[i]));
-        return;
-    }
-    const size_t n = strlen(name) < capacity - 16 ? strlen(name) : 0;
-    memcpy(name + n, "_mirrored", sizeof "_mirrored");
-}
-
-
-/* "Quantity: 1,1": copies as drawn, copies turned over; "1,0" and "1" are one */
-static void panel_quantity(const dxf_panel *p, int32_t *right, int32_t *left)
-{
-    const mus__dxf_slice text = mus__dxf_value(p->file, p->block, "Quantity");
-    int32_t n = 0;
-    double r = 1.0, l = 0.0;
-    while (n < text.length && text.at[n] != ',') n++;
-    if (text.length > 0) mus__dxf_number((mus__dxf_slice){text.at, n}, &r);
-    if (n < text.length) mus__dxf_number((mus__dxf_slice){text.at + n + 1, text.length - n - 1}, &l);
-    *right = r >= 0.0 && r <= 500.0 ? (int32_t)r : 1;
-    *left = l >= 0.0 && l <= 500.0 ? (int32_t)l : 0;
 }
 
 
@@ -584,16 +516,16 @@ static mus_status panel_pair(dxf_panel *p)
     mus_pattern *pattern = p->job->pattern;
     int32_t right, left;
     char name[128];
-    panel_name(p, name, sizeof name);
-    name_free(pattern, name, sizeof name);
-    panel_quantity(p, &right, &left);
+    mus__dxf_panel_name(p->job, p->block, name, sizeof name);
+    mus__dxf_name_free(pattern, name, sizeof name);
+    mus__dxf_quantity(p->file, p->block, &right, &left);
     mus_status status = panel_build(p, name);
     const int32_t own = p->panel, all = right + left;
     if (status == MUS_OK) status = panel_wrap(p, mus_pattern_set_cut(pattern, own, all > 0 ? all : 1, MUS_NONE));
     if (status != MUS_OK || left == 0 || right == 0) return status;
     p->mirrored = true;
-    name_mirror(name, sizeof name);
-    name_free(pattern, name, sizeof name);
+    mus__dxf_name_mirror(name, sizeof name);
+    mus__dxf_name_free(pattern, name, sizeof name);
     status = panel_build(p, name);
     if (status == MUS_OK) status = panel_wrap(p, mus_pattern_set_cut(pattern, p->panel, left, own));
     return status;

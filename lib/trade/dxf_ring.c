@@ -12,8 +12,8 @@
 
 #define RING_JOIN 5e-4   /* [m] ends this near are one point; chosen: files round to 0.01 mm, and no edge is so short */
 #define RING_SAME 1e-6   /* [m] points this near are one point: a hundredth of the last digit that files have */
-#define RING_TOUCH 5e-5  /* [m] a turn point or a mirror line this near to a vertex is on it; chosen: as RING_JOIN / 10 */
-#define RING_POINTS 20000 /* most points of an outline; chosen: bounds the time of a hostile file, which grows with n^2 */
+#define RING_TOUCH 5e-5  /* [m] a turn point or a mirror line this near to a vertex is on it; chosen: RING_JOIN / 10 */
+#define RING_POINTS 20000 /* most points of an outline; chosen: bounds the time of a file, which grows with n^2 */
 #define RING_CHAINS 5000 /* most lines of one layer of a piece; chosen: as RING_POINTS */
 #define CORNER_COSINE 0.86602540378443865 /* of 30 degrees (AAMA: a turn point is a corner) */
 
@@ -197,6 +197,18 @@ bool mus__ring_meet(const mus__ring *ring, const double *p, const double *d, con
 }
 
 
+bool mus__ring_inside(const mus__ring *ring, const double *p)
+{
+    bool inside = false;
+    for (int32_t i = 0; i < ring->n; i++) {
+        const double *a = ring->points[i].xy, *b = ring->points[(i + 1) % ring->n].xy;
+        if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+        if (p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1])) inside = !inside;
+    }
+    return inside;
+}
+
+
 void mus__ring_orient(mus__ring *ring)
 {
     double area = 0.0;
@@ -311,7 +323,8 @@ mus_status mus__ring_grade(const mus__dxf_file *file, const mus__dxf_block *bloc
             status = mus__source_fail(file->source, entity->line, MUS_ERR_FORMAT,
                                       "grade rule %d is not in the file of rules", (int)number);
         graded[at] = true;
-        for (int32_t k = 0; k < 2 && status == MUS_OK; k++) ring->points[at].moved[k] = ring->points[at].xy[k] + move[k];
+        mus__ring_point *point = &ring->points[at];
+        for (int32_t k = 0; k < 2 && status == MUS_OK; k++) point->moved[k] = point->xy[k] + move[k];
     }
     for (int32_t i = 0; i < ring->n && status == MUS_OK; i++) {
         if (!graded[i]) continue;

@@ -51,6 +51,8 @@ mus_status mus__ring_unfold(const mus__dxf_file *file, const mus__dxf_block *blo
                             bool *folded);
 /* turn a clockwise ring round */
 void mus__ring_orient(mus__ring *ring);
+/* true when p lies inside the ring */
+bool mus__ring_inside(const mus__ring *ring, const double *p);
 /* low x, low y, high x, high y [m] */
 void mus__ring_box(const mus__ring *ring, double *box);
 /* distance [m] of p from the ring: *at gets the point before the nearest place, *part the place on its side, 0 to 1 */

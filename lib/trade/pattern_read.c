@@ -1,9 +1,9 @@
 /*
  * pattern_read.c: mus_pattern_read: find the form of a pattern file by its content, and call its reader.
  *
- * The room: the files of the garment trade. The readers of muslin's JSON, GarmentCode and FreeSewing are in lib/exchange;
- * here are DXF and its grade rules: dxf_file.c (text to entities), dxf_read.c (which pieces), dxf_ring.c (outline),
- * dxf_panel.c (panel), rul_read.c. The room is a part of libmuslin-exchange.
+ * The room: the files of the garment trade. The readers of muslin's JSON, GarmentCode and FreeSewing are in
+ * lib/exchange; here are DXF and its grade rules: dxf_file.c (text to entities), dxf_read.c (which pieces), dxf_ring.c
+ * (outline), dxf_panel.c (panel), dxf_name.c, rul_read.c. The room is a part of libmuslin-exchange.
  */
 #include <string.h>
 
@@ -111,7 +111,7 @@ mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *fro
         return mus__file_fail(context, MUS_ERR_VERSION, "mus_pattern_dxf: size %zu, this library knows %zu; use "
                               "mus_pattern_dxf_init", from->size, sizeof *from);
     if (from->path == NULL || (from->rules != NULL && from->rules_path == NULL))
-        return mus__file_fail(context, MUS_ERR_ARG, "mus_pattern_read_dxf: a path is NULL; it names the text in messages");
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_pattern_read_dxf: a path is NULL; messages show it");
     mus_pattern *pattern = NULL;
     const mus_status status = dxf_load(context, from, &pattern);
     if (status == MUS_OK) *out = pattern;

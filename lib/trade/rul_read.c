@@ -95,7 +95,7 @@ static mus_status rul_rule(rul_text *t)
     if (!mus__dxf_number(word, &number) || number != floor(number) || fabs(number) > 1e6)
         return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "expected \"RULE: DELTA\" and a number");
     if (rul->nsize == 0)
-        return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "a rule before \"SIZE LIST:\"; expected the sizes first");
+        return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "a rule before the line \"SIZE LIST:\"");
     mus_status status = mus__trade_reserve(t->source, &rul->numbers, &rul->number_room, (int64_t)rul->nrule + 1,
                                            sizeof *rul->numbers);
     const int64_t at = 2 * (int64_t)rul->nrule * rul->nsize;

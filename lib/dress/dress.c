@@ -14,8 +14,8 @@
  *   3. the pattern's placement, patient       when start 1 ended with an open seam
  *   4. the found placement, patient           when start 2 ended with an open seam
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin is told by
- * that call, and fails no start.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin is told
+ * by that call, and fails no start.
  *
  * Everything here goes through public functions.
  */

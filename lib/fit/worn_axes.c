@@ -6,9 +6,9 @@
  * forwards, and forwards and down. A sleeve that covers the fingers leaves the first way open, a wide skirt beside the
  * hand the second, a hood the others.
  *
- * The disc of a loop is the cone over it from its mean place. The sign of an axis segment against a triangle of the cone
- * is that of five volumes of tetrahedra, each exact (geom/predicate.h). Where a volume is 0 the apex of the cone is
- * moved, or the axis, by a micrometre, until none is: the number is that of places in general position.
+ * The disc of a loop is the cone over it from its mean place. The sign of an axis segment against a triangle of the
+ * cone is that of five volumes of tetrahedra, each exact (geom/predicate.h). Where a volume is 0 the apex of the cone
+ * is moved, or the axis, by a micrometre, until none is: the number is that of places in general position.
  */
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,7 @@
 
 #define AXIS_FAR 20.0    /* [m] length of the way outside; chosen: beyond any cloth */
 #define AXIS_DOTS 8      /* points of a contour whose mean is its centre */
-#define AXIS_NUDGE 1e-6  /* [m] a way out of a position that is not general; chosen: far above rounding, below any gap */
+#define AXIS_NUDGE 1e-6  /* [m] a way out of a special position; chosen: far above rounding */
 #define AXIS_NUDGES 16   /* tries */
 
 
@@ -170,19 +170,28 @@ static int32_t axis_pass(const double *p, const double *q, const double *a, cons
 }
 
 
-/* signed passes of an axis, moved by `by` (3), through the cone of a loop from `apex` */
-static int32_t axis_passes(const mus__worn_axes *axes, int32_t axis, int32_t way, const double *by, const double *apex,
-                           const mus__worn_loop *loop, const int32_t *node, const double *x, int32_t *flat)
+/* the cone over a loop, and how far the axes are moved */
+typedef struct axis_cone {
+    double apex[3], by[3]; /* [m] */
+    const int32_t *node;   /* (count) of the loop */
+    int32_t count;
+    const double *x;       /* places of the nodes [m] */
+} axis_cone;
+
+
+/* signed passes of an axis on a way through a cone */
+static int32_t axis_passes(const mus__worn_axes *axes, int32_t axis, int32_t way, const axis_cone *cone, int32_t *flat)
 {
+    const double *by = cone->by;
     int32_t sum = 0;
     for (int32_t k = 0; axes->count[axis] > 0 && k <= axes->leave[axis][way]; k++) {
         const double *from = axes->point[axis][k];
         const double *to = k < axes->leave[axis][way] ? axes->point[axis][k + 1] : axes->far[axis][way];
         const double p[3] = {from[0] + by[0], from[1] + by[1], from[2] + by[2]};
         const double q[3] = {to[0] + by[0], to[1] + by[1], to[2] + by[2]};
-        for (int32_t i = 0; i < loop->count; i++) {
-            const int32_t a = node[loop->first + i], b = node[loop->first + (i + 1) % loop->count];
-            sum += axis_pass(p, q, apex, x + 3 * (ptrdiff_t)a, x + 3 * (ptrdiff_t)b, flat);
+        for (int32_t i = 0; i < cone->count; i++) {
+            const int32_t a = cone->node[i], b = cone->node[(i + 1) % cone->count];
+            sum += axis_pass(p, q, cone->apex, cone->x + 3 * (ptrdiff_t)a, cone->x + 3 * (ptrdiff_t)b, flat);
         }
     }
     return sum;
@@ -193,19 +202,19 @@ void mus__worn_link(const mus__worn_axes *axes, const mus__worn_loops *loops, in
                     int32_t out[MUS_WORN_LIMBS][MUS__WORN_WAYS])
 {
     const mus__worn_loop *own = &loops->loop[loop];
-    double apex[3] = {0.0, 0.0, 0.0}, by[3] = {0.0, 0.0, 0.0};
+    axis_cone cone = {.node = loops->node + own->first, .count = own->count, .x = x};
     for (int32_t i = 0; i < own->count; i++)
-        for (int32_t d = 0; d < 3; d++) apex[d] += x[3 * (ptrdiff_t)loops->node[own->first + i] + d] / own->count;
+        for (int32_t d = 0; d < 3; d++) cone.apex[d] += x[3 * (ptrdiff_t)cone.node[i] + d] / own->count;
     int32_t flat = 1;
     for (int32_t try = 0; try < AXIS_NUDGES && flat; try++) {
         flat = 0;
         for (int32_t axis = 0; axis < MUS_WORN_LIMBS; axis++)
             for (int32_t way = 0; way < MUS__WORN_WAYS; way++)
-                out[axis][way] = axis_passes(axes, axis, way, by, apex, own, loops->node, x, &flat);
+                out[axis][way] = axis_passes(axes, axis, way, &cone, &flat);
 
         /* steps of different size and direction */
-        apex[0] += AXIS_NUDGE * (1 + try), apex[1] -= 0.7 * AXIS_NUDGE, apex[2] += 0.3 * AXIS_NUDGE * (2 + try);
-        by[0] += 0.6 * AXIS_NUDGE, by[1] += AXIS_NUDGE * (2 + try), by[2] -= 0.8 * AXIS_NUDGE;
+        const double apex[3] = {1.0 + try, -0.7, 0.6 + 0.3 * try}, by[3] = {0.6, 2.0 + try, -0.8};
+        for (int32_t d = 0; d < 3; d++) cone.apex[d] += AXIS_NUDGE * apex[d], cone.by[d] += AXIS_NUDGE * by[d];
     }
 }
 

@@ -1,12 +1,13 @@
 /*
- * worn_internal.h: what the files of the certificate mus_fit_worn() share: boundary loops of the sewn cloth, axes of the
- * limbs, linking numbers, and the openings that the pattern has for the limbs.
+ * worn_internal.h: what the files of the certificate mus_fit_worn() share: boundary loops of the sewn cloth, axes of
+ * the limbs, linking numbers, and the openings that the pattern has for the limbs.
  *
  * A boundary loop (Hatcher, Algebraic Topology, 2002, section 3.3) is an open boundary of the cloth once all its seam
  * pairs are one. The body is a star: five axes from the middle of the chest through neck, arms and legs to far outside.
  * The linking number of a loop with an axis is the number of times, with sign, that the axis passes a disc that the
- * loop bounds. Another disc changes the five numbers of a loop by one common integer alone. A garment that is worn right
- * side out has 0 and 1 there, with the right common integers, and each axis 1 at one loop: the opening of that limb.
+ * loop bounds. Another disc changes the five numbers of a loop by one common integer alone. A garment that is worn
+ * right side out has 0 and 1 there, with the right common integers, and each axis 1 at one loop: the opening of that
+ * limb.
  */
 #ifndef MUS_FIT_WORN_INTERNAL_H
 #define MUS_FIT_WORN_INTERNAL_H
@@ -80,7 +81,7 @@ typedef struct mus__worn_call {
     mus_worn *out;
 } mus__worn_call;
 
-/* note why the garment is not worn, at a loop (MUS_NONE: at a node); the first note holds */
+/* worn_note.c: note why the garment is not worn, at a loop (MUS_NONE: at a node); the first note holds */
 void mus__worn_note(const mus__worn_call *call, int32_t kind, int32_t limb, int32_t loop, int32_t node, double value,
                     const char *text);
 

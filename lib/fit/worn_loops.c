@@ -97,7 +97,8 @@ static int32_t loop_follow(const mus_cloth *cloth, const loop_net *net, int32_t 
 
 
 /* all loops of at least three nodes; list (nnode + 2 x border) is scratch */
-static void loop_walk(const mus_cloth *cloth, const loop_edge *edge, int32_t border, int32_t *list, mus__worn_loops *out)
+static void loop_walk(const mus_cloth *cloth, const loop_edge *edge, int32_t border, int32_t *list,
+                      mus__worn_loops *out)
 {
     const loop_net net = {edge, list, list + cloth->nnode, out->class_of, cloth->node_panel};
     int32_t first = 0;

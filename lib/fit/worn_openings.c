@@ -1,12 +1,12 @@
 /*
  * worn_openings.c: which limbs the pattern has for each boundary loop of the sewn cloth.
  *
- * Within a component of the garment every limb leaves by one loop, its opening. Where panels tell it, they decide: a loop
- * that is for the most part on panels with the label "arm", or with the label "leg" on one side of the wearer, belongs
- * to that limb. Else the arrangement decides: the linking numbers of the loops as the pattern places them. Where these
- * give a limb several loops it has the nearest one (a skirt whose panels start beyond the hands has the arms in its hem,
- * but the armholes are nearer); where they give it none, the longest loop that no limb has and that is nearer to it than
- * to the other limbs (a hood over the head).
+ * Within a component of the garment every limb leaves by one loop, its opening. Where panels tell it, they decide: a
+ * loop that is for the most part on panels with the label "arm", or with the label "leg" on one side of the wearer,
+ * belongs to that limb. Else the arrangement decides: the linking numbers of the loops as the pattern places them.
+ * Where these give a limb several loops it has the nearest one (a skirt whose panels start beyond the hands has the
+ * arms in its hem, but the armholes are nearer); where they give it none, the longest loop that no limb has and that
+ * is nearer to it than to the other limbs (a hood over the head).
  */
 #include <string.h>
 

@@ -208,6 +208,10 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
+RUN_wheel = $(PYTHON) bindings/python/wheel.py '$(OUT)/wheel'
+RUN_check-wheel = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/wheel.py
+NEEDS_wheel = lib
+NEEDS_check-wheel = all run-wheel
 RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
 $(foreach s,check-omit check-large,$(eval NEEDS_$(s) = tests))
 $(foreach s,check-threads elementary,$(eval NEEDS_$(s) = $(call library,muslin).a))

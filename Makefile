@@ -179,9 +179,7 @@ RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
 RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
-NEEDS_check = all tests
 RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
-NEEDS_same = $(BIN)/same $(BIN)/figures
 RUN_bench = $(BIN)/muslin bench $(BENCH)
 RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
 RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
@@ -210,19 +208,17 @@ RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
 RUN_wheel = $(PYTHON) bindings/python/wheel.py '$(OUT)/wheel'
 RUN_check-wheel = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/wheel.py
-NEEDS_wheel = lib
-NEEDS_check-wheel = all run-wheel
 RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
-$(foreach s,check-omit check-large,$(eval NEEDS_$(s) = tests))
-$(foreach s,check-threads elementary,$(eval NEEDS_$(s) = $(call library,muslin).a))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
-NEEDS_check-glb = run-dress
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
+NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
+  elementary:lib wheel:lib check-wheel:all check-wheel:run-wheel check-glb:run-dress
+$(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))
 .PHONY: $(STUDIES) $(STUDIES:%=run-%)

@@ -167,7 +167,8 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME, after NEEDS_NAME (or its program, or `all`) is built ----
-# A row RUN_NAME makes the target; APT_GROUP: what apt must have beside the packages of a build. Options come in the variable of its name: make corpus CORPUS='--every 7'
+# A row RUN_NAME makes the target; APT_GROUP: what apt must have beside the packages of a build. Options come
+# in the variable of its name: make corpus CORPUS='--every 7'
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
@@ -206,9 +207,8 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
 RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
-RUN_wheel = $(PYTHON) bindings/python/wheel.py '$(OUT)/wheel'
-RUN_check-wheel = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/wheel.py
-RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
+$(foreach h,wheel web web-serve $(addprefix check-,hosts wheel web agent cluster),$(eval \
+  RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
@@ -217,13 +217,12 @@ RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
 NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
-  elementary:lib wheel:lib check-wheel:all check-wheel:run-wheel check-glb:run-dress
+  elementary:lib check-glb:run-dress
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))
 .PHONY: $(STUDIES) $(STUDIES:%=run-%)
-# a second make, so that pkg-config sees what was just installed
-$(STUDIES): %:
+$(STUDIES): %: # by a second make, so that pkg-config sees what was just installed
 	@sh tests/guard/packages.sh build $(APT_GROUP)
 	@$(if $(wildcard $(BIN)/muslin),,echo "muslin: building in $(OUT), a minute or a few (V=1 shows the commands)")
 	@$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) V=$(or $(V),0) run-$@

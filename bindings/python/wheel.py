@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""wheel.py [FOLDER]: make the source distribution and, from it alone, the wheel for every manylinux of its age.
+"""wheel.py: make the source distribution and, from it alone, the wheel for every manylinux of its age.
 
-FOLDER (build/wheel) gets the two files. auditwheel takes the outside libraries (cairo, jansson ...) into the wheel and
-names the oldest C library that it runs on. The tools come from PyPI into FOLDER/tools, once.
+MUSLIN_OUT/wheel (build/wheel) gets the two files. auditwheel takes the outside libraries (cairo, jansson ...) into
+the wheel and
+names the oldest C library that it runs on. The tools come from PyPI into its tools/, once.
 """
 import os
 import pathlib
@@ -20,7 +21,7 @@ def run(*command, **options):
 
 
 def main():
-    out = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE.parents[1] / "build" / "wheel").resolve()
+    out = pathlib.Path(os.environ.get("MUSLIN_OUT", HERE.parents[1] / "build")).resolve() / "wheel"
     tools, raw = out / "tools", out / "raw"
     for old in [*out.glob("*.whl"), *out.glob("*.tar.gz"), *raw.glob("*")]:
         old.unlink()

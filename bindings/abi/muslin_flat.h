@@ -217,6 +217,10 @@ enum {
     MUS_LINE_GRAIN = 3,
     MUS_LINE_MARK = 4,
     MUS_LINE_LABEL = 5,
+    MUS_DXF_AAMA = 0,
+    MUS_DXF_ASTM = 1,
+    MUS_DXF_CUT = 0,
+    MUS_DXF_SEW = 1,
     MUS_CATALOGUE_READ = 0,
     MUS_CATALOGUE_WRITE = 1,
     MUS_DISTANCE_PIECES = 0,
@@ -273,6 +277,8 @@ typedef struct mus_fit_level mus_fit_level;
 typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
 typedef struct mus_sheet_line mus_sheet_line;
+typedef struct mus_sheet_dxf mus_sheet_dxf;
+typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
 typedef void *(*mus_alloc_fn)(void *user, void *ptr, size_t old_size, size_t new_size);
@@ -692,6 +698,29 @@ struct mus_sheet_line {
     const double *points;
 };
 
+struct mus_sheet_dxf {
+    size_t size;
+    int32_t dialect;
+    int32_t boundary;
+    const char *size_name;
+    const char *date;
+    int32_t nested;
+    int32_t size_count;
+    const mus_sheet *const *sheets;
+    const char *const *size_names;
+};
+
+struct mus_pattern_dxf {
+    size_t size;
+    const char *path;
+    const char *text;
+    size_t text_size;
+    const char *rules_path;
+    const char *rules;
+    size_t rules_size;
+    const char *size_name;
+};
+
 struct mus_mesh_view {
     size_t size;
     const char *name;
@@ -1050,6 +1079,11 @@ mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_pdf_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
+void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);
+mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
@@ -1058,6 +1092,8 @@ mus_status mus_tape_write(const mus_tape *tape, const char *path);
 mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
 mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
+void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
+mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);

@@ -220,6 +220,10 @@ MUS_LINE_NOTCH = 2
 MUS_LINE_GRAIN = 3
 MUS_LINE_MARK = 4
 MUS_LINE_LABEL = 5
+MUS_DXF_AAMA = 0
+MUS_DXF_ASTM = 1
+MUS_DXF_CUT = 0
+MUS_DXF_SEW = 1
 MUS_CATALOGUE_READ = 0
 MUS_CATALOGUE_WRITE = 1
 MUS_DISTANCE_PIECES = 0
@@ -422,6 +426,14 @@ class mus_sheet_line(Structure):
     pass
 
 
+class mus_sheet_dxf(Structure):
+    pass
+
+
+class mus_pattern_dxf(Structure):
+    pass
+
+
 class mus_mesh_view(Structure):
     pass
 
@@ -541,6 +553,12 @@ mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_c
 mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
                            ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
                            ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
+mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary", c_int32), ("size_name", c_char_p),
+                          ("date", c_char_p), ("nested", c_int32), ("size_count", c_int32),
+                          ("sheets", POINTER(POINTER(mus_sheet))), ("size_names", POINTER(c_char_p))]
+mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
+                            ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
+                            ("size_name", c_char_p)]
 mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32),
                           ("triangle_count", c_int32), ("positions", POINTER(c_double)),
                           ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
@@ -935,6 +953,13 @@ FUNCTIONS = {
     "mus_sheet_write_pdf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_sheet_write_svg": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
     "mus_sheet_write_svg_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_sheet_dxf_init": ("print", None, [POINTER(mus_sheet_dxf), c_size_t]),
+    "mus_sheet_write_dxf": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
+    "mus_sheet_write_dxf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
+    "mus_sheet_write_rul": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
+    "mus_sheet_write_rul_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
     "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,
                                                  POINTER(POINTER(mus_tape))]),
@@ -943,6 +968,9 @@ FUNCTIONS = {
     "mus_pattern_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                     POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_dxf_init": ("exchange", None, [POINTER(mus_pattern_dxf), c_size_t]),
+    "mus_pattern_read_dxf": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_dxf),
+                                                   POINTER(POINTER(mus_pattern))]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),

@@ -5,9 +5,9 @@
  * Border edges are followed from class to class, forwards where the sides of the panels agree. At a class where several
  * loops touch, the walk stays with the panel that it came on.
  */
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "fit/worn_internal.h"
 #include "geom/union_find.h"
 #include "geom/vec.h"
@@ -37,7 +37,7 @@ static int32_t loop_border(const mus_cloth *cloth, const int32_t *class_of, loop
         const int32_t a = class_of[from], b = class_of[to];
         if (a != b) edge[n++] = (loop_edge){a < b ? a : b, a < b ? b : a, from, to};
     }
-    qsort(edge, (size_t)n, sizeof *edge, loop_by_classes);
+    mus__sort(edge, (size_t)n, sizeof *edge, loop_by_classes);
     for (int32_t i = 0, next; i < n; i = next) {
         for (next = i + 1; next < n && edge[next].low == edge[i].low && edge[next].high == edge[i].high;) next++;
         if (next == i + 1) edge[border++] = edge[i];

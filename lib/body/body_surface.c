@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -132,10 +133,10 @@ static int32_t surface_cap(const mus_body *body, int32_t l, int end, double *out
     const mus__contour *last = &limb->contour[end == 0 ? 0 : limb->count - 1];
     const mus__field *field = surface_field(body, l, last->s);
     const double middle = field->middle[end], axis = field->half[end];
-    const double most = acos((end == 0 ? middle - last->s : last->s - middle) / axis);
+    const double most = mus__acos((end == 0 ? middle - last->s : last->s - middle) / axis);
     for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++) {
         const int32_t step = end == 0 ? j : SURFACE_CAP_RINGS - j;
-        const double off = axis * cos(most * step / SURFACE_CAP_RINGS);
+        const double off = axis * mus__cos(most * step / SURFACE_CAP_RINGS);
         out[j - 1] = end == 0 ? middle - off : middle + off;
     }
     return SURFACE_CAP_RINGS - 1;

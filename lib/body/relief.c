@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -65,7 +66,7 @@ typedef struct relief {
 /* exp(-x^2), and 0 where that is below 1e-4 */
 static double relief_bell(double x)
 {
-    return x * x < 9.2 ? exp(-x * x) : 0.0;
+    return x * x < 9.2 ? mus__exp(-x * x) : 0.0;
 }
 
 

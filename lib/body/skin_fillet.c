@@ -455,7 +455,7 @@ static void fillet_give(fillet *at, double *xy, int32_t *work)
         for (int32_t i = 0; i < limb->count && part->limb < MUS__LIMB_COUNT; i++) {
             const double s = limb->contour[i].s;
             if (limb->contour[i].girth == MUS_NONE || s < part->end[0] || s >= part->end[1]) continue;
-            const int32_t j = (int32_t)lround((s - field->s0) / field->ds), n = field->nangle;
+            const int32_t j = (int32_t)floor((s - field->s0) / field->ds + 0.5), n = field->nangle;
             fillet_turn(at, q);
             fillet_slack(at, field, j, true);
             const double *radius = field->radius + (ptrdiff_t)j * n;

@@ -7,8 +7,9 @@
  * change the label of a simple point does not change the topology of the solid (Bertrand and Malandain, 1994; on this
  * lattice the test is exact).
  *
- * Growing: from the deepest point of each piece on, points are added in the order of their depth, as long as they are
- * simple. What grows is a ball; where two of its arms meet, the last points are left out.
+ * Growing: the points inside get layers, by the number of edges from the outside. From a point of the deepest layer of
+ * each piece on, points are added, deep layers first, as long as they are simple. What grows is a ball; where two of its
+ * arms meet, the last points are left out.
  *
  * Snapping: a point with a crossing nearer than 0.25 of a long edge or 0.41 of a short one is moved onto that crossing
  * and counts as inside. The tetrahedra stay the right way round (Labelle and Shewchuk, 2007, section 3), so that the
@@ -28,7 +29,7 @@
 #define LABEL_SHORT 0.41189
 
 #define LABEL_LEAST 32    /* points of a piece: a smaller one is below the lattice's resolution; chosen */
-#define LABEL_LEVELS 1024 /* steps of depth in the order of growth; chosen */
+#define LABEL_LAYERS 4096 /* most layers: the deeper ones count as one. Chosen: a trunk has 60 at 4 mm */
 
 /* the surroundings of a point: bit d of a mask is its neighbour in direction d */
 typedef struct link {
@@ -84,11 +85,36 @@ static bool label_simple(const mus__bcc *lattice, const link *at)
 
 typedef struct growth {
     mus__bcc *lattice;
-    int32_t *stack, *next;     /* (points) work of the flood; the point after each in its level's list */
-    int32_t level[LABEL_LEVELS]; /* first point of each level, MUS_NONE: none */
+    int32_t *queue, *next;       /* (points) work of the floods; the point after each in its layer's list */
+    uint16_t *layer;             /* (points) edges from the outside, 0: outside */
+    int32_t first[LABEL_LAYERS]; /* first point of each layer's list, MUS_NONE: none */
     int32_t top;
-    double scale;              /* levels for a metre of depth */
 } growth;
+
+
+/* layers of the points inside, by a breadth-first search from the outside */
+static void label_layers(growth *grow)
+{
+    mus__bcc *lattice = grow->lattice;
+    int32_t from = 0, to = 0;
+    for (int32_t point = 0; point < lattice->blocks * MUS__BLOCK_POINTS; point++) {
+        if ((lattice->label[point] & MUS__POINT_IN) == 0) continue;
+        for (int32_t d = 0; d < MUS__LINKS && grow->layer[point] == 0; d++) {
+            const int32_t next = mus__bcc_next(lattice, point, d);
+            if (next == MUS_NONE || (lattice->label[next] & MUS__POINT_IN) == 0) grow->layer[point] = 1;
+        }
+        if (grow->layer[point] != 0) grow->queue[to++] = point;
+    }
+    while (from < to) {
+        const int32_t point = grow->queue[from++], deeper = grow->layer[point] + 1;
+        for (int32_t d = 0; d < MUS__LINKS; d++) {
+            const int32_t next = mus__bcc_next(lattice, point, d);
+            if (next == MUS_NONE || (lattice->label[next] & MUS__POINT_IN) == 0 || grow->layer[next] != 0) continue;
+            grow->layer[next] = (uint16_t)(deeper < LABEL_LAYERS ? deeper : LABEL_LAYERS - 1);
+            grow->queue[to++] = next;
+        }
+    }
+}
 
 
 /* mark the piece that holds a point; returns its number of points and its deepest one */
@@ -96,34 +122,33 @@ static int32_t label_flood(growth *grow, int32_t point, int32_t *deepest)
 {
     mus__bcc *lattice = grow->lattice;
     int32_t count = 0, waiting = 0;
-    grow->stack[waiting++] = point;
+    grow->queue[waiting++] = point;
     lattice->label[point] |= MUS__POINT_SEEN;
     *deepest = point;
     while (waiting > 0) {
-        const int32_t here = grow->stack[--waiting];
+        const int32_t here = grow->queue[--waiting];
         count++;
-        if (lattice->depth[here] > lattice->depth[*deepest]) *deepest = here;
+        if (grow->layer[here] > grow->layer[*deepest]) *deepest = here;
         for (int32_t d = 0; d < MUS__LINKS; d++) {
             const int32_t next = mus__bcc_next(lattice, here, d);
             if (next == MUS_NONE || (lattice->label[next] & (MUS__POINT_IN | MUS__POINT_SEEN)) != MUS__POINT_IN)
                 continue;
             lattice->label[next] |= MUS__POINT_SEEN;
-            grow->stack[waiting++] = next;
+            grow->queue[waiting++] = next;
         }
     }
     return count;
 }
 
 
-/* put a point into the list of its level */
+/* put a point into the list of its layer */
 static void label_queue(growth *grow, int32_t point)
 {
-    const double depth = (double)grow->lattice->depth[point] * grow->scale;
-    const int32_t level = depth < LABEL_LEVELS - 1 ? (int32_t)depth : LABEL_LEVELS - 1;
-    grow->next[point] = grow->level[level];
-    grow->level[level] = point;
+    const int32_t layer = grow->layer[point];
+    grow->next[point] = grow->first[layer];
+    grow->first[layer] = point;
     grow->lattice->label[point] |= MUS__POINT_QUEUED;
-    if (level > grow->top) grow->top = level;
+    if (layer > grow->top) grow->top = layer;
 }
 
 
@@ -133,13 +158,13 @@ static void label_ball(growth *grow, int32_t seed)
     mus__bcc *lattice = grow->lattice;
     label_queue(grow, seed);
     while (grow->top >= 0) {
-        const int32_t point = grow->level[grow->top];
+        const int32_t point = grow->first[grow->top];
         if (point == MUS_NONE) {
             grow->top--;
             continue;
         }
         link at;
-        grow->level[grow->top] = grow->next[point];
+        grow->first[grow->top] = grow->next[point];
         lattice->label[point] &= (uint8_t)~MUS__POINT_QUEUED;
         label_link(lattice, point, MUS__POINT_ON, &at);
         if (point != seed && !label_simple(lattice, &at)) continue;
@@ -157,15 +182,15 @@ mus_status mus__bcc_grow(mus__bcc *lattice)
     const int32_t points = lattice->blocks * MUS__BLOCK_POINTS;
     growth grow = {.lattice = lattice, .top = -1};
     label_table(lattice);
-    double most = 0.0;
-    for (int32_t i = 0; i < points; i++) most = fmax(most, (double)lattice->depth[i]);
-    grow.scale = LABEL_LEVELS / most;
-    for (int32_t i = 0; i < LABEL_LEVELS; i++) grow.level[i] = MUS_NONE;
-    grow.stack = mus__room(lattice->context, points, sizeof *grow.stack);
+    for (int32_t i = 0; i < LABEL_LAYERS; i++) grow.first[i] = MUS_NONE;
+    grow.queue = mus__room(lattice->context, points, sizeof *grow.queue);
     grow.next = mus__room(lattice->context, points, sizeof *grow.next);
+    grow.layer = mus__new(lattice->context, points, sizeof *grow.layer);
     mus_status status = MUS_OK;
-    if (grow.stack == NULL || grow.next == NULL)
+    if (grow.queue == NULL || grow.next == NULL || grow.layer == NULL)
         status = mus__fail_memory(lattice->context, "the lattice of a manifold");
+    else
+        label_layers(&grow);
     for (int32_t i = 0; i < points && status == MUS_OK; i++) {
         int32_t deepest;
         if ((lattice->label[i] & (MUS__POINT_IN | MUS__POINT_SEEN)) != MUS__POINT_IN) continue;
@@ -180,8 +205,9 @@ mus_status mus__bcc_grow(mus__bcc *lattice)
         }
         lattice->kind[b] = inside == 0 ? 0 : inside == MUS__BLOCK_POINTS ? 1 : 2;
     }
-    mus__free(lattice->context, grow.stack);
+    mus__free(lattice->context, grow.queue);
     mus__free(lattice->context, grow.next);
+    mus__free(lattice->context, grow.layer);
     return status;
 }
 

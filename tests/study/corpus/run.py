@@ -28,8 +28,8 @@ import sys
 import time
 
 COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "valid", "panels", "nodes", "seams", "seams_closed",
-           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "thrown_s", "state_hash",
-           "fault"]
+           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "thrown_s",
+           "state_hash", "fault"]
 GAP_MM, DEPTH_MM = 1.0, 1.0
 # what the checks of a pattern say before anything is sewn
 REFUSED = {"twisted seam", "panel crosses itself", "bad input"}

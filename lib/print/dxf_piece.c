@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/elementary.h"
 #include "print/dxf.h"
 
 #define TURN_COSINE 0.86602540378443865 /* of 30 degrees (AAMA: a turn point is a corner) */
@@ -88,8 +89,8 @@ static bool dxf_turns(const double *xy, int32_t n, int32_t i)
 /* distance [m] of p from the line through a and c */
 static double dxf_off(const double *a, const double *c, const double *p)
 {
-    double dx = c[0] - a[0], dy = c[1] - a[1], d = hypot(dx, dy);
-    return d > 0.0 ? fabs(dx * (p[1] - a[1]) - dy * (p[0] - a[0])) / d : hypot(p[0] - a[0], p[1] - a[1]);
+    double dx = c[0] - a[0], dy = c[1] - a[1], d = mus__hypot(dx, dy);
+    return d > 0.0 ? fabs(dx * (p[1] - a[1]) - dy * (p[0] - a[0])) / d : mus__hypot(p[0] - a[0], p[1] - a[1]);
 }
 
 
@@ -157,9 +158,9 @@ static void dxf_slit(const dxf_block *b, const double *p, const double *q)
         return;
     }
     dxf_point(b, 4, p);
-    double angle = atan2(q[1] - p[1], q[0] - p[0]) * 180.0 / MUS__PRINT_PI;
+    double angle = mus__atan2(q[1] - p[1], q[0] - p[0]) * 180.0 / MUS__PRINT_PI;
     mus__sink_print(b->bytes, "30\n");
-    mus__print_number(b->bytes, hypot(q[0] - p[0], q[1] - p[1]));
+    mus__print_number(b->bytes, mus__hypot(q[0] - p[0], q[1] - p[1]));
     mus__sink_print(b->bytes, "\n39\n0\n50\n");
     mus__print_number(b->bytes, (angle < 0.0 ? angle + 360.0 : angle) * 1e-3);
     mus__sink_add(b->bytes, "\n", 1);

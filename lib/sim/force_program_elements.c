@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "sim/force_program_parts.h"
 
 /* [N/m2] stiffness of an attachment per metre of edge; chosen so that a garment of 1 kg on 1 m of waistband sinks 0.5
@@ -89,7 +90,7 @@ static void fill_attachments(const mus_cloth *cloth, const int32_t *rep, mus__pr
                                                                         ATTACH_FORCE_MAX * hold->length,
                                                                         1.0};
     }
-    qsort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
+    mus__sort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
 }
 
 

@@ -13,6 +13,8 @@
 #include <string.h>
 
 #include "trade/dxf_panel.h"
+#include "base/elementary.h"
+#include "base/sort.h"
 
 #define ALLOWANCE_LARGEST 0.1    /* [m] a sew line farther inside is none; chosen: as the largest of a sheet */
 #define ALLOWANCE_LAYER_8 0.05   /* [m] the same of a line of layer 8, which may be a pocket; chosen: a deep hem */
@@ -256,12 +258,12 @@ static int32_t panel_reach(const dxf_panel *p, int32_t k, double *out)
         const double t = (i + 0.5) / ALLOWANCE_PLACES * n;
         const double *a = p->ring.points[(p->starts[k] + (int32_t)t) % size].xy;
         const double *b = p->ring.points[(p->starts[k] + (int32_t)t + 1) % size].xy;
-        double part = t - (int32_t)t, dx = b[0] - a[0], dy = b[1] - a[1], length = hypot(dx, dy);
+        double part = t - (int32_t)t, dx = b[0] - a[0], dy = b[1] - a[1], length = mus__hypot(dx, dy);
         const double at[2] = {a[0] + part * dx, a[1] + part * dy};
         const double outward[2] = {length > 0.0 ? dy / length : 0.0, length > 0.0 ? -dx / length : 0.0};
         if (!mus__ring_meet(&p->cut, at, outward, range, &side, &part)) continue;
         const double *c = p->cut.points[side].xy, *d = p->cut.points[(side + 1) % p->cut.n].xy;
-        out[count++] = hypot(c[0] + part * (d[0] - c[0]) - at[0], c[1] + part * (d[1] - c[1]) - at[1]);
+        out[count++] = mus__hypot(c[0] + part * (d[0] - c[0]) - at[0], c[1] + part * (d[1] - c[1]) - at[1]);
     }
     return count;
 }
@@ -276,7 +278,7 @@ static mus_status panel_allowances(dxf_panel *p)
         double d[ALLOWANCE_PLACES] = {0.0};
         int32_t n = ALLOWANCE_PLACES;
         if (p->cut.n > 0) n = panel_reach(p, k, d);
-        qsort(d, (size_t)n, sizeof *d, by_size);
+        mus__sort(d, (size_t)n, sizeof *d, by_size);
         int32_t same = 0;
         for (int32_t i = 0; i < n; i++) same += fabs(d[i] - d[n / 2]) < ALLOWANCE_SPREAD;
         if (2 * same < ALLOWANCE_PLACES) continue;
@@ -298,7 +300,7 @@ static mus_status slit_add(dxf_panel *p, int32_t at, double part)
     double s = 0.0;
     for (int32_t i = p->starts[k];; i = (i + 1) % p->ring.n) {
         const double *a = p->ring.points[i].moved, *b = p->ring.points[(i + 1) % p->ring.n].moved;
-        const double d = hypot(b[0] - a[0], b[1] - a[1]);
+        const double d = mus__hypot(b[0] - a[0], b[1] - a[1]);
         s += i == at ? part * d : d;
         if (i == at) break;
     }
@@ -319,11 +321,11 @@ static mus_status slit_read(dxf_panel *p, const mus__dxf_entity *entity)
     int32_t side;
     panel_place(p, entity, 0, at);
     if (entity->kind == MUS__DXF_POINT && entity->angled) {
-        d[0] = cos(entity->angle * MUS__DEGREE);
-        d[1] = sin(entity->angle * MUS__DEGREE);
+        d[0] = mus__cos(entity->angle * MUS__DEGREE);
+        d[1] = mus__sin(entity->angle * MUS__DEGREE);
     } else if (entity->n > 1) {
         panel_place(p, entity, 1, d);
-        const double length = hypot(d[0] - at[0], d[1] - at[1]);
+        const double length = mus__hypot(d[0] - at[0], d[1] - at[1]);
         for (int32_t k = 0; k < 2; k++) d[k] = length > 0.0 ? (d[k] - at[k]) / length : 0.0;
     }
     if ((d[0] == 0.0 && d[1] == 0.0) || !mus__ring_meet(&p->ring, at, d, range, &side, &part))
@@ -347,7 +349,7 @@ static double panel_length(const dxf_panel *p, int32_t k)
     const int32_t n = panel_sides(p, k);
     for (int32_t i = p->starts[k]; i < p->starts[k] + n; i++) {
         const double *a = p->ring.points[i % p->ring.n].moved, *b = p->ring.points[(i + 1) % p->ring.n].moved;
-        length += hypot(b[0] - a[0], b[1] - a[1]);
+        length += mus__hypot(b[0] - a[0], b[1] - a[1]);
     }
     return length;
 }
@@ -379,7 +381,7 @@ static mus_status panel_slits(dxf_panel *p)
         if (entity->layer == 4 && entity->kind != MUS__DXF_TEXT && entity->n > 0) status = slit_read(p, entity);
     }
     for (int32_t i = 0; i < p->nslit && status == MUS_OK; i++) slit_share(p, &p->slits[i]);
-    if (p->nslit > 1) qsort(p->slits, (size_t)p->nslit, sizeof *p->slits, by_edge);
+    if (p->nslit > 1) mus__sort(p->slits, (size_t)p->nslit, sizeof *p->slits, by_edge);
     return status;
 }
 
@@ -428,7 +430,7 @@ static void mark_name(const dxf_panel *p, const mus__dxf_entity *mark, char *out
         const mus__dxf_entity *text = &p->file->entities[i];
         if (text->kind != MUS__DXF_TEXT || text->layer != mark->layer || text->n < 1) continue;
         panel_place(p, text, 0, where);
-        if (hypot(where[0] - at[0], where[1] - at[1]) < TEXT_NEAR) mus__dxf_copy(text->text, out, capacity);
+        if (mus__hypot(where[0] - at[0], where[1] - at[1]) < TEXT_NEAR) mus__dxf_copy(text->text, out, capacity);
     }
 }
 
@@ -486,7 +488,7 @@ static mus_status panel_grain(dxf_panel *p)
         panel_place(p, entity, 0, a);
         panel_place(p, entity, entity->n - 1, b);
         const double dx = p->mirrored ? a[0] - b[0] : b[0] - a[0], dy = b[1] - a[1];
-        if (hypot(dx, dy) < 1e-6) continue;
+        if (mus__hypot(dx, dy) < 1e-6) continue;
         return panel_wrap(p, mus_pattern_set_grain(p->job->pattern, p->panel, dx, dy));
     }
     return MUS_OK;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "trade/dxf_ring.h"
+#include "base/elementary.h"
 
 #define RING_JOIN 5e-4   /* [m] ends this near are one point; chosen: files round to 0.01 mm, and no edge is so short */
 #define RING_SAME 1e-6   /* [m] points this near are one point: a hundredth of the last digit that files have */
@@ -27,7 +28,7 @@ void mus__ring_free(mus_context *context, mus__ring *ring)
 
 static double ring_apart(const double *a, const double *b)
 {
-    return hypot(a[0] - b[0], a[1] - b[1]);
+    return mus__hypot(a[0] - b[0], a[1] - b[1]);
 }
 
 
@@ -343,7 +344,7 @@ mus_status mus__ring_grade(const mus__dxf_file *file, const mus__dxf_block *bloc
 /* distance [m] of p from the line through axis */
 static double line_off(const double *axis, const double *p)
 {
-    double dx = axis[2] - axis[0], dy = axis[3] - axis[1], d = hypot(dx, dy);
+    double dx = axis[2] - axis[0], dy = axis[3] - axis[1], d = mus__hypot(dx, dy);
     return d > 0.0 ? fabs(dx * (p[1] - axis[1]) - dy * (p[0] - axis[0])) / d : HUGE_VAL;
 }
 

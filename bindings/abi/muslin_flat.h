@@ -462,6 +462,7 @@ struct mus_fabric {
     double damping;
     double friction;
     double thickness;
+    double bend_hysteresis;
 };
 
 struct mus_cloth_def {

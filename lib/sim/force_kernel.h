@@ -225,6 +225,9 @@ static void MUS__NAME(held_pull)(const mus__sim *sim, const mus__chunk *chunk, M
 }
 
 
+#include "sim/bend_slider_kernel.h"
+
+
 /* all forces of a chunk at phase_y: f (3 x MUS__SPAN) */
 static void MUS__NAME(chunk_force)(const mus__sim *sim, const mus__chunk *chunk, MUS__REAL *f)
 {
@@ -238,4 +241,5 @@ static void MUS__NAME(chunk_force)(const mus__sim *sim, const mus__chunk *chunk,
         MUS__NAME(slices)(sim, chunk, f);
     MUS__NAME(pair_pull)(sim, chunk, f);
     if (chunk->nattachment > 0) MUS__NAME(held_pull)(sim, chunk, f);
+    if (sim->program->nslider > 0) MUS__NAME(slide_add)(sim, chunk, f);
 }

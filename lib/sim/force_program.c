@@ -200,7 +200,7 @@ void mus__program_clear(mus_context *context, mus__program *program)
                       program->half_start,   program->half_other,     program->half_constant,
                       program->linear_start, program->linear_other,   program->linear_weight,
                       program->pair_end,     program->lattice,        program->attachment,
-                      program->tack,         program->slider};
+                      program->tack,         program->slider,         program->clamp};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__program_sell_clear(context, program);
     memset(program, 0, sizeof *program);

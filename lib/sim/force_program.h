@@ -30,6 +30,10 @@ typedef struct mus__program {
     mus__hinge *hinge;
     mus__seam_pair *pair;
 
+    int32_t nclamp;
+    int64_t clamp_capacity;
+    mus__hinge *clamp; /* (clamp_capacity) once more the elements at clamps, ascending by node[0], which they act on alone */
+
     int32_t nslider, slider_capacity;
     mus__slider *slider; /* (slider_capacity) of lattice stencils, then of hinges; NULL without friction of bending */
 

@@ -37,6 +37,7 @@ typedef struct mus__slider {
     int32_t node[4];
     double coef[4], k, most; /* [N/m]; of e [m], or for a hinge [m2] as its coefficients have it */
     double slip[3];
+    int32_t clamped; /* nonzero: k is doubled, as the element is at a clamp (bend_clamp.h) */
 } mus__slider;
 
 /* how a seam closes, known from where its edges point at the start (seam_route.c) */

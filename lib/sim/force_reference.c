@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "sim/bend_clamp.h"
 #include "sim/bend_slider.h"
 #include "sim/force_reference.h"
 
@@ -97,7 +98,7 @@ double mus__program_force(const mus__program *program, int32_t n, const double *
         energy += add_spring(x, spring->a, spring->b, spring->k, spring->rest, 1, f);
     }
     for (int32_t h = 0; h < program->nhinge; h++) energy += add_hinge(x, &program->hinge[h], f);
-    energy += mus__sliders_force(program, x, f);
+    energy += mus__clamps_force(program, x, f) + mus__sliders_force(program, x, f);
     for (int32_t h = 0; h < program->nattachment; h++) energy += add_attachment(program, &program->attachment[h], x, f);
     return energy;
 }

@@ -346,7 +346,7 @@ def test_a_body_poses_in_steps(scene):
     drape = muslin.Drape(cloth, body)
     drape.place()
     pose = drape.body_pose()
-    pose.place[0] = 0.1
+    pose.place = (0.1, *pose.place[1:])
     drape.pose_body(pose, 3e-4)
     drape.step(2, 1e-4)
     assert drape.body_pose().place[0] == pytest.approx(0.2 / 3)
@@ -356,7 +356,7 @@ def test_a_body_poses_in_steps(scene):
     assert drape.body_pose().place[0] == 0.1
     raised = muslin.Pose(shoulder_left=(0.1, 1.0, 0.0))
     drape.pose_body(raised)
-    assert tuple(drape.body_pose().angle[3]) == raised["shoulder_left"]
+    assert drape.body_pose()["shoulder_left"] == raised["shoulder_left"]
 
 
 def test_a_body_glides_in_steps_and_must_rest_to_settle(scene):

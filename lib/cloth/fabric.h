@@ -7,8 +7,8 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
-/* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it; below 50 /m, from where KES
- * reads 2HB. Chosen: a drape coefficient moves by less than a point between 2.5 and 10 */
+/* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it. Chosen: well below 50 /m,
+ * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat */
 #define MUS__SLIDE_CURVATURE 5.0
 
 /* constants of a lattice: springs along warp (0) and weft (1), diagonals, stencils likewise */

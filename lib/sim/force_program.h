@@ -32,7 +32,7 @@ typedef struct mus__program {
 
     int32_t nclamp;
     int64_t clamp_capacity;
-    mus__hinge *clamp; /* (clamp_capacity) once more the elements at clamps, ascending by node[0], which they act on alone */
+    mus__hinge *clamp; /* (clamp_capacity) the elements at clamps once more, ascending by node[0], where they act */
 
     int32_t nslider, slider_capacity;
     mus__slider *slider; /* (slider_capacity) of lattice stencils, then of hinges; NULL without friction of bending */

@@ -19,7 +19,8 @@
 
 mus_status mus__sim_create(mus_context *context, mus__sim *sim)
 {
-    const int64_t n = sim->n, stage = sim->program->dashpots ? 6 : 3, slides = sim->program->slider_capacity > 0 ? 3 : 0;
+    const int64_t n = sim->n, stage = sim->program->dashpots ? 6 : 3;
+    const int64_t slides = sim->program->slider_capacity > 0 ? 3 : 0;
     const struct {
         void **array;
         int64_t planes;

@@ -138,8 +138,9 @@ START_TEST(values_outside_their_range_are_named)
     mus_context *context = support_context();
     mus_fabric good, bad;
     mus_fabric_init(&good, sizeof good);
-    double *field[] = {&bad.weight,  &bad.stretch[0], &bad.stretch[1], &bad.shear,     &bad.bend[0],        &bad.bend[1],
-                       &bad.bend[2], &bad.damping,    &bad.friction,   &bad.thickness, &bad.bend_hysteresis};
+    double *field[] = {&bad.weight,  &bad.stretch[0], &bad.stretch[1], &bad.shear,
+                       &bad.bend[0], &bad.bend[1],    &bad.bend[2],    &bad.damping,
+                       &bad.friction, &bad.thickness, &bad.bend_hysteresis};
     const char *name[] = {"weight",    "warp stretch", "weft stretch", "shear",    "warp bend",
                           "weft bend", "bias bend",    "damping",      "friction", "thickness",
                           "bend hysteresis"};

@@ -67,7 +67,7 @@ def lay(cloth, start=0, residual=0.005, seconds=6.0, **options):
     r = np.hypot(cloth.rest[:, 0], cloth.rest[:, 1])
     angle = np.arctan2(level[:, 2], level[:, 0])
     s = np.maximum(0.0, (r - SUPPORT) / (DISC - SUPPORT))
-    wave = np.cos(6 * angle)
+    wave = np.cos(6 * angle)  # as in muslin verify
     if start:
         folds, random = np.arange(2, 12), np.random.default_rng(start)
         size, phase = random.normal(size=len(folds)), 2 * np.pi * random.random(len(folds))

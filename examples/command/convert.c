@@ -1,12 +1,14 @@
 /*
  * convert.c: muslin convert: a pattern or tape file to another form, by its extension.
  *
- * Patterns: muslin JSON or GarmentCode in, muslin JSON, .svg or .pdf out. Tapes: any tape in, .tape out. --to names
- * the form where the name of the file does not say it ("-" is standard output).
+ * Patterns: muslin JSON, GarmentCode or DXF in, muslin JSON, .svg, .pdf or .dxf out. Tapes: any tape in, .tape out.
+ * --to names the form where the name of the file does not say it ("-" is standard output). Each thing of the pattern
+ * that the form cannot hold is told in one line on standard error.
  */
 #include <string.h>
 
 #include "commands.h"
+#include "convert_loss.h"
 #include "muslin/print.h"
 #include "scene.h"
 
@@ -49,18 +51,21 @@ static int convert_tape(scene *s, const char *in, const char *row, const char *o
 
 static int convert_pattern(scene *s, const char *in, const char *out, const char *to)
 {
-    const bool svg = is_form(out, to, "svg"), pdf = is_form(out, to, "pdf");
-    if (!svg && !pdf && !is_form(out, to, "json") && (to != NULL || !is_stdout(out)))
-        return complain(EXIT_INPUT, "convert", "%s: a pattern is written as json, svg or pdf", to != NULL ? to : out);
+    const bool svg = is_form(out, to, "svg"), pdf = is_form(out, to, "pdf"), dxf = is_form(out, to, "dxf");
+    if (!svg && !pdf && !dxf && !is_form(out, to, "json") && (to != NULL || !is_stdout(out)))
+        return complain(EXIT_INPUT, "convert", "%s: a pattern is written as json, svg, pdf or dxf",
+                        to != NULL ? to : out);
 
     mus_sheet *sheet = NULL;
     mus_status status = mus_pattern_read(s->context, in, &s->pattern);
     if (status != MUS_OK) return scene_fail(s, status);
-    if (!svg && !pdf) status = mus_pattern_write(s->pattern, out);
-    if (status == MUS_OK && (svg || pdf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
+    if (!svg && !pdf && !dxf) status = mus_pattern_write(s->pattern, out);
+    if (status == MUS_OK && (svg || pdf || dxf)) status = mus_sheet_create(s->context, s->pattern, NULL, &sheet);
     if (status == MUS_OK && svg) status = mus_sheet_write_svg(sheet, out);
     if (status == MUS_OK && pdf) status = mus_sheet_write_pdf(sheet, out);
+    if (status == MUS_OK && dxf) status = mus_sheet_write_dxf(sheet, NULL, out);
     mus_sheet_destroy(sheet);
+    if (status == MUS_OK && (svg || pdf || dxf)) convert_tell_losses(s->pattern, svg ? "svg" : pdf ? "pdf" : "dxf");
     return status == MUS_OK ? EXIT_DONE : scene_fail_output(s, status);
 }
 
@@ -71,7 +76,7 @@ int command_convert(int argc, char **argv)
     const option options[] = {
         {"IN", OPTION_PLAIN, &in, 0, 0, "a pattern or a tape"},
         {"OUT", OPTION_PLAIN, &out, 0, 0, "the file to write, its form by its extension; - for standard output"},
-        {"--to", OPTION_TEXT, &to, 0, 0, "FORM  json, svg or pdf; tape or txt"},
+        {"--to", OPTION_TEXT, &to, 0, 0, "FORM  json, svg, pdf or dxf; tape or txt"},
         {"--row", OPTION_TEXT, &row, 0, 0, "NAME  the row of a .csv"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("convert", "Convert a pattern or a tape.", options, argc, argv)) return EXIT_INPUT;

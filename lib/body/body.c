@@ -25,6 +25,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -285,7 +286,7 @@ mus_status mus_body_contour_points(const mus_body *body, int32_t limb, int32_t c
     mus__frame frame;
     if (body->frame != NULL) mus__rig_ring(&body->rig, body->frame, limb, c->s, &frame);
     for (int32_t k = 0; k < n; k++) {
-        double cosine = cos(2.0 * MUS_PI * k / n), sine = sin(2.0 * MUS_PI * k / n);
+        double cosine = mus__cos(2.0 * MUS_PI * k / n), sine = mus__sin(2.0 * MUS_PI * k / n);
         double radius = mus__contour_radius(c, cosine, sine);
         double a = c->ca + radius * cosine, b = c->cb + radius * sine;
         for (int i = 0; i < 3; i++)

@@ -18,6 +18,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
@@ -166,7 +167,7 @@ static void length_shoulder(mus_body *body, length_row *row)
     length_begin(row, out, up);
     length_line(body, torso, 0, low, high, true, row);
     body->made[MUS_MEASURE_SHOULDER] = length_tape(row, 1.0);
-    body->made[MUS_MEASURE_SHOULDER_SLOPE] = atan2(neck[1] - end[1], end[0] - neck[0]);
+    body->made[MUS_MEASURE_SHOULDER_SLOPE] = mus__atan2(neck[1] - end[1], end[0] - neck[0]);
 }
 
 

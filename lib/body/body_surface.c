@@ -9,6 +9,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -39,8 +40,8 @@ static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double sp
     /* the lower cap from its pole upwards, the contours and the rings between them, the upper cap */
     for (int32_t j = 1; j < SURFACE_CAP_RINGS; j++, count++) {
         double middle = stack->cap[0][0], axis = stack->cap[0][1];
-        double end = acos((middle - limb->contour[0].s) / axis);
-        if (out != NULL) out[count] = middle - axis * cos(end * j / SURFACE_CAP_RINGS);
+        double end = mus__acos((middle - limb->contour[0].s) / axis);
+        if (out != NULL) out[count] = middle - axis * mus__cos(end * j / SURFACE_CAP_RINGS);
     }
     for (int32_t i = 0; i < last; i++) {
         int32_t steps = surface_steps(stack, i, limb->contour[i].fine ? 0.5 * spacing : spacing);
@@ -54,8 +55,8 @@ static int32_t surface_rings(const mus__stack *stack, mus__limb *limb, double sp
     count++;
     for (int32_t j = SURFACE_CAP_RINGS - 1; j > 0; j--, count++) {
         double middle = stack->cap[1][0], axis = stack->cap[1][1];
-        double end = acos((limb->contour[last].s - middle) / axis);
-        if (out != NULL) out[count] = middle + axis * cos(end * j / SURFACE_CAP_RINGS);
+        double end = mus__acos((limb->contour[last].s - middle) / axis);
+        if (out != NULL) out[count] = middle + axis * mus__cos(end * j / SURFACE_CAP_RINGS);
     }
     return count;
 }

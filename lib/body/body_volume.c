@@ -12,6 +12,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "body/body_internal.h"
 #include "geom/vec.h"
 
@@ -28,7 +29,7 @@ static void volume_weights(int32_t n, const double *turn, double *weight)
     for (int32_t k = 0; k < n; k++) weight[k] = 0.0;
     for (int32_t k = 0; k < n; k++) {
         const double *p = turn + 2 * (ptrdiff_t)k, *q = turn + 2 * (ptrdiff_t)((k + 1) % n);
-        const double angle = atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+        const double angle = mus__atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
         weight[k] += 0.25 * angle;
         weight[(k + 1) % n] += 0.25 * angle;
     }

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -39,7 +40,7 @@ static const struct {
 /* exp(-x^2), and 0 where that is below 1e-13 */
 static double shape_bell(double x)
 {
-    return x * x < 30.0 ? exp(-x * x) : 0.0;
+    return x * x < 30.0 ? mus__exp(-x * x) : 0.0;
 }
 
 
@@ -72,7 +73,7 @@ static double shape_relief(double q, double x)
 static void shape_gather(int32_t n, double front, const double *ring, double *out)
 {
     for (int32_t k = 0; k < n; k++) {
-        const double turn = 2.0 * MUS_PI * (k - 0.75 * n) / n, at = k - front * n * sin(turn) / (2.0 * MUS_PI);
+        const double turn = 2.0 * MUS_PI * (k - 0.75 * n) / n, at = k - front * n * mus__sin(turn) / (2.0 * MUS_PI);
         const double low = floor(at), t = at - low;
         const int32_t i = (int32_t)(low + n) % n;
         const double *p = ring + 3 * (ptrdiff_t)((i + n - 1) % n), *q = ring + 3 * (ptrdiff_t)i;

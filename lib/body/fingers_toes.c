@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -144,17 +145,18 @@ static void digit_tube(const digit_base *base, const digit_row *row, bool toe, d
 
     for (int32_t j = -1; j <= DIGIT_RINGS; j++) {
         /* rings are closer towards the tip; the last 1.3 radii are a round cap */
-        const double t = j < 0 ? 0.0 : 1.0 - pow(1.0 - (double)j / DIGIT_RINGS, 1.6), angle = row->bend * t;
-        const double bend = row->bend, go = length * sin(angle) / bend, aside = length * (1.0 - cos(angle)) / bend;
+        const double t = j < 0 ? 0.0 : 1.0 - mus__pow(1.0 - (double)j / DIGIT_RINGS, 1.6), angle = row->bend * t;
+        const double bend = row->bend, go = length * mus__sin(angle) / bend,
+                     aside = length * (1.0 - mus__cos(angle)) / bend;
         const double rest = (1.0 - t) * length / (1.3 * thick[1]), cap = rest < 1.0 ? sqrt(rest * (2.0 - rest)) : 1.0;
-        const double swell = 1.0 + 0.06 * exp(-pow((t - 0.5) / 0.12, 2.0));
+        const double swell = 1.0 + 0.06 * mus__exp(-mus__pow((t - 0.5) / 0.12, 2.0));
         const double r = j < 0 || j == DIGIT_RINGS ? 0.0 : cap * swell * (thick[0] + t * (thick[1] - thick[0]));
         const int32_t n = j < 0 || j == DIGIT_RINGS ? 1 : DIGIT_ROUND;
         for (int32_t k = 0; k < n; k++, x += 3) {
-            const double c = cos(2.0 * MUS_PI * k / DIGIT_ROUND), s = sin(2.0 * MUS_PI * k / DIGIT_ROUND);
+            const double c = mus__cos(2.0 * MUS_PI * k / DIGIT_ROUND), s = mus__sin(2.0 * MUS_PI * k / DIGIT_ROUND);
             for (int i = 0; i < 3; i++)
                 x[i] = root[i] + go * way[i] + aside * palm[i] +
-                       r * (c * across[i] + 0.94 * s * (-cos(angle) * palm[i] + sin(angle) * way[i]));
+                       r * (c * across[i] + 0.94 * s * (-mus__cos(angle) * palm[i] + mus__sin(angle) * way[i]));
             if (toe) x[1] = fmax(x[1], 0.0);
         }
     }

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_internal.h"
 
 #define RIG_HORIZONTAL 0.3 /* an arm whose axis falls by less than this part of its length counts as horizontal; chosen
@@ -47,8 +48,8 @@ void mus__joint_turn(int32_t joint, const double *angle, double *out)
     for (int k = 0; k < 3; k++) {
         int32_t axis = rig_joints[joint].axis[k];
         double sense = rig_joints[joint].sense[k] * (rig_joints[joint].right && axis != 0 ? -1.0 : 1.0);
-        double one[4] = {cos(0.5 * angle[k]), 0.0, 0.0, 0.0};
-        one[1 + axis] = sense * sin(0.5 * angle[k]);
+        double one[4] = {mus__cos(0.5 * angle[k]), 0.0, 0.0, 0.0};
+        one[1 + axis] = sense * mus__sin(0.5 * angle[k]);
         mus__quaternion_product(q, one, q);
     }
     memcpy(out, q, sizeof q);
@@ -126,8 +127,8 @@ static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, m
 
     /* the flexion of a nearly horizontal arm is not determined and set to 0 */
     const bool horizontal = down < RIG_HORIZONTAL;
-    rest[MUS__FLEXION] = horizontal ? 0.0 : atan2(axis[2], -axis[1]);
-    rest[MUS__ABDUCTION] = atan2(out_by, horizontal ? -axis[1] : down);
+    rest[MUS__FLEXION] = horizontal ? 0.0 : mus__atan2(axis[2], -axis[1]);
+    rest[MUS__ABDUCTION] = mus__atan2(out_by, horizontal ? -axis[1] : down);
 }
 
 

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -43,7 +44,7 @@ static double seat_in(const seat_place *seat, double x, double y, double z)
     if (u * u > 30.0) return 0.0;
     const double low = mus__cubic_step((y - seat->crotch + SEAT_BELOW * h) / (2.0 * SEAT_BELOW * h));
     const double high = mus__cubic_step((seat->hip + SEAT_UP * h - y) / (SEAT_FADE * h));
-    return SEAT_DEPTH * h * exp(-u * u) * low * high * mus__cubic_step((seat->middle - z) / (SEAT_BEHIND * h));
+    return SEAT_DEPTH * h * mus__exp(-u * u) * low * high * mus__cubic_step((seat->middle - z) / (SEAT_BEHIND * h));
 }
 
 
@@ -53,7 +54,7 @@ static double seat_groin(const seat_place *seat, double x, double y, double z)
     const double h = seat->h, u = x / (SEAT_GROIN_WIDE * h);
     if (u * u > 30.0 || seat->groin <= 0.0) return 0.0;
     const double high = mus__cubic_step((seat->hip - y) / (0.7 * (seat->hip - seat->crotch)));
-    return seat->groin * exp(-u * u) * high * mus__cubic_step((z - seat->middle) / (SEAT_BEHIND * h));
+    return seat->groin * mus__exp(-u * u) * high * mus__cubic_step((z - seat->middle) / (SEAT_BEHIND * h));
 }
 
 

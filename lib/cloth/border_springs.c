@@ -17,6 +17,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
@@ -48,7 +49,7 @@ static const double *strip_rest(const mus__mesh *mesh, int32_t node)
 static void strip_wing(const mus__mesh *mesh, int32_t a, int32_t b, int32_t corner, double *foot, double *height)
 {
     const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b), *r = strip_rest(mesh, corner);
-    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1], length = hypot(ux, uy);
+    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1], length = mus__hypot(ux, uy);
     *foot = (ux * vx + uy * vy) / length;
     *height = fabs(ux * vy - uy * vx) / length;
 }

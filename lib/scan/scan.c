@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "scan/scan_internal.h"
 
 
@@ -86,7 +87,7 @@ static void scan_tell(const mus__scan_found *found, mus_scan_report *report)
         const mus__scan_arm *arm = &found->arm[i];
         if (!arm->there) continue;
         report->armpit[i] = arm->armpit[1];
-        report->arm_angle[i] = atan2(-arm->axis[1], arm->side * arm->axis[0]);
+        report->arm_angle[i] = mus__atan2(-arm->axis[1], arm->side * arm->axis[0]);
     }
 }
 

@@ -1,9 +1,9 @@
 /*
  * bend_clamp.c: finds the bending elements at clamps (bend_clamp.h).
  */
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "sim/bend_clamp.h"
 
 
@@ -81,7 +81,7 @@ void mus__clamps_update(const mus_cloth *cloth, const int32_t *fixed, int32_t bi
     int32_t count = clamp_stencils(cloth, fixed, bit, program->clamp);
     for (int32_t h = 0; h < program->nhinge; h++) add_clamp(&program->hinge[h], fixed, bit, program->clamp, &count);
     program->nclamp = count;
-    qsort(program->clamp, (size_t)count, sizeof *program->clamp, clamp_by_node);
+    mus__sort(program->clamp, (size_t)count, sizeof *program->clamp, clamp_by_node);
     for (int32_t c = 0, k = 0; c < program->nchunk; c++) {
         mus__chunk *chunk = &program->chunk[c];
         chunk->clamp = k;

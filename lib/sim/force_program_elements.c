@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "sim/bend_slider.h"
 #include "sim/force_program_parts.h"
 
@@ -90,7 +91,7 @@ static void fill_attachments(const mus_cloth *cloth, const int32_t *rep, mus__pr
                                                                         ATTACH_FORCE_MAX * hold->length,
                                                                         1.0};
     }
-    qsort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
+    mus__sort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
 }
 
 

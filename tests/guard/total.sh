@@ -79,6 +79,7 @@ guard circles "$python" tests/guard/circles.py "$out"
 guard carried sh tests/guard/carried.sh "$out/lib"
 guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
+guard own_math sh tests/guard/own_math.sh "$out/lib"
 guard sizes sh tests/guard/sizes.sh "$out"
 guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh

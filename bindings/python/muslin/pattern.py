@@ -36,7 +36,7 @@ class Pattern(Topology, Edits, Valued):
 
     @classmethod
     def read(cls, path: PathLike, context: Context | None = None) -> Pattern:
-        """From a file: muslin JSON or a GarmentCode specification."""
+        """From a file: muslin JSON, a GarmentCode specification, a FreeSewing dump or a DXF in its sample size."""
         context = context or Context.of_thread()
         return cls(context=context,
                    _handle=create(context, "pattern", "mus_pattern_read", context.handle, text(path)))
@@ -48,6 +48,29 @@ class Pattern(Topology, Edits, Valued):
         data = text(data)
         return cls(context=context, _handle=create(context, "pattern", "mus_pattern_read_from", context.handle, data,
                                                    len(data), text(name)))
+
+    @classmethod
+    def read_dxf(cls, path: PathLike, rules: PathLike | None = None, size: str | None = None,
+                 context: Context | None = None) -> Pattern:
+        """From a DXF (AAMA, ASTM) in one size, None: its sample size; `rules` is the path of its RUL file."""
+        return cls._from_dxf(context, {"path": text(path), "rules_path": text(rules), "size_name": text(size)})
+
+    @classmethod
+    def parse_dxf(cls, data: str | bytes, rules: str | bytes | None = None, size: str | None = None,
+                  name: str = "pattern.dxf", context: Context | None = None) -> Pattern:
+        """read_dxf() of the bytes of a DXF and of its RUL file."""
+        data, rules = text(data), text(rules)
+        options = {"path": text(name), "text": data, "text_size": len(data), "size_name": text(size)}
+        if rules is not None:
+            options.update({"rules_path": text(name + ".rul"), "rules": rules, "rules_size": len(rules)})
+        return cls._from_dxf(context, options)
+
+    @classmethod
+    def _from_dxf(cls, context: Context | None, options: dict[str, Any]) -> Pattern:
+        context = context or Context.of_thread()
+        source = make_def(_abi.mus_pattern_dxf, lib.mus_pattern_dxf_init, options)
+        return cls(context=context, _handle=create(context, "pattern", "mus_pattern_read_dxf", context.handle,
+                                                   ctypes.byref(source)))
 
     def write(self, path: PathLike) -> None:
         """Write as muslin JSON; reading it back gives the same pattern, bit for bit."""

@@ -74,6 +74,38 @@ class Sheet(Object):
         """The SVG as bytes."""
         return taken_bytes(self.context, "mus_sheet_write_svg_bytes", self.handle)
 
+    def write_dxf(self, path: PathLike, dialect: str = "astm", **options: Any) -> None:
+        """Write DXF R12 for cutters and CAD. dialect: "aama" or "astm"; options: size_name, date, sew (True: layer 1 is
+        the sew line), nested, and sizes: a dict of further sizes, name to Sheet."""
+        self.do("write_dxf", ctypes.byref(self._dxf(dialect, **options)), text(path))
+
+    def dxf_bytes(self, dialect: str = "astm", **options: Any) -> bytes:
+        """The DXF as bytes."""
+        return taken_bytes(self.context, "mus_sheet_write_dxf_bytes", self.handle,
+                           ctypes.byref(self._dxf(dialect, **options)))
+
+    def write_rul(self, path: PathLike, dialect: str = "astm", **options: Any) -> None:
+        """Write the grade rules of `sizes`, as write_dxf() takes them, as a RUL file."""
+        self.do("write_rul", ctypes.byref(self._dxf(dialect, **options)), text(path))
+
+    def rul_bytes(self, dialect: str = "astm", **options: Any) -> bytes:
+        """The RUL file as bytes."""
+        return taken_bytes(self.context, "mus_sheet_write_rul_bytes", self.handle,
+                           ctypes.byref(self._dxf(dialect, **options)))
+
+    @staticmethod
+    def _dxf(dialect: str, sew: bool = False, sizes: Any = (), **options: Any) -> Any:
+        dialects = {"aama": _abi.MUS_DXF_AAMA, "astm": _abi.MUS_DXF_ASTM}
+        if dialect not in dialects:
+            raise ValueError(f"dialect is one of {', '.join(dialects)}, not {dialect!r}")
+        definition = make_def(_abi.mus_sheet_dxf, lib.mus_sheet_dxf_init,
+                              {"dialect": dialects[dialect], "boundary": int(sew), "size_count": len(sizes), **options})
+        sizes = dict(sizes)
+        handles = [ctypes.cast(sheet.handle, ctypes.POINTER(_abi.mus_sheet)) for sheet in sizes.values()]
+        definition.sheets = (ctypes.POINTER(_abi.mus_sheet) * len(sizes))(*handles)
+        definition.size_names = (ctypes.c_char_p * len(sizes))(*[text(name) for name in sizes])
+        return definition
+
     @property
     def pieces(self) -> list[Any]:
         """The pieces as structs (panel, name, copies, mirrored, turn, shift, box)."""

@@ -19,7 +19,7 @@ failed=0
 build()
 {
     mkdir -p "$out/$1"
-    ls lib/*/*.c tests/study/ports/figures.c | grep -vE '^lib/(file|print|exchange|catalogue)/' |
+    ls lib/*/*.c tests/study/ports/figures.c | grep -vE '^lib/(file|print|exchange|trade|catalogue)/' |
         xargs -P "$jobs" -I{} sh -c "$2 -std=c11 -Iinclude -Ilib -pthread -ffp-contract=off $3 -c {} \
             -o $out/$1/\$(basename {} .c).o" &&
         $2 $3 -static -pthread "$out/$1"/*.o -lm -o "$out/$1.bin"

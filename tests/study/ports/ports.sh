@@ -94,7 +94,7 @@ for name in "$@"; do
     gcc-O0 | clang-O0 | clang-O2) port "$name" "${name%-*}" "-${name#*-} -pthread" ;;
     gcc-O3 | clang-O3) port "$name" "${name%-*}" "-O3 -march=native -pthread" ;;
     musl) port musl musl-gcc "-O2" ;;
-    wasm32) port wasm32 clang "--target=wasm32-wasi -O2 -Itests/study/ports/wasi" "$wasm" ;;
+    wasm32) port wasm32 clang "--target=wasm32-wasi -O2 -Wl,-z,stack-size=4194304 -Itests/study/ports/wasi" "$wasm" ;;
     aarch64) port aarch64 aarch64-linux-gnu-gcc "-O2 -pthread" qemu-aarch64 ;;
     # its gcc keeps float sums in double unless told not to: the same in double, other last digits in float
     s390x) port s390x s390x-linux-gnu-gcc "-O2 -pthread -fexcess-precision=fast" qemu-s390x ;;

@@ -196,7 +196,8 @@ enum {
     MUS_REASON_UNSTABLE = 9,
     MUS_REASON_BAD_INPUT = 10,
     MUS_REASON_STOPPED = 11,
-    MUS_REASON_COUNT = 12,
+    MUS_REASON_NOT_WORN = 12,
+    MUS_REASON_COUNT = 13,
     MUS_DRESS_PLACE_BOTH = 0,
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
@@ -206,6 +207,23 @@ enum {
     MUS_FIT_WEFT = 2,
     MUS_FIT_PRESSURE = 3,
     MUS_FIT_GAP = 4,
+    MUS_WORN_NECK = 0,
+    MUS_WORN_ARM_LEFT = 1,
+    MUS_WORN_ARM_RIGHT = 2,
+    MUS_WORN_LEG_LEFT = 3,
+    MUS_WORN_LEG_RIGHT = 4,
+    MUS_WORN_LIMBS = 5,
+    MUS_WORN_YES = 0,
+    MUS_WORN_UNKNOWN = 1,
+    MUS_WORN_OPENING = 2,
+    MUS_WORN_INSIDE_OUT = 3,
+    MUS_WORN_SHOULDER = 4,
+    MUS_WORN_HOOD = 5,
+    MUS_WORN_LOW = 6,
+    MUS_WORN_ROLLED = 7,
+    MUS_WORN_TIGHT = 8,
+    MUS_WORN_THROUGH = 9,
+    MUS_WORN_COUNT = 10,
     MUS_PAPER_A4 = 0,
     MUS_PAPER_LETTER = 1,
     MUS_PAPER_A3 = 2,
@@ -274,10 +292,12 @@ typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
 typedef struct mus_fit_spread mus_fit_spread;
 typedef struct mus_fit_level mus_fit_level;
+typedef struct mus_worn mus_worn;
 typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
 typedef struct mus_sheet_line mus_sheet_line;
 typedef struct mus_sheet_dxf mus_sheet_dxf;
+typedef struct mus_sheet_plt mus_sheet_plt;
 typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
@@ -665,6 +685,21 @@ struct mus_fit_level {
     double gap;
 };
 
+struct mus_worn {
+    size_t size;
+    int32_t kind;
+    int32_t limb;
+    int32_t panel;
+    int32_t node;
+    double value;
+    double place[3];
+    int32_t through;
+    double through_depth;
+    double through_area;
+    double through_place[3];
+    char text[256];
+};
+
 struct mus_sheet_def {
     size_t size;
     int32_t paper;
@@ -708,6 +743,13 @@ struct mus_sheet_dxf {
     int32_t size_count;
     const mus_sheet *const *sheets;
     const char *const *size_names;
+};
+
+struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;
+    int32_t by_piece;
+    int32_t one_pen;
 };
 
 struct mus_pattern_dxf {
@@ -1059,6 +1101,9 @@ mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spre
 void mus_fit_level_init(mus_fit_level *level, size_t size);
 int32_t mus_fit_level_count(const mus_fit *fit);
 mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_level *out);
+void mus_worn_init(mus_worn *worn, size_t size);
+const char *mus_worn_name(int32_t kind);
+mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus_worn *out);
 
 /* libmuslin-print */
 void mus_sheet_def_init(mus_sheet_def *def, size_t size);
@@ -1084,6 +1129,9 @@ mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def,
 mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
 mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
 mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);

@@ -199,7 +199,8 @@ MUS_REASON_NOT_SETTLED = 8
 MUS_REASON_UNSTABLE = 9
 MUS_REASON_BAD_INPUT = 10
 MUS_REASON_STOPPED = 11
-MUS_REASON_COUNT = 12
+MUS_REASON_NOT_WORN = 12
+MUS_REASON_COUNT = 13
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
@@ -209,6 +210,23 @@ MUS_FIT_WARP = 1
 MUS_FIT_WEFT = 2
 MUS_FIT_PRESSURE = 3
 MUS_FIT_GAP = 4
+MUS_WORN_NECK = 0
+MUS_WORN_ARM_LEFT = 1
+MUS_WORN_ARM_RIGHT = 2
+MUS_WORN_LEG_LEFT = 3
+MUS_WORN_LEG_RIGHT = 4
+MUS_WORN_LIMBS = 5
+MUS_WORN_YES = 0
+MUS_WORN_UNKNOWN = 1
+MUS_WORN_OPENING = 2
+MUS_WORN_INSIDE_OUT = 3
+MUS_WORN_SHOULDER = 4
+MUS_WORN_HOOD = 5
+MUS_WORN_LOW = 6
+MUS_WORN_ROLLED = 7
+MUS_WORN_TIGHT = 8
+MUS_WORN_THROUGH = 9
+MUS_WORN_COUNT = 10
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -414,6 +432,10 @@ class mus_fit_level(Structure):
     pass
 
 
+class mus_worn(Structure):
+    pass
+
+
 class mus_sheet_def(Structure):
     pass
 
@@ -427,6 +449,10 @@ class mus_sheet_line(Structure):
 
 
 class mus_sheet_dxf(Structure):
+    pass
+
+
+class mus_sheet_plt(Structure):
     pass
 
 
@@ -545,6 +571,9 @@ mus_fit_spread._fields_ = [("size", c_size_t), ("p50", c_double), ("p95", c_doub
                            ("area", c_double)]
 mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double),
                           ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
+mus_worn._fields_ = [("size", c_size_t), ("kind", c_int32), ("limb", c_int32), ("panel", c_int32), ("node", c_int32),
+                     ("value", c_double), ("place", c_double * 3), ("through", c_int32), ("through_depth", c_double),
+                     ("through_area", c_double), ("through_place", c_double * 3), ("text", c_char * 256)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
@@ -556,6 +585,7 @@ mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_in
 mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary", c_int32), ("size_name", c_char_p),
                           ("date", c_char_p), ("nested", c_int32), ("size_count", c_int32),
                           ("sheets", POINTER(POINTER(mus_sheet))), ("size_names", POINTER(c_char_p))]
+mus_sheet_plt._fields_ = [("size", c_size_t), ("hpgl2", c_int32), ("by_piece", c_int32), ("one_pen", c_int32)]
 mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
                             ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
                             ("size_name", c_char_p)]
@@ -934,6 +964,9 @@ FUNCTIONS = {
     "mus_fit_level_init": ("core", None, [POINTER(mus_fit_level), c_size_t]),
     "mus_fit_level_count": ("core", c_int32, [POINTER(mus_fit)]),
     "mus_fit_level_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_level)]),
+    "mus_worn_init": ("core", None, [POINTER(mus_worn), c_size_t]),
+    "mus_worn_name": ("core", c_char_p, [c_int32]),
+    "mus_fit_worn": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_pattern), POINTER(mus_body), POINTER(mus_worn)]),
     "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
     "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),
                                             POINTER(POINTER(mus_sheet))]),
@@ -959,6 +992,10 @@ FUNCTIONS = {
                                                      POINTER(c_size_t)]),
     "mus_sheet_write_rul": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
     "mus_sheet_write_rul_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
+    "mus_sheet_plt_init": ("print", None, [POINTER(mus_sheet_plt), c_size_t]),
+    "mus_sheet_write_plt": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), c_char_p]),
+    "mus_sheet_write_plt_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), POINTER(c_char_p),
                                                      POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
     "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,

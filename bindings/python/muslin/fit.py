@@ -90,5 +90,19 @@ class Fit(Object):
             result.append({**values, "level": lib.mus_hold_name(level.level).decode(), "side": side})
         return result
 
+    @staticmethod
+    def worn(drape, pattern, body):
+        """Is the garment worn as its pattern means it? A dict of kind (a name, "worn" when it is), limb ("left arm" or
+        None), panel, node, value, place, through, through_depth, through_area, through_place, text; lengths in metres.
+        """
+        worn = make_def(_abi.mus_worn, lib.mus_worn_init)
+        drape.context.call("mus_fit_worn", drape.handle, pattern.handle, body.handle, ctypes.byref(worn))
+        values = read_struct(worn)
+        limbs = {_abi.MUS_WORN_NECK: "neck", _abi.MUS_WORN_ARM_LEFT: "left arm", _abi.MUS_WORN_ARM_RIGHT: "right arm",
+                 _abi.MUS_WORN_LEG_LEFT: "left leg", _abi.MUS_WORN_LEG_RIGHT: "right leg"}
+        panel = None if worn.panel == _abi.MUS_NONE else lib.mus_pattern_panel_name(pattern.handle, worn.panel).decode()
+        return {**values, "kind": lib.mus_worn_name(worn.kind).decode(), "limb": limbs.get(worn.limb), "panel": panel,
+                "place": tuple(worn.place), "through_place": tuple(worn.through_place), "text": worn.text.decode()}
+
 
 __all__ = ["Fit"]

@@ -206,9 +206,10 @@ RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   --page tests/study/report) $(REPORT)
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
-RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
-$(foreach h,wheel web web-serve $(addprefix check-,hosts wheel web agent cluster),$(eval \
+$(foreach h,wheel web web-serve extensions $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
   RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
@@ -218,7 +219,7 @@ RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
 NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
-  elementary:lib check-glb:run-dress
+  elementary:lib fuzz:lib check-glb:run-dress
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

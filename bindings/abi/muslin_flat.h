@@ -297,6 +297,7 @@ typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
 typedef struct mus_sheet_line mus_sheet_line;
 typedef struct mus_sheet_dxf mus_sheet_dxf;
+typedef struct mus_sheet_plt mus_sheet_plt;
 typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
@@ -745,6 +746,13 @@ struct mus_sheet_dxf {
     const char *const *size_names;
 };
 
+struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;
+    int32_t by_piece;
+    int32_t one_pen;
+};
+
 struct mus_pattern_dxf {
     size_t size;
     const char *path;
@@ -1122,6 +1130,9 @@ mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def,
 mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
 mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
 mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);

@@ -452,6 +452,10 @@ class mus_sheet_dxf(Structure):
     pass
 
 
+class mus_sheet_plt(Structure):
+    pass
+
+
 class mus_pattern_dxf(Structure):
     pass
 
@@ -582,6 +586,7 @@ mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_in
 mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary", c_int32), ("size_name", c_char_p),
                           ("date", c_char_p), ("nested", c_int32), ("size_count", c_int32),
                           ("sheets", POINTER(POINTER(mus_sheet))), ("size_names", POINTER(c_char_p))]
+mus_sheet_plt._fields_ = [("size", c_size_t), ("hpgl2", c_int32), ("by_piece", c_int32), ("one_pen", c_int32)]
 mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
                             ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
                             ("size_name", c_char_p)]
@@ -988,6 +993,10 @@ FUNCTIONS = {
                                                      POINTER(c_size_t)]),
     "mus_sheet_write_rul": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
     "mus_sheet_write_rul_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
+    "mus_sheet_plt_init": ("print", None, [POINTER(mus_sheet_plt), c_size_t]),
+    "mus_sheet_write_plt": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), c_char_p]),
+    "mus_sheet_write_plt_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), POINTER(c_char_p),
                                                      POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
     "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,

@@ -23,12 +23,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drape/drape_state.h"
 #include "dress/progress.h"
 #include "muslin/dress.h"
 #include "muslin/fit.h"
 
-/* [bytes] of mus_dress_def in release 0.2, the smallest that mus_dress() takes */
-#define DRESS_DEF_FIRST offsetof(mus_dress_def, nodes_most)
+/* [bytes] of mus_dress_def when ABI 1 was recorded first, the smallest that mus_dress() takes */
+#define DRESS_DEF_FIRST offsetof(mus_dress_def, progress_seconds)
 
 /* the call: what it was given, and its report */
 typedef struct dress_call {
@@ -302,8 +303,8 @@ static mus_status dress_options(dress_call *call, const mus_dress_def *def)
     call->drape.friction = call->def.friction;
     call->drape.self_contact = call->def.self_contact;
     call->drape.progress_seconds = call->def.progress_seconds;
-    status = mus__def_read(call->context, &call->drape, sizeof call->drape, sizeof call->drape, call->def.drape,
-                           "drape def");
+    status = mus__def_read(call->context, &call->drape, sizeof call->drape, MUS__DRAPE_DEF_FIRST,
+                           call->def.drape, "drape def");
     const int32_t place = call->def.place;
     if (status == MUS_OK && (place < MUS_DRESS_PLACE_BOTH || place > MUS_DRESS_PLACE_FOUND))
         status = mus__fail(call->context, MUS_ERR_ARG, "dress: place is %d, expected %d to %d", (int)place,

@@ -151,12 +151,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(addprefix $(BIN)/,people slips outside manifold designs catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -171,8 +171,8 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-same check check-hosts check-omit check-large people slips outside manifold designs catalogue-bench: APT_GROUP = test
-report page girths trade: APT_GROUP = report
+same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
+report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
@@ -191,11 +191,13 @@ RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png
+RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
 RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
 RUN_manifold = $(BIN)/manifold $(ANSUR) $(OUT)/out $(MANIFOLD)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
+RUN_worn = $(BIN)/worn '$(MUSLIN_DATA)' $(WORN)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
@@ -206,9 +208,10 @@ RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   --page tests/study/report) $(REPORT)
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
-RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
-$(foreach h,wheel web web-serve $(addprefix check-,hosts wheel web agent cluster),$(eval \
+$(foreach h,wheel web web-serve extensions $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
   RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
@@ -218,7 +221,7 @@ RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
 NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
-  elementary:lib check-glb:run-dress
+  elementary:lib fuzz:lib check-glb:run-dress
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

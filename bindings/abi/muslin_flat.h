@@ -299,6 +299,7 @@ typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
 typedef struct mus_sheet_line mus_sheet_line;
 typedef struct mus_sheet_dxf mus_sheet_dxf;
+typedef struct mus_sheet_plt mus_sheet_plt;
 typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
@@ -495,6 +496,7 @@ struct mus_fabric {
     double damping;
     double friction;
     double thickness;
+    double bend_hysteresis;
 };
 
 struct mus_cloth_def {
@@ -750,6 +752,13 @@ struct mus_sheet_dxf {
     int32_t size_count;
     const mus_sheet *const *sheets;
     const char *const *size_names;
+};
+
+struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;
+    int32_t by_piece;
+    int32_t one_pen;
 };
 
 struct mus_pattern_dxf {
@@ -1140,6 +1149,9 @@ mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def,
 mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
 mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
 mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
@@ -1152,6 +1164,8 @@ void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);

@@ -4,7 +4,7 @@
 
 #include "muslin/pattern.h"
 
-/* Prints one line on standard error for each thing of the pattern that the form ("dxf", "svg", "pdf") does not hold. */
+/* Prints a line on standard error for each thing of the pattern that the form ("dxf", "svg", ...) does not hold. */
 void convert_tell_losses(const mus_pattern *pattern, const char *form);
 
 #endif

@@ -2,7 +2,7 @@
  * muslin/print.h: ready-to-cut paper (libmuslin-print).
  *
  * A sheet holds the pieces of a pattern at true scale, with cut line, sew line, allowance, notches, grain line, labels
- * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, or as DXF with its RUL.
+ * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, DXF with its RUL, or HPGL.
  * Outside dependency: cairo.
  */
 #ifndef MUSLIN_PRINT_H
@@ -184,6 +184,34 @@ MUS_API mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_d
 
 /** Write the RUL file into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_sheet_write_dxf() */
 MUS_API mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes,
+                                             size_t *size);
+
+/* ---- HPGL, for plotters and cutters ---- */
+
+/** Options of a plot. */
+typedef struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;    /* nonzero (default): HPGL/2, with the length and width of the plot (PS); 0: HPGL */
+    int32_t by_piece; /* nonzero: for a cutter: of each piece marks and notches, then its cut line; no letters, no sew
+                       * line. 0 (default): for a plotter: all lines, pen after pen */
+    int32_t one_pen;  /* nonzero: pen 1 draws all; 0 (default): pen 1 cut line and notches, 2 sew line (dashed), 3 grain
+                       * and marks, 4 letters */
+} mus_sheet_plt;
+
+/** Write the defaults: HPGL/2 for a plotter with four pens. */
+MUS_API void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+
+/**
+ * Write the sheet as HPGL; def NULL takes the defaults. The paper runs along x: x of the plot is y of the sheet.
+ *
+ * Units:  a plotter unit is 0.025 mm; curves are chords within 0.01 mm
+ * Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY. path "-" writes to standard output
+ * Source: Hewlett-Packard, HP-GL/2 and HP RTL Reference Guide
+ */
+MUS_API mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+
+/** Write the plot into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_sheet_write_plt() */
+MUS_API mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes,
                                              size_t *size);
 
 #ifdef __cplusplus

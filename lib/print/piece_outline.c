@@ -28,7 +28,7 @@ void mus__cubic_at(const double *p, double t, double *out)
 
 
 /* the error of n equal chords is at most 3/4 of the larger second difference, over n^2 */
-static int32_t cubic_chords(const double *p, double tolerance)
+int32_t mus__cubic_chords(const double *p, double tolerance)
 {
     double ax = p[0] - 2.0 * p[2] + p[4], ay = p[1] - 2.0 * p[3] + p[5];
     double bx = p[2] - 2.0 * p[4] + p[6], by = p[3] - 2.0 * p[5] + p[7];
@@ -196,7 +196,7 @@ static mus_status piece_flatten(mus_context *context, mus__piece *piece)
     piece->nflat = 0;
     for (int32_t i = 0; i < piece->nspan; i++) {
         const mus__span *span = &piece->spans[i];
-        int32_t n = span->line ? 1 : cubic_chords(span->p, CHORD_TOLERANCE);
+        int32_t n = span->line ? 1 : mus__cubic_chords(span->p, CHORD_TOLERANCE);
         mus_status status = mus__print_reserve(context, &piece->flat, &room, 2 * ((int64_t)piece->nflat + n),
                                                sizeof *piece->flat);
         if (status == MUS_OK)

@@ -3,7 +3,7 @@
  *
  * Flow of the data: pattern -> pieces (piece_outline.c, polygon_offset.c) -> places on the sheet (pack.c,
  * sheet_layout.c) -> one drawing of the whole sheet (piece_marks.c, piece_label.c, stroke_font.c) -> pages (page.c) ->
- * bytes (pdf.c, svg.c, dxf.c) -> file (lib/file).
+ * bytes (pdf.c, svg.c, dxf.c, plt.c) -> file (lib/file).
  */
 #ifndef MUS_PRINT_SHEET_H
 #define MUS_PRINT_SHEET_H

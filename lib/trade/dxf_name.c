@@ -67,9 +67,19 @@ void mus__dxf_name_mirror(char *name, size_t capacity)
 }
 
 
+mus__dxf_slice mus__dxf_piece_value(const mus__dxf_file *file, const mus__dxf_block *block, const char *key)
+{
+    mus__dxf_slice value = mus__dxf_value(file, block, key), name = mus__dxf_value(file, block, "Piece Name");
+    for (int32_t i = 0; i + 1 < file->nblock && value.length < 0 && name.length >= 0; i++)
+        if (mus__dxf_same(mus__dxf_value(file, &file->blocks[i], "Piece Name"), name))
+            value = mus__dxf_value(file, &file->blocks[i], key);
+    return value;
+}
+
+
 void mus__dxf_quantity(const mus__dxf_file *file, const mus__dxf_block *block, int32_t *right, int32_t *left)
 {
-    const mus__dxf_slice text = mus__dxf_value(file, block, "Quantity");
+    const mus__dxf_slice text = mus__dxf_piece_value(file, block, "Quantity");
     int32_t n = 0;
     double r = 1.0, l = 0.0;
     while (n < text.length && text.at[n] != ',') n++;

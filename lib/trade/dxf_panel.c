@@ -506,7 +506,7 @@ static mus_status panel_build(dxf_panel *p, const char *name)
     if (status == MUS_OK) status = panel_notches(p);
     if (status == MUS_OK) status = panel_grain(p);
     if (status == MUS_OK) status = panel_marks(p);
-    const mus__dxf_slice category = mus__dxf_value(p->file, p->block, "Category");
+    const mus__dxf_slice category = mus__dxf_piece_value(p->file, p->block, "Category");
     if (status != MUS_OK || category.length <= 0) return status;
     mus__dxf_copy(category, label, sizeof label);
     return panel_wrap(p, mus_pattern_set_panel_label(pattern, p->panel, label));

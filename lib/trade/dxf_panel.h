@@ -28,6 +28,8 @@ void mus__dxf_panel_name(const mus__dxf_job *job, const mus__dxf_block *block, c
 void mus__dxf_name_free(const mus_pattern *pattern, char *name, size_t capacity);
 /* the name of a piece's mirror image: the other side's, where the name has a side ("sleeve_left") */
 void mus__dxf_name_mirror(char *name, size_t capacity);
+/* the text "KEY: value" of a piece: of its block, else of the piece's block in another size; length -1 without one */
+mus__dxf_slice mus__dxf_piece_value(const mus__dxf_file *file, const mus__dxf_block *block, const char *key);
 /* "Quantity: 1,1": copies as drawn, copies turned over; "1,0" and "1" are one */
 void mus__dxf_quantity(const mus__dxf_file *file, const mus__dxf_block *block, int32_t *right, int32_t *left);
 

@@ -152,6 +152,20 @@ def test_a_garmentcode_specification_becomes_a_pattern(command, data, tmp_path):
     assert (tmp_path / "out.json").read_bytes() == (tmp_path / "again.json").read_bytes()
 
 
+def test_a_dxf_in_sizes_comes_back_and_what_it_loses_is_told(command, skirt, tmp_path):
+    told = command("convert", skirt, tmp_path / "s.dxf", "--dialect", "aama").stderr
+    assert "dxf does not keep" in str(told) and "seams" in str(told)
+    command("convert", tmp_path / "s.dxf", tmp_path / "s.json")
+    before, after = (json.loads(path.read_text()) for path in (skirt, tmp_path / "s.json"))
+    assert len(after["panels"]) == len(before["panels"]) and not after["seams"]
+    command("print", "--design", "tshirt", "--size", "W40", "--dxf", tmp_path / "n.dxf", "--rul", tmp_path / "n.rul",
+            "--sizes", "W36,W44", "--plt", tmp_path / "n.plt")
+    for options in ([], ["--size", "W44"], ["--size", "W44", "--rul", tmp_path / "n.rul"]):
+        command("convert", tmp_path / "n.dxf", tmp_path / "n.json", *options)
+        assert len(json.loads((tmp_path / "n.json").read_text())["panels"]) == 4
+    assert (tmp_path / "n.plt").read_text().startswith("IN;PS")
+
+
 # ---- dress ----
 
 @pytest.fixture(scope="module")

@@ -85,6 +85,7 @@ guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
 guard fastmath sh tests/guard/fastmath.sh
 guard flags sh tests/guard/flags.sh
+guard hardened sh tests/guard/hardened.sh "$out"
 guard setters "$python" tests/guard/setters.py
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"

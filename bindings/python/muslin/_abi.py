@@ -460,6 +460,10 @@ class mus_sheet_dxf(Structure):
     pass
 
 
+class mus_sheet_plt(Structure):
+    pass
+
+
 class mus_pattern_dxf(Structure):
     pass
 
@@ -523,7 +527,8 @@ mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b
                           ("corner_start", c_double), ("corner_end", c_double)]
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
-                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
+                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
+                       ("bend_hysteresis", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
                           ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
                           ("nodes_most", c_int32)]
@@ -590,6 +595,7 @@ mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_in
 mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary", c_int32), ("size_name", c_char_p),
                           ("date", c_char_p), ("nested", c_int32), ("size_count", c_int32),
                           ("sheets", POINTER(POINTER(mus_sheet))), ("size_names", POINTER(c_char_p))]
+mus_sheet_plt._fields_ = [("size", c_size_t), ("hpgl2", c_int32), ("by_piece", c_int32), ("one_pen", c_int32)]
 mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
                             ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
                             ("size_name", c_char_p)]
@@ -1009,6 +1015,10 @@ FUNCTIONS = {
     "mus_sheet_write_rul": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
     "mus_sheet_write_rul_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
                                                      POINTER(c_size_t)]),
+    "mus_sheet_plt_init": ("print", None, [POINTER(mus_sheet_plt), c_size_t]),
+    "mus_sheet_write_plt": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), c_char_p]),
+    "mus_sheet_write_plt_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
     "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,
                                                  POINTER(POINTER(mus_tape))]),
@@ -1022,6 +1032,9 @@ FUNCTIONS = {
                                                    POINTER(POINTER(mus_pattern))]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_write_garmentcode_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p),
+                                                                  POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),
     "mus_fabric_load_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                    POINTER(mus_fabric)]),

@@ -93,6 +93,15 @@ class Sheet(Object):
         return taken_bytes(self.context, "mus_sheet_write_rul_bytes", self.handle,
                            ctypes.byref(self._dxf(dialect, **options)))
 
+    def write_plt(self, path: PathLike, **options: Any) -> None:
+        """Write HPGL for a plotter or cutter. options: hpgl2, by_piece (for a cutter), one_pen (mus_sheet_plt)."""
+        self.do("write_plt", ctypes.byref(make_def(_abi.mus_sheet_plt, lib.mus_sheet_plt_init, options)), text(path))
+
+    def plt_bytes(self, **options: Any) -> bytes:
+        """The HPGL as bytes."""
+        return taken_bytes(self.context, "mus_sheet_write_plt_bytes", self.handle,
+                           ctypes.byref(make_def(_abi.mus_sheet_plt, lib.mus_sheet_plt_init, options)))
+
     @staticmethod
     def _dxf(dialect: str, sew: bool = False, sizes: Any = (), **options: Any) -> Any:
         dialects = {"aama": _abi.MUS_DXF_AAMA, "astm": _abi.MUS_DXF_ASTM}

@@ -1,21 +1,28 @@
 #!/usr/bin/env python3
 """Patterns through the files of the garment trade and back: `make trade`.
 
-Four parts, each with a line of its own at the end; the command fails when a part does.
+Six parts, each with a line of its own at the end; the command fails when a part does.
   round trip: every named design in one size and every GarmentCode specification, through DXF AAMA and ASTM. Compared:
               pieces, edges, the distance of the outlines, allowances, notches, grain, marks, names, labels, quantities.
   audit:      the same files by ezdxf, which has to find no error and repair nothing (left out without ezdxf).
   valentina:  the DXF files of the data: pieces, and areas of the sew line or cut line, as its facts.csv has them.
   rules:      designs in eight sizes: the sample graded by the RUL file against each size's own draft, at the ends of edges.
+  garmentcode: the same patterns as GarmentCode specifications and back.
+  plots:      a dozen sheets as HPGL, at true size as hp2xx reads them (left out without hp2xx).
 
     MUSLIN_LIB=build/lib/libmuslin.so python3 tests/study/trade/trade.py --data DATA [--every 10] [--list]
 """
 import argparse
 import collections
 import csv
+import itertools
 import math
 import pathlib
+import re
+import shutil
+import subprocess
 import sys
+import tempfile
 
 import numpy as np
 
@@ -29,6 +36,7 @@ from muslin.print import Sheet  # noqa: E402
 OUTLINE_MM = 0.0105   # 0.01 mm of the chords, and the rounding of the file's last digit (1e-4 mm)
 NOTCH_MM = 0.1        # a notch lies on the cut line and is read back along its slit
 GRADE_MM = 0.1
+PLOT_MM = 0.05        # two plotter units of 0.025 mm
 SIZES = {"women": ["W40", "W34", "W36", "W38", "W42", "W44", "W46", "W48"],
          "men": ["M50", "M46", "M48", "M52", "M54", "M56", "M58", "M60"],
          "children": ["C116", "C92", "C98", "C104", "C110", "C122", "C128", "C134"]}
@@ -274,13 +282,75 @@ def rules():
     return done == 6 and bad == 0
 
 
+def held(pattern):
+    """Length of the edges of seams that GarmentCode can hold [m], and how many seams it cannot."""
+    rims = {edge for panel in range(len(pattern.panels)) for edge, _ in pattern.rim(panel)}
+    length, others = 0.0, 0
+    for s in range(pattern.seam_count):
+        seam = pattern.seam(s)
+        edges = (seam["edge_a"], seam["edge_b"])
+        if seam["laid"] or any(e not in rims or lib.mus_pattern_edge_seam(pattern.handle, e) != s for e in edges):
+            others += 1
+        else:
+            length += sum(pattern.edge_length(e) for e in edges)
+    return length, others
+
+
+def garmentcode(args):
+    """Every pattern as a GarmentCode specification and back: areas, places, lengths of what is sewn."""
+    count = good = others = 0
+    worst = 0.0
+    for name, pattern in patterns(args.data, args.every):
+        count += 1
+        try:
+            again = Pattern.parse(pattern.garmentcode_bytes(), name=f"{name}.json")
+        except muslin.MuslinError as error:
+            print(f"  {name}: {error}")
+            continue
+        area = max(abs(pattern.area(i) - again.area(i)) for i in range(len(pattern.panels)))
+        around = max(abs(pattern.perimeter(i) - again.perimeter(i)) for i in range(len(pattern.panels)))
+        sewn = [held(pattern)[0], held(again)[0]]
+        others += held(pattern)[1]
+        worst = max(worst, 1e3 * around)
+        fine = area < 1e-8 and around < 1e-6 and abs(sewn[0] - sewn[1]) < 1e-5
+        good += fine
+        if not fine and args.list:
+            print(f"  {name}: area {area:.1e} m2, outline {around:.1e} m, sewn {sewn[0]:.4f} and {sewn[1]:.4f} m")
+    print(f"garmentcode: {good} of {count} patterns keep outlines and seams; outlines as long within {worst:.1e} mm; "
+          f"{others} seams are second seams of an edge or inside a panel, which the form has not")
+    return good == count
+
+
+def plots(args):
+    """A dozen sheets as HPGL, their size as hp2xx tells it against the boxes of the cut lines."""
+    if shutil.which("hp2xx") is None:
+        print("plots: skipped, no hp2xx (apt-get install hp2xx)")
+        return True
+    count = bad = 0
+    worst = 0.0
+    for name, pattern in itertools.islice(patterns(args.data, 60), 12):
+        sheet = Sheet(pattern, paper="roll")
+        boxes = 1e3 * np.array([list(piece.box) for piece in sheet.pieces])
+        size = (boxes[:, 2:].max(0) - boxes[:, :2].min(0))[::-1]
+        with tempfile.NamedTemporaryFile(suffix=".plt") as file:
+            file.write(sheet.plt_bytes(hpgl2=0, by_piece=1))
+            file.flush()
+            told = subprocess.run(["hp2xx", "-t", "-m", "svg", "-f", "/dev/null", file.name], capture_output=True,
+                                  text=True, check=False)
+        found = re.search(r"height: ([\d.]+) x ([\d.]+) mm", told.stdout + told.stderr)
+        off = np.abs(np.array(found.groups(), float) - size).max() if found else math.inf
+        count, bad, worst = count + 1, bad + (off > PLOT_MM), max(worst, off)
+    print(f"plots: hp2xx draws {count - bad} of {count} sheets at true size, within {worst:.3f} mm")
+    return bad == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--every", type=int, default=1, help="take every n-th pattern")
     parser.add_argument("--list", action="store_true", help="print every fault")
     args = parser.parse_args()
-    return 0 if all([round_trip(args), valentina(args.data), rules()]) else 1
+    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args)]) else 1
 
 
 if __name__ == "__main__":

@@ -208,7 +208,7 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
 RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
-$(foreach h,wheel web web-serve extensions $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
+$(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
   RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))

@@ -488,6 +488,7 @@ struct mus_fabric {
     double damping;
     double friction;
     double thickness;
+    double bend_hysteresis;
 };
 
 struct mus_cloth_def {

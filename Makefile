@@ -100,7 +100,6 @@ all: $(foreach l,$(LIBRARIES),$(call library,$(l)).a) $(SHARED) $(if $(OMIT),,$(
 lib: $(call library,muslin).a $(call library,muslin).so.$(VERSION)
 tests: $(BIN)/tests $(EXAMPLES)
 examples: $(EXAMPLES)
-
 # ---- compile ----
 $(NEED): need-%:
 	@for p in $(PKG_$*); do $(PKG_CONFIG) --exists $$p || { echo "muslin: $$p is not installed; \`make packages\` \

@@ -63,7 +63,8 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
     *out = (mus__hinge){.node = {node[0], node[1], node[2], node[3]},
                         .coef = {(length - foot[0]) / height[0] + (length - foot[1]) / height[1],
                                  foot[0] / height[0] + foot[1] / height[1], -length / height[0], -length / height[1]},
-                        .k = rigidity / (0.5 * length * (height[0] + height[1]))};
+                        .k = rigidity / (0.5 * length * (height[0] + height[1])),
+                        .area = 0.5 * length * (height[0] + height[1])};
     return true;
 }
 

@@ -194,6 +194,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
     cloth->fabric = fabric, cloth->spacing = own.spacing;
+    if (own.bending == MUS_BEND_PLATE) cloth->bend_slide = mus__fabric_slide(&cloth->fabric);
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
     mesh.cloth = cloth;

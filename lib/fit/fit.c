@@ -77,6 +77,7 @@ static void fit_pressures(mus_fit *fit, const mus_drape *drape, double *force)
     mus__program membrane = drape->program;
     const double weight = drape->cloth->fabric.weight;
     membrane.nhalf_bend = membrane.nhinge = membrane.nattachment = membrane.npair = 0;
+    membrane.nslider = membrane.nclamp = 0;
     mus__program_force(&membrane, drape->n, drape->x, force);
     for (int32_t i = 0; i < fit->n && drape->scene.collider != NULL; i++) {
         const int32_t r = drape->rep[i];

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/sort.h"
+#include "sim/bend_slider.h"
 #include "sim/force_program_parts.h"
 
 /* [N/m2] stiffness of an attachment per metre of edge; chosen so that a garment of 1 kg on 1 m of waistband sinks 0.5
@@ -172,5 +173,6 @@ void mus__program_elements(const mus_cloth *cloth, const int32_t *rep, mus__prog
         program->pair[program->npair++] = (mus__seam_pair){
             .a = a, .b = b, .seam = cloth->pair_seam[p], .length = cloth->pair_length[p], .pull_share = 1.0};
     }
+    mus__sliders_fill(cloth, program);
     count_springs(cloth, program);
 }

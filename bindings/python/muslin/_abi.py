@@ -518,7 +518,8 @@ mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b
                           ("corner_start", c_double), ("corner_end", c_double)]
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
-                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
+                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
+                       ("bend_hysteresis", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
                           ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
                           ("nodes_most", c_int32)]
@@ -1010,6 +1011,9 @@ FUNCTIONS = {
                                                    POINTER(POINTER(mus_pattern))]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_write_garmentcode_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p),
+                                                                  POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),
     "mus_fabric_load_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                    POINTER(mus_fabric)]),

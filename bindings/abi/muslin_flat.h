@@ -1145,6 +1145,8 @@ void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);

@@ -8,9 +8,10 @@
 #include "convert_loss.h"
 #include "muslin/pattern.h"
 
-/* The things of a pattern that a file of paper does not hold, counted. */
+/* The things of a pattern that forms do not hold, counted. */
 typedef struct losses {
-    int32_t seams, closures, holds, elastics, names, labels, curves, inner, placements, layers, openings, small;
+    int32_t seams, laid, closures, holds, elastics, names, labels, curves, inner;
+    int32_t placements, bends, layers, openings, notches, marks, allowances, small;
 } losses;
 
 
@@ -30,6 +31,7 @@ static void count_edges(const mus_pattern *pattern, losses *l)
         l->names += mus_pattern_edge_name(pattern, e)[0] != '\0';
         l->labels += mus_pattern_edge_label(pattern, e)[0] != '\0';
         l->curves += curved;
+        l->allowances += mus_pattern_edge_allowance(pattern, e) >= 0.0;
     }
 }
 
@@ -53,6 +55,7 @@ static void count_panels(const mus_pattern *pattern, losses *l)
         mus_pattern_rim(pattern, p, NULL, NULL, 0, &rim);
         mus_pattern_placement(pattern, p, &at);
         l->inner += (outline - rim) / 2;
+        l->bends += at.bend != 0.0;
         l->placements += memcmp(at.origin, none.origin, sizeof at.origin) != 0;
         l->layers += mus_pattern_layer(pattern, p) > 0;
         l->small += !name_is_kept(mus_pattern_panel_name(pattern, p));
@@ -66,8 +69,12 @@ static void count_seams(const mus_pattern *pattern, losses *l)
     for (int32_t i = 0; i < l->seams; i++) {
         mus_seam_def seam;
         mus_seam_def_init(&seam, sizeof seam);
-        if (mus_pattern_seam(pattern, i, &seam) == MUS_OK) l->closures += seam.closure != MUS_CLOSURE_NONE;
+        if (mus_pattern_seam(pattern, i, &seam) != MUS_OK) continue;
+        l->closures += seam.closure != MUS_CLOSURE_NONE;
+        l->laid += mus_pattern_edge_seam(pattern, seam.edge_a) != i || mus_pattern_edge_seam(pattern, seam.edge_b) != i;
     }
+    l->notches = mus_pattern_notch_count(pattern);
+    l->marks = mus_pattern_mark_count(pattern);
     l->openings = mus_pattern_opening_count(pattern);
 }
 
@@ -78,19 +85,24 @@ void convert_tell_losses(const mus_pattern *pattern, const char *form)
     count_edges(pattern, &l);
     count_panels(pattern, &l);
     count_seams(pattern, &l);
-    const bool dxf = strcmp(form, "dxf") == 0;
+    const bool dxf = strcmp(form, "dxf") == 0, code = strcmp(form, "garmentcode") == 0, paper = !code;
     const struct {
         int32_t count;
         const char *what;
-    } rows[] = {{l.seams, "seams: which edges are sewn together is not in the file"},
+    } rows[] = {{paper ? l.seams : 0, "seams: which edges are sewn together is not in the file"},
                 {l.closures, "closures (zips, buttons)"},
-                {l.placements, "places of panels round the body"},
+                {code ? l.laid : 0, "second seams of edges (pleats, pockets)"},
+                {code ? l.bends : 0, "bends of panels round the body"},
+                {code ? l.notches : 0, "notches"},
+                {code ? l.marks : 0, "marks inside panels"},
+                {code ? l.allowances : 0, "seam allowances of edges"},
+                {paper ? l.placements : 0, "places of panels round the body"},
                 {l.layers, "layers of panels"},
                 {l.holds, "attachments of edges to a level of the body"},
                 {l.elastics, "elastics along edges"},
                 {l.inner, "sewn lines inside panels"},
                 {l.openings, "declared openings"},
-                {l.labels, "labels of edges (hem, neck, ...)"},
+                {paper ? l.labels : 0, "labels of edges (hem, neck, ...)"},
                 {l.names, "names of edges"},
                 {dxf ? l.curves : 0, "curved edges: they become chords within 0.01 mm"},
                 {dxf ? l.small : 0, "names of panels: they become 20 capitals, digits and \"_\""}};

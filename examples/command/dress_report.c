@@ -100,6 +100,10 @@ void dress_seconds(const dress *d, json *j)
     json_number(j, "sew", d->dressed.sew_seconds);
     json_number(j, "settle", d->dressed.settle_seconds);
     json_number(j, "render", d->render_seconds);
+    double thrown = 0.0; /* the starts that were not kept */
+    for (int32_t i = 0; i < d->dressed.starts; i++)
+        if (i != d->dressed.kept) thrown += d->dressed.start_seconds[i];
+    json_number(j, "thrown_away", thrown);
     json_close(j, '}');
 }
 

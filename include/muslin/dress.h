@@ -77,7 +77,8 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off, finds no rest
  * or is not worn (mus_fit_worn(); cloth through the skin alone fails no start). Then, with MUS_DRESS_PLACE_BOTH and
  * `retry`, the found placement has its turn. Because sewing with patience is slow, both placements are first sewn in
- * one way only, and with all ways after that. The first success ends the search; when none succeeds, the result is the
+ * one way only, and with all ways after that; the first attempts also end, once they are sewn, when a limb is not in
+ * its opening. The first success ends the search; when none succeeds, the result is the
  * patient one from the pattern's placement, if that was made, else the first one.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and

@@ -108,6 +108,21 @@ MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *pat
 MUS_API mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
+ * Write a pattern as a GarmentCode specification (JSON, centimetres and degrees); path "-" writes to standard output.
+ *
+ * Each piece of an edge becomes an edge of its own; the edges of a seam are cut where either has a joint, at equal
+ * relative arc lengths, and their parts are stitched one by one. Not held: lines inside panels, a second seam of an
+ * edge, ease, closures, notches, marks, grain, allowances, quantities, bends of placements, layers.
+ * Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline), MUS_ERR_UNSUPPORTED (an edge that ends where it
+ *         starts), MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Source: Korosteleva and Sorkine-Hornung, GarmentCode: Programming Parametric Sewing Patterns, 2023
+ */
+MUS_API mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
+
+/** Write the specification into memory. Errors: as mus_pattern_write_garmentcode(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+
+/**
  * Read a fabric file (JSON, muslin_fabric(5)). Each value stands under a key that names the unit, as a number and its
  * source.
  *

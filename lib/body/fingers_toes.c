@@ -163,6 +163,23 @@ static void digit_tube(const digit_base *base, const digit_row *row, bool toe, d
 }
 
 
+/* stretch the toes of a foot beyond the ball until the longest ends where the foot does: n vertices */
+static void digit_stretch(const digit_base *base, int32_t n, double *x)
+{
+    const double ball = 0.75 * base->unit[0];
+    double most = 0.0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t i = 0; i < n; i++) {
+            double *p = x + 3 * (ptrdiff_t)i, u = 0.0;
+            for (int c = 0; c < 3; c++) u += (p[c] - base->origin[c]) * base->u[c];
+            if (pass == 0) most = fmax(most, u);
+            if (pass == 0 || u <= ball) continue;
+            const double more = (u - ball) * ((base->unit[0] - ball) / (most - ball) - 1.0);
+            for (int c = 0; c < 3; c++) p[c] += more * base->u[c];
+        }
+}
+
+
 void mus__digit_make(mus_body *body)
 {
     const int32_t each = DIGIT_ROUND * DIGIT_RINGS + 2;
@@ -173,12 +190,15 @@ void mus__digit_make(mus_body *body)
         if (!digit_has(body, limb)) continue;
         if (toe) digit_foot(body, limb % 2, &base);
         else digit_hand(body, limb % 2, &base);
+        double *first = body->vertices + 3 * (ptrdiff_t)vertex;
+        for (int32_t d = 0; d < DIGIT_A_SIDE; d++)
+            digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, first + 3 * (ptrdiff_t)d * each);
+        if (toe) digit_stretch(&base, DIGIT_A_SIDE * each, first);
         for (int32_t d = 0; d < DIGIT_A_SIDE; d++) {
-            double *x = body->skin + 3 * (ptrdiff_t)vertex;
-            digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, x);
+            double *x = body->vertices + 3 * (ptrdiff_t)vertex;
             for (int32_t i = 0; i < each && body->frame != NULL; i++)
                 mus__frame_point(&body->frame[base.part], x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)i);
-            mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->skin_normals + 3 * (ptrdiff_t)vertex);
+            mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->normals + 3 * (ptrdiff_t)vertex);
             mus__ring_triangles(vertex, DIGIT_RINGS, DIGIT_ROUND, triangle);
             vertex += each;
             triangle += 3 * 2 * DIGIT_ROUND * DIGIT_RINGS;

@@ -14,8 +14,8 @@
  *   3. the pattern's placement, patient       when start 1 ended with an open seam
  *   4. the found placement, patient           when start 2 ended with an open seam
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin is told
- * by that call, and fails no start.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too, and an impatient one ends after
+ * sewing when a limb is not in its opening. Cloth through the skin is told by that call, and fails no start.
  *
  * Everything here goes through public functions.
  */
@@ -125,8 +125,9 @@ static mus_status dress_look(dress_trial *trial)
 }
 
 
-/* MUS_ERR_UNSETTLED with the reason when the garment is not worn */
-static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern, dress_trial *trial)
+/* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
+ * openings count */
+static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern, bool sewn, dress_trial *trial)
 {
     mus_worn worn;
     mus_worn_init(&worn, sizeof worn);
@@ -134,6 +135,7 @@ static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern,
     const mus_status status = mus_fit_worn(trial->drape, pattern, call->body, &worn);
     if (status != MUS_OK) return status;
     if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
+    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
     mus_reason *why = &trial->reason;
     mus_reason_init(why, sizeof *why);
     why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;
@@ -143,13 +145,16 @@ static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern,
 }
 
 
-/* sew and settle */
-static mus_status dress_sew(dress_call *call, mus_drape *drape)
+/* sew and settle. An impatient start whose limbs are not in their openings once it is sewn ends there: a limb that went
+ * into no opening while seams were open seldom finds it afterwards */
+static mus_status dress_sew(dress_call *call, const mus_pattern *pattern, bool patient, dress_trial *trial)
 {
+    mus_drape *drape = trial->drape;
     const mus_progress_fn progress = call->def.progress != NULL ? dress_progress : NULL;
     double start = mus__progress_time();
     mus_status status = mus_drape_sew(drape, progress, call);
     call->report.sew_seconds += mus__progress_time() - start;
+    if (status == MUS_OK && !patient) status = dress_worn(call, pattern, true, trial);
     if (status != MUS_OK) return status;
     start = mus__progress_time();
     status = mus_drape_settle(drape, progress, call);
@@ -195,10 +200,10 @@ static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t pla
     memset(trial, 0, sizeof *trial);
     trial->status = dress_cut(call, pattern, patient, trial);
     if (trial->status == MUS_OK) trial->status = dress_look(trial);
-    if (trial->status == MUS_OK) trial->status = dress_sew(call, trial->drape);
+    if (trial->status == MUS_OK) trial->status = dress_sew(call, pattern, patient, trial);
     snprintf(trial->text, sizeof trial->text, "%s", mus_context_error(call->context));
-    if (!trial->refused) dress_reason(pattern, trial);
-    if (trial->status == MUS_OK) trial->status = dress_worn(call, pattern, trial);
+    if (!trial->refused && trial->reason.kind != MUS_REASON_NOT_WORN) dress_reason(pattern, trial);
+    if (trial->status == MUS_OK) trial->status = dress_worn(call, pattern, false, trial);
     dress_text(trial);
 
     mus_dress_report *report = &call->report;

@@ -9,8 +9,9 @@
  * than the end of the shoulder, unless the pattern puts it there.
  * Hood: the way up from the crown is closed by cloth, the way forwards is open.
  * Low: an opening for both arms and the head (a waist, a strapless top) stands at the level at which the pattern puts
- * it, or at the first one below where the trunk is as wide as the opening is long.
- * Rolled up: an opening of the legs is higher than half of the way from where the pattern puts it to the top.
+ * it, or at the first one below where the trunk is as wide as the opening is long; one above the bust stays above it.
+ * Rolled up: an opening of the legs is higher than half of the way from where the pattern puts it to the top of the
+ * garment or the shoulders.
  */
 #include <math.h>
 #include <stdio.h>
@@ -125,8 +126,11 @@ static void hang_low(const mus__worn_call *call, int32_t loop)
     if ((own->expect & HANG_ARMS) != HANG_ARMS || (own->expect & HANG_LEGS) != 0) return;
     int32_t torso = 0;
     const double meant = hang_height(call, loop, call->placed), now = hang_height(call, loop, call->x);
+    /* a top that stands above the bust hangs on it, however wide it is */
+    const double bust = mus__dot3(call->axes.up, call->axes.point[MUS_WORN_NECK][0]);
+    const double least = meant > bust ? fmax(now, bust) : now;
     double carried = meant;
-    while (carried > now && hang_girth(call, torso, carried) < own->length) carried -= 0.01;
+    while (carried > least && hang_girth(call, torso, carried) < own->length) carried -= 0.01;
     if (!(now < carried - HANG_LOW)) return;
     char text[128];
     snprintf(text, sizeof text, "an opening of %.0f mm hangs %.0f mm below where the body carries it",
@@ -145,6 +149,7 @@ static void hang_rolled(const mus__worn_call *call, int32_t loop)
     for (int32_t l = 0; l < call->loops.nloop; l++)
         if (call->loops.loop[l].component == own->component && call->loops.loop[l].expect != 0)
             top = fmax(top, hang_height(call, l, call->placed));
+    top = fmin(top, mus__dot3(call->axes.up, call->axes.shoulders));
     if (!(now > meant + HANG_ROLLED * (top - meant)) || !(top > meant)) return;
     char text[128];
     snprintf(text, sizeof text, "rolled up by %.0f mm", 1000.0 * (now - meant));

@@ -3,7 +3,8 @@
  *
  * The room: the files of the garment trade. The readers of muslin's JSON, GarmentCode and FreeSewing are in
  * lib/exchange; here are DXF and its grade rules: dxf_file.c (text to entities), dxf_read.c (which pieces), dxf_ring.c
- * (outline), dxf_panel.c (panel), dxf_name.c, rul_read.c. The room is a part of libmuslin-exchange.
+ * (outline), dxf_panel.c (panel), dxf_name.c, rul_read.c; and garmentcode_write.c. The room is a part of
+ * libmuslin-exchange.
  */
 #include <string.h>
 

@@ -80,6 +80,14 @@ class Pattern(Topology, Edits, Valued):
         """The bytes that write() would write."""
         return taken_bytes(self.context, "mus_pattern_write_bytes", self.handle)
 
+    def write_garmentcode(self, path: PathLike) -> None:
+        """Write as a GarmentCode specification."""
+        self.context.call("mus_pattern_write_garmentcode", self.handle, text(path))
+
+    def garmentcode_bytes(self) -> bytes:
+        """The bytes that write_garmentcode() would write."""
+        return taken_bytes(self.context, "mus_pattern_write_garmentcode_bytes", self.handle)
+
     def copy(self) -> Pattern:
         return Pattern(context=self.context,
                        _handle=create(self.context, "pattern", "mus_pattern_copy", self.handle))

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Patterns through the files of the garment trade and back: `make trade`.
 
-Five parts, each with a line of its own at the end; the command fails when a part does.
+Six parts, each with a line of its own at the end; the command fails when a part does.
   round trip: every named design in one size and every GarmentCode specification, through DXF AAMA and ASTM. Compared:
               pieces, edges, the distance of the outlines, allowances, notches, grain, marks, names, labels, quantities.
   audit:      the same files by ezdxf, which has to find no error and repair nothing (left out without ezdxf).
   valentina:  the DXF files of the data: pieces, and areas of the sew line or cut line, as its facts.csv has them.
   rules:      designs in eight sizes: the sample graded by the RUL file against each size's own draft, at the ends of edges.
+  garmentcode: the same patterns as GarmentCode specifications and back.
   plots:      a dozen sheets as HPGL, at true size as hp2xx reads them (left out without hp2xx).
 
     MUSLIN_LIB=build/lib/libmuslin.so python3 tests/study/trade/trade.py --data DATA [--every 10] [--list]
@@ -281,6 +282,45 @@ def rules():
     return done == 6 and bad == 0
 
 
+def held(pattern):
+    """Length of the edges of seams that GarmentCode can hold [m], and how many seams it cannot."""
+    rims = {edge for panel in range(len(pattern.panels)) for edge, _ in pattern.rim(panel)}
+    length, others = 0.0, 0
+    for s in range(pattern.seam_count):
+        seam = pattern.seam(s)
+        edges = (seam["edge_a"], seam["edge_b"])
+        if seam["laid"] or any(e not in rims or lib.mus_pattern_edge_seam(pattern.handle, e) != s for e in edges):
+            others += 1
+        else:
+            length += sum(pattern.edge_length(e) for e in edges)
+    return length, others
+
+
+def garmentcode(args):
+    """Every pattern as a GarmentCode specification and back: areas, places, lengths of what is sewn."""
+    count = good = others = 0
+    worst = 0.0
+    for name, pattern in patterns(args.data, args.every):
+        count += 1
+        try:
+            again = Pattern.parse(pattern.garmentcode_bytes(), name=f"{name}.json")
+        except muslin.MuslinError as error:
+            print(f"  {name}: {error}")
+            continue
+        area = max(abs(pattern.area(i) - again.area(i)) for i in range(len(pattern.panels)))
+        around = max(abs(pattern.perimeter(i) - again.perimeter(i)) for i in range(len(pattern.panels)))
+        sewn = [held(pattern)[0], held(again)[0]]
+        others += held(pattern)[1]
+        worst = max(worst, 1e3 * around)
+        fine = area < 1e-8 and around < 1e-6 and abs(sewn[0] - sewn[1]) < 1e-5
+        good += fine
+        if not fine and args.list:
+            print(f"  {name}: area {area:.1e} m2, outline {around:.1e} m, sewn {sewn[0]:.4f} and {sewn[1]:.4f} m")
+    print(f"garmentcode: {good} of {count} patterns keep outlines and seams; outlines as long within {worst:.1e} mm; "
+          f"{others} seams are second seams of an edge or inside a panel, which the form has not")
+    return good == count
+
+
 def plots(args):
     """A dozen sheets as HPGL, their size as hp2xx tells it against the boxes of the cut lines."""
     if shutil.which("hp2xx") is None:
@@ -310,7 +350,7 @@ def main():
     parser.add_argument("--every", type=int, default=1, help="take every n-th pattern")
     parser.add_argument("--list", action="store_true", help="print every fault")
     args = parser.parse_args()
-    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args)]) else 1
+    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args)]) else 1
 
 
 if __name__ == "__main__":

@@ -51,12 +51,12 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
-$(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
+$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
   $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
@@ -69,19 +69,19 @@ PKG_catalogue = sqlite3
 PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
-
 room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
-SRC_muslin := $(call room,$(filter-out file $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file trade $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
-$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file)))) # lib/file is a part of both
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),trade))))) # and base's: objects_of
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
-TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/%,$(wildcard tests/*/*.c tests/study/*/*.c))
+TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/% tests/study/elementary/%,$(wildcard tests/*/*.c tests/study/*/*.c))
 SRC_tests := tests/main.c tests/support.c $(TEST_FILES) $(TEST_PARTS) $(wildcard tests/same/*.c)
 TESTED_EXAMPLES := examples/bench/edge_list.c examples/bench/triangle_tree.c
 KERNELS := $(wildcard lib/*/*_f32.c lib/*/*_f64.c lib/contact/*.c lib/selfcontact/*.c lib/integrate/*.c) $(TESTED_EXAMPLES)
 
 objects = $(patsubst %.c,$(OUT)/obj/%.o,$(1))
+objects_of = $(call objects,$(SRC_$(1)) $(if $(filter $(OWN_LIBRARY),$(1)),lib/base/elementary.c lib/base/sort.c))
 LIB := $(INTO)/lib
 BIN := $(INTO)/bin
 library = $(LIB)/libmuslin$(if $(filter-out muslin,$(1)),-$(1))
@@ -100,7 +100,6 @@ all: $(foreach l,$(LIBRARIES),$(call library,$(l)).a) $(SHARED) $(if $(OMIT),,$(
 lib: $(call library,muslin).a $(call library,muslin).so.$(VERSION)
 tests: $(BIN)/tests $(EXAMPLES)
 examples: $(EXAMPLES)
-
 # ---- compile ----
 $(NEED): need-%:
 	@for p in $(PKG_$*); do $(PKG_CONFIG) --exists $$p || { echo "muslin: $$p is not installed; \`make packages\` \
@@ -131,7 +130,7 @@ $(OUT)/suites.h: FORCE
 
 # ---- libraries: a static and a shared one from the same objects ----
 $(A_TESTS): $(call objects,$(TEST_PARTS))
-$(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects,$(SRC_$(l)))))
+$(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects_of,$(l))))
 $(sort $(ARCHIVES) $(A_TESTS)):
 	$(call say,AR,$@)
 	@mkdir -p $(@D)
@@ -139,7 +138,7 @@ $(sort $(ARCHIVES) $(A_TESTS)):
 	$(Q)$(AR) rcsD $@ $^
 
 # links in the build folder, so that -lmuslin and the loader find the library there
-$(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).so.$(VERSION): $(call objects,$(SRC_$(l)))))
+$(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).so.$(VERSION): $(call objects_of,$(l))))
 $(filter-out $(call library,muslin).so.%,$(SHARED)): $(call library,muslin).so.$(VERSION)
 $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(call say,LD,$@)
@@ -150,12 +149,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside designs catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(addprefix $(BIN)/,people slips outside designs catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -166,22 +165,19 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME, after NEEDS_NAME (or its program, or `all`) is built ----
-# A row RUN_NAME makes the target. Options come in the variable of its name: make corpus CORPUS='--every 7'
+# A row RUN_NAME makes the target, APT_GROUP what apt must have beside a build. Options come in the variable of its name: make corpus CORPUS='--every 7'
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-# what apt must have beside the packages of a build
-same check check-hosts check-omit check-large people slips outside designs catalogue-bench: APT_GROUP = test
-report page girths: APT_GROUP = report
-check-ports: APT_GROUP = ports
+same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
+report page girths trade fabric: APT_GROUP = report
+check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf && \
   echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.glb, report.json"
 RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
-NEEDS_check = all tests
 RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
-NEEDS_same = $(BIN)/same $(BIN)/figures
 RUN_bench = $(BIN)/muslin bench $(BENCH)
 RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
 RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
@@ -190,12 +186,16 @@ RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $
 RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
 RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
+RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
   --strip examples/gallery/strip.png
+RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
 RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
+RUN_manifold = $(BIN)/manifold $(ANSUR) $(OUT)/out $(MANIFOLD)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
+RUN_worn = $(BIN)/worn '$(MUSLIN_DATA)' $(WORN)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
 SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
 RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
@@ -204,26 +204,28 @@ RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
   REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
   $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
   --page tests/study/report) $(REPORT)
-CHECK_OMIT = print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate print+exchange+design
 RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
-  PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)' $(CHECK_OMIT)
-RUN_check-ports = CC='$(CC)' PYTHON='$(PYTHON)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
-RUN_check-hosts = MUSLIN_OUT='$(OUT)' $(PYTHON) tests/hosts/hosts.py $(HOSTS)
-$(foreach s,omit large,$(eval NEEDS_check-$(s) = tests))
+  PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
+RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
+RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
+RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
+RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
+$(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
+  RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
-NEEDS_check-threads = $(call library,muslin).a
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
 RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
-NEEDS_check-glb = run-dress
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
+NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
+  elementary:lib fuzz:lib check-glb:run-dress
+$(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))
 .PHONY: $(STUDIES) $(STUDIES:%=run-%)
-# a second make, so that pkg-config sees what was just installed
-$(STUDIES): %:
+$(STUDIES): %: # by a second make, so that pkg-config sees what was just installed
 	@sh tests/guard/packages.sh build $(APT_GROUP)
 	@$(if $(wildcard $(BIN)/muslin),,echo "muslin: building in $(OUT), a minute or a few (V=1 shows the commands)")
 	@$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) V=$(or $(V),0) run-$@

@@ -196,7 +196,8 @@ enum {
     MUS_REASON_UNSTABLE = 9,
     MUS_REASON_BAD_INPUT = 10,
     MUS_REASON_STOPPED = 11,
-    MUS_REASON_COUNT = 12,
+    MUS_REASON_NOT_WORN = 12,
+    MUS_REASON_COUNT = 13,
     MUS_DRESS_PLACE_BOTH = 0,
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
@@ -206,6 +207,23 @@ enum {
     MUS_FIT_WEFT = 2,
     MUS_FIT_PRESSURE = 3,
     MUS_FIT_GAP = 4,
+    MUS_WORN_NECK = 0,
+    MUS_WORN_ARM_LEFT = 1,
+    MUS_WORN_ARM_RIGHT = 2,
+    MUS_WORN_LEG_LEFT = 3,
+    MUS_WORN_LEG_RIGHT = 4,
+    MUS_WORN_LIMBS = 5,
+    MUS_WORN_YES = 0,
+    MUS_WORN_UNKNOWN = 1,
+    MUS_WORN_OPENING = 2,
+    MUS_WORN_INSIDE_OUT = 3,
+    MUS_WORN_SHOULDER = 4,
+    MUS_WORN_HOOD = 5,
+    MUS_WORN_LOW = 6,
+    MUS_WORN_ROLLED = 7,
+    MUS_WORN_TIGHT = 8,
+    MUS_WORN_THROUGH = 9,
+    MUS_WORN_COUNT = 10,
     MUS_PAPER_A4 = 0,
     MUS_PAPER_LETTER = 1,
     MUS_PAPER_A3 = 2,
@@ -217,6 +235,10 @@ enum {
     MUS_LINE_GRAIN = 3,
     MUS_LINE_MARK = 4,
     MUS_LINE_LABEL = 5,
+    MUS_DXF_AAMA = 0,
+    MUS_DXF_ASTM = 1,
+    MUS_DXF_CUT = 0,
+    MUS_DXF_SEW = 1,
     MUS_CATALOGUE_READ = 0,
     MUS_CATALOGUE_WRITE = 1,
     MUS_DISTANCE_PIECES = 0,
@@ -233,6 +255,7 @@ typedef struct mus_context mus_context;
 typedef struct mus_tape mus_tape;
 typedef struct mus_body mus_body;
 typedef struct mus_move mus_move;
+typedef struct mus_manifold mus_manifold;
 typedef struct mus_pattern mus_pattern;
 typedef struct mus_faults mus_faults;
 typedef struct mus_cloth mus_cloth;
@@ -247,6 +270,7 @@ typedef struct mus_body_def mus_body_def;
 typedef struct mus_pose mus_pose;
 typedef struct mus_scan_def mus_scan_def;
 typedef struct mus_scan_report mus_scan_report;
+typedef struct mus_manifold_def mus_manifold_def;
 typedef struct mus_edge_def mus_edge_def;
 typedef struct mus_seam_def mus_seam_def;
 typedef struct mus_placement mus_placement;
@@ -270,9 +294,13 @@ typedef struct mus_dress_def mus_dress_def;
 typedef struct mus_dress_report mus_dress_report;
 typedef struct mus_fit_spread mus_fit_spread;
 typedef struct mus_fit_level mus_fit_level;
+typedef struct mus_worn mus_worn;
 typedef struct mus_sheet_def mus_sheet_def;
 typedef struct mus_sheet_piece mus_sheet_piece;
 typedef struct mus_sheet_line mus_sheet_line;
+typedef struct mus_sheet_dxf mus_sheet_dxf;
+typedef struct mus_sheet_plt mus_sheet_plt;
+typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
 typedef void *(*mus_alloc_fn)(void *user, void *ptr, size_t old_size, size_t new_size);
@@ -357,6 +385,12 @@ struct mus_scan_report {
     double girth_height[5];
     double mesh_to_body[6][3];
     double body_to_mesh[6][3];
+};
+
+struct mus_manifold_def {
+    size_t size;
+    double spacing;
+    int32_t threads;
 };
 
 struct mus_edge_def {
@@ -462,6 +496,7 @@ struct mus_fabric {
     double damping;
     double friction;
     double thickness;
+    double bend_hysteresis;
 };
 
 struct mus_cloth_def {
@@ -659,6 +694,21 @@ struct mus_fit_level {
     double gap;
 };
 
+struct mus_worn {
+    size_t size;
+    int32_t kind;
+    int32_t limb;
+    int32_t panel;
+    int32_t node;
+    double value;
+    double place[3];
+    int32_t through;
+    double through_depth;
+    double through_area;
+    double through_place[3];
+    char text[256];
+};
+
 struct mus_sheet_def {
     size_t size;
     int32_t paper;
@@ -690,6 +740,36 @@ struct mus_sheet_line {
     int32_t point_count;
     const uint8_t *ops;
     const double *points;
+};
+
+struct mus_sheet_dxf {
+    size_t size;
+    int32_t dialect;
+    int32_t boundary;
+    const char *size_name;
+    const char *date;
+    int32_t nested;
+    int32_t size_count;
+    const mus_sheet *const *sheets;
+    const char *const *size_names;
+};
+
+struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;
+    int32_t by_piece;
+    int32_t one_pen;
+};
+
+struct mus_pattern_dxf {
+    size_t size;
+    const char *path;
+    const char *text;
+    size_t text_size;
+    const char *rules_path;
+    const char *rules;
+    size_t rules_size;
+    const char *size_name;
 };
 
 struct mus_mesh_view {
@@ -794,6 +874,17 @@ mus_status mus_move_at(const mus_move *move, double t, mus_pose *pose);
 void mus_scan_def_init(mus_scan_def *def, size_t size);
 void mus_scan_report_init(mus_scan_report *report, size_t size);
 mus_status mus_body_create_scan(mus_context *context, int32_t vertex_count, const double *vertices, int32_t triangle_count, const int32_t *triangles, const mus_scan_def *def, mus_scan_report *report, mus_body **out);
+void mus_manifold_def_init(mus_manifold_def *def, size_t size);
+mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def, mus_manifold **out);
+void mus_manifold_destroy(mus_manifold *manifold);
+int32_t mus_manifold_vertex_count(const mus_manifold *manifold);
+int32_t mus_manifold_triangle_count(const mus_manifold *manifold);
+int32_t mus_manifold_piece_count(const mus_manifold *manifold);
+int32_t mus_manifold_cut_count(const mus_manifold *manifold);
+double mus_manifold_volume(const mus_manifold *manifold);
+const double *mus_manifold_vertices(const mus_manifold *manifold);
+const double *mus_manifold_normals(const mus_manifold *manifold);
+const int32_t *mus_manifold_triangles(const mus_manifold *manifold);
 mus_status mus_pattern_create(mus_context *context, const char *name, mus_pattern **out);
 mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out);
 void mus_pattern_destroy(mus_pattern *pattern);
@@ -1030,6 +1121,9 @@ mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spre
 void mus_fit_level_init(mus_fit_level *level, size_t size);
 int32_t mus_fit_level_count(const mus_fit *fit);
 mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_level *out);
+void mus_worn_init(mus_worn *worn, size_t size);
+const char *mus_worn_name(int32_t kind);
+mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus_worn *out);
 
 /* libmuslin-print */
 void mus_sheet_def_init(mus_sheet_def *def, size_t size);
@@ -1050,6 +1144,14 @@ mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_pdf_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
+void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);
+mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);
+void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes, size_t *size);
 
 /* libmuslin-exchange */
 mus_status mus_tape_read(mus_context *context, const char *path, const char *row, mus_tape **out);
@@ -1058,8 +1160,12 @@ mus_status mus_tape_write(const mus_tape *tape, const char *path);
 mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern **out);
 mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
+void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
+mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);

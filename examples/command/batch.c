@@ -261,6 +261,7 @@ static int read_options(batch *b, int argc, char **argv)
         {"--png", OPTION_FLAG, &b->png, 0, 0, "a picture of each, DIR/NAME.png"},
         {"--glb", OPTION_FLAG, &b->glb, 0, 0, "body and garment of each as binary glTF 2.0, DIR/NAME.glb"},
         {"--obj", OPTION_FLAG, &b->obj, 0, 0, "body and garment of each as OBJ, DIR/NAME.obj"},
+        {"--part", OPTION_TEXT, &b->part, 0, 0, "I/N  each N-th garment of the list, from the I-th on"},
         {"--quiet", OPTION_FLAG, &b->quiet, 0, 0, "no progress on the terminal"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     option options[DRESS_OPTIONS + sizeof own / sizeof *own];

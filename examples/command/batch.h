@@ -20,7 +20,7 @@ typedef struct batch_line {
 } batch_line;
 
 typedef struct batch {
-    const char *list, *folder;
+    const char *list, *folder, *part; /* part: "I/N", or NULL */
     double jobs, limit; /* processes at a time; CPU seconds for a garment, 0: no limit */
     bool png, glb, obj, quiet;
     dress all; /* options given beside --batch, which hold for every line */
@@ -35,8 +35,8 @@ int batch_dress(int argc, char **argv);
 
 /* ---- the list ---- */
 
-/* Reads the list: words, names and keys of its garments; a line that cannot be read gets a fault. Returns an exit code.
- */
+/* Reads the list, or each N-th garment from the I-th on of part "I/N": words, names and keys; a line that cannot be
+ * read gets a fault. Returns an exit code. */
 int batch_read(batch *b);
 void batch_free(batch *b);
 

@@ -22,8 +22,8 @@
 #define FNV_PRIME UINT64_C(0x100000001b3)
 
 /* options of the batch itself, which no line may have */
-static const char *const of_batch[] = {"--batch", "-o",      "--jobs",  "--limit", "--png",
-                                       "--glb",   "--obj",   "--quiet", "--help",  "-h"};
+static const char *const of_batch[] = {"--batch", "-o",    "--jobs", "--limit", "--png", "--glb",
+                                       "--obj",   "--part", "--quiet", "--help",  "-h"};
 /* options of a single garment, which a batch refuses */
 static const char *const of_one[] = {"--report", "--json", "--frames"};
 /* groups of options that exclude one another: an option of a line replaces all of its group */
@@ -298,6 +298,20 @@ static void read_line(batch *b, batch_line *g, char *text, char ***words)
 }
 
 
+/* Keeps each N-th garment from the I-th on; names are those of the whole list. Returns an exit code. */
+static int keep_part(batch *b)
+{
+    int first = 0, of = 0, end = 0;
+    const bool read = sscanf(b->part, "%d/%d%n", &first, &of, &end) == 2 && b->part[end] == '\0';
+    if (!read || first < 1 || of < first)
+        return complain(EXIT_INPUT, "dress", "--part %.40s: expected I/N with 1 <= I <= N", b->part);
+    int32_t kept = 0;
+    for (int64_t i = first - 1; i < b->count; i += of) b->line[kept++] = b->line[i];
+    b->count = kept;
+    return EXIT_DONE;
+}
+
+
 int batch_read(batch *b)
 {
     b->program = hash_program();
@@ -322,7 +336,7 @@ int batch_read(batch *b)
         b->count += g->count > 0;
     }
     if (b->count == 0) return complain(EXIT_INPUT, "dress", "--batch %s: no garment is in the list", b->list);
-    return EXIT_DONE;
+    return b->part != NULL ? keep_part(b) : EXIT_DONE;
 }
 
 

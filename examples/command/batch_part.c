@@ -276,7 +276,7 @@ int batch_results(const batch *b, int32_t kept)
 {
     whole results, times;
     tally t = {0};
-    t.cpu = malloc((size_t)b->count * sizeof *t.cpu);
+    t.cpu = malloc(((size_t)b->count + 1) * sizeof *t.cpu);
     if (t.cpu == NULL) return complain(EXIT_FAILED, "dress", "no memory for the results");
     const bool first = whole_open(&results, b, "", "results.jsonl"), second = whole_open(&times, b, "", "times.jsonl");
     int code = first && second ? EXIT_DONE : cannot_write(first ? &times : &results);

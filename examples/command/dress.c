@@ -130,6 +130,16 @@ static void look_at_fit(dress *d)
 }
 
 
+/* Asks whether the garment is worn, by the body as it stands now; without memory for it the report does not say. */
+static void look_at_worn(dress *d)
+{
+    mus_body *own = NULL;
+    if (body_now(d, &own) == MUS_OK)
+        mus_fit_worn(d->drape, d->s.pattern, own != NULL ? own : d->body, &d->worn);
+    mus_body_destroy(own);
+}
+
+
 /* Writes picture and meshes of the present state. */
 static int write_shapes(dress *d)
 {
@@ -187,6 +197,8 @@ void dress_init(dress *d)
     d->friction = NAN;
     mus_dress_report_init(&d->dressed, sizeof d->dressed);
     mus_reason_init(&d->why, sizeof d->why);
+    mus_worn_init(&d->worn, sizeof d->worn);
+    d->worn.kind = MUS_WORN_UNKNOWN;
     d->look.repeat = 0.1;
     d->moved.count = 240.0;
 }
@@ -270,6 +282,7 @@ int dress_run(dress *d)
     }
     if (d->outcome == MUS_OK) code = move_on(d);
     if (d->drape != NULL && code == EXIT_DONE) look_at_fit(d);
+    if (d->drape != NULL && code == EXIT_DONE) look_at_worn(d);
     return d->drape != NULL && code == EXIT_DONE ? write_shapes(d) : code;
 }
 

@@ -29,6 +29,7 @@ typedef struct dress {
     mus_fit *fit; /* of a sewn garment; NULL before, and without memory for it */
     fit_map coloured;
     mus_status outcome;
+    mus_worn worn; /* whether the garment is worn; MUS_WORN_UNKNOWN: not asked */
     mus_dress_report dressed; /* the starts tried, seconds of each phase */
     mus_reason why;           /* why the garment is on, or is not */
     double body_seconds, render_seconds;

@@ -75,6 +75,21 @@ static void write_starts(const mus_dress_report *report, bool timed, json *j)
 }
 
 
+/* Writes whether the garment is worn, why not, and what goes through the body; nothing on a body that cannot tell. */
+static void write_worn(const dress *d, json *j)
+{
+    const mus_worn *worn = &d->worn;
+    if (worn->kind == MUS_WORN_UNKNOWN) return;
+    json_bool(j, "worn", worn->kind == MUS_WORN_YES);
+    json_text(j, "worn_why", worn->text);
+    json_open(j, "through_body", '{');
+    json_int(j, "count", worn->through);
+    json_number(j, "depth_mm", 1000.0 * worn->through_depth);
+    json_number(j, "area_cm2", 1e4 * worn->through_area);
+    json_close(j, '}');
+}
+
+
 void dress_seconds(const dress *d, json *j)
 {
     json_open(j, "seconds", '{');
@@ -85,6 +100,10 @@ void dress_seconds(const dress *d, json *j)
     json_number(j, "sew", d->dressed.sew_seconds);
     json_number(j, "settle", d->dressed.settle_seconds);
     json_number(j, "render", d->render_seconds);
+    double thrown = 0.0; /* the starts that were not kept */
+    for (int32_t i = 0; i < d->dressed.starts; i++)
+        if (i != d->dressed.kept) thrown += d->dressed.start_seconds[i];
+    json_number(j, "thrown_away", thrown);
     json_close(j, '}');
 }
 
@@ -125,6 +144,7 @@ void dress_describe(const dress *d, bool timed, json *j)
         json_text(j, "skipped", mus_drape_skipped(d->drape));
         json_text(j, "state_hash", hash);
     }
+    write_worn(d, j);
     if (d->fit != NULL) fit_write(d->fit, j);
     if (d->moved.pose != NULL || d->moved.move != NULL) write_motion(&d->moved, timed, j);
     if (timed) dress_seconds(d, j);

@@ -1,5 +1,5 @@
 /*
- * print.c: muslin print: writes a pattern as PDF or SVG at true scale, ready to cut.
+ * print.c: muslin print: writes a pattern as PDF, SVG, DXF or HPGL at true scale, ready to cut.
  */
 #include <stdio.h>
 #include <string.h>
@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "json.h"
 #include "muslin/print.h"
+#include "print_dxf.h"
 #include "scene.h"
 
 static const struct {
@@ -61,6 +62,9 @@ int command_print(int argc, char **argv)
     source from = {0};
     const char *pdf = NULL, *svg = NULL, *paper = "a4";
     const char *asked = NULL;
+    const char *plt = NULL;
+    bool cutter = false;
+    print_dxf dxf = {0};
     double allowance = -1.0;
     bool as_json = false;
     const option options[] = {
@@ -68,13 +72,24 @@ int command_print(int argc, char **argv)
         SOURCE_TAPE(from),
         {"--pdf", OPTION_OUTPUT, &pdf, 0, 0, "FILE  write a tiled PDF at true scale"},
         {"--svg", OPTION_OUTPUT, &svg, 0, 0, "FILE  write one sheet as SVG with named groups"},
+        {"--dxf", OPTION_OUTPUT, &dxf.dxf, 0, 0, "FILE  write the pieces as DXF R12 for cutters and CAD"},
+        {"--rul", OPTION_OUTPUT, &dxf.rul, 0, 0, "FILE  write the grade rules of --sizes"},
+        {"--dialect", OPTION_TEXT, &dxf.dialect, 0, 0, "NAME  of the DXF: astm (default) or aama"},
+        {"--sizes", OPTION_TEXT, &dxf.sizes, 0, 0, "LIST  further table sizes for --dxf and --rul: W36,W38,W42"},
+        {"--sew", OPTION_FLAG, &dxf.sew, 0, 0, "layer 1 of the DXF is the sew line, without allowances"},
+        {"--plt", OPTION_OUTPUT, &plt, 0, 0, "FILE  write HPGL/2 for a plotter"},
+        {"--cutter", OPTION_FLAG, &cutter, 0, 0, "the plot is for a cutter: piece by piece, the cut line last"},
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
         {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the pattern has none"},
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
-    if (pdf == NULL && svg == NULL)
-        return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE or --svg FILE");
+    if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL)
+        return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE, --svg FILE, --dxf FILE or --plt FILE");
+    if (dxf.rul != NULL && dxf.sizes == NULL)
+        return complain(EXIT_INPUT, "print", "--rul: needs --sizes LIST, the sizes that the rules are for");
+    if (print_dxf_dialect(dxf.dialect) == MUS_NONE)
+        return complain(EXIT_INPUT, "print", "--dialect %s: expected astm or aama", dxf.dialect);
     if (asked != NULL) paper = asked;
     if (find_paper(paper) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--paper %s: expected a4, letter, a3, a0 or roll", paper);
@@ -94,7 +109,12 @@ int command_print(int argc, char **argv)
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && pdf != NULL) status = mus_sheet_write_pdf(sheet, pdf);
         if (status == MUS_OK && svg != NULL) status = mus_sheet_write_svg(sheet, svg);
+        mus_sheet_plt plot;
+        mus_sheet_plt_init(&plot, sizeof plot);
+        plot.by_piece = cutter;
+        if (status == MUS_OK && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
         if (status != MUS_OK) code = scene_fail_output(&s, status);
+        if (code == EXIT_DONE) code = print_dxf_write(&s, &from, sheet, &def, &dxf);
     }
     if (code == EXIT_DONE && as_json) {
         describe(sheet, &j);

@@ -2,8 +2,8 @@
  * drape.c: whole pieces: crumpled and turned; cut finer and finer, a strip that hangs and the drape disc
  * (cases M9, M10, B8).
  *
- * The drape coefficient is that of the standards: a disc of 30 cm on a support of 18 cm, the part of the ring that the
- * shadow of the draped cloth still covers.
+ * The drape coefficient is that of BS 5058 and ISO 9073-9: a disc of 30 cm on a support of 18 cm, the part of the ring
+ * that the shadow of the draped cloth still covers.
  */
 #include <math.h>
 #include <stdio.h>
@@ -132,36 +132,71 @@ static void hung_panels(verify *v)
 
 /* ---- B8, M10: a disc of 30 cm on a support of 18 cm ---- */
 
-/* a disc as one panel with a border that fits the circle, flat and level */
+/* a half circle of the radius about the middle from `start` to `end`, through (0, over radius) */
+static mus_status half_circle(mus_pattern *pattern, double radius, const int32_t *ends, double over, int32_t *edge)
+{
+    const int32_t arc = MUS_PIECE_ARC;
+    const double through[2] = {0.0, over * radius};
+    return mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = ends[0], .end = ends[1],
+                                                         .npiece = 1, .kinds = &arc, .nxy = 1, .xy = through}, edge);
+}
+
+
+/* a panel of the disc: both half circles of the support (half < 0), or a half ring round it. edge: of the support its
+ * two half circles; of a ring its inner half circle, then the cuts at the start and at the end of it */
+static mus_status disc_panel(mus_pattern *pattern, int half, int32_t *edge)
+{
+    static const int32_t forward[2] = {1, 1}, round[4] = {1, 1, -1, -1};
+    const double level[9] = {1, 0, 0, 0, 0, 1, 0, -1, 0}, side = half == 1 ? -1.0 : 1.0;
+    int32_t panel = 0, inner[2], outer[2], rim = 0;
+    mus_placement place;
+    mus_status status = mus_pattern_add_panel(pattern, half < 0 ? "support" : half == 0 ? "ring 1" : "ring 2", &panel);
+    for (int k = 0; k < 2 && status == MUS_OK; k++) {
+        const double x = k == 0 ? side : -side;
+        status = mus_pattern_add_point(pattern, panel, x * SUPPORT, 0.0, &inner[k]);
+        if (status == MUS_OK && half >= 0) status = mus_pattern_add_point(pattern, panel, x * DISC, 0.0, &outer[k]);
+    }
+    if (status == MUS_OK) status = half_circle(pattern, SUPPORT, inner, side, &edge[0]);
+    if (status == MUS_OK && half < 0)
+        status = half_circle(pattern, SUPPORT, (const int32_t[]){inner[1], inner[0]}, -1.0, &edge[1]);
+    if (status == MUS_OK && half >= 0) status = half_circle(pattern, DISC, outer, side, &rim);
+    for (int k = 0; k < 2 && half >= 0 && status == MUS_OK; k++)
+        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = inner[k],
+                                                               .end = outer[k]}, &edge[1 + k]);
+    const int32_t ring[4] = {edge[1], rim, half < 0 ? 0 : edge[2], edge[0]};
+    if (status == MUS_OK)
+        status = mus_pattern_set_outline(pattern, panel, half < 0 ? 2 : 4, half < 0 ? edge : ring,
+                                         half < 0 ? forward : round);
+    mus_placement_init(&place, sizeof place);
+    memcpy(place.rotation, level, sizeof level);
+    return status == MUS_OK ? mus_pattern_set_placement(pattern, panel, &place) : status;
+}
+
+
+/* a disc whose mesh fits both circles, flat and level: a panel on the support and two half rings, sewn together */
 static mus_status disc_cloth(verify *v, double spacing, const mus_fabric *fabric, mus_cloth **out)
 {
-    const int32_t arc = MUS_PIECE_ARC, forward[2] = {1, 1};
-    const double top[2] = {0.0, DISC}, bottom[2] = {0.0, -DISC};
-    int32_t panel = 0, points[2], edges[2];
+    int32_t support[2], ring[2][3];
     mus_pattern *pattern = NULL;
-    mus_placement place;
     mus_cloth_def def;
-    mus_placement_init(&place, sizeof place);
-    const double level[9] = {1, 0, 0, 0, 0, 1, 0, -1, 0};
-    memcpy(place.rotation, level, sizeof level);
     mus_cloth_def_init(&def, sizeof def);
     def.spacing = spacing;
     def.fabric = fabric;
     def.coarser = 0;
     mus_status status = mus_pattern_create(v->context, "disc", &pattern);
-    if (status == MUS_OK) status = mus_pattern_add_panel(pattern, "disc", &panel);
-    if (status == MUS_OK) status = mus_pattern_add_point(pattern, panel, DISC, 0.0, &points[0]);
-    if (status == MUS_OK) status = mus_pattern_add_point(pattern, panel, -DISC, 0.0, &points[1]);
-    if (status == MUS_OK)
-        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = points[0],
-                                                               .end = points[1], .npiece = 1, .kinds = &arc,
-                                                               .nxy = 1, .xy = top}, &edges[0]);
-    if (status == MUS_OK)
-        status = mus_pattern_add_edge(pattern, &(mus_edge_def){.size = sizeof(mus_edge_def), .start = points[1],
-                                                               .end = points[0], .npiece = 1, .kinds = &arc,
-                                                               .nxy = 1, .xy = bottom}, &edges[1]);
-    if (status == MUS_OK) status = mus_pattern_set_outline(pattern, panel, 2, edges, forward);
-    if (status == MUS_OK) status = mus_pattern_set_placement(pattern, panel, &place);
+    if (status == MUS_OK) status = disc_panel(pattern, -1, support);
+    for (int k = 0; k < 2 && status == MUS_OK; k++) status = disc_panel(pattern, k, ring[k]);
+    const int32_t seam[4][2] = {{support[0], ring[0][0]},
+                                {support[1], ring[1][0]},
+                                {ring[0][1], ring[1][2]},
+                                {ring[0][2], ring[1][1]}};
+    for (int k = 0; k < 4 && status == MUS_OK; k++) {
+        mus_seam_def sewn;
+        mus_seam_def_init(&sewn, sizeof sewn);
+        sewn.edge_a = seam[k][0], sewn.edge_b = seam[k][1];
+        sewn.direction = MUS_SEAM_DIRECT;
+        status = mus_pattern_add_seam(pattern, &sewn, NULL);
+    }
     if (status == MUS_OK) status = mus_cloth_create(v->context, pattern, &def, out);
     mus_pattern_destroy(pattern);
     return status;
@@ -197,22 +232,35 @@ static double coefficient(const double *x, int32_t triangles, const int32_t *tri
 }
 
 
-/* hold the nodes on the support, and start in `lobes` shallow folds. A node up to half a spacing beyond the edge counts
- * as on it: the rim of held nodes is then the circle, in the mean */
-static mus_status lay_disc(mus_drape *drape, double spacing, int32_t lobes)
+/* sew the disc, hold it on the support, and start level but for `lobes` folds of a millimetre */
+static mus_status lay_disc(mus_drape *drape, int32_t lobes)
 {
     const int32_t n = mus_drape_node_count(drape);
     double *x = malloc(3 * (size_t)n * sizeof *x);
     if (x == NULL) return MUS_ERR_MEMORY;
     mus_status status = mus_drape_place(drape);
     memcpy(x, mus_drape_positions(drape), 3 * (size_t)n * sizeof *x);
+    if (status == MUS_OK) status = mus_drape_set_gravity(drape, (const double[]){0.0, 0.0, 0.0});
+    if (status == MUS_OK) status = mus_drape_sew(drape, NULL, NULL);
     for (int32_t i = 0; i < n && status == MUS_OK; i++) {
         const double r = hypot(x[3 * i], x[3 * i + 2]), s = fmax(0.0, (r - SUPPORT) / (DISC - SUPPORT));
-        x[3 * i + 1] += 0.01 * s * s * (cos(lobes * atan2(x[3 * i + 2], x[3 * i])) - 1.0);
-        if (r <= SUPPORT + 0.5 * spacing) status = mus_drape_pin(drape, i, 1);
+        x[3 * i + 1] += 0.001 * s * s * cos(lobes * atan2(x[3 * i + 2], x[3 * i]));
+        if (r <= SUPPORT + 1e-6) status = mus_drape_pin(drape, i, 1);
     }
     if (status == MUS_OK) status = mus_drape_set_state(drape, x, NULL);
     free(x);
+    return status;
+}
+
+
+/* let the weight come on in quarters, as the plate under the ring goes down: friction of bending stays one-sided */
+static mus_status load_disc(mus_drape *drape)
+{
+    mus_status status = MUS_OK;
+    for (int k = 1; k <= 4 && status == MUS_OK; k++) {
+        status = mus_drape_set_gravity(drape, (const double[]){0.0, -0.25 * k * REST_GRAVITY, 0.0});
+        if (status == MUS_OK) status = mus_drape_settle(drape, NULL, NULL);
+    }
     return status;
 }
 
@@ -222,17 +270,21 @@ static mus_status drape_disc(verify *v, double spacing, const mus_fabric *fabric
     mus_cloth *cloth = NULL;
     mus_drape *drape = NULL;
     int32_t *triangle = NULL, triangles = 0;
+    mus_drape_def def;
+    mus_drape_def_init(&def, sizeof def);
+    def.settle_residual = 0.005;
     mus_status status = disc_cloth(v, spacing, fabric, &cloth);
     if (status == MUS_OK) {
         triangles = mus_cloth_triangle_count(cloth);
         triangle = malloc(3 * (size_t)triangles * sizeof *triangle);
         if (triangle != NULL) memcpy(triangle, mus_cloth_triangles(cloth), 3 * (size_t)triangles * sizeof *triangle);
-        status = triangle != NULL ? rest_hang(v, cloth, 64, 25.0, REST_GRAVITY, &drape) : MUS_ERR_MEMORY;
+        status = triangle != NULL ? mus_drape_create(v->context, cloth, NULL, &def, &drape) : MUS_ERR_MEMORY;
     }
-    if (status == MUS_OK) status = lay_disc(drape, spacing, lobes);
-    if (status == MUS_OK) status = rest_settle(v, drape, 1e-3, 6.0);
+    if (status == MUS_OK) status = lay_disc(drape, lobes);
+    if (status == MUS_OK) status = load_disc(drape);
     *percent = status == MUS_OK ? coefficient(mus_drape_positions(drape), triangles, triangle) : NAN;
     free(triangle);
+    mus_cloth_destroy(cloth);
     mus_drape_destroy(drape);
     return status;
 }
@@ -260,8 +312,8 @@ static void discs(verify *v)
 }
 
 
-/* a plate stays flat; fabrics whose coefficient was measured. Broadcloth is a known failure: it hangs lower, for want
- * of friction inside the cloth, and its coefficient moves by ten points with the mesh and the start */
+/* a plate stays flat; fabrics whose bending (B and 2HB) and drape coefficient the same laboratory measured, within 4
+ * points of it. Broadcloth is a known failure: loaded slowly its friction holds it higher, and its weight is assumed */
 static void coefficients(verify *v)
 {
     double percent = NAN;
@@ -277,11 +329,11 @@ static void coefficients(verify *v)
         mus_fabric_find(name[i], &fabric);
         fabric.damping = 0.0;
         status = drape_disc(v, i == 0 ? 0.01 : 0.005, &fabric, 6, &percent);
-        snprintf(text, sizeof text, "%s, disc of %d mm from 6 folds, coefficient [%%]", name[i], i == 0 ? 10 : 5);
+        snprintf(text, sizeof text, "%s, disc of %d mm loaded slowly, coefficient [%%]", name[i], i == 0 ? 10 : 5);
         if (status == MUS_OK && i == 0)
-            verify_add_negative(v, "B8", text, measured[i], percent, 0.1);
+            verify_add_negative(v, "B8", text, measured[i], percent, 4.0 / measured[i]);
         else
-            rest_row(v, status, "B8", text, measured[i], percent, 0.15);
+            rest_row(v, status, "B8", text, measured[i], percent, 4.0 / measured[i]);
     }
 }
 

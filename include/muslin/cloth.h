@@ -29,6 +29,7 @@ typedef struct mus_fabric {
     double damping;     /* damping ratio of the stretch springs at their own frequency, 0..1 */
     double friction;    /* on skin, Coulomb */
     double thickness;   /* [m] */
+    double bend_hysteresis; /* 2HB of KES, width of the loop of moment over curvature [N]; 0: no friction in bending */
 } mus_fabric;
 
 /** Zero `fabric`, write size and the values of the default fabric ("jersey"). */

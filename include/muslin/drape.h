@@ -100,7 +100,8 @@ MUS_API mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from);
  * position beyond 1e7 m; with precision 32 more than 10 km from the middle of the cloth as placed). */
 MUS_API mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const double *velocities);
 
-/** Fix a node at its place (fixed nonzero), or free it. Errors: MUS_ERR_ARG. */
+/** Fix a node at its place (fixed nonzero), or free it. Fixed nodes side by side are a clamp: bending over their border
+ * is that of cloth held flat up to it. Errors: MUS_ERR_ARG; MUS_ERR_MEMORY, the node is as it was. */
 MUS_API mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed);
 
 /**

@@ -74,11 +74,12 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * Dress a body in a pattern: place, cut, sew and settle, from up to two placements, each tried up to twice.
  *
  * The pattern's own placement comes first when it has one, else the one of mus_arrange_pattern(). A start fails when
- * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off or finds no
- * rest. Then, with MUS_DRESS_PLACE_BOTH and `retry`, the found placement has its turn. Because sewing with patience
- * is slow, both placements are first sewn in one way only, and with all ways after that. The first success ends the
- * search; when none succeeds, the result is the patient one from the pattern's placement, if that was made, else the
- * first one.
+ * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off, finds no rest
+ * or is not worn (mus_fit_worn(); cloth through the skin alone fails no start). Then, with MUS_DRESS_PLACE_BOTH and
+ * `retry`, the found placement has its turn. Because sewing with patience is slow, both placements are first sewn in
+ * one way only, and with all ways after that; the first attempts also end, once they are sewn, when a limb is not in
+ * its opening. The first success ends the search; when none succeeds, the result is the
+ * patient one from the pattern's placement, if that was made, else the first one.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
  * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the
@@ -86,8 +87,8 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * mus_drape_reason(), or the fault of the start or of the pattern.
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION; MUS_ERR_PATTERN, MUS_ERR_MESH, MUS_ERR_LIMIT (as mus_cloth_create);
  *          MUS_ERR_BODY (a placement must be found, round a body not made of a tape); MUS_ERR_SEW (a bad start,
- *          or a seam stays open); MUS_ERR_UNSETTLED; MUS_ERR_TANGLED (at rest, but cloth crosses cloth);
- *          MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
+ *          or a seam stays open); MUS_ERR_UNSETTLED (no rest, or at rest but not worn); MUS_ERR_TANGLED (at rest, but
+ *          cloth crosses cloth); MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
  * Memory:  at most two cloths and two drapes at one time
  * Cost:    a T-shirt at 0.01 m takes about a second, with self_contact some seconds
  */

@@ -55,7 +55,8 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
- * Read a pattern: muslin JSON, GarmentCode specification or FreeSewing dump. The content tells the form.
+ * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump or DXF. The content tells the form. A DXF is
+ * read as by mus_pattern_read_dxf() in its sample size.
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
@@ -67,12 +68,59 @@ MUS_API mus_status mus_pattern_read(mus_context *context, const char *path, mus_
 MUS_API mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name,
                                          mus_pattern **out);
 
+/** A DXF of the garment trade to read, with the grade rules beside it. */
+typedef struct mus_pattern_dxf {
+    size_t size;
+    const char *path;       /* of the DXF; with `text` its name in messages */
+    const char *text;       /* (text_size) the DXF in memory; NULL (default): read the file */
+    size_t text_size;
+    const char *rules_path; /* of the RUL file, NULL (default): none; with `rules` its name in messages */
+    const char *rules;      /* (rules_size) the RUL in memory; NULL (default): read the file */
+    size_t rules_size;
+    const char *size_name;  /* wanted size ("40"); NULL (default): the sample size */
+} mus_pattern_dxf;
+
+/** Write the defaults: no file, no rules, the sample size. */
+MUS_API void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
+
+/**
+ * Read the pieces of a DXF (AAMA, ASTM D6673, as Gerber, CLO and Valentina write them) as a pattern without seams.
+ *
+ * A block with an outline on layer 1 is a panel. The sew line (14; in Valentina's AAMA the first closed line of 8) is
+ * its outline, and the distance to the cut line the allowance of each edge; without a sew line the boundary is the
+ * outline, with allowance 0. Edges begin at turn points (2) and where polylines end; without either, at corners of
+ * more than 30 degrees. Notches (4), grain (7), lines inside (8, 11) and drill points (13) are kept; half a piece
+ * with a mirror line (6) is unfolded; a piece that is cut in pairs ("Quantity: 1,1") gets its mirror image. A size
+ * without blocks of its own is made from the sample by the rules, linearly by arc length between graded points.
+ * Units:  metre; the file's are millimetres, or inches with "Units: ENGLISH"
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (the message has file, line and the expected content), MUS_ERR_UNSUPPORTED (an
+ *         arc or a spline in an outline), MUS_ERR_ARG (a size that the file has not: the message lists its sizes),
+ *         MUS_ERR_LIMIT (above 256 MiB, 10000 blocks, 20000 points of an outline), MUS_ERR_VERSION, MUS_ERR_MEMORY
+ * Source: ANSI/AAMA-292-1993; ASTM D6673-10
+ */
+MUS_API mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
+
 /** Write a pattern as muslin JSON. path "-" writes to standard output. Numbers have up to 17 digits, so that reading
  * the file back gives the same pattern, bit for bit. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 
 /** Write a pattern as mus_pattern_write() does, into memory. Errors: MUS_ERR_ARG, MUS_ERR_MEMORY */
 MUS_API mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+
+/**
+ * Write a pattern as a GarmentCode specification (JSON, centimetres and degrees); path "-" writes to standard output.
+ *
+ * Each piece of an edge becomes an edge of its own; the edges of a seam are cut where either has a joint, at equal
+ * relative arc lengths, and their parts are stitched one by one. Not held: lines inside panels, a second seam of an
+ * edge, ease, closures, notches, marks, grain, allowances, quantities, bends of placements, layers.
+ * Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline), MUS_ERR_UNSUPPORTED (an edge that ends where it
+ *         starts), MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Source: Korosteleva and Sorkine-Hornung, GarmentCode: Programming Parametric Sewing Patterns, 2023
+ */
+MUS_API mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
+
+/** Write the specification into memory. Errors: as mus_pattern_write_garmentcode(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
  * Read a fabric file (JSON, muslin_fabric(5)). Each value stands under a key that names the unit, as a number and its

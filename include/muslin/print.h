@@ -2,7 +2,7 @@
  * muslin/print.h: ready-to-cut paper (libmuslin-print).
  *
  * A sheet holds the pieces of a pattern at true scale, with cut line, sew line, allowance, notches, grain line, labels
- * and test squares. It is written as PDF (tiles or one long page) or as SVG with named groups.
+ * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, DXF with its RUL, or HPGL.
  * Outside dependency: cairo.
  */
 #ifndef MUSLIN_PRINT_H
@@ -136,6 +136,83 @@ MUS_API mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path)
 
 /** Write the sheet as SVG into memory. *bytes and errors: as mus_sheet_write_pdf_bytes() */
 MUS_API mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
+
+/* ---- DXF and RUL, for cutters and CAD of the trade ---- */
+
+#define MUS_DXF_AAMA 0 /* ANSI/AAMA-292: a notch is a line on layer 4 */
+#define MUS_DXF_ASTM 1 /* ASTM D6673: a notch is a point with depth and angle; 84, 85 and 87 repeat 1, 8 and 14 */
+
+#define MUS_DXF_CUT 0 /* layer 1 is the cut line, layer 14 the sew line */
+#define MUS_DXF_SEW 1 /* layer 1 is the sew line: the receiver adds the allowances */
+
+/** Options of a DXF file and of the RUL file beside it. */
+typedef struct mus_sheet_dxf {
+    size_t size;
+    int32_t dialect;        /* MUS_DXF_AAMA or MUS_DXF_ASTM (default) */
+    int32_t boundary;       /* MUS_DXF_CUT (default) or MUS_DXF_SEW; a RUL file numbers the ends of edges either way */
+    const char *size_name;  /* size of the sheet ("W40"); NULL: "1" */
+    const char *date;       /* creation date "dd-mm-yyyy"; NULL: none is written, so that the bytes stay the same */
+    int32_t nested;         /* nonzero: a block for each piece of each size; 0 (default): the sheet's own size alone */
+    int32_t size_count;     /* sizes besides the sheet's own, 0 (default) to 64 */
+    const mus_sheet *const *sheets; /* (size_count) the same pattern in these sizes, on sheets of their own */
+    const char *const *size_names;  /* (size_count) */
+} mus_sheet_dxf;
+
+/** Write the defaults: ASTM, the cut line on layer 1, one size. */
+MUS_API void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);
+
+/**
+ * Write the pieces as DXF R12, one block a piece (and size, when nested); def NULL takes the defaults.
+ *
+ * Layers: 1 boundary and texts, 2 turn points, 3 curve points, 4 notches, 7 grain, 8 lines inside, 11 cut-outs, 13
+ * drill points, 14 sew line (one polyline an edge), 15 annotation. Names are capitals, digits and "_", at most 20.
+ * Curves are chords within 0.01 mm. With sizes, the ends of edges carry the numbers of their grade rules ("# 3").
+ * Units:  millimetres in the file
+ * Errors: MUS_ERR_ARG (an unknown dialect or boundary; a size whose pieces or edges are not those of the sheet),
+ *         MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY. path "-" writes to standard output
+ * Source: ANSI/AAMA-292-1993; ASTM D6673-10
+ */
+MUS_API mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+
+/** Write the DXF into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_sheet_write_dxf() */
+MUS_API mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes,
+                                             size_t *size);
+
+/** Write the grade rules of the sizes of `def` as a RUL file: for each rule the displacement of its points from the
+ * sheet's own size to each size [mm]. Errors: as mus_sheet_write_dxf() */
+MUS_API mus_status mus_sheet_write_rul(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
+
+/** Write the RUL file into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_sheet_write_dxf() */
+MUS_API mus_status mus_sheet_write_rul_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes,
+                                             size_t *size);
+
+/* ---- HPGL, for plotters and cutters ---- */
+
+/** Options of a plot. */
+typedef struct mus_sheet_plt {
+    size_t size;
+    int32_t hpgl2;    /* nonzero (default): HPGL/2, with the length and width of the plot (PS); 0: HPGL */
+    int32_t by_piece; /* nonzero: for a cutter: of each piece marks and notches, then its cut line; no letters, no sew
+                       * line. 0 (default): for a plotter: all lines, pen after pen */
+    int32_t one_pen;  /* nonzero: pen 1 draws all; 0 (default): pen 1 cut line and notches, 2 sew line (dashed), 3 grain
+                       * and marks, 4 letters */
+} mus_sheet_plt;
+
+/** Write the defaults: HPGL/2 for a plotter with four pens. */
+MUS_API void mus_sheet_plt_init(mus_sheet_plt *def, size_t size);
+
+/**
+ * Write the sheet as HPGL; def NULL takes the defaults. The paper runs along x: x of the plot is y of the sheet.
+ *
+ * Units:  a plotter unit is 0.025 mm; curves are chords within 0.01 mm
+ * Errors: MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_FILE, MUS_ERR_MEMORY. path "-" writes to standard output
+ * Source: Hewlett-Packard, HP-GL/2 and HP RTL Reference Guide
+ */
+MUS_API mus_status mus_sheet_write_plt(const mus_sheet *sheet, const mus_sheet_plt *def, const char *path);
+
+/** Write the plot into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_sheet_write_plt() */
+MUS_API mus_status mus_sheet_write_plt_bytes(const mus_sheet *sheet, const mus_sheet_plt *def, char **bytes,
+                                             size_t *size);
 
 #ifdef __cplusplus
 }

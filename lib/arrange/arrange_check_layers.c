@@ -15,6 +15,7 @@
 
 #include "arrange/arrange_check.h"
 #include "arrange/failure_reason.h"
+#include "base/sort.h"
 #include "geom/vec.h"
 
 #define ORDER_ACROSS 0.7 /* cosine of the angle of two sheets: steeper ones stand across each other */
@@ -113,7 +114,7 @@ static void order_through(const order_look *look, int32_t count, int64_t *number
 {
     const mus_cloth *cloth = look->placed->cloth;
     for (int32_t i = 0; i < count; i++) number[i] = order_crossing(look, i);
-    qsort(number, (size_t)count, sizeof *number, order_by_number);
+    mus__sort(number, (size_t)count, sizeof *number, order_by_number);
     for (int32_t first = 0, last; first < count; first = last) {
         for (last = first; last < count && number[last] == number[first];) last++;
         if (number[first] < 0) continue;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "arrange/arrange_internal.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 #define READ_SIDE 0.5 /* horizontal component of the unit normal from which on an edge is a side */
@@ -211,7 +212,7 @@ void mus__arrange_point(const mus__arranged_panel *panel, double h, double v, do
     double x = h - panel->line, z = 0.0;
     if (panel->bend > 0.0) {
         const double angle = x / panel->bend;
-        x = panel->bend * sin(angle), z = panel->bend * (cos(angle) - 1.0);
+        x = panel->bend * mus__sin(angle), z = panel->bend * (mus__cos(angle) - 1.0);
     }
     for (int32_t d = 0; d < 3; d++) out[d] = panel->at[d] + x * panel->along[d] + v * panel->up[d] + z * panel->out[d];
 }

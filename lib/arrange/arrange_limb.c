@@ -13,6 +13,7 @@
 
 #include "body/body_internal.h"
 #include "arrange/arrange_internal.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "muslin/topology.h"
 
@@ -147,7 +148,7 @@ static double around_azimuth(const mus__arranged_ring *ring, const mus__arranged
 static void around_round(const mus__arranged_ring *ring, const mus__arranged_panel *panel, const double *dot,
                          double *out, double *angle)
 {
-    const double a = ring->phase + 2.0 * MUS_PI * (panel->u + dot[0]) / ring->girth, c = cos(a), s = sin(a);
+    const double a = ring->phase + 2.0 * MUS_PI * (panel->u + dot[0]) / ring->girth, c = mus__cos(a), s = mus__sin(a);
     for (int32_t d = 0; d < 3; d++)
         out[d] = ring->axis[d] + (panel->v + dot[1]) * ring->up[d] +
                  ring->radius * (c * ring->front[d] + s * ring->right[d]);
@@ -163,7 +164,7 @@ static double around_sides(const mus__arrangement *arrangement, int32_t t)
     for (int32_t p = 0; p < arrangement->npanel; p++) {
         const mus__arranged_panel *panel = &arrangement->panel[p];
         if (panel->ring != t) continue;
-        const double a = around_azimuth(ring, panel), c = cos(a), s = sin(a);
+        const double a = around_azimuth(ring, panel), c = mus__cos(a), s = mus__sin(a);
         if (panel->says & (MUS__ARRANGE_FRONT | MUS__ARRANGE_BACK))
             sum += panel->area * (1.0 - (panel->says & MUS__ARRANGE_FRONT ? c : -c)), all += panel->area;
         if (ring->limb == MUS__ARRANGE_ARM || fabs(ring->axis[0]) > 0.0) continue;
@@ -194,12 +195,14 @@ static double around_cost(const mus__arrangement *arrangement, int32_t t, double
             if (in_a)
                 around_round(ring, pa, a->dot + 2 * k, x, &angle);
             else
-                mus__arrange_point(pa, a->dot[2 * k], a->dot[2 * k + 1], x), angle = atan2(x[0], x[2] - ring->axis[2]);
+                mus__arrange_point(pa, a->dot[2 * k], a->dot[2 * k + 1], x),
+                    angle = mus__atan2(x[0], x[2] - ring->axis[2]);
             if (in_b)
                 around_round(ring, pb, b->dot + 2 * m, y, &other);
             else
-                mus__arrange_point(pb, b->dot[2 * m], b->dot[2 * m + 1], y), other = atan2(y[0], y[2] - ring->axis[2]);
-            if (level && ring->limb == MUS__ARRANGE_TRUNK) shoulder += seam->length * (1.0 + cos(angle + other));
+                mus__arrange_point(pb, b->dot[2 * m], b->dot[2 * m + 1], y),
+                    other = mus__atan2(y[0], y[2] - ring->axis[2]);
+            if (level && ring->limb == MUS__ARRANGE_TRUNK) shoulder += seam->length * (1.0 + mus__cos(angle + other));
             if (level) seams += seam->length;
             if (fans || (in_a && in_b) || !arrangement->ring[in_a ? pb->ring : pa->ring].set) continue;
             const double d[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
@@ -241,10 +244,10 @@ static void around_turn(mus__arrangement *arrangement, int32_t t)
 static double around_bend(double off, double half)
 {
     double low = fmax(off, 2.0 * half / MUS_PI), high = 100.0;
-    if (low * (1.0 - cos(half / low)) <= off - 0.005) return low;
+    if (low * (1.0 - mus__cos(half / low)) <= off - 0.005) return low;
     for (int32_t i = 0; i < 60; i++) {
         const double r = 0.5 * (low + high);
-        if (r * (1.0 - cos(half / r)) <= off - 0.005)
+        if (r * (1.0 - mus__cos(half / r)) <= off - 0.005)
             high = r;
         else
             low = r;
@@ -256,7 +259,7 @@ static double around_bend(double off, double half)
 /* places a panel of a ring that has a front and a back */
 static void around_half(const mus__arrangement *arrangement, const mus__arranged_ring *ring, mus__arranged_panel *panel)
 {
-    const bool front = cos(around_azimuth(ring, panel)) >= 0.0;
+    const bool front = mus__cos(around_azimuth(ring, panel)) >= 0.0;
     const double middle = 0.5 * (panel->low[0] + panel->high[0]);
 
     /* the line that stands at the middle of the front, or of the back */
@@ -281,7 +284,7 @@ static void around_half(const mus__arrangement *arrangement, const mus__arranged
     }
 
     /* panels round one leg stay on its side; of panels round both legs, each fork stays on the side of its leg */
-    const double reach = panel->bend > 0.0 ? panel->bend * sin(fmin(half / panel->bend, 0.5 * MUS_PI)) : half;
+    const double reach = panel->bend > 0.0 ? panel->bend * mus__sin(fmin(half / panel->bend, 0.5 * MUS_PI)) : half;
     if (ring->axis[0] != 0.0 && reach + AROUND_APART_LEGS > fabs(ring->axis[0]))
         panel->at[0] += copysign(reach + AROUND_APART_LEGS, ring->axis[0]) - ring->axis[0];
     const double width = panel->high[0] - panel->low[0];
@@ -294,7 +297,7 @@ static void around_half(const mus__arrangement *arrangement, const mus__arranged
 /* places a panel on a round ring, rolled if its own y runs along the limb */
 static void around_ring(const mus__arranged_ring *ring, mus__arranged_panel *panel)
 {
-    const double a = around_azimuth(ring, panel), c = cos(a), s = sin(a);
+    const double a = around_azimuth(ring, panel), c = mus__cos(a), s = mus__sin(a);
     panel->line = 0.5 * (panel->low[0] + panel->high[0]);
     panel->bend = panel->turn[1] == 0.0 ? ring->radius : 0.0;
     for (int32_t d = 0; d < 3; d++) {
@@ -313,7 +316,7 @@ static void around_set(mus__arrangement *arrangement, int32_t t)
     ring->halves = ring->limb == MUS__ARRANGE_TRUNK;
     for (int32_t p = 0; p < arrangement->npanel; p++)
         if (arrangement->panel[p].ring == t && !ring->hangs &&
-            fabs(cos(around_azimuth(ring, &arrangement->panel[p]))) < AROUND_SIDE)
+            fabs(mus__cos(around_azimuth(ring, &arrangement->panel[p]))) < AROUND_SIDE)
             ring->halves = 0;
     if (ring->limb == MUS__ARRANGE_TRUNK && !ring->halves && ring->axis[0] == 0.0)
         ring->radius = fmin(fmax(arrangement->belly, ring->wide / (2.0 * MUS_PI) + 0.01), AROUND_RADIUS) +

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "arrange/arrange_nodes.h"
+#include "base/elementary.h"
 
 #define PLEAT_DEEP 0.012 /* [m] between the folds of a pleat; chosen: more than the thickness of cloth on cloth */
 
@@ -26,8 +27,8 @@ static void place_point(const mus_placement *place, double x, double y, double h
     double p[3] = {x, y, height};
     if (place->bend != 0.0) {
         const double angle = (x - place->bend_x) / place->bend;
-        p[0] = place->bend_x + place->bend * sin(angle) + height * sin(angle);
-        p[2] = place->bend * (cos(angle) - 1.0) + height * cos(angle);
+        p[0] = place->bend_x + place->bend * mus__sin(angle) + height * mus__sin(angle);
+        p[2] = place->bend * (mus__cos(angle) - 1.0) + height * mus__cos(angle);
     }
     for (int32_t i = 0; i < 3; i++)
         out[i] = place->origin[i] + place->rotation[3 * i] * p[0] + place->rotation[3 * i + 1] * p[1] +

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "arrange/arrange_check.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 #define PANEL_FAN_WIDE 1.9      /* [rad] wider fans are folded; this and all below: chosen */
@@ -84,7 +85,7 @@ static double fan_angle(const fan_shape *fan, const double *x, double *far)
     const double d[3] = {x[0] - fan->apex[0], x[1] - fan->apex[1], x[2] - fan->apex[2]};
     const double along = mus__dot3(d, fan->middle), aside = mus__dot3(d, fan->aside);
     *far = sqrt(along * along + aside * aside);
-    return atan2(aside, along);
+    return mus__atan2(aside, along);
 }
 
 
@@ -189,8 +190,8 @@ static double fan_curve(int32_t n, double fold, double *way)
     way[0] = 0.0;
     for (int32_t i = 0; i < PANEL_FAN_STEPS; i++) {
         const double s = 2.0 * MUS_PI * n * (i + 0.5) * step;
-        const double out = 0.5 * fold * (1.0 - cos(s)), rise = MUS_PI * n * fold * sin(s),
-                     turn = PANEL_FAN_TO * cos(out);
+        const double out = 0.5 * fold * (1.0 - mus__cos(s)), rise = MUS_PI * n * fold * mus__sin(s),
+                     turn = PANEL_FAN_TO * mus__cos(out);
         way[i + 1] = way[i] + step * sqrt(turn * turn + rise * rise);
     }
     return way[PANEL_FAN_STEPS];
@@ -218,10 +219,10 @@ static void fan_fold(const mus__placed_cloth *placed, int32_t p, const fan_shape
         int32_t k = 0;
         while (k < PANEL_FAN_STEPS - 1 && way[k + 1] < want) k++;
         const double s = (k + (want - way[k]) / (way[k + 1] - way[k])) / PANEL_FAN_STEPS;
-        const double a = PANEL_FAN_TO * (s - 0.5), b = 0.5 * low * (1.0 - cos(2.0 * MUS_PI * n * s));
+        const double a = PANEL_FAN_TO * (s - 0.5), b = 0.5 * low * (1.0 - mus__cos(2.0 * MUS_PI * n * s));
         for (int32_t d = 0; d < 3; d++)
-            x[d] = fan->apex[d] +
-                   far * (cos(b) * (cos(a) * fan->middle[d] + sin(a) * fan->aside[d]) + sin(b) * fan->out[d]);
+            x[d] = fan->apex[d] + far * (mus__cos(b) * (mus__cos(a) * fan->middle[d] + mus__sin(a) * fan->aside[d]) +
+                                         mus__sin(b) * fan->out[d]);
     }
 }
 

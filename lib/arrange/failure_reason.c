@@ -10,7 +10,8 @@
 static const char *const reason_names[MUS_REASON_COUNT] = {
     "nothing asked",     "settled",       "twisted seam", "panel crosses itself",
     "seam cannot close", "start tangled", "slid off",     "tangled",
-    "not settled",       "unstable",      "bad input",    "stopped"};
+    "not settled",       "unstable",      "bad input",    "stopped",
+    "not worn"};
 
 
 void mus_reason_init(mus_reason *reason, size_t size)

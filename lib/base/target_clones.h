@@ -2,13 +2,15 @@
  * target_clones.h: one function, compiled for several widths of vector, chosen when the library is loaded.
  *
  * With contraction off every width gives the same bits. Not under sanitizers, whose runtime is not up yet when the
- * choice is made.
+ * choice is made; nor with a C library that cannot choose (musl has no ifunc).
  */
 #ifndef MUS_BASE_TARGET_CLONES_H
 #define MUS_BASE_TARGET_CLONES_H
 
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(MUS_NO_CLONES)
+#include <stdint.h> /* which C library: __GLIBC__ */
+
+#if defined(__x86_64__) && defined(__linux__) && defined(__GLIBC__) && defined(__GNUC__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(MUS_NO_CLONES)
 #if defined(__clang__)
 #if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || \
     __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer) || __clang_major__ < 14

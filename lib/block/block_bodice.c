@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "block/block_bodice.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 /* [m] distance of the sewn dart points of the front from the bust point; dressmaking practice is 2 to 3 cm */
@@ -21,7 +22,7 @@
 /* p rotated about o by angle a [rad] */
 static void bodice_turn(const double *p, const double *o, double a, double *out)
 {
-    double c = cos(a), s = sin(a), x = p[0] - o[0], y = p[1] - o[1];
+    double c = mus__cos(a), s = mus__sin(a), x = p[0] - o[0], y = p[1] - o[1];
     out[0] = o[0] + c * x - s * y;
     out[1] = o[1] + s * x + c * y;
 }
@@ -31,8 +32,8 @@ static void bodice_turn(const double *p, const double *o, double a, double *out)
 static void bodice_neck(const mus__bodice_half *half, double depth, double *out)
 {
     double centre[2] = {0.0, half->snp[1] - depth}, reach = half->hold[1] * depth;
-    mus__cubic_set(out, centre, half->hold[0] * half->snp[0], centre[1], half->snp[0] - reach * sin(half->slope),
-                   half->snp[1] - reach * cos(half->slope), half->snp);
+    mus__cubic_set(out, centre, half->hold[0] * half->snp[0], centre[1], half->snp[0] - reach * mus__sin(half->slope),
+                   half->snp[1] - reach * mus__cos(half->slope), half->snp);
 }
 
 
@@ -50,10 +51,10 @@ static void bodice_arm(mus__bodice_half *half, double hold, double low)
 {
     const double *t = half->tip, *p = half->pitch, *u = half->under;
     double l = t[1] - p[1], reach = low * (u[0] - p[0]);
-    mus__cubic_set(half->arm_high, t, t[0] - hold * l * sin(half->slope), t[1] - hold * l * cos(half->slope), p[0],
-                   p[1] + 0.35 * l, p);
-    mus__cubic_set(half->arm_low, p, p[0], p[1] - low * (p[1] - u[1]), u[0] - reach * cos(half->theta),
-                   u[1] - reach * sin(half->theta), u);
+    mus__cubic_set(half->arm_high, t, t[0] - hold * l * mus__sin(half->slope), t[1] - hold * l * mus__cos(half->slope),
+                   p[0], p[1] + 0.35 * l, p);
+    mus__cubic_set(half->arm_low, p, p[0], p[1] - low * (p[1] - u[1]), u[0] - reach * mus__cos(half->theta),
+                   u[1] - reach * mus__sin(half->theta), u);
     half->arm_low_length = mus__cubic_length(half->arm_low);
     half->arm_length = mus__cubic_length(half->arm_high) + half->arm_low_length;
 }
@@ -91,7 +92,7 @@ static mus_status bodice_back(mus_context *context, const mus__measures *measure
     back->slope = m[MUS_MEASURE_SHOULDER_SLOPE] - 2.0 * MUS__DEGREE;
     back->hold[0] = 0.62, back->hold[1] = 0.55;
     back->snp[0] = nw, back->snp[1] = bwl + rise;
-    back->tip[0] = nw + sh * cos(back->slope), back->tip[1] = back->snp[1] - sh * sin(back->slope);
+    back->tip[0] = nw + sh * mus__cos(back->slope), back->tip[1] = back->snp[1] - sh * mus__sin(back->slope);
     bodice_set_neck(back, rise);
 
     /* armhole: the pitch half way up, not wider than the across back */
@@ -162,15 +163,15 @@ static mus_status bodice_bust(mus_context *context, const mus__measures *measure
     } else if (measures->front_waist_given) {
         front->snp[1] = m[MUS_MEASURE_FRONT_WAIST] - bd + q;
     } else {
-        front->snp[1] = out->back.tip[1] - 0.7 * MUS__CM + reach * tan(cup) + sh * sin(front->slope);
+        front->snp[1] = out->back.tip[1] - 0.7 * MUS__CM + reach * mus__tan(cup) + sh * mus__sin(front->slope);
     }
-    front->tip[0] = nw + sh * cos(front->slope), front->tip[1] = front->snp[1] - sh * sin(front->slope);
+    front->tip[0] = nw + sh * mus__cos(front->slope), front->tip[1] = front->snp[1] - sh * mus__sin(front->slope);
     front->bust[0] = bs2, front->bust[1] = front->snp[1] - q;
     out->front_waist = front->bust[1] + bd;
 
     if (!darts) return MUS_OK;
     out->dart_drop = fmax(0.0, front->tip[1] - out->back.tip[1] + 0.7 * MUS__CM);
-    front->theta = fmin(atan2(out->dart_drop, reach), 30.0 * MUS__DEGREE);
+    front->theta = fmin(mus__atan2(out->dart_drop, reach), 30.0 * MUS__DEGREE);
     if (front->theta < 2.0 * MUS__DEGREE) front->theta = 0.0;
     return MUS_OK;
 }
@@ -270,8 +271,8 @@ void mus__bodice_def_init(mus__bodice_def *def, const mus__measures *measures)
 void mus__bodice_lower_neck(mus__bodice_half *half, double along, double drop)
 {
     double centre = half->centre[1] - drop;
-    half->snp[0] += along * cos(half->slope);
-    half->snp[1] -= along * sin(half->slope);
+    half->snp[0] += along * mus__cos(half->slope);
+    half->snp[1] -= along * mus__sin(half->slope);
     half->shoulder_length = mus__dist2(half->snp, half->tip);
     bodice_set_neck(half, fmax(half->snp[1] - centre, 0.5 * MUS__CM));
 }

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "block/block_collar.h"
+#include "base/elementary.h"
 
 /* an edge of a collar whose breadth x is unknown */
 typedef struct collar_problem {
@@ -24,8 +25,8 @@ typedef struct collar_problem {
 /* bottom = [(0, 0), (.45 x, 0), (x - .35 x cos b, u - .35 x sin b), (x, u)],  tan b = 1.7 u / x */
 static void stand_bottom(double x, double u, double *out)
 {
-    const double b = atan2(1.7 * u, x), start[2] = {0.0, 0.0}, end[2] = {x, u};
-    mus__cubic_set(out, start, 0.45 * x, 0.0, x - 0.35 * x * cos(b), u - 0.35 * x * sin(b), end);
+    const double b = mus__atan2(1.7 * u, x), start[2] = {0.0, 0.0}, end[2] = {x, u};
+    mus__cubic_set(out, start, 0.45 * x, 0.0, x - 0.35 * x * mus__cos(b), u - 0.35 * x * mus__sin(b), end);
 }
 
 
@@ -49,10 +50,10 @@ mus_status mus__stand_draft(mus_context *context, const mus__stand_def *def, mus
 
     /* top: level with the bottom at the back, square to it in front: T = end + .85 h (-sin b, cos b) */
     stand_bottom(x, def->rise, out->bottom);
-    const double b = atan2(1.7 * def->rise, x), h = 0.85 * def->height, start[2] = {0.0, def->height};
-    const double t[2] = {x - h * sin(b), def->rise + h * cos(b)};
-    mus__cubic_set(out->top, start, 0.45 * t[0], def->height, t[0] - 0.35 * t[0] * cos(b), t[1] - 0.35 * t[0] * sin(b),
-                   t);
+    const double b = mus__atan2(1.7 * def->rise, x), h = 0.85 * def->height, start[2] = {0.0, def->height};
+    const double t[2] = {x - h * mus__sin(b), def->rise + h * mus__cos(b)};
+    mus__cubic_set(out->top, start, 0.45 * t[0], def->height, t[0] - 0.35 * t[0] * mus__cos(b),
+                   t[1] - 0.35 * t[0] * mus__sin(b), t);
     out->top_length = mus__cubic_length(out->top);
     return MUS_OK;
 }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "block/block_curve.h"
+#include "base/elementary.h"
 #include "geom/curve.h"
 
 
@@ -171,8 +172,8 @@ void mus__chain_through(mus__chain *chain, int32_t n, const double *xy, const do
     for (int32_t i = 0; i + 1 < n; i++) {
         /* handles of a circular arc that turns by `turn`: 4/3 tan(turn/4) / turn of its length */
         const double *t0 = tangent + 2 * i, *t1 = t0 + 2, *p0 = xy + 2 * i, *p1 = p0 + 2;
-        const double turn = acos(fmax(-1.0, fmin(1.0, t0[0] * t1[0] + t0[1] * t1[1])));
-        const double reach = ds[i] * (turn > 1e-3 ? 4.0 / 3.0 * tan(0.25 * turn) / turn : 1.0 / 3.0);
+        const double turn = mus__acos(fmax(-1.0, fmin(1.0, t0[0] * t1[0] + t0[1] * t1[1])));
+        const double reach = ds[i] * (turn > 1e-3 ? 4.0 / 3.0 * mus__tan(0.25 * turn) / turn : 1.0 / 3.0);
         double *out = chain->xy + 6 * i + 2;
         chain->kinds[i] = MUS__CUBIC;
         for (int32_t k = 0; k < 2; k++) {

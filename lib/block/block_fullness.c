@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "block/block_fullness.h"
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 
@@ -36,7 +37,7 @@ static void fullness_move(mus__chain *chain, double dx, double dy)
 
 static void cut_turn(mus__chain *chain, const double *centre, double angle)
 {
-    const double c = cos(angle), s = sin(angle);
+    const double c = mus__cos(angle), s = mus__sin(angle);
     for (int32_t i = 0; i < chain->nxy; i++) {
         const double x = chain->xy[2 * i] - centre[0], y = chain->xy[2 * i + 1] - centre[1];
         chain->xy[2 * i] = centre[0] + c * x - s * y, chain->xy[2 * i + 1] = centre[1] + s * x + c * y;
@@ -99,8 +100,9 @@ static void fan_cap(const double *cubic, double width, double delta, fan_half *o
             mus__curve_at(MUS__CUBIC, cubic, t, at);
             mus__curve_tangent(MUS__CUBIC, cubic, t, along);
             const double psi = delta * at[0] / width;
-            d[k][0] = cos(psi) * along[0] - sin(psi) * along[1], d[k][1] = sin(psi) * along[0] + cos(psi) * along[1];
-            speed = hypot(along[0], along[1]);
+            d[k][0] = mus__cos(psi) * along[0] - mus__sin(psi) * along[1],
+            d[k][1] = mus__sin(psi) * along[0] + mus__cos(psi) * along[1];
+            speed = mus__hypot(along[0], along[1]);
         }
         out->tangent[i][0] = d[2][0] / speed, out->tangent[i][1] = d[2][1] / speed;
         out->s[i] = mus__curve_length_to(MUS__CUBIC, cubic, (double)i / FAN_STEPS);
@@ -122,7 +124,7 @@ static void fan_at(const fan_half *half, double s, double *xy, double *tangent)
     const double t = fmin(fmax((s - half->s[i]) / ds, 0.0), 1.0);
     mus__curve_at(MUS__CUBIC, piece.xy, t, xy);
     mus__curve_tangent(MUS__CUBIC, piece.xy, t, tangent);
-    const double length = hypot(tangent[0], tangent[1]);
+    const double length = mus__hypot(tangent[0], tangent[1]);
     tangent[0] /= length, tangent[1] /= length;
 }
 
@@ -165,11 +167,11 @@ static void fan_hem(const mus__sleeve *block, const fan_half *half, const double
     mus__curve_at(MUS__CUBIC, cubic, t, at);
     fan_at(half, mus__curve_length_to(MUS__CUBIC, cubic, t), cap, tangent);
     const double psi = half->delta * at[0] / half->width;
-    const double wave = at[0] > 0.0 ? sin(2.0 * MUS_PI * at[0] / half->width) : 0.0;
+    const double wave = at[0] > 0.0 ? mus__sin(2.0 * MUS_PI * at[0] / half->width) : 0.0;
     const double v[2] = {at[0] * (block->hem / block->width - 1.0),
                          block->height - block->length - at[1] - drop * wave * wave};
-    out[0] = cap[0] + cos(psi) * v[0] - sin(psi) * v[1];
-    out[1] = cap[1] + sin(psi) * v[0] + cos(psi) * v[1];
+    out[0] = cap[0] + mus__cos(psi) * v[0] - mus__sin(psi) * v[1];
+    out[1] = cap[1] + mus__sin(psi) * v[0] + mus__cos(psi) * v[1];
 }
 
 
@@ -210,8 +212,8 @@ void mus__sleeve_fan(const mus__sleeve *block, double front, double back, double
     for (int32_t i = 0; i < 4; i++) {
         /* length of an arc over its chord: turn / (2 sin(turn / 2)) */
         const double c = tangent[2 * i] * tangent[2 * i + 2] + tangent[2 * i + 1] * tangent[2 * i + 3];
-        const double turn = acos(fmax(-1.0, fmin(1.0, c)));
-        ds[i] = mus__dist2(xy + 2 * i, xy + 2 * i + 2) * (turn > 1e-4 ? 0.5 * turn / sin(0.5 * turn) : 1.0);
+        const double turn = mus__acos(fmax(-1.0, fmin(1.0, c)));
+        ds[i] = mus__dist2(xy + 2 * i, xy + 2 * i + 2) * (turn > 1e-4 ? 0.5 * turn / mus__sin(0.5 * turn) : 1.0);
     }
     mus__chain_through(&out->hem, 5, xy, tangent, ds);
     mus__chain_line(&out->under_back, cut_end(&out->hem), out->cap[MUS__CAP_BACK_LOW].xy);

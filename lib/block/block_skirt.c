@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "block/block_skirt.h"
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 
@@ -23,8 +24,8 @@ typedef struct skirt_waist_problem {
 static void skirt_waist(const skirt_waist_problem *problem, double x, double *out)
 {
     double centre[2] = {0.0, 0.0}, side[2] = {x, problem->rise}, reach = 0.33 * x;
-    mus__cubic_set(out, centre, 0.4 * x, 0.0, x - reach * cos(problem->tilt),
-                   problem->rise - reach * sin(problem->tilt), side);
+    mus__cubic_set(out, centre, 0.4 * x, 0.0, x - reach * mus__cos(problem->tilt),
+                   problem->rise - reach * mus__sin(problem->tilt), side);
 }
 
 
@@ -107,14 +108,15 @@ static void skirt_side(const mus__skirt_def *def, mus__skirt_half *half)
 
     /* flare: the last handle gives the angle at the hem; the hem rises by 0.6 of a full cone's rise, front and back
      * alike */
-    double mean = skirt_hip(def), tilt = atan2(def->flare, below), rise = 0.6 * (mean + def->flare) * tan(0.5 * tilt);
+    double mean = skirt_hip(def), tilt = mus__atan2(def->flare, below),
+           rise = 0.6 * (mean + def->flare) * mus__tan(0.5 * tilt);
     double hem[2] = {half->hip + def->flare, -def->length + rise};
     mus__cubic_set(half->side_low, hip, half->hip, -def->depth - 0.25 * below,
-                   hem[0] - 0.4 * (below - rise) * tan(tilt), hem[1] + 0.4 * (below - rise), hem);
+                   hem[0] - 0.4 * (below - rise) * mus__tan(tilt), hem[1] + 0.4 * (below - rise), hem);
 
     double centre[2] = {0.0, -def->length}, reach = 0.3 * hem[0];
-    mus__cubic_set(half->hem, centre, 0.5 * hem[0], centre[1], hem[0] - reach * cos(tilt), hem[1] - reach * sin(tilt),
-                   hem);
+    mus__cubic_set(half->hem, centre, 0.5 * hem[0], centre[1], hem[0] - reach * mus__cos(tilt),
+                   hem[1] - reach * mus__sin(tilt), hem);
     half->hem_width = hem[0];
     half->side_high_length = mus__cubic_length(half->side_high);
     half->side_length = half->side_high_length + mus__cubic_length(half->side_low);
@@ -133,7 +135,7 @@ static mus_status skirt_half(mus_context *context, const mus__skirt_def *def, bo
     /* waist edge */
     double d = half->dart_width;
     skirt_waist_problem problem = {side > 0.5 * MUS__CM ? def->rise : 0.3 * MUS__CM,
-                                   0.6 * atan2(fmax(side, 0.0), def->depth) + 0.02, net + d};
+                                   0.6 * mus__atan2(fmax(side, 0.0), def->depth) + 0.02, net + d};
     double x;
     if (!mus__solve(skirt_waist_excess, &problem, 0.5 * net, 1.5 * (net + d) + 1.0 * MUS__CM, &x))
         return mus__fail(context, MUS_ERR_DESIGN, "skirt waist: waist %d mm cannot be drawn with a rise of %d mm",

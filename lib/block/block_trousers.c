@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "block/block_trousers.h"
+#include "base/elementary.h"
 #include "geom/curve.h"
 
 #define BACK_TILT 0.19438030913771848 /* tan 11 degrees: of the centre back line */
@@ -139,7 +140,7 @@ static mus_status leg_front(mus_context *context, const mus__trousers_def *def, 
         half->dart_width = 0.0;
         half->side[0] = x0 + net;
     }
-    half->waist_length = hypot(half->side[0] - x0, half->side[1] - def->top) - half->dart_width;
+    half->waist_length = mus__hypot(half->side[0] - x0, half->side[1] - def->top) - half->dart_width;
 
     /* crotch and seams */
     const double hip_line[2] = {0.0, out->hip}, fork[2] = {-half->fork, out->crotch};
@@ -219,7 +220,8 @@ static mus_status leg_back(mus_context *context, const mus__trousers_def *def, m
         }
     }
     leg_outseam(&problem, half->side, &half->outseam);
-    half->waist_length = hypot(half->side[0] - half->centre[0], half->side[1] - half->centre[1]) - half->dart_width;
+    half->waist_length =
+        mus__hypot(half->side[0] - half->centre[0], half->side[1] - half->centre[1]) - half->dart_width;
     return status;
 }
 
@@ -264,7 +266,7 @@ static void leg_finish(mus__trousers_half *half, double in, double out, const do
     if (in < mus__chain_length(&half->inseam)) mus__chain_cut(&half->inseam, in, &half->inseam);
     if (out < mus__chain_length(&half->outseam)) mus__chain_cut(&half->outseam, out, &half->outseam);
     const double *a = half->inseam.xy + 2 * (half->inseam.nxy - 1), *b = half->outseam.xy + 2 * (half->outseam.nxy - 1);
-    const double reach = 0.3 * hypot(b[0] - a[0], b[1] - a[1]);
+    const double reach = 0.3 * mus__hypot(b[0] - a[0], b[1] - a[1]);
     double ta[2], tb[2];
     leg_tangent(&half->inseam, ta);
     leg_tangent(&half->outseam, tb);
@@ -272,7 +274,7 @@ static void leg_finish(mus__trousers_half *half, double in, double out, const do
                    b[1] - reach * tb[0], b);
     half->inseam_length = mus__chain_length(&half->inseam);
     half->outseam_length = mus__chain_length(&half->outseam);
-    half->crotch_length = hypot(half->centre[0] - half->centre[2], half->centre[1] - half->centre[3]) +
+    half->crotch_length = mus__hypot(half->centre[0] - half->centre[2], half->centre[1] - half->centre[3]) +
                           mus__cubic_length(half->crotch);
     half->knee_in = fmax(0.0, half->inseam_length - knee[0]);
     half->knee_out = fmax(0.0, half->outseam_length - knee[1]);

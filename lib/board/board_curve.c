@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "board/board_curve.h"
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 
@@ -98,13 +99,13 @@ static int32_t chain_piece(const mus__board_chain *chain, double s, const double
 static void chain_tangent(int32_t kind, const double *p, double t, double *out)
 {
     mus__curve_tangent(kind, p, t, out);
-    double norm = hypot(out[0], out[1]);
+    double norm = mus__hypot(out[0], out[1]);
     if (!(norm > 1e-12)) {
         double a[2], b[2];
         mus__curve_at(kind, p, fmax(0.0, t - 1e-4), a);
         mus__curve_at(kind, p, fmin(1.0, t + 1e-4), b);
         out[0] = b[0] - a[0], out[1] = b[1] - a[1];
-        norm = hypot(out[0], out[1]);
+        norm = mus__hypot(out[0], out[1]);
     }
     if (norm > 0.0) out[0] /= norm, out[1] /= norm;
 }

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "board/board_cut.h"
+#include "base/elementary.h"
 #include "board/board_seam.h"
 #include "geom/curve.h"
 #include "geom/polygon.h"
@@ -163,7 +164,7 @@ static void cut_move(mus__board *board, int32_t panel, const double *map)
     }
     double *grain = board->panel[panel].attr.grain;
     const double x = grain[0], y = grain[1], gx = map[0] * x + map[1] * y, gy = map[3] * x + map[4] * y;
-    const double norm = hypot(gx, gy);
+    const double norm = mus__hypot(gx, gy);
     grain[0] = gx / norm, grain[1] = gy / norm;
 }
 
@@ -201,7 +202,7 @@ static bool cut_onto(const mus__board *board, int32_t a, int32_t b, double *map)
     const double *p = mus__board_start(board, a), *p1 = mus__board_end(board, a);
     const double *q = mus__board_end(board, b), *q1 = mus__board_start(board, b);
     const double u[2] = {p1[0] - p[0], p1[1] - p[1]}, v[2] = {q1[0] - q[0], q1[1] - q[1]};
-    const double dot = u[0] * v[0] + u[1] * v[1], cross = v[0] * u[1] - v[1] * u[0], norm = hypot(dot, cross);
+    const double dot = u[0] * v[0] + u[1] * v[1], cross = v[0] * u[1] - v[1] * u[0], norm = mus__hypot(dot, cross);
     if (!(norm > 0.0)) return false;
     const double shift[2] = {p[0] - q[0], p[1] - q[1]};
     cut_map(q, dot / norm, cross / norm, shift, map);

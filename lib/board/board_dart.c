@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "board/board_cut.h"
 #include "board/board_dart.h"
 #include "board/board_rigid_part.h"
@@ -33,7 +34,7 @@ bool mus__board_dart_is(const mus__board *board, int32_t leg)
 static double dart_between(const double *a, const double *o, const double *b, double turn)
 {
     const double u[2] = {a[0] - o[0], a[1] - o[1]}, v[2] = {b[0] - o[0], b[1] - o[1]};
-    const double angle = turn * atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    const double angle = turn * mus__atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
     return angle >= 0.0 ? angle : angle > -DART_SLIT ? 0.0 : angle + 2.0 * MUS_PI;
 }
 
@@ -241,7 +242,7 @@ void mus__board_dart_shorten(mus__board *board, int32_t leg, double back)
     mus__dart dart;
     if (!mus__board_dart_read(board, leg, &dart)) return;
     double to[2] = {0.5 * (dart.a[0] + dart.b[0]) - dart.point[0], 0.5 * (dart.a[1] + dart.b[1]) - dart.point[1]};
-    double depth = hypot(to[0], to[1]), point[2];
+    double depth = mus__hypot(to[0], to[1]), point[2];
     if (!(back <= depth - DART_SHORTEST) || !(fabs(dart.angle) < MUS_PI)) {
         mus__board_fail(board, MUS_ERR_ARG,
                         "dart at %s of panel %s: %g m off its point leave less than %g m of its %g m",

@@ -18,6 +18,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "board/board_cut.h"
 #include "board/board_dart.h"
 #include "board/board_rigid_part.h"
@@ -97,11 +98,11 @@ static void dart_turn(mus__board *board, const mus__dart *dart, const dart_cut *
     mus__board_motion motion = {.centre = {dart->point[0], dart->point[1]}};
     double sign = still ? 1.0 : -1.0;
     if (fraction < 1.0) {
-        motion.cosine = cos(fraction * dart->angle), motion.sine = sign * sin(fraction * dart->angle);
+        motion.cosine = mus__cos(fraction * dart->angle), motion.sine = sign * mus__sin(fraction * dart->angle);
     } else {
         const double *o = dart->point;
         double u[2] = {dart->a[0] - o[0], dart->a[1] - o[1]}, v[2] = {dart->b[0] - o[0], dart->b[1] - o[1]};
-        double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0], norm = hypot(dot, cross);
+        double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0], norm = mus__hypot(dot, cross);
         motion.cosine = dot / norm, motion.sine = sign * cross / norm;
     }
 

@@ -12,8 +12,8 @@
  *                           '    / v  after
  *                          hair 2
  */
-#include <math.h>
 
+#include "base/elementary.h"
 #include "board/board_rigid_part.h"
 #include "geom/vec.h"
 
@@ -82,7 +82,7 @@ void mus__board_rim_side(mus__board *board, int32_t side, const char *what)
 /* angle [rad] from u to v, from `least` to 2 pi + least, counter-clockwise when turn is 1 */
 static double inner_angle(const double *u, const double *v, double turn, double least)
 {
-    const double angle = atan2(turn * (u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]);
+    const double angle = mus__atan2(turn * (u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]);
     return angle >= least ? angle : angle + 2.0 * MUS_PI;
 }
 

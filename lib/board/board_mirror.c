@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "board/board_cut.h"
 #include "board/board_seam.h"
 #include "geom/vec.h"
@@ -52,7 +53,7 @@ static bool double_axis(mus__board *board, int32_t side, double *map)
 {
     const mus__board_chain *chain = &board->side[side].chain;
     const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
-    const double x = q[0] - p[0], y = q[1] - p[1], norm = hypot(x, y), u = x / norm, v = y / norm;
+    const double x = q[0] - p[0], y = q[1] - p[1], norm = mus__hypot(x, y), u = x / norm, v = y / norm;
     bool straight = norm > 0.0;
     for (int32_t i = 0; i < chain->nxy && straight; i++) {
         const double *r = chain->xy + 2 * (size_t)i;

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "board/board_rigid_part.h"
 #include "board/board_smooth.h"
 #include "board/board_spread.h"
@@ -92,7 +93,7 @@ static double fair_feet(fair_line *line, int32_t a, int32_t b, const double *cub
         const double e[2] = {q[0] - line->place[i][0], q[1] - line->place[i][1]};
         const double dd[2] = {(near[0] - d[0]) / h, (near[1] - d[1]) / h};
         const double slope = d[0] * d[0] + d[1] * d[1] + e[0] * dd[0] + e[1] * dd[1];
-        worst = fmax(worst, hypot(e[0], e[1]));
+        worst = fmax(worst, mus__hypot(e[0], e[1]));
         if (i > a && i < b && slope > 0.0) line->t[i] = fmin(fmax(t - (e[0] * d[0] + e[1] * d[1]) / slope, 0.0), 1.0);
     }
     return worst;

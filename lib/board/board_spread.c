@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "board/board_spread.h"
+#include "base/elementary.h"
 #include "board/board_rigid_part.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
@@ -249,7 +250,7 @@ static void spread_stretch(mus__board_chain *chain, const double *point, const d
 void mus__board_lengthen(mus__board *board, int32_t panel, const double *point, const double *direction, double amount)
 {
     if (!mus__board_has_panel(board, panel)) return;
-    double norm = hypot(direction[0], direction[1]);
+    double norm = mus__hypot(direction[0], direction[1]);
     if (!mus__near(2, point) || !mus__finite(norm) || !(norm > 0.0) ||
         !mus__near(1, &amount)) {
         mus__board_fail(board, MUS_ERR_ARG, "lengthen panel %s: %g m across a line through (%g, %g) along (%g, %g)",

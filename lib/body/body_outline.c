@@ -8,6 +8,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
 
@@ -35,7 +36,7 @@ static mus_status outline_read(mus_context *context, int32_t l, int32_t i, const
             return mus__fail(context, MUS_ERR_ARG,
                              "limb %d: corner %d of contour %d is %g m off its centre, expected %g to 100", (int)l,
                              (int)k, (int)i, radius, OUTLINE_LEAST);
-        if (atan2(b, a) < least) least = atan2(b, a), first = k;
+        if (mus__atan2(b, a) < least) least = mus__atan2(b, a), first = k;
     }
 
     to->corners = n, to->corner = corner;
@@ -43,7 +44,7 @@ static mus_status outline_read(mus_context *context, int32_t l, int32_t i, const
     for (int32_t k = 0; k < n; k++) {
         const double *at = xy + 2 * (ptrdiff_t)((first + k) % n);
         corner[3 * k + 1] = at[0] - to->ca, corner[3 * k + 2] = at[1] - to->cb;
-        corner[3 * k] = atan2(corner[3 * k + 2], corner[3 * k + 1]);
+        corner[3 * k] = mus__atan2(corner[3 * k + 2], corner[3 * k + 1]);
         to->a = fmax(to->a, fabs(corner[3 * k + 1])), to->b = fmax(to->b, fabs(corner[3 * k + 2]));
     }
 

@@ -7,11 +7,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_internal.h"
 
 #define RIG_HORIZONTAL 0.3 /* an arm whose axis falls by less than this part of its length counts as horizontal; chosen
                               */
 #define RIG_SCAPULA 0.02   /* rise of the shoulder joint with the arm, in parts of the stature; chosen */
+/* least length of a part, in parts of its limb: the joints of a scan may lie beyond its contours */
+#define RIG_LEAST 0.01
 #define RIG_CAP_MOST 0.8   /* a round cap is at most this part of the next part's length, so that it ends within it */
 
 
@@ -47,8 +50,8 @@ void mus__joint_turn(int32_t joint, const double *angle, double *out)
     for (int k = 0; k < 3; k++) {
         int32_t axis = rig_joints[joint].axis[k];
         double sense = rig_joints[joint].sense[k] * (rig_joints[joint].right && axis != 0 ? -1.0 : 1.0);
-        double one[4] = {cos(0.5 * angle[k]), 0.0, 0.0, 0.0};
-        one[1 + axis] = sense * sin(0.5 * angle[k]);
+        double one[4] = {mus__cos(0.5 * angle[k]), 0.0, 0.0, 0.0};
+        one[1 + axis] = sense * mus__sin(0.5 * angle[k]);
         mus__quaternion_product(q, one, q);
     }
     memcpy(out, q, sizeof q);
@@ -85,20 +88,22 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
     const mus__limb *limb = &body->limb[l];
     mus__part *part = &out->part[out->parts];
     if (limb->gone) return;
+    const double low = limb->contour[0].s, high = limb->contour[limb->count - 1].s, least = RIG_LEAST * (high - low);
     for (int32_t k = 0; k <= cuts; k++) {
         part[k] = (mus__part){.limb = l, .joint = joint[k]};
-        part[k].end[0] = k == 0 ? limb->contour[0].s : s[k - 1];
-        part[k].end[1] = k == cuts ? limb->contour[limb->count - 1].s : s[k];
+        part[k].end[0] = k == 0 ? low : part[k - 1].end[1];
+        part[k].end[1] = k == cuts ? high : fmin(fmax(s[k], part[k].end[0] + least), high - (cuts - k) * least);
     }
 
     /* a cap is one radius long; of the torso the radius is the half depth, across which it bends */
     for (int32_t k = 0; k < cuts; k++) {
         double at[4];
-        rig_section(limb, s[k], at);
+        rig_section(limb, part[k].end[1], at);
         double radius = l == body->bones.limb[MUS__LIMB_TORSO] ? at[3] : 0.5 * (at[2] + at[3]);
-        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - s[k]));
-        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (s[k] - part[k].end[0]));
+        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - part[k].end[1]));
+        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (part[k].end[1] - part[k].end[0]));
     }
+    part[0].deep = body->measured && l == MUS__LIMB_TORSO;
     out->parts += cuts + 1;
 }
 
@@ -126,8 +131,8 @@ static void rig_arm(const mus_body *body, const mus__limb *arm, int32_t right, m
 
     /* the flexion of a nearly horizontal arm is not determined and set to 0 */
     const bool horizontal = down < RIG_HORIZONTAL;
-    rest[MUS__FLEXION] = horizontal ? 0.0 : atan2(axis[2], -axis[1]);
-    rest[MUS__ABDUCTION] = atan2(out_by, horizontal ? -axis[1] : down);
+    rest[MUS__FLEXION] = horizontal ? 0.0 : mus__atan2(axis[2], -axis[1]);
+    rest[MUS__ABDUCTION] = mus__atan2(out_by, horizontal ? -axis[1] : down);
 }
 
 

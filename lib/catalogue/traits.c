@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/sort.h"
 #include "catalogue/catalogue_internal.h"
 #include "muslin/topology.h"
 
@@ -52,7 +54,7 @@ static mus_status traits_lists(const mus_pattern *pattern, int32_t nloop, double
         mus_status status = mus_pattern_loop(pattern, i, NULL, 0, NULL, &loop[i]);
         if (status != MUS_OK) return status;
     }
-    qsort(loop, (size_t)nloop, sizeof *loop, traits_by_length);
+    mus__sort(loop, (size_t)nloop, sizeof *loop, traits_by_length);
     for (int32_t i = 0; i < npanel; i++) {
         int32_t n = 0;
         mus_status status = mus_pattern_outline(pattern, i, &n, NULL, NULL);
@@ -62,7 +64,7 @@ static mus_status traits_lists(const mus_pattern *pattern, int32_t nloop, double
         panel[3 * i + 2] = n;
         traits[MUS__TRAIT_CLOTH] += panel[3 * i];
     }
-    qsort(panel, (size_t)npanel, 3 * sizeof *panel, traits_by_size);
+    mus__sort(panel, (size_t)npanel, 3 * sizeof *panel, traits_by_size);
     return MUS_OK;
 }
 
@@ -134,7 +136,7 @@ bool mus__traits_unpack(const uint8_t *bytes, size_t size, double *traits)
 static double traits_apart(double a, double b)
 {
     const double least = 1e-4;
-    return fabs(log((a > least ? a : least) / (b > least ? b : least)));
+    return fabs(mus__ln((a > least ? a : least) / (b > least ? b : least)));
 }
 
 

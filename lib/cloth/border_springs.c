@@ -17,6 +17,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
@@ -48,7 +49,7 @@ static const double *strip_rest(const mus__mesh *mesh, int32_t node)
 static void strip_wing(const mus__mesh *mesh, int32_t a, int32_t b, int32_t corner, double *foot, double *height)
 {
     const double *p = strip_rest(mesh, a), *q = strip_rest(mesh, b), *r = strip_rest(mesh, corner);
-    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1], length = hypot(ux, uy);
+    double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1], length = mus__hypot(ux, uy);
     *foot = (ux * vx + uy * vy) / length;
     *height = fabs(ux * vy - uy * vx) / length;
 }
@@ -62,7 +63,8 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
     *out = (mus__hinge){.node = {node[0], node[1], node[2], node[3]},
                         .coef = {(length - foot[0]) / height[0] + (length - foot[1]) / height[1],
                                  foot[0] / height[0] + foot[1] / height[1], -length / height[0], -length / height[1]},
-                        .k = rigidity / (0.5 * length * (height[0] + height[1]))};
+                        .k = rigidity / (0.5 * length * (height[0] + height[1])),
+                        .area = 0.5 * length * (height[0] + height[1])};
     return true;
 }
 

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 
 /* rounds of the fit; hinges at a limit drop out from round to round. Chosen */
@@ -52,7 +53,7 @@ void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, cons
 static mus_status calibrate_axis(const mus__mesh *mesh, int32_t panel, double *axis)
 {
     const mus_status status = mus_pattern_grain(mesh->pattern, panel, axis);
-    const double size = hypot(axis[0], axis[1]);
+    const double size = mus__hypot(axis[0], axis[1]);
     axis[0] /= size, axis[1] /= size;
     return status;
 }

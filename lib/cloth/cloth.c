@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "muslin/topology.h"
 
@@ -90,7 +91,7 @@ static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
     for (int32_t p = 0; p < cloth->npanel; p++) {
         double *warp = cloth->warp + 2 * (ptrdiff_t)p;
         mus_pattern_grain(pattern, p, warp);
-        const double size = hypot(warp[0], warp[1]);
+        const double size = mus__hypot(warp[0], warp[1]);
         warp[0] /= size, warp[1] /= size;
     }
     for (int32_t p = -1; p < cloth->npanel; p++) {
@@ -193,6 +194,7 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     mus_cloth *cloth = mus__cloth_new(context);
     if (cloth == NULL) return mus__fail_memory(context, "a cloth");
     cloth->fabric = fabric, cloth->spacing = own.spacing;
+    if (own.bending == MUS_BEND_PLATE) cloth->bend_slide = mus__fabric_slide(&cloth->fabric);
     cloth->npanel = mus_pattern_panel_count(pattern);
     cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
     mesh.cloth = cloth;

@@ -44,7 +44,7 @@ typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge 
                              bare nodes has its middle node at both ends of the edge, coefficient -1 each */
     int32_t node[4];
     double coef[4];
-    double k;
+    double k, area; /* area [m2]: half the edge times both triangles' heights; 0 of bare nodes */
 } mus__hinge;
 
 typedef struct mus__hold { /* attachment of a node to a level (MUS_HOLD_*) of the body */
@@ -75,7 +75,7 @@ struct mus_cloth {
     int32_t references;        /* owners: a cloth does not change once built, so drapes share it */
     mus_fabric fabric;
     double spacing;
-    double mass_total;
+    double mass_total, bend_slide; /* [kg]; part of bending that goes through sliders (mus__fabric_slide) */
     int32_t npanel, nnode, ntriangle, nrow, nrun, nbend, nspring, nhinge, nseam_hinge, npair, nborder, nseam;
     int32_t nhold, npleat;
     mus__panel_mesh *panel;    /* (npanel) */

@@ -111,3 +111,24 @@ double mus__fabric_bend(const mus_fabric *fabric, double x, double y)
     double xx = x * x, yy = y * y, warp = fabric->bend[0], weft = fabric->bend[1], bias = fabric->bend[2];
     return fmax(0.0, yy * yy * warp + xx * xx * weft + xx * yy * (4.0 * bias - warp - weft));
 }
+
+
+/*
+ * Friction between threads as KES-FB2 measures it: moment over curvature is a loop of two lines of slope B, 2HB apart.
+ * Each bending element of stiffness k gets a slider of stiffness r k in parallel, which slips at the element's own
+ * curvature K (Jenkin's element). With all of them slipping on a cylinder, elements along its curve, across it and on
+ * both diagonals give r K (alpha cos^2 + alpha' sin^2 + beta), so the moment HB asks for
+ *
+ *     r = HB / (K (alpha + beta)),   alpha the mean of warp and weft.
+ *
+ * An element then has k (1 + r) while it sticks, of which r / (1 + r) ends at the slider.
+ */
+double mus__fabric_slide(mus_fabric *fabric)
+{
+    const double *bend = fabric->bend, beta = fmax(0.0, (4.0 * bend[2] - bend[0] - bend[1]) / 3.0);
+    const double alpha = 0.5 * (fmax(0.0, bend[0] - 0.5 * beta) + fmax(0.0, bend[1] - 0.5 * beta));
+    if (!(fabric->bend_hysteresis > 0.0) || !(alpha + beta > 0.0)) return 0.0;
+    const double ratio = 0.5 * fabric->bend_hysteresis / (MUS__SLIDE_CURVATURE * (alpha + beta));
+    for (int k = 0; k < 3; k++) fabric->bend[k] *= 1.0 + ratio;
+    return ratio / (1.0 + ratio);
+}

@@ -7,6 +7,10 @@
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
 
+/* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it. Chosen: well below 50 /m,
+ * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat */
+#define MUS__SLIDE_CURVATURE 5.0
+
 /* constants of a lattice: springs along warp (0) and weft (1), diagonals, stencils likewise */
 typedef struct mus__fabric_lattice {
     double k[2], shear;    /* [N/m] */
@@ -23,6 +27,11 @@ void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double c
 void mus__fabric_on_lattice(const mus_fabric *fabric, double spacing, mus__fabric_lattice *out);
 /* stiffness of an edge spring in a triangle, k = this * area / length^2; (x, y) is its unit vector along weft, warp */
 double mus__fabric_stretch(const mus_fabric *fabric, double x, double y);
+/*
+ * Add the friction of bending to a fabric's rigidities (fabric.c): bend becomes what resists while no thread slips.
+ * Returns the part of each bending element's stiffness that goes through its slider, 0 without friction.
+ */
+double mus__fabric_slide(mus_fabric *fabric);
 /* rigidity against bending that curves along the unit vector (x, y) */
 double mus__fabric_bend(const mus_fabric *fabric, double x, double y);
 

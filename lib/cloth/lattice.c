@@ -18,6 +18,7 @@
 #include <math.h>
 
 #include "cloth/lattice.h"
+#include "base/elementary.h"
 
 /* [spacings] least distance of a lattice node from the border; must exceed sqrt(1/2). A smaller value gives slivers in
  * the strip, a larger one long triangles. Measured on skirt, sleeve, dart, slit and straps at 4, 10 and 15 mm: with
@@ -96,7 +97,7 @@ static double lattice_distance(const double *a, const double *b, double x, doubl
     double ux = b[0] - a[0], uy = b[1] - a[1], square = ux * ux + uy * uy;
     double t = square > 0.0 ? ((x - a[0]) * ux + (y - a[1]) * uy) / square : 0.0;
     t = fmin(fmax(t, 0.0), 1.0);
-    return hypot(x - a[0] - t * ux, y - a[1] - t * uy);
+    return mus__hypot(x - a[0] - t * ux, y - a[1] - t * uy);
 }
 
 
@@ -129,7 +130,7 @@ static void lattice_sides(mus__lattice *lattice, int32_t n, const double *xy,
 mus_status mus__lattice_build(mus_context *context, int32_t n, const double *xy, int32_t nside, const int32_t *side,
                               const double *grain, double spacing, mus__lattice *lattice)
 {
-    double length = hypot(grain[0], grain[1]);
+    double length = mus__hypot(grain[0], grain[1]);
     *lattice = (mus__lattice){.spacing = spacing, .origin = {xy[0], xy[1]}};
     lattice->warp[0] = grain[0] / length, lattice->warp[1] = grain[1] / length;
     lattice->weft[0] = lattice->warp[1], lattice->weft[1] = -lattice->warp[0];

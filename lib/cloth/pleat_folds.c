@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
@@ -47,7 +48,7 @@ static bool pleat_read(const mus__mesh *mesh, const int32_t *place, const mus__p
     if (first == 0 || second != first) return false;
     for (int32_t k = 0; k < 4; k++) pleat_corner(mesh, place[k], corner[k]);
     for (int32_t d = 0; d < 2; d++) along[d] = corner[3][d] - corner[0][d];
-    const double length = hypot(along[0], along[1]);
+    const double length = mus__hypot(along[0], along[1]);
     if (!(length > 0.0)) return false;
     for (int32_t d = 0; d < 2; d++) along[d] /= length;
     if (last != NULL && along[0] * last->along[0] + along[1] * last->along[1] < PLEAT_ALONG) return false;

@@ -186,6 +186,7 @@ static void grid_constants(grid *g, double paper)
         fabric.shear = 0.0;
         fabric.bend[2] = 0.0;
     }
+    if (!(paper > 0.0)) g->cloth->bend_slide = mus__fabric_slide(&fabric);
     mus__fabric_on_cell(&fabric, g->cell, &g->constant);
     if (paper > 0.0) mus__fabric_on_paper(&fabric, g->cell, paper, &g->constant);
 }

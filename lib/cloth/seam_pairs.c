@@ -11,6 +11,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "geom/vec.h"
 
@@ -59,7 +60,7 @@ static int32_t pairs_wing(const mus__mesh *mesh, int32_t edge, int32_t k, int32_
     const double *rest = mesh->cloth->rest;
     const double *p = rest + 2 * (ptrdiff_t)a, *q = rest + 2 * (ptrdiff_t)b, *r = rest + 2 * (ptrdiff_t)corner;
     double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
-    shape[0] = hypot(ux, uy);
+    shape[0] = mus__hypot(ux, uy);
     shape[1] = (ux * vx + uy * vy) / shape[0];
     shape[2] = fabs(ux * vy - uy * vx) / shape[0];
     return corner;
@@ -73,7 +74,7 @@ static double pairs_rigidity(const mus__mesh *mesh, int32_t edge, int32_t k)
     mus_pattern_grain(mesh->pattern, mesh->edge[edge].panel, grain);
     const double *p = mesh->cloth->rest + 2 * (ptrdiff_t)mus__mesh_edge_node(mesh, edge, k);
     const double *q = mesh->cloth->rest + 2 * (ptrdiff_t)mus__mesh_edge_node(mesh, edge, k + 1);
-    double x = q[0] - p[0], y = q[1] - p[1], size = hypot(x, y) * hypot(grain[0], grain[1]);
+    double x = q[0] - p[0], y = q[1] - p[1], size = mus__hypot(x, y) * mus__hypot(grain[0], grain[1]);
 
     /* along the edge: warp by the dot product, weft by the cross product; across it they change places */
     double warp = (x * grain[0] + y * grain[1]) / size, weft = (x * grain[1] - y * grain[0]) / size;
@@ -91,7 +92,7 @@ static void pairs_curvature(mus__mesh *mesh, int32_t edge, const int32_t *node, 
     const int32_t panel = mesh->edge[edge].panel;
     double axis[2] = {0.0, 1.0}, xy[8], part[4];
     mus_pattern_grain(mesh->pattern, panel, axis);
-    const double size = hypot(axis[0], axis[1]);
+    const double size = mus__hypot(axis[0], axis[1]);
     axis[0] /= size, axis[1] /= size;
     for (int d = 0; d < 2; d++) {
         const double *rest = mesh->cloth->rest + d;

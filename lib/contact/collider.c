@@ -28,6 +28,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_internal.h"
 #include "contact/offset_surface.h"
 
@@ -126,7 +127,7 @@ static double plane_depth(const mus__collider *collider, int32_t k, const double
     const mus__collider_plane *plane = &collider->plane[k];
     double up = 0.0, across2 = 0.0;
     for (int32_t i = 0; i < 3; i++) up += (point[i] - plane->point[i]) * plane->normal[i];
-    for (int32_t i = 0; i < 3; i++) across2 += pow(point[i] - plane->point[i] - up * plane->normal[i], 2.0);
+    for (int32_t i = 0; i < 3; i++) across2 += mus__pow(point[i] - plane->point[i] - up * plane->normal[i], 2.0);
     if (plane->reach > 0.0 && (up < -MUS__DISC_THICKNESS || across2 > plane->reach * plane->reach))
         return -COLLIDER_FAR;
     return -up;

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "board/board_curve.h"
 #include "design/draft.h"
 
@@ -67,10 +68,10 @@ static void grade_move_side(mus__board_side *side, const double *start, const do
 {
     double *xy = side->chain.xy, length = 0.0, run = 0.0, last[2];
     const int32_t n = side->chain.nxy;
-    for (int32_t i = 1; i < n; i++) length += hypot(xy[2 * i] - xy[2 * i - 2], xy[2 * i + 1] - xy[2 * i - 1]);
+    for (int32_t i = 1; i < n; i++) length += mus__hypot(xy[2 * i] - xy[2 * i - 2], xy[2 * i + 1] - xy[2 * i - 1]);
     memcpy(last, xy, sizeof last);
     for (int32_t i = 0; i < n; i++) {
-        run += hypot(xy[2 * i] - last[0], xy[2 * i + 1] - last[1]);
+        run += mus__hypot(xy[2 * i] - last[0], xy[2 * i + 1] - last[1]);
         memcpy(last, xy + 2 * i, sizeof last);
 
         /* the ends by their own rule alone, so that neighbours meet to the bit */

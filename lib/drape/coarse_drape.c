@@ -8,6 +8,7 @@
 
 #include "drape/coarse_drape.h"
 #include "drape/drape_state.h"
+#include "sim/bend_clamp.h"
 #include "drape/weld.h"
 
 
@@ -50,6 +51,8 @@ mus_status mus__coarse_create(mus_drape *drape, mus_drape **out)
     mus_drape *coarse = drape->coarse.drape;
     if (coarse != NULL)
         status = mus__program_tack_room(drape->context, coarse->cloth, drape->program.ntack, &coarse->program);
+    if (status == MUS_OK && coarse != NULL && drape->program.nclamp > 0)
+        status = mus__clamps_room(drape->context, coarse->cloth, NULL, 0, &coarse->program);
     *out = coarse;
     return status;
 }
@@ -87,6 +90,7 @@ void mus__coarse_restrict(mus_drape *drape)
     mus__drape_push(coarse);
     if (drape->welded) mus__weld(coarse);
     restrict_pins(drape);
+    mus__clamps_update(coarse->cloth, coarse->pinned, MUS__PINNED, &coarse->program);
     mus__drape_push(coarse);
     mus__drape_publish(coarse);
 }

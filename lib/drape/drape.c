@@ -198,7 +198,7 @@ static mus_status create_with(mus_context *context, const mus_cloth *cloth, cons
     if (out == NULL || cloth == NULL) return mus__fail(context, MUS_ERR_ARG, "drape: cloth or out is NULL");
     mus_drape_def own;
     mus_drape_def_init(&own, sizeof own);
-    mus_status status = mus__def_read(context, &own, sizeof own, sizeof own, def, "mus_drape_def");
+    mus_status status = mus__def_read(context, &own, sizeof own, MUS__DRAPE_DEF_FIRST, def, "mus_drape_def");
     if (status == MUS_OK) status = check_def(context, &own);
     if (status == MUS_OK && cloth->npair > 0 && cloth->spacing > 0.0 && own.collision_distance > cloth->spacing)
         status =

@@ -6,6 +6,7 @@
 
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_state.h"
+#include "sim/bend_clamp.h"
 #include "drape/weld.h"
 
 
@@ -114,7 +115,13 @@ mus_status mus_drape_pin(mus_drape *drape, int32_t node, int32_t fixed)
     if (drape == NULL) return MUS_ERR_ARG;
     if (node < 0 || node >= drape->n)
         return mus__fail(drape->context, MUS_ERR_ARG, "drape: node %d, expected 0 to %d", (int)node, (int)drape->n - 1);
-    drape->pinned[drape->rep[node]] = fixed != 0 ? MUS__PINNED : 0;
+    const int32_t r = drape->rep[node], was = drape->pinned[r];
+    drape->pinned[r] = fixed != 0 ? MUS__PINNED : 0;
+    const mus_status status =
+        mus__clamps_room(drape->context, drape->cloth, drape->pinned, MUS__PINNED, &drape->program);
+    if (status != MUS_OK) drape->pinned[r] = was;
+    if (status != MUS_OK) return status;
+    mus__clamps_update(drape->cloth, drape->pinned, MUS__PINNED, &drape->program);
     drape->coarse.as_sewn = 0;
     if (fixed) {
         memset(drape->v + 3 * (int64_t)drape->rep[node], 0, 3 * sizeof *drape->v);

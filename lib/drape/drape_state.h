@@ -16,6 +16,9 @@
 #include "sim/force_program.h"
 #include "sim/sim.h"
 
+/* [bytes] of mus_drape_def when ABI 1 was recorded first, the smallest that is taken */
+#define MUS__DRAPE_DEF_FIRST offsetof(mus_drape_def, progress_seconds)
+
 /* bits of mus_drape.pinned: fixed by the caller; fixed until its layer is sewn (layers.c) */
 #define MUS__PINNED 1
 #define MUS__WAITS 2

@@ -8,6 +8,7 @@
 
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "sim/bend_clamp.h"
 #include "drape/weld.h"
 #include "geom/union_find.h"
 
@@ -25,6 +26,7 @@ void mus__weld_open(mus_drape *drape)
     mus__union_start(drape->n, drape->rep, NULL);
     for (int32_t i = 0; i < drape->n; i++) drape->mass[i] = drape->cloth->mass[i];
     mus__program_weld(drape->cloth, NULL, &drape->program);
+    mus__clamps_update(drape->cloth, drape->pinned, MUS__PINNED, &drape->program);
     mus__drape_self_weld(drape);
 
     const double k = mus__weld_pair_stiffness(drape);
@@ -66,6 +68,7 @@ static void weld_below(mus_drape *drape, int32_t waits)
 
     drape->program.open_from = waits;
     mus__program_weld(cloth, rep, &drape->program);
+    mus__clamps_update(cloth, drape->pinned, MUS__PINNED, &drape->program);
     drape->welded = 1;
     mus__drape_self_weld(drape);
     memset(drape->sim.f, 0, 3 * (size_t)drape->sim.n * drape->sim.ops->real);

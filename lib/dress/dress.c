@@ -14,17 +14,22 @@
  *   3. the pattern's placement, patient       when start 1 ended with an open seam
  *   4. the found placement, patient           when start 2 ended with an open seam
  *
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too, and an impatient one ends after
+ * sewing when a limb is not in its opening. Cloth through the skin is told by that call, and fails no start.
+ *
  * Everything here goes through public functions.
  */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "drape/drape_state.h"
 #include "dress/progress.h"
 #include "muslin/dress.h"
+#include "muslin/fit.h"
 
-/* [bytes] of mus_dress_def in release 0.2, the smallest that mus_dress() takes */
-#define DRESS_DEF_FIRST offsetof(mus_dress_def, nodes_most)
+/* [bytes] of mus_dress_def when ABI 1 was recorded first, the smallest that mus_dress() takes */
+#define DRESS_DEF_FIRST offsetof(mus_dress_def, progress_seconds)
 
 /* the call: what it was given, and its report */
 typedef struct dress_call {
@@ -120,13 +125,36 @@ static mus_status dress_look(dress_trial *trial)
 }
 
 
-/* sew and settle */
-static mus_status dress_sew(dress_call *call, mus_drape *drape)
+/* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
+ * openings count */
+static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern, bool sewn, dress_trial *trial)
 {
+    mus_worn worn;
+    mus_worn_init(&worn, sizeof worn);
+    if (call->body == NULL) return MUS_OK;
+    const mus_status status = mus_fit_worn(trial->drape, pattern, call->body, &worn);
+    if (status != MUS_OK) return status;
+    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
+    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
+    mus_reason *why = &trial->reason;
+    mus_reason_init(why, sizeof *why);
+    why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;
+    memcpy(why->place, worn.place, sizeof why->place);
+    memcpy(why->text, worn.text, sizeof why->text);
+    return MUS_ERR_UNSETTLED;
+}
+
+
+/* sew and settle. An impatient start whose limbs are not in their openings once it is sewn ends there: a limb that went
+ * into no opening while seams were open seldom finds it afterwards */
+static mus_status dress_sew(dress_call *call, const mus_pattern *pattern, bool patient, dress_trial *trial)
+{
+    mus_drape *drape = trial->drape;
     const mus_progress_fn progress = call->def.progress != NULL ? dress_progress : NULL;
     double start = mus__progress_time();
     mus_status status = mus_drape_sew(drape, progress, call);
     call->report.sew_seconds += mus__progress_time() - start;
+    if (status == MUS_OK && !patient) status = dress_worn(call, pattern, true, trial);
     if (status != MUS_OK) return status;
     start = mus__progress_time();
     status = mus_drape_settle(drape, progress, call);
@@ -159,7 +187,7 @@ static void dress_text(dress_trial *trial)
 {
     mus_reason *why = &trial->reason;
     const char *text = NULL;
-    if (trial->refused || trial->status == MUS_ERR_TANGLED) text = why->text;
+    if (trial->refused || trial->status == MUS_ERR_TANGLED || why->kind == MUS_REASON_NOT_WORN) text = why->text;
     if (text != NULL) snprintf(trial->text, sizeof trial->text, "%s", text);
     if (trial->status != MUS_OK && why->text[0] == '\0') snprintf(why->text, sizeof why->text, "%.255s", trial->text);
 }
@@ -172,9 +200,10 @@ static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t pla
     memset(trial, 0, sizeof *trial);
     trial->status = dress_cut(call, pattern, patient, trial);
     if (trial->status == MUS_OK) trial->status = dress_look(trial);
-    if (trial->status == MUS_OK) trial->status = dress_sew(call, trial->drape);
+    if (trial->status == MUS_OK) trial->status = dress_sew(call, pattern, patient, trial);
     snprintf(trial->text, sizeof trial->text, "%s", mus_context_error(call->context));
-    if (!trial->refused) dress_reason(pattern, trial);
+    if (!trial->refused && trial->reason.kind != MUS_REASON_NOT_WORN) dress_reason(pattern, trial);
+    if (trial->status == MUS_OK) trial->status = dress_worn(call, pattern, false, trial);
     dress_text(trial);
 
     mus_dress_report *report = &call->report;
@@ -200,7 +229,7 @@ static bool dress_failed_at_start(const dress_trial *trial)
     if (trial->status == MUS_OK || trial->status == MUS_ERR_STOPPED || trial->drape == NULL) return false;
     if (trial->refused) return kind == MUS_REASON_START_TANGLED;
     return kind == MUS_REASON_SEAM_OPEN || kind == MUS_REASON_TANGLED || kind == MUS_REASON_SLID_OFF ||
-           kind == MUS_REASON_NOT_SETTLED;
+           kind == MUS_REASON_NOT_SETTLED || kind == MUS_REASON_NOT_WORN;
 }
 
 
@@ -274,8 +303,8 @@ static mus_status dress_options(dress_call *call, const mus_dress_def *def)
     call->drape.friction = call->def.friction;
     call->drape.self_contact = call->def.self_contact;
     call->drape.progress_seconds = call->def.progress_seconds;
-    status = mus__def_read(call->context, &call->drape, sizeof call->drape, sizeof call->drape, call->def.drape,
-                           "drape def");
+    status = mus__def_read(call->context, &call->drape, sizeof call->drape, MUS__DRAPE_DEF_FIRST,
+                           call->def.drape, "drape def");
     const int32_t place = call->def.place;
     if (status == MUS_OK && (place < MUS_DRESS_PLACE_BOTH || place > MUS_DRESS_PLACE_FOUND))
         status = mus__fail(call->context, MUS_ERR_ARG, "dress: place is %d, expected %d to %d", (int)place,

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "arrange/arrange_check.h"
+#include "base/elementary.h"
 #include "drape/coarse_drape.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
@@ -68,15 +69,15 @@ static double lateness(double t, double all)
 static double pull_at(double full, double t, double all)
 {
     const double rise = t / RAMP_SECONDS;
-    if (rise < 1.0) return full * RAMP_START * pow(1.0 / RAMP_START, rise);
-    return full * pow(RAMP_MOST, lateness(t, all));
+    if (rise < 1.0) return full * RAMP_START * mus__pow(1.0 / RAMP_START, rise);
+    return full * mus__pow(RAMP_MOST, lateness(t, all));
 }
 
 
 /* sets the stiffness of all pairs, which grows with time */
 static void stiffen(mus_drape *drape, double t, double all)
 {
-    const double k = mus__weld_pair_stiffness(drape) * pow(STIFF_MOST, lateness(t, all));
+    const double k = mus__weld_pair_stiffness(drape) * mus__pow(STIFF_MOST, lateness(t, all));
     for (int32_t p = 0; p < drape->program.npair; p++) drape->program.pair[p].k = k;
 }
 

@@ -8,6 +8,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "board/board_notch.h"
 #include "board/board_rigid_part.h"
 #include "edit/edit_internal.h"
@@ -32,7 +33,7 @@ static double walk_corner(const mus__board *board, int32_t side)
     double p[2], u[2], v[2], turn = mus__board_area(board, board->side[side].panel) < 0.0 ? -1.0 : 1.0;
     mus__board_at(board, before, board->side[before].length, p, u);
     mus__board_at(board, side, 0.0, p, v);
-    return MUS_PI - turn * atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+    return MUS_PI - turn * mus__atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
 }
 
 

@@ -15,7 +15,8 @@
 
 #define FABRIC_NAME_BYTES 100    /* [bytes] longest name; chosen, as muslin_fabric(5) says */
 #define FABRIC_SOURCE_BYTES 1000 /* [bytes] longest source of a value; chosen, as muslin_fabric(5) says */
-#define FABRIC_VALUES_MAX 32     /* most values of a fabric: capacity of arrays on the stack; a fabric has ten */
+#define FABRIC_VALUES_MAX 32     /* most values of a fabric: capacity of arrays on the stack; a fabric has eleven */
+#define FABRIC_VALUES_ASKED 10   /* the first values must be in a file; a later one that is left out is 0 */
 
 
 /* end of the JSON string that starts at `text` (a quote), or of the whole text when the string does not end */
@@ -101,6 +102,7 @@ static mus_status fabric_read_value(const mus__source *source, json_t *json, int
     const char *key = mus_fabric_value_key(value);
     json_t *member = json_object_get(json, key), *number = json_object_get(member, "value");
     const int64_t line = fabric_line(source, NULL, key);
+    if (member == NULL && value >= FABRIC_VALUES_ASKED) return mus_fabric_set(source->context, fabric, value, 0.0);
     if (member == NULL) return mus__source_fail(source, line, MUS_ERR_FORMAT, "the fabric has no \"%s\"", key);
     if (!json_is_object(member))
         return mus__source_fail(source, line, MUS_ERR_FORMAT, "%s: expected {\"value\": number, \"source\": text}",
@@ -216,6 +218,7 @@ static mus_status fabric_write(mus_context *context, const mus_fabric *fabric, c
     for (int32_t v = 0; v < mus_fabric_value_count(); v++) {
         double number = 0.0;
         mus_fabric_get(fabric, v, &number);
+        if (v >= FABRIC_VALUES_ASKED && !(number > 0.0)) continue;
         mus__sink_print(&sink, ",\n \"%s\": {\"value\": ", mus_fabric_value_key(v));
         mus__sink_number(&sink, number);
         mus__sink_print(&sink, ", \"source\": ");

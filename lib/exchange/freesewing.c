@@ -16,6 +16,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "exchange/json_path.h"
 #include "exchange/pattern_readers.h"
 
@@ -75,7 +76,7 @@ static const double *fs_end(const struct fs_piece *piece)
 
 static double fs_far(const double *a, const double *b)
 {
-    return hypot(a[0] - b[0], a[1] - b[1]);
+    return mus__hypot(a[0] - b[0], a[1] - b[1]);
 }
 
 
@@ -272,11 +273,11 @@ static bool fs_corner(const struct fs_part *part, int32_t i)
     const struct fs_piece *in = &part->piece[(i + part->n - 1) % part->n], *out = &part->piece[i];
     double a[2] = {0, 0}, b[2] = {0, 0};
     const int32_t last = in->kind == MUS_PIECE_CUBIC ? 3 : 1, end = out->kind == MUS_PIECE_CUBIC ? 3 : 1;
-    for (int32_t k = last - 1; k >= 0 && hypot(a[0], a[1]) <= FS_TINY; k--)
+    for (int32_t k = last - 1; k >= 0 && mus__hypot(a[0], a[1]) <= FS_TINY; k--)
         for (int32_t d = 0; d < 2; d++) a[d] = in->p[2 * last + d] - in->p[2 * k + d];
-    for (int32_t k = 1; k <= end && hypot(b[0], b[1]) <= FS_TINY; k++)
+    for (int32_t k = 1; k <= end && mus__hypot(b[0], b[1]) <= FS_TINY; k++)
         for (int32_t d = 0; d < 2; d++) b[d] = out->p[2 * k + d] - out->p[d];
-    return a[0] * b[0] + a[1] * b[1] < FS_CORNER * hypot(a[0], a[1]) * hypot(b[0], b[1]);
+    return a[0] * b[0] + a[1] * b[1] < FS_CORNER * mus__hypot(a[0], a[1]) * mus__hypot(b[0], b[1]);
 }
 
 

@@ -19,6 +19,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "exchange/file_read.h"
 #include "exchange/json_path.h"
 #include "exchange/pattern_readers.h"
@@ -51,8 +52,8 @@ static void gc_rotation(const double *degrees, double *r)
         double turns = degrees[i] / 90.0;
         bool right = turns == floor(turns);
         double quarter = fmod(fmod(turns, 4.0) + 4.0, 4.0);
-        c[i] = !right ? cos(degrees[i] * MUS__DEGREE) : quarter == 0.0 ? 1.0 : quarter == 2.0 ? -1.0 : 0.0;
-        s[i] = !right ? sin(degrees[i] * MUS__DEGREE) : quarter == 1.0 ? 1.0 : quarter == 3.0 ? -1.0 : 0.0;
+        c[i] = !right ? mus__cos(degrees[i] * MUS__DEGREE) : quarter == 0.0 ? 1.0 : quarter == 2.0 ? -1.0 : 0.0;
+        s[i] = !right ? mus__sin(degrees[i] * MUS__DEGREE) : quarter == 1.0 ? 1.0 : quarter == 3.0 ? -1.0 : 0.0;
     }
     const double rows[9] = {
         c[1] * c[2],
@@ -113,7 +114,7 @@ static mus_status gc_circle(const struct gc_reader *reader, const mus__json_at *
     if (status != MUS_OK) return status;
     double r = given[0] * reader->metre;
     bool large = given[1] != 0.0, right = given[2] != 0.0;
-    double ex = b[0] - a[0], ey = b[1] - a[1], chord = hypot(ex, ey);
+    double ex = b[0] - a[0], ey = b[1] - a[1], chord = mus__hypot(ex, ey);
     if (!(r > 0.0) || chord > 2.0 * r * (1.0 + GC_CHORD_SLACK))
         return mus__json_fail(params, MUS_ERR_FORMAT, "a circle of radius %g m cannot span an edge of %g m", r, chord);
 

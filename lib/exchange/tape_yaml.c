@@ -21,6 +21,7 @@
 #include <string.h>
 #include <yaml.h>
 
+#include "base/elementary.h"
 #include "exchange/file_read.h"
 #include "exchange/tape_readers.h"
 
@@ -235,12 +236,12 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
  */
 static mus_status body_shoulder_line(struct body_reader *reader, mus_tape *tape, double side)
 {
-    const double *v = reader->value, slope = tan(v[BODY_INCLINE] * MUS__DEGREE);
+    const double *v = reader->value, slope = mus__tan(v[BODY_INCLINE] * MUS__DEGREE);
     const double point = 0.5 * v[BODY_SHOULDER] / 100.0, width = 0.5 * v[BODY_NECK_WIDTH] / 100.0;
     const double level = (v[BODY_HEIGHT] - v[BODY_HEAD]) / 100.0;
     const double nape = level + (width - side) * slope + BODY_NECK_SIDE * v[BODY_HEIGHT] / 100.0;
     const double armpit = level - (point - width) * slope - v[BODY_ARMSCYE] / 100.0;
-    mus_status status = body_set(reader, tape, MUS_MEASURE_SHOULDER, (point - side) * hypot(1.0, slope));
+    mus_status status = body_set(reader, tape, MUS_MEASURE_SHOULDER, (point - side) * mus__hypot(1.0, slope));
     if (status == MUS_OK) status = body_set(reader, tape, MUS_MEASURE_NAPE_HEIGHT, nape);
     if (status == MUS_OK) status = body_set(reader, tape, MUS_MEASURE_SCYE_DEPTH, (nape - armpit) / BODY_SCYE);
     return status;

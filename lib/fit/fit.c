@@ -39,8 +39,7 @@ static double fit_strain(const double *a, const double *b, const double *p, cons
 }
 
 
-/* strains and areas at the nodes */
-static void fit_strains(mus_fit *fit, const mus_drape *drape)
+void mus__fit_strains(mus_fit *fit, const mus_drape *drape)
 {
     const mus_cloth *cloth = drape->cloth;
     double *area = fit->area; /* six times the area of a node, until all triangles are added */
@@ -78,6 +77,7 @@ static void fit_pressures(mus_fit *fit, const mus_drape *drape, double *force)
     mus__program membrane = drape->program;
     const double weight = drape->cloth->fabric.weight;
     membrane.nhalf_bend = membrane.nhinge = membrane.nattachment = membrane.npair = 0;
+    membrane.nslider = membrane.nclamp = 0;
     mus__program_force(&membrane, drape->n, drape->x, force);
     for (int32_t i = 0; i < fit->n && drape->scene.collider != NULL; i++) {
         const int32_t r = drape->rep[i];
@@ -112,7 +112,7 @@ mus_status mus_fit_create(const mus_drape *drape, const mus_body *body, mus_fit 
         fit->weft = fit->warp + fit->n, fit->pressure = fit->weft + fit->n, fit->gap = fit->pressure + fit->n;
         fit->area = fit->gap + fit->n;
         for (int32_t i = 0; i < fit->n; i++) fit->gap[i] = (double)NAN;
-        fit_strains(fit, drape);
+        mus__fit_strains(fit, drape);
         fit_pressures(fit, drape, work);
         if (body != NULL) status = mus__fit_levels(fit, drape, body);
     }

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/sort.h"
 #include "fit/fit_internal.h"
 #include "geom/vec.h"
 
@@ -81,7 +83,7 @@ static int32_t fit_cuts(const mus_fit *fit, const mus_drape *drape, const double
             found++;
         }
         if (found != 2) continue;
-        cut[n].flat = hypot(flat[1][0] - flat[0][0], flat[1][1] - flat[0][1]);
+        cut[n].flat = mus__hypot(flat[1][0] - flat[0][0], flat[1][1] - flat[0][1]);
         cut[n].gap = gap;
         cut[n].chain = n;
         n++;
@@ -109,7 +111,7 @@ static int32_t fit_root(fit_cut *cut, int32_t i)
 static void fit_chains(fit_cut *cut, int32_t n, fit_end *end)
 {
     for (int32_t i = 0; i < 2 * n; i++) end[i] = (fit_end){cut[i / 2].edge[i % 2], i / 2};
-    qsort(end, 2 * (size_t)n, sizeof *end, fit_by_edge);
+    mus__sort(end, 2 * (size_t)n, sizeof *end, fit_by_edge);
     for (int32_t i = 1; i < 2 * n; i++) {
         if (end[i].edge != end[i - 1].edge) continue;
         const int32_t a = fit_root(cut, end[i - 1].cut), b = fit_root(cut, end[i].cut);
@@ -125,7 +127,7 @@ static double fit_turn(const fit_cut *cut, const double *about, const double *up
     double p[3], q[3], cross[3];
     for (int32_t d = 0; d < 3; d++) p[d] = cut->from[d] - about[d], q[d] = cut->to[d] - about[d];
     mus__cross3(p, q, cross);
-    return atan2(mus__dot3(cross, up), mus__dot3(p, q));
+    return mus__atan2(mus__dot3(cross, up), mus__dot3(p, q));
 }
 
 

@@ -17,6 +17,9 @@ struct mus_fit {
     mus_fit_level level[MUS__FIT_LEVELS];
 };
 
+/* strains and areas at the nodes: fit.warp, weft, area, zeroed before (fit.c) */
+void mus__fit_strains(mus_fit *fit, const mus_drape *drape);
+
 /* the levels that the garment goes round; needs gap (fit_girths.c) */
 mus_status mus__fit_levels(mus_fit *fit, const mus_drape *drape, const mus_body *body);
 

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "fit/fit_internal.h"
 
 typedef struct fit_entry {
@@ -77,7 +78,7 @@ mus_status mus_fit_spread_get(const mus_fit *fit, int32_t quantity, mus_fit_spre
         out->area += fit->area[i];
         sum += value * fit->area[i];
     }
-    qsort(entry, (size_t)n, sizeof *entry, entry_order);
+    mus__sort(entry, (size_t)n, sizeof *entry, entry_order);
     out->p50 = percentile(entry, n, out->area, 0.50);
     out->p95 = percentile(entry, n, out->area, 0.95);
     out->p99 = percentile(entry, n, out->area, 0.99);

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "geom/curve.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 /* agreement of two halves with the whole, of the control polygon's length: the sum over all parts stays below 1e-12 */
@@ -32,7 +33,7 @@ static void curve_arc_read(const double *p, curve_arc *arc)
 {
     double chord[2] = {p[4] - p[0], p[5] - p[1]};
     double bulge[2] = {p[2] - 0.5 * (p[0] + p[4]), p[3] - 0.5 * (p[1] + p[5])};
-    double half = 0.5 * hypot(chord[0], chord[1]), height = hypot(bulge[0], bulge[1]);
+    double half = 0.5 * mus__hypot(chord[0], chord[1]), height = mus__hypot(bulge[0], bulge[1]);
     arc->middle[0] = 0.5 * (p[0] + p[4]), arc->middle[1] = 0.5 * (p[1] + p[5]);
     arc->half = half;
 
@@ -49,7 +50,7 @@ static void curve_arc_read(const double *p, curve_arc *arc)
         arc->sagitta = bulge[0] * arc->n[0] + bulge[1] * arc->n[1];
         if (fabs(arc->sagitta) <= 1e-20 * half) arc->sagitta = 0.0;
     }
-    arc->angle = 4.0 * atan2(fabs(arc->sagitta), half);
+    arc->angle = 4.0 * mus__atan2(fabs(arc->sagitta), half);
 }
 
 
@@ -70,9 +71,9 @@ static void curve_arc_at(const double *p, double t, double *out, double *tangent
     } else {
         /* phi from the top of the arc: along = R sin phi, across = s - 2 R sin^2(phi / 2) */
         double radius = (k * k + s * s) / (2.0 * s), angle = s > 0.0 ? arc.angle : -arc.angle;
-        double phi = angle * (t - 0.5), sine = sin(0.5 * phi);
-        along = radius * sin(phi), across = s - 2.0 * radius * sine * sine;
-        along_d = radius * angle * cos(phi), across_d = -radius * angle * sin(phi);
+        double phi = angle * (t - 0.5), sine = mus__sin(0.5 * phi);
+        along = radius * mus__sin(phi), across = s - 2.0 * radius * sine * sine;
+        along_d = radius * angle * mus__cos(phi), across_d = -radius * angle * mus__sin(phi);
     }
     for (int i = 0; i < 2; i++) {
         if (out != NULL) out[i] = arc.middle[i] + along * arc.u[i] + across * arc.n[i];
@@ -87,7 +88,7 @@ static double curve_arc_segment(const curve_arc *arc)
     double k = arc->half, s = arc->sagitta, x = arc->angle;
     if (s == 0.0) return 0.0;
     double radius = (k * k + s * s) / (2.0 * s), x2 = x * x;
-    double gap = x - sin(x);
+    double gap = x - mus__sin(x);
     if (x < 0.5) gap = x * x2 / 6.0 * (1 - x2 / 20 * (1 - x2 / 42 * (1 - x2 / 72 * (1 - x2 / 110 * (1 - x2 / 156)))));
 
     /* an arc that bulges to the left of its chord runs clockwise */

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "geom/polygon.h"
+#include "base/elementary.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"
 
@@ -129,7 +130,7 @@ double mus__polygon_distance(int32_t n, const double *xy, const double *p)
         double ux = b[0] - a[0], uy = b[1] - a[1], vx = p[0] - a[0], vy = p[1] - a[1];
         double square = ux * ux + uy * uy, t = square > 0.0 ? (ux * vx + uy * vy) / square : 0.0;
         t = fmin(fmax(t, 0.0), 1.0);
-        least = fmin(least, hypot(vx - t * ux, vy - t * uy));
+        least = fmin(least, mus__hypot(vx - t * ux, vy - t * uy));
     }
     return least;
 }

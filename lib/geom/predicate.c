@@ -6,11 +6,11 @@
  * whose last one has the sign of the sum. Zeros are dropped, so points of a lattice, whose differences are exact, cost
  * a few products only. The results are exact unless a product overflows or underflows, which coordinates in metres do
  * not. Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997 (error
- * bounds: figures 21 and 23; expansions: figures 8 and 13); Dekker 1971 (exact product), Knuth (exact sum).
+ * bounds: figures 21 and 23; expansions: figures 8 and 13).
  */
 #include <math.h>
 
-#include "base/ieee.h"
+#include "base/exact.h"
 #include "geom/predicate.h"
 
 /* half the distance from 1 to the next double, and the error bounds A of Shewchuk */
@@ -18,34 +18,12 @@
 #define PREDICATE_ORIENT ((3.0 + 16.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_PLANE ((7.0 + 56.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
 #define PREDICATE_CIRCLE ((10.0 + 96.0 * PREDICATE_EPSILON) * PREDICATE_EPSILON)
-/* 2^27 + 1: multiplying by it splits a double into two of 26 bits (Dekker 1971) */
-#define PREDICATE_SPLIT 134217729.0
-
-
-/* Returns the rounded sum a + b; *low gets its rounding error. */
-static inline double predicate_sum(double a, double b, double *low)
-{
-    double high = a + b, part = high - a;
-    *low = (a - (high - part)) + (b - part);
-    return high;
-}
-
-
-/* Returns the rounded product a * b; *low gets its rounding error. */
-static inline double predicate_product(double a, double b, double *low)
-{
-    double high = a * b;
-    double c = PREDICATE_SPLIT * a, a1 = c - (c - a), a0 = a - a1;
-    double d = PREDICATE_SPLIT * b, b1 = d - (d - b), b0 = b - b1;
-    *low = a0 * b0 - (((high - a1 * b1) - a0 * b1) - a1 * b0);
-    return high;
-}
 
 
 /* Writes a - b as an expansion of at most 2 terms; returns their number. */
 static int predicate_difference(double a, double b, double *out)
 {
-    double low, high = predicate_sum(a, -b, &low);
+    double low, high = mus__exact_sum(a, -b, &low);
     int n = 0;
     if (low != 0.0) out[n++] = low;
     if (high != 0.0) out[n++] = high;
@@ -60,7 +38,7 @@ static int predicate_grow(int n, double *e, double b)
     double carry = b;
     for (int i = 0; i < n; i++) {
         double low;
-        carry = predicate_sum(carry, e[i], &low);
+        carry = mus__exact_sum(carry, e[i], &low);
         if (low != 0.0) e[kept++] = low;
     }
     if (carry != 0.0) e[kept++] = carry;
@@ -74,7 +52,7 @@ static int predicate_times(int ne, const double *e, int nf, const double *f, dou
     int n = 0;
     for (int j = 0; j < nf; j++)
         for (int i = 0; i < ne; i++) {
-            double low, high = predicate_product(e[i], f[j], &low);
+            double low, high = mus__exact_product(e[i], f[j], &low);
             if (low != 0.0) n = predicate_grow(n, out, low);
             n = predicate_grow(n, out, high);
         }

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "half/boundary_loop.h"
 
@@ -82,11 +83,11 @@ static void boundary_cross(const mus__board *board, int32_t k, double *turn, dou
     double corner[2], along[2], own[2], back[2];
     mus__board_at(board, k, 0.0, corner, along);
     mus__board_at(board, partner, boundary_length(board, partner), own, back);
-    const double c = cos(*turn), s = sin(*turn);
+    const double c = mus__cos(*turn), s = mus__sin(*turn);
     const double at[2] = {c * corner[0] - s * corner[1] + shift[0], s * corner[0] + c * corner[1] + shift[1]};
-    *turn += atan2(along[1], along[0]) - atan2(-back[1], -back[0]);
-    shift[0] = at[0] - (cos(*turn) * own[0] - sin(*turn) * own[1]);
-    shift[1] = at[1] - (sin(*turn) * own[0] + cos(*turn) * own[1]);
+    *turn += mus__atan2(along[1], along[0]) - mus__atan2(-back[1], -back[0]);
+    shift[0] = at[0] - (mus__cos(*turn) * own[0] - mus__sin(*turn) * own[1]);
+    shift[1] = at[1] - (mus__sin(*turn) * own[0] + mus__cos(*turn) * own[1]);
 }
 
 
@@ -182,7 +183,7 @@ void mus__boundary_at(const mus__board *board, const mus__boundary *loop, double
     double p[2], t[2];
     while (i + 1 < loop->n && loop->s[i + 1] < s) i++;
     mus__board_at(board, loop->side[i], fmin(fmax(s - loop->s[i], 0.0), loop->s[i + 1] - loop->s[i]), p, t);
-    const double c = cos(loop->turn[i]), d = sin(loop->turn[i]);
+    const double c = mus__cos(loop->turn[i]), d = mus__sin(loop->turn[i]);
     xy[0] = c * p[0] - d * p[1] + loop->shift[i][0], xy[1] = d * p[0] + c * p[1] + loop->shift[i][1];
     tangent[0] = c * t[0] - d * t[1], tangent[1] = d * t[0] + c * t[1];
 }

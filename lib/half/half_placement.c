@@ -8,6 +8,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "half/half_placement.h"
 
@@ -100,14 +101,15 @@ void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt
 {
     mus__board *board = &half->board;
     if (board->status != MUS_OK || !mus__board_has_panel(board, panel)) return;
-    const double out[3] = {sin(around), 0.0, cos(around)}, along[3] = {cos(around), 0.0, -sin(around)};
+    const double out[3] = {mus__sin(around), 0.0, mus__cos(around)},
+                 along[3] = {mus__cos(around), 0.0, -mus__sin(around)};
     mus_placement place;
     mus_placement_init(&place, sizeof place);
     for (int i = 0; i < 3; i++) {
         const double up = i == 1 ? 1.0 : 0.0;
         place.rotation[3 * i] = along[i];
-        place.rotation[3 * i + 1] = up * cos(tilt) - out[i] * sin(tilt);
-        place.rotation[3 * i + 2] = out[i] * cos(tilt) + up * sin(tilt);
+        place.rotation[3 * i + 1] = up * mus__cos(tilt) - out[i] * mus__sin(tilt);
+        place.rotation[3 * i + 2] = out[i] * mus__cos(tilt) + up * mus__sin(tilt);
         place.origin[i] = origin[i];
     }
     place.bend = bend;
@@ -129,7 +131,7 @@ void mus__lower_place_leg(mus__half *half, int32_t panel, bool front, double cre
     /* depth of a torso is below 0.14 of its girth; the roll has 3 cm of room */
     const double *m = half->measures.v, radius = girth / (2.0 * MUS_PI) + 0.03;
     const double off = fmax(away, 0.14 * fmax(m[MUS_MEASURE_WAIST], m[MUS_MEASURE_HIP]) + 0.03);
-    const double reach = radius * sin(fmin(inner / radius, 0.5 * MUS_PI)) + 0.004;
+    const double reach = radius * mus__sin(fmin(inner / radius, 0.5 * MUS_PI)) + 0.004;
     const double x = fmax(half->skeleton.leg_x, reach);
 
     /* the crease lies over x, so the panel's x = 0 does not: the roll keeps the line of the crease in place */

@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "limb/limb.h"
+#include "base/elementary.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
@@ -32,7 +33,8 @@ void mus__contour_turns(int32_t n, double *turn)
         /* only cosines and sines of angles up to 45 degrees are computed, so that the quarters mirror each other */
         int32_t step = k % (n / 4), quarter = k / (n / 4);
         int32_t least = step < n / 4 - step ? step : n / 4 - step;
-        double angle = 2.0 * MUS_PI * least / n, more = cos(angle), less = 2 * least == n / 4 ? more : sin(angle);
+        double angle = 2.0 * MUS_PI * least / n, more = mus__cos(angle),
+               less = 2 * least == n / 4 ? more : mus__sin(angle);
         double c = least == step ? more : less, s = least == step ? less : more;
         turn[2 * k] = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
         turn[2 * k + 1] = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
@@ -71,7 +73,7 @@ static double contour_bump(double h, double angle, double middle, double t)
     double r = contour_apart(t, middle + angle) / CONTOUR_BUMP_WIDTH;
 
     /* beyond 6.5 widths a bump is below 4e-19 of its height */
-    return h * ((l < 6.5 ? exp(-l * l) : 0.0) + (r < 6.5 ? exp(-r * r) : 0.0));
+    return h * ((l < 6.5 ? mus__exp(-l * l) : 0.0) + (r < 6.5 ? mus__exp(-r * r) : 0.0));
 }
 
 
@@ -87,7 +89,7 @@ static double contour_cross(const double *p, const double *q)
 static double contour_outline(const mus__contour *contour, double cosine, double sine)
 {
     /* by bisection: the last corner at or before the angle, and the next one; the corners are cyclic */
-    const double angle = atan2(sine, cosine);
+    const double angle = mus__atan2(sine, cosine);
     const int32_t n = contour->corners;
     int32_t low = -1, high = n;
     while (high - low > 1) {
@@ -109,14 +111,14 @@ static double contour_oval(const mus__contour *contour, double cosine, double si
 {
     if (contour->corners > 0) return contour_outline(contour, cosine, sine);
     double x = fabs(cosine) / contour->a, y = fabs(sine) / contour->b, n = contour->n;
-    return n == 2.0 ? 1.0 / sqrt(x * x + y * y) : pow(pow(x, n) + pow(y, n), -1.0 / n);
+    return n == 2.0 ? 1.0 / sqrt(x * x + y * y) : mus__pow(mus__pow(x, n) + mus__pow(y, n), -1.0 / n);
 }
 
 
 /* height of all bumps in a direction; the front is -b, since the frame of the torso is (X, -Z, Y) */
 static double contour_bumps(const mus__contour *contour, double cosine, double sine)
 {
-    double t = atan2(sine, cosine), sum = 0.0;
+    double t = mus__atan2(sine, cosine), sum = 0.0;
     if (contour->bump[0] != 0.0) sum += contour_bump(contour->bump[0], contour->bump_angle[0], -0.5 * MUS_PI, t);
     if (contour->bump[1] != 0.0) sum += contour_bump(contour->bump[1], contour->bump_angle[1], 0.5 * MUS_PI, t);
     return sum;
@@ -141,7 +143,7 @@ static double contour_hosted(const mus__contour *contour, double cosine, double 
         radius = fmax(next, 1e-6);
     }
     double inward = -cosine * contour->wall_side / (contour->ca * contour->wall_side - contour->wall);
-    return inward > 0.0 ? pow(pow(radius, -round) + pow(inward, round), -1.0 / round) : radius;
+    return inward > 0.0 ? mus__pow(mus__pow(radius, -round) + mus__pow(inward, round), -1.0 / round) : radius;
 }
 
 

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/base_internal.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 
@@ -61,9 +62,9 @@ static void skeleton_trunk(const mus_tape *tape, mus__skeleton *out)
      * the acromion lies further out and lower, since the shoulder is round */
     const double wide = skeleton_wide(mus_tape_sex(tape)) * h;
     out->neck_side = out->nape - 0.0165 * h;
-    out->shoulder = out->neck_side - sh * sin(slope) - 0.75 * wide;
+    out->shoulder = out->neck_side - sh * mus__sin(slope) - 0.75 * wide;
     out->neck_side_x = mus_tape_value(tape, MUS_MEASURE_NECK) / (2.0 * MUS_PI);
-    out->shoulder_end = out->neck_side_x + sh * cos(slope);
+    out->shoulder_end = out->neck_side_x + sh * mus__cos(slope);
     out->shoulder_x = out->shoulder_end + wide;
     out->shoulder_z = skeleton_mix(mus_tape_sex(tape), -0.0125, -0.014) * h;
     out->torso_z = skeleton_mix(mus_tape_sex(tape), 0.005, 0.0) * h;
@@ -86,7 +87,7 @@ static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
 
     for (int i = 0; i < 2; i++) {
         double side = i == 0 ? 1.0 : -1.0;
-        double joint[3] = {side * x, y, out->shoulder_z}, axis[3] = {side * cos(down), -sin(down), 0.06};
+        double joint[3] = {side * x, y, out->shoulder_z}, axis[3] = {side * mus__cos(down), -mus__sin(down), 0.06};
         mus__unit3(axis);
         out->arm_before = (x - out->shoulder_x) * side * axis[0] + (y - out->shoulder) * axis[1];
         memcpy(out->joint[i], joint, sizeof joint);
@@ -95,7 +96,7 @@ static void skeleton_limbs(const mus_tape *tape, mus__skeleton *out)
 
     /* the tape of the bent arm is 5 % longer than the straight arm from acromion to wrist, all of it above the tip of
      * the elbow. It runs over the ball (arc `over`) and down the outer side, which approaches the axis by `slant` */
-    const double arm = mus_tape_value(tape, MUS_MEASURE_ARM), over = ball * asin(out->arm_before / ball);
+    const double arm = mus_tape_value(tape, MUS_MEASURE_ARM), over = ball * mus__asin(out->arm_before / ball);
     const double straight = arm / 1.05 - over, slant = ball - mus_tape_value(tape, MUS_MEASURE_WRIST) / (2.0 * MUS_PI);
     out->arm_length = sqrt(fmax(straight * straight - slant * slant, 0.0));
     out->elbow = mus_tape_value(tape, MUS_MEASURE_ELBOW) - arm * (0.05 / 1.05) - over;

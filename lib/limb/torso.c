@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "limb/limb.h"
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 /* shape of a contour: ratio of depth to breadth, exponent, forward offset of the centre in parts of the stature */
@@ -190,7 +191,7 @@ static void torso_chest(const torso_input *in)
                                             torso_mix(in, 0.33, 0.20) * (bust / h - 0.57));
     if (in->sex != MUS_SEX_MALE && in->sex != MUS_SEX_CHILD && bust > high) {
         chest->bump[0] = fmin((bust - high) / 1.8, 0.25 * chest->b);
-        chest->bump_angle[0] = atan2(0.5 * torso_value(in, MUS_MEASURE_BUST_SPAN), chest->b);
+        chest->bump_angle[0] = mus__atan2(0.5 * torso_value(in, MUS_MEASURE_BUST_SPAN), chest->b);
     }
     torso_put_measure(in, TORSO_ARMPIT, bone->armpit, MUS_MEASURE_HIGH_BUST, MUS_MEASURE_SCYE_DEPTH, 0.0);
 }

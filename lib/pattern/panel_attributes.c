@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "pattern/pattern_internal.h"
 
 /* largest error of R^T R - 1 of a placement: files give angles and entries to 6 digits or more */
@@ -106,7 +107,7 @@ mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, 
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    double length = hypot(x, y);
+    double length = mus__hypot(x, y);
     if (!mus__finite(length) || length == 0.0)
         return mus__fail(pattern->context, MUS_ERR_ARG, "grain of panel %s: (%g, %g) is no direction",
                          pattern->panel[panel].name, x, y);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "pattern/pattern_internal.h"
 
@@ -70,7 +71,7 @@ static mus_status cell_arcs_check(const mus_pattern *pattern, const mus__edge *e
     const double *p = edge->xy;
     for (int32_t i = 0; i < edge->npiece; i++) {
         if (edge->kinds[i] == MUS_PIECE_ARC) {
-            double a = hypot(p[2] - p[0], p[3] - p[1]), b = hypot(p[2] - p[4], p[3] - p[5]);
+            double a = mus__hypot(p[2] - p[0], p[3] - p[1]), b = mus__hypot(p[2] - p[4], p[3] - p[5]);
             if (fabs(a - b) > ARC_SLACK * (a + b))
                 return mus__fail(pattern->context, MUS_ERR_ARG,
                                  "edge %s: the middle point of arc %d is %g m from one end and %g m from the other",

@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "pose/pose_table.h"
 
@@ -133,7 +134,8 @@ static void walk_leg(int32_t right, const double *row, double turn, double list,
 static void walk_pose(int32_t key, double stature, mus_pose *pose)
 {
     /* the left heel strikes at phase 0: the left leg is in front, and stands alone after that */
-    const double phase = 2.0 * MUS_PI * key / WALK_KEYS, turn = -WALK_TURN * cos(phase), list = -WALK_LIST * sin(phase);
+    const double phase = 2.0 * MUS_PI * key / WALK_KEYS, turn = -WALK_TURN * mus__cos(phase),
+                 list = -WALK_LIST * mus__sin(phase);
     mus_pose_init(pose, sizeof *pose);
     walk_leg(0, walk_rows[key], turn, list, pose);
     walk_leg(1, walk_rows[(key + WALK_KEYS / 2) % WALK_KEYS], turn, list, pose);
@@ -144,7 +146,7 @@ static void walk_pose(int32_t key, double stature, mus_pose *pose)
     pose->angle[MUS_JOINT_NECK][MUS_POSE_ROTATION] = turn;
     for (int32_t j = 0; j < MUS_JOINT_COUNT; j++)
         for (int k = 0; k < 3; k++) pose->angle[j][k] *= MOVE_DEGREE;
-    pose->place[0] = WALK_SWAY * stature * sin(phase);
+    pose->place[0] = WALK_SWAY * stature * mus__sin(phase);
     pose->place[1] = walk_bob[key % (WALK_KEYS / 2)] * stature;
 }
 
@@ -168,9 +170,9 @@ static void move_ankle(const mus_pose *pose, int32_t right, double stature, doub
     const double *hip = pose->angle[MUS_JOINT_HIP_LEFT + right];
     const double thigh = hip[MUS_POSE_FLEXION] - pose->angle[MUS_JOINT_ROOT][MUS_POSE_FLEXION];
     const double shank = thigh - pose->angle[MUS_JOINT_KNEE_LEFT + right][MUS_POSE_FLEXION];
-    const double wide = cos(hip[MUS_POSE_ABDUCTION]);
-    out[0] = stature * (MOVE_THIGH + MOVE_SHANK - wide * (MOVE_THIGH * cos(thigh) + MOVE_SHANK * cos(shank)));
-    out[1] = stature * wide * (MOVE_THIGH * sin(thigh) + MOVE_SHANK * sin(shank));
+    const double wide = mus__cos(hip[MUS_POSE_ABDUCTION]);
+    out[0] = stature * (MOVE_THIGH + MOVE_SHANK - wide * (MOVE_THIGH * mus__cos(thigh) + MOVE_SHANK * mus__cos(shank)));
+    out[1] = stature * wide * (MOVE_THIGH * mus__sin(thigh) + MOVE_SHANK * mus__sin(shank));
 }
 
 

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 
 /* shift of a shoulder joint inwards over its shift upwards; chosen: more narrows raised shoulders */
@@ -27,7 +28,7 @@ static double pose_lift(const double *turn)
     double down[3] = {0.0, -1.0, 0.0}, m[9];
     mus__quaternion_matrix(turn, m);
     mus__matrix_point(m, down, down);
-    double lift = acos(fmin(fmax(-down[1], -1.0), 1.0));
+    double lift = mus__acos(fmin(fmax(-down[1], -1.0), 1.0));
     return fmax(lift - MUS_PI / 6.0, 0.0) / (140.0 * MUS_PI / 180.0);
 }
 

@@ -16,6 +16,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "pose/pose_frame.h"
 
@@ -97,9 +98,11 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
     mus_status status = mus__pose_fields(body, pose, field);
     if (status != MUS_OK) return status;
 
-    double turn[2 * MUS__FIELD_ANGLES], lowest = INFINITY;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
-    for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    double turn[2 * MUS__FIELD_MOST], lowest = INFINITY;
+    for (int32_t p = 0; p < body->nfield; p++) {
+        mus__field_turns(field[p].nangle, turn);
+        lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    }
     pose->place[1] -= lowest;
     return MUS_OK;
 }
@@ -160,7 +163,7 @@ static double stand_lowest(const mus_body *body, const stand_foot *foot, const m
 /* the way (3) from hip to ankle with the knee flexed by `knee` and the hip not flexed */
 static void stand_reach(const stand_leg *leg, double knee, double *out)
 {
-    const double c = cos(knee), s = sin(knee), *t = leg->thigh, *b = leg->shank;
+    const double c = mus__cos(knee), s = mus__sin(knee), *t = leg->thigh, *b = leg->shank;
     const double way[3] = {t[0] + b[0], t[1] + c * b[1] - s * b[2], t[2] + s * b[1] + c * b[2]};
     mus__matrix_point(leg->twist, way, out);
 }
@@ -183,7 +186,7 @@ static void stand_leg_of(const mus_body *body, const mus_pose *pose, int32_t rig
     out->up[0] = root[4], out->up[1] = root[5];
 
     stand_reach(out, pose->angle[MUS_JOINT_KNEE_LEFT + right][MUS_POSE_FLEXION], way);
-    const double c = cos(hip[MUS_POSE_FLEXION]), s = sin(hip[MUS_POSE_FLEXION]);
+    const double c = mus__cos(hip[MUS_POSE_FLEXION]), s = mus__sin(hip[MUS_POSE_FLEXION]);
     out->ankle[0] = c * way[1] + s * way[2], out->ankle[1] = c * way[2] - s * way[1];
 }
 
@@ -218,10 +221,10 @@ static bool stand_bend(const stand_leg *leg, const mus_pose *pose, double rise, 
     for (int i = 0; i < STAND_TURNS; i++) {
         const double bend = (up * up + front * front + way[0] * way[0] - one) / (2.0 * most);
         reaches = bend >= -1.0 && bend <= 1.0;
-        now[1] = atan2(q, p) + acos(fmin(fmax(bend, -1.0), 1.0));
+        now[1] = mus__atan2(q, p) + mus__acos(fmin(fmax(bend, -1.0), 1.0));
         stand_reach(leg, now[1], way);
     }
-    now[0] = atan2(way[2], way[1]) - atan2(front, up);
+    now[0] = mus__atan2(way[2], way[1]) - mus__atan2(front, up);
     if (now[0] > MUS_PI) now[0] -= 2.0 * MUS_PI;
     if (now[0] < -MUS_PI) now[0] += 2.0 * MUS_PI;
     now[2] = was[2] + (now[1] - was[1]) - (now[0] - was[0]);

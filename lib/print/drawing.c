@@ -5,6 +5,7 @@
  * A drawing remembers its first failure and ignores all calls after it. Code that draws needs no checks, and its caller
  * reads `status` once at the end. Letters are paths too (stroke_font.c), so a writer handles only lines and curves.
  */
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -28,6 +29,17 @@ int32_t mus__print_millimetres(char *out, size_t size, double x)
     long tenths = lround(x * 1e4);
     return tenths % 10 == 0 ? snprintf(out, size, "%ld", tenths / 10)
                             : snprintf(out, size, "%ld.%ld", tenths / 10, tenths % 10);
+}
+
+
+void mus__print_number(mus__sink *bytes, double x)
+{
+    int64_t units = llround(x * 1e7), whole = units < 0 ? -(units / 10000) : units / 10000;
+    int fraction = (int)(units < 0 ? -(units % 10000) : units % 10000), digits = 4;
+    mus__sink_print(bytes, "%s%" PRId64, units < 0 ? "-" : "", whole);
+    if (fraction == 0) return;
+    for (; fraction % 10 == 0; fraction /= 10) digits--;
+    mus__sink_print(bytes, ".%0*d", digits, fraction);
 }
 
 
@@ -91,13 +103,19 @@ void mus__draw_path(mus__drawing *drawing, int32_t piece, mus__layer layer, mus_
                                          (int64_t)drawing->npath + 1, sizeof *drawing->paths);
     if (drawing->status != MUS_OK) return;
     drawing->paths[drawing->npath++] =
-        (mus__path){piece, layer, pen, MUS_NONE, drawing->nop, 0, drawing->nxy, {0, 0, 0, 0}};
+        (mus__path){piece, layer, pen, MUS_NONE, MUS_NONE, drawing->nop, 0, drawing->nxy, {0, 0, 0, 0}};
 }
 
 
 void mus__draw_edge(mus__drawing *drawing, int32_t edge)
 {
     if (drawing->status == MUS_OK) drawing->paths[drawing->npath - 1].edge = edge;
+}
+
+
+void mus__draw_mark(mus__drawing *drawing, int32_t mark)
+{
+    if (drawing->status == MUS_OK) drawing->paths[drawing->npath - 1].mark = mark;
 }
 
 

@@ -11,16 +11,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "file/message.h"
+#include "file/sink.h"
 #include "muslin/print.h"
 
 #define MUS__PRINT_PI 3.14159265358979323846
 
 /* ---- helpers (drawing.c) ---- */
-
 mus_status mus__print_memory(mus_context *context, const char *what);
 /* write x [m] as millimetres with at most one decimal, in every locale; returns the number of characters */
 int32_t mus__print_millimetres(char *out, size_t size, double x);
+/* write x [m] as millimetres with four decimals at most, in every locale */
+void mus__print_number(mus__sink *bytes, double x);
 /* allocate `count` zeroed elements of `size` bytes; NULL when there is no memory or the product overflows */
 void *mus__print_new(mus_context *context, int64_t count, size_t size);
 void mus__print_free(mus_context *context, void *block);
@@ -28,7 +29,6 @@ void mus__print_free(mus_context *context, void *block);
 mus_status mus__print_reserve(mus_context *context, void *array, int32_t *capacity, int64_t need, size_t size);
 
 /* ---- a drawing ---- */
-
 typedef enum mus__pen {
     MUS__PEN_CUT,    /* cut line: solid 0.5 mm */
     MUS__PEN_SEAM,   /* seam line: dashed 0.25 mm; no other pen has these dashes, so a reader can find seam lines */
@@ -71,6 +71,7 @@ typedef struct mus__path {
     mus__layer layer;
     mus__pen pen;
     int32_t edge;  /* edge of the pattern that the path draws or notches, or MUS_NONE */
+    int32_t mark;  /* mark of the pattern that the path draws, or MUS_NONE; the path of its name has none */
     int32_t op;    /* first in ops */
     int32_t nop;
     int32_t at;    /* first in xy */
@@ -92,12 +93,13 @@ void mus__draw_free(mus__drawing *drawing);
 void mus__draw_path(mus__drawing *drawing, int32_t piece, mus__layer layer, mus__pen pen);
 /* set the edge of the path that was begun last */
 void mus__draw_edge(mus__drawing *drawing, int32_t edge);
+/* set the mark of the path that was begun last */
+void mus__draw_mark(mus__drawing *drawing, int32_t mark);
 void mus__draw_move(mus__drawing *drawing, double x, double y);
 void mus__draw_line(mus__drawing *drawing, double x, double y);
 void mus__draw_curve(mus__drawing *drawing, const double *xy); /* cubic: two control points and the end */
 void mus__draw_close(mus__drawing *drawing);
 void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width, double height);
-
 
 /* ---- letters (stroke_font.c) ---- */
 

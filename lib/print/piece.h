@@ -64,6 +64,8 @@ void mus__piece_move(mus__piece *piece, double x, double y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
 void mus__cubic_at(const double *p, double t, double *out);
+/* number of equal chords that keep within `tolerance` [m] of a cubic (four points) */
+int32_t mus__cubic_chords(const double *p, double tolerance);
 
 /* ---- lines on a piece (piece_marks.c) ---- */
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "print/sheet.h"
 
 #define LABEL_LINES 7    /* most lines of a label: as many as label_lines adds */
@@ -190,7 +191,7 @@ static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, c
             double w = 0.5 * scales[s] * (lying ? block->height : block->width) + LABEL_PAD * scales[s];
             double h = 0.5 * scales[s] * (lying ? block->width : block->height) + LABEL_PAD * scales[s];
             const double box[4] = {x - w, y - h, x + w, y + h};
-            double away = hypot(x - middle[0], y - middle[1]) + (lying ? LYING : 0.0);
+            double away = mus__hypot(x - middle[0], y - middle[1]) + (lying ? LYING : 0.0);
             if (away < nearest && !label_on_page(sheet, box)) away += ACROSS;
             if (away >= nearest || !label_fits(piece, walls, box)) continue;
             nearest = away;

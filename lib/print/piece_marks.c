@@ -236,6 +236,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         double first[2], p[2];
         mus__piece_point(piece, xy, first);
         mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
+        mus__draw_mark(out, i);
         if (n == 1) {
             /* a drill point: a cross, 6 mm wide */
             mus__draw_move(out, first[0] - 0.003, first[1]);

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "print/piece.h"
 
 /* [m] largest distance of a chord from its cubic; chosen: far below the width of a line */
@@ -27,7 +28,7 @@ void mus__cubic_at(const double *p, double t, double *out)
 
 
 /* the error of n equal chords is at most 3/4 of the larger second difference, over n^2 */
-static int32_t cubic_chords(const double *p, double tolerance)
+int32_t mus__cubic_chords(const double *p, double tolerance)
 {
     double ax = p[0] - 2.0 * p[2] + p[4], ay = p[1] - 2.0 * p[3] + p[5];
     double bx = p[2] - 2.0 * p[4] + p[6], by = p[3] - 2.0 * p[5] + p[7];
@@ -123,20 +124,20 @@ static void span_arc(span_list *spans, const double *s, const double *m, const d
         uy = 0.5 * (ax * bb - bx * aa) / cross;
     }
     double cx = s[0] + ux, cy = s[1] + uy, radius = sqrt(ux * ux + uy * uy);
-    double from = atan2(-uy, -ux), sweep = atan2(e[1] - cy, e[0] - cx) - from;
+    double from = mus__atan2(-uy, -ux), sweep = mus__atan2(e[1] - cy, e[0] - cx) - from;
     if (cross > 0.0 && sweep <= 0.0) sweep += 2.0 * MUS__PRINT_PI;
     if (cross < 0.0 && sweep >= 0.0) sweep -= 2.0 * MUS__PRINT_PI;
 
     int32_t n = (int32_t)ceil(fabs(sweep) / ARC_STEP);
-    double handle = 4.0 / 3.0 * tan(sweep / n / 4.0), p[8] = {s[0], s[1], 0, 0, 0, 0, 0, 0};
+    double handle = 4.0 / 3.0 * mus__tan(sweep / n / 4.0), p[8] = {s[0], s[1], 0, 0, 0, 0, 0, 0};
     for (int32_t i = 0; i < n; i++) {
         double f = from + sweep * i / n, g = from + sweep * (i + 1) / n;
-        double q[2] = {cx + radius * cos(g), cy + radius * sin(g)};
+        double q[2] = {cx + radius * mus__cos(g), cy + radius * mus__sin(g)};
         if (i == n - 1) memcpy(q, e, sizeof q);
-        p[2] = p[0] - handle * radius * sin(f);
-        p[3] = p[1] + handle * radius * cos(f);
-        p[4] = q[0] + handle * radius * sin(g);
-        p[5] = q[1] - handle * radius * cos(g);
+        p[2] = p[0] - handle * radius * mus__sin(f);
+        p[3] = p[1] + handle * radius * mus__cos(f);
+        p[4] = q[0] + handle * radius * mus__sin(g);
+        p[5] = q[1] - handle * radius * mus__cos(g);
         memcpy(p + 6, q, sizeof q);
         span_add(spans, p, false, side);
         memcpy(p, q, sizeof q);
@@ -195,7 +196,7 @@ static mus_status piece_flatten(mus_context *context, mus__piece *piece)
     piece->nflat = 0;
     for (int32_t i = 0; i < piece->nspan; i++) {
         const mus__span *span = &piece->spans[i];
-        int32_t n = span->line ? 1 : cubic_chords(span->p, CHORD_TOLERANCE);
+        int32_t n = span->line ? 1 : mus__cubic_chords(span->p, CHORD_TOLERANCE);
         mus_status status = mus__print_reserve(context, &piece->flat, &room, 2 * ((int64_t)piece->nflat + n),
                                                sizeof *piece->flat);
         if (status == MUS_OK)

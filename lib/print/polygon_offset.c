@@ -30,6 +30,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "print/piece.h"
 
 #define MITRE_LIMIT 2.5  /* longest mitre over the wider allowance; a longer one is cut off. Chosen */
@@ -253,7 +254,7 @@ static mus_status strands_find(mus_context *context, int32_t n, const double *xy
         double a = xy[2 * i], b = xy[2 * ((i + 1) % n)];
         order[i] = (swept){a < b ? a : b, a < b ? b : a, i};
     }
-    qsort(order, (size_t)n, sizeof *order, swept_compare);
+    mus__sort(order, (size_t)n, sizeof *order, swept_compare);
 
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < n && status == MUS_OK; i++) status = strands_add(context, all, i, 0.0, MUS_NONE);
@@ -294,7 +295,7 @@ static mus_status strands_sort(mus_context *context, strands *all)
     int32_t *place = mus__print_new(context, all->n, sizeof *place);
     if (order != NULL && place != NULL) {
         for (int32_t i = 0; i < all->n; i++) order[i] = (ranked){all->list[i], i};
-        qsort(order, (size_t)all->n, sizeof *order, ranked_compare);
+        mus__sort(order, (size_t)all->n, sizeof *order, ranked_compare);
         for (int32_t i = 0; i < all->n; i++) place[order[i].old] = i;
         for (int32_t i = 0; i < all->n; i++) {
             all->list[i] = order[i].own;

@@ -86,13 +86,22 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
     int32_t npanel = mus_pattern_panel_count(pattern), count, mirror;
     sheet->pieces = mus__print_new(sheet->context, npanel, sizeof *sheet->pieces);
     sheet->names = mus__print_new(sheet->context, npanel, sizeof *sheet->names);
-    if (sheet->pieces == NULL || sheet->names == NULL) return mus__print_memory(sheet->context, "the pieces");
+    sheet->labels = mus__print_new(sheet->context, npanel, sizeof *sheet->labels);
+    sheet->marks = mus__print_new(sheet->context, mus_pattern_mark_count(pattern), sizeof *sheet->marks);
+    if (sheet->pieces == NULL || sheet->names == NULL || sheet->labels == NULL || sheet->marks == NULL)
+        return mus__print_memory(sheet->context, "the pieces");
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        const char *name = "";
+        mus_pattern_mark(pattern, i, NULL, &name, NULL, NULL);
+        snprintf(sheet->marks[i], sizeof *sheet->marks, "%s", name);
+    }
 
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < npanel && status == MUS_OK; i++) {
         status = mus_pattern_cut(pattern, i, &count, &mirror);
         if (status != MUS_OK || mirror != MUS_NONE) continue;
         snprintf(sheet->names[sheet->npiece], sizeof *sheet->names, "%s", mus_pattern_panel_name(pattern, i));
+        snprintf(sheet->labels[sheet->npiece], sizeof *sheet->labels, "%s", mus_pattern_panel_label(pattern, i));
         status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, &sheet->pieces[sheet->npiece++]);
     }
     if (status == MUS_OK && sheet->npiece == 0)
@@ -176,6 +185,8 @@ void mus_sheet_destroy(mus_sheet *sheet)
     mus__draw_free(&sheet->drawing);
     mus__print_free(context, sheet->pieces);
     mus__print_free(context, sheet->names);
+    mus__print_free(context, sheet->labels);
+    mus__print_free(context, sheet->marks);
     mus__print_free(context, sheet->tiles);
     mus__print_free(context, sheet->title);
     mus__print_free(context, sheet->person);

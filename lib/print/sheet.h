@@ -3,7 +3,7 @@
  *
  * Flow of the data: pattern -> pieces (piece_outline.c, polygon_offset.c) -> places on the sheet (pack.c,
  * sheet_layout.c) -> one drawing of the whole sheet (piece_marks.c, piece_label.c, stroke_font.c) -> pages (page.c) ->
- * bytes (pdf.c, svg.c) -> file (lib/file).
+ * bytes (pdf.c, svg.c, dxf.c, plt.c) -> file (lib/file).
  */
 #ifndef MUS_PRINT_SHEET_H
 #define MUS_PRINT_SHEET_H
@@ -23,6 +23,8 @@ struct mus_sheet {
     int32_t npiece;
     mus__piece *pieces; /* (npiece) in the order of the pattern */
     char (*names)[128]; /* (npiece) names of the panels */
+    char (*labels)[128]; /* (npiece) labels of the panels */
+    char (*marks)[128]; /* (marks of the pattern) names of the marks */
     double extent[2];
     bool tiled;         /* has a cover; else the test squares stand on the sheet */
     double squares[2];  /* low corner of the test squares [m], when not tiled */

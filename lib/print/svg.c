@@ -6,7 +6,6 @@
  * is written here and not by cairo, which would drop the names. Numbers are printed from integers, so that no locale
  * can put a comma into them.
  */
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,18 +16,6 @@
 #define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 
 static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notches", "grain", "marks", "label"};
-
-
-/* write x [m] as millimetres with four decimals at most */
-static void svg_number(mus__sink *bytes, double x)
-{
-    int64_t units = llround(x * 1e7), whole = units < 0 ? -(units / 10000) : units / 10000;
-    int fraction = (int)(units < 0 ? -(units % 10000) : units % 10000), digits = 4;
-    mus__sink_print(bytes, "%s%" PRId64, units < 0 ? "-" : "", whole);
-    if (fraction == 0) return;
-    for (; fraction % 10 == 0; fraction /= 10) digits--;
-    mus__sink_print(bytes, ".%0*d", digits, fraction);
-}
 
 
 /* write the text of an element: markup characters escaped, characters that XML or UTF-8 do not allow as '?' */
@@ -93,9 +80,9 @@ static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__p
         mus__sink_print(bytes, "%c", op == 'z' ? 'Z' : op - 'a' + 'A');
         for (int32_t k = 0; k < n; k++) {
             if (k > 0) mus__sink_add(bytes, " ", 1);
-            svg_number(bytes, xy[2 * k]);
+            mus__print_number(bytes, xy[2 * k]);
             mus__sink_add(bytes, ",", 1);
-            svg_number(bytes, top - xy[2 * k + 1]);
+            mus__print_number(bytes, top - xy[2 * k + 1]);
         }
         xy += 2 * n;
     }
@@ -104,12 +91,12 @@ static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__p
         return;
     }
     mus__sink_print(bytes, "\" fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-width=\"", grey, grey, grey);
-    svg_number(bytes, style->width);
+    mus__print_number(bytes, style->width);
     if (style->dash[0] > 0.0) {
         mus__sink_print(bytes, "\" stroke-dasharray=\"");
-        svg_number(bytes, style->dash[0]);
+        mus__print_number(bytes, style->dash[0]);
         mus__sink_add(bytes, ",", 1);
-        svg_number(bytes, style->dash[1]);
+        mus__print_number(bytes, style->dash[1]);
     }
     mus__sink_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
                     path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
@@ -170,13 +157,13 @@ static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, c
     }
     mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
-    svg_number(&bytes, width);
+    mus__print_number(&bytes, width);
     mus__sink_print(&bytes, "mm\" height=\"");
-    svg_number(&bytes, height);
+    mus__print_number(&bytes, height);
     mus__sink_print(&bytes, "mm\" viewBox=\"0 0 ");
-    svg_number(&bytes, width);
+    mus__print_number(&bytes, width);
     mus__sink_add(&bytes, " ", 1);
-    svg_number(&bytes, height);
+    mus__print_number(&bytes, height);
     mus__sink_print(&bytes, "\">\n<title>");
     svg_text(&bytes, sheet->title);
     mus__sink_print(&bytes, "</title>\n");

@@ -14,12 +14,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "scan/scan_internal.h"
 
 
 void mus_scan_def_init(mus_scan_def *def, size_t size)
 {
-    mus_scan_def own = {.spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 96};
+    mus_scan_def own = {.spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 128};
     own.ring_spacing = 0.01;
     own.distances = 1;
     mus__def_init(def, size, &own, sizeof own);
@@ -86,7 +87,7 @@ static void scan_tell(const mus__scan_found *found, mus_scan_report *report)
         const mus__scan_arm *arm = &found->arm[i];
         if (!arm->there) continue;
         report->armpit[i] = arm->armpit[1];
-        report->arm_angle[i] = atan2(-arm->axis[1], arm->side * arm->axis[0]);
+        report->arm_angle[i] = mus__atan2(-arm->axis[1], arm->side * arm->axis[0]);
     }
 }
 

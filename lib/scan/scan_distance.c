@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
@@ -209,7 +210,7 @@ static void distance_tell(const distance_grid *grid, int32_t n, const double *x,
         for (int32_t v = 0; v < n; v++)
             if (part[v] == p && (skip == NULL || !skip[v])) work[count++] = distance[v];
         if (count == 0) continue;
-        qsort(work, (size_t)count, sizeof *work, distance_order);
+        mus__sort(work, (size_t)count, sizeof *work, distance_order);
         out[p][0] = work[(count - 1) / 2];
         out[p][1] = work[(int32_t)(0.95 * (count - 1))];
         out[p][2] = work[count - 1];

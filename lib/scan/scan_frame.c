@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
 
@@ -112,7 +113,7 @@ static double frame_lateral(const mus__slicer *slicer)
         second[0] += area * at[0] * at[0], second[1] += area * at[0] * at[1], second[2] += area * at[1] * at[1];
     }
     const double aa = second[0] - first[0] * first[0] / sum, ab = second[1] - first[0] * first[1] / sum;
-    const double bb = second[2] - first[1] * first[1] / sum, angle = 0.5 * atan2(2.0 * ab, aa - bb);
+    const double bb = second[2] - first[1] * first[1] / sum, angle = 0.5 * mus__atan2(2.0 * ab, aa - bb);
     return angle < 0.0 ? angle + MUS_PI : angle;
 }
 
@@ -141,7 +142,7 @@ static mus_status frame_front(mus__slicer *slicer, double *front)
     double angle = frame_lateral(slicer), ahead = 0.0;
     const double quarter = 0.5 * MUS_PI, near = quarter * floor(angle / quarter + 0.5);
     if (fabs(angle - near) * 180.0 / MUS_PI <= FRAME_SNAP) angle = near;
-    front[0] = -sin(angle), front[1] = cos(angle);
+    front[0] = -mus__sin(angle), front[1] = mus__cos(angle);
     for (int i = 0; i < 2; i++)
         if (fabs(front[i]) < 1e-12) front[i] = 0.0;
 

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "scan/scan_internal.h"
 
 #define WELD_TRIANGLES 16000000 /* most triangles: bounds the memory */
@@ -75,7 +76,7 @@ static mus_status weld_vertices(mus_context *context, int32_t nv, const double *
         for (int i = 0; i < 3; i++)
             key[v].at[i] = (int64_t)floor((x[3 * (ptrdiff_t)v + i] - low[i]) / (WELD_NEAR * size) + 0.5);
     }
-    qsort(key, (size_t)nv, sizeof *key, weld_order);
+    mus__sort(key, (size_t)nv, sizeof *key, weld_order);
     for (int32_t k = 0; k < nv; k++) {
         const bool same = k > 0 && memcmp(key[k].at, key[k - 1].at, sizeof key[k].at) == 0;
         if (!same) memcpy(out->x + 3 * (ptrdiff_t)out->vertices++, x + 3 * (ptrdiff_t)key[k].index, 3 * sizeof *x);

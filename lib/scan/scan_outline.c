@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/polygon.h"
 #include "geom/vec.h"
 #include "scan/scan_internal.h"
@@ -160,8 +161,8 @@ static void star_side(const double *p, const double *q, int32_t corners, double 
 {
     const double cross = p[0] * q[1] - p[1] * q[0];
     if (cross == 0.0) return;
-    const double step = 2.0 * MUS_PI / corners, from = atan2(p[1], p[0]);
-    const double turn = atan2(cross, p[0] * q[0] + p[1] * q[1]);
+    const double step = 2.0 * MUS_PI / corners, from = mus__atan2(p[1], p[0]);
+    const double turn = mus__atan2(cross, p[0] * q[0] + p[1] * q[1]);
 
     /* the direction of a side as short as rounding is undetermined: radii are clamped to those of its ends */
     const double zero[2] = {0.0, 0.0}, least = fabs(cross) / fmax(mus__dist2(p, q), 1e-300);
@@ -169,7 +170,7 @@ static void star_side(const double *p, const double *q, int32_t corners, double 
     const double low = (turn > 0.0 ? from : from + turn) / step, high = (turn > 0.0 ? from + turn : from) / step;
     for (double k = ceil(low - 1e-9); k <= high + 1e-9; k += 1.0) {
         const int32_t i = ((int32_t)k + 2 * corners) % corners;
-        const double d[2] = {cos(k * step), sin(k * step)};
+        const double d[2] = {mus__cos(k * step), mus__sin(k * step)};
         const double r = fmin(fmax(cross / (d[0] * (q[1] - p[1]) - d[1] * (q[0] - p[0])), least), most);
         if (r > farthest[i]) farthest[i] = r;
         if (r < nearest[i]) nearest[i] = r;
@@ -215,8 +216,8 @@ bool mus__star(const mus__section *section, int32_t corners, double *centre, dou
         const double about[2] = {centre[0], centre[1]};
         for (int32_t k = corners - 1; k >= 0; k--) {
             const double r = out[k], angle = 2.0 * MUS_PI * k / corners;
-            out[2 * (ptrdiff_t)k] = about[0] + r * cos(angle);
-            out[2 * (ptrdiff_t)k + 1] = about[1] + r * sin(angle);
+            out[2 * (ptrdiff_t)k] = about[0] + r * mus__cos(angle);
+            out[2 * (ptrdiff_t)k + 1] = about[1] + r * mus__sin(angle);
         }
         if (round + 1 < STAR_ROUNDS && section->loops > 1) mus__polygon_centre(corners, out, centre);
     }

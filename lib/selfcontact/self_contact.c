@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "geom/union_find.h"
 #include "selfcontact/self_contact.h"
 
@@ -127,7 +128,7 @@ static mus_status self_order(mus__self_contact *self)
             (uint64_t)flat->panel[corner[0]] << 32 | self_spaced(mean[0] / size) | self_spaced(mean[1] / size) << 1;
         place[t].triangle = t;
     }
-    qsort(place, (size_t)flat->ntriangle, sizeof *place, self_by_place);
+    mus__sort(place, (size_t)flat->ntriangle, sizeof *place, self_by_place);
     for (int32_t t = 0; t < flat->ntriangle; t++) self->order[t] = place[t].triangle;
     mus__free(self->context, place);
     return MUS_OK;
@@ -255,7 +256,7 @@ static void self_own(mus__self_contact *self, const int32_t *slot)
             edge[count++] = (self_edge){a < b ? a : b, a < b ? b : a, 8 * i + k};
         }
     }
-    qsort(edge, (size_t)count, sizeof *edge, self_by_edge);
+    mus__sort(edge, (size_t)count, sizeof *edge, self_by_edge);
     for (int64_t e = 0; e < count; e++)
         if (e == 0 || edge[e].low != edge[e - 1].low || edge[e].high != edge[e - 1].high)
             self->own[edge[e].at / 8] |= (uint8_t)(8 << edge[e].at % 8);

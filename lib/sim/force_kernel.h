@@ -225,6 +225,27 @@ static void MUS__NAME(held_pull)(const mus__sim *sim, const mus__chunk *chunk, M
 }
 
 
+#include "sim/bend_slider_kernel.h"
+
+
+/* adds the bending of the clamps of a chunk */
+static void MUS__NAME(clamp_bend)(const mus__sim *sim, const mus__chunk *chunk, MUS__REAL *f)
+{
+    const int64_t n = sim->n;
+    for (int32_t k = chunk->clamp; k < chunk->clamp + chunk->nclamp; k++) {
+        const mus__hinge *clamp = &sim->program->clamp[k];
+        const MUS__REAL c0 = (MUS__REAL)clamp->coef[0], c1 = (MUS__REAL)clamp->coef[1],
+                        c2 = (MUS__REAL)clamp->coef[2], c3 = (MUS__REAL)clamp->coef[3];
+        for (int64_t d = 0; d < 3; d++) {
+            const MUS__REAL *x = (const MUS__REAL *)sim->phase_y + d * n;
+            const MUS__REAL e = c0 * x[clamp->node[0]] + c1 * x[clamp->node[1]] + c2 * x[clamp->node[2]] +
+                                c3 * x[clamp->node[3]];
+            f[d * MUS__SPAN + clamp->node[0] - chunk->first] -= (MUS__REAL)clamp->k * c0 * e;
+        }
+    }
+}
+
+
 /* all forces of a chunk at phase_y: f (3 x MUS__SPAN) */
 static void MUS__NAME(chunk_force)(const mus__sim *sim, const mus__chunk *chunk, MUS__REAL *f)
 {
@@ -238,4 +259,6 @@ static void MUS__NAME(chunk_force)(const mus__sim *sim, const mus__chunk *chunk,
         MUS__NAME(slices)(sim, chunk, f);
     MUS__NAME(pair_pull)(sim, chunk, f);
     if (chunk->nattachment > 0) MUS__NAME(held_pull)(sim, chunk, f);
+    if (chunk->nclamp > 0) MUS__NAME(clamp_bend)(sim, chunk, f);
+    if (sim->program->nslider > 0) MUS__NAME(slide_add)(sim, chunk, f);
 }

@@ -30,6 +30,13 @@ typedef struct mus__program {
     mus__hinge *hinge;
     mus__seam_pair *pair;
 
+    int32_t nclamp;
+    int64_t clamp_capacity;
+    mus__hinge *clamp; /* (clamp_capacity) the elements at clamps once more, ascending by node[0], where they act */
+
+    int32_t nslider, slider_capacity;
+    mus__slider *slider; /* (slider_capacity) of lattice stencils, then of hinges; NULL without friction of bending */
+
     int32_t ntack, tack_capacity;
     mus__tack *tack; /* (tack_capacity) numbers below ntack may be in use; NULL before the first tack */
 

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
+#include "sim/bend_slider.h"
 #include "sim/force_program_parts.h"
 
 /* [N/m2] stiffness of an attachment per metre of edge; chosen so that a garment of 1 kg on 1 m of waistband sinks 0.5
@@ -89,7 +91,7 @@ static void fill_attachments(const mus_cloth *cloth, const int32_t *rep, mus__pr
                                                                         ATTACH_FORCE_MAX * hold->length,
                                                                         1.0};
     }
-    qsort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
+    mus__sort(program->attachment, (size_t)program->nattachment, sizeof *program->attachment, attachment_by_node);
 }
 
 
@@ -171,5 +173,6 @@ void mus__program_elements(const mus_cloth *cloth, const int32_t *rep, mus__prog
         program->pair[program->npair++] = (mus__seam_pair){
             .a = a, .b = b, .seam = cloth->pair_seam[p], .length = cloth->pair_length[p], .pull_share = 1.0};
     }
+    mus__sliders_fill(cloth, program);
     count_springs(cloth, program);
 }

@@ -29,6 +29,17 @@ typedef struct mus__program_row {
     int32_t bend, nbend;  /* in mus__program.half_bend */
 } mus__program_row;
 
+/*
+ * The slider of a bending stencil or hinge with e = sum coef_i x_i: it resists with k (e - slip), and slips where |e -
+ * slip| would exceed `most`. The element's own stiffness has k in it, so the slider adds the force  k coef_i slip.
+ */
+typedef struct mus__slider {
+    int32_t node[4];
+    double coef[4], k, most; /* [N/m]; of e [m], or for a hinge [m2] as its coefficients have it */
+    double slip[3];
+    int32_t clamped; /* nonzero: k is doubled, as the element is at a clamp (bend_clamp.h) */
+} mus__slider;
+
 /* how a seam closes, known from where its edges point at the start (seam_route.c) */
 enum { MUS__WAY_UNDER_ARM = -1, MUS__WAY_ANY = 0, MUS__WAY_OVER_SHOULDER = 1, MUS__WAY_STRAP = 2 };
 

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "sim/force_program_constants.h"
 #include "sim/force_program_parts.h"
 
@@ -194,7 +195,7 @@ static void irregular_pairs(mus__program *program)
         program->pair_end[2 * p] = (mus__pair_end){pair->a, pair->b, p};
         program->pair_end[2 * p + 1] = (mus__pair_end){pair->b, pair->a, p};
     }
-    qsort(program->pair_end, 2 * (size_t)program->npair, sizeof *program->pair_end, irregular_by_node);
+    mus__sort(program->pair_end, 2 * (size_t)program->npair, sizeof *program->pair_end, irregular_by_node);
 }
 
 

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "sim/force_program_constants.h"
 #include "sim/force_program_parts.h"
 
@@ -133,7 +134,7 @@ static int32_t sell_entries(const mus__program *program, const mus__chunk *chunk
         for (int32_t part = 0; part * ITEMS < halves || part * ITEMS < weights; part++)
             entry[n++] = (mus__sell_row){i, part, sell_part(halves, part), sell_part(weights, part)};
     }
-    qsort(entry, (size_t)n, sizeof *entry, sell_longest_first);
+    mus__sort(entry, (size_t)n, sizeof *entry, sell_longest_first);
     return n;
 }
 

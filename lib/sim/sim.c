@@ -20,11 +20,13 @@
 mus_status mus__sim_create(mus_context *context, mus__sim *sim)
 {
     const int64_t n = sim->n, stage = sim->program->dashpots ? 6 : 3;
+    const int64_t slides = sim->program->slider_capacity > 0 ? 3 : 0;
     const struct {
         void **array;
         int64_t planes;
     } arrays[] = {{&sim->y, 6},      {&sim->next, 6},    {&sim->stage, stage}, {&sim->f, 3},
-                  {&sim->second, 3}, {&sim->inverse, 1}, {&sim->weight, 1},    {&sim->last_good, 6}};
+                  {&sim->second, 3}, {&sim->inverse, 1}, {&sim->weight, 1},    {&sim->last_good, 6},
+                  {&sim->slide_force, slides}};
     const int32_t count = (int32_t)(sizeof arrays / sizeof arrays[0]);
     const int64_t line = LINE / (int64_t)sim->ops->real;
     int64_t total = GAP + line;

@@ -32,6 +32,7 @@ struct mus__sim {
     void *next;      /* (6 n) stage; Euler and Verlet write here, and y and next change places */
     void *stage;     /* (3 n) second stage of RK4; (6 n) with dashpots, which read the velocities of neighbours */
     void *f;         /* (3 n) forces; during a step of RK4 its first acceleration, then the places before the step */
+    void *slide_force; /* (3 n) forces of the sliders of bending; empty without any */
     void *second;    /* (3 n) second acceleration of RK4; between steps nobody's */
     void *inverse;   /* (n) 1/inertia, 0 for fixed or welded nodes */
     void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
@@ -48,6 +49,7 @@ struct mus__sim {
     double drag;        /* [1/s] */
     double speed_limit; /* [m/s], of euler */
     int32_t dashpots;
+    int32_t slide_age;         /* steps since the sliders of bending moved */
     int32_t fresh;             /* nonzero: f holds the forces at y */
     double collision_distance; /* [m] pairs this close are stitched */
     mus__contact_rule rule;

@@ -15,6 +15,7 @@
  *
  *   w = v + h/2 (f(x)/m + g - d v)      x' = x + h w      v' = (w + h/2 (f(x', w)/m + g)) / (1 + h/2 d)
  */
+#include "sim/bend_slider.h"
 #include "sim/force_kernel.h"
 
 /* the passes of self-contact in this precision, as they stand in self_contact.h */
@@ -308,6 +309,7 @@ static void MUS__NAME(euler)(mus__sim *sim, double h)
     /* contact gives its impulse after drag has reduced that of the forces, so the time of both is shorter by the factor
      */
     MUS__NAME(meet_self)(sim, h / (1.0 + h * sim->drag));
+    if (sim->program->nslider > 0) MUS__NAME(slide_step)(sim);
 }
 
 
@@ -320,6 +322,7 @@ static void MUS__NAME(rk4)(mus__sim *sim, double h)
     MUS__NAME(run_phase)(sim, MUS__PHASE_RK3, sim->stage, NULL);
     MUS__NAME(run_phase)(sim, MUS__PHASE_RK4, sim->next, sim->y);
     MUS__NAME(meet_self)(sim, h);
+    if (sim->program->nslider > 0) MUS__NAME(slide_step)(sim);
 }
 
 
@@ -332,9 +335,11 @@ static void MUS__NAME(verlet)(mus__sim *sim, double h, int32_t steps)
     MUS__NAME(meet_self)(sim, h);
     for (int32_t i = 1; i < steps; i++) {
         for (int32_t part = 0; part < 64 && !sim->sweeps; part++) sim->sweeps = sim->part_tally[part].fast;
+        if (sim->program->nslider > 0) MUS__NAME(slide_step)(sim);
         MUS__NAME(run_move)(sim, MUS__PHASE_VERLET);
         MUS__NAME(meet_self)(sim, h);
     }
+    if (sim->program->nslider > 0) MUS__NAME(slide_step)(sim);
     MUS__NAME(run_move)(sim, MUS__PHASE_KICK);
 }
 
@@ -361,6 +366,7 @@ static void MUS__NAME(put)(mus__sim *sim, const double *x, const double *v)
     memset(sim->distance_cache, 0, (size_t)n * sizeof *sim->distance_cache);
     sim->fresh = 0;
     if (MUS__SELF_OF(sim) != NULL) sim->self->invalid = 1;
+    MUS__NAME(slide_start)(sim);
     MUS__REAL *good = sim->last_good;
     memcpy(good, y, (size_t)(6 * n) * sizeof *y);
 }
@@ -435,6 +441,7 @@ static void MUS__NAME(restore)(mus__sim *sim)
     memset(sim->distance_cache, 0, (size_t)sim->n * sizeof *sim->distance_cache);
     sim->fresh = 0;
     if (MUS__SELF_OF(sim) != NULL) sim->self->invalid = 1;
+    MUS__NAME(slide_start)(sim);
 }
 
 

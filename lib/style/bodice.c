@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/bodice.h"
@@ -26,7 +27,7 @@ static void torso_shoulder(const mus__half *half, bool loose, mus__measures *mea
 {
     double *m = measures->v;
     if (loose) m[MUS_MEASURE_SHOULDER_SLOPE] -= 0.08;
-    const double neck = m[MUS_MEASURE_NECK] / 6.0 + 0.85 * MUS__CM, along = cos(m[MUS_MEASURE_SHOULDER_SLOPE]);
+    const double neck = m[MUS_MEASURE_NECK] / 6.0 + 0.85 * MUS__CM, along = mus__cos(m[MUS_MEASURE_SHOULDER_SLOPE]);
     const double reach = (half->skeleton.shoulder_x - neck) / along;
     m[MUS_MEASURE_SHOULDER] = fmax(0.85 * m[MUS_MEASURE_SHOULDER], fmin(m[MUS_MEASURE_SHOULDER], reach));
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/bodice.h"
@@ -12,7 +13,7 @@
 
 void mus__top_turn(const double *p, const double *o, double a, double *out)
 {
-    const double c = cos(a), s = sin(a), x = p[0] - o[0], y = p[1] - o[1];
+    const double c = mus__cos(a), s = mus__sin(a), x = p[0] - o[0], y = p[1] - o[1];
     out[0] = o[0] + c * x - s * y;
     out[1] = o[1] + s * x + c * y;
 }

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "style/bodice.h"
 
@@ -56,7 +57,7 @@ static int32_t cape_panel(mus__half *half, bool front, double length)
 {
     const mus__bodice_half *block = front ? &half->bodice.front : &half->bodice.back;
     const double *snp = block->snp, *centre = block->centre;
-    const double along[2] = {cos(block->slope), -sin(block->slope)};
+    const double along[2] = {mus__cos(block->slope), -mus__sin(block->slope)};
     const double bottom[2] = {0.0, snp[1] - length};
     const double end[2] = {snp[0] + length * along[0], snp[1] + length * along[1]};
     mus__outline outline;
@@ -64,7 +65,7 @@ static int32_t cape_panel(mus__half *half, bool front, double length)
     double hem[8];
 
     /* a quarter turn less the slope about the side neck point, then level to the centre */
-    const double reach = 4.0 / 3.0 * tan(0.25 * (0.5 * MUS_PI - block->slope)) * length;
+    const double reach = 4.0 / 3.0 * mus__tan(0.25 * (0.5 * MUS_PI - block->slope)) * length;
     mus__outline_begin(&outline);
     mus__chain_line(&chain, centre, bottom);
     mus__outline_add(&outline, front ? "cf" : "cb", "centre", 0.0, &chain);

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "style/collar.h"
 
@@ -48,7 +49,8 @@ static void flat_tangent(const mus__board *board, const mus__neck *neck, double 
     double xy[2], along[2];
     mus__boundary_at(board, &neck->loop, s, xy, along);
     const double turn = angle * flat_step(0.5 + 0.5 * (s - neck->shoulder) / reach);
-    const double x = cos(turn) * along[0] - sin(turn) * along[1], y = sin(turn) * along[0] + cos(turn) * along[1];
+    const double x = mus__cos(turn) * along[0] - mus__sin(turn) * along[1],
+                 y = mus__sin(turn) * along[0] + mus__cos(turn) * along[1];
     out[0] = -x, out[1] = y;
 }
 
@@ -81,7 +83,7 @@ static void flat_at(const flat_collar *flat, double s, double *xy, double *tange
         xy[c] = flat->xy[i][c] + t * (flat->xy[i + 1][c] - flat->xy[i][c]);
         tangent[c] = flat->tangent[i][c] + t * (flat->tangent[i + 1][c] - flat->tangent[i][c]);
     }
-    const double length = hypot(tangent[0], tangent[1]);
+    const double length = mus__hypot(tangent[0], tangent[1]);
     tangent[0] /= length, tangent[1] /= length;
 }
 
@@ -98,8 +100,8 @@ static double flat_width(const flat_collar *flat, double t, double *s)
     }
     const double u = 2.0 * t - 1.0;
     if (flat->style == MUS__COLLAR_PETER_PAN) {
-        *s = body + flat->taper * sin(0.5 * MUS_PI * u);
-        return flat->wide * cos(0.5 * MUS_PI * u);
+        *s = body + flat->taper * mus__sin(0.5 * MUS_PI * u);
+        return flat->wide * mus__cos(0.5 * MUS_PI * u);
     }
     *s = body + flat->taper * u;
     return flat->wide * (1.0 - u) * (1.0 + 0.35 * u);
@@ -174,8 +176,8 @@ static void flat_heights(const mus__board *board, int32_t panel, double *y)
             double x = chain->xy[2 * k], z = 0.0;
             if (place->bend != 0.0) {
                 const double angle = (x - place->bend_x) / place->bend;
-                x = place->bend_x + place->bend * sin(angle);
-                z = place->bend * (cos(angle) - 1.0);
+                x = place->bend_x + place->bend * mus__sin(angle);
+                z = place->bend * (mus__cos(angle) - 1.0);
             }
             const double high = place->origin[1] + place->rotation[3] * x +
                                 place->rotation[4] * chain->xy[2 * k + 1] + place->rotation[5] * z;
@@ -196,7 +198,7 @@ static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
     mus__board *board = &half->board;
     if (board->status != MUS_OK) return;
     const double radius = fmax(half->measures.v[MUS_MEASURE_NECK] / (2.0 * MUS_PI), 0.3 * neck->length);
-    const double k = mus__measures_scale(&half->measures), c = cos(FLAT_TILT), s = sin(FLAT_TILT);
+    const double k = mus__measures_scale(&half->measures), c = mus__cos(FLAT_TILT), s = mus__sin(FLAT_TILT);
     const double turn[9] = {1.0, 0.0, 0.0, 0.0, s, -c, 0.0, c, s};
     double own[2] = {INFINITY, -INFINITY}, body[2] = {INFINITY, half->skeleton.nape};
     mus_placement *place = &board->panel[panel].attr.placement;
@@ -222,7 +224,7 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
     /* overlap of the shoulder points at size 40: Peter Pan 2 cm, shawl 1 cm, sailor 0 */
     const double overlap = style == MUS__COLLAR_SAILOR ? 0.0 : (style == MUS__COLLAR_SHAWL ? 1.0 : 2.0) * k * MUS__CM;
     flat_collar flat = {.style = style};
-    const double angle = 2.0 * asin(fmin(0.5, 0.5 * overlap / shoulder));
+    const double angle = 2.0 * mus__asin(fmin(0.5, 0.5 * overlap / shoulder));
     flat_neck(board, neck, angle, fmin(4.0 * k * MUS__CM, 0.9 * neck->shoulder), &flat);
     flat.width = (style == MUS__COLLAR_SHAWL ? 7.0 : 6.5) * k * MUS__CM;
     flat.wide = (style == MUS__COLLAR_SHAWL ? 9.0 : 6.5) * k * MUS__CM;

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/bodice.h"
@@ -97,7 +98,8 @@ static void neckline_front(const mus__half *half, const mus__top *top, mus__chai
     switch (half->style.option[MUS__AXIS_NECK]) {
     case MUS__NECK_SCOOP: {
         const double reach = 0.45 * (s[1] - c[1]);
-        mus__chain_add_cubic(out, c, 0.72 * s[0], c[1], s[0] - reach * sin(slope), s[1] - reach * cos(slope), s);
+        mus__chain_add_cubic(out, c, 0.72 * s[0], c[1], s[0] - reach * mus__sin(slope), s[1] - reach * mus__cos(slope),
+                             s);
         break;
     }
     case MUS__NECK_V:
@@ -147,7 +149,7 @@ static void neckline_halter(mus__half *half, mus__top *top)
     const double cm = top->scale * MUS__CM;
     const double width = fmin(3.0 * cm, 0.5 * front->shoulder_length), *s = front->snp;
     double closed[2], u[2];
-    front->tip[0] = s[0] + width * cos(front->slope), front->tip[1] = s[1] - width * sin(front->slope);
+    front->tip[0] = s[0] + width * mus__cos(front->slope), front->tip[1] = s[1] - width * mus__sin(front->slope);
     const double *t = front->tip;
     mus__top_under(half, top, true, closed, u);
     top->arm[MUS__TOP_FRONT].npiece = 0;

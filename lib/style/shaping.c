@@ -10,6 +10,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/bodice.h"
@@ -64,7 +65,7 @@ static void shaping_french(mus__half *half, mus__top *top)
     const int32_t keep = mus__shaping_side(half, top, MUS__TOP_FRONT, "cf");
     if (side == MUS_NONE || board->status != MUS_OK) return;
     const double *end = mus__board_end(board, side);
-    const double steep = 1.0 / cos(atan2(top->side_in, half->bodice.underarm));
+    const double steep = 1.0 / mus__cos(mus__atan2(top->side_in, half->bodice.underarm));
     const double y = fmax(5.0 * top->scale * MUS__CM, top->hem + 2.5 * MUS__CM);
     const double down = fmax((end[1] - y) * steep, 0.01), s = board->side[side].length - down;
     int32_t leg = mus__shaping_turn(half, top, side, s, 1.0, keep);

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "board/board_spread.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
@@ -311,7 +312,7 @@ void mus__shaping_empire(mus__half *half, mus__top *top)
     if (board->status != MUS_OK || side == MUS_NONE || cf == MUS_NONE) return;
     const double *end = mus__board_end(board, side), *neck = mus__board_start(board, cf);
     level = fmin(level, end[1] - 1.0 * cm);
-    const double steep = 1.0 / cos(atan2(top->side_in, half->bodice.underarm));
+    const double steep = 1.0 / mus__cos(mus__atan2(top->side_in, half->bodice.underarm));
     const double at = board->side[side].length - (end[1] - level) * steep;
     const int32_t upper = mus__board_split(board, side, at, NULL);
     const int32_t from = mus__board_split(board, cf, neck[1] - level, NULL);

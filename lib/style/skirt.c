@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "block/block_skirt.h"
 #include "style/waist_edge.h"
 
@@ -151,14 +152,15 @@ static void skirt_lap(mus__half *half, int32_t front, double top, double bottom,
 {
     const double height = top - bottom, angle = fmin(width / height, 0.6);
     const double reach = height * (half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW ? 0.7 : 1.0);
-    const double a[2] = {0.0, bottom}, b[2] = {0.0, top}, c[2] = {-reach * sin(angle), top - reach * cos(angle)};
+    const double a[2] = {0.0, bottom}, b[2] = {0.0, top},
+                 c[2] = {-reach * mus__sin(angle), top - reach * mus__cos(angle)};
     const double handle = angle / 3.0;
     double low[8];
     mus__chain chain;
     mus__outline outline;
     mus__outline_begin(&outline);
-    mus__cubic_set(low, c, c[0] + handle * reach * cos(angle), c[1] - handle * reach * sin(angle), -handle * height,
-                   bottom, a);
+    mus__cubic_set(low, c, c[0] + handle * reach * mus__cos(angle), c[1] - handle * reach * mus__sin(angle),
+                   -handle * height, bottom, a);
     mus__chain_cubic(&chain, low);
     mus__outline_add(&outline, "hem", "hem", MUS__SEAM_ALLOWANCE, &chain);
     mus__outline_line(&outline, "join", "centre", MUS__SEAM_ALLOWANCE, a, b);

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "style/waist_edge.h"
 
@@ -92,14 +93,14 @@ static void gore_plan_make(const mus__half *half, gore_plan *plan)
     if (kind == MUS__SKIRT_GODET) {
         plan->flare = 0.0;
         plan->godet = fmin(0.45 * plan->length, 0.8 * below);
-        plan->gap = 2.0 * plan->godet * sin(MUS_PI / 7.0);
+        plan->gap = 2.0 * plan->godet * mus__sin(MUS_PI / 7.0);
     }
 
     /* the mean gore's waist and hem are square to its edges; the hem rises by 0.6 of a cone's */
     const double width = plan->joint[plan->n] / edges, run = plan->nip > 0.0 ? plan->length - plan->knee : below;
-    plan->rise = 0.5 * width * tan(0.6 * atan2(fmax(plan->intake, 0.0), plan->depth));
-    plan->tilt = atan2(plan->flare, run);
-    plan->hem_rise = 0.6 * (width + plan->intake + plan->flare) * tan(0.5 * plan->tilt);
+    plan->rise = 0.5 * width * mus__tan(0.6 * mus__atan2(fmax(plan->intake, 0.0), plan->depth));
+    plan->tilt = mus__atan2(plan->flare, run);
+    plan->hem_rise = 0.6 * (width + plan->intake + plan->flare) * mus__tan(0.5 * plan->tilt);
 }
 
 
@@ -121,7 +122,8 @@ static void gore_edge(const gore_plan *plan, double x, mus__chain *out)
     }
     const double run = plan->length + from[1], up = 0.4 * (run - plan->hem_rise);
     const double hem[2] = {from[0] + plan->flare, -plan->length + plan->hem_rise};
-    mus__chain_add_cubic(out, from, from[0], from[1] - 0.25 * run, hem[0] - up * tan(plan->tilt), hem[1] + up, hem);
+    mus__chain_add_cubic(out, from, from[0], from[1] - 0.25 * run, hem[0] - up * mus__tan(plan->tilt), hem[1] + up,
+                         hem);
 }
 
 
@@ -176,8 +178,8 @@ static int32_t gore_draw(mus__half *half, const gore_plan *plan, int32_t index, 
     mus__chain_cubic(&waist, cubic);
     mus__chain_reverse(&waist);
     const double *end = edge.xy + 2 * (edge.nxy - 1), middle[2] = {0.0, -plan->length}, reach = 0.3 * end[0];
-    mus__cubic_set(cubic, middle, 0.5 * end[0], middle[1], end[0] - reach * cos(plan->tilt),
-                   end[1] - reach * sin(plan->tilt), end);
+    mus__cubic_set(cubic, middle, 0.5 * end[0], middle[1], end[0] - reach * mus__cos(plan->tilt),
+                   end[1] - reach * mus__sin(plan->tilt), end);
     mus__chain_cubic(&hem, cubic);
     const double half_hem = fmax(end[0], x + plan->intake);
     inner = edge;
@@ -215,9 +217,10 @@ static int32_t gore_draw(mus__half *half, const gore_plan *plan, int32_t index, 
 static int32_t gore_godet(mus__half *half, const gore_plan *plan, const char *name, bool on_fold, bool front, double at)
 {
     const double h = plan->godet, angle = MUS_PI / 7.0, top = plan->godet - plan->length;
-    const double x = on_fold ? 0.0 : at, apex[2] = {x, top}, a[2] = {x - h * sin(angle), top - h * cos(angle)};
-    const double b[2] = {x + h * sin(angle), a[1]}, low[2] = {x, top - h};
-    const double mid[2] = {x + h * sin(0.5 * angle), top - h * cos(0.5 * angle)};
+    const double x = on_fold ? 0.0 : at, apex[2] = {x, top},
+                 a[2] = {x - h * mus__sin(angle), top - h * mus__cos(angle)};
+    const double b[2] = {x + h * mus__sin(angle), a[1]}, low[2] = {x, top - h};
+    const double mid[2] = {x + h * mus__sin(0.5 * angle), top - h * mus__cos(0.5 * angle)};
     mus__chain hem;
     mus__outline outline;
     mus__outline_begin(&outline);

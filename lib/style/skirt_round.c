@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "style/waist_edge.h"
 
@@ -44,16 +45,16 @@ static double round_part(int32_t kind)
 static void round_hem_at(const round_plan *plan, double way, double *radius, double *slope)
 {
     const double rate = 1.0 / plan->part; /* pi over the angle of the half garment */
-    *radius = plan->radius + plan->length - plan->fall * cos(rate * way);
-    *slope = rate * plan->fall * sin(rate * way);
+    *radius = plan->radius + plan->length - plan->fall * mus__cos(rate * way);
+    *slope = rate * plan->fall * mus__sin(rate * way);
 }
 
 
 /* Writes the point at `radius` and `angle` [rad] from the sector's middle line; the apex of the sector is at (0, r). */
 static void round_point(const round_plan *plan, double radius, double angle, double *out)
 {
-    out[0] = radius * sin(angle);
-    out[1] = plan->radius - radius * cos(angle);
+    out[0] = radius * mus__sin(angle);
+    out[1] = plan->radius - radius * mus__cos(angle);
 }
 
 
@@ -79,8 +80,8 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
             double radius, slope;
             round_hem_at(plan, way, &radius, &slope);
             round_point(plan, radius, phi, p[j]);
-            d[j][0] = radius * cos(phi) + sign * slope * sin(phi);
-            d[j][1] = radius * sin(phi) - sign * slope * cos(phi);
+            d[j][0] = radius * mus__cos(phi) + sign * slope * mus__sin(phi);
+            d[j][1] = radius * mus__sin(phi) - sign * slope * mus__cos(phi);
         }
         mus__chain_add_cubic(out, p[0], p[0][0] + step / 3.0 * d[0][0], p[0][1] + step / 3.0 * d[0][1],
                              p[1][0] - step / 3.0 * d[1][0], p[1][1] - step / 3.0 * d[1][1], p[1]);
@@ -93,15 +94,16 @@ static void round_hem(const round_plan *plan, bool front, double angle, mus__cha
  * is at most the second: then four sectors fit round the body. */
 static void round_place(mus__half *half, const round_plan *plan, int32_t panel, bool front, const double *corner)
 {
-    const double around = (front ? 0.25 : 0.75) * MUS_PI, tilt = fmin(asin(plan->part), ROUND_TILT);
+    const double around = (front ? 0.25 : 0.75) * MUS_PI, tilt = fmin(mus__asin(plan->part), ROUND_TILT);
     const double off = 0.05 + half->measures.v[MUS_MEASURE_WAIST] / (2.0 * MUS_PI);
-    const double origin[3] = {off * sin(around), half->waist_level + mus__lower_level(half), off * cos(around)};
+    const double origin[3] = {off * mus__sin(around), half->waist_level + mus__lower_level(half),
+                              off * mus__cos(around)};
     const double x = fabs(corner[0]);
     double bend = 0.0;
     for (int i = 0; i < 40; i++) {
-        const double along = bend > 0.0 ? bend * sin(x / bend) : x;
-        const double drop = bend > 0.0 ? bend * (1.0 - cos(x / bend)) : 0.0;
-        if (along <= off - corner[1] * sin(tilt) - drop * cos(tilt)) break;
+        const double along = bend > 0.0 ? bend * mus__sin(x / bend) : x;
+        const double drop = bend > 0.0 ? bend * (1.0 - mus__cos(x / bend)) : 0.0;
+        if (along <= off - corner[1] * mus__sin(tilt) - drop * mus__cos(tilt)) break;
         bend = bend > 0.0 ? 0.95 * bend : 2.0 * x;
     }
     mus__lower_place(half, panel, around, tilt, origin, bend);

@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/vec.h"
 #include "style/sleeve.h"
 
@@ -45,9 +46,9 @@ static void dolman_draft(const mus__half *garment, const mus__sleeve_plan *plan,
     const double k = mus__measures_scale(&garment->measures), arm = garment->measures.v[MUS_MEASURE_UPPER_ARM];
     const double length = plan->block.length, cuff = 0.5 * plan->block.hem, first = 4.0 * k * MUS__CM;
     const double room = (0.54 + 0.05 * loose) * arm + (1.0 + loose) * k * MUS__CM, out = half->outward;
-    const double down[2] = {-out * sin(angle), -cos(angle)};
+    const double down[2] = {-out * mus__sin(angle), -mus__cos(angle)};
     double near[2];
-    half->along[0] = out * cos(angle), half->along[1] = -sin(angle);
+    half->along[0] = out * mus__cos(angle), half->along[1] = -mus__sin(angle);
     for (int32_t i = 0; i < 2; i++) {
         half->high[i] = half->tip[i] + first * half->bend[i] + (length - first) * half->along[i];
         half->low[i] = half->high[i] + cuff * down[i];
@@ -193,7 +194,7 @@ static void dolman_read(const mus__half *garment, const mus__boundary *arm, dolm
         mus__board_at(board, own->side, i == 0 ? board->side[own->side].length : 0.0, own->under, own->up);
         mus__board_at(board, shoulder, i == 0 ? 0.0 : board->side[shoulder].length, own->tip, own->bend);
         for (int32_t c = 0; c < 2; c++) own->up[c] *= own->outward, own->bend[c] *= -own->outward;
-        own->slope = atan2(-own->bend[1], own->outward * own->bend[0]);
+        own->slope = mus__atan2(-own->bend[1], own->outward * own->bend[0]);
     }
 }
 

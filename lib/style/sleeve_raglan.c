@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/sleeve.h"
@@ -48,7 +49,7 @@ typedef struct raglan_corner {
 /* Writes a cubic (4 x 2) from `from` to `to` whose middle lies `bow` [m] to the left of the chord. */
 static void raglan_line(const double *from, const double *to, double bow, double *out)
 {
-    const double dx = (to[0] - from[0]) / 3.0, dy = (to[1] - from[1]) / 3.0, d = hypot(dx, dy);
+    const double dx = (to[0] - from[0]) / 3.0, dy = (to[1] - from[1]) / 3.0, d = mus__hypot(dx, dy);
     const double nx = -dy / d * bow / 0.75, ny = dx / d * bow / 0.75;
     mus__cubic_set(out, from, from[0] + dx + nx, from[1] + dy + ny, to[0] - dx + nx, to[1] - dy + ny, to);
 }
@@ -91,7 +92,7 @@ static void raglan_cut(mus__board *board, bool front, int32_t first, int32_t las
 
 static void raglan_move(mus__chain *chain, const double *from, double angle, const double *to)
 {
-    const double c = cos(angle), s = sin(angle);
+    const double c = mus__cos(angle), s = mus__sin(angle);
     for (int32_t i = 0; i < chain->nxy; i++) {
         const double x = chain->xy[2 * i] - from[0], y = chain->xy[2 * i + 1] - from[1];
         chain->xy[2 * i] = to[0] + c * x - s * y, chain->xy[2 * i + 1] = to[1] + s * x + c * y;
@@ -110,8 +111,8 @@ static void raglan_set(mus__half *half, raglan_corner *corner, const double *at,
         return;
     }
     const double tip[2] = {x, at[1] + sqrt(reach * reach - dx * dx)};
-    const double angle = atan2(tip[1] - at[1], dx) -
-                         atan2(corner->tip[1] - corner->pitch[1], corner->tip[0] - corner->pitch[0]);
+    const double angle = mus__atan2(tip[1] - at[1], dx) -
+                         mus__atan2(corner->tip[1] - corner->pitch[1], corner->tip[0] - corner->pitch[0]);
     raglan_move(&corner->neck, corner->pitch, angle, at);
     raglan_move(&corner->shoulder, corner->pitch, angle, at);
     raglan_move(&corner->cut, corner->pitch, angle, at);

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "style/waist_edge.h"
 
 #define BAND_FACING (5.0 * MUS__CM)
@@ -81,8 +82,8 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
         for (int i = 0; i < 6; i++) {
             const double turn = angle * (i % 3 == 1 ? 0.5 : i == 2 || i == 3 ? 1.0 : 0.0);
             const double radius = (i < 3 ? l0 : l1) / angle;
-            p[i][0] = radius * sin(turn);
-            p[i][1] = c + radius * cos(turn);
+            p[i][0] = radius * mus__sin(turn);
+            p[i][1] = c + radius * mus__cos(turn);
         }
         p[5][0] = 0.0;
         mus__chain_arc(&low, p[0], p[1], p[2]);

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "tape/tape_internal.h"
 #include "tape/tape_people.h"
 
@@ -98,8 +99,8 @@ static void doubt_residuals(doubt_model *model, const mus_tape *tape, const stru
     }
     for (int i = 0; i < model->n; i++) {
         const int32_t m = mus__people_measure[model->row[i]];
-        model->x[i] = log(100.0 * tape->value[m]);
-        model->r[i] = model->x[i] - log(child ? 100.0 * table.value[m] : people->mean[model->row[i]]);
+        model->x[i] = mus__ln(100.0 * tape->value[m]);
+        model->r[i] = model->x[i] - mus__ln(child ? 100.0 * table.value[m] : people->mean[model->row[i]]);
     }
 }
 
@@ -107,8 +108,8 @@ static void doubt_residuals(doubt_model *model, const mus_tape *tape, const stru
 /* take a correction when it is nearer to the prediction than the best so far */
 static void doubt_try(mus__doubt *doubt, double likely, const char *cause, double expected, double *nearest)
 {
-    if (likely <= 0.0 || fabs(log(100.0 * likely) - expected) >= *nearest) return;
-    *nearest = fabs(log(100.0 * likely) - expected);
+    if (likely <= 0.0 || fabs(mus__ln(100.0 * likely) - expected) >= *nearest) return;
+    *nearest = fabs(mus__ln(100.0 * likely) - expected);
     doubt->likely = likely;
     doubt->cause = cause;
 }
@@ -149,8 +150,8 @@ static double doubt_slip(mus__doubt *doubt, double value, double expected)
  * the value is not doubted */
 static double doubt_value(mus__doubt *doubt, double value, double expected, double deviation)
 {
-    const double off = fabs(log(100.0 * value) - expected) / deviation;
-    *doubt = (mus__doubt){.measure = doubt->measure, .expected = 0.01 * exp(expected)};
+    const double off = fabs(mus__ln(100.0 * value) - expected) / deviation;
+    *doubt = (mus__doubt){.measure = doubt->measure, .expected = 0.01 * mus__exp(expected)};
     double rest = doubt_slip(doubt, value, expected) / deviation;
     if (rest > DOUBT_NEAR) {
         rest = DOUBT_NEAR;
@@ -167,7 +168,7 @@ static int doubt_worst(const doubt_model *model, mus__doubt *worst)
     double most = 0.0;
     for (int i = 0; i < model->n; i++) {
         mus__doubt doubt = {.measure = mus__people_measure[model->row[i]]};
-        const double gain = doubt_value(&doubt, 0.01 * exp(model->x[i]), model->expected[i], model->deviation[i]);
+        const double gain = doubt_value(&doubt, 0.01 * mus__exp(model->x[i]), model->expected[i], model->deviation[i]);
         if (gain <= most) continue;
         most = gain;
         *worst = doubt;
@@ -201,7 +202,8 @@ static int32_t doubt_lines(const mus_tape *tape, mus__doubt *doubts, int32_t cou
         bool done = tape->source[m] != MUS_SOURCE_GIVEN || deviation <= 0.0 || predicted <= 0.0;
         for (int i = 0; i < DOUBT_ROWS; i++) done = done || mus__people_measure[i] == m;
         doubts[count].measure = m;
-        if (!done && doubt_value(&doubts[count], tape->value[m], log(100.0 * predicted), deviation / predicted) > 0.0)
+        if (!done &&
+            doubt_value(&doubts[count], tape->value[m], mus__ln(100.0 * predicted), deviation / predicted) > 0.0)
             count++;
     }
     return count;

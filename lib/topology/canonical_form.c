@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "topology/canonical_form.h"
+#include "base/sort.h"
 
 /* most words tried for one component before it is refused as too symmetric: some seconds of work */
 #define FORM_TRIES 200000
@@ -70,7 +71,7 @@ static int32_t form_count(const mus__form *f)
 {
     int32_t count = 0;
     memcpy(f->sorted, f->color, (size_t)f->q.nword * sizeof *f->sorted);
-    qsort(f->sorted, (size_t)f->q.nword, sizeof *f->sorted, form_by_value);
+    mus__sort(f->sorted, (size_t)f->q.nword, sizeof *f->sorted, form_by_value);
     for (int32_t k = 0; k < f->q.nword; k++) count += k == 0 || f->sorted[k] != f->sorted[k - 1];
     return count;
 }
@@ -275,7 +276,7 @@ static uint64_t form_rarest(const mus__form *f, int32_t npanel, const int32_t *p
     uint64_t color = 0;
     for (int32_t i = 0; i < npanel; i++)
         for (int32_t k = f->q.first[panels[i]]; k < f->q.first[panels[i] + 1]; k++) f->sorted[n++] = f->base[k];
-    qsort(f->sorted, (size_t)n, sizeof *f->sorted, form_by_value);
+    mus__sort(f->sorted, (size_t)n, sizeof *f->sorted, form_by_value);
     for (int32_t k = 0, end; k < n; k = end) {
         for (end = k; end < n && f->sorted[end] == f->sorted[k];) end++;
         if (rarest == 0 || end - k < rarest) rarest = end - k, color = f->sorted[k];
@@ -332,7 +333,7 @@ static mus_status form_pieces(mus__form *f, int32_t *done, int32_t *out, int32_t
         used += f->nbest;
     }
     if (status == MUS_OK) {
-        qsort(piece, (size_t)npiece, sizeof *piece, form_by_word);
+        mus__sort(piece, (size_t)npiece, sizeof *piece, form_by_word);
         *total = 0;
         for (int32_t i = 0; i < npiece; i++) {
             memcpy(out + *total, piece[i].value, (size_t)piece[i].n * sizeof *out);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "topology/canonical_form.h"
 
 
@@ -31,7 +32,7 @@ static mus_status form_labels(mus__form *f, bool labels)
     f->label[n++] = "";
     for (int32_t i = 0; i < pattern->npanel && labels; i++) f->label[n++] = pattern->panel[i].attr.label;
     for (int32_t k = 0; k < f->q.nword && labels; k++) f->label[n++] = pattern->edge[f->q.edge[k]].attr.label;
-    qsort(f->label, (size_t)n, sizeof *f->label, form_by_text);
+    mus__sort(f->label, (size_t)n, sizeof *f->label, form_by_text);
     f->nlabel = 0;
     for (int32_t i = 0; i < n; i++)
         if (i == 0 || strcmp(f->label[i], f->label[f->nlabel - 1]) != 0) f->label[f->nlabel++] = f->label[i];

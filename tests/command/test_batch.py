@@ -63,6 +63,18 @@ def test_a_line_is_the_report_of_dress_without_its_time(command, clean, timeless
     assert {**report, "line": 6, "name": "sleeveless-W36"} == made
 
 
+def test_parts_of_a_list_merge_to_the_whole_by_line(batch, clean, tmp_path):
+    merged = []
+    for part in (1, 2):
+        batch(LIST, "--part", f"{part}/2", out=f"part{part}")
+        merged += (tmp_path / f"part{part}" / "results.jsonl").read_bytes().splitlines(True)
+    merged.sort(key=lambda line: json.loads(line)["line"])
+    assert b"".join(merged) == (clean[0] / "results.jsonl").read_bytes()
+    assert batch(LIST, "--part", "7/9", out="none").stdout == b"0 garments: \n"
+    for wrong in ("0/2", "3/2", "1", "1/2x", "-1/2", ""):
+        assert b"expected I/N" in batch(LIST, "--part", wrong, out="none", code=2).stderr
+
+
 def test_times_are_in_a_file_of_their_own(clean):
     times = lines(clean[0], "times.jsonl")
     assert [one["name"] for one in times] == NAMES

@@ -67,6 +67,20 @@ def test_poses_and_movements_are_listed_and_stood_in(command, tape, tmp_path):
     command("body", "--tape", tape, "--pose", "sit", "--move", "walk", code=2)
 
 
+def test_the_closed_surface_has_two_triangles_at_each_edge(command, tape, tmp_path, one_line):
+    closed, pose = tmp_path / "closed.obj", ["--pose", "sit"]
+    command("body", "--tape", tape, *pose, "--manifold", "--spacing", "25", "--obj", closed, "--glb",
+            tmp_path / "closed.glb")
+    corners = [[int(corner.split("/")[0]) for corner in line.split()[1:]]
+               for line in closed.read_text().splitlines() if line.startswith("f ")]
+    edges = {(face[k], face[(k + 1) % 3]) for face in corners for k in range(3)}
+    assert len(edges) == 3 * len(corners) and all((b, a) in edges for a, b in edges)
+    assert len(points_of(closed)) - len(edges) // 2 + len(corners) == 2
+    assert (tmp_path / "closed.glb").read_bytes()[:4] == b"glTF"
+    assert "--obj or --glb" in one_line(command("body", "--tape", tape, "--manifold", code=2))
+    assert "needs --manifold" in one_line(command("body", "--tape", tape, "--spacing", "5", "--obj", closed, code=2))
+
+
 def test_a_posture_keeps_the_girths_and_is_refused_beyond_its_range(command, tape, tmp_path, one_line):
     stoop = ["--stoop", "50", "--head-forward", "-5", "--sway", "20"]
     upright, bent = [{m["name"]: m["made_m"] for m in json.loads(command("body", "--tape", tape, *more, "--json").stdout)
@@ -136,6 +150,20 @@ def test_a_garmentcode_specification_becomes_a_pattern(command, data, tmp_path):
     command("convert", data("garmentcode/specs/d11_002_mean_all_specification.json"), tmp_path / "out.json")
     command("convert", tmp_path / "out.json", tmp_path / "again.json")
     assert (tmp_path / "out.json").read_bytes() == (tmp_path / "again.json").read_bytes()
+
+
+def test_a_dxf_in_sizes_comes_back_and_what_it_loses_is_told(command, skirt, tmp_path):
+    told = command("convert", skirt, tmp_path / "s.dxf", "--dialect", "aama").stderr
+    assert "dxf does not keep" in str(told) and "seams" in str(told)
+    command("convert", tmp_path / "s.dxf", tmp_path / "s.json")
+    before, after = (json.loads(path.read_text()) for path in (skirt, tmp_path / "s.json"))
+    assert len(after["panels"]) == len(before["panels"]) and not after["seams"]
+    command("print", "--design", "tshirt", "--size", "W40", "--dxf", tmp_path / "n.dxf", "--rul", tmp_path / "n.rul",
+            "--sizes", "W36,W44", "--plt", tmp_path / "n.plt")
+    for options in ([], ["--size", "W44"], ["--size", "W44", "--rul", tmp_path / "n.rul"]):
+        command("convert", tmp_path / "n.dxf", tmp_path / "n.json", *options)
+        assert len(json.loads((tmp_path / "n.json").read_text())["panels"]) == 4
+    assert (tmp_path / "n.plt").read_text().startswith("IN;PS")
 
 
 # ---- dress ----

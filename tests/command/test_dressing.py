@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 STATUS = {"settled", "twisted seam", "panel crosses itself", "seam cannot close", "start tangled", "slid off", "tangled",
-          "not settled", "unstable", "no memory", "bad input"}
+          "not settled", "unstable", "not worn", "no memory", "bad input"}
 COUNTS = ["panels", "nodes", "springs", "seams", "seams_closed", "steps", "spring_evaluations", "contact_queries"]
 NUMBERS = ["max_seam_gap_mm", "max_penetration_mm", "max_strain", "residual", "max_speed_m_s", "mass_kg", "step_s",
            "step_bound_s", "sew_time_s", "settle_time_s"]

@@ -58,9 +58,9 @@ def test_no_command_at_all_is_one_line(command, one_line):
     ([*DRESS, "--colour", "blurple"], ["--colour", "blurple"]),
     ([*DRESS, "--colour", "#12345g"], ["--colour", "#12345g"]),
     ([*PRINT, "--pdf", "x.pdf", "--paper", "a5"], ["--paper", "a5", "letter"]),
-    (["convert", "x.json", "x.dxf"], ["x.dxf", "svg"]),
+    (["convert", "x.json", "x.stl"], ["x.stl", "svg"]),
     (["convert", "x.tape", "x.yaml"], ["x.yaml", "tape"]),
-    (["convert", "x.json", "-", "--to", "dxf"], ["dxf", "svg"]),
+    (["convert", "x.json", "-", "--to", "stl"], ["stl", "svg"]),
     (["body", "--tape", "x.doc"], ["x.doc", ".tape"]),
     # numbers
     *[([*DRESS[:-2], "--spacing", value], ["--spacing", value]) for value in

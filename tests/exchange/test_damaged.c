@@ -8,6 +8,7 @@
 #include "muslin/exchange.h"
 #include "muslin/topology.h"
 #include "support.h"
+#include "trade/dxf_texts.h"
 
 #define ROUNDS 300 /* of each kind of damage and reader: below two seconds under the sanitizers */
 
@@ -67,6 +68,7 @@ static const struct {
     {"a.tape", tape_text, NULL, READ_TAPE},     {"a.yaml", yaml_text, NULL, READ_TAPE},
     {"a.vit", vit_text, NULL, READ_TAPE},       {"a.csv", table_text, "Ada", READ_TAPE},
     {"a.json", json_text, NULL, READ_PATTERN},  {"b.json", spec_text, NULL, READ_PATTERN},
+    {"a.dxf", dxf_gerber, NULL, READ_PATTERN},
     {"f.json", fabric_text, NULL, READ_FABRIC},
 };
 

@@ -201,12 +201,12 @@ START_TEST(what_cannot_be_saved_is_refused)
     mus_context *context = support_context();
     mus_fabric fabric;
     char path[512], huge[1200];
-    const char *sources[10];
+    const char *sources[11];
     mus_fabric_init(&fabric, sizeof fabric);
     support_scratch("none.json", path, sizeof path);
     memset(huge, 'y', sizeof huge);
     huge[sizeof huge - 1] = '\0';
-    for (int i = 0; i < 10; i++) sources[i] = "assumed";
+    for (int i = 0; i < 11; i++) sources[i] = "assumed";
     ck_assert_int_eq(mus_fabric_save(context, &fabric, "mine", NULL, path), MUS_ERR_ARG);
     ck_assert_ptr_nonnull(strstr(mus_context_error(context), "no fabric is named mine"));
     ck_assert_int_eq(mus_fabric_save(context, &fabric, "", sources, path), MUS_ERR_ARG);

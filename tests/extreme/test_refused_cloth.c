@@ -43,6 +43,7 @@ START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_fabric, shear, 1, false, "shear"),         REFUSED(mus_fabric, bend, 3, false, "bend"),
         REFUSED(mus_fabric, damping, 1, false, "damping"),     REFUSED(mus_fabric, friction, 1, false, "friction"),
         REFUSED(mus_fabric, thickness, 1, false, "thickness"),
+        REFUSED(mus_fabric, bend_hysteresis, 1, false, "bend hysteresis"),
     };
     mus_fabric jersey;
     mus_cloth_def def;

@@ -23,4 +23,7 @@ for source in lib/*/*_f32.c lib/*/*_f64.c; do
     contract=$(option_of "$source" '^-ffp-contract')
     [ "$contract" = "-ffp-contract=off" ] || { echo "$source is compiled with: $contract"; status=1; }
 done
+for flag in -fstack-protector-strong -D_FORTIFY_SOURCE; do
+    [ -n "$(option_of lib/base/context.c "^$flag")" ] || { echo "lib/base/context.c is compiled without $flag"; status=1; }
+done
 exit $status

@@ -1,5 +1,5 @@
 #!/bin/sh
-# omit.sh OUT OPTION...: the libraries without a module (OPTION: a name as OMIT takes it, or several with "+"), and the
+# omit.sh OUT [OPTION...]: the libraries without a module (OPTION: a name as OMIT takes it, or several with "+"), and the
 # C tests of what is left.
 #
 # For each option `make OMIT=...` links the shared libraries without an open end, a call of what was left out does not
@@ -9,6 +9,8 @@
 set -u
 out=$(cd "$1" && pwd)
 shift
+[ $# -gt 0 ] || set -- print exchange catalogue design integrate drape cloth scan manifold pattern body pattern+body+integrate \
+    print+exchange+design
 cd "$(dirname "$0")/../.."
 CC=${CC:-cc}
 PKG_CONFIG=${PKG_CONFIG:-pkg-config}
@@ -28,6 +30,7 @@ call_of()
     cloth) echo "mus_cloth_create" ;;
     pattern) echo "mus_pattern_create" ;;
     scan) echo "mus_body_create_scan" ;;
+    manifold) echo "mus_manifold_create" ;;
     body) echo "mus_body_create" ;;
     esac
 }

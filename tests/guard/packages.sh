@@ -2,7 +2,8 @@
 # packages.sh GROUP...: install the Debian packages of the groups that are missing, and say which.
 #
 # build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides;
-# ports: the cross compilers and the emulator of `make check-ports`; report: what draws the pictures of `make report`.
+# ports: the cross compilers and the emulator of `make check-ports`, and MPFR for `make elementary`; report: what draws
+# the pictures of `make report`.
 # Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
 set -eu
 
@@ -11,7 +12,7 @@ build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl
 test="check poppler-utils mandoc python3 python3-pytest python3-numpy python3-scipy python3-cffi luajit g++ locales"
 ci="clang cmake"
 ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
-       gcc-mips-linux-gnu libc6-dev-mips-cross"
+       gcc-mips-linux-gnu libc6-dev-mips-cross libmpfr-dev libgmp-dev"
 report="python3 python3-numpy python3-scipy python3-matplotlib"
 
 wanted=""

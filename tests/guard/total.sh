@@ -79,11 +79,13 @@ guard circles "$python" tests/guard/circles.py "$out"
 guard carried sh tests/guard/carried.sh "$out/lib"
 guard headers sh tests/guard/headers.sh
 guard symbols sh tests/guard/symbols.sh "$out/lib"
+guard own_math sh tests/guard/own_math.sh "$out/lib"
 guard sizes sh tests/guard/sizes.sh "$out"
 guard linked sh tests/guard/linked.sh "$out/lib"
 guard names sh tests/guard/names.sh
 guard fastmath sh tests/guard/fastmath.sh
 guard flags sh tests/guard/flags.sh
+guard hardened sh tests/guard/hardened.sh "$out"
 guard setters "$python" tests/guard/setters.py
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"

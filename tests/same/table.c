@@ -9,31 +9,12 @@
 #include <string.h>
 
 #include <cairo.h>
-#ifdef __GLIBC__
-#include <gnu/libc-version.h>
-#endif
 
 #define LINE 256
 
-/* Positions depend on the C library's sine and power, which glibc computes with fused multiply-add where the processor
- * has it; the bytes of a PDF depend on cairo. Nothing else is known to matter: compilers and levels give the same. */
-void same_machine(char *text, size_t size)
-{
-    const char *processor = "another processor", *libc = "another C library";
-    char version[64];
-#if defined(__x86_64__)
-    processor = __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2") ? "x86_64 with fma" : "x86_64";
-#elif defined(__aarch64__)
-    processor = "aarch64";
-#endif
-#ifdef __GLIBC__
-    snprintf(version, sizeof version, "glibc %s", gnu_get_libc_version());
-    libc = version;
-#else
-    (void)version;
-#endif
-    snprintf(text, size, "# %s, %s, cairo %s", processor, libc, cairo_version_string());
-}
+/* The bytes of a PDF depend on cairo. Nothing else is known to matter: the libraries use IEEE 754 arithmetic and their
+ * own functions alone, so compilers, levels, C libraries and processors give the same. */
+void same_machine(char *text, size_t size) { snprintf(text, size, "# cairo %s", cairo_version_string()); }
 
 
 static int by_name(const void *left, const void *right)

@@ -2,7 +2,8 @@
 
     import muslin
     tape = muslin.Tape.size("W40")
-    tshirt = muslin.dress("tshirt", tape)
+    tape["bust"] = "96 cm"
+    tshirt = muslin.dress("tshirt", tape)   # a notebook shows its picture; tshirt.view() can be turned
     tshirt.drape.positions              # (nodes x 3), a view, no copy
     muslin.Sheet(tshirt.pattern).write_pdf("tshirt.pdf")
 
@@ -27,14 +28,17 @@ from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
 from .fit import Fit
 from .integrate import integrate
+from .manifold import Manifold
 from .pattern import Pattern
 from .pose import FOOT_LEFT, FOOT_RIGHT, Move, Pose, joint_limits, moves, poses
 from .print import Sheet
+from .render import png_bytes, render
 from .scan import scan
 from .tape import Tape, measures, sizes
+from .view import View
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LEFT", "FOOT_RIGHT", "Fabric", "Fit",
-           "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "arrange", "axes", "designs", "draft",
-           "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves", "pattern_reason",
-           "poses", "read_obj", "scan", "sizes", "spell", "version", "write_glb", "write_glb_motion", "write_obj",
-           "__version__"]
+           "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "View", "arrange", "axes",
+           "designs", "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves",
+           "pattern_reason", "png_bytes", "poses", "read_obj", "render", "scan", "sizes", "spell", "version",
+           "write_glb", "write_glb_motion", "write_obj", "__version__"]

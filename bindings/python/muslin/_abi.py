@@ -199,7 +199,8 @@ MUS_REASON_NOT_SETTLED = 8
 MUS_REASON_UNSTABLE = 9
 MUS_REASON_BAD_INPUT = 10
 MUS_REASON_STOPPED = 11
-MUS_REASON_COUNT = 12
+MUS_REASON_NOT_WORN = 12
+MUS_REASON_COUNT = 13
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
@@ -209,6 +210,23 @@ MUS_FIT_WARP = 1
 MUS_FIT_WEFT = 2
 MUS_FIT_PRESSURE = 3
 MUS_FIT_GAP = 4
+MUS_WORN_NECK = 0
+MUS_WORN_ARM_LEFT = 1
+MUS_WORN_ARM_RIGHT = 2
+MUS_WORN_LEG_LEFT = 3
+MUS_WORN_LEG_RIGHT = 4
+MUS_WORN_LIMBS = 5
+MUS_WORN_YES = 0
+MUS_WORN_UNKNOWN = 1
+MUS_WORN_OPENING = 2
+MUS_WORN_INSIDE_OUT = 3
+MUS_WORN_SHOULDER = 4
+MUS_WORN_HOOD = 5
+MUS_WORN_LOW = 6
+MUS_WORN_ROLLED = 7
+MUS_WORN_TIGHT = 8
+MUS_WORN_THROUGH = 9
+MUS_WORN_COUNT = 10
 MUS_PAPER_A4 = 0
 MUS_PAPER_LETTER = 1
 MUS_PAPER_A3 = 2
@@ -220,6 +238,10 @@ MUS_LINE_NOTCH = 2
 MUS_LINE_GRAIN = 3
 MUS_LINE_MARK = 4
 MUS_LINE_LABEL = 5
+MUS_DXF_AAMA = 0
+MUS_DXF_ASTM = 1
+MUS_DXF_CUT = 0
+MUS_DXF_SEW = 1
 MUS_CATALOGUE_READ = 0
 MUS_CATALOGUE_WRITE = 1
 MUS_DISTANCE_PIECES = 0
@@ -259,6 +281,10 @@ class mus_body(Structure):
 
 
 class mus_move(Structure):
+    pass
+
+
+class mus_manifold(Structure):
     pass
 
 
@@ -315,6 +341,10 @@ class mus_scan_def(Structure):
 
 
 class mus_scan_report(Structure):
+    pass
+
+
+class mus_manifold_def(Structure):
     pass
 
 
@@ -410,6 +440,10 @@ class mus_fit_level(Structure):
     pass
 
 
+class mus_worn(Structure):
+    pass
+
+
 class mus_sheet_def(Structure):
     pass
 
@@ -419,6 +453,18 @@ class mus_sheet_piece(Structure):
 
 
 class mus_sheet_line(Structure):
+    pass
+
+
+class mus_sheet_dxf(Structure):
+    pass
+
+
+class mus_sheet_plt(Structure):
+    pass
+
+
+class mus_pattern_dxf(Structure):
     pass
 
 
@@ -459,6 +505,7 @@ mus_scan_report._fields_ = [("size", c_size_t), ("unit", c_double), ("frame", c_
                             ("holes", c_int32), ("widest_hole", c_double), ("filled", c_int32),
                             ("deepest_fill", c_double), ("girth", c_double * 5), ("girth_height", c_double * 5),
                             ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
+mus_manifold_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("threads", c_int32)]
 mus_edge_def._fields_ = [("size", c_size_t), ("name", c_char_p), ("start", c_int32), ("end", c_int32),
                          ("npiece", c_int32), ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
 mus_seam_def._fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
@@ -480,7 +527,8 @@ mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b
                           ("corner_start", c_double), ("corner_end", c_double)]
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
-                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double)]
+                       ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
+                       ("bend_hysteresis", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
                           ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
                           ("nodes_most", c_int32)]
@@ -533,6 +581,9 @@ mus_fit_spread._fields_ = [("size", c_size_t), ("p50", c_double), ("p95", c_doub
                            ("area", c_double)]
 mus_fit_level._fields_ = [("size", c_size_t), ("level", c_int32), ("right", c_int32), ("body", c_double),
                           ("garment", c_double), ("worn", c_double), ("ease", c_double), ("gap", c_double)]
+mus_worn._fields_ = [("size", c_size_t), ("kind", c_int32), ("limb", c_int32), ("panel", c_int32), ("node", c_int32),
+                     ("value", c_double), ("place", c_double * 3), ("through", c_int32), ("through_depth", c_double),
+                     ("through_area", c_double), ("through_place", c_double * 3), ("text", c_char * 256)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
@@ -541,6 +592,13 @@ mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_c
 mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
                            ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
                            ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
+mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary", c_int32), ("size_name", c_char_p),
+                          ("date", c_char_p), ("nested", c_int32), ("size_count", c_int32),
+                          ("sheets", POINTER(POINTER(mus_sheet))), ("size_names", POINTER(c_char_p))]
+mus_sheet_plt._fields_ = [("size", c_size_t), ("hpgl2", c_int32), ("by_piece", c_int32), ("one_pen", c_int32)]
+mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
+                            ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
+                            ("size_name", c_char_p)]
 mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32),
                           ("triangle_count", c_int32), ("positions", POINTER(c_double)),
                           ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
@@ -638,6 +696,18 @@ FUNCTIONS = {
     "mus_body_create_scan": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(c_double), c_int32,
                                                POINTER(c_int32), POINTER(mus_scan_def), POINTER(mus_scan_report),
                                                POINTER(POINTER(mus_body))]),
+    "mus_manifold_def_init": ("core", None, [POINTER(mus_manifold_def), c_size_t]),
+    "mus_manifold_create": ("core", c_int32, [POINTER(mus_body), POINTER(mus_manifold_def),
+                                              POINTER(POINTER(mus_manifold))]),
+    "mus_manifold_destroy": ("core", None, [POINTER(mus_manifold)]),
+    "mus_manifold_vertex_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_triangle_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_piece_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_cut_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_volume": ("core", c_double, [POINTER(mus_manifold)]),
+    "mus_manifold_vertices": ("core", POINTER(c_double), [POINTER(mus_manifold)]),
+    "mus_manifold_normals": ("core", POINTER(c_double), [POINTER(mus_manifold)]),
+    "mus_manifold_triangles": ("core", POINTER(c_int32), [POINTER(mus_manifold)]),
     "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
     "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),
@@ -916,6 +986,9 @@ FUNCTIONS = {
     "mus_fit_level_init": ("core", None, [POINTER(mus_fit_level), c_size_t]),
     "mus_fit_level_count": ("core", c_int32, [POINTER(mus_fit)]),
     "mus_fit_level_get": ("core", c_int32, [POINTER(mus_fit), c_int32, POINTER(mus_fit_level)]),
+    "mus_worn_init": ("core", None, [POINTER(mus_worn), c_size_t]),
+    "mus_worn_name": ("core", c_char_p, [c_int32]),
+    "mus_fit_worn": ("core", c_int32, [POINTER(mus_drape), POINTER(mus_pattern), POINTER(mus_body), POINTER(mus_worn)]),
     "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
     "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),
                                             POINTER(POINTER(mus_sheet))]),
@@ -935,6 +1008,17 @@ FUNCTIONS = {
     "mus_sheet_write_pdf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_sheet_write_svg": ("print", c_int32, [POINTER(mus_sheet), c_char_p]),
     "mus_sheet_write_svg_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_sheet_dxf_init": ("print", None, [POINTER(mus_sheet_dxf), c_size_t]),
+    "mus_sheet_write_dxf": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
+    "mus_sheet_write_dxf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
+    "mus_sheet_write_rul": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
+    "mus_sheet_write_rul_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
+    "mus_sheet_plt_init": ("print", None, [POINTER(mus_sheet_plt), c_size_t]),
+    "mus_sheet_write_plt": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), c_char_p]),
+    "mus_sheet_write_plt_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_plt), POINTER(c_char_p),
+                                                     POINTER(c_size_t)]),
     "mus_tape_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_char_p, POINTER(POINTER(mus_tape))]),
     "mus_tape_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p, c_char_p,
                                                  POINTER(POINTER(mus_tape))]),
@@ -943,8 +1027,14 @@ FUNCTIONS = {
     "mus_pattern_read": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_read_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                     POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_dxf_init": ("exchange", None, [POINTER(mus_pattern_dxf), c_size_t]),
+    "mus_pattern_read_dxf": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_dxf),
+                                                   POINTER(POINTER(mus_pattern))]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_write_garmentcode_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p),
+                                                                  POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),
     "mus_fabric_load_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                    POINTER(mus_fabric)]),

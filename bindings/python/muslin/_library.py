@@ -5,19 +5,25 @@ file (a wheel); build/lib of the repository that this file lies in; the system's
 libmuslin-exchange and libmuslin-catalogue lie where libmuslin lies, and are opened when one of their functions is first
 asked for.
 """
+from __future__ import annotations
+
 import ctypes
 import ctypes.util
 import os
 import pathlib
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 _HERE = pathlib.Path(__file__).resolve().parent
 _FILES = {"core": "libmuslin", "print": "libmuslin-print", "exchange": "libmuslin-exchange",
           "catalogue": "libmuslin-catalogue"}
 
 
-def _named_by_environment():
+def _named_by_environment() -> pathlib.Path | None:
     named = os.environ.get("MUSLIN_LIB")
     if not named:
         return None
@@ -25,13 +31,13 @@ def _named_by_environment():
     return path / "libmuslin.so" if path.is_dir() else path
 
 
-def _candidates():
+def _candidates() -> Iterator[pathlib.Path]:
     yield _HERE / f"libmuslin.so.{_abi.MUS_ABI}"
     yield _HERE / "libmuslin.so"
     yield _HERE.parents[2] / "build" / "lib" / "libmuslin.so"
 
 
-def _find_core():
+def _find_core() -> tuple[str, pathlib.Path | None]:
     """(path to open, folder of the other two or None for the system's own search)."""
     named = _named_by_environment()
     if named is not None:
@@ -51,12 +57,12 @@ def _find_core():
 class _Library:
     """The C functions as attributes: lib.mus_tape_create(...)."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         path, self._folder = _find_core()
         self._suffix = path.partition(".so")[2]
         self._open = {"core": ctypes.CDLL(path)}
 
-    def _of(self, part):
+    def _of(self, part: str) -> Any:
         if part not in self._open:
             if self._folder is None:
                 name = ctypes.util.find_library(_FILES[part][len("lib"):]) or _FILES[part] + ".so"
@@ -68,7 +74,7 @@ class _Library:
                 raise ImportError(f"{_FILES[part]} cannot be opened: {error}") from None
         return self._open[part]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name not in _abi.FUNCTIONS:
             raise AttributeError(name)
         part, result, arguments = _abi.FUNCTIONS[name]
@@ -82,7 +88,7 @@ class _Library:
 lib = _Library()
 
 
-def version():
+def version() -> str:
     """Version of the library that runs, "0.2.0"."""
     numbers = (ctypes.c_int32 * 3)()
     lib.mus_version(numbers)

@@ -3,9 +3,17 @@
 With numpy a view is a read-only ndarray, without it a read-only memoryview; both are (n x width), or flat for width 1,
 and both see what the library writes later. Nothing is copied.
 """
+from __future__ import annotations
+
 import array
 import ctypes
 import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ._types import Array, Numbers
 
 try:
     import numpy
@@ -19,12 +27,12 @@ _CODES = {ctypes.c_double: ("d", f"{_ORDER}f8"), ctypes.c_int32: ("i", f"{_ORDER
 class _Holder:
     """What numpy asks for an array; its life is the view's life, and it holds the owner."""
 
-    def __init__(self, owner, interface):
+    def __init__(self, owner: Any, interface: Any) -> None:
         self.owner = owner
         self.__array_interface__ = interface
 
 
-def view(owner, pointer, count, width=1):
+def view(owner: Any, pointer: Any, count: int, width: int = 1) -> Array:
     """`count` rows of `width` elements at `pointer`, borrowed from `owner`."""
     kind = pointer._type_
     code, numpy_code = _CODES[kind]
@@ -42,7 +50,7 @@ def view(owner, pointer, count, width=1):
     return memoryview(memory).toreadonly().cast("B").cast(code, shape)
 
 
-def _flat(values):
+def _flat(values: Any) -> Iterator[Any]:
     if isinstance(values, memoryview):  # rows of a view cannot be iterated; its bytes can
         values = values.cast("B").cast(values.format[-1])
     for value in values:
@@ -52,17 +60,17 @@ def _flat(values):
             yield value
 
 
-def doubles(values, width=1):
+def doubles(values: Numbers, width: int = 1) -> tuple[Any, int]:
     """(C array, rows) of numbers, nested or flat; ValueError when they do not fill rows of `width`."""
     return _c_array(ctypes.c_double, "d", values, width)
 
 
-def integers(values, width=1):
+def integers(values: Numbers, width: int = 1) -> tuple[Any, int]:
     """The same for int32."""
     return _c_array(ctypes.c_int32, "i", values, width)
 
 
-def _c_array(kind, code, values, width):
+def _c_array(kind: Any, code: str, values: Any, width: int) -> tuple[Any, int]:
     if numpy is not None and isinstance(values, numpy.ndarray):
         flat = numpy.ascontiguousarray(values, dtype=_CODES[kind][1]).reshape(-1)
         data = (kind * len(flat)).from_buffer_copy(flat)
@@ -74,7 +82,7 @@ def _c_array(kind, code, values, width):
     return data, len(data) // width
 
 
-def result(data, width=1):
+def result(data: Any, width: int = 1) -> Any:
     """A C array that this side owns, as an ndarray or a list of rows."""
     if numpy:
         flat = numpy.ctypeslib.as_array(data)

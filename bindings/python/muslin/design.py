@@ -1,15 +1,22 @@
 """design.py: garments drafted from the tape, by name or by words."""
+from __future__ import annotations
+
 import ctypes
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
 from ._library import lib
 from .context import Context, create, make_def, text
 from .pattern import Pattern
+from .tape import Tape
+
+if TYPE_CHECKING:
+    from ._types import PathLike
 
 GROUPS = {_abi.MUS_GROUP_WOMEN: "women", _abi.MUS_GROUP_MEN: "men", _abi.MUS_GROUP_CHILDREN: "children"}
 
 
-def designs():
+def designs() -> list[dict[str, Any]]:
     """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children"."""
     rows = []
     for i in range(lib.mus_design_count()):
@@ -20,14 +27,14 @@ def designs():
     return rows
 
 
-def axes():
+def axes() -> dict[str, list[str]]:
     """{"garment": ["top", ...], "neck": [...], ...}: the words that designs are made of."""
     return {lib.mus_design_axis_name(a).decode():
             [lib.mus_design_option_name(a, i).decode() for i in range(lib.mus_design_option_count(a))]
             for a in range(lib.mus_design_axis_count())}
 
 
-def spell(words):
+def spell(words: str) -> str:
     """Words in full, what was left out chosen; MuslinError for words that do not go together."""
     full = ctypes.create_string_buffer(1024)
     context = Context.of_thread()
@@ -35,13 +42,15 @@ def spell(words):
     return full.value.decode()
 
 
-def draft(design, tape, **options):
+def draft(design: str, tape: Tape | PathLike, **options: Any) -> Pattern:
     """The pattern of a design for a tape: by name ("tshirt"), or by words ("dress neck=v sleeve=puff").
 
-    A text that is no name is taken as words. options: ease, length, sleeve [m] (mus_draft_def).
+    A text that is no name is taken as words. tape: a Tape, or what Tape.of() takes: a path, the name of a table size.
+    options: ease, length, sleeve [m] (mus_draft_def).
     """
     index = lib.mus_design_find(text(design))
     definition = make_def(_abi.mus_draft_def, lib.mus_draft_def_init, options)
+    tape = Tape.of(tape)
     context = tape.context
     if index != _abi.MUS_NONE:
         function, what = "mus_design_draft", index
@@ -53,14 +62,14 @@ def draft(design, tape, **options):
                                                    ctypes.byref(definition)))
 
 
-def grade(from_pattern, to_pattern):
+def grade(from_pattern: Pattern, to_pattern: Pattern) -> list[tuple[float, float]]:
     """[(dx, dy)] for each point of a pattern: how far it moves to where the next size has it; NaN where it is not."""
     rules = (ctypes.c_double * (2 * from_pattern.get("point_count")))()
     from_pattern.context.call("mus_design_grade", from_pattern.handle, to_pattern.handle, rules, None)
     return list(zip(rules[0::2], rules[1::2]))
 
 
-def ease(pattern, tape):
+def ease(pattern: Pattern, tape: Tape) -> dict[str, float]:
     """{"bust", "waist", "hip"}: what the garment is wider than the body by [m], NaN where it is not."""
     values = (ctypes.c_double * _abi.MUS_EASE_COUNT)()
     pattern.context.call("mus_design_ease", pattern.handle, tape.handle, values)

@@ -1,12 +1,20 @@
 """integrate.py: fixed steps of a flat state with a rate function written in Python."""
+from __future__ import annotations
+
 import array
 import ctypes
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
 from ._library import lib
 from .arrays import doubles, numpy, result
 from .context import Context, make_def
 from .errors import MuslinError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from ._types import Numbers
 
 METHODS = {"rk4": _abi.MUS_METHOD_RK4, "verlet": _abi.MUS_METHOD_VERLET, "euler": _abi.MUS_METHOD_EULER}
 _KINDS = {64: (ctypes.c_double, "", "mus_integrate"), 32: (ctypes.c_float, "32", "mus_integrate_f32")}
@@ -16,16 +24,16 @@ class _Functions:
     """The caller's functions as C calls them. An exception cannot pass through C: the first one is kept, and from then
     on the rate is not a number, which ends the run."""
 
-    def __init__(self, n, kind, rate, energy):
+    def __init__(self, n: int, kind: Any, rate: Any, energy: Any) -> None:
         self.n, self.kind, self._rate, self._energy = n, kind, rate, energy
         self.raised = None
 
-    def _array(self, pointer):
+    def _array(self, pointer: Any) -> Any:
         """What C lends for the time of a call."""
         memory = (self.kind * self.n).from_address(ctypes.addressof(pointer.contents))
         return numpy.ctypeslib.as_array(memory) if numpy else memoryview(memory).cast("B").cast(self.kind._type_)
 
-    def rate(self, _, t, y, dy):
+    def rate(self, _: Any, t: float, y: Any, dy: Any) -> None:
         if self.raised is None:
             try:
                 values = array.array(self.kind._type_, self._rate(t, self._array(y)))
@@ -37,7 +45,7 @@ class _Functions:
                 self.raised = error
         ctypes.memset(dy, 0xff, self.n * ctypes.sizeof(self.kind))
 
-    def energy(self, _, t, y):
+    def energy(self, _: Any, t: float, y: Any) -> float:
         if self.raised is None:
             try:
                 return float(self._energy(t, self._array(y)))
@@ -46,7 +54,9 @@ class _Functions:
         return float("nan")
 
 
-def integrate(rate, y, step, steps, *, method="rk4", precision=64, energy=None, context=None, **options):
+def integrate(rate: Callable[[float, Any], Iterable[float]], y: Numbers, step: float, steps: int, *,
+              method: str = "rk4", precision: int = 64, energy: Callable[[float, Any], float] | None = None,
+              context: Context | None = None, **options: Any) -> Any:
     """State after `steps` steps of `step` from `y`: rate(t, y) gives dy/dt, n numbers.
 
     method: "rk4"; "verlet" or "euler", whose state is places and then velocities. energy(t, y) guards the run.

@@ -1,20 +1,26 @@
 """pose.py: poses (the angles of a body's joints) and movements (poses over time)."""
+from __future__ import annotations
+
 import ctypes
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
 from ._library import lib
 from .context import Context, Object, create
 
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
 JOINTS = [name.lower() for name in _abi.JOINT_NAMES]
 AXES = ("flexion", "abduction", "rotation")
 
 
-def poses():
+def poses() -> list[str]:
     """Names of the named poses."""
     return [lib.mus_pose_name(i).decode() for i in range(lib.mus_pose_count())]
 
 
-def moves():
+def moves() -> list[str]:
     """Names of the named movements."""
     return [lib.mus_move_name(i).decode() for i in range(lib.mus_move_count())]
 
@@ -22,7 +28,7 @@ def moves():
 FOOT_LEFT, FOOT_RIGHT = _abi.MUS_FOOT_LEFT, _abi.MUS_FOOT_RIGHT
 
 
-def joint_limits(joint):
+def joint_limits(joint: str) -> tuple[tuple[float, float], ...]:
     """Limits of a joint by name [rad]: (low, high) of flexion, of abduction and of rotation."""
     low, high, limits = ctypes.c_double(), ctypes.c_double(), []
     for axis in range(3):
@@ -39,7 +45,7 @@ class Pose:
     pose. With 0, as for joints by keyword, the lowest point of the body goes there.
     """
 
-    def __init__(self, name=None, context=None, **joints):
+    def __init__(self, name: str | None = None, context: Context | None = None, **joints: Sequence[float]) -> None:
         self.struct = _abi.mus_pose()
         lib.mus_pose_init(ctypes.byref(self.struct), ctypes.sizeof(self.struct))
         self.feet = lib.mus_pose_feet(name.encode()) if name is not None else 0
@@ -49,22 +55,55 @@ class Pose:
         for joint, angles in joints.items():
             self[joint] = angles
 
-    def __getitem__(self, joint):
+    @classmethod
+    def _of_struct(cls, struct: Any) -> Pose:
+        """A Pose with a copy of a mus_pose; a Pose itself."""
+        if isinstance(struct, Pose):
+            return struct
+        pose = cls()
+        ctypes.memmove(ctypes.byref(pose.struct), ctypes.byref(struct), ctypes.sizeof(struct))
+        return pose
+
+    def _state(self) -> tuple[Any, ...]:
+        return self.place, tuple(tuple(row) for row in self.struct.angle), self.feet
+
+    @classmethod
+    def _of_state(cls, state: tuple[Any, ...]) -> Pose:
+        pose = cls()
+        pose.place, angles, pose.feet = state
+        for joint, row in zip(JOINTS, angles):
+            pose[joint] = row
+        return pose
+
+    def __reduce__(self) -> Any:
+        return Pose._of_state, (self._state(),)
+
+    def __eq__(self, other: object) -> bool:
+        return self._state() == other._state() if isinstance(other, Pose) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        bent = ", ".join(f"{joint}=({', '.join(f'{angle:.3g}' for angle in self[joint])})" for joint in JOINTS
+                         if any(self[joint]))
+        return f"Pose({bent})"
+
+    def __getitem__(self, joint: str) -> tuple[float, float, float]:
         return tuple(self.struct.angle[JOINTS.index(joint)])
 
-    def __setitem__(self, joint, angles):
+    def __setitem__(self, joint: str, angles: Sequence[float]) -> None:
         self.struct.angle[JOINTS.index(joint)][:] = angles
 
     @property
-    def place(self):
+    def place(self) -> tuple[float, float, float]:
         """Translation (x, y, z) of the root from where the body was made [m]."""
         return tuple(self.struct.place)
 
     @place.setter
-    def place(self, place):
+    def place(self, place: Sequence[float]) -> None:
         self.struct.place[:] = place
 
-    def check(self, context=None):
+    def check(self, context: Context | None = None) -> None:
         """Raise MuslinError when an angle is beyond the limits of its joint."""
         context = context or Context.of_thread()
         context.call("mus_pose_check", context.handle, ctypes.byref(self.struct))
@@ -75,7 +114,8 @@ class Move(Object):
 
     _kind = "move"
 
-    def __init__(self, name, poses=None, period=0.0, stature=1.7, context=None, _handle=None):
+    def __init__(self, name: str | Sequence[float], poses: Sequence[Pose] | None = None, period: float = 0.0,
+                 stature: float = 1.7, context: Context | None = None, _handle: Any = None) -> None:
         context = context or Context.of_thread()
         if _handle is not None:
             handle = _handle
@@ -90,16 +130,16 @@ class Move(Object):
         super().__init__(context, handle)
 
     @property
-    def period(self):
+    def period(self) -> float:
         """Period [s]; 0 for a movement that ends."""
         return self.get("period")
 
     @property
-    def duration(self):
+    def duration(self) -> float:
         """Time from the first to the last key [s], of a periodic movement its period."""
         return self.get("duration")
 
-    def at(self, time):
+    def at(self, time: float) -> Pose:
         """The Pose at a time [s]."""
         pose = Pose()
         self.do("at", time, ctypes.byref(pose.struct))

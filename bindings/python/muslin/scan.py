@@ -1,25 +1,31 @@
 """scan.py: a body from a triangle mesh: a scan of a person, an avatar, a dress form."""
+from __future__ import annotations
+
 import ctypes
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
 from ._library import lib
 from .arrays import doubles, integers
 from .body import Body
-from .context import Context, create, make_def
+from .context import Context, create, make_def, plain
+
+if TYPE_CHECKING:
+    from ._types import Numbers
 
 _AXES = {"x": _abi.MUS_SCAN_X, "y": _abi.MUS_SCAN_Y, "z": _abi.MUS_SCAN_Z}
 _PARTS = ("torso", "head", "arms", "hands", "legs", "feet")
 _GIRTHS = ("bust", "waist", "hip", "thigh", "wrist")
 
 
-def _axis(value):
+def _axis(value: str | int) -> Any:
     """"y" or "-z" as a number of the library."""
     if not isinstance(value, str):
         return value
     return -_AXES[value[1:]] if value.startswith("-") else _AXES[value.lstrip("+")]
 
 
-def _report(struct):
+def _report(struct: Any) -> dict[str, Any]:
     """The report as a dict, with girths and distances by name."""
     plain = {name: getattr(struct, name) for name, _ in struct._fields_ if name != "size"}
     plain = {name: list(value) if isinstance(value, ctypes.Array) else value for name, value in plain.items()}
@@ -30,7 +36,8 @@ def _report(struct):
     return plain
 
 
-def scan(vertices, triangles, context=None, **options):
+def scan(vertices: Numbers, triangles: Numbers, context: Context | None = None, **options: Any) -> tuple[Body,
+         dict[str, Any]]:
     """Make a body of a mesh, vertices (n x 3) and triangles (m x 3); returns (body, report).
 
     Options are the fields of mus_scan_def: up and front ("y", "-z" ...) and unit [m], which are found when left out;
@@ -45,4 +52,5 @@ def scan(vertices, triangles, context=None, **options):
     lib.mus_scan_report_init(ctypes.byref(report), ctypes.sizeof(report))
     handle = create(context, "body", "mus_body_create_scan", context.handle, n, x, m, triangle,
                     ctypes.byref(definition), ctypes.byref(report))
-    return Body(context, _handle=handle), _report(report)
+    made = ("scan", (bytes(x), bytes(triangle)), plain(definition))
+    return Body(context, _handle=handle, _made=made), _report(report)

@@ -28,8 +28,8 @@ import sys
 import time
 
 COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "valid", "panels", "nodes", "seams", "seams_closed",
-           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "state_hash",
-           "fault"]
+           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "thrown_s",
+           "state_hash", "fault"]
 GAP_MM, DEPTH_MM = 1.0, 1.0
 # what the checks of a pattern say before anything is sewn
 REFUSED = {"twisted seam", "panel crosses itself", "bad input"}
@@ -90,6 +90,8 @@ def dress_all(jobs, options, out, place):
     tell(out, since, told)
     results, times = (list(map(json.loads, (out / name).read_text().splitlines()))
                       for name in ("results.jsonl", "times.jsonl"))
+    for one, used in zip(results, times):
+        one["thrown_s"] = used.get("seconds", {}).get("thrown_away", 0)
     return {one["name"]: (one, used["cpu_s"]) for one, used in zip(results, times)}
 
 
@@ -168,6 +170,9 @@ def summary(rows, options):
         lines.append(f"starts found: {both} good of the {len(given)} that the start of the file makes good "
                      f"({100 * both / len(given):.1f} %)")
     lines.append(f"CPU seconds: {seconds(rows)}")
+    thrown, worked = (sum(float(row[key] or 0) for row in rows) for key in ("thrown_s", "cpu_s"))
+    lines.append(f"seconds of starts that were thrown away: {thrown:.0f}" +
+                 (f" ({100 * thrown / worked:.1f} % of all)" if worked else ""))
     lines += [f"invalid: {row['file']}: {row['status']}: {row['reason']}" for row in rows if not row["valid"]]
     lines += [f"not good: {row['file']}: {lack(row, options.self_contact)}" for row in rows
               if row["valid"] and not row["good"] and row["status"]]

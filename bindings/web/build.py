@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""build.py: the fitting room, a folder of files that any web server can hand out: MUSLIN_OUT/web.
+
+clang and lld compile the core, lib/print and parts of lib/exchange to WebAssembly with wasi-libc; esbuild bundles the
+page with three.js (from npm, once). Nothing is written into the repository.
+"""
+import gzip
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
+OUT, WORK = BUILD / "web", BUILD / "web-work"
+LEFT_OUT = {"catalogue", "scan", "exchange"}  # rooms of lib/
+EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
+INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
+FLAGS = ["--target=wasm32-wasi", "-msimd128", "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG",
+         "-Wall", "-Wextra", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", f"-I{HERE / 'src'}",
+         f"-I{ROOT / 'include'}", f"-I{ROOT / 'lib'}"]
+PACKAGES = {"three": "^0.180.0", "esbuild": "^0.25.0"}
+LARGEST = 700_000  # bytes of all files together, compressed
+
+
+def program(*names):
+    found = next((path for path in map(shutil.which, names) if path), None)
+    if found is None:
+        sys.exit(f"build.py: {names[0]} is missing; apt-get install clang lld wasi-libc libclang-rt-14-dev-wasm32 "
+                 "npm")
+    return found
+
+
+def sources():
+    rooms = [room for room in sorted((ROOT / "lib").iterdir()) if room.is_dir() and room.name not in LEFT_OUT]
+    files = [file for room in rooms for file in sorted(room.glob("*.c")) if str(file.relative_to(ROOT)) not in INSTEAD]
+    return files + [ROOT / f"lib/exchange/{name}.c" for name in EXCHANGE] + sorted((HERE / "src").glob("*.c"))
+
+
+def compile_one(clang, file):
+    """The object of a file, made again when what it was made of has changed."""
+    made = WORK / f"{file.relative_to(ROOT)}.o".replace("/", "_")
+    rules = made.with_suffix(".d")
+    if made.exists() and rules.exists():
+        needed = rules.read_text().replace("\\\n", " ").split(":", 1)[1].split()
+        if all(os.path.exists(path) and os.path.getmtime(path) <= made.stat().st_mtime for path in needed):
+            return made
+    subprocess.run([clang, *FLAGS, "-MMD", "-MF", rules, "-c", file, "-o", made], check=True)
+    return made
+
+
+def module():
+    """Build room.wasm."""
+    clang = program("clang-14", "clang")
+    program("wasm-ld-14", "wasm-ld")
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        objects = list(pool.map(lambda file: compile_one(clang, file), sources()))
+    subprocess.run([clang, "--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections,-s,-z,stack-size=4194304",
+                    *objects, "-lm", "-o", OUT / "room.wasm"], check=True)
+
+
+def page():
+    """Bundle the page and its worker; sw.js gets the list of files and a version of their bytes."""
+    modules = WORK / "node_modules"
+    if not (modules / "esbuild").exists():
+        (WORK / "package.json").write_text(json.dumps({"private": True, "dependencies": PACKAGES}))
+        subprocess.run([program("npm"), "install", "--no-audit", "--no-fund", "--silent"], cwd=WORK, check=True)
+    for name in ("page.js", "worker.js"):
+        subprocess.run([modules / ".bin/esbuild", HERE / "page" / name, "--bundle", "--minify", "--format=esm",
+                        "--log-level=warning", f"--outfile={OUT / name}"], check=True,
+                       env={**os.environ, "NODE_PATH": str(modules)})
+    for name in ("index.html", "page.css", "manifest.webmanifest", "icon.svg"):
+        shutil.copy(HERE / "page" / name, OUT)
+    files = sorted(file for file in OUT.iterdir() if file.name != "sw.js")
+    version = hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:12]
+    script = (HERE / "page/sw.js").read_text()
+    (OUT / "sw.js").write_text(script.replace("VERSION", version).replace("FILES", json.dumps([f.name for f in files])))
+
+
+def main():
+    for folder in (OUT, WORK):
+        folder.mkdir(parents=True, exist_ok=True)
+    module()
+    if sys.argv[1:] != ["--module"]:
+        page()
+    total = 0
+    for file in sorted(OUT.iterdir()):
+        packed = len(gzip.compress(file.read_bytes(), 9))
+        total += packed
+        print(f"{file.name:22} {file.stat().st_size:9} bytes, {packed:8} compressed (gzip)")
+    print(f"{'all':22} {sum(f.stat().st_size for f in OUT.iterdir()):9} bytes, {total:8} compressed; {OUT}")
+    if total > LARGEST:
+        sys.exit(f"build.py: more than {LARGEST} bytes")
+
+
+if __name__ == "__main__":
+    main()

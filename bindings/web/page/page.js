@@ -1,0 +1,263 @@
+// page.js: the controls, the two workers (coarse while a hand moves, fine when it rests), and the address as the state.
+import { Dressed, RANGES } from "./scene.js";
+import { languages, word } from "./words.js";
+
+const $ = (id) => document.getElementById(id);
+const SLIDERS = {
+    stature: [0.8, 2.1],
+    bust: [0.5, 1.5],
+    waist: [0.45, 1.5],
+    hip: [0.5, 1.6],
+    back_waist: [0.2, 0.55],
+    arm: [0.25, 0.75],
+    inleg: [0.3, 1.0],
+};
+const COARSE = 0.02,
+    FINE = 0.01,
+    PAUSE = 350; // spacing [m], and wait for the hand to rest [ms]
+const start = {
+    design: "tshirt",
+    size: "W40",
+    fabric: -1,
+    pose: -1,
+    colour: "#5278a8",
+    map: 0,
+    language: "en",
+    measures: {},
+};
+let state = start,
+    told = { designs: [], sizes: [], fabrics: [], poses: [] },
+    made = {},
+    last = null,
+    id = 0,
+    pause = 0;
+const view = new Dressed($("view")),
+    waiting = new Map();
+// what a test reads: milliseconds of each picture and of each rest
+const log = (window.fitting = { ready: false, pictures: [], rests: [], fine: [], failed: [], hash: "" });
+
+try {
+    state = { ...start, ...JSON.parse(decodeURIComponent(location.hash.slice(1))) };
+} catch {
+    // no state in the address
+}
+const say = (text) => {
+    $("status").textContent = text;
+};
+const tell = (name) => word(state.language, name);
+
+function worker(onOpen) {
+    const made = new Worker("worker.js", { type: "module" });
+    made.onmessage = ({ data }) => (data.kind === "open" ? onOpen(data) : answer(data));
+    made.postMessage({ call: "open", url: "room.wasm" });
+    return made;
+}
+
+const asked = new Map(); // when each wish was sent
+function wish(to, fine) {
+    asked.set(++id, performance.now());
+    to.postMessage({
+        call: "dress",
+        id,
+        fine,
+        design: state.design,
+        fabric: state.fabric,
+        pose: state.pose,
+        map: state.map,
+        spacing: fine ? FINE : COARSE,
+        person: { size: state.size, file: state.file, measures: state.measures },
+    });
+}
+
+function change(part = {}) {
+    state = { ...state, ...part };
+    history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
+    wish(coarse, false);
+    clearTimeout(pause);
+    pause = setTimeout(() => wish(fine, true), PAUSE);
+}
+
+let shown = 0;
+function answer(data) {
+    if (data.kind === "file") return waiting.get(data.id)?.(data.bytes);
+    if (data.kind === "progress")
+        return say(`${tell(data.phase ? "settling" : "sewing")} ${Math.round(100 * data.share)} %`);
+    if (data.kind === "failed") {
+        log.failed.push(data.text);
+        return say(`${tell("failed")}: ${data.text}`);
+    }
+    if (data.id < shown) return;
+    shown = data.id;
+    const since = performance.now() - asked.get(data.id);
+    if (data.body) view.show(view.body, data.body);
+    view.show(view.cloth, data.cloth);
+    view.paint(state.colour, state.map, data.map);
+    view.draw();
+    (data.fine ? log.fine : data.rest ? log.rests : log.pictures).push(since);
+    if (!data.rest) return;
+    last = data;
+    log.hash = data.hash;
+    say(
+        data.status === 0
+            ? `${tell("atRest")}: ${Math.round(since)} ms, ${data.cloth.positions.length / 3} nodes`
+            : data.reason,
+    );
+    made = data.made;
+    sliders();
+    $("levels").tBodies[0].innerHTML = "";
+    for (const level of data.levels) {
+        const row = $("levels").tBodies[0].insertRow(),
+            head = document.createElement("th");
+        head.scope = "row";
+        head.textContent = `${tell(level.level)} ${level.side}`;
+        row.append(head);
+        for (const value of [level.body, level.garment, level.garment - level.body])
+            row.insertCell().textContent = (100 * value).toFixed(1);
+    }
+}
+
+// ---- controls ----
+
+function sliders() {
+    for (const name of Object.keys(SLIDERS)) {
+        const input = $(`measure-${name}`),
+            value = state.measures[name] ?? made[name];
+        if (value === undefined || input === document.activeElement) continue;
+        input.value = (100 * value).toFixed(1);
+        input.parentElement.lastChild.textContent = `${input.value} cm`;
+    }
+}
+
+function makeSliders() {
+    for (const [name, [low, high]] of Object.entries(SLIDERS)) {
+        const label = document.createElement("label"),
+            text = document.createElement("span"),
+            input = document.createElement("input");
+        label.className = "slider";
+        text.dataset.word = name;
+        Object.assign(input, { type: "range", id: `measure-${name}`, min: 100 * low, max: 100 * high, step: 0.5 });
+        input.addEventListener("input", () => {
+            input.parentElement.lastChild.textContent = `${input.value} cm`;
+            change({ measures: { ...state.measures, [name]: input.value / 100 } });
+        });
+        label.append(text, input, document.createElement("span"));
+        $("measures").append(label);
+    }
+}
+
+function options(select, rows, value) {
+    select.replaceChildren(...rows.map(([key, text]) => new Option(text, key, false, String(key) === String(value))));
+}
+
+function listDesigns() {
+    const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = told.designs.filter((one) =>
+        words.every((part) => `${one.name} ${one.family} ${one.title}`.toLowerCase().includes(part)),
+    );
+    options(
+        $("design"),
+        found.slice(0, 200).map((one) => [one.name, one.title]),
+        state.design,
+    );
+}
+
+function speak() {
+    document.documentElement.lang = state.language;
+    for (const element of document.querySelectorAll("[data-word]")) element.textContent = tell(element.dataset.word);
+    options(
+        $("pose"),
+        [[-1, tell("standing")], ...told.poses.map((name, i) => [i, name.replaceAll("_", " ")])],
+        state.pose,
+    );
+    legend();
+}
+
+function legend() {
+    const range = RANGES[state.map];
+    $("legend").hidden = !range;
+    if (range) [$("low").textContent, $("high").textContent] = [0, 1].map((i) => `${range[i] * range[3]}${range[2]}`);
+}
+
+function fill() {
+    listDesigns();
+    options(
+        $("size"),
+        told.sizes.map((name) => [name, name]),
+        state.size,
+    );
+    options($("fabric"), [[-1, "muslin"], ...told.fabrics.map((name, i) => [i, name])], state.fabric);
+    options($("language"), Object.entries(languages), state.language);
+    $("colour").value = state.colour;
+    $("map").value = state.map;
+    speak();
+}
+
+// ---- files ----
+
+function save(name, bytes, type) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([bytes], { type }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+async function file(form) {
+    if (form === "glb") return save(`${state.design}.glb`, await view.glb(), "model/gltf-binary");
+    const bytes = await new Promise((done) => {
+        waiting.set(++id, done);
+        coarse.postMessage({ call: "file", form, paper: Number($("paper").value), title: state.design, id });
+    });
+    save(
+        `${state.design}.${form}`,
+        bytes,
+        { pdf: "application/pdf", svg: "image/svg+xml", json: "application/json" }[form] ?? "text/plain",
+    );
+}
+
+$("panel").addEventListener("submit", (event) => event.preventDefault());
+$("search").addEventListener("input", listDesigns);
+$("design").addEventListener("change", () => change({ design: $("design").value }));
+$("size").addEventListener("change", () => change({ size: $("size").value, measures: {}, file: undefined }));
+for (const name of ["fabric", "pose"])
+    $(name).addEventListener("change", () => change({ [name]: Number($(name).value) }));
+$("map").addEventListener("change", () => {
+    change({ map: Number($("map").value) });
+    legend();
+});
+$("colour").addEventListener("input", () => {
+    state.colour = $("colour").value;
+    view.paint(state.colour, state.map, last?.map);
+    view.draw();
+});
+$("colour").addEventListener("change", () => change());
+$("language").addEventListener("change", () => {
+    state.language = $("language").value;
+    change();
+    speak();
+});
+$("tape").addEventListener("change", async () => {
+    const [given] = $("tape").files;
+    if (given) change({ file: await given.text(), measures: {} });
+});
+$("share").addEventListener("click", async () => {
+    // what a tape file has given stands in the address as measures
+    const measures = state.file
+        ? Object.fromEntries(Object.keys(SLIDERS).map((name) => [name, made[name]]))
+        : state.measures;
+    const link = new URL(`#${encodeURIComponent(JSON.stringify({ ...state, measures, file: undefined }))}`, location);
+    await navigator.clipboard?.writeText(link.href).catch(() => {});
+    say(`${tell("linked")}: ${link.href.slice(0, 60)}`);
+});
+for (const button of document.querySelectorAll("[data-file]"))
+    button.addEventListener("click", () => file(button.dataset.file));
+
+makeSliders();
+const coarse = worker((data) => {
+    told = data;
+    fill();
+    log.ready = true;
+    change();
+});
+const fine = worker(() => {});
+if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js");

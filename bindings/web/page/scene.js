@@ -1,0 +1,126 @@
+// scene.js: body and garment in three.js: turned by hand or arrow keys, coloured plain or by a fit map.
+import {
+    AmbientLight,
+    BufferAttribute,
+    BufferGeometry,
+    Color,
+    DirectionalLight,
+    DoubleSide,
+    Mesh,
+    MeshStandardMaterial,
+    PerspectiveCamera,
+    Scene,
+    Vector3,
+    WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { GLTFExporter } from "three/examples/jsm/exporters/GLTFExporter.js";
+
+const LOW = new Color("#2b5fc4"),
+    MIDDLE = new Color("#f4f4f0"),
+    HIGH = new Color("#c4362b");
+export const RANGES = {
+    1: [-0.05, 0.05, "%", 100],
+    2: [-0.05, 0.05, "%", 100],
+    3: [0, 500, " Pa", 1],
+    4: [0, 0.1, " cm", 100],
+};
+
+export class Dressed {
+    constructor(canvas) {
+        this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+        this.canvas = canvas;
+        this.camera = new PerspectiveCamera(30, 1, 0.05, 30);
+        this.camera.position.set(1.5, 1.2, 3.6);
+        this.scene = new Scene();
+        const lamp = new DirectionalLight(0xffffff, 2.2);
+        this.camera.add(lamp);
+        lamp.position.set(0.6, 1, 1);
+        this.scene.add(new AmbientLight(0xffffff, 1.1), this.camera);
+        const material = (options) => new MeshStandardMaterial({ roughness: 0.85, ...options });
+        this.body = new Mesh(new BufferGeometry(), material({ color: 0xcbb8a9 }));
+        this.cloth = new Mesh(
+            new BufferGeometry(),
+            material({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1 }),
+        );
+        this.body.name = "body";
+        this.cloth.name = "garment";
+        for (const mesh of [this.body, this.cloth]) {
+            mesh.frustumCulled = false;
+            this.scene.add(mesh);
+        }
+        this.controls = new OrbitControls(this.camera, canvas);
+        this.controls.target = new Vector3(0, 0.95, 0);
+        this.controls.listenToKeyEvents(canvas);
+        this.controls.keyRotateSpeed = 3;
+        // arrow keys turn; with shift, as OrbitControls has it, they move
+        canvas.addEventListener(
+            "keydown",
+            (event) => {
+                const turn = { ArrowLeft: 1, ArrowRight: -1 }[event.key];
+                if (!turn || event.shiftKey) return;
+                event.stopImmediatePropagation();
+                this.camera.position
+                    .sub(this.controls.target)
+                    .applyAxisAngle(new Vector3(0, 1, 0), 0.1 * turn)
+                    .add(this.controls.target);
+                this.controls.update();
+            },
+            true,
+        );
+        this.controls.addEventListener("change", () => this.draw());
+        this.controls.update();
+        new ResizeObserver(() => this.resize()).observe(canvas);
+    }
+
+    resize() {
+        const { clientWidth: width, clientHeight: height } = this.canvas;
+        this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / height;
+        this.camera.updateProjectionMatrix();
+        this.draw();
+    }
+
+    draw() {
+        cancelAnimationFrame(this.waiting);
+        this.waiting = requestAnimationFrame(() => this.renderer.render(this.scene, this.camera));
+    }
+
+    show(mesh, { positions, normals, triangles, rest }) {
+        const geometry = mesh.geometry;
+        geometry.setIndex(new BufferAttribute(triangles, 1));
+        geometry.setAttribute("position", new BufferAttribute(positions, 3));
+        if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+        else geometry.computeVertexNormals();
+        if (rest) geometry.setAttribute("uv", new BufferAttribute(rest, 2));
+    }
+
+    // values: of each node, which: as in RANGES; null for the plain colour
+    paint(colour, which, values) {
+        const { material, geometry } = this.cloth,
+            plain = !values || !RANGES[which];
+        material.color.set(plain ? colour : "#ffffff");
+        if (material.vertexColors === plain) material.needsUpdate = true;
+        material.vertexColors = !plain;
+        geometry.deleteAttribute("color");
+        if (plain) return;
+        const [low, high] = RANGES[which],
+            data = new Float32Array(3 * values.length),
+            mixed = new Color();
+        values.forEach((value, i) => {
+            const share = Math.min(1, Math.max(0, ((Number.isNaN(value) ? high : value) - low) / (high - low)));
+            mixed.lerpColors(
+                share < 0.5 ? LOW : MIDDLE,
+                share < 0.5 ? MIDDLE : HIGH,
+                share < 0.5 ? 2 * share : 2 * share - 1,
+            );
+            mixed.toArray(data, 3 * i);
+        });
+        geometry.setAttribute("color", new BufferAttribute(data, 3));
+    }
+
+    async glb() {
+        return new Uint8Array(await new GLTFExporter().parseAsync([this.body, this.cloth], { binary: true }));
+    }
+}

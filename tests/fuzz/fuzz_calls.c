@@ -1,0 +1,242 @@
+/* fuzz_calls.c: targets that make calls of the bytes: words of a design, edits, option structs, calls in any order. */
+#include "fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "muslin/print.h"
+
+#define CALLS 24 /* at most: an input then takes milliseconds */
+
+
+void fuzz_words(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    char words[200] = "", spelled[512], again[512];
+    fuzz_input in = {bytes, size};
+    /* either the text itself, or options by number, which are words more often */
+    if (fuzz_take(&in, 1) % 2) {
+        memcpy(words, in.at, in.left < sizeof words - 1 ? in.left : sizeof words - 1);
+    } else {
+        for (int32_t i = 0; i < 5 && in.left > 0; i++) {
+            const int32_t axis = i == 0 ? 0 : fuzz_below(&in, mus_design_axis_count());
+            const char *name = mus_design_axis_name(axis);
+            const char *option = mus_design_option_name(axis, fuzz_below(&in, mus_design_option_count(axis)));
+            const size_t at = strlen(words);
+            if (name && option && at + strlen(name) + strlen(option) + 3 < sizeof words) {
+                if (axis > 0) strcat(strcat(strcat(words, " "), name), "=");
+                strcat(words, option);
+            }
+        }
+    }
+    if (mus_design_spell(context, words, spelled, sizeof spelled) == MUS_OK) {
+        fuzz_must(mus_design_spell(context, spelled, again, sizeof again) == MUS_OK, "spelled words are words");
+        fuzz_must(strcmp(spelled, again) == 0, "spelling twice is spelling once");
+        mus_tape *tape;
+        mus_pattern *pattern = NULL;
+        fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK,
+                  "a tape is made");
+        if (mus_design_draft_words(context, spelled, tape, NULL, &pattern) != MUS_OK)
+            fuzz_must(mus_context_error(context)[0] != '\0', "a refusal has a sentence");
+        mus_pattern_destroy(pattern);
+        mus_tape_destroy(tape);
+    }
+    fuzz_context_end(context);
+}
+
+
+/* one edit of the number, at cells and places of the bytes */
+static mus_status edit(mus_pattern *p, fuzz_input *in)
+{
+    const int32_t number = (int32_t)fuzz_take(in, 1) % 20, edges = mus_pattern_edge_count(p);
+    const int32_t a = fuzz_below(in, edges), b = fuzz_below(in, edges);
+    const int32_t panel = fuzz_below(in, mus_pattern_panel_count(p)), seam = fuzz_below(in, mus_pattern_seam_count(p));
+    const double s = fuzz_real(in, 0.0, 0.5), t = fuzz_real(in, -0.05, 0.3), at[2] = {fuzz_real(in, -0.5, 0.5), s};
+    switch (number) {
+    case 0: return mus_pattern_undo(p);
+    case 1: return mus_pattern_redo(p);
+    case 2: return mus_pattern_add_dart(p, a, s, t, at, NULL);
+    case 3: return mus_pattern_rotate_dart(p, a, b, s, a, t, NULL);
+    case 4: return mus_pattern_shorten_dart(p, a, t);
+    case 5: return mus_pattern_release_dart(p, a, NULL);
+    case 6: return mus_pattern_join_panels(p, seam, NULL);
+    case 7: return mus_pattern_mirror_panel(p, panel, "image", NULL);
+    case 8: return mus_pattern_unfold(p, a);
+    case 9: return mus_pattern_add_facing(p, a, t, "facing", NULL);
+    case 10: return mus_pattern_remove_panel(p, panel);
+    case 11: return mus_pattern_remove_seam(p, seam);
+    case 12: return mus_pattern_spread(p, a, s, b, s, t, t);
+    case 13: return mus_pattern_flare(p, a, b, (int32_t)(s * 20.0), t);
+    case 14: return mus_pattern_pleat(p, a, s, b, s, t, t);
+    case 15: return mus_pattern_move_point(p, fuzz_below(in, mus_pattern_point_count(p)), at[0], at[1]);
+    case 16: return mus_pattern_split_edge(p, a, s, NULL, NULL);
+    case 17: return mus_pattern_merge_edges(p, a, NULL);
+    case 18: return mus_pattern_true_seam(p, seam, a, b % 2);
+    default: return mus_pattern_notch_seam(p, a, s, 1);
+    }
+}
+
+
+void fuzz_edits(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_tape *tape;
+    mus_pattern *pattern;
+    fuzz_input in = {bytes, size};
+    fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK, "a tape is made");
+    fuzz_must(mus_design_draft(context, mus_design_find("skirt"), tape, NULL, &pattern) == MUS_OK,
+              "a skirt is drafted");
+    fuzz_must(mus_pattern_keep_history(pattern, 10) == MUS_OK, "a history is kept");
+    for (int i = 0; i < CALLS && in.left > 0; i++) {
+        const mus_status status = edit(pattern, &in);
+        fuzz_must(status == MUS_OK || mus_context_error(context)[0] != '\0', "a refusal has a sentence");
+    }
+    int32_t faults;
+    fuzz_must(mus_pattern_check(pattern, &faults, NULL) == MUS_OK, "an edited pattern can be checked");
+    while (mus_pattern_undo_count(pattern) > 0)
+        fuzz_must(mus_pattern_undo(pattern) == MUS_OK, "an edit that is counted is undone");
+    mus_pattern_destroy(pattern);
+    mus_tape_destroy(tape);
+    fuzz_context_end(context);
+}
+
+
+/* overwrites words of a struct: of 4 or 8 bytes, by odd numbers */
+static void spoil(fuzz_input *in, void *def, size_t size)
+{
+    for (uint32_t n = fuzz_take(in, 1) % 4; n > 0; n--) {
+        const size_t at = 8 + 4 * (fuzz_take(in, 1) % ((size - 8) / 4));
+        const double real = fuzz_real(in, -2.0, 2.0);
+        const int32_t whole = (int32_t)fuzz_take(in, 4);
+        const bool wide = at % 8 == 0 && at + 8 <= size && fuzz_take(in, 1) % 2;
+        memcpy((char *)def + at, wide ? (const void *)&real : (const void *)&whole, wide ? sizeof real : sizeof whole);
+    }
+}
+
+
+void fuzz_defs(const uint8_t *bytes, size_t size)
+{
+    const double cell[2] = {0.05, 0.05};
+    mus_context *context = fuzz_context();
+    fuzz_input in = {bytes, size};
+    mus_cloth *cloth = NULL;
+    mus_drape *drape = NULL;
+    mus_fabric fabric;
+    mus_cloth_def cut;
+    mus_drape_def def;
+    mus_fabric_init(&fabric, sizeof fabric);
+    mus_cloth_def_init(&cut, sizeof cut);
+    mus_drape_def_init(&def, sizeof def);
+    spoil(&in, &fabric, sizeof fabric);
+    spoil(&in, &cut, sizeof cut);
+    cut.fabric = &fabric; /* a pointer is the caller's word */
+    spoil(&in, &def, sizeof def);
+    if (def.threads > 2) def.threads = 2;
+    if (mus_cloth_create_grid(context, 5, 4, cell, &cut, &cloth) == MUS_OK &&
+        mus_drape_create(context, cloth, NULL, &def, &drape) == MUS_OK && mus_drape_place(drape) == MUS_OK) {
+        const double dt = fuzz_real(&in, 0.0, 1.2) * mus_drape_step_bound(drape);
+        if (mus_drape_step(drape, 3, dt) == MUS_OK)
+            for (int32_t i = 0; i < 60; i++)
+                fuzz_must(isfinite(mus_drape_positions(drape)[i]), "a node is somewhere after a good step");
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    fuzz_context_end(context);
+}
+
+
+/* objects of every kind, any of them NULL */
+typedef struct objects {
+    mus_tape *tape;
+    mus_body *body;
+    mus_pattern *pattern;
+    mus_cloth *cloth;
+    mus_drape *drape;
+    mus_sheet *sheet;
+} objects;
+
+
+static void call(mus_context *context, objects *o, fuzz_input *in)
+{
+    static const double cell[2] = {0.1, 0.1};
+    mus_drape_report report;
+    mus_cloth_def cut;
+    mus_drape_report_init(&report, sizeof report);
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.spacing = 0.1;
+    cut.nodes_most = 1000;
+    switch (fuzz_take(in, 1) % 22) {
+    case 0:
+        if (!o->tape) mus_tape_create(context, &o->tape);
+        break;
+    case 1: mus_tape_set_size(o->tape, fuzz_take(in, 1) % 2 ? "W40" : "none"); break;
+    case 2: mus_tape_complete(o->tape); break;
+    case 3:
+        if (!o->body) mus_body_create(context, o->tape, NULL, &o->body);
+        break;
+    case 4:
+        if (!o->pattern) mus_design_draft(context, fuzz_below(in, 20), o->tape, NULL, &o->pattern);
+        break;
+    case 5:
+        if (!o->cloth) mus_cloth_create(context, o->pattern, &cut, &o->cloth);
+        break;
+    case 6:
+        if (!o->cloth) mus_cloth_create_grid(context, fuzz_below(in, 9), 4, cell, &cut, &o->cloth);
+        break;
+    case 7:
+        if (!o->drape) mus_drape_create(context, o->cloth, o->body, NULL, &o->drape);
+        break;
+    case 8: mus_drape_place(o->drape); break;
+    case 9: mus_drape_step(o->drape, fuzz_below(in, 5), fuzz_real(in, 0.0, 1e-4)); break;
+    case 10: mus_drape_pin(o->drape, fuzz_below(in, 12), 1); break;
+    case 11: mus_drape_tack(o->drape, fuzz_below(in, 12), fuzz_below(in, 12), fuzz_real(in, 0.0, 100.0), NULL); break;
+    case 12: mus_drape_untack(o->drape, fuzz_below(in, 3)); break;
+    case 13: mus_drape_report_get(o->drape, &report); break;
+    case 14: mus_drape_hash(o->drape); break;
+    case 15:
+        if (!o->sheet) mus_sheet_create(context, o->pattern, NULL, &o->sheet);
+        break;
+    case 16: mus_tape_destroy(o->tape), o->tape = NULL; break;
+    case 17: mus_body_destroy(o->body), o->body = NULL; break;
+    case 18: mus_pattern_destroy(o->pattern), o->pattern = NULL; break;
+    case 19: mus_cloth_destroy(o->cloth), o->cloth = NULL; break;
+    case 20: mus_drape_destroy(o->drape), o->drape = NULL; break;
+    default: mus_sheet_destroy(o->sheet), o->sheet = NULL; break;
+    }
+}
+
+
+/* up to CALLS calls of the bytes, and the end of all objects */
+static void make_calls(mus_context *context, fuzz_input in)
+{
+    objects o = {0};
+    for (int i = 0; i < CALLS && in.left > 0; i++) call(context, &o, &in);
+    mus_sheet_destroy(o.sheet);
+    mus_drape_destroy(o.drape);
+    mus_cloth_destroy(o.cloth);
+    mus_pattern_destroy(o.pattern);
+    mus_body_destroy(o.body);
+    mus_tape_destroy(o.tape);
+}
+
+
+void fuzz_calls(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    make_calls(context, (fuzz_input){bytes, size});
+    fuzz_context_end(context);
+}
+
+
+void fuzz_memory(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    fuzz_input in = {bytes, size};
+    const uint32_t head = fuzz_take(&in, 2);
+    fuzz_fail_after(head >> 1, head & 1);
+    make_calls(context, in);
+    fuzz_fail_never();
+    fuzz_must(mus_context_bytes(context) == 0, "a call that failed for want of memory left nothing behind");
+    make_calls(context, in);
+    fuzz_context_end(context);
+}

@@ -1,0 +1,166 @@
+/* fuzz_files.c: targets that read a file from the bytes. */
+#define _POSIX_C_SOURCE 200809L /* mkstemp */
+#include "fuzz.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "muslin/catalogue.h"
+#include "muslin/exchange.h"
+#include "muslin/print.h"
+
+
+void fuzz_pattern(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_pattern *pattern = fuzz_pattern_of(context, bytes, size), *again = NULL;
+    if (pattern != NULL) {
+        char *text = NULL, *second = NULL;
+        size_t length = 0, second_length = 0;
+        fuzz_must(mus_pattern_write_bytes(pattern, &text, &length) == MUS_OK, "a pattern that was read is written");
+        again = fuzz_pattern_of(context, (const uint8_t *)text, length);
+        fuzz_must(again != NULL, "a pattern that was written is read");
+        fuzz_must(mus_pattern_write_bytes(again, &second, &second_length) == MUS_OK, "it is written again");
+        fuzz_must(length == second_length && memcmp(text, second, length) == 0, "both writings are the same bytes");
+        mus_context_alloc(context, text, 0);
+        mus_context_alloc(context, second, 0);
+        int32_t faults;
+        mus_pattern_check(pattern, &faults, NULL);
+        size_t bytes_of_form;
+        if (mus_pattern_panel_count(pattern) <= 64 && mus_pattern_seam_count(pattern) <= 256)
+            mus_pattern_form(pattern, NULL, NULL, 0, &bytes_of_form, NULL);
+    }
+    mus_pattern_destroy(again);
+    mus_pattern_destroy(pattern);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_tape(const uint8_t *bytes, size_t size)
+{
+    static const char *const forms[] = {"me.tape", "me.csv", "me.yaml", "me.vit"};
+    mus_context *context = fuzz_context();
+    mus_tape *tape = NULL, *again = NULL;
+    const char *form = forms[size > 0 ? bytes[0] % 4 : 0];
+    const size_t head = size > 0;
+    if (mus_tape_read_from(context, (const char *)bytes + head, size - head, form, NULL, &tape) == MUS_OK) {
+        char *text = NULL;
+        size_t length = 0;
+        mus_tape_complete(tape);
+        fuzz_must(mus_tape_write_bytes(tape, &text, &length) == MUS_OK, "a tape that was read is written");
+        fuzz_must(mus_tape_read_from(context, text, length, "me.tape", NULL, &again) == MUS_OK,
+                  "a tape that was written is read");
+        mus_context_alloc(context, text, 0);
+    }
+    mus_tape_destroy(again);
+    mus_tape_destroy(tape);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_fabric(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    if (mus_fabric_load_from(context, (const char *)bytes, size, "fuzz", &fabric) == MUS_OK) {
+        char *text = NULL;
+        size_t length = 0;
+        mus_fabric again;
+        mus_fabric_init(&again, sizeof again);
+        if (mus_fabric_save_bytes(context, &fabric, "cloth", NULL, &text, &length) == MUS_OK) {
+            fuzz_must(mus_fabric_load_from(context, text, length, "fuzz", &again) == MUS_OK, "a saved fabric is read");
+            mus_context_alloc(context, text, 0);
+        }
+    }
+    fuzz_context_end(context);
+}
+
+
+void fuzz_scan(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_mesh *mesh = NULL;
+    mus_body *body = NULL;
+    if (mus_mesh_read_obj_from(context, (const char *)bytes, size, "fuzz", &mesh) == MUS_OK &&
+        mus_mesh_vertex_count(mesh) <= 4096)
+        mus_body_create_scan(context, mus_mesh_vertex_count(mesh), mus_mesh_vertices(mesh),
+                             mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), NULL, NULL, &body);
+    mus_body_destroy(body);
+    mus_mesh_destroy(mesh);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_drape(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_pattern *pattern = fuzz_pattern_of(context, bytes, size);
+    mus_cloth *cloth = NULL;
+    mus_drape *drape = NULL;
+    mus_cloth_def cut;
+    mus_drape_def def;
+    mus_cloth_def_init(&cut, sizeof cut);
+    mus_drape_def_init(&def, sizeof def);
+    cut.spacing = 0.05;
+    cut.nodes_most = 2000;
+    def.self_contact = size % 2;
+    def.precision = size % 4 < 2 ? 32 : 64;
+    if (pattern != NULL && mus_cloth_create(context, pattern, &cut, &cloth) == MUS_OK &&
+        mus_drape_create(context, cloth, NULL, &def, &drape) == MUS_OK && mus_drape_place(drape) == MUS_OK &&
+        mus_drape_step(drape, 5, 0.9 * mus_drape_step_bound(drape)) == MUS_OK) {
+        const double *x = mus_drape_positions(drape);
+        for (int32_t i = 0; i < 3 * mus_drape_node_count(drape); i++)
+            fuzz_must(isfinite(x[i]), "a node is somewhere after a good step");
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(pattern);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_print(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_pattern *pattern = fuzz_pattern_of(context, bytes, size);
+    mus_sheet *sheet = NULL;
+    if (pattern != NULL && mus_sheet_create(context, pattern, NULL, &sheet) == MUS_OK) {
+        char *text = NULL;
+        size_t length = 0;
+        if (mus_sheet_page_count(sheet) <= 16 && mus_sheet_write_pdf_bytes(sheet, &text, &length) == MUS_OK)
+            mus_context_alloc(context, text, 0);
+        if (mus_sheet_write_svg_bytes(sheet, &text, &length) == MUS_OK) mus_context_alloc(context, text, 0);
+        if (mus_sheet_write_dxf_bytes(sheet, NULL, &text, &length) == MUS_OK) mus_context_alloc(context, text, 0);
+    }
+    mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_catalogue(const uint8_t *bytes, size_t size)
+{
+    char path[] = "/tmp/muslin-fuzz-XXXXXX";
+    const int file = mkstemp(path);
+    fuzz_must(file >= 0 && write(file, bytes, size) == (ssize_t)size && close(file) == 0, "a file is written");
+    mus_context *context = fuzz_context();
+    mus_catalogue *catalogue = NULL;
+    mus_pattern *pattern = NULL;
+    fuzz_must(mus_pattern_create(context, "empty", &pattern) == MUS_OK, "a pattern is made");
+    if (mus_catalogue_open(context, path, MUS_CATALOGUE_WRITE, &catalogue) == MUS_OK) {
+        int32_t ids[8], exact[8], count;
+        double distances[8];
+        mus_catalogue_exact(catalogue, pattern, ids, 8, &count);
+        mus_catalogue_nearest(catalogue, pattern, 8, ids, distances, exact, &count);
+        mus_catalogue_containing(catalogue, pattern, ids, 8, &count);
+        mus_catalogue_add(catalogue, pattern, "empty", &count);
+        mus_catalogue_destroy(catalogue);
+    }
+    mus_pattern_destroy(pattern);
+    fuzz_context_end(context);
+    unlink(path);
+}

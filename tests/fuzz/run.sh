@@ -1,0 +1,41 @@
+#!/bin/sh
+# run.sh OUT SECONDS [TARGET...]: the fuzz targets under libFuzzer, with ASan and UBSan, SECONDS of wall time each (all
+# targets if none is given). Each line: CPU seconds, executions, edges that were covered, findings. Memory is bounded to
+# 2 GB and an input to 10 s. New inputs stay in OUT/fuzz/NAME, findings in OUT/fuzz/found; a finding is mended, and its
+# input becomes a seed in tests/fuzz/seeds/NAME. Needs clang; without it, it says so.
+set -u
+out=$1
+seconds=$2
+shift 2
+cd "$(dirname "$0")/../.."
+command -v clang >/dev/null 2>&1 || { echo "skipped: there is no clang (Debian: clang)"; exit 0; }
+all=$(sed -n 's/^    X(\([a-z]*\), .*/\1/p' tests/fuzz/fuzz.h)
+[ $# -gt 0 ] || set -- $all
+mkdir -p "$out/fuzz/found"
+build=$(cd "$out/fuzz" && pwd)
+archives="$build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
+flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined"
+MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives || exit 1
+failed=0
+for target in "$@"; do
+    case " $(echo $all) " in *" $target "*) ;; *) echo "run.sh: $target is no target: $all" >&2; exit 2 ;; esac
+    clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude tests/fuzz/entry.c tests/fuzz/fuzz*.c \
+        $archives $(pkg-config --libs cairo jansson yaml-0.1 expat sqlite3) -lm -pthread -o "$build/$target" || exit 1
+    mkdir -p "$build/$target.corpus"
+    log=$build/$target.log
+    before=$(times | sed -n 2p)
+    LSAN_OPTIONS=suppressions=tests/guard/leaks.supp:print_suppressions=0 "$build/$target" -max_total_time="$seconds" \
+        -timeout=10 -rss_limit_mb=2048 -max_len=20000 -print_final_stats=1 -artifact_prefix="$build/found/$target-" \
+        "$build/$target.corpus" tests/fuzz/seeds/"$target" >"$log" 2>&1
+    code=$?
+    after=$(times | sed -n 2p)
+    cpu=$(printf '%s %s\n' "$before" "$after" | tr 'ms' '  ' | awk '{ print int($5 * 60 + $6 - $1 * 60 - $2 + 0.5) }')
+    edges=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    if [ "$code" -eq 0 ]; then found=none; else
+        failed=1
+        found=$(grep -m 1 -E 'broken promise|ERROR|runtime error|SUMMARY' "$log")
+    fi
+    echo "$target: $cpu CPU s, ${runs:-?} executions, ${edges:-?} edges covered, findings: $found"
+done
+exit $failed

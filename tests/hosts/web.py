@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""web.py [states | page]: the fitting room of MUSLIN_OUT/web (make web) in Node and in headless Chromium.
+
+60 garments in WebAssembly against the library: equal state hashes. Then the browser: ready, three designs, a dragged
+slider, files (PDF by qpdf, glb by the validator where it is installed), no network, axe-core. Pictures stay in
+MUSLIN_OUT/web-tried. With `states` or `page` one part alone.
+"""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import threading
+
+import hosts
+
+sys.path[:0] = [str(hosts.BINDINGS / "web"), str(hosts.BINDINGS / "python")]
+os.environ.setdefault("MUSLIN_LIB", str(hosts.LIB))
+import serve  # noqa: E402  (needs the path above)
+
+TRIED = hosts.BUILD / "web-tried"
+SPACING = 0.035
+CASES = 60
+PACKAGES = {"playwright-core": "^1.50.0", "axe-core": "^4.10.0"}
+
+
+def states():
+    """How many of CASES garments have the native state hash in WebAssembly."""
+    import muslin
+    fits = {"women": "W40", "men": "M50", "children": "C116"}
+    rows = muslin.designs()
+    pairs = [(row["name"], fits[row["groups"][0]]) for row in rows[::len(rows) // CASES]][:CASES]
+    node, = hosts.need("node")
+    done = subprocess.run([node, hosts.ROOT / "tests/hosts/web_states.mjs", serve.FOLDER / "room.wasm",
+                           hosts.BINDINGS / "web/page/room.js", str(SPACING)], capture_output=True, text=True,
+                          input="".join(f"{design} {size}\n" for design, size in pairs))
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    equal, other = 0, []
+    for (design, size), line in zip(pairs, done.stdout.splitlines()):
+        worn = muslin.dress(design, size, spacing=SPACING, strict=False)
+        same = worn.drape is not None and worn.drape.state_hash == line.split()[2]
+        equal += same
+        other += [] if same else [design]
+    print(f"{'ok  ' if equal == len(pairs) else 'FAIL'} {equal} of {len(pairs)} garments have the native state hash"
+          f"{'; not: ' + ', '.join(other) if other else ''}", flush=True)
+    return equal == len(pairs)
+
+
+def pdf():
+    """The PDF that the page gave: qpdf, and its square of 100 mm."""
+    path = TRIED / "out.pdf"
+    if shutil.which("qpdf"):
+        done = subprocess.run(["qpdf", "--check", path], capture_output=True, text=True)
+        print(f"{'ok  ' if done.returncode == 0 else 'FAIL'} qpdf --check: {done.stdout.strip().splitlines()[-1]}")
+    points = 100 / 25.4 * 72
+    found = 0
+    for x, y, rest in re.findall(rb"([\d.-]+) ([\d.-]+) m\n((?:[\d.-]+ [\d.-]+ l\n){3,4})", path.read_bytes()):
+        corners = [(float(x), float(y))] + [tuple(map(float, line.split()[:2])) for line in rest.splitlines()]
+        width, height = (max(c[i] for c in corners) - min(c[i] for c in corners) for i in (0, 1))
+        found += abs(width - points) < 0.01 and abs(height - points) < 0.01
+    print(f"{'ok  ' if found else 'FAIL'} {found} squares of 100 mm in the PDF, within 0.004 mm")
+    return found > 0
+
+
+def glb():
+    path = TRIED / "out.glb"
+    data = path.read_bytes()
+    length = int.from_bytes(data[12:16], "little")
+    tree = json.loads(data[20:20 + length])
+    good = data[:4] == b"glTF" and int.from_bytes(data[8:12], "little") == len(data) and len(tree["meshes"]) == 2
+    print(f"{'ok  ' if good else 'FAIL'} glb: {len(tree['meshes'])} meshes, {len(data)} bytes")
+    return good
+
+
+def browser():
+    node, npm = hosts.need("node", "npm")
+    if not shutil.which("chromium") and "CHROMIUM" not in os.environ:
+        raise hosts.Skipped("chromium is not installed (or CHROMIUM does not name it)")
+    TRIED.mkdir(parents=True, exist_ok=True)
+    if not (TRIED / "node_modules/axe-core").exists():
+        (TRIED / "package.json").write_text(json.dumps({"private": True, "dependencies": PACKAGES}))
+        subprocess.run([npm, "install", "--no-audit", "--no-fund", "--silent"], cwd=TRIED, check=True)
+    made = serve.server()
+    threading.Thread(target=made.serve_forever, daemon=True).start()
+    url = f"http://127.0.0.1:{made.server_address[1]}/"
+    tape = hosts.ROOT / "examples/tapes/w40.tape"
+    done = subprocess.run([node, hosts.ROOT / "tests/hosts/web.mjs", url, TRIED, tape])
+    return all([done.returncode == 0, pdf(), glb()])
+
+
+def main():
+    if not (serve.FOLDER / "room.wasm").exists():
+        sys.exit("web.py: the fitting room is not built; make web")
+    held = [] if sys.argv[1:] == ["page"] else [states()]
+    try:
+        if sys.argv[1:] != ["states"]:
+            held.append(browser())
+    except hosts.Skipped as lack:
+        print(f"skipped: {lack}")
+    return not all(held)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,357 @@
+#!/usr/bin/env python3
+"""Patterns through the files of the garment trade and back: `make trade`.
+
+Six parts, each with a line of its own at the end; the command fails when a part does.
+  round trip: every named design in one size and every GarmentCode specification, through DXF AAMA and ASTM. Compared:
+              pieces, edges, the distance of the outlines, allowances, notches, grain, marks, names, labels, quantities.
+  audit:      the same files by ezdxf, which has to find no error and repair nothing (left out without ezdxf).
+  valentina:  the DXF files of the data: pieces, and areas of the sew line or cut line, as its facts.csv has them.
+  rules:      designs in eight sizes: the sample graded by the RUL file against each size's own draft, at the ends of edges.
+  garmentcode: the same patterns as GarmentCode specifications and back.
+  plots:      a dozen sheets as HPGL, at true size as hp2xx reads them (left out without hp2xx).
+
+    MUSLIN_LIB=build/lib/libmuslin.so python3 tests/study/trade/trade.py --data DATA [--every 10] [--list]
+"""
+import argparse
+import collections
+import csv
+import itertools
+import math
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "bindings" / "python"))
+import muslin  # noqa: E402
+from muslin._library import lib  # noqa: E402
+from muslin.pattern import Pattern  # noqa: E402
+from muslin.print import Sheet  # noqa: E402
+
+OUTLINE_MM = 0.0105   # 0.01 mm of the chords, and the rounding of the file's last digit (1e-4 mm)
+NOTCH_MM = 0.1        # a notch lies on the cut line and is read back along its slit
+GRADE_MM = 0.1
+PLOT_MM = 0.05        # two plotter units of 0.025 mm
+SIZES = {"women": ["W40", "W34", "W36", "W38", "W42", "W44", "W46", "W48"],
+         "men": ["M50", "M46", "M48", "M52", "M54", "M56", "M58", "M60"],
+         "children": ["C116", "C92", "C98", "C104", "C110", "C122", "C128", "C134"]}
+GRADED = ["tshirt", "skirt", "shirt_women", "trousers", "dress", "jacket", "blouse", "polo", "pencil_skirt", "chinos",
+          "tank", "vest"]
+
+
+def tape_of(size):
+    return muslin.Tape.size(size)
+
+
+def chords(ops, points):
+    """Points [mm] of a line of a sheet, its cubics as 400 chords."""
+    out, at, p = [], 0, None
+    for op in ops:
+        if op in "ml":
+            p = points[at]
+            out.append(p)
+            at += 1
+        elif op == "c":
+            a, b, c, d = (np.array(x) for x in (p, *points[at:at + 3]))
+            t = np.linspace(0, 1, 401)[1:, None]
+            out += list(map(tuple, (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t * t * c + t ** 3 * d))
+            p = points[at + 2]
+            at += 3
+    return 1e3 * np.array(out)
+
+
+def distance(points, line):
+    """Greatest distance of points from a polyline."""
+    a, d = line[:-1], line[1:] - line[:-1]
+    dd = np.maximum((d * d).sum(1), 1e-30)
+    t = np.clip(((points[:, None] - a) * d).sum(2) / dd, 0, 1)
+    return float(np.sqrt(((a + t[..., None] * d - points[:, None]) ** 2).sum(2).min(1)).max())
+
+
+class Piece:
+    """What a sheet shows of one piece, as the file should keep it [mm]."""
+
+    def __init__(self, pattern, sheet, index, lines):
+        self.struct = sheet.pieces[index]
+        self.panel = self.struct.panel
+        self.edges = [(edge, chords(ops, points)) for kind, edge, ops, points in lines if kind == 1]
+
+    def place(self, points):
+        turn, shift = np.array(self.struct.turn).reshape(2, 2), np.array(self.struct.shift)
+        return 1e3 * (np.array(points) @ turn.T + shift)
+
+
+class Trip:
+    """One pattern through one dialect."""
+
+    def __init__(self, pattern, sheet, pieces, data, name):
+        self.faults = []
+        self.worst = 0.0
+        self.notch = 0.0
+        again = Pattern.parse_dxf(data, name=name)
+        own = [i for i in range(len(again.panels)) if again.cut(i)[1] is None]
+        self.expect("pieces", len(pieces), len(own))
+        if len(own) != len(pieces):
+            return
+        marks, old_marks = again.marks(), pattern.marks()
+        for piece, panel in zip(pieces, own):
+            self.outline(pattern, again, piece, panel)
+            what = piece.struct.name.decode()
+            if what.isascii() and what.lower() == what and len(what) <= 20 and what.replace("_", "").isalnum():
+                self.expect(f"{what}: name", what, again.panels[panel])
+            self.expect(f"{what}: label", pattern.get("panel_label", piece.panel), again.get("panel_label", panel))
+            self.expect(f"{what}: copies", piece.struct.copies, again.cut(panel)[0])
+            mirrors = sum(again.cut(i)[1] == panel for i in range(len(again.panels)))
+            self.expect(f"{what}: mirrored", bool(piece.struct.mirrored), mirrors > 0)
+            self.notches(what, pattern, again, piece, panel)
+            grain = again.grain(panel)
+            self.expect(f"{what}: grain up", True, abs(grain[0]) < 1e-4 and grain[1] > 0)
+            self.marks(what, piece, [m for m in old_marks if m[0] == piece.panel], [m for m in marks if m[0] == panel])
+
+    def expect(self, what, wanted, got):
+        if wanted != got:
+            self.faults.append(f"{what}: {got}, expected {wanted}")
+
+    def outline(self, pattern, again, piece, panel):
+        what = piece.struct.name.decode()
+        new = {}
+        for edge, _ in again.outline(panel):
+            line = 1e3 * np.array(again.edge_polyline(edge, 1))
+            new[edge] = line
+        self.expect(f"{what}: edges", len(piece.edges), len(new))
+        for edge, line in piece.edges:
+            near = min(new, key=lambda e: np.hypot(*(new[e][0] - line[0])) + np.hypot(*(new[e][-1] - line[-1])))
+            off = max(distance(line, new[near]), distance(new[near], line))
+            self.worst = max(self.worst, off)
+            if off > OUTLINE_MM:
+                self.faults.append(f"{what}: edge {edge} is off by {off:.4f} mm")
+            allowance = pattern.edge_allowance(edge)
+            allowance = 0.01 if allowance is None else allowance
+            back = again.edge_allowance(near)
+            back = 0.01 if back is None else back
+            if abs(1e3 * (allowance - back)) > 0.03:
+                self.faults.append(f"{what}: edge {edge} has {1e3 * back:.2f} mm allowance, expected {1e3 * allowance:.2f}")
+
+    def notches(self, what, pattern, again, piece, panel):
+        """Notches by place and kind: one at the end of an edge may come back on the edge beside it."""
+        rim = [edge for edge, _ in pattern.rim(piece.panel)]
+        new = [(k, 1e3 * np.array(again.edge_at(e, [min(1.0, s / again.edge_length(e))])[0]))
+               for e, s, k in again.notches() if e in dict(again.outline(panel))]
+        old = []
+        for edge, s, kind in pattern.notches():
+            if edge in rim:
+                length, half = pattern.edge_length(edge), 0.002 * (kind - 1)  # slits near an end move inwards
+                s = length / 2 if length < 2 * half else min(max(s, half), length - half)
+                old.append((kind, piece.place(pattern.edge_at(edge, [s / length]))[0]))
+        self.expect(f"{what}: notches", sorted(k for k, _ in old), sorted(k for k, _ in new))
+        for kind, p in old:
+            off = min((np.hypot(*(q - p)) for k, q in new if k == kind), default=math.inf)
+            self.notch = max(self.notch, off if off < math.inf else 0.0)
+            if off > NOTCH_MM:
+                self.faults.append(f"{what}: a notch is off by {off:.3f} mm")
+
+    def marks(self, what, piece, old, new):
+        self.expect(f"{what}: marks", [m[1] for m in old], [m[1] for m in new])
+        for a, b in zip(old, new):
+            if len(a[2]) == len(b[2]):
+                off = np.abs(piece.place(a[2]) - 1e3 * np.array(b[2])).max()
+                if off > OUTLINE_MM:
+                    self.faults.append(f"{what}: mark {a[1]} is off by {off:.3f} mm")
+
+
+def patterns(data, every):
+    """(name, pattern) of all named designs in one size, and of all specifications."""
+    tapes = {}
+    for i, row in enumerate(muslin.designs()):
+        if i % every == 0:
+            group = row["groups"][0]
+            tapes[group] = tapes.get(group) or tape_of(SIZES[group][0])
+            yield row["name"], muslin.draft(row["name"], tapes[group])
+    specs = sorted((data / "garmentcode").rglob("*_specification.json"))
+    for path in specs[::every]:
+        yield path.name.removesuffix("_specification.json"), Pattern.read(path)
+
+
+def audit(data):
+    """Number of errors and fixes that ezdxf tells, None without it."""
+    try:
+        import io
+        import ezdxf
+        from ezdxf.lldxf.const import DXFError
+    except ImportError:
+        return None
+    try:
+        told = ezdxf.read(io.StringIO(data.decode("ascii"))).audit()
+    except (DXFError, UnicodeDecodeError):
+        return 1
+    return len(told.errors) + len(told.fixes)
+
+
+def round_trip(args):
+    count = good = audited = told = 0
+    worst = notch = 0.0
+    losses = collections.Counter()
+    for name, pattern in patterns(args.data, args.every):
+        sheet = Sheet(pattern, paper="roll")
+        lines = collections.defaultdict(list)
+        for piece, kind, edge, ops, points in sheet.lines:
+            lines[piece].append((kind, edge, ops, points))
+        pieces = [Piece(pattern, sheet, i, lines[i]) for i in range(len(sheet.pieces))]
+        for dialect in ("aama", "astm"):
+            data = sheet.dxf_bytes(dialect)
+            trip = Trip(pattern, sheet, pieces, data, f"{name}.{dialect}.dxf")
+            count, good = count + 1, good + (not trip.faults)
+            worst, notch = max(worst, trip.worst), max(notch, trip.notch)
+            for fault in trip.faults:
+                losses[fault.split(": ")[1].split(" of ")[0] if ": " in fault else fault] += 1
+                if args.list:
+                    print(f"{name} {dialect}: {fault}")
+            errors = audit(data)
+            if errors is not None:
+                audited, told = audited + 1, told + errors
+    for what, n in losses.most_common(12):
+        print(f"  {n:5d} {what}")
+    print(f"round trip: {good} of {count} files keep all; outlines within {worst:.4f} mm, notches within {notch:.3f} mm")
+    print(f"audit: {audited} files, {told} errors and fixes" if audited else "audit: skipped, no ezdxf (pip install ezdxf)")
+    return good == count and told == 0
+
+
+def valentina(data):
+    facts = collections.defaultdict(list)
+    folder = data / "valentina"
+    for row in csv.DictReader((folder / "facts.csv").open()):
+        facts[row["file"]].append(row)
+    files = pieces = good = cut = 0
+    for name, rows in sorted(facts.items()):
+        pattern = Pattern.read(folder / name)
+        both = rows + facts[name.replace(".aama.", ".astm.")]
+        files += len(pattern.panels) == len(rows)
+        for i in range(len(pattern.panels)):
+            pieces += 1
+            area = 1e6 * pattern.area(i)
+            known = {key: min((abs(area - float(row[key])) for row in both if row[key]), default=math.inf)
+                     for key in ("sew_area_mm2", "cut_area_mm2")}
+            near = min(known.values()) < 1e-4 + 1e-6 * area
+            good += near
+            cut += near and known["cut_area_mm2"] < known["sew_area_mm2"]
+            if not near:
+                print(f"  {name} {pattern.panels[i]}: {area:.2f} mm2 is no area of the facts")
+    print(f"valentina: {files} of {len(facts)} files have the pieces of the facts; {good} of {pieces} pieces their area "
+          f"({cut} that of the cut line)")
+    return files == len(facts) and good == pieces
+
+
+def rules():
+    known = {row["name"]: row["groups"][0] for row in muslin.designs()}
+    done = points = bad = 0
+    worst = 0.0
+    for name in [n for n in GRADED if n in known] + list(known):
+        if done == 6:
+            break
+        sizes = SIZES[known[name]]
+        try:
+            drafts = {size: muslin.draft(name, tape_of(size)) for size in sizes}
+            sheets = {size: Sheet(drafts[size], paper="roll") for size in sizes}
+            others = {size: sheets[size] for size in sizes[1:]}
+            options = {"size_name": sizes[0].encode(), "sizes": others}
+            data, rul = sheets[sizes[0]].dxf_bytes(**options), sheets[sizes[0]].rul_bytes(**options)
+        except muslin.MuslinError as error:
+            print(f"  {name}: {error}")
+            continue
+        done += 1
+        for size in sizes[1:]:
+            again = Pattern.parse_dxf(data, rules=rul, size=size)
+            own = [i for i in range(len(again.panels)) if again.cut(i)[1] is None]
+            for piece, panel in zip(sheets[size].pieces, own):
+                sample = sheets[sizes[0]].pieces[[p.name for p in sheets[size].pieces].index(piece.name)]
+                turn = np.array(piece.turn).reshape(2, 2)
+                ends = [drafts[size].edge_ends(e)[0 if d > 0 else 1] for e, d in drafts[size].rim(piece.panel)]
+                place = np.array([drafts[size].point(i)[1:] for i in ends]) @ turn.T + np.array(sample.shift)
+                got = np.array([again.point(again.edge_ends(e)[0])[1:] for e, _ in again.outline(panel)])
+                off = 1e3 * np.hypot(*(got[:, None] - place[None]).transpose(2, 0, 1)).min(0)
+                points += len(off)
+                bad += int((off > GRADE_MM).sum())
+                worst = max(worst, float(off.max()))
+    print(f"rules: {done} designs in {8} sizes: {points} grade points, {bad} off by more than {GRADE_MM} mm, "
+          f"worst {worst:.4f} mm")
+    return done == 6 and bad == 0
+
+
+def held(pattern):
+    """Length of the edges of seams that GarmentCode can hold [m], and how many seams it cannot."""
+    rims = {edge for panel in range(len(pattern.panels)) for edge, _ in pattern.rim(panel)}
+    length, others = 0.0, 0
+    for s in range(pattern.seam_count):
+        seam = pattern.seam(s)
+        edges = (seam["edge_a"], seam["edge_b"])
+        if seam["laid"] or any(e not in rims or lib.mus_pattern_edge_seam(pattern.handle, e) != s for e in edges):
+            others += 1
+        else:
+            length += sum(pattern.edge_length(e) for e in edges)
+    return length, others
+
+
+def garmentcode(args):
+    """Every pattern as a GarmentCode specification and back: areas, places, lengths of what is sewn."""
+    count = good = others = 0
+    worst = 0.0
+    for name, pattern in patterns(args.data, args.every):
+        count += 1
+        try:
+            again = Pattern.parse(pattern.garmentcode_bytes(), name=f"{name}.json")
+        except muslin.MuslinError as error:
+            print(f"  {name}: {error}")
+            continue
+        area = max(abs(pattern.area(i) - again.area(i)) for i in range(len(pattern.panels)))
+        around = max(abs(pattern.perimeter(i) - again.perimeter(i)) for i in range(len(pattern.panels)))
+        sewn = [held(pattern)[0], held(again)[0]]
+        others += held(pattern)[1]
+        worst = max(worst, 1e3 * around)
+        fine = area < 1e-8 and around < 1e-6 and abs(sewn[0] - sewn[1]) < 1e-5
+        good += fine
+        if not fine and args.list:
+            print(f"  {name}: area {area:.1e} m2, outline {around:.1e} m, sewn {sewn[0]:.4f} and {sewn[1]:.4f} m")
+    print(f"garmentcode: {good} of {count} patterns keep outlines and seams; outlines as long within {worst:.1e} mm; "
+          f"{others} seams are second seams of an edge or inside a panel, which the form has not")
+    return good == count
+
+
+def plots(args):
+    """A dozen sheets as HPGL, their size as hp2xx tells it against the boxes of the cut lines."""
+    if shutil.which("hp2xx") is None:
+        print("plots: skipped, no hp2xx (apt-get install hp2xx)")
+        return True
+    count = bad = 0
+    worst = 0.0
+    for name, pattern in itertools.islice(patterns(args.data, 60), 12):
+        sheet = Sheet(pattern, paper="roll")
+        boxes = 1e3 * np.array([list(piece.box) for piece in sheet.pieces])
+        size = (boxes[:, 2:].max(0) - boxes[:, :2].min(0))[::-1]
+        with tempfile.NamedTemporaryFile(suffix=".plt") as file:
+            file.write(sheet.plt_bytes(hpgl2=0, by_piece=1))
+            file.flush()
+            told = subprocess.run(["hp2xx", "-t", "-m", "svg", "-f", "/dev/null", file.name], capture_output=True,
+                                  text=True, check=False)
+        found = re.search(r"height: ([\d.]+) x ([\d.]+) mm", told.stdout + told.stderr)
+        off = np.abs(np.array(found.groups(), float) - size).max() if found else math.inf
+        count, bad, worst = count + 1, bad + (off > PLOT_MM), max(worst, off)
+    print(f"plots: hp2xx draws {count - bad} of {count} sheets at true size, within {worst:.3f} mm")
+    return bad == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--every", type=int, default=1, help="take every n-th pattern")
+    parser.add_argument("--list", action="store_true", help="print every fault")
+    args = parser.parse_args()
+    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args)]) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -60,7 +60,7 @@ def module():
     program("wasm-ld-14", "wasm-ld")
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         objects = list(pool.map(lambda file: compile_one(clang, file), sources()))
-    subprocess.run([clang, "--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections,-s,-z,stack-size=1048576",
+    subprocess.run([clang, "--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections,-s,-z,stack-size=4194304",
                     *objects, "-lm", "-o", OUT / "room.wasm"], check=True)
 
 

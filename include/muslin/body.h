@@ -85,15 +85,17 @@ typedef struct mus_limb {
 /** Options of a body. */
 typedef struct mus_body_def {
     size_t size;
-    int32_t samples;      /* samples round each contour of the surface, a multiple of 4, 16 to 512, default 96 */
-    double ring_spacing;  /* distance of the surface's rings along a limb [m], 0.001 to 0.1, default 0.01 */
+    int32_t samples;      /* samples round each contour of the surface, a multiple of 4, 16 to 512, default 128; arms, legs
+                             and feet of a tape have half as many, but not fewer than 64 if there are 64 */
+    double ring_spacing;  /* largest distance of the surface's rings along a limb [m], 0.001 to 0.1, default 0.015; rings
+                             are closer where the surface bends */
     int32_t ellipse;      /* nonzero: ellipses in place of superellipses, default 0 */
     int32_t without;      /* sum of MUS_WITHOUT_*, for a body of a tape; default 0: all limbs */
     int32_t limbs;        /* number of limbs added to a body of a tape, 0 to 48, default 0 */
     const mus_limb *limb; /* (limbs) the added limbs: a prosthesis, a belly, a hump; copied. They count in contact,
                              surface and volume, not in the measures */
-    int32_t plain;        /* nonzero: the surface has no fillets where limbs meet, no face, fingers and toes: half the
-                             time, for callers that draw nothing; measures and contact are the same. Default 0 */
+    int32_t plain;        /* nonzero: no fingers and toes are drawn, hands and feet are closed shapes as cloth touches
+                             them; measures and contact are the same. Default 0 */
 
     /* Posture of a body of a tape, default 0: upright. Girths and heights of the tape are kept. */
     double stoop;        /* distance [m] by which the nape comes forwards while the upper back rounds, -0.02 (erect) to
@@ -113,8 +115,8 @@ MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
  *
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_TAPE (contradictory measures);
  *          MUS_ERR_BODY (two contours cross; the message names their measures). *out is then NULL
- * Memory:  about 9 MB with the defaults, freed by mus_body_destroy()
- * Cost:    about 20 ms
+ * Memory:  about 6 MB with the defaults, freed by mus_body_destroy()
+ * Cost:    about 10 ms
  * Source:  the paper named above; depth to breadth of the contours: ANSUR II and the mean bodies of GarmentCode
  */
 MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);
@@ -174,9 +176,9 @@ MUS_API int32_t mus_body_triangle_count(const mus_body *body);
 /**
  * Vertices of the skin (vertex_count x 3) [m], borrowed until the body is destroyed.
  *
- * Each limb is a closed shell. On a body made from a tape the vertices of two limbs that meet lie on a smooth union of
- * both, up to 12 mm off the limbs in the crease (at a stature of 1.68 m); the cleft of the seat is 18 mm deep. Measures
- * and contact are those of the limbs without these fillets.
+ * Each limb is a closed shell. On a body made from a tape two limbs that meet have a smooth union (a fillet, up to 12 mm
+ * off the limbs in the crease at a stature of 1.68 m), and the cleft of the seat is 18 mm deep. The skin is what cloth
+ * touches, but for fingers and toes, which contact knows as mittens and closed feet; mus_body_made() measures it.
  */
 MUS_API const double *mus_body_vertices(const mus_body *body);
 

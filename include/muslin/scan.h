@@ -37,7 +37,7 @@ typedef struct mus_scan_def {
     double spacing;      /* distance of contours along a limb [m], 0.002 to 0.05, default 0.01 */
     int32_t corners;     /* corners of each contour, 16 to 1024, default 192 */
     double gap;          /* holes of the mesh up to this width are closed [m], 0 to 1, default 0.06 */
-    int32_t samples;     /* as mus_body_def.samples, default 96 */
+    int32_t samples;     /* as mus_body_def.samples, default 128 */
     double ring_spacing; /* as mus_body_def.ring_spacing [m], default 0.01 */
     int32_t distances;   /* nonzero (default): compute the distances of the report, which take most of the time */
 } mus_scan_def;
@@ -83,7 +83,7 @@ typedef struct mus_scan_report {
     double girth[MUS_SCAN_GIRTH_COUNT];
     double girth_height[MUS_SCAN_GIRTH_COUNT];
     /* MUS_SCAN_TORSO ...: median, 95th percentile and maximum of the distances of the mesh's vertices from the body's
-       surface, and of the body's vertices (without fillets) from the mesh [m] */
+       surface, and of the body's vertices from the mesh [m] */
     double mesh_to_body[MUS_SCAN_PART_COUNT][3];
     double body_to_mesh[MUS_SCAN_PART_COUNT][3];
 } mus_scan_report;

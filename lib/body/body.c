@@ -8,12 +8,12 @@
  *     body_fit_lengths.c    bust span and crotch length of the tape, where it gives them
  *     limbs_left_out.c  limbs, or their ends, left out
  *     body_from_limbs.c     limbs given by the caller, with body_outline.c for polygons
- *     body_make.c           options, limbs to surface and contact fields, destruction; for every kind of body
- *     body_surface.c        rings and triangles of the limbs, with ring_mesh.c
+ *     body_make.c           options, limbs to radius fields, destruction; for every kind of body
  *     body_measure.c        girths and heights of the finished surface; body_length.c: lengths along it
  *     bones.c, rig.c        joints; rigid parts and their frames in the rest pose (frame.c)
- *     skin_fillet.c         the published skin: fillets where limbs meet
- *     face_hands_feet.c, fingers_toes.c, seat_cleft.c  its details
+ *     skin_fillet.c, relief.c  fillets where limbs meet; face, feet and seat: written into the radius fields
+ *     give.c                contours give way, so that the finished fields have the tape's girths
+ *     body_surface.c        rings and triangles drawn from the fields, with ring_mesh.c; fingers_toes.c
  *     body_landmark.c, body_level.c, body_volume.c  queries
  *     body_copy.c           a copy whose parts stand elsewhere, for lib/pose
  *
@@ -41,6 +41,11 @@
 #define BODY_CONTOUR_GAP 0.006
 
 
+/* a crotch length of the tape that the finished surface misses by more [m] is followed again, in so many rounds at most
+ */
+#define BODY_CLOSE 5e-4
+#define BODY_ROUNDS 4
+
 /* append the limbs of mus_body_def.limb to those of the tape */
 static mus_status body_add(mus_body *body)
 {
@@ -57,9 +62,13 @@ static mus_status body_add(mus_body *body)
 
 
 /* check the contours of limb l and scale each to its target girth */
-static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double *xy, int32_t *work)
+static mus_status body_fit(mus_body *body, int32_t l, double *xy, int32_t *work)
 {
+    const int32_t n = mus__body_samples(body, l);
+    double turn[2 * MUS__CONTOUR_SAMPLES];
+    mus__field_turns(n, turn);
     mus__limb *limb = &body->limb[l];
+    const mus__contour *left = mus__limb_is_right(l) ? body->limb[l - 1].contour : NULL;
     mus_status status = mus__limb_check(body->context, limb, BODY_CONTOUR_GAP * body->skeleton.crown);
     for (int32_t i = 0; i < limb->count && status == MUS_OK; i++) {
         mus__contour *contour = &limb->contour[i];
@@ -67,20 +76,26 @@ static mus_status body_fit(mus_body *body, int32_t l, const double *turn, double
             contour->n = 2.0;
             contour->bump[0] = contour->bump[1] = 0.0;
         }
-        if (contour->target > 0.0) mus__contour_fit(contour, contour->target, body->def.samples, turn, xy, work);
+        if (left != NULL) { /* it has the shape of the left one */
+            contour->a = left[i].a, contour->b = left[i].b;
+            memcpy(contour->bump, left[i].bump, sizeof contour->bump);
+        } else if (contour->target > 0.0)
+            mus__contour_fit(contour, contour->target, n, turn, xy, work);
     }
     return status;
 }
 
 
-/* contours of all limbs from the tape, fitted to their girths; the legs take their root from the fitted hip */
-static mus_status body_contours(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
+/* contours of all limbs from the tape, fitted to their girths; the legs take their root from the fitted hip. `more` [m]
+ * is what the crotch length lacked before */
+static mus_status body_contours(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
+                                int32_t *work)
 {
     mus__limb *limb = body->limb;
     const mus__skeleton *bone = &body->skeleton;
     mus__limb_torso(tape, bone, &limb[MUS__LIMB_TORSO]);
-    mus_status status = body_fit(body, MUS__LIMB_TORSO, turn, xy, work);
-    if (status == MUS_OK) status = mus__body_follow(body, tape, turn, xy, work);
+    mus_status status = body_fit(body, MUS__LIMB_TORSO, xy, work);
+    if (status == MUS_OK) status = mus__body_follow(body, tape, more, turn, xy, work);
     if (status != MUS_OK) return status;
 
     if (!mus__posture_none(&body->def)) mus__posture_torso(&body->def, bone, &limb[MUS__LIMB_TORSO]);
@@ -93,9 +108,31 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, const doub
         mus__limb_foot(tape, bone, right, &limb[MUS__LIMB_FOOT_LEFT + right]);
     }
     for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
-        status = body_fit(body, l, turn, xy, work);
-    if (status == MUS_OK) mus__body_without(body);
-    return status;
+        status = body_fit(body, l, xy, work);
+    if (status != MUS_OK) return status;
+    mus__body_without(body);
+    return MUS_OK;
+}
+
+
+/* fields, fillets and details of the finished contours; then the surface, and what a tape finds on it */
+static mus_status body_finish(mus_body *body)
+{
+    body->fillet = BODY_FILLET * body->skeleton.crown;
+    mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
+    mus_status status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
+    mus__body_find_levels(body);
+    if (status == MUS_OK) status = mus__body_fillets(body, body->fillet);
+    if (status != MUS_OK) return status;
+    status = mus__body_relief(body);
+    if (status != MUS_OK) return status;
+    if (mus__body_is_even(body)) mus__body_mirror(body, false);
+    status = mus__body_give(body);
+    if (mus__body_is_even(body)) mus__body_mirror(body, true);
+    if (status == MUS_OK) status = mus__body_surface(body);
+    if (status == MUS_OK && body->digit_vertices > 0) mus__digit_make(body);
+    if (status == MUS_OK) status = mus__body_remeasure(body);
+    return status == MUS_OK ? mus__body_lengths(body) : status;
 }
 
 
@@ -117,20 +154,24 @@ static mus_status body_make(mus_body *body, const mus_tape *tape)
     if (turn == NULL || work == NULL) {
         status = mus__fail_memory(body->context, "the directions of contours");
     } else {
-        mus__contour_turns(n, turn);
-        status = body_contours(body, tape, turn, turn + 2 * (ptrdiff_t)n, work);
-        if (status == MUS_OK) status = body_add(body);
-        if (status == MUS_OK) status = mus__body_surface_of(body, turn);
-        if (status == MUS_OK) status = mus__body_remeasure(body);
+        mus__field_turns(n, turn);
+        double *xy = turn + 2 * (ptrdiff_t)n;
+        status = body_add(body);
+        double more = 0.0;
+        for (int round = 0; round < BODY_ROUNDS && status == MUS_OK; round++) {
+            const double last = body->made[MUS_MEASURE_CROTCH_LENGTH];
+            mus__body_release(body);
+            status = body_contours(body, tape, more, turn, xy, work);
+            if (status == MUS_OK) status = body_finish(body);
+            const double off = body->asked[MUS_MEASURE_CROTCH_LENGTH] - body->made[MUS_MEASURE_CROTCH_LENGTH];
+            const bool stuck = round > 0 && fabs(body->made[MUS_MEASURE_CROTCH_LENGTH] - last) < 0.1 * BODY_CLOSE;
+            if (body->source[MUS_MEASURE_CROTCH_LENGTH] != MUS_SOURCE_GIVEN || fabs(off) < BODY_CLOSE || stuck) break;
+            more += off;
+        }
     }
     mus__free(body->context, turn);
     mus__free(body->context, work);
-    mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
-    if (status == MUS_OK) status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
-    mus__body_find_levels(body);
-    if (status == MUS_OK) status = mus__body_lengths(body);
-    body->fillet = BODY_FILLET * body->skeleton.crown;
-    return status == MUS_OK ? mus__body_skin(body) : status;
+    return status;
 }
 
 
@@ -229,14 +270,14 @@ int32_t mus_body_triangle_count(const mus_body *body)
 const double *mus_body_vertices(const mus_body *body)
 {
     if (body == NULL) return NULL;
-    return body->skin != NULL ? body->skin : body->vertices;
+    return body->vertices;
 }
 
 
 const double *mus_body_normals(const mus_body *body)
 {
     if (body == NULL) return NULL;
-    return body->skin_normals != NULL ? body->skin_normals : body->normals;
+    return body->normals;
 }
 
 

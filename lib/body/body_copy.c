@@ -66,21 +66,22 @@ static mus_status copy_make(const mus_body *from, const mus__frame *frame, mus_b
 
     to->frame = mus__new(to->context, to->rig.parts, sizeof *to->frame);
     to->field = mus__new(to->context, from->nfield, sizeof *to->field);
-    double *turn = mus__new(to->context, 2 * (int64_t)to->def.samples, sizeof *turn);
-    if (to->frame == NULL || to->field == NULL || turn == NULL) {
-        mus__free(to->context, turn);
+    to->crease = mus__room(to->context, from->creases, sizeof *to->crease);
+    if (to->frame == NULL || to->field == NULL || to->crease == NULL)
         return mus__fail_memory(to->context, "a posed body");
-    }
+    memcpy(to->crease, from->crease, (size_t)from->creases * sizeof *to->crease);
+    to->creases = from->creases;
     memcpy(to->frame, frame, (size_t)to->rig.parts * sizeof *frame);
     for (int32_t p = 0; p < from->nfield && status == MUS_OK; p++) {
         const mus__limb *limb = &to->limb[to->rig.part[p].limb];
         status = copy_field(to->context, &from->field[p], limb, &to->frame[p], &to->field[p]);
         if (status == MUS_OK) to->nfield = p + 1;
     }
-    mus__contour_turns(to->def.samples, turn);
-    if (status == MUS_OK) status = mus__body_surface_of(to, turn);
-    mus__free(to->context, turn);
-    return status == MUS_OK ? mus__body_skin(to) : status;
+    if (status == MUS_OK) status = mus__body_surface(to);
+    if (status != MUS_OK) return status;
+    if (to->digit_vertices > 0) mus__digit_make(to);
+    mus__body_skin(to);
+    return MUS_OK;
 }
 
 
@@ -96,7 +97,8 @@ mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const m
     copy->outline = NULL, copy->frame = NULL;
     copy->field = NULL, copy->nfield = 0;
     copy->vertices = copy->normals = NULL, copy->triangles = NULL;
-    copy->ring = copy->skin = copy->skin_normals = NULL;
+    copy->ring = NULL;
+    copy->crease = NULL, copy->creases = 0;
     copy->vertex_count = copy->triangle_count = copy->digit_vertices = copy->digit_triangles = 0;
     copy->stance = *stance;
     const mus_status status = copy_make(body, frame, copy);

@@ -156,7 +156,8 @@ static double follow_middle(follow *at)
         mus__stack_ring(&stack, s, centre, radius);
         const int32_t front = FOLLOW_STEPS - j, back = FOLLOW_STEPS + j;
         line[front][0] = centre[1] - radius[3 * FOLLOW_ANGLES / 4], line[front][1] = s;
-        line[back][0] = centre[1] + (j > 0 ? radius[FOLLOW_ANGLES / 4] : 0.0), line[back][1] = s;
+        const double seat = centre[1] + (j > 0 ? radius[FOLLOW_ANGLES / 4] : 0.0);
+        line[back][0] = seat - mus__relief_cleft(body, s, -seat), line[back][1] = s;
     }
     mus__stack_free(body->context, &stack);
     const double *a = line[0], *b = line[2 * FOLLOW_STEPS];
@@ -201,13 +202,14 @@ static void follow_rise(follow *at, double length)
 }
 
 
-mus_status mus__body_follow(mus_body *body, const mus_tape *tape, const double *turn, double *xy, int32_t *work)
+mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
+                            int32_t *work)
 {
     follow at = {.body = body, .turn = turn, .xy = xy, .work = work, .status = MUS_OK};
     if (body->def.ellipse) return MUS_OK;
     if (mus_tape_source(tape, MUS_MEASURE_BUST_SPAN) == MUS_SOURCE_GIVEN)
         follow_bust(&at, mus_tape_value(tape, MUS_MEASURE_BUST_SPAN));
     if (mus_tape_source(tape, MUS_MEASURE_CROTCH_LENGTH) == MUS_SOURCE_GIVEN)
-        follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH));
+        follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH) + more);
     return at.status;
 }

@@ -152,13 +152,8 @@ static mus_status given_make(mus_body *body, int32_t limbs, const mus_limb *limb
     if (status != MUS_OK) return status;
     if (bones != NULL) given_bones(body, bones);
 
-    double *turn = mus__new(body->context, 2 * (int64_t)body->def.samples, sizeof *turn);
-    if (turn == NULL) return mus__fail_memory(body->context, "the directions of contours");
-    mus__contour_turns(body->def.samples, turn);
-    status = mus__body_surface_of(body, turn);
-    mus__free(body->context, turn);
-    if (status == MUS_OK) status = mus__body_fields(body, spacing);
-    return status == MUS_OK ? mus__body_skin(body) : status;
+    status = mus__body_fields(body, spacing);
+    return status == MUS_OK ? mus__body_surface(body) : status;
 }
 
 

@@ -29,6 +29,13 @@ typedef struct mus__body_kept {
     void (*destroy)(void *data); /* called when the last body is destroyed, and before another thing takes its place */
 } mus__body_kept;
 
+/* the normal of the skin at an entry of a part's field that a fillet changed: that of the smooth union, equal on the
+ * surfaces of both limbs */
+typedef struct mus__crease {
+    int32_t part, ring, entry;
+    double normal[3];
+} mus__crease;
+
 struct mus_body {
     mus_context *context;
     mus_body_def def;
@@ -43,14 +50,14 @@ struct mus_body {
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;     /* (vertex_count x 3) of the limbs' rings, which measures and contact agree with [m] */
-    double *normals;      /* (vertex_count x 3) */
+    double *vertices;     /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
+    double *normals;      /* (vertex_count + digit_vertices x 3) */
     int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
     double *ring;         /* (rings of all limbs) s of each ring [m] */
-    double fillet;        /* width of the skin's fillets where limbs meet [m], 0: none */
-    double *skin;         /* (vertex_count + digit_vertices x 3) the published skin [m]; NULL: that of the limbs */
-    double *skin_normals; /* (vertex_count + digit_vertices x 3) */
-    int32_t digit_vertices, digit_triangles; /* fingers and toes, in the skin alone, after all limbs */
+    int32_t creases;
+    mus__crease *crease;  /* (creases) */
+    double fillet;        /* width of the fillets where limbs meet [m], 0: none */
+    int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     mus__rig rig;
     mus__body_level level[MUS__LEVEL_COUNT][2]; /* in the rest pose, left and right; none without a tape */
     mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
@@ -60,7 +67,25 @@ struct mus_body {
     mus__body_kept *kept;
 };
 
+/* a finger or toe in the skin: an end point, rings of so many vertices, an end point; chosen */
+#define MUS__DIGIT_ROUND 12
+#define MUS__DIGIT_RINGS 9
+/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
+bool mus__digit_has(const mus_body *body, int32_t which);
+
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);
+
+/* ---- body_mirror.c ---- */
+
+/* whether the body is symmetric: a body of a tape with all limbs, in the rest pose. Its left half is then made alone */
+bool mus__body_is_even(const mus_body *body);
+/* whether limb l of a tape is a right one, made by mus__body_mirror() in a symmetric body */
+bool mus__limb_is_right(int32_t l);
+/* the part that mirrors part q of a symmetric body: that of the limb after a left one */
+int32_t mus__mirror_part(const mus_body *body, int32_t q);
+/* the radii of the right half of the torso of a symmetric body from those of its left one; with `limbs` the radii and
+ * contours of its right limbs instead */
+void mus__body_mirror(mus_body *body, bool limbs);
 
 #endif

@@ -26,11 +26,15 @@
 /* the tape of a bent arm is longer than that of the straight arm by this part; as in skeleton.c */
 #define LENGTH_BEND 0.05
 
+/* [m] where torso and arm are nearer to each other they carry one fillet; chosen: what their tables differ by on it
+ * between two directions */
+#define LENGTH_SHEET 2e-3
+
 /* points of a row in a plane, and scratch for their hull */
 typedef struct length_row {
     int32_t count;
-    double *xy;    /* (count x 2) */
-    int32_t *work; /* (count x 2) */
+    double *xy;        /* (count x 2) */
+    int32_t *work;     /* (count x 2) */
     double u[3], v[3]; /* the directions of the plane's two axes */
 } length_row;
 
@@ -66,7 +70,7 @@ static double length_tape(length_row *row, double side)
 /* vertex k (3) of a ring of a limb */
 static const double *length_vertex(const mus_body *body, const mus__limb *limb, int32_t ring, int32_t k)
 {
-    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples + k);
+    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * limb->samples + k);
 }
 
 
@@ -175,7 +179,7 @@ static void length_shoulder(mus_body *body, length_row *row)
 static void length_arm(mus_body *body, const mus__limb *arm, length_row *row)
 {
     const mus__skeleton *bone = &body->skeleton;
-    const int32_t outer = body->def.samples / 2;
+    const int32_t outer = arm->samples / 2;
     const double out[3] = {-arm->side[0], -arm->side[1], -arm->side[2]};
     double straight[2];
     for (int to = 0; to < 2; to++) {
@@ -203,6 +207,15 @@ static double length_in_arms(const mus_body *body, const double *x)
 }
 
 
+/* the step between k and k + 1 at which a depth in the arms passes `level` [m] for the first time; `found`, if it is
+ * known already */
+static double length_step(int32_t k, double before, double depth, double level, double found, int32_t none)
+{
+    if (found < none || depth < level) return found;
+    return before < -1e29 ? k + 1.0 : k + fmin(fmax((level - before) / (depth - before), 0.0), 1.0);
+}
+
+
 /* across_back or across_front [m]: from arm to arm over line `middle` of the ring half way down the armhole */
 static double length_across(const mus_body *body, int32_t middle, length_row *row)
 {
@@ -210,33 +223,36 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     const mus__skeleton *bone = &body->skeleton;
     const int32_t n = body->def.samples, quarter = n / 4;
     const double left[3] = {1.0, 0.0, 0.0}, front[3] = {0.0, 0.0, 1.0}, s = 0.5 * (bone->armpit + bone->shoulder);
+    const bool left_arm = !body->limb[MUS__LIMB_ARM_LEFT].gone, back = middle == quarter;
+    const int32_t side = left_arm == back ? -1 : 1; /* to the side that has an arm; the other is its mirror image */
     double x[3], last[3], depth = 0.0, before = -1.0;
     length_begin(row, left, front);
 
-    /* number of samples to one side, and the part of the next step, until the arm begins; the other side is its
-     * mirror */
-    int32_t reach = 0;
-    double part = 1.0;
-    for (; reach < quarter; reach++) {
-        length_at(body, torso, s, (middle + reach + 1) % n, x);
+    /* steps of samples to one side until the arm begins, and until the torso goes into it: the fields of both carry the
+     * fillet between the two, and the crease is half way. The other side is its mirror image */
+    double begin = quarter, end_at = quarter;
+    for (int32_t k = 0; k < quarter && end_at == quarter; k++, before = depth) {
+        length_at(body, torso, s, (middle + side * (k + 1) + n) % n, x);
         depth = length_in_arms(body, x);
-        if (depth >= 0.0) {
-            part = before < -1e29 ? 1.0 : before / (before - depth);
-            break;
-        }
-        before = depth;
+        begin = length_step(k, before, depth, -LENGTH_SHEET, begin, quarter);
+        end_at = length_step(k, before, depth, LENGTH_SHEET, end_at, quarter);
     }
+    const double crease = 0.5 * (begin + end_at);
+    const int32_t reach = (int32_t)fmin(crease, quarter);
+    const double part = crease - reach;
     for (int32_t k = -reach - 1; k <= reach + 1; k++) {
-        const bool end = k == -reach - 1 || k == reach + 1;
+        const int32_t aside = k < 0 ? -k : k;
+        const bool end = aside == reach + 1;
         if (end && reach == quarter) continue;
-        length_at(body, torso, s, (middle + k + n) % n, x);
+        length_at(body, torso, s, (middle + side * aside + n) % n, x);
         if (end) {
-            length_at(body, torso, s, (middle + (k < 0 ? k + 1 : k - 1) + n) % n, last);
+            length_at(body, torso, s, (middle + side * (aside - 1) + n) % n, last);
             for (int i = 0; i < 3; i++) x[i] = last[i] + part * (x[i] - last[i]);
         }
+        if ((k < 0) == (x[0] > 0.0)) x[0] = -x[0];
         length_put(row, x);
     }
-    return length_tape(row, 1.0);
+    return length_tape(row, back ? -1.0 : 1.0); /* the row goes to the left */
 }
 
 

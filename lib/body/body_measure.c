@@ -1,7 +1,8 @@
 /*
  * body_measure.c: girths and heights of the finished surface, from its vertices, for mus_body_made().
  *
- * A girth is the perimeter of the convex hull of a ring, as a tape lies. Heights are those of rings and of end points.
+ * A girth is the perimeter of the convex hull of the section of the triangles, as a tape lies: that of the contour's
+ * ring, and about the hip also of the legs. Heights are those of rings and of end points.
  */
 #include <math.h>
 
@@ -13,22 +14,60 @@
 /* the first vertex of a ring of a limb */
 static const double *measure_ring(const mus_body *body, const mus__limb *limb, int32_t ring)
 {
-    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * body->def.samples);
+    return body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * limb->samples);
 }
 
 
-/* girth of a ring as a tape lies [m], from its vertices in the plane of the ring. Scratch: xy (2n), work (2n) */
-static double measure_girth(const mus_body *body, const mus__limb *limb, int32_t ring, double *xy, int32_t *work)
+/* append to xy (count x 2) the points at which the plane at s meets the lines of limb l from ring to ring; returns
+ * their number */
+static int32_t measure_section(const mus_body *body, const mus__limb *limb, double s, double *xy, int32_t count)
 {
-    const double *x = measure_ring(body, limb, ring);
-    int32_t n = body->def.samples;
-    for (int32_t k = 0; k < n; k++) {
+    const double *at = body->ring + limb->first_ring;
+    const int32_t n = limb->samples;
+    int32_t ring = 0;
+    while (ring + 2 < limb->rings && at[ring + 1] <= s + 1e-12) ring++;
+    if (limb->rings < 2 || s < at[ring] - 1e-12 || s > at[ring + 1]) return count;
+    const double t = fmax((s - at[ring]) / (at[ring + 1] - at[ring]), 0.0), *x = measure_ring(body, limb, ring);
+    const double *y = x + 3 * (ptrdiff_t)n;
+    for (int32_t k = 0; k < n; k++, count++) {
         double d[3];
-        for (int i = 0; i < 3; i++) d[i] = x[3 * (ptrdiff_t)k + i] - limb->origin[i];
-        xy[2 * k] = mus__dot3(d, limb->side);
-        xy[2 * k + 1] = mus__dot3(d, limb->front);
+        for (int i = 0; i < 3; i++) {
+            const ptrdiff_t c = 3 * (ptrdiff_t)k + i;
+            d[i] = x[c] + t * (y[c] - x[c]) - limb->origin[i];
+        }
+        xy[2 * count] = mus__dot3(d, limb->side);
+        xy[2 * count + 1] = mus__dot3(d, limb->front);
     }
-    return mus__polygon_tape(n, xy, work, work + n);
+    return count;
+}
+
+
+/* girth [m] of contour i of a limb as a tape lies on the triangles: that of its ring, and about the hip of the legs.
+ * Scratch: xy (6n), work (6n) */
+static double measure_girth(const mus_body *body, int32_t l, int32_t i, double *xy, int32_t *work)
+{
+    const mus__contour *c = &body->limb[l].contour[i];
+    int32_t count = measure_section(body, &body->limb[l], c->s, xy, 0);
+    for (int32_t leg = MUS__LIMB_LEG_LEFT; leg <= MUS__LIMB_LEG_RIGHT && mus__girth_has_legs(c->girth); leg++)
+        if (!body->limb[leg].gone) count = measure_section(body, &body->limb[leg], c->s, xy, count);
+    return mus__polygon_tape(count, xy, work, work + count);
+}
+
+
+/* length [m] of a foot with its toes */
+static double measure_foot(const mus_body *body, int32_t right)
+{
+    const mus__limb *foot = &body->limb[MUS__LIMB_FOOT_LEFT + right];
+    double low = INFINITY, high = -INFINITY;
+    for (int32_t v = 0; v < foot->vertices; v++) {
+        const double z = body->vertices[3 * ((ptrdiff_t)foot->first_vertex + v) + 2];
+        low = fmin(low, z), high = fmax(high, z);
+    }
+    for (int32_t v = 0; v < body->digit_vertices; v++) {
+        const double *x = body->vertices + 3 * ((ptrdiff_t)body->vertex_count + v);
+        if (x[1] < body->skeleton.ankle && (x[0] < 0.0) == (right != 0)) high = fmax(high, x[2]);
+    }
+    return high - low;
 }
 
 
@@ -36,7 +75,7 @@ static double measure_girth(const mus_body *body, const mus__limb *limb, int32_t
 static double measure_height(const mus_body *body, const char *name)
 {
     const mus__limb *limb = &body->limb[MUS__LIMB_TORSO];
-    int32_t n = body->def.samples;
+    int32_t n = limb->samples;
     for (int32_t i = 0; i < limb->count; i++) {
         const char *p = limb->contour[i].name, *q = name;
         while (*p != '\0' && *p == *q) p++, q++;
@@ -53,8 +92,8 @@ static double measure_height(const mus_body *body, const char *name)
 mus_status mus__body_remeasure(mus_body *body)
 {
     int32_t n = body->def.samples;
-    double *xy = mus__new(body->context, 2 * (int64_t)n, sizeof(double));
-    int32_t *work = mus__new(body->context, 2 * (int64_t)n, sizeof(int32_t));
+    double *xy = mus__room(body->context, 6 * (int64_t)n, sizeof(double));
+    int32_t *work = mus__room(body->context, 6 * (int64_t)n, sizeof(int32_t));
     if (xy == NULL || work == NULL) {
         mus__free(body->context, xy);
         mus__free(body->context, work);
@@ -67,7 +106,7 @@ mus_status mus__body_remeasure(mus_body *body)
         for (int32_t i = 0; i < body->limb[l].count && !body->limb[l].gone; i++) {
             int32_t m = body->limb[l].contour[i].girth;
             if (m == MUS_NONE) continue;
-            double girth = measure_girth(body, &body->limb[l], body->limb[l].contour[i].ring, xy, work);
+            double girth = measure_girth(body, l, i, xy, work);
             double asked = body->asked[m];
             if (isnan(body->made[m]) || fabs(girth - asked) > fabs(body->made[m] - asked)) body->made[m] = girth;
         }
@@ -75,7 +114,7 @@ mus_status mus__body_remeasure(mus_body *body)
     mus__free(body->context, work);
 
     /* heights of end points and rings of the torso; length of the foot */
-    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO], *foot = &body->limb[MUS__LIMB_FOOT_LEFT];
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
     const double *x = body->vertices + 3 * (ptrdiff_t)torso->first_vertex;
     double waist = measure_height(body, "waist");
     body->made[MUS_MEASURE_INLEG] = x[1];
@@ -85,9 +124,7 @@ mus_status mus__body_remeasure(mus_body *body)
     body->made[MUS_MEASURE_BUST_HEIGHT] = measure_height(body, "bust");
     body->made[MUS_MEASURE_WAIST_TO_HIP] = waist - measure_height(body, "hip");
     body->made[MUS_MEASURE_RISE] = waist - body->made[MUS_MEASURE_INLEG];
-    if (foot->gone) foot = &body->limb[MUS__LIMB_FOOT_RIGHT];
-    if (foot->gone) return MUS_OK;
-    const double *y = body->vertices + 3 * (ptrdiff_t)foot->first_vertex;
-    body->made[MUS_MEASURE_FOOT] = y[3 * ((ptrdiff_t)foot->vertices - 1) + 2] - y[2];
+    for (int32_t right = 1; right >= 0; right--)
+        if (!body->limb[MUS__LIMB_FOOT_LEFT + right].gone) body->made[MUS_MEASURE_FOOT] = measure_foot(body, right);
     return MUS_OK;
 }

@@ -63,7 +63,8 @@ static double volume_part(const mus__field *field, const mus__part *part, const 
     double volume = 0.0, low = volume_area(field, 0, weight);
     for (int32_t j = 0; j + 1 < field->nring; j++) {
         const double high = volume_area(field, j + 1, weight), s = field->s0 + j * field->ds;
-        const double from = fmax((part->end[0] - s) / field->ds, 0.0), to = fmin((part->end[1] - s) / field->ds, 1.0);
+        const double from = part->deep ? 0.0 : fmax((part->end[0] - s) / field->ds, 0.0);
+        const double to = fmin((part->end[1] - s) / field->ds, 1.0);
         if (to > from) volume += field->ds * (to - from) * (low + 0.5 * (from + to) * (high - low));
         low = high;
     }
@@ -147,7 +148,7 @@ static double volume_overlap(const mus_body *body, int32_t p, const double *turn
             const bool last = end == 0 ? j == 0 : j + VOLUME_STEP >= field->nring;
             if (last && part->round[end] <= 0.0) more += volume_cap(field, end, weight);
         }
-        low = fmax(low, part->end[0]), high = fmin(high, part->end[1]);
+        low = fmax(low, part->deep ? field->s0 : part->end[0]), high = fmin(high, part->end[1]);
         if (high <= low && more <= 0.0) continue;
         const double shared = volume_shared(body, p, j, turn, weight);
         if (shared <= 0.0) continue;
@@ -181,10 +182,13 @@ double mus_body_volume(const mus_body *body)
 {
     if (body == NULL) return NAN;
     if (body->frame != NULL) return volume_at_rest(body);
-    double turn[2 * MUS__FIELD_ANGLES], weight[MUS__FIELD_ANGLES], volume = 0.0;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
-    volume_weights(MUS__FIELD_ANGLES, turn, weight);
+    double turn[2 * MUS__FIELD_MOST], weight[MUS__FIELD_MOST], volume = 0.0;
     for (int32_t p = 0; p < body->nfield; p++) {
+        const int32_t n = body->field[p].nangle;
+        if (p == 0 || n != body->field[p - 1].nangle) {
+            mus__field_turns(n, turn);
+            volume_weights(n, turn, weight);
+        }
         volume += volume_part(&body->field[p], &body->rig.part[p], weight);
         if (body->rig.part[p].limb > 0) volume -= volume_overlap(body, p, turn, weight);
     }

@@ -18,8 +18,8 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-#define DIGIT_ROUND 12 /* samples round a digit; chosen */
-#define DIGIT_RINGS 9  /* rings of a digit; chosen */
+#define DIGIT_ROUND MUS__DIGIT_ROUND
+#define DIGIT_RINGS MUS__DIGIT_RINGS
 
 /* a digit: root, direction (way), length, radii at root and tip (thick), bend from root to tip [rad] */
 typedef struct digit_row {
@@ -54,8 +54,7 @@ typedef struct digit_base {
 enum { DIGIT_A_SIDE = 5, DIGIT_LIMBS = 4 };
 
 
-/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
-static bool digit_has(const mus_body *body, int32_t which)
+bool mus__digit_has(const mus_body *body, int32_t which)
 {
     const mus__limb *limb = &body->limb[(which < 2 ? MUS__LIMB_ARM_LEFT : MUS__LIMB_FOOT_LEFT - 2) + which];
     bool hand = false;
@@ -68,7 +67,7 @@ void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangl
 {
     int32_t digits = 0;
     for (int32_t which = 0; which < DIGIT_LIMBS && body->measured; which++)
-        if (digit_has(body, which)) digits += DIGIT_A_SIDE;
+        if (mus__digit_has(body, which)) digits += DIGIT_A_SIDE;
     *vertices = digits * (DIGIT_ROUND * DIGIT_RINGS + 2);
     *triangles = digits * 2 * DIGIT_ROUND * DIGIT_RINGS;
 }
@@ -163,6 +162,23 @@ static void digit_tube(const digit_base *base, const digit_row *row, bool toe, d
 }
 
 
+/* stretch the toes of a foot beyond the ball until the longest ends where the foot does: n vertices */
+static void digit_stretch(const digit_base *base, int32_t n, double *x)
+{
+    const double ball = 0.75 * base->unit[0];
+    double most = 0.0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t i = 0; i < n; i++) {
+            double *p = x + 3 * (ptrdiff_t)i, u = 0.0;
+            for (int c = 0; c < 3; c++) u += (p[c] - base->origin[c]) * base->u[c];
+            if (pass == 0) most = fmax(most, u);
+            if (pass == 0 || u <= ball) continue;
+            const double more = (u - ball) * ((base->unit[0] - ball) / (most - ball) - 1.0);
+            for (int c = 0; c < 3; c++) p[c] += more * base->u[c];
+        }
+}
+
+
 void mus__digit_make(mus_body *body)
 {
     const int32_t each = DIGIT_ROUND * DIGIT_RINGS + 2;
@@ -170,15 +186,18 @@ void mus__digit_make(mus_body *body)
     for (int32_t limb = 0; limb < DIGIT_LIMBS; limb++) {
         digit_base base;
         const bool toe = limb >= 2;
-        if (!digit_has(body, limb)) continue;
+        if (!mus__digit_has(body, limb)) continue;
         if (toe) digit_foot(body, limb % 2, &base);
         else digit_hand(body, limb % 2, &base);
+        double *first = body->vertices + 3 * (ptrdiff_t)vertex;
+        for (int32_t d = 0; d < DIGIT_A_SIDE; d++)
+            digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, first + 3 * (ptrdiff_t)d * each);
+        if (toe) digit_stretch(&base, DIGIT_A_SIDE * each, first);
         for (int32_t d = 0; d < DIGIT_A_SIDE; d++) {
-            double *x = body->skin + 3 * (ptrdiff_t)vertex;
-            digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, x);
+            double *x = body->vertices + 3 * (ptrdiff_t)vertex;
             for (int32_t i = 0; i < each && body->frame != NULL; i++)
                 mus__frame_point(&body->frame[base.part], x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)i);
-            mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->skin_normals + 3 * (ptrdiff_t)vertex);
+            mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->normals + 3 * (ptrdiff_t)vertex);
             mus__ring_triangles(vertex, DIGIT_RINGS, DIGIT_ROUND, triangle);
             vertex += each;
             triangle += 3 * 2 * DIGIT_ROUND * DIGIT_RINGS;

@@ -13,6 +13,8 @@
 #define RIG_HORIZONTAL 0.3 /* an arm whose axis falls by less than this part of its length counts as horizontal; chosen
                               */
 #define RIG_SCAPULA 0.02   /* rise of the shoulder joint with the arm, in parts of the stature; chosen */
+/* least length of a part, in parts of its limb: the joints of a scan may lie beyond its contours */
+#define RIG_LEAST 0.01
 #define RIG_CAP_MOST 0.8   /* a round cap is at most this part of the next part's length, so that it ends within it */
 
 
@@ -86,20 +88,22 @@ static void rig_cut(const mus_body *body, int32_t l, int32_t cuts, const double 
     const mus__limb *limb = &body->limb[l];
     mus__part *part = &out->part[out->parts];
     if (limb->gone) return;
+    const double low = limb->contour[0].s, high = limb->contour[limb->count - 1].s, least = RIG_LEAST * (high - low);
     for (int32_t k = 0; k <= cuts; k++) {
         part[k] = (mus__part){.limb = l, .joint = joint[k]};
-        part[k].end[0] = k == 0 ? limb->contour[0].s : s[k - 1];
-        part[k].end[1] = k == cuts ? limb->contour[limb->count - 1].s : s[k];
+        part[k].end[0] = k == 0 ? low : part[k - 1].end[1];
+        part[k].end[1] = k == cuts ? high : fmin(fmax(s[k], part[k].end[0] + least), high - (cuts - k) * least);
     }
 
     /* a cap is one radius long; of the torso the radius is the half depth, across which it bends */
     for (int32_t k = 0; k < cuts; k++) {
         double at[4];
-        rig_section(limb, s[k], at);
+        rig_section(limb, part[k].end[1], at);
         double radius = l == body->bones.limb[MUS__LIMB_TORSO] ? at[3] : 0.5 * (at[2] + at[3]);
-        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - s[k]));
-        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (s[k] - part[k].end[0]));
+        part[k].round[1] = fmin(radius, RIG_CAP_MOST * (part[k + 1].end[1] - part[k].end[1]));
+        part[k + 1].round[0] = fmin(radius, RIG_CAP_MOST * (part[k].end[1] - part[k].end[0]));
     }
+    part[0].deep = body->measured && l == MUS__LIMB_TORSO;
     out->parts += cuts + 1;
 }
 

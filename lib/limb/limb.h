@@ -27,7 +27,7 @@
 
 #define MUS__LIMB_CONTOURS 128    /* most contours of a limb; a torso from a tape has 20 */
 #define MUS__LIMB_NAME_BYTES 32   /* of a limb's own name, the closing 0 included */
-#define MUS__CONTOUR_SAMPLES 512  /* most samples round a contour; 96 is the default of mus_body_def */
+#define MUS__CONTOUR_SAMPLES 512  /* most samples round a contour; 128 is the default of mus_body_def */
 
 typedef struct mus__contour {
     const char *name;
@@ -65,6 +65,7 @@ typedef struct mus__limb {
                                          since joints are found from them */
     int32_t cuts;                     /* number of joints that cut it: one less than its parts */
     int32_t joint;                    /* joint (MUS_JOINT_*) that carries a limb added to a body of a tape */
+    int32_t samples;                  /* directions of its rings in the surface, those of mus__field_turns() */
     int32_t first_vertex, vertices, first_triangle, triangles, first_ring, rings; /* its ranges in the body's surface */
 } mus__limb;
 

@@ -21,8 +21,8 @@
 /* [m] points farther outside are out of reach; chosen: the first-order distance has no meaning there */
 #define FIELD_MARGIN 0.05
 
-/* share of a round cap's length that has rings; chosen: beyond it R(s) is steep, and the query uses the form that is
- * smooth through the pole */
+/* share of a cap's length that has rings; chosen: beyond it R(s) is steep, and the query uses the form that is smooth
+ * through the pole */
 #define FIELD_CAP 0.7
 
 
@@ -56,43 +56,60 @@ static void field_ring(const mus__stack *stack, const mus__part *part, double s,
 }
 
 
-mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
-                           mus__field *out)
+/* place of a limb into a field, and room for its rings and directions. Errors: MUS_ERR_MEMORY */
+static mus_status field_begin(mus_context *context, const mus__limb *limb, mus__field *out)
 {
-    const mus__limb *limb = stack->limb;
-    double low = part->end[0] - FIELD_CAP * part->round[0], high = part->end[1] + FIELD_CAP * part->round[1];
-    double length = high - low;
-    memset(out, 0, sizeof *out);
     memcpy(out->origin, limb->origin, sizeof out->origin);
     memcpy(out->axis, limb->axis, sizeof out->axis);
     memcpy(out->side, limb->side, sizeof out->side);
     memcpy(out->front, limb->front, sizeof out->front);
-    out->nring = (int32_t)fmin(ceil(length / spacing), 4000.0) + 1;
-    out->nangle = stack->n;
-    out->s0 = low;
-    out->ds = length / (out->nring - 1);
     out->centre = mus__new(context, 2 * (int64_t)out->nring, sizeof(double));
     out->radius = mus__room(context, (int64_t)out->nring * out->nangle, sizeof(double));
     out->largest = mus__new(context, out->nring, sizeof(double));
-    if (!out->centre || !out->radius || !out->largest) {
-        mus__field_free(context, out);
-        return mus__fail_memory(context, "a contact field");
+    if (out->centre && out->radius && out->largest) return MUS_OK;
+    mus__field_free(context, out);
+    return mus__fail_memory(context, "a contact field");
+}
+
+
+mus_status mus__field_like(mus_context *context, const mus__limb *limb, const mus__field *from, mus__field *out)
+{
+    *out = *from;
+    mus_status status = field_begin(context, limb, out);
+    if (status != MUS_OK) return status;
+    for (int32_t j = 0; j < from->nring; j++) {
+        out->centre[2 * j] = -from->centre[2 * j], out->centre[2 * j + 1] = from->centre[2 * j + 1];
+        out->largest[j] = from->largest[j];
     }
+    return MUS_OK;
+}
+
+
+mus_status mus__field_make(mus_context *context, const mus__stack *stack, const mus__part *part, double spacing,
+                           mus__field *out)
+{
+    const mus__limb *limb = stack->limb;
+    const double cap = part->deep ? part->end[0] - limb->pole[0] : part->round[0];
+    const double length = part->end[1] - part->end[0], steps = fmin(ceil(length / spacing), 4000.0);
+    const double ds = length / steps, low = floor(FIELD_CAP * cap / ds), high = floor(FIELD_CAP * part->round[1] / ds);
+    memset(out, 0, sizeof *out);
+    out->nring = (int32_t)(low + steps + high) + 1;
+    out->nangle = stack->n;
+    out->s0 = part->end[0] - low * ds;
+    out->ds = ds;
+    mus_status status = field_begin(context, limb, out);
+    if (status != MUS_OK) return status;
 
     /* radii at the joints */
     double *joint = stack->work + limb->count, middle[2];
-    for (int end = 0; end < 2; end++)
-        mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
+    for (int end = 0; end < 2; end++) mus__stack_ring(stack, part->end[end], middle, joint + (ptrdiff_t)end * stack->n);
 
     for (int32_t j = 0; j < out->nring; j++) {
-        double s = j + 1 < out->nring ? out->s0 + j * out->ds : high;
-        double *centre = out->centre + 2 * j, *radius = out->radius + (ptrdiff_t)j * out->nangle, most = 0.0;
-        field_ring(stack, part, s, joint, centre, radius);
-        for (int32_t k = 0; k < out->nangle; k++) most = radius[k] > most ? radius[k] : most;
-        out->reach = fmax(out->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
-        out->largest[j] = most;
-        if (j > 0) out->largest[j - 1] = fmax(out->largest[j - 1], most);
+        double s = j + 1 < out->nring || high > 0.0 ? out->s0 + j * out->ds : part->end[1];
+        field_ring(stack, part, s, joint, out->centre + 2 * j, out->radius + (ptrdiff_t)j * out->nangle);
     }
+    mus__field_bounds(out);
+    out->fine[0] = out->nring, out->fine[1] = -1;
 
     /* ellipses of the caps: that of the round cap, or the limb's own */
     for (int end = 0; end < 2; end++) {
@@ -103,6 +120,63 @@ mus_status mus__field_make(mus_context *context, const mus__stack *stack, const 
         out->half[end] = round ? part->round[end] : stack->cap[end][1];
     }
     return MUS_OK;
+}
+
+
+void mus__field_bounds(mus__field *field)
+{
+    field->reach = 0.0;
+    for (int32_t j = 0; j < field->nring; j++) {
+        const double *centre = field->centre + 2 * j, *radius = field->radius + (ptrdiff_t)j * field->nangle;
+        double most = 0.0;
+        for (int32_t k = 0; k < field->nangle; k++) most = radius[k] > most ? radius[k] : most;
+        field->reach = fmax(field->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
+        field->largest[j] = most;
+        if (j > 0) field->largest[j - 1] = fmax(field->largest[j - 1], most);
+    }
+}
+
+
+void mus__field_steps(int32_t nangle, int32_t n, const double *turn, int32_t *entry, double *share)
+{
+    for (int32_t k = 0; k < n; k++) {
+        const double a = turn[2 * k], b = turn[2 * k + 1], part = fabs(b) / (fabs(a) + fabs(b));
+        const double q = b >= 0.0 ? (a >= 0.0 ? part : 2.0 - part) : (a < 0.0 ? 2.0 + part : 4.0 - part);
+        const double step = n == nangle ? k : 0.25 * q * nangle, low = floor(step);
+        entry[k] = (int32_t)low % nangle;
+        share[k] = step - low;
+    }
+}
+
+
+/* directions other than those of the table, and points between its rings: the square of the radius is linear, as in
+ * field_kernel.h */
+void mus__field_ring(const mus__field *field, double s, int32_t n, const int32_t *entry, const double *share,
+                     double *centre, double *radius)
+{
+    const double u = (s - field->s0) / field->ds, last = field->nring - 1, in = fmin(fmax(u, 0.0), last);
+    const int32_t j = (int32_t)fmin(in, last - 1.0), m = field->nangle;
+    const double t = in - j, *low = field->radius + (ptrdiff_t)j * m, *high = low + m;
+    double shrink = 1.0;
+    if (u < -1e-9 || u > last + 1e-9) {
+        const int end = u > 0.0;
+        const double at = (s - field->middle[end]) / field->half[end];
+        const double edge = (field->s0 + in * field->ds - field->middle[end]) / field->half[end];
+        shrink = at * at >= 1.0 ? 0.0 : (1.0 - at * at) / (1.0 - edge * edge);
+    }
+    const double *c0 = field->centre + 2 * (ptrdiff_t)j;
+    for (int i = 0; i < 2; i++) centre[i] = c0[i] + t * (c0[i + 2] - c0[i]);
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t p = entry[k], q = p + 1 < m ? p + 1 : 0;
+        const double w = share[k];
+        if (w == 0.0 && t == 0.0) { /* an entry of the table */
+            radius[k] = shrink == 1.0 ? low[p] : sqrt(shrink) * low[p];
+            continue;
+        }
+        const double a = low[p] * low[p], b = high[p] * high[p];
+        const double c = a + w * (low[q] * low[q] - a), d = b + w * (high[q] * high[q] - b);
+        radius[k] = sqrt(shrink * (c + t * (d - c)));
+    }
 }
 
 

@@ -2,8 +2,8 @@
  * pose_fit.c: arms fitted to a body, and movements fitted to it, feet (pose_stand.c) and arms.
  *
  * The arms query the radius fields of the body, carried by the frames of their parts, without a posed copy. An arm is
- * abducted by steps of a degree until all of it below the armpit keeps its distance. The named poses have arms that are
- * far enough off the sides for most people.
+ * abducted by steps of a degree, or adducted where it is raised above the horizontal, until all of it below the armpit
+ * keeps its distance. The named poses have arms that are far enough off the sides for most people.
  */
 #include <math.h>
 
@@ -19,24 +19,25 @@
 #define FIT_ARMPIT 0.40
 /* [m] distance of the rings that are checked; chosen: a wider one could miss the nearest place by some mm */
 #define FIT_RING 0.012
-#define FIT_ANGLE 8               /* every eighth direction of a ring is checked; chosen: as FIT_RING */
+#define FIT_ANGLES 16 /* so many directions of a ring are checked; chosen: as FIT_RING */
 
 
 /* largest depth [m] of the points of an arm below the armpit in the parts of other limbs */
-static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t right, const double *turn)
+static double fit_arm_depth(const mus_body *body, const mus__field *field, int32_t right)
 {
     const mus__bones *bones = &body->bones;
     const int32_t arm = bones->limb[MUS__LIMB_ARM_LEFT + right];
     const double armpit = bones->shoulder[right] + FIT_ARMPIT * (bones->wrist[right] - bones->shoulder[right]);
-    double deepest = -1e30, x[3], normal[3];
+    double deepest = -1e30, x[3], normal[3], turn[2 * MUS__FIELD_MOST];
     for (int32_t p = 0; p < body->nfield; p++) {
         const mus__field *own = &field[p];
         if (body->rig.part[p].limb != arm) continue;
-        const int32_t step = (int32_t)fmax(1.0, FIT_RING / own->ds);
+        const int32_t step = (int32_t)fmax(1.0, FIT_RING / own->ds), skip = own->nangle / FIT_ANGLES;
+        mus__field_turns(own->nangle, turn);
         for (int32_t j = 0; j < own->nring; j += step) {
             const double s = own->s0 + j * own->ds, *c = own->centre + 2 * (ptrdiff_t)j;
-            if (s < armpit) continue;
-            for (int32_t k = 0; k < own->nangle; k += FIT_ANGLE) {
+            if (s < armpit || (j >= own->fine[0] && j <= own->fine[1])) continue; /* a fillet touches the side */
+            for (int32_t k = 0; k < own->nangle; k += skip) {
                 const double r = own->radius[(ptrdiff_t)j * own->nangle + k];
                 mus__field_point(own, c[0] + r * turn[2 * k], c[1] + r * turn[2 * k + 1], s, x);
                 for (int32_t q = 0; q < body->nfield; q++)
@@ -57,15 +58,14 @@ mus_status mus_body_clear_arms(const mus_body *body, mus_pose *pose, double gap)
     mus_status status = mus__pose_fields(body, pose, field);
     if (status != MUS_OK || !body->jointed) return status;
 
-    double turn[2 * MUS__FIELD_ANGLES];
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
     for (int32_t right = 0; right < 2; right++) {
         if (body->bones.limb[MUS__LIMB_ARM_LEFT + right] == MUS_NONE) continue;
         double *lift = &pose->angle[MUS_JOINT_SHOULDER_LEFT + right][MUS_POSE_ABDUCTION], low, high;
         mus_joint_limits(MUS_JOINT_SHOULDER_LEFT + right, MUS_POSE_ABDUCTION, &low, &high);
-        for (int32_t step = 0; step < FIT_STEPS && *lift + FIT_STEP <= high; step++) {
-            if (fit_arm_depth(body, field, right, turn) <= -gap) break;
-            *lift += FIT_STEP;
+        const double way = *lift > 0.5 * MUS_PI ? -FIT_STEP : FIT_STEP; /* a raised arm goes down, off the head */
+        for (int32_t step = 0; step < FIT_STEPS && *lift + way <= high && *lift + way >= low; step++) {
+            if (fit_arm_depth(body, field, right) <= -gap) break;
+            *lift += way;
             mus__pose_fields(body, pose, field);
         }
     }

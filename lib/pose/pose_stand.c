@@ -98,9 +98,11 @@ mus_status mus_body_ground(const mus_body *body, mus_pose *pose)
     mus_status status = mus__pose_fields(body, pose, field);
     if (status != MUS_OK) return status;
 
-    double turn[2 * MUS__FIELD_ANGLES], lowest = INFINITY;
-    mus__field_turns(MUS__FIELD_ANGLES, turn);
-    for (int32_t p = 0; p < body->nfield; p++) lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    double turn[2 * MUS__FIELD_MOST], lowest = INFINITY;
+    for (int32_t p = 0; p < body->nfield; p++) {
+        mus__field_turns(field[p].nangle, turn);
+        lowest = fmin(lowest, stand_lowest_field(&field[p], turn));
+    }
     pose->place[1] -= lowest;
     return MUS_OK;
 }

@@ -20,7 +20,7 @@
 
 void mus_scan_def_init(mus_scan_def *def, size_t size)
 {
-    mus_scan_def own = {.spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 96};
+    mus_scan_def own = {.spacing = 0.01, .corners = 192, .gap = 0.06, .samples = 128};
     own.ring_spacing = 0.01;
     own.distances = 1;
     mus__def_init(def, size, &own, sizeof own);

@@ -58,7 +58,8 @@ void mus_tape_destroy(mus_tape *tape);
 mus_status mus_body_create(mus_context *context, const mus_tape *tape, const void *def, mus_body **out);
 void mus_body_destroy(mus_body *body);
 int32_t mus_design_find(const char *name);
-mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape, const void *def, mus_pattern **out);
+mus_status mus_design_draft(mus_context *context, int32_t design, const mus_tape *tape, const void *def,
+                            mus_pattern **out);
 void mus_pattern_destroy(mus_pattern *pattern);
 void mus_cloth_def_init(struct mus_cloth_def *def, size_t size);
 mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const struct mus_cloth_def *def,

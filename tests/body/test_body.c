@@ -10,8 +10,8 @@ START_TEST(defaults_are_safe_and_old_sizes_are_refused)
     mus_body_def def;
     mus_body *body = NULL;
     mus_body_def_init(&def, sizeof def);
-    ck_assert_int_eq(def.samples, 96);
-    ck_assert(def.ring_spacing == 0.01 && def.ellipse == 0 && def.size == sizeof def);
+    ck_assert_int_eq(def.samples, 128);
+    ck_assert(def.ring_spacing == 0.015 && def.ellipse == 0 && def.size == sizeof def);
     ck_assert_int_eq(mus_body_create(context, tape, &def, &body), MUS_OK);
     mus_body_destroy(body);
 
@@ -243,7 +243,7 @@ START_TEST(random_people_build_or_are_refused_by_name)
             built++;
             for (int i = 0; i < PEOPLE_GIRTHS; i++) {
                 double made = mus_body_made(body, people_girths[i]);
-                ck_assert(isnan(made) || fabs(made - mus_body_asked(body, people_girths[i])) < 1e-4);
+                ck_assert(isnan(made) || fabs(made - mus_body_asked(body, people_girths[i])) < 2e-3);
             }
             for (int32_t v = 0; v < 3 * body->vertex_count; v++) ck_assert(mus__finite(body->vertices[v]));
         }

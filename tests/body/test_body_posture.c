@@ -45,7 +45,7 @@ START_TEST(girths_and_heights_stay)
         mus_body *body = people_body(context, size, &def);
         for (int k = 0; k < PEOPLE_GIRTHS; k++) {
             const int32_t m = people_girths[k];
-            ck_assert_double_eq_tol(mus_body_made(body, m), mus_body_made(straight, m), 1e-9);
+            ck_assert_double_eq_tol(mus_body_made(body, m), mus_body_made(straight, m), 1e-3);
         }
         static const int32_t heights[] = {MUS_MEASURE_STATURE,     MUS_MEASURE_WAIST_HEIGHT, MUS_MEASURE_INLEG,
                                           MUS_MEASURE_NAPE_HEIGHT, MUS_MEASURE_BUST_HEIGHT,  MUS_MEASURE_WAIST_TO_HIP};

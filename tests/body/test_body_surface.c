@@ -7,6 +7,7 @@
 #include "geom/vec.h"
 #include "muslin/pose.h"
 #include "people.h"
+#include "study/outside/measure.h"
 
 
 /* one edge of a triangle, packed: from < to, and its direction */
@@ -81,10 +82,11 @@ START_TEST(contours_keep_the_conditions_of_the_paper)
     mus_context *context = support_context();
     for (int32_t size = 0; size < mus_tape_size_count(); size++) {
         mus_body *body = people_body(context, mus_tape_size_name(size), NULL);
-        int32_t n = body->def.samples, work[96], i, j;
+        int32_t work[MUS__CONTOUR_SAMPLES], i, j;
         for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
             const mus__limb *limb = &body->limb[l];
-            double last = -1e9, xy[2 * 96];
+            const int32_t n = limb->samples;
+            double last = -1e9, xy[2 * MUS__CONTOUR_SAMPLES];
             for (int32_t ring = 0; ring < limb->rings; ring++) {
                 const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + (ptrdiff_t)ring * n);
                 double s = mus__dot3(x, limb->axis);
@@ -111,9 +113,9 @@ START_TEST(triangles_take_two_neighbours_of_a_contour_at_most)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
-    int32_t n = body->def.samples;
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
+        const int32_t n = limb->samples;
         for (int32_t t = 0; t < limb->triangles; t++) {
             const int32_t *v = body->triangles + 3 * ((ptrdiff_t)limb->first_triangle + t);
             int32_t ring[3], at[3];
@@ -162,7 +164,7 @@ START_TEST(normals_are_unit_outward_and_smooth)
         if (own + 1 < MUS__LIMB_COUNT && t >= body->limb[own + 1].first_triangle) own++;
         double deep = -1e30;
         for (int c = 0; c < 3; c++) deep = fmax(deep, depth_in_others(body, own, body->vertices + 3 * (ptrdiff_t)v[c]));
-        if (deep > 0.005) continue;
+        if (deep > 0.0005) continue;
         seen++;
         for (int i = 0; i < 3; i++) {
             u[i] = x[3 * (ptrdiff_t)v[1] + i] - x[3 * (ptrdiff_t)v[0] + i];
@@ -191,10 +193,9 @@ START_TEST(rings_are_as_close_as_asked)
     for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
         const mus__limb *limb = &body->limb[l];
         const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1);
-        for (int32_t i = 3 * def.samples * limb->contour[0].ring;
-             i < 3 * def.samples * limb->contour[limb->count - 1].ring; i += 3) {
-            double d[3] = {x[i] - x[i + 3 * def.samples], x[i + 1] - x[i + 1 + 3 * def.samples],
-                           x[i + 2] - x[i + 2 + 3 * def.samples]};
+        const int32_t n = limb->samples;
+        for (int32_t i = 3 * n * limb->contour[0].ring; i < 3 * n * limb->contour[limb->count - 1].ring; i += 3) {
+            double d[3] = {x[i] - x[i + 3 * n], x[i + 1] - x[i + 1 + 3 * n], x[i + 2] - x[i + 2 + 3 * n]};
             ck_assert_msg(mus__norm3(d) < 1.6 * 0.02, "%s %g", limb->name,
                           mus__norm3(d)); /* a cubic is up to 1.5 steeper */
         }
@@ -205,45 +206,22 @@ START_TEST(rings_are_as_close_as_asked)
 END_TEST
 
 
-/* whether a point may be moved by the cleft of the seat or by the groin */
-static bool is_seat(const mus_body *body, const double *x)
+/* every triangle lies on the surface of the radius fields, at armpit, crotch and groin too: off the hands beyond the
+ * knuckles and the feet beyond the ball, where fingers and toes are drawn. In the bottom of an armpit, where two fields
+ * meet at an acute angle, a few triangles are up to 2 mm off, and between a child's thighs up to 4 mm within. Points
+ * are one a triangle, and triangles are smallest there */
+START_TEST(what_is_drawn_is_what_cloth_touches)
 {
-    const double tall = body->skeleton.crown;
-    if (x[2] > 0.0) return fabs(x[0]) < 0.12 * tall && x[1] > 0.9 * body->skeleton.crotch && x[1] < body->skeleton.hip;
-    return fabs(x[0]) < 0.04 * tall && x[1] > body->skeleton.crotch - 0.011 * tall &&
-           x[1] < body->skeleton.hip + 0.051 * tall;
-}
-
-
-/* the skin of two limbs at one place has one normal; it is nowhere within the limbs, and off them in creases only. Off
- * the face, hands, feet and the cleft of the seat, whose relief is the picture's alone */
-START_TEST(the_skin_is_the_union_of_the_limbs)
-{
-    static const char *const sizes[] = {"W40", "M50", "C116"};
+    static const char *const sizes[] = {"W40", "W52", "M50", "M60", "C56", "C116"};
     mus_context *context = support_context();
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 6; i++) {
         mus_body *body = people_body(context, sizes[i], NULL);
-        const double tall = body->skeleton.crown;
-        int32_t off = 0, bare = 0;
-        for (int32_t l = 0; l <= MUS__LIMB_LEG_RIGHT; l++) {
-            const mus__limb *limb = &body->limb[l];
-            for (int32_t v = limb->first_vertex; v < limb->first_vertex + limb->vertices; v++) {
-                const double *x = body->vertices + 3 * (ptrdiff_t)v, *y = body->skin + 3 * (ptrdiff_t)v;
-                const double way[3] = {y[0] - x[0], y[1] - x[1], y[2] - x[2]}, far = mus__norm3(way);
-                if (x[1] > body->skeleton.nape - 0.001 || x[1] < body->skeleton.ankle) continue;
-                if (fabs(x[0]) > 0.2 * tall || is_seat(body, x)) continue;
-                bare++;
-                if (far == 0.0) continue;
-                off++;
-                ck_assert_msg(far < 0.0076 * tall, "%s %s vertex %d: %g m", sizes[i], limb->name, (int)v, far);
-
-                /* a vertex outside all other limbs does not move into its own limb */
-                if (depth_in_others(body, l, x) < 0.0)
-                    ck_assert_double_gt(mus__dot3(way, body->normals + 3 * (ptrdiff_t)v), -5e-4);
-            }
-        }
-        ck_assert_int_gt(off, 500);
-        ck_assert_int_lt(off, bare / 4);
+        outside_gap gap;
+        outside_touch(body, 1, &gap);
+        ck_assert_int_gt(gap.points, 50000);
+        ck_assert_msg(gap.far * 400 <= gap.points, "%s: %d of %d", sizes[i], (int)gap.far, (int)gap.points);
+        ck_assert_msg(gap.outside < 0.002 && gap.inside < 0.004, "%s: %g m outside, %g m inside", sizes[i], gap.outside,
+                      gap.inside);
         mus_body_destroy(body);
     }
     support_context_end(context);
@@ -251,8 +229,18 @@ START_TEST(the_skin_is_the_union_of_the_limbs)
 END_TEST
 
 
-/* the cleft goes in alone, at the middle of the back; its normals are those of the surface, and a tape over it is the
- * hip's. Where the body sits it is the same, carried along */
+/* the vertex of the torso at the back of the ring at height y, k samples aside */
+static const double *back_vertex(const mus_body *body, double y, int32_t k)
+{
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
+    const int32_t n = body->def.samples;
+    int32_t ring = 0;
+    while (body->ring[torso->first_ring + ring] < y - 1e-9) ring++;
+    return body->vertices + 3 * (torso->first_vertex + 1 + (ptrdiff_t)ring * n + n / 4 + k);
+}
+
+
+/* the cleft goes in at the middle of the back, and a tape over it is the hip's. Where the body sits it is the same */
 START_TEST(the_seat_has_a_cleft)
 {
     mus_context *context = support_context();
@@ -260,34 +248,16 @@ START_TEST(the_seat_has_a_cleft)
     mus_pose pose;
     ck_assert_int_eq(mus_pose_named(context, "sit", &pose), MUS_OK);
     ck_assert_int_eq(mus_body_pose(body, &pose, &posed), MUS_OK);
-    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
-    const int32_t n = body->def.samples, back = n / 4;
-    int32_t ring = 0;
-    while (body->ring[torso->first_ring + ring] < body->skeleton.hip - 1e-9) ring++;
-    const ptrdiff_t at = torso->first_vertex + 1 + (ptrdiff_t)ring * n + back;
-    const double *before = body->vertices + 3 * at, *after = body->skin + 3 * at, tall = body->skeleton.crown;
-    ck_assert_double_eq_tol(after[2] - before[2], 0.011 * tall, 0.002 * tall);
-    ck_assert(after[0] == before[0] && after[1] == before[1]);
+    const double hip = body->skeleton.hip, tall = body->skeleton.crown;
+    double least = 0.0;
+    for (int32_t k = 1; k < 16; k++) least = fmin(least, back_vertex(body, hip, k)[2]);
+    ck_assert_double_gt(back_vertex(body, hip, 0)[2] - least, 0.009 * tall);
+    ck_assert(back_vertex(body, hip, 0)[0] == 0.0);
+    ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_HIP), mus_body_asked(body, MUS_MEASURE_HIP), 1e-3);
 
-    /* the same depth on the seated body */
-    double moved = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const double d = posed->skin[3 * at + i] - posed->vertices[3 * at + i];
-        moved += d * d;
-    }
-    ck_assert_double_eq_tol(sqrt(moved), after[2] - before[2], 1e-6);
-
-    /* across it the surface turns in and out again: normals against differences of places */
-    for (int32_t k = -3; k <= 3; k++) {
-        const double *p = body->skin + 3 * (at + k - 1), *q = body->skin + 3 * (at + k + 1);
-        const double *low = body->skin + 3 * (at + k - n), *high = body->skin + 3 * (at + k + n);
-        const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-        const double v[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-        double normal[3];
-        mus__cross3(u, v, normal);
-        mus__unit3(normal);
-        ck_assert_double_gt(mus__dot3(normal, body->skin_normals + 3 * (at + k)), 0.97);
-    }
+    double x[3];
+    mus__frame_point(&posed->frame[0], back_vertex(body, hip, 0), x);
+    for (int i = 0; i < 3; i++) ck_assert_double_eq_tol(back_vertex(posed, hip, 0)[i], x[i], 1e-9);
     mus_body_destroy(posed);
     mus_body_destroy(body);
     support_context_end(context);
@@ -295,60 +265,66 @@ START_TEST(the_seat_has_a_cleft)
 END_TEST
 
 
-/* a small child's brow and chin are drawn lower than their contours; crown, neck and the measures stay */
+/* height of the ring of the head that lies furthest back */
+static double deepest(const mus_body *body)
+{
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
+    const int32_t n = body->def.samples;
+    double most = 0.0, at = 0.0;
+    for (int32_t ring = 0; ring < torso->rings; ring++) {
+        const double *x = body->vertices + 3 * (torso->first_vertex + 1 + (ptrdiff_t)ring * n + n / 4);
+        if (x[1] > body->skeleton.jaw && -x[2] > most) most = -x[2], at = x[1];
+    }
+    return at;
+}
+
+
+/* a small child's skull is lowered; crown and the measures stay */
 START_TEST(an_infants_head_is_round)
 {
     mus_context *context = support_context();
-    mus_body *body = people_body(context, "C68", NULL);
+    mus_body *body = people_body(context, "C68", NULL), *grown = people_body(context, "W40", NULL);
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
-    const int32_t n = body->def.samples;
-    for (int32_t i = 0; i < torso->count; i++) {
-        const ptrdiff_t first = torso->first_vertex + 1 + (ptrdiff_t)torso->contour[i].ring * n;
-        const char *name = torso->contour[i].name;
-        const double front = body->vertices[3 * (first + 3 * n / 4) + 1] - body->skin[3 * (first + 3 * n / 4) + 1];
-        const double behind = body->vertices[3 * (first + n / 4) + 1] - body->skin[3 * (first + n / 4) + 1];
-        if (strcmp(name, "brow") == 0) ck_assert(front > 0.008 && fabs(behind - front) < 1e-9);
-        if (strcmp(name, "chin") == 0) ck_assert(front > 0.015 && behind < 1e-6);
-        if (strcmp(name, "nape") == 0) ck_assert_double_lt(fabs(front) + fabs(behind), 1e-3);
-    }
+    ck_assert_double_lt(deepest(body), body->skeleton.brow - 0.004);
+    ck_assert_double_gt(deepest(grown), grown->skeleton.brow - 0.02);
     const ptrdiff_t crown = 3 * ((ptrdiff_t)torso->first_vertex + torso->vertices - 1) + 1;
-    ck_assert_double_eq_tol(body->skin[crown], 0.68, 1e-12);
-    ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_HEAD), mus_body_asked(body, MUS_MEASURE_HEAD), 1e-9);
+    ck_assert_double_eq_tol(body->vertices[crown], 0.68, 1e-12);
+    ck_assert_double_eq_tol(mus_body_made(body, MUS_MEASURE_HEAD), mus_body_asked(body, MUS_MEASURE_HEAD), 1e-3);
+    mus_body_destroy(grown);
     mus_body_destroy(body);
     support_context_end(context);
 }
 END_TEST
 
 
-/* within 2 mm of a skin vertex of the torso that a fillet moved, no vertex of an arm stands across it */
+/* where the surfaces of torso and arm lie on each other they have one normal */
 START_TEST(normals_run_on_from_limb_to_limb)
 {
     mus_context *context = support_context();
     mus_body *body = people_body(context, "W40", NULL);
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO], *arm = &body->limb[MUS__LIMB_ARM_LEFT];
-    const double *x = body->skin, *normal = body->skin_normals;
+    const double *x = body->vertices, *normal = body->normals;
     int32_t met = 0, across = 0;
     for (int32_t i = torso->first_vertex; i < torso->first_vertex + torso->vertices; i++) {
-        if (memcmp(x + 3 * (ptrdiff_t)i, body->vertices + 3 * (ptrdiff_t)i, 3 * sizeof *x) == 0) continue;
-        if (depth_in_others(body, MUS__LIMB_TORSO, body->vertices + 3 * (ptrdiff_t)i) > 0.004) continue;
+        if (fabs(depth_in_others(body, MUS__LIMB_TORSO, x + 3 * (ptrdiff_t)i)) > 0.001) continue;
         for (int32_t j = arm->first_vertex; j < arm->first_vertex + arm->vertices; j++) {
             const double *p = x + 3 * (ptrdiff_t)i, *q = x + 3 * (ptrdiff_t)j;
             const double d[3] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-            if (mus__norm3(d) > 0.002) continue;
-            if (depth_in_others(body, MUS__LIMB_ARM_LEFT, body->vertices + 3 * (ptrdiff_t)j) > 0.004) continue;
+            if (fabs(d[1]) > 0.002 || mus__norm3(d) > 0.002) continue;
+            if (fabs(depth_in_others(body, MUS__LIMB_ARM_LEFT, q)) > 0.001) continue;
             met++;
             across += mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < 0.9;
         }
     }
     ck_assert_int_gt(met, 5);
-    ck_assert_msg(across * 10 <= met, "%d of %d", (int)across, (int)met);
+    ck_assert_msg(across * 5 <= met, "%d of %d", (int)across, (int)met);
     mus_body_destroy(body);
     support_context_end(context);
 }
 END_TEST
 
 
-/* without the picture's skin: the same measures, volume, depths; the surface is the rings */
+/* without fingers and toes: the same measures, volume and depths; hands and feet are drawn whole */
 START_TEST(a_plain_body_differs_in_its_picture_only)
 {
     mus_context *context = support_context();
@@ -361,10 +337,10 @@ START_TEST(a_plain_body_differs_in_its_picture_only)
         ck_assert(a == b || (isnan(a) && isnan(b)));
     }
     ck_assert_double_eq(mus_body_volume(plain), mus_body_volume(whole));
-    ck_assert_int_lt(mus_body_vertex_count(plain), mus_body_vertex_count(whole));
-    ck_assert_int_eq(mus_body_vertex_count(plain), plain->vertex_count);
-    ck_assert_mem_eq(mus_body_vertices(plain), whole->vertices, 3 * sizeof(double) * (size_t)plain->vertex_count);
-    ck_assert_mem_eq(mus_body_normals(plain), whole->normals, 3 * sizeof(double) * (size_t)plain->vertex_count);
+    ck_assert_int_eq(mus_body_vertex_count(plain) + whole->digit_vertices, mus_body_vertex_count(whole));
+    const size_t torso = 3 * sizeof(double) * (size_t)plain->limb[MUS__LIMB_TORSO].vertices;
+    ck_assert_mem_eq(mus_body_vertices(plain), whole->vertices, torso);
+    ck_assert_mem_eq(mus_body_normals(plain), whole->normals, torso);
 
     const int32_t n = plain->vertex_count;
     double *depth = malloc(2 * (size_t)n * sizeof *depth);
@@ -398,7 +374,7 @@ Suite *mus_suite_body_surface(void)
     tcase_add_test(tests, triangles_take_two_neighbours_of_a_contour_at_most);
     tcase_add_test(tests, normals_are_unit_outward_and_smooth);
     tcase_add_test(tests, rings_are_as_close_as_asked);
-    tcase_add_test(tests, the_skin_is_the_union_of_the_limbs);
+    tcase_add_test(tests, what_is_drawn_is_what_cloth_touches);
     tcase_add_test(tests, the_seat_has_a_cleft);
     tcase_add_test(tests, an_infants_head_is_round);
     tcase_add_test(tests, normals_run_on_from_limb_to_limb);

@@ -214,9 +214,10 @@ START_TEST(any_limb_can_be_left_out)
             /* rings stand elsewhere on an arm that is shorter, and lengths run along them */
             static const int32_t lengths[] = {MUS_MEASURE_ARM, MUS_MEASURE_ELBOW, MUS_MEASURE_ACROSS_BACK,
                                               MUS_MEASURE_ACROSS_FRONT};
-            double most = 1e-12;
+            double most = 1e-5; /* girths are approached on each body */
             for (int k = 0; k < 4; k++)
-                if (m == lengths[k]) most = 5e-4;
+                if (m == lengths[k]) most = 5e-3; /* a fillet less, where an arm is missing */
+            if (m == MUS_MEASURE_CROTCH_LENGTH) most = 1e-4; /* the tape runs over the fillet of a missing leg */
             ck_assert_msg(!(fabs(made - before) > most), "%d: %s %.15g, %.15g", (int)bit, mus_measure_name(m), made,
                           before);
             ck_assert(isnan(made) == isnan(before));

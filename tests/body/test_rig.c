@@ -59,7 +59,8 @@ START_TEST(parts_at_rest_are_the_limb)
     mus_context *context = support_context();
     uint64_t seed = 11;
     for (int i = 0; i < 6; i++) {
-        mus_body *body = people_body(context, sizes[i], NULL);
+        const mus_body_def def = {.size = sizeof def, .samples = 128, .ring_spacing = 0.01, .plain = 1};
+        mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t l = 0; l < body->limb_count; l++) check_limb(context, body, sizes[i], l, &seed);
         mus_body_destroy(body);
     }

@@ -18,11 +18,34 @@ void fuzz_must(bool holds, const char *sentence)
 }
 
 
+static uint32_t passes = UINT32_MAX; /* allocations until one fails */
+static bool fails_on;                /* and all after it */
+
+
+void fuzz_fail_after(uint32_t n, bool forever)
+{
+    passes = n;
+    fails_on = forever;
+}
+
+
+void fuzz_fail_never(void)
+{
+    passes = UINT32_MAX;
+    fails_on = false;
+}
+
+
 static void *bounded(void *user, void *block, size_t old_size, size_t new_size)
 {
     (void)user;
     (void)old_size;
     if (new_size == 0) return free(block), NULL;
+    if (passes == 0) {
+        if (!fails_on) passes = UINT32_MAX;
+        return NULL;
+    }
+    if (passes != UINT32_MAX) passes--;
     return new_size > MOST_BYTES ? NULL : realloc(block, new_size);
 }
 

@@ -13,18 +13,19 @@
 #include "muslin/muslin.h"
 
 /* name, and what the bytes are */
-#define FUZZ_TARGETS(X) \
-    X(pattern, "a pattern file of any form: read, written, read back, checked, its form")        \
-    X(tape, "a form of tape, and a tape file: read, completed, written, read back")              \
-    X(fabric, "a fabric file: read, saved, read back")                                           \
-    X(scan, "an OBJ file: read, and made a body")                                                \
-    X(drape, "a pattern file: cut, placed, stepped five times")                                  \
-    X(print, "a pattern file: as sheet, PDF, SVG and DXF")                                       \
-    X(catalogue, "a catalogue file: opened, searched, added to")                                 \
-    X(words, "words of a design: spelled, spelled again, drafted")                               \
-    X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")      \
-    X(defs, "words of option structs: each struct with some of its words overwritten")           \
-    X(calls, "numbers of calls: on contexts, tapes, bodies, patterns, cloths, drapes, any order")
+#define FUZZ_TARGETS(X)                                                                                                \
+    X(pattern, "a pattern file of any form: read, written, read back, checked, its form")                              \
+    X(tape, "a form of tape, and a tape file: read, completed, written, read back")                                    \
+    X(fabric, "a fabric file: read, saved, read back")                                                                 \
+    X(scan, "an OBJ file: read, and made a body")                                                                      \
+    X(drape, "a pattern file: cut, placed, stepped five times")                                                        \
+    X(print, "a pattern file: as sheet, PDF, SVG and DXF")                                                             \
+    X(catalogue, "a catalogue file: opened, searched, added to")                                                       \
+    X(words, "words of a design: spelled, spelled again, drafted")                                                     \
+    X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")                            \
+    X(defs, "words of option structs: each struct with some of its words overwritten")                                 \
+    X(calls, "numbers of calls: on contexts, tapes, bodies, patterns, cloths, drapes, any order")                      \
+    X(memory, "the number of an allocation that fails, once or from then on, and calls as above")
 
 #define FUZZ_DECLARE(name, what) void fuzz_##name(const uint8_t *bytes, size_t size);
 FUZZ_TARGETS(FUZZ_DECLARE)
@@ -36,14 +37,18 @@ void fuzz_must(bool holds, const char *sentence);
 mus_context *fuzz_context(void);
 void fuzz_context_end(mus_context *context);
 
+/* let n allocations pass, then fail the next one (`forever`: all that follow); never again */
+void fuzz_fail_after(uint32_t n, bool forever);
+void fuzz_fail_never(void);
+
 /* bytes that are taken from the front; zeros after the end */
 typedef struct fuzz_input {
     const uint8_t *at;
     size_t left;
 } fuzz_input;
 
-uint32_t fuzz_take(fuzz_input *in, int count);           /* a number of `count` bytes, 1 to 4 */
-int32_t fuzz_below(fuzz_input *in, int32_t n);           /* -1 .. n, mostly within 0 .. n - 1 */
+uint32_t fuzz_take(fuzz_input *in, int count);             /* a number of `count` bytes, 1 to 4 */
+int32_t fuzz_below(fuzz_input *in, int32_t n);             /* -1 .. n, mostly within 0 .. n - 1 */
 double fuzz_real(fuzz_input *in, double low, double high); /* mostly within low .. high; else NaN, infinite, huge */
 
 /* the pattern in the bytes, or NULL */

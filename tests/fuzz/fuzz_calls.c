@@ -34,7 +34,8 @@ void fuzz_words(const uint8_t *bytes, size_t size)
         fuzz_must(strcmp(spelled, again) == 0, "spelling twice is spelling once");
         mus_tape *tape;
         mus_pattern *pattern = NULL;
-        fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK, "a tape is made");
+        fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK,
+                  "a tape is made");
         if (mus_design_draft_words(context, spelled, tape, NULL, &pattern) != MUS_OK)
             fuzz_must(mus_context_error(context)[0] != '\0', "a refusal has a sentence");
         mus_pattern_destroy(pattern);
@@ -83,7 +84,8 @@ void fuzz_edits(const uint8_t *bytes, size_t size)
     mus_pattern *pattern;
     fuzz_input in = {bytes, size};
     fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK, "a tape is made");
-    fuzz_must(mus_design_draft(context, mus_design_find("skirt"), tape, NULL, &pattern) == MUS_OK, "a skirt is drafted");
+    fuzz_must(mus_design_draft(context, mus_design_find("skirt"), tape, NULL, &pattern) == MUS_OK,
+              "a skirt is drafted");
     fuzz_must(mus_pattern_keep_history(pattern, 10) == MUS_OK, "a history is kept");
     for (int i = 0; i < CALLS && in.left > 0; i++) {
         const mus_status status = edit(pattern, &in);
@@ -164,14 +166,26 @@ static void call(mus_context *context, objects *o, fuzz_input *in)
     cut.spacing = 0.1;
     cut.nodes_most = 1000;
     switch (fuzz_take(in, 1) % 22) {
-    case 0: if (!o->tape) mus_tape_create(context, &o->tape); break;
+    case 0:
+        if (!o->tape) mus_tape_create(context, &o->tape);
+        break;
     case 1: mus_tape_set_size(o->tape, fuzz_take(in, 1) % 2 ? "W40" : "none"); break;
     case 2: mus_tape_complete(o->tape); break;
-    case 3: if (!o->body) mus_body_create(context, o->tape, NULL, &o->body); break;
-    case 4: if (!o->pattern) mus_design_draft(context, fuzz_below(in, 20), o->tape, NULL, &o->pattern); break;
-    case 5: if (!o->cloth) mus_cloth_create(context, o->pattern, &cut, &o->cloth); break;
-    case 6: if (!o->cloth) mus_cloth_create_grid(context, fuzz_below(in, 9), 4, cell, &cut, &o->cloth); break;
-    case 7: if (!o->drape) mus_drape_create(context, o->cloth, o->body, NULL, &o->drape); break;
+    case 3:
+        if (!o->body) mus_body_create(context, o->tape, NULL, &o->body);
+        break;
+    case 4:
+        if (!o->pattern) mus_design_draft(context, fuzz_below(in, 20), o->tape, NULL, &o->pattern);
+        break;
+    case 5:
+        if (!o->cloth) mus_cloth_create(context, o->pattern, &cut, &o->cloth);
+        break;
+    case 6:
+        if (!o->cloth) mus_cloth_create_grid(context, fuzz_below(in, 9), 4, cell, &cut, &o->cloth);
+        break;
+    case 7:
+        if (!o->drape) mus_drape_create(context, o->cloth, o->body, NULL, &o->drape);
+        break;
     case 8: mus_drape_place(o->drape); break;
     case 9: mus_drape_step(o->drape, fuzz_below(in, 5), fuzz_real(in, 0.0, 1e-4)); break;
     case 10: mus_drape_pin(o->drape, fuzz_below(in, 12), 1); break;
@@ -179,7 +193,9 @@ static void call(mus_context *context, objects *o, fuzz_input *in)
     case 12: mus_drape_untack(o->drape, fuzz_below(in, 3)); break;
     case 13: mus_drape_report_get(o->drape, &report); break;
     case 14: mus_drape_hash(o->drape); break;
-    case 15: if (!o->sheet) mus_sheet_create(context, o->pattern, NULL, &o->sheet); break;
+    case 15:
+        if (!o->sheet) mus_sheet_create(context, o->pattern, NULL, &o->sheet);
+        break;
     case 16: mus_tape_destroy(o->tape), o->tape = NULL; break;
     case 17: mus_body_destroy(o->body), o->body = NULL; break;
     case 18: mus_pattern_destroy(o->pattern), o->pattern = NULL; break;
@@ -190,10 +206,9 @@ static void call(mus_context *context, objects *o, fuzz_input *in)
 }
 
 
-void fuzz_calls(const uint8_t *bytes, size_t size)
+/* up to CALLS calls of the bytes, and the end of all objects */
+static void make_calls(mus_context *context, fuzz_input in)
 {
-    mus_context *context = fuzz_context();
-    fuzz_input in = {bytes, size};
     objects o = {0};
     for (int i = 0; i < CALLS && in.left > 0; i++) call(context, &o, &in);
     mus_sheet_destroy(o.sheet);
@@ -202,5 +217,26 @@ void fuzz_calls(const uint8_t *bytes, size_t size)
     mus_pattern_destroy(o.pattern);
     mus_body_destroy(o.body);
     mus_tape_destroy(o.tape);
+}
+
+
+void fuzz_calls(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    make_calls(context, (fuzz_input){bytes, size});
+    fuzz_context_end(context);
+}
+
+
+void fuzz_memory(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    fuzz_input in = {bytes, size};
+    const uint32_t head = fuzz_take(&in, 2);
+    fuzz_fail_after(head >> 1, head & 1);
+    make_calls(context, in);
+    fuzz_fail_never();
+    fuzz_must(mus_context_bytes(context) == 0, "a call that failed for want of memory left nothing behind");
+    make_calls(context, in);
     fuzz_context_end(context);
 }

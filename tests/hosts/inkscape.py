@@ -70,7 +70,8 @@ def program():
     out, start = TRIED / "real.svg", time.time()
     out.unlink(missing_ok=True)
     actions = f"org.muslin.draft.noprefs;export-filename:{out};export-do;"
-    subprocess.run([xvfb, "-a", inkscape, "--batch-process", f"--actions={actions}", HERE / "skirt.svg"], capture_output=True, timeout=300,
+    command = [xvfb, "-a", inkscape, "--batch-process", f"--actions={actions}", HERE / "skirt.svg"]
+    subprocess.run(command, capture_output=True, timeout=300,
                    env={**os.environ, "INKSCAPE_PROFILE_DIR": str(profile), "MUSLIN_LIB": str(hosts.LIB)})
     found = layers(out) if out.exists() else []
     claim("front" in found, f"Inkscape itself under Xvfb: layers {found} in {time.time() - start:.1f} s")

@@ -99,6 +99,13 @@ START_TEST(a_cone_has_its_exact_depth_and_normal)
 END_TEST
 
 
+/* whether a fillet or a detail changed a ring of a field, or one beside it */
+static bool is_fine(const mus__field *field, int32_t ring)
+{
+    return ring >= field->fine[0] - 1 && ring <= field->fine[1] + 1;
+}
+
+
 START_TEST(depth_is_continuous_across_rings_and_round_the_angle)
 {
     mus_context *context = support_context();
@@ -120,8 +127,9 @@ START_TEST(depth_is_continuous_across_rings_and_round_the_angle)
                 depth[k] = mus__field_depth(f, p, normal);
             }
             /* the radius is continuous, its slope is not: the first-order distance may step by up to half of itself
-             * where the limb is steep to its axis */
-            ck_assert_msg(fabs(depth[1] - depth[0]) < 1e-6 + 0.5 * fabs(depth[0]), "limb %d: %g %g", (int)l, depth[0],
+             * where the limb is steep to its axis, and by more where a fillet ends */
+            const double part = is_fine(f, ring) ? 2.5 : 0.5;
+            ck_assert_msg(fabs(depth[1] - depth[0]) < 1e-6 + part * fabs(depth[0]), "limb %d: %g %g", (int)l, depth[0],
                           depth[1]);
             ck_assert((depth[0] > 1e-6) == (depth[1] > 1e-6) || fabs(depth[0]) < 2e-6);
         }
@@ -132,29 +140,44 @@ START_TEST(depth_is_continuous_across_rings_and_round_the_angle)
 END_TEST
 
 
+/* whether a fillet or a detail changed limb l at s: its normals are then those of the union */
+static bool near_fillet(const mus_body *body, int32_t l, double s)
+{
+    bool near = false;
+    for (int32_t p = 0; p < body->nfield; p++) {
+        const mus__field *f = &body->field[p];
+        if (body->rig.part[p].limb == l) near |= is_fine(f, (int32_t)floor((s - f->s0) / f->ds));
+    }
+    return near;
+}
+
+
 /* the vertices of the surface a centimetre from the end contours and on lie on the field's surface of their own limb,
- * to 0.5 mm; where a limb is steep to its axis the field's linear blend is coarser along it, so what counts is the
- * distance */
+ * to 0.6 mm, which two parts differ by at the neck; where a limb is steep to its axis the field's linear blend is
+ * coarser along it, so what counts is the distance */
 START_TEST(the_surface_has_depth_zero)
 {
     static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C56", "C116"};
     mus_context *context = support_context();
     for (int i = 0; i < 6; i++) {
-        mus_body *body = people_body(context, sizes[i], NULL);
+        mus_body_def def;
+        mus_body_def_init(&def, sizeof def);
+        def.plain = 1; /* hands and feet are drawn whole */
+        mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t l = 0; l < MUS__LIMB_COUNT; l++) {
             const mus__limb *limb = &body->limb[l];
-            int32_t n = body->def.samples, first = limb->contour[0].ring, last = limb->contour[limb->count - 1].ring;
+            int32_t n = limb->samples, first = limb->contour[0].ring, last = limb->contour[limb->count - 1].ring;
             for (int32_t v = n * first; v < n * last; v++) {
                 const double *x = body->vertices + 3 * ((ptrdiff_t)limb->first_vertex + 1 + v);
                 double s = -mus__dot3(limb->origin, limb->axis) + mus__dot3(x, limb->axis);
                 if (s < limb->contour[0].s + 0.01 || s > limb->contour[limb->count - 1].s - 0.01) continue;
                 double normal[3] = {0, 0, 0}, depth = limb_depth(body, l, x, normal);
                 /* a leg has corners at its wall */
-                double most = limb->wall_side != 0.0 && fabs(x[0]) < 0.015 ? 2e-3 : 5e-4;
+                double most = limb->wall_side != 0.0 && fabs(x[0]) < 0.015 ? 2e-3 : 6e-4;
                 ck_assert_msg(fabs(depth) < most, "%s %s vertex %d (ring %d): %.3f mm", sizes[i], limb->name, (int)v,
                               (int)(v / n), 1e3 * depth);
                 const double *smooth = body->normals + 3 * ((ptrdiff_t)limb->first_vertex + 1 + v);
-                if (v / n > first && v / n < last && limb->wall_side == 0.0)
+                if (v / n > first && v / n < last && limb->wall_side == 0.0 && !near_fillet(body, l, s))
                     ck_assert_msg(mus__dot3(normal, smooth) > 0.9, "%s %s vertex %d: normals %.3f apart", sizes[i],
                                   limb->name, (int)v, mus__dot3(normal, smooth));
             }
@@ -191,7 +214,7 @@ START_TEST(the_sign_of_depth_is_that_of_the_winding_number)
     mus_context *context = support_context();
     mus_body_def def;
     mus_body_def_init(&def, sizeof def);
-    def.samples = 48, def.ring_spacing = 0.02;
+    def.samples = 48, def.ring_spacing = 0.02, def.plain = 1;
     mus_body *body = people_body(context, "W44", &def);
     uint64_t seed = 17;
     int inside = 0, near = 0;

@@ -294,7 +294,7 @@ START_TEST(named_poses_fit_bodies)
     ck_assert_ptr_null(mus_pose_name(-1));
     ck_assert_ptr_null(mus_pose_name(mus_pose_count()));
     for (int i = 0; i < 7; i++) {
-        const mus_body_def def = {.size = sizeof def, .samples = 32, .ring_spacing = 0.02};
+        const mus_body_def def = {.size = sizeof def, .samples = 32, .ring_spacing = 0.02, .plain = 1};
         mus_body *body = people_body(context, sizes[i], &def);
         for (int32_t q = 0; q < mus_pose_count(); q++) {
             mus_pose pose, named;

@@ -249,7 +249,8 @@ int main(int argc, char **argv)
         snprintf(paths[i], sizeof paths[i], "%.*s/%s", PATH_MAX - 64, root, tables[i]);
         const int state = same_read(&list, paths[i], machine);
         if (state != 1 || write) continue;
-        printf("skipped: digests of pages hold for one cairo, and this is not that of %s (%s)\n", tables[i], machine + 2);
+        printf("skipped: digests of pages hold for one cairo, and this is not that of %s (%s)\n", tables[i],
+               machine + 2);
         return 0;
     }
     if (!make_rows(&list, &run, words, count)) return perror("same"), 2;

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "body/body_internal.h"
-
 
 static int slice_order(const void *left, const void *right)
 {
@@ -39,7 +37,7 @@ static int slice_hull(const double *xz, int n, double *hull)
 /* ends of the chords of a limb's triangles with the plane; room for 4 numbers a triangle */
 static int slice_chords(const mus_body *body, const int32_t *range, double y, double *out)
 {
-    const double *x = body->vertices; /* the rings, not the skin: a tape is not laid over the fillet of an armpit */
+    const double *x = mus_body_vertices(body);
     const int32_t *triangles = mus_body_triangles(body) + 3 * (size_t)range[2];
     int count = 0;
     for (int32_t t = 0; t < range[3]; t++)

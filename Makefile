@@ -146,7 +146,6 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(ABI) -Wl,--version-script=$< $(filter %.o,$^) \
 	  $(if $(filter-out muslin,$*),-L$(LIB) -lmuslin $(call pkg,--libs,$(PKG_$(*:muslin-%=%)))) -lm -o $@
 	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
-
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
 STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench same figures)

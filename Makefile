@@ -51,12 +51,12 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
-$(foreach m,print exchange catalogue integrate scan,$(eval OMIT_$(m) := $(m)))
+$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))
 OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
+OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
   $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
@@ -146,15 +146,14 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(ABI) -Wl,--version-script=$< $(filter %.o,$^) \
 	  $(if $(filter-out muslin,$*),-L$(LIB) -lmuslin $(call pkg,--libs,$(PKG_$(*:muslin-%=%)))) -lm -o $@
 	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
-
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside designs worn catalogue-bench same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(addprefix $(BIN)/,people slips outside designs worn catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -164,12 +163,11 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
-# ---- studies: `make NAME` runs RUN_NAME, after NEEDS_NAME (or its program, or `all`) is built ----
-# A row RUN_NAME makes the target, APT_GROUP what apt must have beside a build. Options come in the variable of its name: make corpus CORPUS='--every 7'
+# ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-same check check-hosts check-omit check-large people slips outside designs worn catalogue-bench: APT_GROUP = test
+same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
 report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -193,6 +191,7 @@ RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv 
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
 RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
+RUN_manifold = $(BIN)/manifold $(ANSUR) $(OUT)/out $(MANIFOLD)
 RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
 RUN_worn = $(BIN)/worn '$(MUSLIN_DATA)' $(WORN)
 RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)

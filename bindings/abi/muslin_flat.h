@@ -255,6 +255,7 @@ typedef struct mus_context mus_context;
 typedef struct mus_tape mus_tape;
 typedef struct mus_body mus_body;
 typedef struct mus_move mus_move;
+typedef struct mus_manifold mus_manifold;
 typedef struct mus_pattern mus_pattern;
 typedef struct mus_faults mus_faults;
 typedef struct mus_cloth mus_cloth;
@@ -269,6 +270,7 @@ typedef struct mus_body_def mus_body_def;
 typedef struct mus_pose mus_pose;
 typedef struct mus_scan_def mus_scan_def;
 typedef struct mus_scan_report mus_scan_report;
+typedef struct mus_manifold_def mus_manifold_def;
 typedef struct mus_edge_def mus_edge_def;
 typedef struct mus_seam_def mus_seam_def;
 typedef struct mus_placement mus_placement;
@@ -383,6 +385,12 @@ struct mus_scan_report {
     double girth_height[5];
     double mesh_to_body[6][3];
     double body_to_mesh[6][3];
+};
+
+struct mus_manifold_def {
+    size_t size;
+    double spacing;
+    int32_t threads;
 };
 
 struct mus_edge_def {
@@ -866,6 +874,17 @@ mus_status mus_move_at(const mus_move *move, double t, mus_pose *pose);
 void mus_scan_def_init(mus_scan_def *def, size_t size);
 void mus_scan_report_init(mus_scan_report *report, size_t size);
 mus_status mus_body_create_scan(mus_context *context, int32_t vertex_count, const double *vertices, int32_t triangle_count, const int32_t *triangles, const mus_scan_def *def, mus_scan_report *report, mus_body **out);
+void mus_manifold_def_init(mus_manifold_def *def, size_t size);
+mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def, mus_manifold **out);
+void mus_manifold_destroy(mus_manifold *manifold);
+int32_t mus_manifold_vertex_count(const mus_manifold *manifold);
+int32_t mus_manifold_triangle_count(const mus_manifold *manifold);
+int32_t mus_manifold_piece_count(const mus_manifold *manifold);
+int32_t mus_manifold_cut_count(const mus_manifold *manifold);
+double mus_manifold_volume(const mus_manifold *manifold);
+const double *mus_manifold_vertices(const mus_manifold *manifold);
+const double *mus_manifold_normals(const mus_manifold *manifold);
+const int32_t *mus_manifold_triangles(const mus_manifold *manifold);
 mus_status mus_pattern_create(mus_context *context, const char *name, mus_pattern **out);
 mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out);
 void mus_pattern_destroy(mus_pattern *pattern);

@@ -9,19 +9,7 @@
 #include "mesh.h"
 #include "scene.h"
 #include "stance.h"
-
-
-/* Makes a mesh view of the body's surface. */
-static void body_view(const mus_body *body, mus_mesh_view *view)
-{
-    mus_mesh_view_init(view, sizeof *view);
-    view->name = "body";
-    view->vertex_count = mus_body_vertex_count(body);
-    view->triangle_count = mus_body_triangle_count(body);
-    view->positions = mus_body_vertices(body);
-    view->normals = mus_body_normals(body);
-    view->triangles = mus_body_triangles(body);
-}
+#include "surface.h"
 
 
 static void write_table(const mus_body *body, double spent)
@@ -79,7 +67,7 @@ int command_body(int argc, char **argv)
 {
     source from = {0};
     mesh_source mesh = {0};
-    const char *obj = NULL;
+    surface_files files = {0};
     stance how = {0};
     bool as_json = false, poses = false;
     const option options[] = {SOURCE_TAPE(from),
@@ -89,7 +77,7 @@ int command_body(int argc, char **argv)
                               {"--move", OPTION_TEXT, &how.move, 0, 0, "NAME  a movement in place of a pose"},
                               {"--at", OPTION_NUMBER, &how.at, 0, 1e6, "SECONDS  time in the movement, default 0"},
                               {"--poses", OPTION_FLAG, &poses, 0, 0, "print the names of poses and movements only"},
-                              {"--obj", OPTION_OUTPUT, &obj, 0, 0, "FILE  write the surface"},
+                              SURFACE_FILES(files),
                               {"--json", OPTION_STDOUT, &as_json, 0, 0, "measures as JSON on standard output"},
                               {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("body", "Make the body of a tape or of a mesh; print the measures asked for and made.",
@@ -98,7 +86,8 @@ int command_body(int argc, char **argv)
     if (poses) return list_poses();
     if (how.pose != NULL && how.move != NULL) return complain(EXIT_INPUT, "body", "--pose and --move are two stances");
     if (mesh.file != NULL && scene_upright(&from, "body") != EXIT_DONE) return EXIT_INPUT;
-    if (mesh.file != NULL) return mesh_command(&mesh, &how, obj, as_json);
+    if (!surface_check(&files)) return EXIT_INPUT;
+    if (mesh.file != NULL) return mesh_command(&mesh, &how, &files, as_json);
 
     scene s;
     mus_body *body = NULL;
@@ -110,19 +99,13 @@ int command_body(int argc, char **argv)
         mus_status status = scene_body(&s, &from, NULL, &body);
         const double spent = seconds() - start;
         if (status == MUS_OK) status = stance_take(&s, &how, &body);
-        if (status != MUS_OK) code = scene_fail(&s, status);
-        if (code == EXIT_DONE && obj != NULL) {
-            mus_mesh_view view;
-            body_view(body, &view);
-            status = mus_mesh_write_obj(s.context, obj, 1, &view);
-            if (status != MUS_OK) code = scene_fail_output(&s, status);
-        }
+        code = status != MUS_OK ? scene_fail(&s, status) : surface_write(&s, &files, body);
         if (code != EXIT_DONE) {
             /* the line is printed */
         } else if (as_json) {
             write_json(body, spent, &j);
             if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
-        } else if (!is_stdout(obj)) {
+        } else if (!is_stdout(files.obj) && !is_stdout(files.glb)) {
             write_table(body, spent);
         }
     }

@@ -113,7 +113,8 @@ static void mesh_json(const mus_scan_report *r, json *j)
 }
 
 
-static int mesh_tell(const mus_body *body, const mus_scan_report *report, double spent, const char *obj, bool as_json)
+static int mesh_tell(const mus_body *body, const mus_scan_report *report, double spent,
+                     const surface_files *files, bool as_json)
 {
     int code = EXIT_DONE;
     json j = {0};
@@ -125,7 +126,7 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
         json_warnings(&j);
         json_close(&j, '}');
         if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
-    } else if (!is_stdout(obj)) {
+    } else if (!is_stdout(files->obj) && !is_stdout(files->glb)) {
         mesh_table(report);
         printf("volume %.1f l, %.1f ms\n", 1000.0 * mus_body_volume(body), 1000.0 * spent);
     }
@@ -134,7 +135,7 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
 }
 
 
-int mesh_command(const mesh_source *from, const stance *how, const char *obj, bool as_json)
+int mesh_command(const mesh_source *from, const stance *how, const surface_files *files, bool as_json)
 {
     scene s;
     mus_body *body = NULL;
@@ -148,17 +149,8 @@ int mesh_command(const mesh_source *from, const stance *how, const char *obj, bo
         const mus_status status = stance_take(&s, how, &body);
         if (status != MUS_OK) code = scene_fail(&s, status);
     }
-    if (code == EXIT_DONE && obj != NULL) {
-        mus_mesh_view view;
-        mus_mesh_view_init(&view, sizeof view);
-        view.name = "body";
-        view.vertex_count = mus_body_vertex_count(body), view.triangle_count = mus_body_triangle_count(body);
-        view.positions = mus_body_vertices(body), view.normals = mus_body_normals(body);
-        view.triangles = mus_body_triangles(body);
-        const mus_status status = mus_mesh_write_obj(s.context, obj, 1, &view);
-        if (status != MUS_OK) code = scene_fail_output(&s, status);
-    }
-    if (code == EXIT_DONE) code = mesh_tell(body, &report, spent, obj, as_json);
+    if (code == EXIT_DONE) code = surface_write(&s, files, body);
+    if (code == EXIT_DONE) code = mesh_tell(body, &report, spent, files, as_json);
     mus_body_destroy(body);
     scene_close(&s);
     return code;

@@ -5,6 +5,7 @@
 #include "json.h"
 #include "scene.h"
 #include "stance.h"
+#include "surface.h"
 
 /* Texts of the options, NULL when not given. */
 typedef struct mesh_source {
@@ -24,7 +25,7 @@ typedef struct mesh_source {
 int mesh_body(scene *s, const mesh_source *from, mus_scan_report *report, mus_body **out);
 
 /* muslin body --mesh: prints the report of the scan, for people or as JSON, and writes the surface in its present pose
- * to `obj` unless that is NULL. */
-int mesh_command(const mesh_source *from, const stance *how, const char *obj, bool as_json);
+ * to the files. */
+int mesh_command(const mesh_source *from, const stance *how, const surface_files *files, bool as_json);
 
 #endif

@@ -10,6 +10,7 @@
 #include "muslin/body.h"
 #include "muslin/pose.h"
 #include "muslin/scan.h"
+#include "muslin/manifold.h"
 #include "muslin/pattern.h"
 #include "muslin/topology.h"
 #include "muslin/edit.h"

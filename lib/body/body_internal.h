@@ -67,6 +67,12 @@ struct mus_body {
     mus__body_kept *kept;
 };
 
+/* a finger or toe in the skin: an end point, rings of so many vertices, an end point; chosen */
+#define MUS__DIGIT_ROUND 12
+#define MUS__DIGIT_RINGS 9
+/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
+bool mus__digit_has(const mus_body *body, int32_t which);
+
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);
 

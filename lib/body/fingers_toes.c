@@ -18,8 +18,8 @@
 #include "body/body_make.h"
 #include "geom/vec.h"
 
-#define DIGIT_ROUND 12 /* samples round a digit; chosen */
-#define DIGIT_RINGS 9  /* rings of a digit; chosen */
+#define DIGIT_ROUND MUS__DIGIT_ROUND
+#define DIGIT_RINGS MUS__DIGIT_RINGS
 
 /* a digit: root, direction (way), length, radii at root and tip (thick), bend from root to tip [rad] */
 typedef struct digit_row {
@@ -54,8 +54,7 @@ typedef struct digit_base {
 enum { DIGIT_A_SIDE = 5, DIGIT_LIMBS = 4 };
 
 
-/* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
-static bool digit_has(const mus_body *body, int32_t which)
+bool mus__digit_has(const mus_body *body, int32_t which)
 {
     const mus__limb *limb = &body->limb[(which < 2 ? MUS__LIMB_ARM_LEFT : MUS__LIMB_FOOT_LEFT - 2) + which];
     bool hand = false;
@@ -68,7 +67,7 @@ void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangl
 {
     int32_t digits = 0;
     for (int32_t which = 0; which < DIGIT_LIMBS && body->measured; which++)
-        if (digit_has(body, which)) digits += DIGIT_A_SIDE;
+        if (mus__digit_has(body, which)) digits += DIGIT_A_SIDE;
     *vertices = digits * (DIGIT_ROUND * DIGIT_RINGS + 2);
     *triangles = digits * 2 * DIGIT_ROUND * DIGIT_RINGS;
 }
@@ -187,7 +186,7 @@ void mus__digit_make(mus_body *body)
     for (int32_t limb = 0; limb < DIGIT_LIMBS; limb++) {
         digit_base base;
         const bool toe = limb >= 2;
-        if (!digit_has(body, limb)) continue;
+        if (!mus__digit_has(body, limb)) continue;
         if (toe) digit_foot(body, limb % 2, &base);
         else digit_hand(body, limb % 2, &base);
         double *first = body->vertices + 3 * (ptrdiff_t)vertex;

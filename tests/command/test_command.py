@@ -67,6 +67,20 @@ def test_poses_and_movements_are_listed_and_stood_in(command, tape, tmp_path):
     command("body", "--tape", tape, "--pose", "sit", "--move", "walk", code=2)
 
 
+def test_the_closed_surface_has_two_triangles_at_each_edge(command, tape, tmp_path, one_line):
+    closed, pose = tmp_path / "closed.obj", ["--pose", "sit"]
+    command("body", "--tape", tape, *pose, "--manifold", "--spacing", "25", "--obj", closed, "--glb",
+            tmp_path / "closed.glb")
+    corners = [[int(corner.split("/")[0]) for corner in line.split()[1:]]
+               for line in closed.read_text().splitlines() if line.startswith("f ")]
+    edges = {(face[k], face[(k + 1) % 3]) for face in corners for k in range(3)}
+    assert len(edges) == 3 * len(corners) and all((b, a) in edges for a, b in edges)
+    assert len(points_of(closed)) - len(edges) // 2 + len(corners) == 2
+    assert (tmp_path / "closed.glb").read_bytes()[:4] == b"glTF"
+    assert "--obj or --glb" in one_line(command("body", "--tape", tape, "--manifold", code=2))
+    assert "needs --manifold" in one_line(command("body", "--tape", tape, "--spacing", "5", "--obj", closed, code=2))
+
+
 def test_a_posture_keeps_the_girths_and_is_refused_beyond_its_range(command, tape, tmp_path, one_line):
     stoop = ["--stoop", "50", "--head-forward", "-5", "--sway", "20"]
     upright, bent = [{m["name"]: m["made_m"] for m in json.loads(command("body", "--tape", tape, *more, "--json").stdout)

@@ -9,7 +9,7 @@
 set -u
 out=$(cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- print exchange catalogue design integrate drape cloth scan pattern body pattern+body+integrate \
+[ $# -gt 0 ] || set -- print exchange catalogue design integrate drape cloth scan manifold pattern body pattern+body+integrate \
     print+exchange+design
 cd "$(dirname "$0")/../.."
 CC=${CC:-cc}
@@ -30,6 +30,7 @@ call_of()
     cloth) echo "mus_cloth_create" ;;
     pattern) echo "mus_pattern_create" ;;
     scan) echo "mus_body_create_scan" ;;
+    manifold) echo "mus_manifold_create" ;;
     body) echo "mus_body_create" ;;
     esac
 }

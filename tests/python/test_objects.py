@@ -406,3 +406,16 @@ def test_bytes_are_the_files_and_read_back(tmp_path):
     assert sheet.pdf_bytes().startswith(b"%PDF")
     sewn = [line for line in sheet.lines if line[1] == 1]
     assert len(sewn) == len({line[2] for line in sewn}) and len(sheet.pieces) == 3
+
+
+def test_a_manifold_is_closed_and_does_not_need_its_body(context):
+    body = muslin.Body(muslin.Tape.size("C56", context=context))
+    volume = body.volume
+    manifold = muslin.Manifold(body, spacing=0.02, threads=2)
+    del body
+    vertices, triangles = len(manifold.vertices), manifold.triangles.tolist()
+    edges = {(t[k], t[(k + 1) % 3]) for t in triangles for k in range(3)}
+    assert len(edges) == 3 * len(triangles) and all((b, a) in edges for a, b in edges)
+    assert vertices - len(edges) // 2 + len(triangles) == 2
+    assert manifold.pieces == 1 and manifold.cuts >= 0 and len(manifold.normals) == vertices
+    assert manifold.volume == pytest.approx(volume, rel=0.05)

@@ -284,6 +284,10 @@ class mus_move(Structure):
     pass
 
 
+class mus_manifold(Structure):
+    pass
+
+
 class mus_pattern(Structure):
     pass
 
@@ -337,6 +341,10 @@ class mus_scan_def(Structure):
 
 
 class mus_scan_report(Structure):
+    pass
+
+
+class mus_manifold_def(Structure):
     pass
 
 
@@ -497,6 +505,7 @@ mus_scan_report._fields_ = [("size", c_size_t), ("unit", c_double), ("frame", c_
                             ("holes", c_int32), ("widest_hole", c_double), ("filled", c_int32),
                             ("deepest_fill", c_double), ("girth", c_double * 5), ("girth_height", c_double * 5),
                             ("mesh_to_body", c_double * 3 * 6), ("body_to_mesh", c_double * 3 * 6)]
+mus_manifold_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("threads", c_int32)]
 mus_edge_def._fields_ = [("size", c_size_t), ("name", c_char_p), ("start", c_int32), ("end", c_int32),
                          ("npiece", c_int32), ("nxy", c_int32), ("kinds", POINTER(c_int32)), ("xy", POINTER(c_double))]
 mus_seam_def._fields_ = [("size", c_size_t), ("edge_a", c_int32), ("edge_b", c_int32), ("direction", c_int32),
@@ -687,6 +696,18 @@ FUNCTIONS = {
     "mus_body_create_scan": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(c_double), c_int32,
                                                POINTER(c_int32), POINTER(mus_scan_def), POINTER(mus_scan_report),
                                                POINTER(POINTER(mus_body))]),
+    "mus_manifold_def_init": ("core", None, [POINTER(mus_manifold_def), c_size_t]),
+    "mus_manifold_create": ("core", c_int32, [POINTER(mus_body), POINTER(mus_manifold_def),
+                                              POINTER(POINTER(mus_manifold))]),
+    "mus_manifold_destroy": ("core", None, [POINTER(mus_manifold)]),
+    "mus_manifold_vertex_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_triangle_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_piece_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_cut_count": ("core", c_int32, [POINTER(mus_manifold)]),
+    "mus_manifold_volume": ("core", c_double, [POINTER(mus_manifold)]),
+    "mus_manifold_vertices": ("core", POINTER(c_double), [POINTER(mus_manifold)]),
+    "mus_manifold_normals": ("core", POINTER(c_double), [POINTER(mus_manifold)]),
+    "mus_manifold_triangles": ("core", POINTER(c_int32), [POINTER(mus_manifold)]),
     "mus_pattern_create": ("core", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_pattern))]),
     "mus_pattern_copy": ("core", c_int32, [POINTER(mus_pattern), POINTER(POINTER(mus_pattern))]),
     "mus_pattern_destroy": ("core", None, [POINTER(mus_pattern)]),

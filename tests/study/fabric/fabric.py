@@ -2,6 +2,7 @@
 """fabric.py: virtual laboratory tests of the named fabrics beside the laboratory's own values.
 
     fabric.py [--spacing MM] [--starts N] [--jobs N] [--only WORD] [--csv FILE]
+    fabric.py --cost
 
 laboratory.csv holds what was measured, and by whom. Each row is measured at the spacing and at half of it; a drape
 coefficient is the mean over the starts. A row misses when it is farther from the laboratory than its limit, or moves
@@ -14,7 +15,8 @@ import pathlib
 import sys
 import time
 
-import cusick
+import cusick  # first: it finds muslin
+import cost
 import muslin
 import strips
 
@@ -70,7 +72,12 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="", help="rows whose test and fabric hold the word")
     parser.add_argument("--csv")
+    parser.add_argument("--cost", action="store_true", help="ns a node and step of friction and clamps, no fabrics")
     options = parser.parse_args()
+    if options.cost:
+        for name, spent in cost.rows():
+            print(f"{name:20} {spent:6.2f} ns a node and step")
+        return 0
     with open(HERE / "laboratory.csv", encoding="utf-8") as file:
         laboratory = [line for line in csv.DictReader(file) if options.only in f"{line['test']} {line['fabric']}"]
     tasks = [(line["test"], line["fabric"], fine, start, 1e-3 * options.spacing) for line in laboratory

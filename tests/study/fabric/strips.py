@@ -13,12 +13,13 @@ PULLED = (0.05, 0.20)     # [m] width and length of a strip whose width is watch
 STRAIN = 0.01             # of that strip
 
 
-def sheet(fabric, width, length, cells, extra=0, residual=1e-4, gravity=0.0):
-    """A drape of a strip of `cells` cells along its length (x, the weft of a grid) and `extra` held ones before it."""
+def sheet(fabric, width, length, cells, extra=0, residual=1.0, gravity=0.0):
+    """A drape of a strip of `cells` cells along its length (x, the weft of a grid) and `extra` held ones before it. The
+    residual is of a node's weight, which is some 1e-5 of what a pulled strip carries."""
     side = length / cells
     across = max(2, round(width / side))
     cloth = muslin.Cloth.grid(across + 1, cells + extra + 1, (side, width / across), fabric, coarser=0)
-    drape = muslin.Drape(cloth, precision=64, settle_residual=residual, settle_seconds=10.0,
+    drape = muslin.Drape(cloth, precision=64, settle_residual=residual, settle_seconds=10.0 if gravity > 0.0 else 0.5,
                          gravity=(0.0, -gravity, 0.0))
     places = np.zeros((len(drape), 3))
     places[:, 0], places[:, 2] = cloth.rest[:, 0] - extra * side, cloth.rest[:, 1]
@@ -34,13 +35,13 @@ def settle(drape):
 
 
 def bending(fabric, cells=16):
-    """Rigidity [N m] that Peirce's cantilever gives: a strip of twice its bending length, held at two rows of nodes. It
-    is loaded and let down to the mean of both ways: without friction, that is the elastic part which KES calls B."""
+    """Rigidity [N m] that Peirce's cantilever gives: a strip of twice its bending length, held at two rows of nodes,
+    without the friction, which KES reads apart from B."""
     values = fabric.values()
     weight = values["weight"] * cusick.GRAVITY
     plain = muslin.Fabric(**{**values, "bend_hysteresis": 0.0, "damping": 0.0})
     length = 2.0 * (values["bend"][1] / weight) ** (1 / 3)
-    _, drape, places = sheet(plain, WIDTH, length, cells, extra=1, gravity=cusick.GRAVITY)
+    _, drape, places = sheet(plain, WIDTH, length, cells, extra=1, residual=2e-3, gravity=cusick.GRAVITY)
     drape.set_state(places)
     for node in np.flatnonzero(places[:, 0] < 1e-9):
         drape.pin(int(node))
@@ -71,7 +72,7 @@ def contraction(fabric, cells=40):
     values = fabric.values()
     stretch = values["stretch"]
     along = muslin.Fabric(**{**values, "stretch": (stretch[1], stretch[0]), "damping": 0.0})
-    cloth, drape, places = sheet(along, PULLED[0], PULLED[1], cells, residual=1e-3)
+    cloth, drape, places = sheet(along, PULLED[0], PULLED[1], cells)
     far = places[:, 0] > PULLED[1] - 1e-9
     flat = places.copy()
     places[:, 0] *= 1.0 + STRAIN

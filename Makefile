@@ -60,7 +60,6 @@ OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress
   $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
-
 # ---- sources; a library of its own, and everything else, names its outside packages ----
 OWN_LIBRARY = print exchange catalogue
 PKG_print = cairo

@@ -60,7 +60,6 @@ OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress
   $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
-
 # ---- sources; a library of its own, and everything else, names its outside packages ----
 OWN_LIBRARY = print exchange catalogue
 PKG_print = cairo
@@ -146,7 +145,6 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	$(Q)$(LINK) -shared -Wl,-z,defs -Wl,-soname,lib$*.so.$(ABI) -Wl,--version-script=$< $(filter %.o,$^) \
 	  $(if $(filter-out muslin,$*),-L$(LIB) -lmuslin $(call pkg,--libs,$(PKG_$(*:muslin-%=%)))) -lm -o $@
 	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
-
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
 STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench same figures)
@@ -164,8 +162,7 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
-# ---- studies: `make NAME` runs RUN_NAME, after NEEDS_NAME (or its program, or `all`) is built ----
-# A row RUN_NAME makes the target, APT_GROUP what apt must have beside a build. Options come in the variable of its name: make corpus CORPUS='--every 7'
+# ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
@@ -187,8 +184,7 @@ RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $
 RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
-RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery \
-  --strip examples/gallery/strip.png
+RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery --strip examples/gallery/strip.png
 RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
 RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
@@ -219,8 +215,7 @@ RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
-NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib \
-  elementary:lib fuzz:lib check-glb:run-dress
+NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib check-glb:run-dress
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))
@@ -232,7 +227,6 @@ $(STUDIES): %: # by a second make, so that pkg-config sees what was just install
 $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROGRAMS)),all)
 	@mkdir -p $(OUT)/out
 	$(Q)$(RUN_$*)
-
 # ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
 install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'

@@ -10,8 +10,9 @@
  * Hood: the way up from the crown is closed by cloth, the way forwards is open.
  * Low: an opening for both arms and the head (a waist, a strapless top) stands at the level at which the pattern puts
  * it, or at the first one below where the trunk is as wide as the opening is long; one above the bust stays above it.
- * Rolled up: an opening of the legs is higher than half of the way from where the pattern puts it to the top of the
- * garment or the shoulders.
+ * Rolled up: an opening of the legs is above the bust, of a garment that reaches above the waist (the band of a short
+ * top may sit at the waist though it is drawn at the hip); of a skirt or trousers it is higher than half of the way
+ * from where the pattern puts it to the top.
  */
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +23,7 @@
 /* all chosen; the table of garments made wrong on purpose (tests/study/worn) shows which are told when they change */
 #define HANG_SHOULDER 0.02 /* [m] past the end of the shoulder: half of a narrow strap */
 #define HANG_LOW 0.08      /* [m] below what carries an opening; the slide at which mus_drape_settle() gives up */
-#define HANG_ROLLED 0.5    /* of the height of the garment */
+#define HANG_ROLLED 0.5    /* of the height of a skirt or trousers */
 #define HANG_DOTS 64       /* points of a contour of the trunk */
 #define HANG_ARMS (1 << MUS_WORN_ARM_LEFT | 1 << MUS_WORN_ARM_RIGHT)
 #define HANG_LEGS (1 << MUS_WORN_LEG_LEFT | 1 << MUS_WORN_LEG_RIGHT)
@@ -149,8 +150,13 @@ static void hang_rolled(const mus__worn_call *call, int32_t loop)
     for (int32_t l = 0; l < call->loops.nloop; l++)
         if (call->loops.loop[l].component == own->component && call->loops.loop[l].expect != 0)
             top = fmax(top, hang_height(call, l, call->placed));
+    if (!(top > meant)) return;
+    const double bust = mus__dot3(call->axes.up, call->axes.point[MUS_WORN_NECK][0]);
     top = fmin(top, mus__dot3(call->axes.up, call->axes.shoulders));
-    if (!(now > meant + HANG_ROLLED * (top - meant)) || !(top > meant)) return;
+    double waist[3];
+    const bool upper = mus_body_landmark(call->body, MUS_LANDMARK_WAIST, waist) == MUS_OK &&
+                       top > mus__dot3(call->axes.up, waist) + HANG_LOW;
+    if (!(now > (upper ? fmax(meant, bust) : meant + HANG_ROLLED * (top - meant)))) return;
     char text[128];
     snprintf(text, sizeof text, "rolled up by %.0f mm", 1000.0 * (now - meant));
     mus__worn_note(call, MUS_WORN_ROLLED, MUS_NONE, loop, MUS_NONE, now - meant, text);

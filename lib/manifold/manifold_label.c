@@ -88,6 +88,7 @@ typedef struct growth {
     int32_t *queue, *next;       /* (points) work of the floods; the point after each in its layer's list */
     uint16_t *layer;             /* (points) edges from the outside, 0: outside */
     int32_t first[LABEL_LAYERS]; /* first point of each layer's list, MUS_NONE: none */
+    int32_t last[LABEL_LAYERS];  /* its last one */
     int32_t top;
 } growth;
 
@@ -141,12 +142,14 @@ static int32_t label_flood(growth *grow, int32_t point, int32_t *deepest)
 }
 
 
-/* put a point into the list of its layer */
+/* append a point to the list of its layer: first in, first out, so that the growing solid stays compact */
 static void label_queue(growth *grow, int32_t point)
 {
     const int32_t layer = grow->layer[point];
-    grow->next[point] = grow->first[layer];
-    grow->first[layer] = point;
+    grow->next[point] = MUS_NONE;
+    if (grow->first[layer] == MUS_NONE) grow->first[layer] = point;
+    else grow->next[grow->last[layer]] = point;
+    grow->last[layer] = point;
     grow->lattice->label[point] |= MUS__POINT_QUEUED;
     if (layer > grow->top) grow->top = layer;
 }

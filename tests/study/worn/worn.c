@@ -165,8 +165,8 @@ static void move_node(int32_t defect, const sights *s, const char *label, double
     case SLID: x[1] -= 0.35; break;
     case ROLLED:
         if (s->high < s->joint[1] - 0.15) x[1] = s->high - 0.4 * (s->high - x[1]);
-        else if (strcmp(label, "arm") != 0 && x[1] < s->joint[1] - 0.15)
-            x[1] = s->joint[1] - 0.15 - 0.1 * (s->joint[1] - 0.15 - x[1]);
+        else if (strcmp(label, "arm") != 0 && x[1] < s->joint[1] - 0.05)
+            x[1] = s->joint[1] - 0.05 - 0.05 * (s->joint[1] - 0.05 - x[1]);
         break;
     case THROUGH: x[2] += 0.04; break;
     case TIGHT: x[2] = from_z + 6.0 * (x[2] - from_z); break;

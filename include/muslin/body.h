@@ -85,10 +85,10 @@ typedef struct mus_limb {
 /** Options of a body. */
 typedef struct mus_body_def {
     size_t size;
-    int32_t samples;      /* samples round each contour of the surface, a multiple of 4, 16 to 512, default 128; arms, legs
-                             and feet of a tape have half as many, but not fewer than 64 if there are 64 */
-    double ring_spacing;  /* largest distance of the surface's rings along a limb [m], 0.001 to 0.1, default 0.015; rings
-                             are closer where the surface bends */
+    int32_t samples;      /* samples round each contour of the surface, a multiple of 4, 16 to 512, default 128; arms,
+                             legs and feet of a tape have half as many, but not fewer than 64 if there are 64 */
+    double ring_spacing;  /* largest distance of the surface's rings along a limb [m], 0.001 to 0.1, default 0.015;
+                             rings are closer where the surface bends */
     int32_t ellipse;      /* nonzero: ellipses in place of superellipses, default 0 */
     int32_t without;      /* sum of MUS_WITHOUT_*, for a body of a tape; default 0: all limbs */
     int32_t limbs;        /* number of limbs added to a body of a tape, 0 to 48, default 0 */
@@ -176,9 +176,9 @@ MUS_API int32_t mus_body_triangle_count(const mus_body *body);
 /**
  * Vertices of the skin (vertex_count x 3) [m], borrowed until the body is destroyed.
  *
- * Each limb is a closed shell. On a body made from a tape two limbs that meet have a smooth union (a fillet, up to 12 mm
- * off the limbs in the crease at a stature of 1.68 m), and the cleft of the seat is 18 mm deep. The skin is what cloth
- * touches, but for fingers and toes, which contact knows as mittens and closed feet; mus_body_made() measures it.
+ * Each limb is a closed shell. On a body made from a tape two limbs that meet have a smooth union (a fillet, up to 12
+ * mm off the limbs in the crease at a stature of 1.68 m), and the cleft of the seat is 18 mm deep. The skin is what
+ * cloth touches, but for fingers and toes, which contact knows as mittens and closed feet; mus_body_made() measures it.
  */
 MUS_API const double *mus_body_vertices(const mus_body *body);
 

@@ -104,9 +104,9 @@ MUS_API mus_status mus_body_stand(const mus_body *body, int32_t feet, mus_pose *
 /**
  * Abduct the arms of a pose until they keep a distance of `gap` from the rest of the body.
  *
- * Raises each arm by steps of one degree, at most 60, or lowers an arm that the pose has above the horizontal, whose way
- * off the head that is, and looks at the arm from below the armpit to the finger tips. An arm that keeps the distance
- * already stays as it is.
+ * Raises each arm by steps of one degree, at most 60, or lowers an arm that the pose has above the horizontal, whose
+ * way off the head that is, and looks at the arm from below the armpit to the finger tips. An arm that keeps the
+ * distance already stays as it is.
  *
  * Units:   gap [m], 0 to 0.04
  * Errors:  as mus_body_pose()

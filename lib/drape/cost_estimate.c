@@ -34,10 +34,50 @@ static double cpu_seconds(void)
 }
 
 
-/* CPU seconds of a step of h [s]; state, clock and counters are as before */
-static double time_steps(mus_drape *drape, double h)
+/* copies of the sliders of bending and of their forces, which putting places back starts anew */
+typedef struct sliders {
+    mus__slider *slider;
+    char *force;
+} sliders;
+
+
+static mus_status keep_sliders(const mus_drape *drape, sliders *kept)
+{
+    const mus__sim *sim = &drape->sim;
+    const int64_t count = sim->program->nslider, bytes = count > 0 ? 3 * (int64_t)sim->n * (int64_t)sim->ops->real : 0;
+    *kept = (sliders){0};
+    if (count == 0) return MUS_OK;
+    kept->slider = mus__new(drape->context, count, sizeof *kept->slider);
+    kept->force = mus__new(drape->context, bytes, 1);
+    if (kept->slider == NULL || kept->force == NULL) {
+        mus__free(drape->context, kept->slider);
+        mus__free(drape->context, kept->force);
+        return mus__fail_memory(drape->context, "an estimate");
+    }
+    memcpy(kept->slider, sim->program->slider, (size_t)count * sizeof *kept->slider);
+    memcpy(kept->force, sim->slide_force, (size_t)bytes);
+    return MUS_OK;
+}
+
+
+/* puts the sliders back, moved `age` steps ago, and frees their copies */
+static void put_sliders(mus_drape *drape, const sliders *kept, int32_t age)
 {
     mus__sim *sim = &drape->sim;
+    sim->slide_age = age;
+    if (kept->slider == NULL) return;
+    memcpy(drape->program.slider, kept->slider, (size_t)drape->program.nslider * sizeof *kept->slider);
+    memcpy(sim->slide_force, kept->force, 3 * (size_t)sim->n * sim->ops->real);
+    mus__free(drape->context, kept->slider);
+    mus__free(drape->context, kept->force);
+}
+
+
+/* CPU seconds of a step of h [s]; state, clock and counters are as before */
+static double time_steps(mus_drape *drape, double h, const sliders *kept)
+{
+    mus__sim *sim = &drape->sim;
+    const int32_t age = sim->slide_age;
     const int64_t steps = drape->counters.steps, springs = drape->counters.spring_evaluations,
                   evaluations = sim->force_evaluations;
     mus__contact_tally tally[64];
@@ -49,6 +89,7 @@ static double time_steps(mus_drape *drape, double h)
     mus__drape_advance(drape, 1, TRIAL_STEPS, h);
     const double seconds = (cpu_seconds() - start) / TRIAL_STEPS;
     sim->ops->restore(sim);
+    put_sliders(drape, kept, age);
     if (sim->plane_cache != NULL) mus__drape_plane_cache(drape); /* has its memory; forgets the queries of the trial */
     sim->plane_cache = NULL;
     memcpy(sim->part_tally, tally, sizeof tally);
@@ -101,8 +142,10 @@ mus_status mus_drape_estimate(mus_drape *drape, double frame, mus_estimate *out)
     own.step = frame / steps;
     own.node_evaluations = (int64_t)own.steps_per_frame * drape->n * mus__drape_evaluations(drape);
     mus_status status = mus_drape_step(drape, 0, own.step); /* takes masses and bound */
+    sliders kept;
+    if (status == MUS_OK) status = keep_sliders(drape, &kept);
     if (status != MUS_OK) return status;
-    own.seconds = own.steps_per_frame * time_steps(drape, own.step);
+    own.seconds = own.steps_per_frame * time_steps(drape, own.step, &kept);
     *out = own;
     return MUS_OK;
 }

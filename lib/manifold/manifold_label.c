@@ -7,9 +7,9 @@
  * change the label of a simple point does not change the topology of the solid (Bertrand and Malandain, 1994; on this
  * lattice the test is exact).
  *
- * Growing: the points inside get layers, by the number of edges from the outside. From a point of the deepest layer of
- * each piece on, points are added, deep layers first, as long as they are simple. What grows is a ball; where two of its
- * arms meet, the last points are left out.
+ * Growing: the points inside get layers, by the number of edges from the outside. From a point of the deepest layer
+ * of each piece on, points are added, deep layers first, as long as they are simple. What grows is a ball; where two of
+ * its arms meet, the last points are left out.
  *
  * Snapping: a point with a crossing nearer than 0.25 of a long edge or 0.41 of a short one is moved onto that crossing
  * and counts as inside. The tetrahedra stay the right way round (Labelle and Shewchuk, 2007, section 3), so that the

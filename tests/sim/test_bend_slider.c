@@ -166,6 +166,28 @@ START_TEST(turning_a_bent_strip_moves_no_slider)
 END_TEST
 
 
+/* the cost of steps is measured on the state itself, which has to be put back with its sliders */
+START_TEST(an_estimate_leaves_the_sliders_where_they_are)
+{
+    mus_context *context = support_context();
+    mus_drape *drape[2];
+    mus_estimate estimate;
+    mus_estimate_init(&estimate, sizeof estimate);
+    for (int k = 0; k < 2; k++) {
+        drape[k] = strip(context, LOOP, 64);
+        bend(drape[k], 80.0, 0.0);
+        const double h = 0.5 * mus_drape_step_bound(drape[k]);
+        ck_assert_int_eq(mus_drape_step(drape[k], 101, h), MUS_OK);
+        if (k == 1) ck_assert_int_eq(mus_drape_estimate(drape[k], 0.02, &estimate), MUS_OK);
+        ck_assert_int_eq(mus_drape_step(drape[k], 101, h), MUS_OK);
+    }
+    ck_assert(mus_drape_hash(drape[0]) == mus_drape_hash(drape[1]));
+    for (int k = 0; k < 2; k++) mus_drape_destroy(drape[k]);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_bend_slider(void)
 {
     Suite *suite = suite_create("bend_slider");
@@ -173,6 +195,7 @@ Suite *mus_suite_bend_slider(void)
     tcase_add_test(tests, bent_once_the_moment_is_the_upper_line_of_the_loop);
     tcase_add_test(tests, let_go_a_strip_keeps_a_curvature);
     tcase_add_test(tests, without_friction_there_are_no_sliders);
+    tcase_add_test(tests, an_estimate_leaves_the_sliders_where_they_are);
     tcase_add_test(tests, turning_a_bent_strip_moves_no_slider);
     suite_add_tcase(suite, tests);
     return suite;

@@ -175,15 +175,19 @@ def modules(jobs):
 
 
 def model(jobs):
-    drape = {r["quantity"].split(", ")[1]: r for r in jobs["disc_model"]}
-    each = " and ".join(f"{name} drapes at {r['value']:.0f} % where {r['exact']:.0f} % was measured"
-                        for name, r in drape.items())
+    names = dict.fromkeys(r["quantity"].split(", ")[1] for r in jobs["disc_model"])
+    each = []
+    for name in names:
+        rows = sorted((r for r in jobs["disc_model"] if r["quantity"].endswith(name)), key=lambda r: -r["spacing_mm"])
+        each.append(f"{name} {rows[-1]['value']:.0f} % at {rows[-1]['spacing_mm']:g} mm"
+                    + (f" ({rows[0]['value']:.0f} at {rows[0]['spacing_mm']:g})" if len(rows) > 1 else "")
+                    + f", {rows[-1]['exact']:.0f} measured")
     ties = [r for r in jobs["limits"] if r["quantity"].startswith("lateral")]
-    kept = [r["exact"] for r in jobs["limits"] if r["quantity"].startswith("curvature")]
     narrow = sorted(r["value"] for r in ties)
-    return (f"**What no setting cures**: {each} (no friction inside the cloth); measured fabric keeps a curvature of "
-            f"{min(kept):.0f} to {max(kept):.0f} /m after a fold, the model none; a woven fabric narrows by "
-            f"{narrow[0]:.3f} to {narrow[-1]:.3f} of its stretch in the model, by 0.07 to 0.38 in the laboratory.")
+    return (f"**Against measured cloth**: fabrics whose bending and friction of bending were measured drape at "
+            f"{'; '.join(each)}, nothing fitted. **What no setting cures**: a woven fabric narrows by "
+            f"{narrow[0]:.3f} to {narrow[-1]:.3f} of its stretch in the model, by 0.07 to 0.38 in the laboratory; shear "
+            "has no friction.")
 
 
 def settled(jobs):

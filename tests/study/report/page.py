@@ -336,13 +336,14 @@ Newton's lets nodes go or slide that it cannot hold: the distance holds that too
 
 
 def model_part(jobs):
-    lines = [(r["scene"], r["quantity"], r.get("variant", ""), number(r["value"], 3), number(r["exact"], 3))
+    lines = [(r["scene"], r["quantity"], f"{r['spacing_mm']:g} mm" if r["scene"] == "disc" else r["variant"],
+              number(r["value"], 3), number(r["exact"], 3))
              for r in jobs["disc_model"] + jobs["limits"]]
     return f"""## Model error
 
 {table(('scene', 'quantity', 'case', 'model', 'measured'), lines)}
-The drape coefficients use the bending that was measured on the same fabric, with no factor fitted; weight, shear and
-stretch are assumed (`muslin_fabric(5)` says which). Fabrics whose bending was chosen to give their coefficient prove
+The drape coefficients use the bending and the friction of bending that were measured on the same fabric, with no factor
+fitted; weight, shear and stretch are assumed (`muslin_fabric(5)` says which). `make fabric` has all fabrics. Fabrics whose bending was chosen to give their coefficient prove
 nothing and are left out here.
 """
 

@@ -31,7 +31,7 @@ JOBS = {
              {"spacing": 0.02, "halvings": 5, "span": 0.05}),
     "disc_parting": ("scene_disc", "parting", {}, {"spacing": 0.02}),
     "disc_mesh": ("scene_disc", "mesh_error", {}, {"lengths": [0.03], "spacings": [0.02, 0.01], "starts": 2}),
-    "disc_model": ("scene_disc", "model_error", {}, {"spacings": [0.015, 0.015], "seconds": 1.0}),
+    "disc_model": ("scene_disc", "model_error", {}, {"spacings": [0.02], "seconds": 1.0}),
     "limits": ("model_limits", "gaps", {}, {}),
     "skirt": ("scene_garments", "time_error", {"design": "skirt", "halvings": 5},
               {"design": "skirt", "spacing": 0.04, "halvings": 3, "span": 0.05, "samples": 25, "finer": 16}),

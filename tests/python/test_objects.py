@@ -378,7 +378,8 @@ def test_a_body_from_a_mesh(context, tmp_path):
     vertices, triangles = muslin.read_obj(path, context=context)
     assert len(vertices) == len(person.vertices) and len(triangles) == len(person.triangles)
     body, report = muslin.scan(vertices, triangles, context=context, distances=0)
-    assert body.limbs == person.limbs and abs(report["stature"] - 1.16) < 1e-6
+    # the sole is drawn from a table of radii, whose blend between two rings is 2 micrometres below the floor
+    assert body.limbs == person.limbs and abs(report["stature"] - 1.16) < 1e-5
     assert abs(report["girth"]["waist"] - 0.555) < 2e-3
     assert abs(body.volume / person.volume - 1) < 0.01
     turned = [(-z, x, y) for x, y, z in vertices]

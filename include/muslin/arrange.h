@@ -43,7 +43,7 @@ MUS_API mus_status mus_arrange_pattern(mus_pattern *pattern, const mus_body *bod
 #define MUS_REASON_UNSTABLE 9      /* the motion diverged */
 #define MUS_REASON_BAD_INPUT 10    /* any other fault of what was given */
 #define MUS_REASON_STOPPED 11      /* the caller's progress function stopped the run */
-#define MUS_REASON_NOT_WORN 12     /* panel, node, place: at rest, but mus_fit_worn() objects; value: its kind */
+#define MUS_REASON_NOT_WORN 12     /* panel, node, place: sewn, but mus_fit_worn() objects; value: its kind */
 #define MUS_REASON_COUNT 13
 
 /** A reason with its place. */

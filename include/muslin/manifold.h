@@ -37,9 +37,9 @@ MUS_API void mus_manifold_def_init(mus_manifold_def *def, size_t size);
  * Make the manifold of a body where it stands, posed or not.
  *
  * Every vertex lies on the surface of the union of the limbs within a thousandth of the spacing, except where the union
- * has a handle or a bridge (a hand that touches the hip, fingers nearer to each other than the lattice resolves): there
- * the surface is cut open by a gap about one spacing wide, and mus_manifold_cut_count() tells how many vertices lie on
- * such a cut. Pieces of fewer than 32 lattice points are left out then. `def` may be NULL: the defaults.
+ * has a handle or a bridge (a hand that touches the hip): there the surface is cut open by a gap about one spacing
+ * wide, and mus_manifold_cut_count() tells how many vertices lie on such a cut. Fingers nearer to each other than 1.2
+ * spacings are joined by a web. Pieces of fewer than 32 lattice points are left out. `def` may be NULL: the defaults.
  *
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (no limb is as large as the lattice's spacing).
  *          *out is then NULL

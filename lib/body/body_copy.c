@@ -69,7 +69,7 @@ static mus_status copy_make(const mus_body *from, const mus__frame *frame, mus_b
     to->crease = mus__room(to->context, from->creases, sizeof *to->crease);
     if (to->frame == NULL || to->field == NULL || to->crease == NULL)
         return mus__fail_memory(to->context, "a posed body");
-    memcpy(to->crease, from->crease, (size_t)from->creases * sizeof *to->crease);
+    if (from->creases > 0) memcpy(to->crease, from->crease, (size_t)from->creases * sizeof *to->crease);
     to->creases = from->creases;
     memcpy(to->frame, frame, (size_t)to->rig.parts * sizeof *frame);
     for (int32_t p = 0; p < from->nfield && status == MUS_OK; p++) {

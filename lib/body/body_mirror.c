@@ -40,8 +40,10 @@ void mus__body_mirror(mus_body *body, bool limbs)
         const int32_t l = body->rig.part[q].limb, n = from->nangle;
         if (limbs == (l == MUS__LIMB_TORSO) || mus__limb_is_right(l)) continue;
         mus__field *to = &body->field[mus__mirror_part(body, q)];
-        memcpy(to->fine, from->fine, sizeof to->fine);
-        memcpy(to->largest, from->largest, (size_t)from->nring * sizeof *to->largest);
+        if (to != from) {
+            memcpy(to->fine, from->fine, sizeof to->fine);
+            memcpy(to->largest, from->largest, (size_t)from->nring * sizeof *to->largest);
+        }
         to->reach = from->reach;
         for (int32_t j = 0; j < from->nring; j++) {
             const double *x = from->radius + (ptrdiff_t)j * n;

@@ -39,6 +39,7 @@ typedef struct surface_work {
     double *radius, *before, *middle; /* (n) */
     double *stop, *ring;              /* s of the rings that must be there of one limb, and of all rings of all limbs */
     int32_t most;                     /* room for so many rings */
+    int32_t later;                    /* of which limbs that have none yet need so many */
 } surface_work;
 
 
@@ -146,7 +147,7 @@ static int32_t surface_cap(const mus_body *body, int32_t l, int end, double *out
 /* s of all rings of a limb into `out`, and the ring of each contour; returns their number */
 static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work, double *out)
 {
-    const int32_t most_rings = work->most - (int32_t)(out - work->ring) - SURFACE_CAP_RINGS;
+    const int32_t most_rings = work->most - work->later - (int32_t)(out - work->ring) - SURFACE_CAP_RINGS;
     mus__limb *limb = &body->limb[l];
     const int32_t stops = surface_stops(body, l, work->stop), n = work->n;
     double centre[2], *now = work->radius, *last = work->before;
@@ -286,6 +287,16 @@ static void surface_creases(mus_body *body)
 }
 
 
+/* rings that a limb has at least, or a bound of them: its stops and its caps */
+static int32_t surface_least(const mus_body *body, int32_t l)
+{
+    int32_t rings = body->limb[l].count + 2 * SURFACE_CAP_RINGS;
+    for (int32_t p = 0; p < body->nfield; p++)
+        if (body->rig.part[p].limb == l) rings += body->field[p].nring;
+    return rings;
+}
+
+
 /* scratch for the rings of all limbs. Errors: MUS_ERR_MEMORY */
 static mus_status surface_begin(const mus_body *body, surface_work *work)
 {
@@ -293,8 +304,11 @@ static mus_status surface_begin(const mus_body *body, surface_work *work)
     int64_t rows = 0;
     for (int32_t p = 0; p < body->nfield; p++) rows += body->field[p].nring;
     work->most = (int32_t)rows;
-    for (int32_t l = 0; l < body->limb_count; l++)
+    work->later = 0;
+    for (int32_t l = 0; l < body->limb_count; l++) {
         work->most += SURFACE_STEPS * body->limb[l].count + 2 * SURFACE_CAP_RINGS;
+        work->later += surface_least(body, l);
+    }
     work->entry = mus__new(body->context, n, sizeof *work->entry);
     work->share = mus__new(body->context, 6 * (int64_t)n, sizeof *work->share);
     work->stop = mus__room(body->context, rows + MUS__LIMB_CONTOURS, sizeof *work->stop);
@@ -323,6 +337,7 @@ static mus_status surface_ranges(mus_body *body, surface_work *work)
     for (int32_t l = 0; l < body->limb_count; l++) {
         mus__limb *limb = &body->limb[l];
         const int32_t n = limb->samples;
+        work->later -= surface_least(body, l);
         if (!limb->gone) surface_turn(body, l, work);
         limb->rings = limb->gone ? 0 : surface_rings(body, l, work, work->ring + rings);
         limb->vertices = limb->gone ? 0 : limb->rings * n + 2;

@@ -21,6 +21,7 @@
 #include "dress/sew.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"
+#include "sim/bend_clamp.h"
 
 #define LAYERS_TRIALS 24  /* starts that are tried, each MUS__LAYER_OUT farther out; chosen: half a metre in all */
 #define LAYERS_REACH 0.3  /* [m] distance from a panel within which the body is looked for */
@@ -49,6 +50,7 @@ static void layers_wait(mus_drape *drape, int32_t from)
         drape->pinned[i] = (drape->pinned[i] & ~MUS__WAITS) | (waits ? MUS__WAITS : 0);
     }
     mus__program_weld(drape->cloth, drape->welded ? drape->rep : NULL, &drape->program);
+    mus__clamps_update(drape->cloth, drape->pinned, MUS__PINNED, &drape->program);
     mus__drape_self_weld(drape);
     mus__drape_push(drape);
 }

@@ -136,17 +136,18 @@ bool mus__worn_axes_make(const mus_body *body, mus__worn_axes *out)
         out->count[axis] = out->own[axis] = 1;
         if (axis == MUS_WORN_NECK) {
             axis_add(body, torso, middle + 1, contours, 1, 0.0, axis, out);
-            axis_end(axis, out->front, axis_face(out), out);
+            if (out->count[axis] > 1) axis_end(axis, out->front, axis_face(out), out);
         } else if (axis <= MUS_WORN_ARM_RIGHT) {
             axis_add(body, limb, 0, own, 1, 0.0, axis, out);
             for (int32_t d = 0; d < 3; d++) side[d] = axis == MUS_WORN_ARM_LEFT ? out->left[d] : -out->left[d];
-            axis_end(axis, side, out->count[axis] - 1, out);
+            if (out->count[axis] > 1) axis_end(axis, side, out->count[axis] - 1, out);
         } else {
             axis_add(body, torso, middle, 0, -1, 0.0, axis, out);
             out->own[axis] = out->count[axis];
             axis_add(body, limb, own - 1, -1, -1, axis_distance(chest, low), axis, out);
-            axis_end(axis, NULL, out->count[axis] - 1, out);
+            if (out->count[axis] > 1) axis_end(axis, NULL, out->count[axis] - 1, out);
         }
+        if (out->count[axis] < 2) out->count[axis] = 0; /* no contour of its own: the body lacks the limb */
     }
     return true;
 }

@@ -157,7 +157,7 @@ static double solid_digit_depth(const mus__digit *digit, const double *x)
 {
     double best = -1e30, before = -1.0;
     for (int32_t j = 0; j < MUS__DIGIT_STATIONS; j++) {
-        const mus__station *s = &digit->station[j], *r = s - 1;
+        const mus__station *s = &digit->station[j], *r = &digit->station[j > 0 ? j - 1 : 0];
         const double off[3] = {x[0] - s->centre[0], x[1] - s->centre[1], x[2] - s->centre[2]};
         const double here = mus__dot3(off, s->along);
         if (before >= 0.0 && here < 0.0) {

@@ -371,6 +371,7 @@ mus_status mus__dxf_load(const mus__source *source, mus__dxf_file *file)
         mus_status status = text_pair(&t);
         if (status != MUS_OK) return status;
         if (t.code == 0) {
+            insunits = false;
             status = entity_end(&t);
             if (status == MUS_OK && slice_is(t.value, "EOF")) break;
             if (status == MUS_OK) status = entity_begin(&t);

@@ -71,6 +71,8 @@ static void rul_line_end(rul_text *t)
 
 static mus_status rul_sizes(rul_text *t)
 {
+    if (t->rul->nsize > 0)
+        return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "a second line \"SIZE LIST:\", expected one");
     for (mus__dxf_slice word = rul_word(t); word.length > 0; word = rul_word(t)) {
         mus_status status = mus__trade_reserve(t->source, &t->rul->sizes, &t->rul->size_room,
                                                (int64_t)t->rul->nsize + 1, sizeof *t->rul->sizes);

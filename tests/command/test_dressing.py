@@ -107,7 +107,7 @@ def test_fabric_friction_and_spacing_change_the_state(dress, patterns, tape):
 def test_a_fabric_file_is_the_fabric(dress, patterns, tape, tmp_path):
     muslin = pytest.importorskip("muslin")
     muslin.Fabric("silk").write(tmp_path / "mine.json", "mine", {
-        muslin.cloth.lib.mus_fabric_value_key(i).decode(): "assumed" for i in range(10)})
+        muslin.cloth.lib.mus_fabric_value_key(i).decode(): "assumed" for i in range(muslin.cloth.lib.mus_fabric_value_count())})
     base = ("--pattern", patterns("sleeveless"), "--tape", tape, "--spacing", 40, "--fabric")
     named, file = (dress(*base, fabric, code=None)[0]["state_hash"] for fabric in ("silk", tmp_path / "mine.json"))
     assert named == file

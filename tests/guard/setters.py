@@ -12,7 +12,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # filled by the library for the caller to read
 OUT = {"mus_seam_walk", "mus_drape_report", "mus_scan_report", "mus_topology", "mus_estimate", "mus_reason",
-       "mus_fit_level", "mus_fit_spread", "mus_dress_report", "mus_progress", "mus_sheet_piece", "mus_sheet_line"}
+       "mus_fit_level", "mus_fit_spread", "mus_worn", "mus_dress_report", "mus_progress",
+       "mus_sheet_piece", "mus_sheet_line"}
 
 
 def plain(text):

@@ -3,6 +3,7 @@
  * Valentina; faults are told with their line.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -206,6 +207,21 @@ START_TEST(a_fault_is_told_with_its_line)
 END_TEST
 
 
+START_TEST(rules_have_one_list_of_sizes)
+{
+    char rules[2048] = "ASTM/D13Proposal 1\nUNITS: METRIC\nSAMPLE SIZE: a\nSIZE LIST: a\n"
+                       "RULE: DELTA 1\n0,0\nSIZE LIST:";
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    for (int i = 0; i < 64; i++) snprintf(rules + strlen(rules), sizeof rules - strlen(rules), " s%d", i);
+    strcat(rules, "\nEND\n");
+    ck_assert_int_eq(read_text(context, dxf_gerber, rules, "s9", &pattern), MUS_ERR_FORMAT);
+    ck_assert_ptr_nonnull(strstr(mus_context_error(context), "second line \"SIZE LIST:\""));
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(no_memory_is_a_status)
 {
     for (int64_t n = 0;; n++) {
@@ -251,6 +267,7 @@ Suite *mus_suite_dxf_read(void)
     tcase_add_loop_test(tests, notches_and_marks_come_back_with_kind_place_and_name, 0, 2);
     tcase_add_test(tests, gerber_s_open_chains_inches_and_mirror_line);
     tcase_add_test(tests, a_size_comes_from_its_own_blocks_or_from_the_rules);
+    tcase_add_test(tests, rules_have_one_list_of_sizes);
     tcase_add_test(tests, a_fault_is_told_with_its_line);
     tcase_add_test(tests, no_memory_is_a_status);
     tcase_add_test(tests, valentina_s_sew_line_and_lost_names);

@@ -13,11 +13,10 @@
 #define MUS_FIT_WORN_INTERNAL_H
 
 #include "drape/drape_state.h"
-#include "limb/limb.h"
 #include "muslin/fit.h"
 
-/* points of an axis at most: the contours of the trunk and of the limb */
-#define MUS__WORN_POINTS (2 * MUS__LIMB_CONTOURS + 1)
+/* points of an axis at most: the chest, and the contours of the trunk and of the limb, 128 each (mus_limb) */
+#define MUS__WORN_POINTS 257
 #define MUS__WORN_WAYS 3    /* ways on which an axis goes far outside from the end of its limb */
 
 typedef struct mus__worn_loop {

@@ -335,7 +335,8 @@ static mus_status field(dxf_text *t)
         t->now.angled = true;
         return coordinate(t, &t->now.angle);
     }
-    if (t->code == 42 && (t->type == DXF_VERTEX || t->light) && mus__dxf_number(t->value, &x) && x != 0.0)
+    const bool outline = t->in_blocks && (t->now.layer == 1 || t->now.layer == 14);
+    if (t->code == 42 && outline && (t->type == DXF_VERTEX || t->light) && mus__dxf_number(t->value, &x) && x != 0.0)
         return mus__source_fail(t->file->source, t->line, MUS_ERR_UNSUPPORTED,
                                 "a bulge (group code 42) makes an arc; expected straight chords");
     const int32_t axis = t->code == 10 ? 0 : t->code == 20 ? 1 : t->code == 11 ? 2 : t->code == 21 ? 3 : -1;

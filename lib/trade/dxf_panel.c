@@ -38,6 +38,7 @@ typedef struct dxf_panel {
     mus__ring cut;     /* boundary of layer 1; n is 0 when the outline is it */
     double axis[4];    /* mirror line of a folded piece */
     bool folded;
+    bool reflected;    /* places are read as their images in the mirror line */
     bool mirrored;     /* the panel is the image in x = 0 */
     int32_t sewn_line; /* entity of layer 8 that is the sew line, or MUS_NONE */
     int32_t panel;
@@ -58,6 +59,32 @@ static mus_status panel_wrap(const dxf_panel *p, mus_status status)
 static void panel_place(const dxf_panel *p, const mus__dxf_entity *entity, int32_t i, double *out)
 {
     for (int32_t k = 0; k < 2; k++) out[k] = p->file->unit * p->file->xy[2 * (size_t)(entity->first + i) + (size_t)k];
+    if (p->reflected) mus__ring_mirror(p->axis, out);
+}
+
+
+/* a direction in the place of its image, as panel_place() takes places */
+static void panel_turn(const dxf_panel *p, double *d)
+{
+    double tip[2] = {p->axis[0] + d[0], p->axis[1] + d[1]};
+    if (!p->reflected) return;
+    mus__ring_mirror(p->axis, tip);
+    for (int32_t k = 0; k < 2; k++) d[k] = tip[k] - p->axis[k];
+}
+
+
+/* true where the other half of a folded piece has an image of an entity: one of its ends lies off the mirror line */
+static bool panel_has_image(const dxf_panel *p, const mus__dxf_entity *entity)
+{
+    bool off = false;
+    for (int32_t i = 0; i < entity->n && p->folded; i += entity->n > 1 ? entity->n - 1 : 1) {
+        double at[2], image[2];
+        panel_place(p, entity, i, at);
+        memcpy(image, at, sizeof image);
+        mus__ring_mirror(p->axis, image);
+        off = off || mus__hypot(image[0] - at[0], image[1] - at[1]) > TEXT_NEAR;
+    }
+    return off;
 }
 
 
@@ -323,6 +350,7 @@ static mus_status slit_read(dxf_panel *p, const mus__dxf_entity *entity)
     if (entity->kind == MUS__DXF_POINT && entity->angled) {
         d[0] = mus__cos(entity->angle * MUS__DEGREE);
         d[1] = mus__sin(entity->angle * MUS__DEGREE);
+        panel_turn(p, d);
     } else if (entity->n > 1) {
         panel_place(p, entity, 1, d);
         const double length = mus__hypot(d[0] - at[0], d[1] - at[1]);
@@ -378,7 +406,11 @@ static mus_status panel_slits(dxf_panel *p)
     mus_status status = MUS_OK;
     for (int32_t i = p->block->first; i < p->block->first + p->block->n && status == MUS_OK; i++) {
         const mus__dxf_entity *entity = &p->file->entities[i];
-        if (entity->layer == 4 && entity->kind != MUS__DXF_TEXT && entity->n > 0) status = slit_read(p, entity);
+        if (entity->layer != 4 || entity->kind == MUS__DXF_TEXT || entity->n < 1) continue;
+        status = slit_read(p, entity);
+        p->reflected = panel_has_image(p, entity);
+        if (p->reflected && status == MUS_OK) status = slit_read(p, entity);
+        p->reflected = false;
     }
     for (int32_t i = 0; i < p->nslit && status == MUS_OK; i++) slit_share(p, &p->slits[i]);
     if (p->nslit > 1) mus__sort(p->slits, (size_t)p->nslit, sizeof *p->slits, by_edge);
@@ -474,6 +506,9 @@ static mus_status panel_marks(dxf_panel *p)
         if (++count > MARKS_MOST)
             return mus__source_fail(p->file->source, entity->line, MUS_ERR_LIMIT, "more than %d marks", MARKS_MOST);
         status = mark_add(p, entity);
+        p->reflected = panel_has_image(p, entity);
+        if (p->reflected && status == MUS_OK) status = mark_add(p, entity);
+        p->reflected = false;
     }
     return status;
 }

@@ -65,6 +65,17 @@ static mus_status size_unknown(const mus__dxf_file *file, const mus__rul *rules,
 }
 
 
+/* the rules displace the points of one size, and the file has another */
+static mus_status size_base(const mus__dxf_file *file, const mus__rul *rules, mus__dxf_slice has)
+{
+    char own[64], base[64];
+    mus__dxf_copy(has, own, sizeof own);
+    mus__dxf_copy(rules->sizes[rules->sample], base, sizeof base);
+    return mus__source_fail(file->source, 0, MUS_ERR_FORMAT, "size \"%s\", but the rules start from size \"%s\"", own,
+                            base);
+}
+
+
 /* the size whose blocks are read, and the rules that make the wanted size of it */
 static mus_status size_choose(mus__dxf_job *job, const mus__rul *rules, const char *size, mus__dxf_slice *out)
 {
@@ -78,10 +89,13 @@ static mus_status size_choose(mus__dxf_job *job, const mus__rul *rules, const ch
         job->size = rules != NULL ? mus__rul_size(rules, wanted) : MUS_NONE;
         if (job->size == MUS_NONE) return size_unknown(file, rules, size);
         job->rules = rules;
-        if (sample.length < 0) sample = rules->sizes[rules->sample];
+        const mus__dxf_slice base = rules->sizes[rules->sample];
+        if (sample.length >= 0 && !mus__dxf_same(sample, base)) return size_base(file, rules, sample);
+        sample = base;
         other = none;
     }
     *out = count_size(file, sample, &other) > 0 ? sample : other;
+    if (job->rules != NULL && out->length >= 0 && !mus__dxf_same(*out, sample)) return size_base(file, rules, *out);
     return MUS_OK;
 }
 

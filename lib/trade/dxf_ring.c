@@ -14,7 +14,7 @@
 #define RING_JOIN 5e-4   /* [m] ends this near are one point; chosen: files round to 0.01 mm, and no edge is so short */
 #define RING_SAME 1e-6   /* [m] points this near are one point: a hundredth of the last digit that files have */
 #define RING_TOUCH 5e-5  /* [m] a turn point or a mirror line this near to a vertex is on it; chosen: RING_JOIN / 10 */
-#define RING_POINTS 20000 /* most points of an outline; chosen: bounds the time of a file, which grows with n^2 */
+#define RING_POINTS 5000 /* most points of an outline; chosen: bounds the time of a file, which grows with n^2 */
 #define RING_CHAINS 5000 /* most lines of one layer of a piece; chosen: as RING_POINTS */
 #define CORNER_COSINE 0.86602540378443865 /* of 30 degrees (AAMA: a turn point is a corner) */
 
@@ -349,7 +349,7 @@ static double line_off(const double *axis, const double *p)
 }
 
 
-static void line_mirror(const double *axis, double *p)
+void mus__ring_mirror(const double *axis, double *p)
 {
     double dx = axis[2] - axis[0], dy = axis[3] - axis[1], dd = dx * dx + dy * dy;
     double off = 2.0 * (dx * (p[1] - axis[1]) - dy * (p[0] - axis[0])) / dd;
@@ -400,8 +400,8 @@ mus_status mus__ring_unfold(const mus__dxf_file *file, const mus__dxf_block *blo
     for (int32_t i = 1; i + 1 < half; i++) {
         mus__ring_point *image = &whole[2 * half - 2 - i];
         *image = whole[i];
-        line_mirror(axis, image->xy);
-        line_mirror(line, image->moved);
+        mus__ring_mirror(axis, image->xy);
+        mus__ring_mirror(line, image->moved);
     }
     mus_context_alloc(file->source->context, ring->points, 0);
     ring->points = whole;

@@ -49,6 +49,8 @@ mus_status mus__ring_grade(const mus__dxf_file *file, const mus__dxf_block *bloc
  * axis (4) gets two points of the line, *folded is false without one */
 mus_status mus__ring_unfold(const mus__dxf_file *file, const mus__dxf_block *block, mus__ring *ring, double *axis,
                             bool *folded);
+/* move a point to its mirror image in the line through the points of axis (4) */
+void mus__ring_mirror(const double *axis, double *xy);
 /* turn a clockwise ring round */
 void mus__ring_orient(mus__ring *ring);
 /* true when p lies inside the ring */

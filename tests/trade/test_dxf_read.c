@@ -139,9 +139,16 @@ START_TEST(gerber_s_open_chains_inches_and_mirror_line)
     ck_assert_double_eq(mus_pattern_edge_allowance(pattern, 0), 0.0);
     ck_assert_int_eq(mus_pattern_grain(pattern, 0, grain), MUS_OK);
     ck_assert_double_eq_tol(grain[1], 1.0, 1e-12);
-    ck_assert_int_eq(mus_pattern_notch_count(pattern), 1);
-    ck_assert_int_eq(mus_pattern_notch(pattern, 0, &edge, &s, &kind), MUS_OK);
-    ck_assert_double_eq_tol(s, 4.0 * inch, 1e-9);
+
+    /* with the images of its notch and its drill point */
+    ck_assert_int_eq(mus_pattern_notch_count(pattern), 2);
+    ck_assert_int_eq(mus_pattern_mark_count(pattern), 2);
+    for (int32_t k = 0, first = MUS_NONE; k < 2; k++) {
+        ck_assert_int_eq(mus_pattern_notch(pattern, k, &edge, &s, &kind), MUS_OK);
+        ck_assert_int_ne(edge, first);
+        ck_assert(fabs(s - 4.0 * inch) < 1e-9 || fabs(s - 6.0 * inch) < 1e-9); /* from either end of a side */
+        first = edge;
+    }
     mus_pattern_destroy(pattern);
     support_context_end(context);
 }

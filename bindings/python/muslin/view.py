@@ -38,7 +38,7 @@ class View:
                             glb=base64.b64encode(glb_bytes(self.meshes)).decode())
 
     def _repr_html_(self) -> str:
-        return f'<iframe style="width:100%;height:{self.height}px;border:0" srcdoc="{html.escape(self.page())}">' \
+        return f'<iframe sandbox="allow-scripts" style="width:100%;height:{self.height}px;border:0" srcdoc="{html.escape(self.page())}">' \
                "</iframe>"
 
 

@@ -5,7 +5,8 @@ self.addEventListener("install", (event) => {
     event.waitUntil(caches.open(kept).then((cache) => cache.addAll(["./", ...FILES])));
 });
 self.addEventListener("activate", (event) => {
-    const old = (names) => Promise.all(names.filter((name) => name !== kept).map((name) => caches.delete(name)));
+    const ours = (name) => name.startsWith("muslin-") && name !== kept;
+    const old = (names) => Promise.all(names.filter(ours).map((name) => caches.delete(name)));
     event.waitUntil(
         caches
             .keys()

@@ -257,12 +257,14 @@ static int table(mus_context *context, const char *data, double spacing, const c
             snprintf(tape, sizeof tape, "%s/garmentcode/bodies/%s.yaml", data, garments[g].body);
         }
         const bool on = dress_garment(context, pattern, tape, spacing, &d);
+        rows += !on;
         for (int32_t defect = DEFECTS; on && defect >= 0; defect--) {
             mus_worn worn;
             double seconds = 0.0;
             if (defect < DEFECTS && (garments[g].defects >> defect & 1) == 0) continue;
             if (certify(context, &d, defect, &worn, &seconds) != MUS_OK) {
                 printf("%s: %s\n", garments[g].name, mus_context_error(context));
+                rows++;
                 continue;
             }
             const bool good = print_row(garments[g].name, defect, &worn, seconds);

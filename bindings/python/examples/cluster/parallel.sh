@@ -4,7 +4,7 @@
 set -eu
 parts=${3:-8}
 mkdir -p "$2"
-seq "$parts" | parallel ${PARALLEL_HOSTS:+--sshloginfile "$PARALLEL_HOSTS"} --halt soon,fail=1 \
+seq "$parts" | parallel -q ${PARALLEL_HOSTS:+--sshloginfile "$PARALLEL_HOSTS"} --halt soon,fail=1 \
     muslin dress --batch "$1" --part "{}/$parts" -o "$2/task-{}" --quiet
 # every result starts with {"line": NUMBER,
 cat "$2"/task-*/results.jsonl | sort -t: -k2,2n >"$2/results.jsonl"

@@ -38,15 +38,43 @@ call_of()
 symbols_needed() { nm -u "$@" 2>/dev/null | awk '$1 == "U" && $2 ~ /^mus_/ { print $2 }' | sort -u; }
 symbols_given() { nm -g --defined-only "$@" 2>/dev/null | awk 'NF == 3 && $3 ~ /^mus_/ { print $3 }' | sort -u; }
 
+# names that parts define which call, themselves or by another part, what no archive has
+symbols_spoiled()
+{
+    nm -A $PARTS 2>/dev/null | awk -v given="$into/given" '
+        BEGIN { while ((getline line < given) > 0) have[line] = 1 }
+        {
+            at = match($0, /:[^:]*$/)
+            part = substr($0, 1, at - 1)
+            n = split(substr($0, at + 1), field, " ")
+            parts[part] = 1
+            if (field[n - 1] == "U") needs[part] = needs[part] " " field[n]
+            else if (n == 3 && field[2] ~ /[A-Z]/) owner[field[3]] = part
+        }
+        END {
+            do {
+                changed = 0
+                for (part in parts) {
+                    n = split(needs[part], name, " ")
+                    for (i = 1; i <= n && !(part in bad); i++)
+                        if ((name[i] ~ /^mus_/ && !(name[i] in have)) || owner[name[i]] in bad) bad[part] = changed = 1
+                }
+            } while (changed)
+            for (symbol in owner) if (owner[symbol] in bad) print symbol
+        }' | sort -u
+}
+
 # test objects that call nothing but what the archives have, to $into/objects; the others to $into/left
 choose()
 {
     symbols_given $archives $PARTS >"$into/given"
+    symbols_spoiled >"$into/spoiled"
     : >"$into/objects"
     : >"$into/left"
     for source in tests/*/test_*.c; do
         object=$out/obj/${source%.c}.o
         missing=$(symbols_needed "$object" | comm -23 - "$into/given" | head -n 1)
+        [ -n "$missing" ] || missing=$(nm -u "$object" | awk '{ print $2 }' | sort -u | comm -12 - "$into/spoiled" | head -n 1)
         if [ -z "$missing" ]; then echo "$object" >>"$into/objects"; else echo "$source: $missing" >>"$into/left"; fi
     done
     { echo '#define SUITES(X) \'; sed 's|.*/test_\(.*\)\.o$|    X(\1) \\|' "$into/objects"; echo; } >"$into/suites.h"

@@ -42,6 +42,25 @@ MUS_API int32_t mus_design_groups(int32_t design);
 /** Index of the design with a name; MUS_NONE if there is none. */
 MUS_API int32_t mus_design_find(const char *name);
 
+/**
+ * Search the named designs by a phrase that a person types: "long sleeve tee", "kids dress", "pencil skirt length=knee".
+ *
+ * Words are those of titles, names, families, words and groups, and those of shops that mean them (pants, tee, kids).
+ * Plurals, endings, words typed together and slips of a letter or two are read. Words that choose no design (colours)
+ * and unknown words are passed over. "axis=option" keeps the designs with that option. A design matches that scores at
+ * least half of the best; the design whose name is the phrase itself scores 1.
+ *
+ * Shapes:  designs (room), scores (room, 0 to 1, may be NULL): the best first, those of equal scores in the order of
+ *          their numbers; *count: designs that match, which may be more than room
+ * Errors:  MUS_ERR_ARG; MUS_ERR_DESIGN ("axis=option" that no design has); MUS_ERR_MEMORY
+ * Memory:  frees all that it allocates, about 0.3 MB
+ * Cost:    about 1 ms for each word of the phrase on one core, 5 ms for "axis=option"
+ * Source:  Sparck Jones, A statistical interpretation of term specificity, 1972; Robertson and Zaragoza, The
+ *          probabilistic relevance framework, 2009
+ */
+MUS_API mus_status mus_design_search(mus_context *context, const char *phrase, int32_t room, int32_t *designs,
+                                     double *scores, int32_t *count);
+
 /** Number of the axes of words. Axis 0 is the garment, whose option stands alone as the first word. */
 MUS_API int32_t mus_design_axis_count(void);
 

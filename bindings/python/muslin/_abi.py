@@ -863,6 +863,8 @@ FUNCTIONS = {
     "mus_design_words": ("core", c_char_p, [c_int32]),
     "mus_design_groups": ("core", c_int32, [c_int32]),
     "mus_design_find": ("core", c_int32, [c_char_p]),
+    "mus_design_search": ("core", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(c_int32),
+                                            POINTER(c_double), POINTER(c_int32)]),
     "mus_design_axis_count": ("core", c_int32, []),
     "mus_design_axis_name": ("core", c_char_p, [c_int32]),
     "mus_design_option_count": ("core", c_int32, [c_int32]),

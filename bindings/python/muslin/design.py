@@ -16,15 +16,26 @@ if TYPE_CHECKING:
 GROUPS = {_abi.MUS_GROUP_WOMEN: "women", _abi.MUS_GROUP_MEN: "men", _abi.MUS_GROUP_CHILDREN: "children"}
 
 
+def _row(design: int) -> dict[str, Any]:
+    bits = lib.mus_design_groups(design)
+    return {"name": lib.mus_design_name(design).decode(), "family": lib.mus_design_family(design).decode(),
+            "title": lib.mus_design_title(design).decode(), "words": lib.mus_design_words(design).decode(),
+            "groups": [group for bit, group in GROUPS.items() if bits & bit]}
+
+
 def designs() -> list[dict[str, Any]]:
     """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children"."""
-    rows = []
-    for i in range(lib.mus_design_count()):
-        bits = lib.mus_design_groups(i)
-        rows.append({"name": lib.mus_design_name(i).decode(), "family": lib.mus_design_family(i).decode(),
-                     "title": lib.mus_design_title(i).decode(), "words": lib.mus_design_words(i).decode(),
-                     "groups": [group for bit, group in GROUPS.items() if bits & bit]})
-    return rows
+    return [_row(i) for i in range(lib.mus_design_count())]
+
+
+def search(phrase: str, most: int | None = None) -> list[dict[str, Any]]:
+    """The named designs that match a phrase ("long sleeve tee", "kids dress", "skirt length=knee"), the best first, at
+    most `most` of them: rows as of designs(), and "score", 0 to 1. Nothing matches: []."""
+    room = lib.mus_design_count() if most is None else max(0, most)
+    found, scores, count = (ctypes.c_int32 * room)(), (ctypes.c_double * room)(), ctypes.c_int32()
+    context = Context.of_thread()
+    context.call("mus_design_search", context.handle, text(phrase), room, found, scores, ctypes.byref(count))
+    return [{**_row(found[i]), "score": scores[i]} for i in range(min(room, count.value))]
 
 
 def axes() -> dict[str, list[str]]:

@@ -6,6 +6,10 @@
  * corrected ("litle"). A concept has senses, itself and those of its row. Its match with a design, 0 to 1, is that of
  * its best sense: the least over the words of the sense of field weight times likeness.
  *
+ * The head of the phrase is the last concept before a preposition that names the noun of some title or a garment
+ * ("shirt dress": dress). Designs of another noun and garment, and designs for others than the phrase says ("kids"),
+ * keep the share OTHER_SHARE of their score.
+ *
  * Score: with idf(c) = ln((N + 1) / (1 + sum over designs of match(c))),
  *
  *     recall = sum over c of idf(c) match(c) / sum over c of idf(c)
@@ -26,18 +30,22 @@
 
 #define SENSE_WORTH 0.9      /* of a row's first sense, its square of the second ... Chosen: below the word itself */
 #define APART_SHARE 0.5      /* of a sense whose words do not stand side by side. Chosen: "knit" and "top" apart */
-#define PAIR_SHARE 0.5       /* of the idf of two neighbours. Chosen: an order of words is a hint, a word is a wish */
+#define PAIR_SHARE 0.3       /* of the idf of two neighbours. Chosen: an order of words is a hint, a word is a wish */
 #define PRECISION_SHARE 0.2  /* chosen: a title without more words never beats one concept more of three */
+#define OTHER_SHARE 0.5      /* of a design of another kind or group. Chosen: who wants a dress does not take a top */
 #define SHOWN_SHARE 0.5      /* a design matches with this share of the best score or more. Chosen */
 
 /* a search under way */
 typedef struct search {
     mus__search_index index;
     mus__phrase phrase;   /* corrected */
+    int32_t ends;         /* number of its words before the first preposition */
     double *sum, *match;  /* (designs) sum of idf times match; match of the concept at hand */
+    double *kind, *group; /* (designs) 1, or OTHER_SHARE: of another kind, for others */
     double *like;         /* (MUS__PHRASE_WORDS x words) likeness of the sense at hand to the vocabulary */
     double *covered;      /* (words) largest likeness to any sense of the phrase */
     double all;           /* sum of idf */
+    int32_t asked, met;   /* concepts that tell no group; those of them that some design has */
     int32_t condition[MUS__AXIS_COUNT]; /* option that an axis shall have, or MUS_NONE */
     bool conditions;
 } search;
@@ -64,8 +72,8 @@ static void search_sense(search *s, const mus__phrase *sense, double worth, bool
 }
 
 
-/* Adds the concept whose senses were matched, and clears the match. */
-static void search_add(search *s, double share)
+/* Adds the concept whose senses were matched, and clears the match. Returns whether any design has it. */
+static bool search_add(search *s, double share)
 {
     double frequency = 1.0;
     for (int32_t d = 0; d < s->index.designs; d++) frequency += s->match[d];
@@ -73,6 +81,30 @@ static void search_add(search *s, double share)
     for (int32_t d = 0; d < s->index.designs; d++) s->sum[d] += idf * s->match[d];
     if (frequency > 1.0) s->all += idf;
     memset(s->match, 0, (size_t)s->index.designs * sizeof *s->match);
+    return frequency > 1.0;
+}
+
+
+/* Whether a row tells whom a garment is for. */
+static bool search_row_groups(const mus__synonym *row)
+{
+    static const char *const group[] = {"child", "men", "women"};
+    for (size_t i = 0; row != NULL && i < sizeof group / sizeof group[0]; i++)
+        if (strcmp(row->mean, group[i]) == 0) return true;
+    return false;
+}
+
+
+/* Marks the designs of another kind if a word of a sense is the noun of any design; leaves the marks else. */
+static void search_head(search *s, const char *word, bool *met)
+{
+    bool any = *met;
+    for (int32_t d = 0; d < s->index.designs && !any; d++) any = mus__search_is_head(&s->index, d, word);
+    for (int32_t d = 0; d < s->index.designs && any; d++) {
+        const bool is = mus__search_is_head(&s->index, d, word);
+        if (is || !*met) s->kind[d] = is ? 1.0 : OTHER_SHARE;
+    }
+    *met = any;
 }
 
 
@@ -101,6 +133,7 @@ static mus__phrase search_joined(const search *s, int32_t i)
 static int32_t search_concept(search *s, int32_t i)
 {
     int32_t n = 1;
+    bool head = false;
     const mus__synonym *row = mus__search_row(&s->phrase, i, &n);
     if (row != NULL && row->mean[0] == '\0') return n;
     mus__phrase sense = search_part(s, i, n);
@@ -111,15 +144,22 @@ static int32_t search_concept(search *s, int32_t i)
             sense = search_part(s, i, n = 2);
         }
     }
-    search_sense(s, &sense, 1.0, false);
     double worth = 1.0;
-    for (const char *mean = row != NULL ? row->mean : NULL; mean != NULL; ) {
+    for (const char *mean = row != NULL ? row->mean : "";; ) {
+        search_sense(s, &sense, worth, false);
+        if (i < s->ends || s->ends == 0) search_head(s, sense.word[sense.count - 1], &head);
+        if (*mean == '\0') break;
         const size_t length = strcspn(mean, "|");
         mus__phrase_read(mean, length, &sense);
-        search_sense(s, &sense, worth *= SENSE_WORTH, false);
-        mean = mean[length] == '|' ? mean + length + 1 : NULL;
+        worth *= SENSE_WORTH;
+        mean += length + (mean[length] == '|');
     }
-    search_add(s, 1.0);
+    const bool groups = search_row_groups(row);
+    for (int32_t d = 0; d < s->index.designs && groups; d++)
+        if (s->match[d] <= 0.0) s->group[d] = OTHER_SHARE;
+    const bool met = search_add(s, 1.0);
+    s->asked += !groups;
+    s->met += met && !groups;
     return n;
 }
 
@@ -158,6 +198,21 @@ static mus_status search_condition(search *s, const char *text, size_t n)
 }
 
 
+/* Appends a word as it is typed to the phrase. */
+static void search_word(search *s, const char *typed)
+{
+    char joined[MUS__WORD_BYTES];
+    mus__phrase *phrase = &s->phrase;
+    if (mus__word_is_function(typed)) {
+        if (s->ends == 0 && mus__word_is_preposition(typed)) s->ends = phrase->count;
+    } else if (phrase->count > 0 && mus__search_join(&s->index, phrase->word[phrase->count - 1], typed, joined)) {
+        memcpy(phrase->word[phrase->count - 1], joined, sizeof joined);
+    } else {
+        mus__search_correct(&s->index, typed, phrase);
+    }
+}
+
+
 /* Splits the phrase into words and conditions, and corrects the words. */
 static mus_status search_read(search *s, const char *phrase)
 {
@@ -170,8 +225,7 @@ static mus_status search_read(search *s, const char *phrase)
             status = search_condition(s, word, n);
         } else {
             mus__phrase_read(word, n, &some);
-            for (int32_t i = 0; i < some.count; i++)
-                if (!mus__word_is_function(some.word[i])) mus__search_correct(&s->index, some.word[i], &s->phrase);
+            for (int32_t i = 0; i < some.count; i++) search_word(s, some.word[i]);
         }
         word += n + strspn(word + n, " \t\n");
     }
@@ -212,9 +266,9 @@ static double search_score(const search *s, int32_t design, int32_t exact)
 {
     if (design == exact) return 1.0;
     if (s->phrase.count == 0) return s->conditions ? 1.0 : 0.0;
-    if (s->all <= 0.0) return 0.0;
+    if (s->all <= 0.0 || (s->asked > 0 && s->met == 0)) return 0.0;
     const double precision = mus__search_precision(&s->index, design, s->covered);
-    return s->sum[design] / s->all * (1.0 - PRECISION_SHARE * (1.0 - precision));
+    return s->kind[design] * s->group[design] * s->sum[design] / s->all * (1.0 - PRECISION_SHARE * (1.0 - precision));
 }
 
 
@@ -238,6 +292,7 @@ static mus_status search_run(search *s, const char *phrase, search_rank *rank, i
 {
     mus_status status = search_read(s, phrase);
     if (status != MUS_OK) return status;
+    for (int32_t d = 0; d < s->index.designs; d++) s->kind[d] = s->group[d] = 1.0;
     for (int32_t i = 0; i < s->phrase.count; ) i += search_concept(s, i);
     search_pairs(s);
     return search_rank_all(s, mus_design_find(phrase), rank, count);
@@ -257,10 +312,13 @@ mus_status mus_design_search(mus_context *context, const char *phrase, int32_t r
     const int32_t n = s.index.designs, words = s.index.words;
     s.sum = mus__new(context, n, sizeof *s.sum);
     s.match = mus__new(context, n, sizeof *s.match);
+    s.kind = mus__new(context, n, sizeof *s.kind);
+    s.group = mus__new(context, n, sizeof *s.group);
     s.like = mus__new(context, (int64_t)MUS__PHRASE_WORDS * words, sizeof *s.like);
     s.covered = mus__new(context, words, sizeof *s.covered);
     search_rank *rank = mus__new(context, n, sizeof *rank);
-    if (status == MUS_OK && (s.sum == NULL || s.match == NULL || s.like == NULL || s.covered == NULL || rank == NULL))
+    if (status == MUS_OK && (s.sum == NULL || s.match == NULL || s.kind == NULL || s.group == NULL || s.like == NULL ||
+                             s.covered == NULL || rank == NULL))
         status = mus__fail_memory(context, "a search");
     if (status == MUS_OK) status = search_run(&s, phrase, rank, &found);
     if (status == MUS_OK) *count = found;
@@ -271,6 +329,8 @@ mus_status mus_design_search(mus_context *context, const char *phrase, int32_t r
     mus__free(context, rank);
     mus__free(context, s.covered);
     mus__free(context, s.like);
+    mus__free(context, s.group);
+    mus__free(context, s.kind);
     mus__free(context, s.match);
     mus__free(context, s.sum);
     mus__search_index_free(&s.index);

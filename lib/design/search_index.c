@@ -5,10 +5,11 @@
 
 #include <string.h>
 
-/* fields of a design and their weights. Chosen: title and name are made for people, the rest is for programs */
-enum { FIELD_TITLE, FIELD_NAME, FIELD_FAMILY, FIELD_WORDS, FIELD_GROUPS, FIELD_COUNT };
+/* fields of a design and their weights. Chosen: title and name are made for people; the garment and the options of the
+ * words are what is drafted; axes, families and groups say little of one design */
+enum { FIELD_TITLE, FIELD_NAME, FIELD_FAMILY, FIELD_GARMENT, FIELD_OPTION, FIELD_AXIS, FIELD_GROUPS, FIELD_COUNT };
 
-static const double index_weight[FIELD_COUNT] = {1.0, 0.9, 0.5, 0.5, 0.5};
+static const double index_weight[FIELD_COUNT] = {1.0, 0.9, 0.5, 0.8, 1.0, 0.5, 0.5};
 
 #define KNOWN_LIKE 0.85 /* likeness from which a typed word is the known one: an ending, a plural or the same */
 #define BEGUN_LIKE 0.8  /* of a word that a typed one begins. Chosen: below an ending */
@@ -82,14 +83,21 @@ static mus_status index_add_field(mus__search_index *index, int32_t field, const
 static mus_status index_add_option(mus__search_index *index, const char *text, size_t n)
 {
     const size_t key = strcspn(text, " =");
-    if (key >= n) return index_add_field(index, FIELD_WORDS, text, n);
-    char spoken[4 * MUS__WORD_BYTES];
-    const size_t option = n - key - 1;
-    if (n >= sizeof spoken || (option == 4 && memcmp(text + key + 1, "none", 4) == 0)) return MUS_OK;
-    memcpy(spoken, text + key + 1, option);
-    spoken[option] = ' ';
-    memcpy(spoken + option + 1, text, key);
-    return index_add_field(index, FIELD_WORDS, spoken, n);
+    if (key >= n) return index_add_field(index, FIELD_GARMENT, text, n);
+    if (n - key == 5 && memcmp(text + key + 1, "none", 4) == 0) return MUS_OK;
+    const mus_status status = index_add_field(index, FIELD_OPTION, text + key + 1, n - key - 1);
+    return status == MUS_OK ? index_add_field(index, FIELD_AXIS, text, key) : status;
+}
+
+
+/* the noun that a title is about: the last word before a comma, a bracket or a preposition ("Shirt with a yoke") */
+static int32_t index_head(const mus__search_index *index, const char *title)
+{
+    mus__phrase words;
+    mus__phrase_read(title, strcspn(title, ",("), &words);
+    int32_t n = 0;
+    while (n < words.count && !mus__word_is_preposition(words.word[n])) n++;
+    return n > 0 ? mus__search_find(index, words.word[n - 1]) : MUS_NONE;
 }
 
 
@@ -103,6 +111,7 @@ static mus_status index_add_design(mus__search_index *index, int32_t design)
         status = index_add_field(index, f, text[f], strlen(text[f]));
         if (f > FIELD_TITLE || status != MUS_OK) continue;
         for (int32_t t = title + 1; t < index->tokens; t++) index->frequency[index->token[t]]++;
+        index->head[design] = index_head(index, text[f]);
     }
     for (const char *word = mus_design_words(design); status == MUS_OK && *word != '\0'; ) {
         const size_t n = strcspn(word, " ");
@@ -123,7 +132,8 @@ mus_status mus__search_index_make(mus_context *context, mus__search_index *out)
     out->designs = mus_design_count();
     out->slot = mus__new(context, MUS__SEARCH_SLOTS, sizeof *out->slot);
     out->first = mus__new(context, out->designs + 1, sizeof *out->first);
-    mus_status status = out->slot != NULL && out->first != NULL ? MUS_OK : MUS_ERR_MEMORY;
+    out->head = mus__new(context, out->designs, sizeof *out->head);
+    mus_status status = out->slot != NULL && out->first != NULL && out->head != NULL ? MUS_OK : MUS_ERR_MEMORY;
     for (int32_t d = 0; status == MUS_OK && d < out->designs; d++) {
         status = index_add_design(out, d);
         out->first[d + 1] = out->tokens;
@@ -139,6 +149,7 @@ void mus__search_index_free(mus__search_index *index)
     mus__free(index->context, index->slot);
     mus__free(index->context, index->token);
     mus__free(index->context, index->first);
+    mus__free(index->context, index->head);
 }
 
 
@@ -165,6 +176,7 @@ double mus__search_match(const mus__search_index *index, int32_t design, const d
     for (int32_t t = index->first[design]; t < index->first[design + 1]; t++) {
         const int32_t word = index->token[t];
         if (word < 0) weight = index_weight[-1 - word];
+        if (word == -1 - FIELD_AXIS) continue; /* it follows its option: "short" "sleeve" */
 
         /* run[k]: least match of words 0 to k that end here side by side */
         for (int32_t k = n - 1; k >= 0; k--) {
@@ -178,6 +190,19 @@ double mus__search_match(const mus__search_index *index, int32_t design, const d
     for (int32_t k = 0; k < n; k++)
         if (best[k] < least) least = best[k];
     return least;
+}
+
+
+bool mus__search_is_head(const mus__search_index *index, int32_t design, const char *word)
+{
+    const int32_t head = index->head[design];
+    const char *garment = mus_design_words(design);
+    const size_t n = strcspn(garment, " ");
+    if (strlen(word) == n && memcmp(word, garment, n) == 0) return true;
+
+    /* "skirts" are a skirt, but "short" is no shorts */
+    return head != MUS_NONE && mus__word_like(word, index->word[head]) > KNOWN_LIKE &&
+           strlen(word) >= strlen(index->word[head]);
 }
 
 
@@ -196,12 +221,19 @@ double mus__search_precision(const mus__search_index *index, int32_t design, con
 
 /* ---- words that are known ---- */
 
-/* the next phrase of a list between "|"; false after the last */
+/* the next phrase of a list between "|", without words that carry no meaning; false after the last */
 static bool index_next_phrase(const char **list, mus__phrase *out)
 {
     if (**list == '\0') return false;
     const size_t n = strcspn(*list, "|");
+    int32_t kept = 0;
     mus__phrase_read(*list, n, out);
+    for (int32_t i = 0; i < out->count; i++) {
+        if (mus__word_is_function(out->word[i])) continue;
+        if (kept < i) memcpy(out->word[kept], out->word[i], MUS__WORD_BYTES);
+        kept++;
+    }
+    out->count = kept;
     *list += n + ((*list)[n] == '|');
     return true;
 }
@@ -262,6 +294,16 @@ static index_near index_compare(const mus__search_index *index, const char *type
 static void index_append(mus__phrase *out, const char *word)
 {
     if (out->count < MUS__PHRASE_WORDS) memcpy(out->word[out->count++], word, strlen(word) + 1);
+}
+
+
+bool mus__search_join(const mus__search_index *index, const char *a, const char *b, char *joined)
+{
+    const size_t n = strlen(a), m = strlen(b);
+    if (n + m >= MUS__WORD_BYTES) return false;
+    memcpy(joined, a, n);
+    memcpy(joined + n, b, m + 1);
+    return index_compare(index, joined).known && (!index_compare(index, a).known || !index_compare(index, b).known);
 }
 
 

@@ -19,6 +19,7 @@ typedef struct mus__search_index {
     int32_t *slot;                 /* (MUS__SEARCH_SLOTS) word + 1 by hash; 0: free */
     int32_t *token;                /* (tokens) word, or -1 - field where a field begins */
     int32_t *first;                /* (designs + 1) first token of a design */
+    int32_t *head;                 /* (designs) word: the noun that the title is about, or MUS_NONE */
     int32_t word_room, frequency_room, token_room;
 } mus__search_index;
 
@@ -38,12 +39,19 @@ void mus__search_like(const mus__search_index *index, const char *word, double *
 double mus__search_match(const mus__search_index *index, int32_t design, const double *like, int32_t n,
                          double *together);
 
+/* Whether a word is the noun that a design's title is about ("Shirt dress": dress), or its garment. */
+bool mus__search_is_head(const mus__search_index *index, int32_t design, const char *word);
+
 /* Share of a design's title, in idf of its words, that is covered (words: 0 to 1). */
 double mus__search_precision(const mus__search_index *index, int32_t design, const double *covered);
 
 /* The row of synonyms with the longest phrase that the words from the i-th begin with; *n: its number of words. NULL:
  * there is none, *n is not changed. */
 const mus__synonym *mus__search_row(const mus__phrase *phrase, int32_t i, int32_t *n);
+
+/* Whether two words, at least one of them unknown, are a known word when joined ("cheong sam"); writes it to `joined`
+ * (MUS__WORD_BYTES). */
+bool mus__search_join(const mus__search_index *index, const char *a, const char *b, char *joined);
 
 /* Appends a word to a phrase: itself if catalogue or synonyms know it or a word that begins so; else the two known
  * words that it is joined of; else the known word at the smallest distance, one letter for words of 4 to 7, two for

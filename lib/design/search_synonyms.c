@@ -149,13 +149,13 @@ const mus__synonym mus__synonyms[] = {
     {"oktoberfest|drindl|trachten|bavarian", "dirndl"},
 
     /* lengths */
-    {"mini|miniskirt|above knee|above the knee|thigh length|micro", "mini"},
-    {"short dress|mini dress|minidress", "mini dress|dress mini length"},
-    {"short skirt|mini skirt|miniskirt", "mini skirt"},
+    {"mini|above knee|above the knee|thigh length|micro", "mini"},
+    {"short dress|minidress", "mini dress"},
+    {"short skirt|miniskirt", "mini skirt"},
     {"knee length|kneelength|on the knee", "knee|to the knee"},
     {"below knee|below the knee|mid calf|calf length|tea length|mid length|midi length", "midi"},
-    {"long dress|maxi dress|floor length dress|maxidress", "maxi dress|gown|maxi length"},
-    {"long skirt|maxi skirt|floor length skirt|full length skirt|maxiskirt", "maxi skirt|skirt maxi"},
+    {"long dress|floor length dress|full length dress|maxidress", "maxi dress|gown"},
+    {"long skirt|floor length skirt|full length skirt|maxiskirt", "maxi skirt"},
     {"floor length|ankle length|full length|maxi", "maxi|ankle"},
     {"asymmetric|asymmetrical|dip hem|dipped hem|mullet|hi lo|hi low|high low", "high low"},
     {"hip length", "to the hip"},

@@ -87,11 +87,23 @@ int32_t mus__word_distance(const char *a, const char *b)
 }
 
 
-bool mus__word_is_function(const char *word)
+static bool text_among(const char *word, const char *const *words, size_t n)
 {
-    static const char *const words[] = {"an", "and", "at", "by", "for", "from", "in", "is", "of", "on", "or", "that",
-                                        "the", "to", "up", "with"};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+    for (size_t i = 0; i < n; i++)
         if (strcmp(word, words[i]) == 0) return true;
     return false;
+}
+
+
+bool mus__word_is_preposition(const char *word)
+{
+    static const char *const words[] = {"at", "by", "for", "from", "in", "of", "on", "to", "with", "without"};
+    return text_among(word, words, sizeof words / sizeof words[0]);
+}
+
+
+bool mus__word_is_function(const char *word)
+{
+    static const char *const words[] = {"an", "and", "is", "or", "that", "the"};
+    return mus__word_is_preposition(word) || text_among(word, words, sizeof words / sizeof words[0]);
 }

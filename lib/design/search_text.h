@@ -28,7 +28,9 @@ double mus__word_like(const char *a, const char *b);
  * alignment; Damerau, A technique for computer detection and correction of spelling errors, 1964). */
 int32_t mus__word_distance(const char *a, const char *b);
 
-/* Whether a word carries no meaning of its own ("with"). */
+/* Whether a word is a preposition ("with"): the noun that a phrase is about stands before the first one. */
+bool mus__word_is_preposition(const char *word);
+/* Whether a word carries no meaning of its own: a preposition, an article ("the"). "a" is no such word: "a line". */
 bool mus__word_is_function(const char *word);
 
 /* Words of the trade: who types a phrase of `say` means the words of `mean`. Both list phrases with "|" between them;

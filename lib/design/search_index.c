@@ -211,6 +211,7 @@ double mus__search_precision(const mus__search_index *index, int32_t design, con
     double named = 0.0, all = 0.0;
     for (int32_t t = index->first[design] + 1; t < index->first[design + 1] && index->token[t] >= 0; t++) {
         const int32_t word = index->token[t];
+        if (mus__word_is_function(index->word[word])) continue;
         const double idf = mus__ln((index->designs + 1.0) / index->frequency[word]);
         named += idf * covered[word];
         all += idf;

@@ -19,7 +19,8 @@ typedef struct shown {
     double ease[MUS_EASE_COUNT];
     int32_t pieces;
     mus_sheet_piece piece[PIECES_MOST];
-    double area, metres;     /* of the cut pieces' boxes [m2]; length of cloth CLOTH_WIDE wide, NaN: too narrow */
+    double area, metres;     /* of all pieces inside their seam lines [m2]; length of cloth CLOTH_WIDE wide that their
+                              * boxes need, NaN: a box is wider */
 } shown;
 
 static const char *const levels[MUS_EASE_COUNT] = {"bust", "waist", "hip"};
@@ -119,14 +120,16 @@ static void shown_print(const scene *s, const shown *sh)
         if (axis_option(s, sh->words, a, one)) printf(" %s=%s", mus_design_axis_name(a), one);
     printf("\n  ease   ");
     for (int32_t e = 0; e < MUS_EASE_COUNT; e++)
-        if (isfinite(sh->ease[e])) printf(" %s %.1f cm", levels[e], 100.0 * sh->ease[e] + 0.0);
+        if (isfinite(sh->ease[e])) printf(" %s %.1f cm", levels[e], fabs(sh->ease[e]) < 5e-4 ? 0.0 : 100.0 * sh->ease[e]);
     printf("   on %s\n  pieces ", mus_tape_name(s->tape));
     for (int32_t p = 0; p < sh->pieces; p++)
         printf("%s %s %d%s", p > 0 ? "," : "", sh->piece[p].name, (int)sh->piece[p].copies,
                sh->piece[p].mirrored ? " mirrored" : "");
     printf("\n  cloth   %.2f m2 inside the seams", sh->area);
-    if (isfinite(sh->metres)) printf("; the boxes of all pieces fit on %.2f m of cloth %.2f m wide", sh->metres, CLOTH_WIDE);
-    else printf("; a piece is wider than cloth of %.2f m", CLOTH_WIDE);
+    if (isfinite(sh->metres))
+        printf("; the boxes of all pieces fit on %.2f m of cloth %.2f m wide", sh->metres, CLOTH_WIDE);
+    else
+        printf("; a piece is wider than cloth of %.2f m", CLOTH_WIDE);
     printf("\n");
 }
 

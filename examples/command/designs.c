@@ -105,7 +105,7 @@ int command_designs(int argc, char **argv)
     double most = 0.0;
     source from = {0};
     const option options[] = {
-        {"[WORDS...]", OPTION_REST, &words, 0, 0, "what the garment is called: pencil skirt, long sleeve tee, length=midi"},
+        {"[WORDS...]", OPTION_REST, &words, 0, 0, "what it is called: pencil skirt, long sleeve tee, length=midi"},
         {"--most", OPTION_WHOLE, &most, 1, 10000, "N  number of matches listed, default 20; 12 in a picture"},
         {"--png", OPTION_OUTPUT, &png, 0, 0, "FILE  draw their pieces, the name under each"},
         {"--show", OPTION_TEXT, &show, 0, 0, "NAME  tell all of one: axes, cloth, ease, pieces, metres of cloth"},

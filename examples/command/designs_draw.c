@@ -208,7 +208,8 @@ int designs_draw(const int32_t *designs, int32_t count, const source *from, cons
     letters_page page = {columns * TILE_WIDE, rows * TILE_HIGH, 1, NULL};
     unsigned char *tile = malloc((size_t)ACROSS * DOWN);
     page.rgba = malloc((size_t)page.width * (size_t)page.height * 4);
-    int code = tile != NULL && page.rgba != NULL ? EXIT_DONE : complain(EXIT_FAILED, "designs", "no memory for a picture");
+    int code = EXIT_DONE;
+    if (tile == NULL || page.rgba == NULL) code = complain(EXIT_FAILED, "designs", "no memory for a picture");
     for (size_t i = 0; code == EXIT_DONE && i < (size_t)page.width * (size_t)page.height; i++) {
         memcpy(page.rgba + 4 * i, tile_colours[PAPER], 3);
         page.rgba[4 * i + 3] = 255;

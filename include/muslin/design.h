@@ -1,9 +1,10 @@
 /*
  * muslin/design.h: garments drafted from the tape.
  *
- * A design is a few words, "dress neck=v sleeve=puff": one option for each axis of style. Blocks (bodice, sleeve,
- * skirt, trousers) are drafted to the measures, the words work on them, and they become a pattern with seams, notches,
- * grain and placement round the body. Many designs have names. Axes and formulas: man page mus_design(3).
+ * A design is a few words, "dress neck=v sleeve=puff": a garment, and one option for each axis of style. An axis may be
+ * left out where only it has the option, or stand beside it: "pencil skirt", "short sleeve top". Blocks (bodice,
+ * sleeve, skirt, trousers) are drafted to the measures, the words work on them, and they become a pattern with seams,
+ * notches, grain and placement round the body. Many designs have names. Axes and formulas: man page mus_design(3).
  */
 #ifndef MUSLIN_DESIGN_H
 #define MUSLIN_DESIGN_H
@@ -43,7 +44,7 @@ MUS_API int32_t mus_design_groups(int32_t design);
 MUS_API int32_t mus_design_find(const char *name);
 
 /**
- * Search the named designs by a phrase that a person types: "long sleeve tee", "kids dress", "pencil skirt length=knee".
+ * Search the named designs by a phrase that a person types: "long sleeve tee", "kids dress", "skirt length=knee".
  *
  * Words are those of titles, names, families, words and groups, and those of shops that mean them (pants, tee, kids).
  * Plurals, endings, words typed together and slips of a letter or two are read. Words that choose no design (colours)

@@ -182,19 +182,12 @@ static void search_pairs(search *s)
 /* Reads "length=knee": the option that an axis shall have. */
 static mus_status search_condition(search *s, const char *text, size_t n)
 {
-    const size_t key = strcspn(text, "=");
-    for (int32_t a = 0; a < MUS__AXIS_COUNT; a++) {
-        if (strlen(mus__style_axis(a)) != key || memcmp(mus__style_axis(a), text, key) != 0) continue;
-        for (int32_t o = 0; mus__style_word(a, o) != NULL; o++) {
-            const char *word = mus__style_word(a, o);
-            if (strlen(word) != n - key - 1 || memcmp(word, text + key + 1, n - key - 1) != 0) continue;
-            s->condition[a] = o;
-            s->conditions = true;
-            return MUS_OK;
-        }
-    }
-    return mus__fail(s->index.context, MUS_ERR_DESIGN, "search: \"%.*s\" is no axis = option of designs",
-                     n > 40 ? 40 : (int)n, text);
+    int32_t axis, option;
+    const mus_status status = mus__style_read_option(s->index.context, text, n, &axis, &option);
+    if (status != MUS_OK) return status;
+    s->condition[axis] = option;
+    s->conditions = true;
+    return MUS_OK;
 }
 
 

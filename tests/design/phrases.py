@@ -28,7 +28,7 @@ def phrases(path):
 def judge(path, verbose):
     right = total = 0
     for phrase, names in phrases(path):
-        found = [row["name"] for row in design.search(phrase, 5)]
+        found = [row["name"] for row in design.designs(phrase, 5)]
         good = bool(found) and any(fnmatch.fnmatchcase(found[0], name) for name in names)
         right, total = right + good, total + 1
         if verbose or not good:

@@ -100,7 +100,8 @@ static void pose_flexion(const mus__joint_local *local, double *out)
 }
 
 
-/* frame of the pelvis, from that of the root. Part u of a small flexion (w, x) is (1 - u + u w, u x), scaled to 1 */
+/* frame of the pelvis, from that of the root. Part u of a flexion is taken on the chord: the quaternion
+ * (1 - u + u w, u x), scaled to length 1, is within 1.5 degrees of the angle's part */
 static void pose_pelvis(const mus__rig *rig, const mus__joint_local *local, const mus__frame *root, mus__frame *out)
 {
     double left[2], right[2], spine[2], middle[3], back[3], tilt[9];

@@ -108,6 +108,7 @@ static void pose_pelvis(const mus__rig *rig, const mus__joint_local *local, cons
     pose_flexion(&local[MUS_JOINT_HIP_LEFT], left);
     pose_flexion(&local[MUS_JOINT_HIP_RIGHT], right);
     pose_flexion(&local[MUS_JOINT_LUMBAR], spine);
+    if (spine[1] < 0.0) spine[0] = 1.0, spine[1] = 0.0; /* a trunk bent backwards leaves the pelvis to the hips */
     const double both = sqrt((left[0] + right[0]) * (left[0] + right[0]) + (left[1] + right[1]) * (left[1] + right[1]));
     const double hip[2] = {1.0 - POSE_SPINE + POSE_SPINE * (left[0] + right[0]) / both,
                            POSE_SPINE * (left[1] + right[1]) / both};

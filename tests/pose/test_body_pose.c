@@ -231,7 +231,8 @@ START_TEST(the_pelvis_tilts_where_hips_flex_more_than_their_share)
     static const struct {
         double hip[2], lumbar, tilt, slack;
     } rows[] = {{{90.0, 90.0}, 0.0, -33.75, 0.8}, {{90.0, 90.0}, 10.0, -27.5, 0.8}, {{60.0, 0.0}, 0.0, -11.25, 0.1},
-                {{45.0, 45.0}, 40.0, 0.0, 0.0},   {{-20.0, -20.0}, 0.0, 0.0, 0.0},  {{0.0, 0.0}, 30.0, 0.0, 0.0}};
+                {{45.0, 45.0}, 40.0, 0.0, 0.0},   {{-20.0, -20.0}, 0.0, 0.0, 0.0},  {{0.0, 0.0}, 30.0, 0.0, 0.0},
+                {{0.0, 0.0}, -20.0, 0.0, 0.0}};
     mus_context *context = support_context();
     const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.05};
     mus_body *body = people_body(context, "W40", &def);

@@ -120,7 +120,8 @@ static void shown_print(const scene *s, const shown *sh)
         if (axis_option(s, sh->words, a, one)) printf(" %s=%s", mus_design_axis_name(a), one);
     printf("\n  ease   ");
     for (int32_t e = 0; e < MUS_EASE_COUNT; e++)
-        if (isfinite(sh->ease[e])) printf(" %s %.1f cm", levels[e], fabs(sh->ease[e]) < 5e-4 ? 0.0 : 100.0 * sh->ease[e]);
+        if (isfinite(sh->ease[e]))
+            printf(" %s %.1f cm", levels[e], fabs(sh->ease[e]) < 5e-4 ? 0.0 : 100.0 * sh->ease[e]);
     printf("   on %s\n  pieces ", mus_tape_name(s->tape));
     for (int32_t p = 0; p < sh->pieces; p++)
         printf("%s %s %d%s", p > 0 ? "," : "", sh->piece[p].name, (int)sh->piece[p].copies,

@@ -65,7 +65,8 @@ static void search_sense(search *s, const mus__phrase *sense, double worth, bool
     }
     for (int32_t d = 0; d < index->designs; d++) {
         double together = 0.0, value = mus__search_match(index, d, s->like, sense->count, &together);
-        if (sense->count > 1 && together < value) value = together > APART_SHARE * value ? together : APART_SHARE * value;
+        const double apart = APART_SHARE * value;
+        if (sense->count > 1 && together < value) value = together > apart ? together : apart;
         if (beside) value = together;
         if (worth * value > s->match[d]) s->match[d] = worth * value;
     }

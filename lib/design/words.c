@@ -173,8 +173,8 @@ static int32_t words_spoken(const char *option, words_token word, words_token ne
 }
 
 
-/* An option without its axis: "pencil", "short sleeve", "neck v", "peter pan collar". The axis is that with this option,
- * among several the one whose name stands beside it. *next is the word after those that were read. */
+/* An option without its axis: "pencil", "short sleeve", "neck v", "peter pan collar". The axis is that with this
+ * option, among several the one whose name stands beside it. *next is the word after those that were read. */
 static mus_status words_read_bare(mus_context *context, words_token word, words_token before, words_token *next,
                                   mus__style *out, uint32_t *named)
 {

@@ -58,7 +58,7 @@ typedef struct mus__pleat { /* its two folds are lines at right angles to `along
     double along[2], outer, inner; /* [m] distances of the folds along it from the panel's origin */
 } mus__pleat;
 
-typedef struct mus__row { int32_t first, count; } mus__row; /* nodes of a lattice row, as many as there are without gap */
+typedef struct mus__row { int32_t first, count; } mus__row; /* nodes of a lattice row, without a gap */
 
 typedef struct mus__panel_mesh {
     int32_t first_node, node_count; /* lattice then border */

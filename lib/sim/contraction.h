@@ -5,9 +5,9 @@
  *      b --- b+1      u = (x_{a+1} - x_a + x_{b+1} - x_b) / 2 and v = (x_b - x_a + x_{b+1} - x_{a+1}) / 2 are the edge
  *      |   v  |       vectors of the cell of p by q, the gradient of a bilinear cell at its middle:
  *      |    u |
- *      a --- a+1      E = C p q psi(u / p) psi(v / q), psi(r) = tanh(4 ln |r|) / 4 = 1/4 - 1 / (2 |r|^8 + 2)
+ *      a --- a+1      E = C p q psi(u/p) psi(v/q), psi(r) = tanh(4 ln |r|) / 4 = 1/4 - 1 / (2 |r|^8 + 2)
  *
- * psi is the strain where it is small and stays below a quarter, so that forces and stiffness are bounded in every pose.
+ * psi is the strain where it is small and stays below a quarter, so that force and stiffness are bounded in every pose.
  * It has no root. E does not change with translation or rotation: the forces of a cell have no sum and no moment.
  * C is what the fabric's C12 has beyond the diagonals of the cell (lib/cloth/fabric.c).
  *

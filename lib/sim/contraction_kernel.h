@@ -44,6 +44,7 @@ static MUS_INLINE void MUS__NAME(cell_add)(int32_t at, int32_t nodes, MUS__REAL 
                                            MUS__REAL *restrict f)
 {
     if (at >= nodes) return;
+    MUS_ROLLED
     for (int32_t d = 0; d < 3; d++) {
         MUS__REAL *restrict out = f + d * MUS__SPAN + at;
         if (at >= 0)
@@ -67,13 +68,12 @@ static void MUS__NAME(cells)(const mus__sim *sim, const mus__chunk *chunk, MUS__
     for (int32_t r = chunk->cell; r < chunk->cell + chunk->ncell; r++) {
         const mus__cell_run *run = &program->cell[r];
         for (int32_t i = 0; i < run->count; i += MUS__LANES) {
-            MUS__REAL sum[3 * MUS__LANES], less[3 * MUS__LANES];
-            const int32_t a = run->a + i - chunk->first, b = run->b + i - chunk->first;
-            MUS__NAME(cell_pull)(sim->n, y + run->a + i, y + run->b + i, run->count - i, &c, sum, less);
-            MUS__NAME(cell_add)(a, chunk->count, -1, sum, f);
-            MUS__NAME(cell_add)(a + 1, chunk->count, 1, less, f);
-            MUS__NAME(cell_add)(b, chunk->count, -1, less, f);
-            MUS__NAME(cell_add)(b + 1, chunk->count, 1, sum, f);
+            MUS__REAL pull[2][3 * MUS__LANES]; /* along u plus and minus along v */
+            MUS__NAME(cell_pull)(sim->n, y + run->a + i, y + run->b + i, run->count - i, &c, pull[0], pull[1]);
+            MUS_ROLLED
+            for (int32_t k = 0; k < 4; k++) /* corners a, a+1, b, b+1 */
+                MUS__NAME(cell_add)((k < 2 ? run->a : run->b) + i + k % 2 - chunk->first, chunk->count,
+                                    k % 2 == 0 ? -1 : 1, pull[k == 1 || k == 2], f);
         }
     }
 }

@@ -77,7 +77,7 @@ def main():
     options = parser.parse_args()
     if options.cost:
         for name, spent in cost.rows():
-            print(f"{name:20} {spent:6.2f} ns a node and step")
+            print(f"{name:34} {spent:6.2f} ns a node and step")
         return 0
     with open(HERE / "laboratory.csv", encoding="utf-8") as file:
         laboratory = [line for line in csv.DictReader(file) if options.only in f"{line['test']} {line['fabric']}"]

@@ -15,9 +15,10 @@
  *   4. the found placement, patient           when start 2 ended with an open seam
  *
  * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too, and an impatient one ends after
- * sewing when a limb is not in its opening. Cloth through the skin is told by that call, and fails no start.
+ * sewing when a limb is not in its opening or the cloth is inside out. Cloth through the skin alone, and a body that
+ * the call cannot tell by, fail no start.
  *
- * Everything here goes through public functions.
+ * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,13 @@
 /*
  * manifold_internal.h: the lattice that samples the union of a body's solids, and the steps to its surface.
  *
- * The lattice is body-centred cubic: points at (i, j, k) and at (i + 1/2, j + 1/2, k + 1/2) spacings, in blocks of 8 x
- * 8 x 8 of both kinds. Coordinates are doubled, so that they are integers: all even, or all odd. A point has 14
- * neighbours; a tetrahedron has two points of either kind, two long edges (1 spacing) and four short ones (sqrt(3)/2).
+ * The lattice is body-centred cubic: points at (i, j, k) and at (i + 1/2, j + 1/2, k + 1/2) spacings. Coordinates are
+ * doubled, so that they are integers: all even, or all odd. A point has 14 neighbours; a tetrahedron has two points of
+ * either kind, two long edges (1 spacing) and four short ones (sqrt(3)/2).
+ *
+ * A cell is a cube of 2 x 2 x 2 points of both kinds. Only cells through which the surface may pass have points of
+ * their own, and each of these has a number; the others share cell 0, whose points are all outside, or cell 1, whose
+ * points are all inside.
  *
  * Directions d = 0 to 6 are those of the edges that a point owns, d + 7 is opposite to d.
  */
@@ -14,85 +18,154 @@
 #include "manifold/manifold_solid.h"
 #include "muslin/manifold.h"
 
-#define MUS__BLOCK 8
-#define MUS__BLOCK_CELLS (MUS__BLOCK * MUS__BLOCK * MUS__BLOCK)
-#define MUS__BLOCK_POINTS (2 * MUS__BLOCK_CELLS)
-#define MUS__LINKS 14 /* neighbours of a point */
-#define MUS__OWNED 7  /* edges that a point owns */
+#define MUS__CELL_POINTS 16 /* of a cell: the bits of their index are the kind, and the place along z, y and x */
+#define MUS__LINKS 14       /* neighbours of a point */
+#define MUS__OWNED 7        /* edges that a point owns */
+#define MUS__LINK_EDGES 36  /* of the sphere that the neighbours of a point span */
+#define MUS__LINK_FACES 24
+
+/* cells that stand for many */
+enum { MUS__CELL_OUT, MUS__CELL_IN, MUS__CELLS_SHARED };
 
 /* the label of a point */
 enum {
-    MUS__POINT_IN = 1,      /* within the solid */
-    MUS__POINT_ON = 2,      /* moved onto the surface, along the edge `label >> 4` */
-    MUS__POINT_SEEN = 4,    /* marks of manifold_label.c while it grows the solid */
-    MUS__POINT_QUEUED = 8
+    MUS__POINT_IN = 1,     /* within the solid */
+    MUS__POINT_ON = 2,     /* moved onto the surface, along the edge `label >> 4` */
+    MUS__POINT_SEEN = 4,   /* marks of manifold_grow.c: the point was tried, */
+    MUS__POINT_QUEUED = 8, /* waits to be tried, */
+    MUS__POINT_GROWN = 16  /* belongs to the solid that is grown */
 };
+
+/* what is known of the crossing of an edge */
+enum {
+    MUS__EDGE_ESTIMATE, /* about where it is */
+    MUS__EDGE_FOUND,    /* where it is */
+    MUS__EDGE_CUT       /* both ends lie inside, a handle was opened: it is in the middle */
+};
+
+/* the point of another cell, or of the same one, that a step leads to */
+typedef struct mus__step {
+    int32_t cell; /* from the place of the cell in the table */
+    int32_t point;
+} mus__step;
 
 typedef struct mus__bcc {
     mus_context *context;
     mus__pool *pool;
     const mus__solids *solids;
     double spacing, origin[3]; /* [m] */
-    int32_t grid[3];           /* blocks along each axis */
-    int32_t *table;            /* (grid) the active block there, or MUS_NONE */
-    int32_t blocks;            /* active blocks: those near a solid */
-    int32_t *place;            /* (blocks x 3) place in the grid */
-    int32_t *solid_first;      /* (blocks + 1) first entry in `near` */
-    int32_t *near;             /* solids whose boxes touch each block */
-    float *depth;              /* (blocks x MUS__BLOCK_POINTS) in the union, positive inside [m] */
-    uint8_t *label;            /* (blocks x MUS__BLOCK_POINTS) */
-    uint8_t *kind;             /* (blocks) 0: all points are outside, 1: all inside, 2: both */
-    uint8_t *crossed;          /* (blocks x MUS__BLOCK_POINTS) bit d: the owned edge d crosses the surface */
-    uint16_t *slot;            /* (blocks x MUS__BLOCK_POINTS) first crossing of a point, from that of the block */
-    int32_t *block_first;      /* (blocks + 1) first crossing of each block */
-    double *crossing;          /* (crossings x 3) points of the surface on the edges [m] */
-    uint8_t *cut;              /* (crossings) 1: both ends lie inside, a handle was opened */
-    float *part;               /* (crossings) place on the edge, 0 at its owner, 1 at the other end */
+    int32_t grid[3];           /* cells along each axis; the outermost ones are outside */
+    int32_t *table;            /* (grid) the cell there */
+    int32_t cells;             /* shared ones, and those with points of their own */
+    int32_t filled;            /* those whose points have depth and label */
+    int32_t *place;            /* (cells) where they stand in the table */
+    int32_t *corner;           /* (cells x 3) and in the grid */
+    int32_t *solid_first;      /* (cells + 1) first entry in `near` */
+    int32_t entries;
+    int32_t *near;             /* (entries) solids near each cell, ascending */
+    float *depth;              /* (cells x MUS__CELL_POINTS) in the union, positive inside [m] */
+    uint8_t *label;            /* (cells x MUS__CELL_POINTS) */
+    uint16_t *differ;          /* (cells x MUS__CELL_POINTS) bit d: the neighbour d was on the other side before points
+                                  were moved */
+    uint16_t *inside;          /* (cells x MUS__CELL_POINTS) bit d: the neighbour d is inside now */
+    uint16_t *moved;           /* (cells x MUS__CELL_POINTS) bit d: the neighbour d was moved onto the surface */
+    uint8_t *slot;             /* (cells x MUS__CELL_POINTS) first crossing of a point, from that of the cell */
+    int32_t *cell_first;       /* (cells + 1) first crossing of each cell */
+    int32_t place_room, corner_room, first_room, near_room, depth_room, label_room, differ_room, inside_room;
+    int32_t crossings;
+    double *crossing;          /* (crossings x 3) points of the surface on the edges [m], once they are searched */
+    float *part;               /* (crossings) place on the edge, 0 at its owner, 1 at the other end: an estimate until
+                                  the edge is searched */
+    uint8_t *state;            /* (crossings) MUS__EDGE_* */
+    mus__step step[MUS__CELL_POINTS][MUS__LINKS];
     uint16_t touch[MUS__LINKS]; /* bit e of touch[d]: neighbours d and e of a point are neighbours of each other */
-    uint8_t simple[1 << (MUS__LINKS - 3)]; /* bit of each set of neighbours inside: the point is simple */
+    uint16_t edge[MUS__LINK_EDGES], face[MUS__LINK_FACES]; /* the neighbours that these join, a bit each */
+    uint8_t linked[1 << (MUS__LINKS - 3)]; /* bit of each set of neighbours: they are connected among themselves */
 } mus__bcc;
 
+/* the direction opposite to d */
+static inline int32_t mus__bcc_opposite(int32_t d)
+{
+    return d < MUS__OWNED ? d + MUS__OWNED : d - MUS__OWNED;
+}
 /* steps to a neighbour in doubled coordinates */
 extern const int8_t mus__bcc_step[MUS__LINKS][3];
 
-/* the neighbour of a point beyond its block, whose cell is (i, j, k) from the corner of the block */
-int32_t mus__bcc_beyond(const mus__bcc *lattice, uint32_t block, int32_t odd, int32_t i, int32_t j, int32_t k);
-/* the neighbour of a point in direction d; MUS_NONE: in no active block, and outside. The bits of a point's number are
- * its block, its kind, and the cell in the block */
+/* the neighbour of a point in direction d; the point is not one of a shared cell */
 static inline int32_t mus__bcc_next(const mus__bcc *lattice, int32_t point, int32_t d)
 {
-    const int8_t *step = mus__bcc_step[d];
     const uint32_t p = (uint32_t)point;
-    const int32_t odd = (int32_t)(p / MUS__BLOCK_CELLS % 2), n = MUS__BLOCK, other = (odd + step[0]) & 1;
-    const int32_t i = (int32_t)(p % MUS__BLOCK) + ((odd + step[0]) >> 1);
-    const int32_t j = (int32_t)(p / MUS__BLOCK % MUS__BLOCK) + ((odd + step[1]) >> 1);
-    const int32_t k = (int32_t)(p / (MUS__BLOCK * MUS__BLOCK) % MUS__BLOCK) + ((odd + step[2]) >> 1);
-    const uint32_t block = p / MUS__BLOCK_POINTS;
-    if (((i | j | k) & ~(n - 1)) != 0) return mus__bcc_beyond(lattice, block, other, i, j, k);
-    return (int32_t)(block * MUS__BLOCK_POINTS) + other * MUS__BLOCK_CELLS + (k * n + j) * n + i;
+    const mus__step *to = &lattice->step[p % MUS__CELL_POINTS][d];
+    return lattice->table[lattice->place[p / MUS__CELL_POINTS] + to->cell] * MUS__CELL_POINTS + to->point;
+}
+/* whether a point belongs to a shared cell */
+static inline bool mus__bcc_shared(int32_t point)
+{
+    return point < MUS__CELLS_SHARED * MUS__CELL_POINTS;
+}
+/* the point after a step from the cell at a place of the table */
+static inline int32_t mus__bcc_point(const mus__bcc *lattice, int32_t place, const mus__step *to)
+{
+    return lattice->table[place + to->cell] * MUS__CELL_POINTS + to->point;
+}
+/* whether the neighbours of a mask are connected among themselves; true for none */
+static inline bool mus__bcc_connected(const mus__bcc *lattice, uint32_t mask)
+{
+    return (lattice->linked[mask / 8] >> mask % 8 & 1) != 0;
+}
+/* whether a point is simple, the bits of whose neighbours inside are `in` */
+static inline bool mus__bcc_simple(const mus__bcc *lattice, uint32_t in)
+{
+    const uint32_t out = ~in & ((1u << MUS__LINKS) - 1);
+    return in != 0 && out != 0 && mus__bcc_connected(lattice, in) && mus__bcc_connected(lattice, out);
 }
 /* the edge of a point in direction d, as the index of its crossing */
 int32_t mus__bcc_crossing(const mus__bcc *lattice, int32_t point, int32_t d);
-/* whether the block and all about it lie on one side of the surface */
-bool mus__bcc_plain(const mus__bcc *lattice, int32_t block);
+
+/* ---- manifold_cell.c ---- */
+
+/* the grid, and the cells near the surface with their solids. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+mus_status mus__bcc_make(mus_context *context, mus__pool *pool, const mus__solids *solids, double spacing,
+                         mus__bcc *out);
+void mus__bcc_free(mus__bcc *lattice);
+/* give points of its own to the place of a shared cell in the table, and its solids where `listed`. Errors:
+ * MUS_ERR_MEMORY, MUS_ERR_ARG */
+mus_status mus__bcc_open(mus__bcc *lattice, int32_t place, bool listed);
+/* the point at doubled coordinates (3) from the corner of a cell, -4 at least */
+mus__step mus__bcc_at(const mus__bcc *lattice, const int32_t *at);
+/* vertices, edges and triangles between the neighbours of a mask; returns the vertices */
+int32_t mus__bcc_link(const mus__bcc *lattice, uint32_t mask, int32_t *edges, int32_t *triangles);
 
 /* ---- manifold_lattice.c ---- */
 
-/* blocks near the solids, and the depth and label of their points. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
-mus_status mus__bcc_make(mus_context *context, mus__pool *pool, const mus__solids *solids, double spacing,
-                             mus__bcc *out);
-void mus__bcc_free(mus__bcc *lattice);
-/* find the point of the surface on each edge whose ends have different labels. Errors: MUS_ERR_MEMORY */
+/* room for depth, label and `differ` of the points of all cells. Errors: MUS_ERR_MEMORY */
+mus_status mus__bcc_room(mus__bcc *lattice);
+/* depth and label of the points that have none yet. Errors: MUS_ERR_MEMORY */
+mus_status mus__bcc_sample(mus__bcc *lattice);
+/* `differ` of the points from a cell on */
+void mus__bcc_compare(mus__bcc *lattice, int32_t from);
+/* points of their own for cells beside the surface, which passes the cells `from` on. Errors: MUS_ERR_MEMORY,
+ * MUS_ERR_ARG */
+mus_status mus__bcc_beside(mus__bcc *lattice, int32_t from);
+/* turn the label of a point over, and `differ` with it */
+void mus__bcc_flip(mus__bcc *lattice, int32_t point);
+/* Euler characteristic of the surface of the points inside, from `differ` */
+int32_t mus__bcc_euler(const mus__bcc *lattice);
+/* the edges whose ends have different labels, and about where they cross the surface. Errors: MUS_ERR_MEMORY */
 mus_status mus__bcc_cross(mus__bcc *lattice);
-/* move crossings that are nearly at a point of the lattice, and stayed, a little away from it */
-void mus__bcc_part(mus__bcc *lattice);
+/* find the crossing of the edge of a point in direction d */
+void mus__bcc_search(mus__bcc *lattice, int32_t point, int32_t d);
+/* the crossings that are vertices: found, and those nearly at a point of the lattice moved a little away from it */
+void mus__bcc_polish(mus__bcc *lattice);
 
-/* ---- manifold_label.c ---- */
+/* ---- manifold_grow.c, manifold_snap.c ---- */
 
-/* label as inside the largest part of each piece that is a topological ball. Errors: MUS_ERR_MEMORY */
-mus_status mus__bcc_grow(mus__bcc *lattice);
-/* move points that are near the surface onto it, where the surface stays a manifold */
-void mus__bcc_snap(mus__bcc *lattice);
+/* label as inside what the solid encloses; then, where its surface is not one sphere or `always`, the largest part of
+ * each piece that is a topological ball. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+mus_status mus__bcc_grow(mus__bcc *lattice, bool always);
+/* move points that are near the surface onto it, where the surface stays a manifold. Errors: MUS_ERR_MEMORY,
+ * MUS_ERR_ARG */
+mus_status mus__bcc_snap(mus__bcc *lattice);
 
 /* ---- manifold_mesh.c ---- */
 
@@ -105,7 +178,7 @@ struct mus_manifold {
 };
 
 /* vertices, triangles and normals of the lattice's surface; the number of pieces and the sum of their Euler
- * characteristics. Errors: MUS_ERR_MEMORY */
-mus_status mus__bcc_mesh(const mus__bcc *lattice, mus_manifold *out, int32_t *euler);
+ * characteristics. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+mus_status mus__bcc_mesh(mus__bcc *lattice, mus_manifold *out, int32_t *euler);
 
 #endif

@@ -34,8 +34,8 @@ static void manifold_clear(mus_manifold *manifold)
 }
 
 
-/* the surface of the solids; of the largest part of them that is a ball where `grown`, or where the Euler characteristic
- * of the surface is not that of a sphere. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+/* the surface of the solids; of the largest part of them that is a ball where `grown`, or where the surface has not the
+ * Euler characteristic of a sphere. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
 static mus_status manifold_surface(mus__bcc *lattice, bool grown, mus_manifold *out, int32_t *euler)
 {
     mus_status status = mus__bcc_sample(lattice);

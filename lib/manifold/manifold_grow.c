@@ -350,14 +350,15 @@ static void grow_points(mus__bcc *lattice, int32_t *next, int32_t *stack)
 mus_status mus__bcc_grow(mus__bcc *lattice, bool always)
 {
     mus_status status = MUS_OK;
-    int32_t *next = NULL, *stack = mus__room(lattice->context, (int64_t)lattice->cells * MUS__CELL_POINTS, sizeof *stack);
+    int64_t points = (int64_t)lattice->cells * MUS__CELL_POINTS;
+    int32_t *next = NULL, *stack = mus__room(lattice->context, points, sizeof *stack);
     if (stack == NULL) return mus__fail_memory(lattice->context, "the lattice of a manifold");
     grow_fill(lattice, stack);
     if (!always && mus__bcc_euler(lattice) == 2) goto end;
     status = grow_whole(lattice);
     if (status != MUS_OK) goto end;
     mus__free(lattice->context, stack);
-    const int64_t points = (int64_t)lattice->cells * MUS__CELL_POINTS;
+    points = (int64_t)lattice->cells * MUS__CELL_POINTS;
     stack = mus__room(lattice->context, points, sizeof *stack);
     next = mus__room(lattice->context, points, sizeof *next);
     if (next == NULL || stack == NULL) {

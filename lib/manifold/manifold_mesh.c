@@ -283,7 +283,7 @@ static void mesh_pieces(mus_manifold *out, int32_t *parent, int32_t *euler)
 
 /* give points to shared cells beside a point that came inside when it was moved: tetrahedra of theirs have three moved
  * corners. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
-static mus_status mesh_border(mus__bcc *lattice)
+static mus_status mesh_open_beside(mus__bcc *lattice)
 {
     const int32_t end = lattice->cells * MUS__CELL_POINTS;
     mus_status status = MUS_OK;
@@ -299,7 +299,8 @@ static mus_status mesh_border(mus__bcc *lattice)
     if (status == MUS_OK) status = mus__bcc_room(lattice);
     const int64_t points = (int64_t)lattice->cells * MUS__CELL_POINTS;
     if (status == MUS_OK)
-        status = mus__reserve(lattice->context, &lattice->inside, &lattice->inside_room, points, sizeof *lattice->inside);
+        status = mus__reserve(lattice->context, &lattice->inside, &lattice->inside_room, points,
+                              sizeof *lattice->inside);
     for (int32_t point = end; point < points && status == MUS_OK; point++) {
         uint32_t in = 0;
         for (int32_t d = 0; d < MUS__LINKS; d++)
@@ -315,7 +316,7 @@ mus_status mus__bcc_mesh(mus__bcc *lattice, mus_manifold *out, int32_t *euler)
     mus_context *context = lattice->context;
     mesh_work work = {.lattice = lattice};
     int32_t *number = NULL;
-    mus_status status = mesh_border(lattice);
+    mus_status status = mesh_open_beside(lattice);
     if (status != MUS_OK) return status;
     work.first = mus__new(context, (int64_t)lattice->cells + 1, sizeof *work.first);
     number = mus__room(context, lattice->crossings, sizeof *number);

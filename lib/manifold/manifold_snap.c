@@ -44,24 +44,32 @@ static bool snap_good(const mus__bcc *lattice, int32_t point)
 }
 
 
-/* the direction of the nearest crossing that draws a point to it; MUS_NONE: there is none */
-static int32_t snap_draw(mus__bcc *lattice, int32_t point)
+/* the direction of the nearest crossing that draws a point to it, or would by its estimate; MUS_NONE: there is none */
+static int32_t snap_nearest(const mus__bcc *lattice, int32_t point)
 {
-    int32_t found = MUS_NONE, at = MUS_NONE;
-    double nearest = 1.0, limit = 0.0;
+    int32_t found = MUS_NONE;
+    double nearest = 1.0;
     for (int32_t d = 0; d < MUS__LINKS; d++) {
         if ((lattice->differ[point] >> d & 1) == 0 || (lattice->moved[point] >> d & 1) != 0) continue;
-        const int32_t here = mus__bcc_crossing(lattice, point, d);
-        const double t = d < MUS__OWNED ? (double)lattice->part[here] : 1.0 - (double)lattice->part[here];
+        const int32_t at = mus__bcc_crossing(lattice, point, d);
+        const double t = d < MUS__OWNED ? (double)lattice->part[at] : 1.0 - (double)lattice->part[at];
         const bool is_long = d % MUS__OWNED < 3;
-        const double most = is_long ? SNAP_LONG : SNAP_SHORT, length = is_long ? t : 0.5 * sqrt(3.0) * t;
-        if (lattice->state[here] == MUS__EDGE_CUT || t >= SNAP_SLACK * most || length >= nearest) continue;
-        nearest = length, found = d, at = here, limit = most;
+        const double length = is_long ? t : 0.5 * sqrt(3.0) * t, slack = lattice->state[at] ? 1.0 : SNAP_SLACK;
+        if (lattice->state[at] == MUS__EDGE_CUT || t >= slack * (is_long ? SNAP_LONG : SNAP_SHORT)) continue;
+        if (length < nearest) nearest = length, found = d;
     }
-    if (found == MUS_NONE) return MUS_NONE;
-    mus__bcc_search(lattice, point, found);
-    const double t = found < MUS__OWNED ? (double)lattice->part[at] : 1.0 - (double)lattice->part[at];
-    return t < limit ? found : MUS_NONE;
+    return found;
+}
+
+
+/* the same, with the crossing found: those whose estimate is nearer are searched first */
+static int32_t snap_draw(mus__bcc *lattice, int32_t point)
+{
+    for (;;) {
+        const int32_t d = snap_nearest(lattice, point);
+        if (d == MUS_NONE || lattice->state[mus__bcc_crossing(lattice, point, d)] == MUS__EDGE_FOUND) return d;
+        mus__bcc_search(lattice, point, d);
+    }
 }
 
 

@@ -268,7 +268,9 @@ static int solid_field_box(const mus__solid *solid, const double *middle, double
     const int32_t last = field->nring - 1;
     const double first = (low[0] - field->s0) / field->ds, end = (high[0] - field->s0) / field->ds;
     const bool beyond = first < 0.0 || end > last;
-    solid_range range = {.ring = {(int32_t)fmin(fmax(floor(first), 0.0), last), (int32_t)fmin(fmax(ceil(end), 0.0), last)}};
+    solid_range range = {0};
+    range.ring[0] = (int32_t)fmin(fmax(floor(first), 0.0), last);
+    range.ring[1] = (int32_t)fmin(fmax(ceil(end), 0.0), last);
     for (int i = 0; i < 2; i++) {
         double from = INFINITY, to = -INFINITY;
         for (int32_t j = range.ring[0]; j <= range.ring[1]; j++) {
@@ -305,7 +307,8 @@ static int solid_digit_box(const mus__solids *solids, const mus__solid *solid, c
         nearest = fmin(nearest, mus__dot3(off, off));
     }
     nearest = sqrt(nearest) - ball - digit->reach;
-    return nearest > 1.25 * solids->web ? MUS__BOX_OUT : nearest > 0.25 * solids->web ? MUS__BOX_BESIDE : MUS__BOX_MIXED;
+    if (nearest > 1.25 * solids->web) return MUS__BOX_OUT;
+    return nearest > 0.25 * solids->web ? MUS__BOX_BESIDE : MUS__BOX_MIXED;
 }
 
 

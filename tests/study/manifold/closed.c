@@ -175,12 +175,9 @@ static bool folded(const int64_t *a, const int64_t *b, const int64_t *p, const i
 }
 
 
-/* whether two triangles meet anywhere but in the vertices that they share */
+/* whether two triangles whose boxes meet do so anywhere but in the vertices that they share */
 static bool crosses(const check *c, int32_t s, int32_t t)
 {
-    const int64_t *one = c->box + 6 * (size_t)s, *two = c->box + 6 * (size_t)t;
-    for (int i = 0; i < 3; i++)
-        if (one[i] > two[3 + i] || two[i] > one[3 + i]) return false;
     const int32_t *v = c->mesh->triangle + 3 * (size_t)s, *w = c->mesh->triangle + 3 * (size_t)t;
     const int64_t *p[3], *q[3];
     int shared = 0, at[2] = {0, 0};
@@ -279,22 +276,47 @@ static bool check_grid(check *c)
 }
 
 
-/* each pair of triangles is asked in one cell: the greater of their low cells */
-static void check_crossings(const check *c, closed_report *out)
+/* the pairs of the n triangles of a cell that cross; each pair is asked in one cell, the greater of their low cells.
+ * box: scratch (6 n) */
+static int32_t check_cell(const check *c, const int32_t *list, int32_t n, const int32_t *cell, int64_t *box)
 {
-    for (int32_t k = 0; k < c->grid[2]; k++)
+    int32_t count = 0;
+    for (int32_t a = 0; a < n; a++) {
+        int64_t *own = box + 6 * (size_t)a;
+        const int32_t *s = c->low + 3 * (size_t)list[a];
+        memcpy(own, c->box + 6 * (size_t)list[a], 6 * sizeof *own);
+        for (int32_t b = 0; b < a; b++) {
+            const int64_t *other = box + 6 * (size_t)b;
+            if (own[0] > other[3] || other[0] > own[3] || own[1] > other[4] || other[1] > own[4] ||
+                own[2] > other[5] || other[2] > own[5])
+                continue;
+            const int32_t *t = c->low + 3 * (size_t)list[b];
+            bool here = true;
+            for (int i = 0; i < 3; i++) here = here && (s[i] > t[i] ? s[i] : t[i]) == cell[i];
+            if (here) count += crosses(c, list[a], list[b]);
+        }
+    }
+    return count;
+}
+
+
+/* false: no memory */
+static bool check_crossings(const check *c, closed_report *out)
+{
+    const size_t count = cell_at(c, 0, 0, c->grid[2]);
+    int32_t most = 0;
+    for (size_t at = 0; at < count; at++)
+        if (c->first[at + 1] - c->first[at] > most) most = c->first[at + 1] - c->first[at];
+    int64_t *box = malloc(sizeof *box * 6 * ((size_t)most + 1));
+    for (int32_t k = 0; k < c->grid[2] && box != NULL; k++)
         for (int32_t j = 0; j < c->grid[1]; j++)
             for (int32_t i = 0; i < c->grid[0]; i++) {
                 const size_t at = cell_at(c, i, j, k);
-                for (int32_t a = c->first[at]; a < c->first[at + 1]; a++)
-                    for (int32_t b = c->first[at]; b < a; b++) {
-                        const int32_t *s = c->low + 3 * (size_t)c->list[a], *t = c->low + 3 * (size_t)c->list[b];
-                        if ((s[0] > t[0] ? s[0] : t[0]) != i || (s[1] > t[1] ? s[1] : t[1]) != j ||
-                            (s[2] > t[2] ? s[2] : t[2]) != k)
-                            continue;
-                        out->crossings += crosses(c, c->list[a], c->list[b]);
-                    }
+                const int32_t cell[3] = {i, j, k}, n = c->first[at + 1] - c->first[at];
+                out->crossings += check_cell(c, c->list + c->first[at], n, cell, box);
             }
+    free(box);
+    return box != NULL;
 }
 
 
@@ -318,7 +340,7 @@ bool closed_check(const ruler_mesh *mesh, closed_report *out)
         check_shapes(&c, out);
         good = check_grid(&c);
     }
-    if (good) check_crossings(&c, out);
+    if (good) good = check_crossings(&c, out);
     free(c.x);
     free(c.from);
     free(c.corner);

@@ -178,6 +178,7 @@ RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(O
 RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
 RUN_bench = $(BIN)/muslin bench $(BENCH)
 RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+RUN_paper = $(PYTHON) tests/study/paper/paper.py --command $(BIN)/muslin --jobs $(JOBS) $(PAPER)
 RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
 RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)

@@ -292,6 +292,10 @@ class mus_pattern(Structure):
     pass
 
 
+class mus_cut_line(Structure):
+    pass
+
+
 class mus_faults(Structure):
     pass
 
@@ -761,6 +765,14 @@ FUNCTIONS = {
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
     "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
                                           c_int32, POINTER(c_int32)]),
+    "mus_pattern_cut_line": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double,
+                                               POINTER(POINTER(mus_cut_line))]),
+    "mus_cut_line_destroy": ("core", None, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_int32),
+                                            POINTER(POINTER(c_double))]),
+    "mus_cut_line_dart_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_dart": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_double)]),
     "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
     "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
     "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),

@@ -16,8 +16,8 @@
  * asks each field alone, needs to know nothing of it. The depth in the entry's own limb is that of the tangent plane at
  * the entry, which is what its field tells along the ray.
  *
- * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts. In a pose the fields that have
- * the fillets of the rest pose get those of the pose in addition.
+ * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts. A posed body carries the fields
+ * of the rest pose, with their fillets.
  *
  * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; the width that depends on the angle of
  * the gradients follows Gourmel and others, A Gradient-Based Implicit Blend, 2013.
@@ -42,10 +42,8 @@
 /* a field carries the fillet up to d2 - d1 = this part of k; chosen: at the middle the two fields overlap by some mm */
 #define FILLET_OVER 0.3
 
-/* reach of the fillet between torso and leg, in parts of the others', in the rest pose; it grows to 1 until the entries
- * of the rotations of pelvis and thigh differ by FILLET_FOLD. Chosen: legs leave the torso along its surface */
+/* reach of the fillet between torso and leg, in parts of the others'. Chosen: legs leave the torso along its surface */
 #define FILLET_LEG 0.4
-#define FILLET_FOLD 0.4
 
 /* distance up to which the normals of two surfaces are blended, in parts of the reach (8 mm of 25); chosen */
 #define FILLET_EVEN 0.3
@@ -91,7 +89,6 @@ typedef struct fillet {
     mus_body *body;
     bool even;                      /* the body is symmetric: its left half is made alone */
     double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
-    double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
     double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
     mus__fillet_field query[MUS__PARTS_MOST];
@@ -143,7 +140,7 @@ static double fillet_reach(const fillet *at, int32_t l, int32_t m)
 {
     const bool groin = at->body->measured && (l == MUS__LIMB_TORSO || m == MUS__LIMB_TORSO) &&
                        l + m >= MUS__LIMB_LEG_LEFT && l + m <= MUS__LIMB_LEG_RIGHT;
-    return groin ? at->groin[l + m - MUS__LIMB_LEG_LEFT] * at->reach : at->reach;
+    return groin ? FILLET_LEG * at->reach : at->reach;
 }
 
 
@@ -335,30 +332,6 @@ static void fillet_box(const mus__field *field, double more, double *low, double
 }
 
 
-/* largest difference of the entries of the rotations of parts p and q of a posed body */
-static double fillet_turned(const mus_body *body, int32_t p, int32_t q)
-{
-    double most = 0.0;
-    for (int i = 0; i < 9; i++) most = fmax(most, fabs(body->frame[p].turn[i] - body->frame[q].turn[i]));
-    return most;
-}
-
-
-/* reaches between torso and legs; the first part of the torso is the pelvis, the last part of a leg the thigh */
-static void fillet_groins(fillet *at)
-{
-    const mus_body *body = at->body;
-    for (int32_t r = 0; r < 2; r++) {
-        int32_t thigh = MUS_NONE;
-        for (int32_t p = 0; p < body->nfield; p++)
-            if (body->rig.part[p].limb == MUS__LIMB_LEG_LEFT + r) thigh = p;
-        const bool posed = body->measured && body->frame != NULL && thigh != MUS_NONE;
-        const double fold = posed ? fmin(fillet_turned(body, 0, thigh) / FILLET_FOLD, 1.0) : 0.0;
-        at->groin[r] = FILLET_LEG + (1.0 - FILLET_LEG) * fold;
-    }
-}
-
-
 /* whether two limbs meet in a fillet: thighs, and arms and legs, touch without one */
 static bool fillet_joins(const mus_body *body, int32_t l, int32_t m)
 {
@@ -512,7 +485,6 @@ static void fillet_begin(fillet *at)
             f->share[end] = mus__fillet_field_share(s - f->middle[end], f->axis_inverse[end]);
         }
     }
-    fillet_groins(at);
 }
 
 
@@ -528,7 +500,7 @@ mus_status mus__body_fillets(mus_body *body, double reach)
     const bool even = at->even = mus__body_is_even(body);
     at->crease = mus__room(body->context, at->room, sizeof *at->crease);
     mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");
-    if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, xy, work);
+    if (status == MUS_OK && body->measured) fillet_give(at, xy, work);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
         if (!even || !mus__limb_is_right(l)) status = fillet_part(at, q, even && l == 0);

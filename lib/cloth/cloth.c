@@ -41,7 +41,7 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
     mus_fabric_init(fabric, sizeof *fabric);
     if (status == MUS_OK)
-        status = mus__def_read(context, fabric, sizeof *fabric, sizeof *fabric, own->fabric, "mus_fabric");
+        status = mus__def_read(context, fabric, sizeof *fabric, MUS__FABRIC_FIRST, own->fabric, "mus_fabric");
     if (status == MUS_OK) status = mus_fabric_check(context, fabric);
     if (status != MUS_OK) return status;
     own->fabric = fabric;

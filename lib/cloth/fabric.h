@@ -4,8 +4,13 @@
 #ifndef MUS_CLOTH_FABRIC_H
 #define MUS_CLOTH_FABRIC_H
 
+#include <stddef.h>
+
 #include "base/base_internal.h"
 #include "muslin/cloth.h"
+
+/* size of a mus_fabric before bend_hysteresis was appended, which is 0 in it */
+#define MUS__FABRIC_FIRST offsetof(mus_fabric, bend_hysteresis)
 
 /* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it. Chosen: well below 50 /m,
  * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat */

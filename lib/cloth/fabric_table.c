@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "cloth/cloth_internal.h"
+#include "cloth/fabric.h"
 
 /* what a text of a source speaks of: weight, stretch, shear, bending, damping, friction, thickness, bend hysteresis */
 #define FABRIC_TEXTS 8
@@ -173,10 +174,12 @@ const char *mus_fabric_value_source(int32_t index, int32_t value)
 mus_status mus_fabric_find(const char *name, mus_fabric *out)
 {
     if (name == NULL || out == NULL) return MUS_ERR_ARG;
-    if (out->size != sizeof *out) return MUS_ERR_VERSION;
+    if (out->size != sizeof *out && out->size != MUS__FABRIC_FIRST) return MUS_ERR_VERSION;
     for (int32_t i = 0; i < FABRIC_COUNT; i++)
         if (strcmp(name, fabric_table[i].name) == 0) {
-            fabric_fill(&fabric_table[i], out);
+            mus_fabric own = {.size = out->size};
+            fabric_fill(&fabric_table[i], &own);
+            memcpy(out, &own, out->size);
             return MUS_OK;
         }
     return MUS_ERR_ARG;

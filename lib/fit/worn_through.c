@@ -66,7 +66,7 @@ static void through_pair(void *user, int32_t a, int32_t b)
 /* depth of a place in the body, 0 outside */
 static double through_depth(const mus_drape *drape, const double *place)
 {
-    const double depth = mus__collider_depth(drape->scene.collider, place, 0.0, NULL);
+    const double depth = mus__collider_body_depth(drape->scene.collider, place, 0.0, NULL);
     return depth > 0.0 ? depth : 0.0;
 }
 

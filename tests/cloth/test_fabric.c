@@ -95,6 +95,37 @@ START_TEST(measured_rows_are_their_conversions)
 END_TEST
 
 
+START_TEST(a_fabric_of_the_release_before_is_taken)
+{
+    mus_context *context = support_context();
+    mus_fabric fabric;
+    double loop = -1.0;
+    mus_fabric_init(&fabric, sizeof fabric);
+    fabric.size = MUS__FABRIC_FIRST;
+    fabric.bend_hysteresis = 123.0; /* beyond the struct of that release */
+    ck_assert_int_eq(mus_fabric_find("broadcloth", &fabric), MUS_OK);
+    ck_assert_double_eq(fabric.bend_hysteresis, 123.0);
+    ck_assert_int_eq((int)fabric.size, (int)MUS__FABRIC_FIRST);
+    ck_assert_int_eq(mus_fabric_check(context, &fabric), MUS_OK);
+    ck_assert_int_eq(mus_fabric_get(&fabric, mus_fabric_value_count() - 1, &loop), MUS_OK);
+    ck_assert_double_eq(loop, 0.0);
+    ck_assert_int_eq(mus_fabric_set(context, &fabric, mus_fabric_value_count() - 1, 0.0), MUS_OK);
+    ck_assert_int_eq(mus_fabric_set(context, &fabric, mus_fabric_value_count() - 1, 1e-3), MUS_ERR_VERSION);
+    ck_assert_double_eq(fabric.bend_hysteresis, 123.0);
+
+    mus_cloth_def def;
+    mus_cloth *cloth;
+    const double cell[2] = {0.01, 0.01};
+    mus_cloth_def_init(&def, sizeof def);
+    def.fabric = &fabric;
+    ck_assert_int_eq(mus_cloth_create_grid(context, 3, 3, cell, &def, &cloth), MUS_OK);
+    ck_assert_double_eq(cloth->bend_slide, 0.0);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(friction_of_bending_stands_for_half_of_the_loop)
 {
     mus_fabric fabric;
@@ -261,6 +292,7 @@ Suite *mus_suite_fabric(void)
     tcase_add_test(tests, the_default_is_jersey);
     tcase_add_test(tests, values_outside_their_range_are_named);
     tcase_add_test(tests, values_are_read_and_set_one_by_one);
+    tcase_add_test(tests, a_fabric_of_the_release_before_is_taken);
     tcase_add_test(tests, half_a_cell_as_a_triangle_has_the_springs_of_half_a_cell);
     tcase_add_test(tests, what_a_lattice_cannot_be_is_clamped);
     suite_add_tcase(suite, tests);

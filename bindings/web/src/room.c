@@ -149,10 +149,9 @@ int32_t EXPORT(room_draft)(void)
     const int32_t design = mus_design_find(text);
     const mus_status status = design != MUS_NONE ? mus_design_draft(context, design, tape, NULL, &made)
                                                  : mus_design_draft_words(context, text, tape, NULL, &made);
-    if (status != MUS_OK) return status;
     mus_pattern_destroy(pattern);
-    pattern = made;
-    return MUS_OK;
+    pattern = status == MUS_OK ? made : NULL;
+    return status;
 }
 
 
@@ -164,6 +163,7 @@ int32_t EXPORT(room_write)(int32_t form, int32_t paper)
     mus_status status = MUS_OK;
     mus_context_alloc(context, bytes, 0);
     bytes = NULL, bytes_size = 0;
+    if (pattern == NULL && form < 3) return mus_context_fail(context, MUS_ERR_STATE, "no design is drafted");
     if (form < 2) {
         mus_sheet_def_init(&def, sizeof def);
         def.paper = paper;
@@ -222,7 +222,7 @@ int32_t EXPORT(room_sew)(double spacing, int32_t index)
     def.progress = on_progress;
     cloth_new = NULL, drape_new = NULL;
     const mus_status status = mus_dress(context, pattern, body, &def, NULL, &reason, &cloth_new, &drape_new);
-    if (drape_new != NULL) take(cloth_new, drape_new);
+    take(cloth_new, drape_new); /* none after a failure to cut: the garment before is not the one that was asked for */
     return status;
 }
 

@@ -498,6 +498,7 @@ struct mus_fabric {
     double friction;
     double thickness;
     double bend_hysteresis;
+    double contraction;
 };
 
 struct mus_cloth_def {

@@ -29,6 +29,7 @@ static const fabric_value fabric_values[] = {
     {"friction_coefficient", "friction", offsetof(mus_fabric, friction), 0.0, 100.0},
     {"thickness_m", "thickness", offsetof(mus_fabric, thickness), 0.0, 0.1},
     {"bend_hysteresis_N", "bend hysteresis", offsetof(mus_fabric, bend_hysteresis), 0.0, 1.0},
+    {"contraction_ratio", "contraction", offsetof(mus_fabric, contraction), 0.0, 1.0},
 };
 
 enum { FABRIC_VALUE_COUNT = sizeof fabric_values / sizeof *fabric_values };

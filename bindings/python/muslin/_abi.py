@@ -532,7 +532,7 @@ mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
                        ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
-                       ("bend_hysteresis", c_double)]
+                       ("bend_hysteresis", c_double), ("contraction", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
                           ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
                           ("nodes_most", c_int32)]

@@ -201,6 +201,7 @@ enum {
     MUS_DRESS_PLACE_BOTH = 0,
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
+    MUS_DRESS_PLACE_RAISED = 3,
     MUS_DRESS_STARTS_MOST = 8,
     MUS_FIT_STRAIN = 0,
     MUS_FIT_WARP = 1,
@@ -1020,6 +1021,7 @@ const char *mus_design_title(int32_t design);
 const char *mus_design_words(int32_t design);
 int32_t mus_design_groups(int32_t design);
 int32_t mus_design_find(const char *name);
+mus_status mus_design_search(mus_context *context, const char *phrase, int32_t room, int32_t *designs, double *scores, int32_t *count);
 int32_t mus_design_axis_count(void);
 const char *mus_design_axis_name(int32_t axis);
 int32_t mus_design_option_count(int32_t axis);

@@ -204,6 +204,7 @@ MUS_REASON_COUNT = 13
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
+MUS_DRESS_PLACE_RAISED = 3
 MUS_DRESS_STARTS_MOST = 8
 MUS_FIT_STRAIN = 0
 MUS_FIT_WARP = 1
@@ -875,6 +876,8 @@ FUNCTIONS = {
     "mus_design_words": ("core", c_char_p, [c_int32]),
     "mus_design_groups": ("core", c_int32, [c_int32]),
     "mus_design_find": ("core", c_int32, [c_char_p]),
+    "mus_design_search": ("core", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(c_int32),
+                                            POINTER(c_double), POINTER(c_int32)]),
     "mus_design_axis_count": ("core", c_int32, []),
     "mus_design_axis_name": ("core", c_char_p, [c_int32]),
     "mus_design_option_count": ("core", c_int32, [c_int32]),

@@ -178,6 +178,7 @@ RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(O
 RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
 RUN_bench = $(BIN)/muslin bench $(BENCH)
 RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
+RUN_paper = $(PYTHON) tests/study/paper/paper.py --command $(BIN)/muslin --jobs $(JOBS) $(PAPER)
 RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
 RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
 RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
@@ -207,6 +208,7 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
 RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
+RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
 $(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
   RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))

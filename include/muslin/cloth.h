@@ -30,6 +30,8 @@ typedef struct mus_fabric {
     double friction;    /* on skin, Coulomb */
     double thickness;   /* [m] */
     double bend_hysteresis; /* 2HB of KES, width of the loop of moment over curvature [N]; 0: no friction in bending */
+    double contraction; /* lateral over longitudinal strain of a strip pulled along its warp (Poisson's ratio); 0, and
+                         * any value below shear / stretch[1]: as its springs contract */
 } mus_fabric;
 
 /** Zero `fabric`, write size and the values of the default fabric ("jersey"). */

@@ -264,7 +264,7 @@ static void surface_contour_normals(mus_body *body, int32_t l, const mus__contou
 
 
 /* the normals that fillets know, where a ring of the surface is a ring of the field in the same directions. In a pose
- * they turn with their part */
+ * they turn with their part; a limb with a bent joint gets those of its triangles after that (skin_posed.c) */
 static void surface_creases(mus_body *body)
 {
     int32_t part = MUS_NONE, row = MUS_NONE, ring = -1;

@@ -16,8 +16,8 @@
  * asks each field alone, needs to know nothing of it. The depth in the entry's own limb is that of the tangent plane at
  * the entry, which is what its field tells along the ray.
  *
- * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts. In a pose the fields that have
- * the fillets of the rest pose get those of the pose in addition.
+ * Rings far from all other limbs are skipped, by boxes of rings against boxes of parts. A posed body carries the fields
+ * of the rest pose, with their fillets.
  *
  * Source: the union is the quadratic polynomial of Quilez, Smooth Minimum, 2013; the width that depends on the angle of
  * the gradients follows Gourmel and others, A Gradient-Based Implicit Blend, 2013.
@@ -27,13 +27,7 @@
 
 #include "body/body_make.h"
 #include "geom/vec.h"
-
-#define MUS__REAL double
-#define MUS__NAME(name) mus__fillet_##name
-#define mus__fillet_sqrt sqrt
-#include "limb/radius_field_kernel.h"
-#undef MUS__REAL
-#undef MUS__NAME
+#include "limb/radius_field_double.h"
 
 /* radius from which on a curve between two surfaces is no crease, in reaches (45 mm for 25): about the radius of an
  * arm, whose cap lies within the next part of the limb */
@@ -42,10 +36,8 @@
 /* a field carries the fillet up to d2 - d1 = this part of k; chosen: at the middle the two fields overlap by some mm */
 #define FILLET_OVER 0.3
 
-/* reach of the fillet between torso and leg, in parts of the others', in the rest pose; it grows to 1 until the entries
- * of the rotations of pelvis and thigh differ by FILLET_FOLD. Chosen: legs leave the torso along its surface */
+/* reach of the fillet between torso and leg, in parts of the others'. Chosen: legs leave the torso along its surface */
 #define FILLET_LEG 0.4
-#define FILLET_FOLD 0.4
 
 /* distance up to which the normals of two surfaces are blended, in parts of the reach (8 mm of 25); chosen */
 #define FILLET_EVEN 0.3
@@ -91,10 +83,9 @@ typedef struct fillet {
     mus_body *body;
     bool even;                      /* the body is symmetric: its left half is made alone */
     double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
-    double groin[2];                /* reach between torso and leg, left and right, in parts of `reach` */
     double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
-    mus__fillet_field query[MUS__PARTS_MOST];
+    mus__body_field query[MUS__PARTS_MOST];
     double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
     bool *done[MUS__PARTS_MOST];    /* (nring) rings of it that are set */
     int32_t creases, room;
@@ -121,7 +112,7 @@ static double fillet_field(const fillet *at, int32_t q, const double *p, double 
 {
     const mus__field *field = &at->body->field[q];
     int32_t near;
-    double depth = mus__fillet_field_query(&at->query[q], p, at->reach, normal, &near), d[3];
+    double depth = mus__body_field_query(&at->query[q], p, at->reach, normal, &near), d[3];
     if (near == 0) return -1e30;
     if (depth > 0.0) return depth;
     for (int i = 0; i < 3; i++) d[i] = p[i] - field->origin[i];
@@ -143,7 +134,7 @@ static double fillet_reach(const fillet *at, int32_t l, int32_t m)
 {
     const bool groin = at->body->measured && (l == MUS__LIMB_TORSO || m == MUS__LIMB_TORSO) &&
                        l + m >= MUS__LIMB_LEG_LEFT && l + m <= MUS__LIMB_LEG_RIGHT;
-    return groin ? at->groin[l + m - MUS__LIMB_LEG_LEFT] * at->reach : at->reach;
+    return groin ? FILLET_LEG * at->reach : at->reach;
 }
 
 
@@ -232,7 +223,7 @@ static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double 
         if (out > most_out) continue;
         if (most < 0.0) {
             int32_t near;
-            mus__fillet_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
+            mus__body_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
             ray->slope = mus__dot3(ray->normal, ray->way);
             if (ray->slope < FILLET_STEEP) return 0.0;
         }
@@ -331,30 +322,6 @@ static void fillet_box(const mus__field *field, double more, double *low, double
         fillet_ring_box(field, ring, pole ? field->pole[j < 0 ? 0 : 1] : field->s0 + ring * field->ds,
                         pole ? 0.0 : field->largest[ring], a, b);
         for (int i = 0; i < 3; i++) low[i] = fmin(low[i], a[i] - more), high[i] = fmax(high[i], b[i] + more);
-    }
-}
-
-
-/* largest difference of the entries of the rotations of parts p and q of a posed body */
-static double fillet_turned(const mus_body *body, int32_t p, int32_t q)
-{
-    double most = 0.0;
-    for (int i = 0; i < 9; i++) most = fmax(most, fabs(body->frame[p].turn[i] - body->frame[q].turn[i]));
-    return most;
-}
-
-
-/* reaches between torso and legs; the first part of the torso is the pelvis, the last part of a leg the thigh */
-static void fillet_groins(fillet *at)
-{
-    const mus_body *body = at->body;
-    for (int32_t r = 0; r < 2; r++) {
-        int32_t thigh = MUS_NONE;
-        for (int32_t p = 0; p < body->nfield; p++)
-            if (body->rig.part[p].limb == MUS__LIMB_LEG_LEFT + r) thigh = p;
-        const bool posed = body->measured && body->frame != NULL && thigh != MUS_NONE;
-        const double fold = posed ? fmin(fillet_turned(body, 0, thigh) / FILLET_FOLD, 1.0) : 0.0;
-        at->groin[r] = FILLET_LEG + (1.0 - FILLET_LEG) * fold;
     }
 }
 
@@ -493,26 +460,9 @@ static void fillet_begin(fillet *at)
 {
     for (int32_t q = 0; q < at->body->nfield; q++) {
         const mus__field *field = &at->body->field[q];
-        mus__fillet_field *f = &at->query[q];
         fillet_box(field, at->reach, at->low[q], at->high[q]);
-        memcpy(f->origin, field->origin, sizeof f->origin);
-        memcpy(f->axis, field->axis, sizeof f->axis);
-        memcpy(f->side, field->side, sizeof f->side);
-        memcpy(f->front, field->front, sizeof f->front);
-        f->s0 = field->s0, f->ds_inverse = 1.0 / field->ds;
-        f->angle_scale = 0.25 * field->nangle;
-        f->nring = field->nring, f->nangle = field->nangle;
-        f->centre = field->centre, f->radius = field->radius, f->largest = field->largest;
-        f->ring_last = field->nring - 1;
-        for (int end = 0; end < 2; end++) {
-            const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
-            f->pole[end] = field->pole[end] - f->s0;
-            f->middle[end] = field->middle[end] - f->s0;
-            f->axis_inverse[end] = 1.0 / field->half[end];
-            f->share[end] = mus__fillet_field_share(s - f->middle[end], f->axis_inverse[end]);
-        }
+        mus__field_prepare(field, &at->query[q]);
     }
-    fillet_groins(at);
 }
 
 
@@ -528,7 +478,7 @@ mus_status mus__body_fillets(mus_body *body, double reach)
     const bool even = at->even = mus__body_is_even(body);
     at->crease = mus__room(body->context, at->room, sizeof *at->crease);
     mus_status status = at->crease != NULL ? MUS_OK : mus__fail_memory(body->context, "the fillets of a body");
-    if (status == MUS_OK && body->measured && body->frame == NULL) fillet_give(at, xy, work);
+    if (status == MUS_OK && body->measured) fillet_give(at, xy, work);
     for (int32_t q = 0; q < body->nfield && status == MUS_OK; q++) {
         const int32_t l = body->rig.part[q].limb;
         if (!even || !mus__limb_is_right(l)) status = fillet_part(at, q, even && l == 0);

@@ -41,7 +41,7 @@ mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, m
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
     mus_fabric_init(fabric, sizeof *fabric);
     if (status == MUS_OK)
-        status = mus__def_read(context, fabric, sizeof *fabric, sizeof *fabric, own->fabric, "mus_fabric");
+        status = mus__def_read(context, fabric, sizeof *fabric, MUS__FABRIC_FIRST, own->fabric, "mus_fabric");
     if (status == MUS_OK) status = mus_fabric_check(context, fabric);
     if (status != MUS_OK) return status;
     own->fabric = fabric;
@@ -111,6 +111,7 @@ static mus_status cloth_build(mus__mesh *mesh)
     const double cell[2] = {cloth->spacing, cloth->spacing};
     mus__fabric_on_cell(&cloth->fabric, cell, &mesh->constant);
     if (mesh->paper > 0.0) mus__fabric_on_paper(&cloth->fabric, cell, mesh->paper, &mesh->constant);
+    mus__fabric_couple(cloth, cell, &mesh->constant);
     mus_status status = mus__mesh_edges(mesh);
     for (int32_t p = 0; status == MUS_OK && p < cloth->npanel; p++) {
         mus__lattice lattice = {0};
@@ -239,7 +240,7 @@ void mus_cloth_destroy(mus_cloth *cloth)
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
                       cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names,
-                      cloth->warp,   cloth->pleat};
+                      cloth->warp,   cloth->pleat,      cloth->cell};
     mus_context *context = cloth->context;
     mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);

@@ -2,9 +2,8 @@
  * cloth_internal.h: the data of a cloth: nodes, springs as runs, the irregular rest, seam pairs.
  *
  * Nodes of a panel are contiguous: first the lattice nodes inside, row by row (a row runs along the weft, rows stack
- * along the warp), then the border nodes in the order of the outline. A run is `count` springs whose nodes both
- * advance by one: (a, b), (a+1, b+1), ...: no index list. Only lattice nodes are in runs; only border nodes are in
- * seam pairs, so welding never touches a run.
+ * along the warp), then the border nodes in the order of the outline. A run is `count` springs, stencils or cells whose
+ * nodes all advance by one: no index list. Only lattice nodes are in runs, only border nodes in seam pairs.
  */
 #ifndef MUS_CLOTH_INTERNAL_H
 #define MUS_CLOTH_INTERNAL_H
@@ -35,6 +34,8 @@ typedef struct mus__bend_run { /* E = 1/2 k |x_a - 2 x_b + x_c|^2 */
     double k;
 } mus__bend_run;
 
+typedef struct mus__cell_run { int32_t a, b, count; } mus__cell_run; /* cells a, a+1, b+1, b; a to a+1 is weft */
+
 typedef struct mus__spring {
     int32_t a, b, kind;
     double k, rest;
@@ -57,9 +58,7 @@ typedef struct mus__pleat { /* its two folds are lines at right angles to `along
     double along[2], outer, inner; /* [m] distances of the folds along it from the panel's origin */
 } mus__pleat;
 
-typedef struct mus__row { /* neighbouring lattice nodes in a lattice row, as many as there are without a gap */
-    int32_t first, count;
-} mus__row;
+typedef struct mus__row { int32_t first, count; } mus__row; /* nodes of a lattice row, without a gap */
 
 typedef struct mus__panel_mesh {
     int32_t first_node, node_count; /* lattice then border */
@@ -77,7 +76,8 @@ struct mus_cloth {
     double spacing;
     double mass_total, bend_slide; /* [kg]; part of bending that goes through sliders (mus__fabric_slide) */
     int32_t npanel, nnode, ntriangle, nrow, nrun, nbend, nspring, nhinge, nseam_hinge, npair, nborder, nseam;
-    int32_t nhold, npleat;
+    int32_t nhold, npleat, ncell;
+    double couple, couple_share, cell_side[2]; /* C [N/m] of a cell; over the root of its line springs' product; [m] */
     mus__panel_mesh *panel;    /* (npanel) */
     double *rest;              /* (nnode x 2) in the panel's plane */
     double *mass;              /* (nnode) */
@@ -87,6 +87,7 @@ struct mus_cloth {
     mus__row *row;             /* (nrow) ascending; each lattice node is in one of them */
     mus__spring_run *run;      /* (nrun) springs between two full cells, or diagonals of one */
     mus__bend_run *bend;       /* (nbend) */
+    mus__cell_run *cell;       /* (ncell) all full cells; none without a coupling */
     mus__spring *spring;       /* (nspring) of the strip, the border, and lattice edges beside the strip */
     mus__hinge *hinge;         /* (nhinge) bending in the strip */
     mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams, acting once the seam is welded */
@@ -99,8 +100,7 @@ struct mus_cloth {
     char *names;               /* (npanel + 1 x MUS__CLOTH_NAME) of the pattern, then of its panels; NULL without one */
     mus_cloth *coarse;         /* the same pattern cut coarser, owned; NULL without */
 
-    /* of bare nodes only, else NULL: they have neither panels nor a fabric */
-    int32_t npin;
+    int32_t npin; /* from here on, of bare nodes only, else NULL: they have neither panels nor a fabric */
     double *place;             /* (nnode x 3) */
     double *dashpot;           /* (nspring) [N s/m] */
     int32_t *pin;              /* (npin) */

@@ -12,18 +12,26 @@
  *     k_d = G (a^2 + b^2) / (2 a b),            k = C11 b / a - G a / b,
  *     bias stencils  beta / (4 a b),            along the line  (B - beta a^2 / (2 b^2)) b / a^3.
  *
+ * A strip that is pulled along its warp contracts by C12 / C11_weft of its strain. Where the fabric contracts more than
+ * by G / C11_weft, the diagonals' share, each cell has an element of C12 - G besides (lib/sim/contraction.h).
+ *
  * Values that a lattice of central springs cannot have are clamped: k to at least FABRIC_LEAST_STRETCH of C11 (a fabric
- * that shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft). A
- * cloth whose values are clamped logs a warning.
+ * that shears harder than it stretches), alpha and beta to at least 0 (a bias far from the mean of warp and weft), C12
+ * to what leaves a cell stable. A cloth whose values are clamped logs a warning.
  */
 #include <math.h>
+#include <string.h>
 
+#include "cloth/cloth_internal.h"
 #include "cloth/fabric.h"
 
 /* least stiffness of a line spring, over C11 b / a. Chosen: a fabric with more shear than stretch has line springs */
 #define FABRIC_LEAST_STRETCH 0.1
 /* least shear of a triangle of the strip, over its least stretch: without shear, border nodes could move freely */
 #define FABRIC_LEAST_SHEAR 1e-3
+/* largest coupling of a cell, over the root of the product of its two line springs; from 1 on it would collapse.
+ * Chosen: far above every woven fabric */
+#define FABRIC_MOST_COUPLING 0.9
 
 
 void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out)
@@ -38,6 +46,8 @@ void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabr
     out->shear = fabric->shear * ((cell[0] * cell[0] + cell[1] * cell[1]) / (2.0 * (cell[0] * cell[1])));
     out->cross = beta / (4.0 * (cell[0] * cell[1]));
     out->skip[0] = out->skip[1] = 0.0;
+    out->couple = fmin(fmax(fabric->contraction * fabric->stretch[1] - fabric->shear, 0.0),
+                       FABRIC_MOST_COUPLING * sqrt(out->k[0] * out->k[1]));
 }
 
 
@@ -57,6 +67,13 @@ void mus__fabric_note(mus_context *context, const mus_fabric *fabric, const doub
     if (beta < 0.0)
         mus__log(context, MUS_LOG_WARNING, "fabric bias bend %g N m is below a quarter of warp and weft, %g N m: %s",
                  bend[2], 0.25 * (bend[0] + bend[1]), "stencils bend with that");
+    mus__fabric_lattice lattice;
+    mus__fabric_on_cell(fabric, cell, &lattice);
+    const double own = (lattice.couple + fabric->shear) / fabric->stretch[1];
+    if (fabric->contraction > 0.0 && fabs(own - fabric->contraction) > 1e-9)
+        mus__log(context, MUS_LOG_WARNING, "fabric contraction %g is %s: the cloth contracts by %g",
+                 fabric->contraction,
+                 own > fabric->contraction ? "less than its shear gives" : "more than its stretch allows", own);
 }
 
 
@@ -76,7 +93,15 @@ void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double c
         out->k[k] = fmax(out->k[k] - 4.0 * out->skip[k], FABRIC_LEAST_STRETCH * line);
         out->bend[k] = 0.0;
     }
-    out->cross = 0.0;
+    out->cross = out->couple = 0.0;
+}
+
+
+void mus__fabric_couple(mus_cloth *cloth, const double *cell, const mus__fabric_lattice *constant)
+{
+    cloth->couple = constant->couple;
+    cloth->couple_share = constant->couple > 0.0 ? constant->couple / sqrt(constant->k[0] * constant->k[1]) : 0.0;
+    memcpy(cloth->cell_side, cell, sizeof cloth->cell_side);
 }
 
 

@@ -12,33 +12,40 @@
 #include <string.h>
 
 #include "cloth/cloth_internal.h"
+#include "cloth/fabric.h"
 
-/* what a text of a source speaks of: weight, stretch, shear, bending, damping, friction, thickness, bend hysteresis */
-#define FABRIC_TEXTS 8
+/* what a text of a source speaks of: weight, stretch, shear, bending, damping, friction, thickness, bend hysteresis,
+ * contraction */
+#define FABRIC_TEXTS 9
 
 typedef struct fabric_row {
     const char *name, *source, *text[FABRIC_TEXTS];
-    double weight, stretch[2], shear, bend, friction, thickness, hysteresis;
+    double weight, stretch[2], shear, bend, friction, thickness, hysteresis, contraction;
 } fabric_row;
 
 /* text of each value of fabric_value.c */
-static const int32_t fabric_text[] = {0, 1, 1, 2, 3, 3, 3, 4, 5, 6, 7};
+static const int32_t fabric_text[] = {0, 1, 1, 2, 3, 3, 3, 4, 5, 6, 7, 8};
 
 #define FABRIC_DAMPING 0.1
 
-/* one row: name, what it is; then each value with its source; FABRIC has no friction of bending */
-#define FABRIC_LOOP(name, what, weight, from_weight, warp, weft, from_stretch, shear, from_shear, bend, from_bend, \
-                    friction, from_friction, thickness, from_thickness, hysteresis, from_hysteresis) \
+/* one row: name, what it is; then each value with its source; FABRIC has neither friction of bending nor a measured
+ * contraction */
+#define FABRIC_ALL(name, what, weight, from_weight, warp, weft, from_stretch, shear, from_shear, bend, from_bend, \
+                   friction, from_friction, thickness, from_thickness, hysteresis, from_hysteresis, contraction, \
+                   from_contraction) \
     { \
         name, \
         what ". Weight: " from_weight "; stretch: " from_stretch "; shear: " from_shear "; bending: " from_bend \
              ", alike in warp, weft and bias; damping: assumed; friction: " from_friction \
-             "; thickness: " from_thickness "; bend hysteresis: " from_hysteresis ".", \
+             "; thickness: " from_thickness "; bend hysteresis: " from_hysteresis \
+             "; contraction: " from_contraction ".", \
         {from_weight, from_stretch, from_shear, from_bend ", alike in warp, weft and bias", "assumed", from_friction, \
-         from_thickness, from_hysteresis}, \
-        weight, {warp, weft}, shear, bend, friction, thickness, hysteresis \
+         from_thickness, from_hysteresis, from_contraction}, \
+        weight, {warp, weft}, shear, bend, friction, thickness, hysteresis, contraction \
     }
-#define FABRIC(...) FABRIC_LOOP(__VA_ARGS__, 0.0, "left out")
+#define AS_SPRINGS "not measured, as its springs give"
+#define FABRIC(...) FABRIC_ALL(__VA_ARGS__, 0.0, "left out", 0.0, AS_SPRINGS)
+#define FABRIC_LOOP(...) FABRIC_ALL(__VA_ARGS__, 0.0, AS_SPRINGS)
 
 #define COTTON_ON_SKIN "mean of cotton on chest 0.90 and forearm 0.31, static (Temel 2022, Tribology Letters 70)"
 #define PENAVA "Penava 2014"
@@ -56,23 +63,25 @@ static const fabric_row fabric_table[] = {
     FABRIC("jersey", "Single jersey, a light T-shirt knit",
            0.16, "assumed", 300.0, 200.0, "assumed, at small strain", 40.0, "assumed, 0.7 gf/(cm deg)",
            5e-6, "assumed", 0.6, COTTON_ON_SKIN, 0.6e-3, "assumed"),
-    FABRIC("cotton", "Plain woven cotton",
+    FABRIC_ALL("cotton", "Plain woven cotton",
            0.1503, PENAVA, 21412.0, 21412.0, CONTROL_COTTON, 60.0, "assumed",
-           11.57e-6, MATSUDAIRA ", broadcloth", 0.6, COTTON_ON_SKIN, 0.318e-3, PENAVA),
+           11.57e-6, MATSUDAIRA ", broadcloth", 0.6, COTTON_ON_SKIN, 0.318e-3, PENAVA,
+           0.0, "left out", 0.243, PENAVA),
     FABRIC("denim", "Denim A of its paper",
            0.40, DENIM_WEIGHT, 8915.0, 8915.0, DENIM_EMT("5.5"), 122.0, DENIM_PAPER,
            16.9e-6, DENIM_PAPER, 0.45, "assumed", 1.07e-3, DENIM_PAPER),
-    FABRIC("wool", "Wool suiting",
+    FABRIC_ALL("wool", "Wool suiting",
            0.2348, PENAVA, 10433.0, 3846.0, SUITING ": EM 4.3-5.1 % warp, 7.5-18 % weft", 32.5, SUITING,
-           6.57e-6, MATSUDAIRA ", wool tropical", 0.4, "assumed", 0.568e-3, PENAVA),
+           6.57e-6, MATSUDAIRA ", wool tropical", 0.4, "assumed", 0.568e-3, PENAVA,
+           0.0, "left out", 0.277, PENAVA),
     FABRIC("silk", "Light plain silk",
            0.065, "assumed", 5000.0, 5000.0, "assumed", 15.0, "assumed",
            2e-6, "assumed, a bending length of 1.5 cm, as published drape coefficients of 20-40 % ask",
            0.25, "assumed", 0.15e-3, "assumed"),
-    FABRIC_LOOP("polyester", "Woven polyester",
+    FABRIC_ALL("polyester", "Woven polyester",
            0.1646, PENAVA, 8000.0, 8000.0, "assumed", 30.0, "assumed",
            1.86e-6, MATSUDAIRA ", faille", 0.3, "assumed", 0.252e-3, PENAVA,
-           0.0686e-3, MATSUDAIRA ", faille"),
+           0.0686e-3, MATSUDAIRA ", faille", 0.381, PENAVA),
     FABRIC("denim_b", "Denim B of its paper",
            0.40, DENIM_WEIGHT, 8550.0, 8550.0, DENIM_EMT("5.735"), 86.4, DENIM_PAPER,
            14.1e-6, DENIM_PAPER, 0.45, "assumed", 1.188e-3, DENIM_PAPER),
@@ -103,9 +112,10 @@ static const fabric_row fabric_table[] = {
            0.2266, "Materials 11(12):2466", 28343.0, 4386.0,
            "from EMT 1.73 % warp, 11.18 % weft, Materials 11(12):2466", 60.0, "assumed",
            14e-6, "assumed", 0.45, "assumed", 0.50e-3, "assumed"),
-    FABRIC("wool_lycra", "Wool with Lycra in the weft",
+    FABRIC_ALL("wool_lycra", "Wool with Lycra in the weft",
            0.1782, PENAVA, 10433.0, 2724.0, SUITING ": EM 4.7 % warp; weft assumed at its upper end, 18 %", 32.5,
-           SUITING, 6.57e-6, "assumed as of wool tropical, " MATSUDAIRA, 0.4, "assumed", 0.328e-3, PENAVA),
+           SUITING, 6.57e-6, "assumed as of wool tropical, " MATSUDAIRA, 0.4, "assumed", 0.328e-3, PENAVA,
+           0.0, "left out", 0.071, PENAVA),
     FABRIC("pc_plain", "Polyester and cotton, plain weave, 46 x 20 threads a cm",
            0.2215, DRAPE_PAPER, 15000.0, 15000.0, "assumed", 60.0, "assumed",
            52e-6, DRAPE_FIT("80.4"), 0.45, "assumed", 0.48e-3, DRAPE_PAPER),
@@ -134,6 +144,7 @@ static void fabric_fill(const fabric_row *row, mus_fabric *out)
     out->friction = row->friction;
     out->thickness = row->thickness;
     out->bend_hysteresis = row->hysteresis;
+    out->contraction = row->contraction;
 }
 
 
@@ -173,10 +184,12 @@ const char *mus_fabric_value_source(int32_t index, int32_t value)
 mus_status mus_fabric_find(const char *name, mus_fabric *out)
 {
     if (name == NULL || out == NULL) return MUS_ERR_ARG;
-    if (out->size != sizeof *out) return MUS_ERR_VERSION;
+    if (out->size != sizeof *out && out->size != MUS__FABRIC_FIRST) return MUS_ERR_VERSION;
     for (int32_t i = 0; i < FABRIC_COUNT; i++)
         if (strcmp(name, fabric_table[i].name) == 0) {
-            fabric_fill(&fabric_table[i], out);
+            mus_fabric own = {.size = out->size};
+            fabric_fill(&fabric_table[i], &own);
+            memcpy(out, &own, out->size);
             return MUS_OK;
         }
     return MUS_ERR_ARG;

@@ -5,9 +5,11 @@
  * or two ranges. Ranges reach from light gauze to a coated tarpaulin, with room; steel in place of cloth is an error of
  * units.
  */
+#include <stdbool.h>
 #include <string.h>
 
 #include "cloth/cloth_internal.h"
+#include "cloth/fabric.h"
 
 typedef struct fabric_value {
     const char *key, *name; /* in files, in messages */
@@ -27,6 +29,7 @@ static const fabric_value fabric_values[] = {
     {"friction_coefficient", "friction", offsetof(mus_fabric, friction), 0.0, 100.0},
     {"thickness_m", "thickness", offsetof(mus_fabric, thickness), 0.0, 0.1},
     {"bend_hysteresis_N", "bend hysteresis", offsetof(mus_fabric, bend_hysteresis), 0.0, 1.0},
+    {"contraction_ratio", "contraction", offsetof(mus_fabric, contraction), 0.0, 1.0},
 };
 
 enum { FABRIC_VALUE_COUNT = sizeof fabric_values / sizeof *fabric_values };
@@ -44,10 +47,19 @@ const char *mus_fabric_value_key(int32_t value)
 }
 
 
+/* whether the size is one that a release had */
+static bool fabric_known(const mus_fabric *fabric)
+{
+    return fabric->size == sizeof *fabric || fabric->size == MUS__FABRIC_FIRST;
+}
+
+
 mus_status mus_fabric_get(const mus_fabric *fabric, int32_t value, double *out)
 {
     if (fabric == NULL || out == NULL || value < 0 || value >= FABRIC_VALUE_COUNT) return MUS_ERR_ARG;
-    if (fabric->size != sizeof *fabric) return MUS_ERR_VERSION;
+    if (!fabric_known(fabric)) return MUS_ERR_VERSION;
+    *out = 0.0;
+    if (fabric_values[value].offset >= fabric->size) return MUS_OK;
     memcpy(out, (const char *)fabric + fabric_values[value].offset, sizeof *out);
     return MUS_OK;
 }
@@ -56,7 +68,7 @@ mus_status mus_fabric_get(const mus_fabric *fabric, int32_t value, double *out)
 static mus_status fabric_size(mus_context *context, const mus_fabric *fabric)
 {
     if (fabric == NULL) return mus__fail(context, MUS_ERR_ARG, "fabric is NULL");
-    if (fabric->size == sizeof *fabric) return MUS_OK;
+    if (fabric_known(fabric)) return MUS_OK;
     return mus__fail(context, MUS_ERR_VERSION, "fabric: size %zu, this library knows %zu; use mus_fabric_init",
                      fabric->size, sizeof *fabric);
 }
@@ -78,7 +90,12 @@ mus_status mus_fabric_set(mus_context *context, mus_fabric *fabric, int32_t valu
         return mus__fail(context, MUS_ERR_ARG, "fabric value %d is outside 0 to %d", (int)value,
                          FABRIC_VALUE_COUNT - 1);
     status = fabric_range(context, &fabric_values[value], number);
-    if (status == MUS_OK) memcpy((char *)fabric + fabric_values[value].offset, &number, sizeof number);
+    if (status != MUS_OK) return status;
+    if (fabric_values[value].offset < fabric->size)
+        memcpy((char *)fabric + fabric_values[value].offset, &number, sizeof number);
+    else if (number != 0.0)
+        status = mus__fail(context, MUS_ERR_VERSION, "fabric %s %g: the fabric's struct is of a release without it",
+                           fabric_values[value].name, number);
     return status;
 }
 

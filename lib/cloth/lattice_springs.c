@@ -1,5 +1,5 @@
 /*
- * lattice_springs.c: springs and bending stencils of full cells, collected into runs.
+ * lattice_springs.c: springs, bending stencils and couplings of full cells, collected into runs.
  *
  * A spring along a lattice line is added here when both of its cells are full. Beside one full cell it belongs to the
  * strip (border_springs.c), with half of its stiffness from the cell. Each full cell has both diagonals. The stiffness
@@ -113,6 +113,27 @@ static mus_status run_stencils(mus__mesh *mesh, const mus__lattice *lattice, int
 }
 
 
+/* Adds the full cells, in runs along the weft. */
+static mus_status run_cells(mus__mesh *mesh, const mus__lattice *lattice, int32_t first)
+{
+    mus_cloth *cloth = mesh->cloth;
+    const int64_t columns = lattice->columns, places = columns * lattice->rows;
+    mus_status status = MUS_OK;
+    for (int64_t p = columns; status == MUS_OK && p < places; p++) {
+        if (!lattice->full[p]) continue;
+        const int32_t a = first + lattice->node[p], b = first + lattice->node[p + columns];
+        mus__cell_run *last = cloth->ncell > 0 ? &cloth->cell[cloth->ncell - 1] : NULL;
+        if (last != NULL && last->a + last->count == a && last->b + last->count == b) {
+            last->count++;
+            continue;
+        }
+        status = mus__reserve(mesh->context, &cloth->cell, &mesh->cap_cell, (int64_t)cloth->ncell + 1, sizeof *last);
+        if (status == MUS_OK) cloth->cell[cloth->ncell++] = (mus__cell_run){a, b, 1};
+    }
+    return status;
+}
+
+
 mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t first_node)
 {
     const mus__fabric_lattice *constant = &mesh->constant;
@@ -122,6 +143,7 @@ mus_status mus__mesh_runs(mus__mesh *mesh, const mus__lattice *lattice, int32_t 
     /* springs of stiffness 0 are left out */
     for (int k = 0; k < 2; k++)
         if (status == MUS_OK && constant->shear > 0.0) status = run_diagonals(mesh, lattice, first_node, k == 0);
+    if (status == MUS_OK && constant->couple > 0.0) status = run_cells(mesh, lattice, first_node);
     const int64_t step[4] = {lattice->columns, 1, lattice->columns + 1, lattice->columns - 1};
     const double stiff[4] = {constant->bend[0] + constant->skip[0], constant->bend[1] + constant->skip[1],
                              constant->cross, constant->cross};

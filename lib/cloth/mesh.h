@@ -22,7 +22,7 @@ typedef struct mus__mesh {
     mus_cloth *cloth; /* its arrays grow; capacities here */
     int32_t cap_rest, cap_mass, cap_node_panel, cap_triangle, cap_border, cap_row, cap_run, cap_bend, cap_spring,
         cap_hinge, cap_hold, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing, cap_inner,
-        cap_inner_wing, cap_pleat;
+        cap_inner_wing, cap_pleat, cap_cell;
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
     /* rims and lines of the panels, parts of one block */

@@ -71,6 +71,14 @@ static void grid_springs(grid *g, int32_t r)
 }
 
 
+/* Adds the cells between row r and the next. */
+static void grid_cells_of(grid *g, int32_t r)
+{
+    if (g->cloth->couple > 0.0 && r + 1 < g->rows)
+        g->cloth->cell[g->cloth->ncell++] = (mus__cell_run){r * g->columns, (r + 1) * g->columns, g->columns - 1};
+}
+
+
 /* Adds bending springs over one node (Metaaphanon and Kanongchaiyos 2005), in place of stencils, centred in row r. */
 static void grid_skips(grid *g, int32_t r)
 {
@@ -172,9 +180,10 @@ static bool grid_take(const grid *g)
     cloth->row = mus__new(context, rows, sizeof *cloth->row);
     cloth->run = mus__new(context, 10 * rows, sizeof *cloth->run);
     cloth->bend = mus__new(context, 6 * rows, sizeof *cloth->bend);
+    cloth->cell = mus__new(context, rows, sizeof *cloth->cell);
     return cloth->panel != NULL && cloth->rest != NULL && cloth->mass != NULL && cloth->node_panel != NULL &&
            cloth->triangle != NULL && cloth->border != NULL && cloth->row != NULL && cloth->run != NULL &&
-           cloth->bend != NULL;
+           cloth->bend != NULL && cloth->cell != NULL;
 }
 
 
@@ -189,6 +198,7 @@ static void grid_constants(grid *g, double paper)
     if (!(paper > 0.0)) g->cloth->bend_slide = mus__fabric_slide(&fabric);
     mus__fabric_on_cell(&fabric, g->cell, &g->constant);
     if (paper > 0.0) mus__fabric_on_paper(&fabric, g->cell, paper, &g->constant);
+    if (g->rows > 1 && g->columns > 1) mus__fabric_couple(g->cloth, g->cell, &g->constant);
 }
 
 
@@ -236,6 +246,7 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
     for (int32_t r = 0; r < rows; r++) {
         grid_springs(&g, r);
         grid_bends(&g, r);
+        grid_cells_of(&g, r);
         grid_skips(&g, r);
     }
     double coarse_cell[2];

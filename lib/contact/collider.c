@@ -28,7 +28,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/elementary.h"
 #include "body/body_internal.h"
 #include "contact/offset_surface.h"
 
@@ -127,14 +126,17 @@ static double plane_depth(const mus__collider *collider, int32_t k, const double
     const mus__collider_plane *plane = &collider->plane[k];
     double up = 0.0, across2 = 0.0;
     for (int32_t i = 0; i < 3; i++) up += (point[i] - plane->point[i]) * plane->normal[i];
-    for (int32_t i = 0; i < 3; i++) across2 += mus__pow(point[i] - plane->point[i] - up * plane->normal[i], 2.0);
+    for (int32_t i = 0; i < 3; i++) {
+        const double across = point[i] - plane->point[i] - up * plane->normal[i];
+        across2 += across * across;
+    }
     if (plane->reach > 0.0 && (up < -MUS__DISC_THICKNESS || across2 > plane->reach * plane->reach))
         return -COLLIDER_FAR;
     return -up;
 }
 
 
-double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal)
+double mus__collider_body_depth(const mus__collider *collider, const double *point, double margin, double *normal)
 {
     double p[3], deepest = -COLLIDER_FAR;
     to_state(collider, point, p);
@@ -146,6 +148,13 @@ double mus__collider_depth(const mus__collider *collider, const double *point, d
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
     }
+    return deepest;
+}
+
+
+double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal)
+{
+    double deepest = mus__collider_body_depth(collider, point, margin, normal);
     for (int32_t k = 0; k < collider->nplane; k++) {
         const double depth = plane_depth(collider, k, point);
         if (depth <= deepest || depth < -margin) continue;

@@ -102,6 +102,8 @@ void mus__collider_update_speed(mus__collider *collider);
 /* largest depth of a point of the world below the surfaces [m], positive inside, and the outward normal there (3, may
  * be NULL); -1e30 when the point is further than `margin` [m] from all */
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
+/* the same of the body alone, without planes and discs */
+double mus__collider_body_depth(const mus__collider *collider, const double *point, double margin, double *normal);
 
 /* surfaces nearer to a point of the world than `reach` [m]: outward normals (MUS__TOUCHING_MAX x 3) and friction
  * coefficients (MUS__TOUCHING_MAX), below 0 where the rule's holds. Returns their number */

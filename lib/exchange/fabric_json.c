@@ -15,7 +15,7 @@
 
 #define FABRIC_NAME_BYTES 100    /* [bytes] longest name; chosen, as muslin_fabric(5) says */
 #define FABRIC_SOURCE_BYTES 1000 /* [bytes] longest source of a value; chosen, as muslin_fabric(5) says */
-#define FABRIC_VALUES_MAX 32     /* most values of a fabric: capacity of arrays on the stack; a fabric has eleven */
+#define FABRIC_VALUES_MAX 32     /* most values of a fabric: capacity of arrays on the stack; a fabric has twelve */
 #define FABRIC_VALUES_ASKED 10   /* the first values must be in a file; a later one that is left out is 0 */
 
 

@@ -226,6 +226,7 @@ static void MUS__NAME(held_pull)(const mus__sim *sim, const mus__chunk *chunk, M
 
 
 #include "sim/bend_slider_kernel.h"
+#include "sim/contraction_kernel.h"
 
 
 /* adds the bending of the clamps of a chunk */
@@ -259,6 +260,7 @@ static void MUS__NAME(chunk_force)(const mus__sim *sim, const mus__chunk *chunk,
         MUS__NAME(slices)(sim, chunk, f);
     MUS__NAME(pair_pull)(sim, chunk, f);
     if (chunk->nattachment > 0) MUS__NAME(held_pull)(sim, chunk, f);
+    if (chunk->ncell > 0) MUS__NAME(cells)(sim, chunk, f);
     if (chunk->nclamp > 0) MUS__NAME(clamp_bend)(sim, chunk, f);
     if (sim->program->nslider > 0) MUS__NAME(slide_add)(sim, chunk, f);
 }

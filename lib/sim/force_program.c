@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/bend_slider.h"
+#include "sim/contraction.h"
 #include "sim/force_program_parts.h"
 
 #define TACKS_FIRST 16      /* room for tacks that the first one makes; chosen: a button band needs no second block */
@@ -185,6 +186,7 @@ mus_status mus__program_build(mus_context *context, const mus_cloth *cloth, size
     mus__program_elements(cloth, NULL, program);
     mus__program_irregular_lattice(cloth, program);
     status = mus__program_stencil(context, cloth, program);
+    if (status == MUS_OK) status = mus__contraction_create(context, cloth, program);
     if (status == MUS_OK) status = mus__program_sell_create(context, cloth, program);
     if (status == MUS_OK) mus__program_irregular(cloth, program);
     return status;
@@ -200,7 +202,8 @@ void mus__program_clear(mus_context *context, mus__program *program)
                       program->half_start,   program->half_other,     program->half_constant,
                       program->linear_start, program->linear_other,   program->linear_weight,
                       program->pair_end,     program->lattice,        program->attachment,
-                      program->tack,         program->slider,         program->clamp};
+                      program->tack,         program->slider,         program->clamp,
+                      program->cell};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__program_sell_clear(context, program);
     memset(program, 0, sizeof *program);

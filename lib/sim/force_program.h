@@ -37,6 +37,11 @@ typedef struct mus__program {
     int32_t nslider, slider_capacity;
     mus__slider *slider; /* (slider_capacity) of lattice stencils, then of hinges; NULL without friction of bending */
 
+    int32_t ncell_run;
+    const mus__cell_run *cell_run; /* (ncell_run) the cloth's: cells that couple warp and weft (contraction.h) */
+    mus__cell_run *cell;           /* the parts of them at the nodes of each chunk, chunk by chunk */
+    double couple, couple_share, cell_side[2]; /* as in mus_cloth */
+
     int32_t ntack, tack_capacity;
     mus__tack *tack; /* (tack_capacity) numbers below ntack may be in use; NULL before the first tack */
 

@@ -49,6 +49,7 @@ typedef struct mus__chunk {
     int32_t end, nend;               /* in mus__program.pair_end */
     int32_t attachment, nattachment; /* in mus__program.attachment */
     int32_t clamp, nclamp;           /* in mus__program.clamp */
+    int32_t cell, ncell;             /* in mus__program.cell */
 } mus__chunk;
 
 /* part `part` of a node's items, at most 8 of each kind */

@@ -6,6 +6,7 @@
  *   bend        E = 1/2 k |a - 2 b + c|^2    hinge  E = 1/2 k |sum c_i x_i|^2
  *
  *   slider      E = 1/2 k |e - slip|^2, of which 1/2 k |e|^2 stands in its bend or hinge
+ *   cell        as in contraction.h
  *
  * Half runs hold each lattice spring twice, so their energy is halved. The energy of a bending stencil is taken at its
  * middle node.
@@ -15,6 +16,7 @@
 
 #include "sim/bend_clamp.h"
 #include "sim/bend_slider.h"
+#include "sim/contraction.h"
 #include "sim/force_reference.h"
 
 #define TINY_LENGTH 1e-150 /* [m] added to a length that divides, so that coincident nodes give 0 and not NaN */
@@ -99,6 +101,7 @@ double mus__program_force(const mus__program *program, int32_t n, const double *
     }
     for (int32_t h = 0; h < program->nhinge; h++) energy += add_hinge(x, &program->hinge[h], f);
     energy += mus__clamps_force(program, x, f) + mus__sliders_force(program, x, f);
+    energy += mus__contraction_force(program, x, f);
     for (int32_t h = 0; h < program->nattachment; h++) energy += add_attachment(program, &program->attachment[h], x, f);
     return energy;
 }

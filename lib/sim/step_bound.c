@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "sim/contraction.h"
 #include "sim/step_bound.h"
 
 
@@ -59,6 +60,7 @@ void mus__program_stiffness(const mus__program *program, int32_t nnode, double *
 {
     memset(t, 0, (size_t)nnode * sizeof *t);
     add_isotropic(program, t);
+    mus__contraction_stiffness(program, t);
     for (int32_t r = 0; r < program->nhalf_run; r++)
         for (int32_t i = 0; i < program->half_run[r].count; i++)
             t[program->half_run[r].a + i] += 2.0 * program->half_run[r].k;
@@ -138,6 +140,7 @@ void mus__program_stiffness_at(const mus__program *program, int32_t nnode, const
         add_tangent(x, spring->a, spring->b, spring->k, spring->rest, work);
         add_tangent(x, spring->b, spring->a, spring->k, spring->rest, work);
     }
+    mus__contraction_stiffness_at(program, x, work);
     add_isotropic(program, t);
     for (int32_t i = 0; i < nnode; i++) t[i] += largest_eigenvalue(work + 6 * (int64_t)i);
 }
@@ -158,6 +161,9 @@ void mus__program_damping(const mus__program *program, int32_t nnode, double *t,
         t[program->spring[s].b] += 2.0 * dashpot;
         if (dashpot > *ratio * program->spring[s].k) *ratio = dashpot / program->spring[s].k;
     }
+
+    /* a mode that shears a cell purely finds its line springs softer by the coupling's share */
+    *ratio /= 1.0 - program->couple_share;
 }
 
 

@@ -46,7 +46,7 @@ START_TEST(every_named_fabric_is_found_and_has_a_source)
     ck_assert_ptr_null(mus_fabric_name(mus_fabric_count()));
     ck_assert_ptr_null(mus_fabric_source(mus_fabric_count()));
     ck_assert_ptr_null(mus_fabric_value_source(0, -1));
-    ck_assert_ptr_null(mus_fabric_value_source(0, 11));
+    ck_assert_ptr_null(mus_fabric_value_source(0, 12));
     ck_assert_ptr_null(mus_fabric_value_source(mus_fabric_count(), 0));
     support_context_end(context);
 }
@@ -91,6 +91,37 @@ START_TEST(measured_rows_are_their_conversions)
         mus_fabric_find(fitted[k], &fabric);
         near(cbrt(fabric.bend[0] / (fabric.weight * 9.81)), length[k], 2e-4);
     }
+}
+END_TEST
+
+
+START_TEST(a_fabric_of_the_release_before_is_taken)
+{
+    mus_context *context = support_context();
+    mus_fabric fabric;
+    double loop = -1.0;
+    mus_fabric_init(&fabric, sizeof fabric);
+    fabric.size = MUS__FABRIC_FIRST;
+    fabric.bend_hysteresis = 123.0; /* beyond the struct of that release */
+    ck_assert_int_eq(mus_fabric_find("broadcloth", &fabric), MUS_OK);
+    ck_assert_double_eq(fabric.bend_hysteresis, 123.0);
+    ck_assert_int_eq((int)fabric.size, (int)MUS__FABRIC_FIRST);
+    ck_assert_int_eq(mus_fabric_check(context, &fabric), MUS_OK);
+    ck_assert_int_eq(mus_fabric_get(&fabric, mus_fabric_value_count() - 1, &loop), MUS_OK);
+    ck_assert_double_eq(loop, 0.0);
+    ck_assert_int_eq(mus_fabric_set(context, &fabric, mus_fabric_value_count() - 1, 0.0), MUS_OK);
+    ck_assert_int_eq(mus_fabric_set(context, &fabric, mus_fabric_value_count() - 1, 1e-3), MUS_ERR_VERSION);
+    ck_assert_double_eq(fabric.bend_hysteresis, 123.0);
+
+    mus_cloth_def def;
+    mus_cloth *cloth;
+    const double cell[2] = {0.01, 0.01};
+    mus_cloth_def_init(&def, sizeof def);
+    def.fabric = &fabric;
+    ck_assert_int_eq(mus_cloth_create_grid(context, 3, 3, cell, &def, &cloth), MUS_OK);
+    ck_assert_double_eq(cloth->bend_slide, 0.0);
+    mus_cloth_destroy(cloth);
+    support_context_end(context);
 }
 END_TEST
 
@@ -140,12 +171,12 @@ START_TEST(values_outside_their_range_are_named)
     mus_fabric_init(&good, sizeof good);
     double *field[] = {&bad.weight,  &bad.stretch[0], &bad.stretch[1], &bad.shear,
                        &bad.bend[0], &bad.bend[1],    &bad.bend[2],    &bad.damping,
-                       &bad.friction, &bad.thickness, &bad.bend_hysteresis};
+                       &bad.friction, &bad.thickness, &bad.bend_hysteresis, &bad.contraction};
     const char *name[] = {"weight",    "warp stretch", "weft stretch", "shear",    "warp bend",
                           "weft bend", "bias bend",    "damping",      "friction", "thickness",
-                          "bend hysteresis"};
+                          "bend hysteresis", "contraction"};
     const double wrong[] = {-1.0, 1e30, (double)NAN, (double)INFINITY};
-    for (int i = 0; i < 11; i++)
+    for (int i = 0; i < 12; i++)
         for (int k = 0; k < 4; k++) {
             bad = good;
             *field[i] = wrong[k];
@@ -164,9 +195,9 @@ START_TEST(values_are_read_and_set_one_by_one)
     mus_fabric_init(&fabric, sizeof fabric);
     const double *field[] = {&fabric.weight,  &fabric.stretch[0], &fabric.stretch[1], &fabric.shear,
                              &fabric.bend[0], &fabric.bend[1],    &fabric.bend[2],    &fabric.damping,
-                             &fabric.friction, &fabric.thickness,  &fabric.bend_hysteresis};
-    ck_assert_int_eq(mus_fabric_value_count(), 11);
-    for (int32_t v = 0; v < 11; v++) {
+                             &fabric.friction, &fabric.thickness,  &fabric.bend_hysteresis, &fabric.contraction};
+    ck_assert_int_eq(mus_fabric_value_count(), 12);
+    for (int32_t v = 0; v < 12; v++) {
         double got = NAN;
         ck_assert_int_eq(mus_fabric_set(context, &fabric, v, 0.01 + 0.001 * v), MUS_OK);
         ck_assert_double_eq(*field[v], 0.01 + 0.001 * v);
@@ -178,8 +209,8 @@ START_TEST(values_are_read_and_set_one_by_one)
     }
     double got;
     ck_assert_ptr_null(mus_fabric_value_key(-1));
-    ck_assert_ptr_null(mus_fabric_value_key(11));
-    ck_assert_int_eq(mus_fabric_get(&fabric, 11, &got), MUS_ERR_ARG);
+    ck_assert_ptr_null(mus_fabric_value_key(12));
+    ck_assert_int_eq(mus_fabric_get(&fabric, 12, &got), MUS_ERR_ARG);
     ck_assert_int_eq(mus_fabric_get(NULL, 0, &got), MUS_ERR_ARG);
     ck_assert_int_eq(mus_fabric_set(context, &fabric, -1, 1.0), MUS_ERR_ARG);
     ck_assert_int_eq(mus_fabric_set(context, NULL, 0, 1.0), MUS_ERR_ARG);
@@ -261,6 +292,7 @@ Suite *mus_suite_fabric(void)
     tcase_add_test(tests, the_default_is_jersey);
     tcase_add_test(tests, values_outside_their_range_are_named);
     tcase_add_test(tests, values_are_read_and_set_one_by_one);
+    tcase_add_test(tests, a_fabric_of_the_release_before_is_taken);
     tcase_add_test(tests, half_a_cell_as_a_triangle_has_the_springs_of_half_a_cell);
     tcase_add_test(tests, what_a_lattice_cannot_be_is_clamped);
     suite_add_tcase(suite, tests);

@@ -44,6 +44,7 @@ START_TEST(a_cloth_def_that_is_not_finite_is_refused_by_name)
         REFUSED(mus_fabric, damping, 1, false, "damping"),     REFUSED(mus_fabric, friction, 1, false, "friction"),
         REFUSED(mus_fabric, thickness, 1, false, "thickness"),
         REFUSED(mus_fabric, bend_hysteresis, 1, false, "bend hysteresis"),
+        REFUSED(mus_fabric, contraction, 1, false, "contraction"),
     };
     mus_fabric jersey;
     mus_cloth_def def;

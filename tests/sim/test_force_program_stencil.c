@@ -16,9 +16,10 @@ Suite *mus_suite_force_program_stencil(void);
 /* rows and columns: single lines, less than a block, whole blocks, blocks over the ends of rows, several chunks */
 static const int32_t grids[][2] = {{1, 1},  {1, 9},   {13, 1},  {2, 2},   {3, 3},  {4, 5},
                                    {5, 17}, {16, 16}, {17, 33}, {40, 23}, {3, 700}};
-/* features of a fabric: stretch only, with shear, with bending, with both, both with bending springs over one node */
-static const double fabrics[][3] = {{0, 0, 0},         {250, 0, 0},     {0, 2e-5, 0},     {250, 2e-5, 0},
-                                    {250, 2e-5, 3e-5}, {0, 2e-5, 3e-5}, {250, 2e-5, 3e-5}};
+/* features of a fabric: stretch only, with shear, with bending, with both, both with bending springs over one node,
+ * shear and contraction */
+static const double fabrics[][4] = {{0, 0, 0},         {250, 0, 0},     {0, 2e-5, 0},     {250, 2e-5, 0},
+                                    {250, 2e-5, 3e-5}, {0, 2e-5, 3e-5}, {250, 2e-5, 3e-5}, {20, 0, 0, 0.4}};
 #define PAPER 6
 #define GRIDS ((int)(sizeof grids / sizeof grids[0]))
 #define FABRICS ((int)(sizeof fabrics / sizeof fabrics[0]))
@@ -36,6 +37,7 @@ static mus_cloth *blocks_grid(mus_context *context, int32_t grid, int32_t fabric
     cloth_fabric.shear = fabrics[fabric][0];
     for (int d = 0; d < 3; d++) cloth_fabric.bend[d] = fabrics[fabric][d < 2 ? 1 : 2];
     cloth_fabric.damping = damping;
+    cloth_fabric.contraction = fabrics[fabric][3];
     if (fabric == PAPER) cut.bending = MUS_BEND_PAPER;
     ck_assert_int_eq(mus_cloth_create_grid(context, grids[grid][0], grids[grid][1], cell, &cut, &cloth), MUS_OK);
     return cloth;

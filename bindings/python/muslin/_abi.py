@@ -204,6 +204,7 @@ MUS_REASON_COUNT = 13
 MUS_DRESS_PLACE_BOTH = 0
 MUS_DRESS_PLACE_PATTERN = 1
 MUS_DRESS_PLACE_FOUND = 2
+MUS_DRESS_PLACE_RAISED = 3
 MUS_DRESS_STARTS_MOST = 8
 MUS_FIT_STRAIN = 0
 MUS_FIT_WARP = 1
@@ -289,6 +290,10 @@ class mus_manifold(Structure):
 
 
 class mus_pattern(Structure):
+    pass
+
+
+class mus_cut_line(Structure):
     pass
 
 
@@ -528,7 +533,7 @@ mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
                        ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
-                       ("bend_hysteresis", c_double)]
+                       ("bend_hysteresis", c_double), ("contraction", c_double)]
 mus_cloth_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", POINTER(mus_fabric)),
                           ("bending", c_int32), ("paper_curvature", c_double), ("coarser", c_int32),
                           ("nodes_most", c_int32)]
@@ -761,6 +766,14 @@ FUNCTIONS = {
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
     "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
                                           c_int32, POINTER(c_int32)]),
+    "mus_pattern_cut_line": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double,
+                                               POINTER(POINTER(mus_cut_line))]),
+    "mus_cut_line_destroy": ("core", None, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_int32),
+                                            POINTER(POINTER(c_double))]),
+    "mus_cut_line_dart_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_dart": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_double)]),
     "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
     "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
     "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
@@ -863,6 +876,8 @@ FUNCTIONS = {
     "mus_design_words": ("core", c_char_p, [c_int32]),
     "mus_design_groups": ("core", c_int32, [c_int32]),
     "mus_design_find": ("core", c_int32, [c_char_p]),
+    "mus_design_search": ("core", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(c_int32),
+                                            POINTER(c_double), POINTER(c_int32)]),
     "mus_design_axis_count": ("core", c_int32, []),
     "mus_design_axis_name": ("core", c_char_p, [c_int32]),
     "mus_design_option_count": ("core", c_int32, [c_int32]),

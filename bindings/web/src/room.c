@@ -25,6 +25,7 @@ static mus_fit *fit;
 static mus_reason reason;
 static char *text, *bytes;
 static size_t text_room, bytes_size;
+static int32_t *found; /* designs of the last search, the best first */
 static double *normals;
 
 /* the host's: phase 0 sew, 1 settle; share done; nodes of the cut that moves and their positions. Nonzero: stop */
@@ -75,6 +76,7 @@ const char *EXPORT(room_design_name)(int32_t i) { return mus_design_name(i); }
 const char *EXPORT(room_design_title)(int32_t i) { return mus_design_title(i); }
 const char *EXPORT(room_design_family)(int32_t i) { return mus_design_family(i); }
 int32_t EXPORT(room_design_groups)(int32_t i) { return mus_design_groups(i); }
+const int32_t *EXPORT(room_design_found)(void) { return found; }
 const char *EXPORT(room_measure_name)(int32_t i) { return mus_measure_name(i); }
 
 
@@ -140,6 +142,16 @@ const double *EXPORT(room_body_normals)(void) { return mus_body_normals(body); }
 const int32_t *EXPORT(room_body_triangle)(void) { return mus_body_triangles(body); }
 
 
+/* Searches the designs by the text. Returns how many match, -1 on an error; room_design_found() has their numbers. */
+int32_t EXPORT(room_design_search)(void)
+{
+    int32_t count = 0;
+    if (found == NULL) found = malloc((size_t)mus_design_count() * sizeof *found);
+    if (found == NULL) return -1;
+    return mus_design_search(context, text, mus_design_count(), found, NULL, &count) == MUS_OK ? count : -1;
+}
+
+
 /* ---- pattern ---- */
 
 /* Drafts the design that the text names, or spells in words. */
@@ -149,10 +161,9 @@ int32_t EXPORT(room_draft)(void)
     const int32_t design = mus_design_find(text);
     const mus_status status = design != MUS_NONE ? mus_design_draft(context, design, tape, NULL, &made)
                                                  : mus_design_draft_words(context, text, tape, NULL, &made);
-    if (status != MUS_OK) return status;
     mus_pattern_destroy(pattern);
-    pattern = made;
-    return MUS_OK;
+    pattern = status == MUS_OK ? made : NULL;
+    return status;
 }
 
 
@@ -164,6 +175,7 @@ int32_t EXPORT(room_write)(int32_t form, int32_t paper)
     mus_status status = MUS_OK;
     mus_context_alloc(context, bytes, 0);
     bytes = NULL, bytes_size = 0;
+    if (pattern == NULL && form < 3) return mus_context_fail(context, MUS_ERR_STATE, "no design is drafted");
     if (form < 2) {
         mus_sheet_def_init(&def, sizeof def);
         def.paper = paper;
@@ -222,7 +234,7 @@ int32_t EXPORT(room_sew)(double spacing, int32_t index)
     def.progress = on_progress;
     cloth_new = NULL, drape_new = NULL;
     const mus_status status = mus_dress(context, pattern, body, &def, NULL, &reason, &cloth_new, &drape_new);
-    if (drape_new != NULL) take(cloth_new, drape_new);
+    take(cloth_new, drape_new); /* none after a failure to cut: the garment before is not the one that was asked for */
     return status;
 }
 

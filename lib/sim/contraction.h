@@ -2,7 +2,7 @@
  * contraction.h: lateral contraction: an element in each full cell of the lattice that couples its strain along warp
  * with that along weft.
  *
- *      b ---- b+1     r = root of the mean square of the edges along the weft, a to a+1 and b to b+1, over their rest p;
+ *      b ---- b+1     r = root of the mean square of the edges along weft, a to a+1 and b to b+1, over their rest p;
  *      |       |      s = the same of the two along the warp, over q:
  *      |       |
  *      a ---- a+1     E = C p q psi(r) psi(s),   psi(r) = tanh(4 ln r) / 4 = 1/4 - 1 / (2 r^8 + 2)

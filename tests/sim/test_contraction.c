@@ -243,7 +243,8 @@ START_TEST(a_folded_cell_has_no_strain)
 
     /* node 3 turns about the line from node 1 to node 2: along the line it stays, across it leaves the plane */
     const double along = q * q / size2, foot[2] = {p * (1.0 - along), q * along}, c = cos(angle), s = sin(angle);
-    x[9] = foot[0] + c * (p - foot[0]), x[10] = foot[1] + c * (q - foot[1]), x[11] = s * hypot(p - foot[0], q - foot[1]);
+    x[9] = foot[0] + c * (p - foot[0]), x[10] = foot[1] + c * (q - foot[1]);
+    x[11] = s * hypot(p - foot[0], q - foot[1]);
     ck_assert_double_eq_tol(hypot(x[9] - p, hypot(x[10], x[11])), q, 1e-12);
     ck_assert_double_eq_tol(hypot(x[9], hypot(x[10] - q, x[11])), p, 1e-12);
     ck_assert_double_eq_tol(mus__contraction_force(&drape->program, x, f), 0.0, 1e-20);

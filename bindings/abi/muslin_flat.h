@@ -201,6 +201,7 @@ enum {
     MUS_DRESS_PLACE_BOTH = 0,
     MUS_DRESS_PLACE_PATTERN = 1,
     MUS_DRESS_PLACE_FOUND = 2,
+    MUS_DRESS_PLACE_RAISED = 3,
     MUS_DRESS_STARTS_MOST = 8,
     MUS_FIT_STRAIN = 0,
     MUS_FIT_WARP = 1,
@@ -257,6 +258,7 @@ typedef struct mus_body mus_body;
 typedef struct mus_move mus_move;
 typedef struct mus_manifold mus_manifold;
 typedef struct mus_pattern mus_pattern;
+typedef struct mus_cut_line mus_cut_line;
 typedef struct mus_faults mus_faults;
 typedef struct mus_cloth mus_cloth;
 typedef struct mus_drape mus_drape;
@@ -935,6 +937,12 @@ const char *mus_pattern_panel_label(const mus_pattern *pattern, int32_t panel);
 int32_t mus_pattern_panel_sides(const mus_pattern *pattern, int32_t panel, int32_t *given);
 mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel, int32_t *n, const int32_t **edges, const int32_t **directions);
 mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions, int32_t capacity, int32_t *count);
+mus_status mus_pattern_cut_line(const mus_pattern *pattern, int32_t panel, double allowance, mus_cut_line **out);
+void mus_cut_line_destroy(mus_cut_line *line);
+int32_t mus_cut_line_loop_count(const mus_cut_line *line);
+mus_status mus_cut_line_loop(const mus_cut_line *line, int32_t loop, int32_t *n, const double **xy);
+int32_t mus_cut_line_dart_count(const mus_cut_line *line);
+mus_status mus_cut_line_dart(const mus_cut_line *line, int32_t dart, double *out);
 mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
 mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
 mus_status mus_pattern_point(const mus_pattern *pattern, int32_t point, int32_t *panel, double *xy);
@@ -1013,6 +1021,7 @@ const char *mus_design_title(int32_t design);
 const char *mus_design_words(int32_t design);
 int32_t mus_design_groups(int32_t design);
 int32_t mus_design_find(const char *name);
+mus_status mus_design_search(mus_context *context, const char *phrase, int32_t room, int32_t *designs, double *scores, int32_t *count);
 int32_t mus_design_axis_count(void);
 const char *mus_design_axis_name(int32_t axis);
 int32_t mus_design_option_count(int32_t axis);
@@ -1163,6 +1172,7 @@ mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern 
 mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
 void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
+mus_status mus_pattern_propose_seams(const mus_pattern *pattern, int32_t *edges, int32_t *chosen, double *confidence, int32_t capacity, int32_t *count);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);

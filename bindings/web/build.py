@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""build.py: the fitting room, a folder of files that any web server can hand out: MUSLIN_OUT/web.
+"""build.py: the fitting room, a folder of files that any web server can hand out: MUSLIN_OUT/web; and the npm package
+muslin, MUSLIN_OUT/npm.
 
 clang and lld compile the core, lib/print and parts of lib/exchange to WebAssembly with wasi-libc; esbuild bundles the
 page with three.js (from npm, once). Nothing is written into the repository.
@@ -17,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
-OUT, WORK = BUILD / "web", BUILD / "web-work"
+OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
 LEFT_OUT = {"catalogue", "scan", "exchange", "trade"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
@@ -82,12 +83,22 @@ def page():
     (OUT / "sw.js").write_text(script.replace("VERSION", version).replace("FILES", json.dumps([f.name for f in files])))
 
 
+def package():
+    """The npm package: the module and its object, for Node and for other people's pages."""
+    shutil.rmtree(NPM, ignore_errors=True)
+    shutil.copytree(HERE / "npm", NPM)
+    shutil.copy(HERE / "page/room.js", NPM)
+    shutil.copy(ROOT / "LICENSE", NPM)
+    shutil.copy(OUT / "room.wasm", NPM / "muslin.wasm")
+
+
 def main():
     for folder in (OUT, WORK):
         folder.mkdir(parents=True, exist_ok=True)
     module()
     if sys.argv[1:] != ["--module"]:
         page()
+    package()
     total = 0
     for file in sorted(OUT.iterdir()):
         packed = len(gzip.compress(file.read_bytes(), 9))

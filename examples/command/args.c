@@ -114,7 +114,7 @@ static void print_help(const char *command, const char *summary, const option *o
 {
     printf("usage: muslin %s", command);
     for (const option *o = options; o->name != NULL; o++)
-        if (o->kind == OPTION_PLAIN) printf(" %s", o->name);
+        if (o->kind == OPTION_PLAIN || o->kind == OPTION_REST) printf(" %s", o->name);
     printf(" [options]\n\n%s\n\n", summary);
     for (const option *o = options; o->name != NULL; o++) printf("  %-14s %s\n", o->name, o->help);
     printf("  %-14s %s\n", "--help", "this text");
@@ -124,16 +124,16 @@ static void print_help(const char *command, const char *summary, const option *o
 static const option *find_option(const option *options, const char *name)
 {
     for (const option *o = options; o->name != NULL; o++)
-        if (o->kind != OPTION_PLAIN && strcmp(o->name, name) == 0) return o;
+        if (o->kind != OPTION_PLAIN && o->kind != OPTION_REST && strcmp(o->name, name) == 0) return o;
     return NULL;
 }
 
 
-/* Returns the first plain argument that has no value yet. */
+/* Returns the first plain argument that has no value yet, or that of all that are left. */
 static const option *next_plain(const option *options)
 {
     for (const option *o = options; o->name != NULL; o++)
-        if (o->kind == OPTION_PLAIN && *(const char **)o->value == NULL) return o;
+        if (o->kind == OPTION_REST || (o->kind == OPTION_PLAIN && *(const char **)o->value == NULL)) return o;
     return NULL;
 }
 
@@ -145,7 +145,7 @@ static const option *next_plain(const option *options)
 /* Stores the value of one option; returns false, with a complaint, when the text is no such value. */
 static bool take_value(const char *command, const option *o, const char *text)
 {
-    if (o->kind == OPTION_LIST) {
+    if (o->kind == OPTION_LIST || o->kind == OPTION_REST) {
         texts *list = o->value;
         if (list->count == (int32_t)(sizeof list->at / sizeof list->at[0]))
             return REFUSE(command, "%s: more than %d are given", o->name, (int)list->count);

@@ -12,7 +12,8 @@
 
 /*
  * Kinds of option: a flag (bool); a text (const char *); a number (double), integer or not; a list of texts; an output
- * file (const char *), "-" for standard output; a flag (bool) whose output is standard output; a plain argument.
+ * file (const char *), "-" for standard output; a flag (bool) whose output is standard output; a plain argument; all
+ * plain arguments that are left (a list of texts).
  */
 typedef enum option_kind {
     OPTION_FLAG,
@@ -22,7 +23,8 @@ typedef enum option_kind {
     OPTION_LIST,
     OPTION_OUTPUT,
     OPTION_STDOUT,
-    OPTION_PLAIN
+    OPTION_PLAIN,
+    OPTION_REST
 } option_kind;
 
 typedef struct texts {

@@ -66,7 +66,8 @@ static void write_starts(const mus_dress_report *report, bool timed, json *j)
     json_open(j, "starts", '[');
     for (int32_t i = 0; i < report->starts; i++) {
         json_open(j, NULL, '{');
-        json_text(j, "kind", report->start_place[i] == MUS_DRESS_PLACE_FOUND ? "found" : "pattern");
+        static const char *const kinds[] = {"both", "pattern", "found", "raised"};
+        json_text(j, "kind", kinds[report->start_place[i]]);
         if (timed) json_number(j, "seconds", report->start_seconds[i]);
         json_text(j, "end", mus_reason_name(report->start_end[i]));
         json_close(j, '}');

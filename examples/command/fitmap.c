@@ -2,10 +2,12 @@
  * fitmap.c: the fit of a garment as colours with a legend, and as members of the report.
  *
  * Strain is the greater one of warp and weft, from blue (compressed) over green to red (stretched). Pressure goes from
- * green to red. Ease, the distance to the body, goes from red (0) over green to blue. The legend is written in a bitmap
- * font of 5 x 7 dots that has the letters it needs.
+ * green to red. Ease, the distance to the body, goes from red (0) over green to blue. The legend is written by
+ * letters.h.
  */
 #include "fitmap.h"
+
+#include "letters.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,8 +15,6 @@
 #include <string.h>
 
 #define STOPS 5
-#define LETTER_WIDE 5
-#define LETTER_HIGH 7
 
 /* colours of the scale, linear RGB: blue, cyan, green, yellow, red */
 static const double stop[STOPS][3] = {
@@ -28,22 +28,6 @@ static const struct {
 } maps[] = {{"strain", "strain %", -10.0, 10.0, 0.0, 1.0, 100.0, MUS_FIT_STRAIN},
             {"pressure", "pressure kPa", 0.0, 3.0, 0.5, 1.0, 0.001, MUS_FIT_PRESSURE},
             {"ease", "ease cm", 0.0, 6.0, 1.0, 0.0, 100.0, MUS_FIT_GAP}};
-
-/* the bitmap font: 7 rows from the top; the leftmost dot of a row is 16 */
-static const struct {
-    char letter;
-    unsigned char row[LETTER_HIGH];
-} letters[] = {
-    {'0', {14, 17, 19, 21, 25, 17, 14}}, {'1', {4, 12, 4, 4, 4, 4, 14}},      {'2', {14, 17, 1, 2, 4, 8, 31}},
-    {'3', {31, 2, 4, 2, 1, 17, 14}},     {'4', {2, 6, 10, 18, 31, 2, 2}},     {'5', {31, 16, 30, 1, 1, 17, 14}},
-    {'6', {6, 8, 16, 30, 17, 17, 14}},   {'7', {31, 1, 2, 4, 8, 8, 8}},       {'8', {14, 17, 17, 14, 17, 17, 14}},
-    {'9', {14, 17, 17, 15, 1, 2, 12}},   {'-', {0, 0, 0, 31, 0, 0, 0}},       {'.', {0, 0, 0, 0, 0, 12, 12}},
-    {'%', {24, 25, 2, 4, 8, 19, 3}},     {'a', {0, 0, 14, 1, 15, 17, 15}},    {'c', {0, 0, 14, 16, 16, 17, 14}},
-    {'e', {0, 0, 14, 17, 31, 16, 14}},   {'i', {4, 0, 12, 4, 4, 4, 14}},      {'k', {16, 16, 18, 20, 24, 20, 18}},
-    {'m', {0, 0, 26, 21, 21, 17, 17}},   {'n', {0, 0, 22, 25, 17, 17, 17}},   {'p', {0, 0, 30, 17, 30, 16, 16}},
-    {'r', {0, 0, 22, 25, 16, 16, 16}},   {'s', {0, 0, 14, 16, 14, 1, 30}},    {'t', {8, 8, 28, 8, 8, 9, 6}},
-    {'u', {0, 0, 17, 17, 17, 19, 13}},   {'P', {30, 17, 17, 30, 16, 16, 16}},
-};
 
 
 /* Returns the map of that name, or -1. */
@@ -115,32 +99,6 @@ void fit_map_free(fit_map *map)
 
 /* ---- the legend ---- */
 
-typedef struct page {
-    int32_t width, height, dot; /* dot: width of a letter's dot, in pixels */
-    unsigned char *rgba;
-} page;
-
-
-static void fill(const page *p, int32_t x, int32_t y, int32_t wide, int32_t high, const unsigned char *colour)
-{
-    for (int32_t j = y < 0 ? 0 : y; j < y + high && j < p->height; j++)
-        for (int32_t i = x < 0 ? 0 : x; i < x + wide && i < p->width; i++)
-            memcpy(p->rgba + 4 * ((size_t)j * (size_t)p->width + (size_t)i), colour, 3);
-}
-
-
-static void say(const page *p, int32_t x, int32_t y, const char *text)
-{
-    static const unsigned char ink[3] = {40, 42, 46};
-    for (; *text != '\0'; text++, x += (LETTER_WIDE + 1) * p->dot)
-        for (size_t k = 0; k < sizeof letters / sizeof *letters; k++)
-            for (int32_t j = 0; letters[k].letter == *text && j < LETTER_HIGH; j++)
-                for (int32_t i = 0; i < LETTER_WIDE; i++)
-                    if (letters[k].row[j] >> (LETTER_WIDE - 1 - i) & 1)
-                        fill(p, x + i * p->dot, y + j * p->dot, p->dot, p->dot, ink);
-}
-
-
 /* Converts a linear value (0 to 1) to 8 bits of sRGB. */
 static unsigned char eight(double linear)
 {
@@ -151,31 +109,31 @@ static unsigned char eight(double linear)
 
 void fit_map_legend(const fit_map *map, int32_t width, int32_t height, unsigned char *rgba)
 {
-    const page p = {width, height, height / 400 > 0 ? height / 400 : 1, rgba};
+    const letters_page p = {width, height, height / 400 > 0 ? height / 400 : 1, rgba};
     const int32_t letter = (LETTER_WIDE + 1) * p.dot, line = (LETTER_HIGH + 3) * p.dot, bar = 12 * p.dot;
     const int32_t high = height / 4, wide = letter * (int32_t)strlen(map->title);
     const int32_t x = width - wide - 4 * p.dot, y = 3 * line;
 
     /* title, colour bar from the top down, five numbers */
-    say(&p, x, y - 2 * line, map->title);
+    letters_say(&p, x, y - 2 * line, map->title);
     for (int32_t j = 0; j < high; j++) {
         double linear[3];
         ramp(maps[map->which].from + (1.0 - (double)j / high) * (maps[map->which].to - maps[map->which].from), linear);
         const unsigned char colour[3] = {eight(linear[0]), eight(linear[1]), eight(linear[2])};
-        fill(&p, x, y + j, bar, 1, colour);
+        letters_fill(&p, x, y + j, bar, 1, colour);
     }
     for (int32_t k = 0; k <= 4; k++) {
         char number[16];
         const double value = map->high + 0.25 * k * (map->low - map->high);
         snprintf(number, sizeof number, fabs(value - floor(value + 0.5)) < 0.005 ? "%.0f" : "%.1f", value + 0.0);
-        say(&p, x + bar + 2 * p.dot, y + k * high / 4 - LETTER_HIGH * p.dot / 2, number);
+        letters_say(&p, x + bar + 2 * p.dot, y + k * high / 4 - LETTER_HIGH * p.dot / 2, number);
     }
     static const int32_t percent[] = {50, 95, 99};
     for (int32_t k = 0; k < 3; k++) {
         char row[24];
         snprintf(row, sizeof row, map->part[k] < 9.95 ? "p%d %.2f" : "p%d %.1f", (int)percent[k],
                  map->part[k] + 0.0);
-        say(&p, x, height - (5 - k) * line, row);
+        letters_say(&p, x, height - (5 - k) * line, row);
     }
 }
 

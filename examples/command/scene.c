@@ -109,6 +109,29 @@ int scene_upright(const source *from, const char *command)
 }
 
 
+int32_t design_named(const char *command, const char *flag, const char *name)
+{
+    const int32_t design = mus_design_find(name);
+    if (design != MUS_NONE) return design;
+
+    /* without conditions, which a name cannot have */
+    scene s;
+    char near[256] = "", phrase[256];
+    int32_t found[4], count = 0;
+    snprintf(phrase, sizeof phrase, "%s", name);
+    for (char *c = phrase; *c != '\0'; c++) *c = *c == '=' ? ' ' : *c;
+    if (scene_open(&s, command) == EXIT_DONE) mus_design_search(s.context, phrase, 4, found, NULL, &count);
+    for (int32_t i = 0; i < count && i < 4; i++) {
+        const size_t n = strlen(near);
+        snprintf(near + n, sizeof near - n, "%s%s", i > 0 ? ", " : "; near: ", mus_design_name(found[i]));
+    }
+    scene_close(&s);
+    complain(EXIT_INPUT, command, "%s: no design is called \"%s\"%s", flag, name,
+             near[0] != '\0' ? near : "; muslin designs lists them");
+    return MUS_NONE;
+}
+
+
 int scene_pattern(scene *s, const source *from)
 {
     const double start = seconds();
@@ -123,9 +146,8 @@ int scene_pattern(scene *s, const source *from)
         if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs --tape FILE or --size SIZE");
         status = mus_design_draft_words(s->context, from->words, s->tape, NULL, &s->pattern);
     } else {
-        const int32_t design = mus_design_find(from->design);
-        if (design == MUS_NONE)
-            return complain(EXIT_INPUT, s->command, "--design %s: unknown; muslin designs lists them", from->design);
+        const int32_t design = design_named(s->command, "--design", from->design);
+        if (design == MUS_NONE) return EXIT_INPUT;
         if (s->tape == NULL) return complain(EXIT_INPUT, s->command, "a design needs --tape FILE or --size SIZE");
         status = mus_design_draft(s->context, design, s->tape, NULL, &s->pattern);
     }

@@ -46,6 +46,9 @@ int scene_tape(scene *s, const source *from);
 mus_status scene_body(const scene *s, const source *from, const mus_body_def *def, mus_body **out);
 /* Refuses options of posture together with a mesh: prints a line and returns EXIT_INPUT. */
 int scene_upright(const source *from, const char *command);
+/* Number of a named design; prints a line with near names and returns MUS_NONE when there is none. `flag`: for the
+ * line, "--design". */
+int32_t design_named(const char *command, const char *flag, const char *name);
 /* Drafts the design or reads the pattern. Returns an exit code. */
 int scene_pattern(scene *s, const source *from);
 /* Adds garments over the first, from inside to outside: each a named design, a file, or words. */

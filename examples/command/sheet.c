@@ -328,8 +328,8 @@ static int read_lists(sheet *sh)
     if (code != EXIT_DONE) return code;
     if (sh->design.count == 0) return complain(EXIT_INPUT, "sheet", "--designs: the list is empty");
     for (int32_t d = 0; d < sh->design.count; d++)
-        if (strchr(sh->design.at[d], ' ') == NULL && mus_design_find(sh->design.at[d]) == MUS_NONE)
-            return complain(EXIT_INPUT, "sheet", "--designs %s: unknown; muslin designs lists them", sh->design.at[d]);
+        if (strchr(sh->design.at[d], ' ') == NULL && design_named("sheet", "--designs", sh->design.at[d]) == MUS_NONE)
+            return EXIT_INPUT;
     if ((int64_t)sh->design.count * sh->tape.count > ITEMS_MOST)
         return complain(EXIT_INPUT, "sheet", "%lld tiles, at most %d",
                         (long long)sh->design.count * sh->tape.count, ITEMS_MOST);

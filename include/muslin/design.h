@@ -1,9 +1,10 @@
 /*
  * muslin/design.h: garments drafted from the tape.
  *
- * A design is a few words, "dress neck=v sleeve=puff": one option for each axis of style. Blocks (bodice, sleeve,
- * skirt, trousers) are drafted to the measures, the words work on them, and they become a pattern with seams, notches,
- * grain and placement round the body. Many designs have names. Axes and formulas: man page mus_design(3).
+ * A design is a few words, "dress neck=v sleeve=puff": a garment, and one option for each axis of style. An axis may be
+ * left out where only it has the option, or stand beside it: "pencil skirt", "short sleeve top". Blocks (bodice,
+ * sleeve, skirt, trousers) are drafted to the measures, the words work on them, and they become a pattern with seams,
+ * notches, grain and placement round the body. Many designs have names. Axes and formulas: man page mus_design(3).
  */
 #ifndef MUSLIN_DESIGN_H
 #define MUSLIN_DESIGN_H
@@ -41,6 +42,25 @@ MUS_API int32_t mus_design_groups(int32_t design);
 
 /** Index of the design with a name; MUS_NONE if there is none. */
 MUS_API int32_t mus_design_find(const char *name);
+
+/**
+ * Search the named designs by a phrase that a person types: "long sleeve tee", "kids dress", "skirt length=knee".
+ *
+ * Words are those of titles, names, families, words and groups, and those of shops that mean them (pants, tee, kids).
+ * Plurals, endings, words typed together and slips of a letter or two are read. Words that choose no design (colours)
+ * and unknown words are passed over. "axis=option" keeps the designs with that option. A design matches that scores at
+ * least half of the best; the design whose name is the phrase itself scores 1.
+ *
+ * Shapes:  designs (room), scores (room, 0 to 1, may be NULL): the best first, those of equal scores in the order of
+ *          their numbers; *count: designs that match, which may be more than room
+ * Errors:  MUS_ERR_ARG; MUS_ERR_DESIGN ("axis=option" that no design has); MUS_ERR_MEMORY
+ * Memory:  frees all that it allocates, about 0.3 MB
+ * Cost:    about 1 ms for each word of the phrase on one core, 5 ms for "axis=option"
+ * Source:  Sparck Jones, A statistical interpretation of term specificity, 1972; Robertson and Zaragoza, The
+ *          probabilistic relevance framework, 2009
+ */
+MUS_API mus_status mus_design_search(mus_context *context, const char *phrase, int32_t room, int32_t *designs,
+                                     double *scores, int32_t *count);
 
 /** Number of the axes of words. Axis 0 is the garment, whose option stands alone as the first word. */
 MUS_API int32_t mus_design_axis_count(void);

@@ -24,6 +24,10 @@ extern "C" {
 #define MUS_DRESS_PLACE_PATTERN 1 /* the placement that the pattern holds */
 #define MUS_DRESS_PLACE_FOUND 2   /* the placement that the library finds round the body */
 
+/* A start of the report that none can ask for: found round the body with its arms horizontal, which come down once the
+ * garment is sewn. */
+#define MUS_DRESS_PLACE_RAISED 3
+
 /** Options of mus_dress(). Pointers are read during the call and not kept. */
 typedef struct mus_dress_def {
     size_t size;
@@ -48,7 +52,7 @@ typedef struct mus_dress_def {
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_dress_def) of the caller. */
 MUS_API void mus_dress_def_init(mus_dress_def *def, size_t size);
 
-/* Capacity of the lists of starts in the report. Today at most 4 starts are tried. */
+/* Capacity of the lists of starts in the report. Today at most 6 starts are tried. */
 #define MUS_DRESS_STARTS_MOST 8
 
 /** What mus_dress() did. */
@@ -57,7 +61,7 @@ typedef struct mus_dress_report {
     int32_t found;         /* nonzero: the garment started from the found placement */
     int32_t starts;        /* number of starts that were tried */
     int32_t kept;          /* the start that is returned, MUS_NONE when none was tried */
-    int32_t start_place[MUS_DRESS_STARTS_MOST];   /* of each start: MUS_DRESS_PLACE_PATTERN or MUS_DRESS_PLACE_FOUND */
+    int32_t start_place[MUS_DRESS_STARTS_MOST];   /* of each start: MUS_DRESS_PLACE_PATTERN, _FOUND or _RAISED */
     int32_t start_patient[MUS_DRESS_STARTS_MOST]; /* nonzero: all ways of sewing were tried; 0: the first one alone */
     int32_t start_end[MUS_DRESS_STARTS_MOST];     /* MUS_REASON_*: how it ended */
     double start_seconds[MUS_DRESS_STARTS_MOST];  /* wall time from cutting the cloth to its end [s] */
@@ -71,15 +75,17 @@ typedef struct mus_dress_report {
 MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
 
 /**
- * Dress a body in a pattern: place, cut, sew and settle, from up to two placements, each tried up to twice.
+ * Dress a body in a pattern: place, cut, sew and settle, from up to three placements, each tried up to twice.
  *
  * The pattern's own placement comes first when it has one, else the one of mus_arrange_pattern(). A start fails when
  * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off, finds no rest
  * or is not worn (mus_fit_worn(); cloth through the skin alone fails no start). Then, with MUS_DRESS_PLACE_BOTH and
- * `retry`, the found placement has its turn. Because sewing with patience is slow, both placements are first sewn in
- * one way only, and with all ways after that; the first attempts also end, once they are sewn, when a limb is not in
- * its opening. The first success ends the search; when none succeeds, the result is the
- * patient one from the pattern's placement, if that was made, else the first one.
+ * `retry`, two more have their turn: the found placement, and the one found round the body with horizontal arms, which
+ * are taken back once the garment is sewn. Because sewing with patience is slow, and settling too, each placement is
+ * first sewn in one way only, and not settled when a limb is not in its opening then or cloth crosses cloth. Where none
+ * succeeds so, starts with crossings are settled all the same, and those with an open seam are sewn in all ways. The
+ * first success ends the search; when none succeeds, the result is the one that got farthest: not at rest, tangled, not
+ * worn, slid off, a seam open, in this order.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
  * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the
@@ -89,7 +95,7 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  *          MUS_ERR_BODY (a placement must be found, round a body not made of a tape); MUS_ERR_SEW (a bad start,
  *          or a seam stays open); MUS_ERR_UNSETTLED (no rest, or at rest but not worn); MUS_ERR_TANGLED (at rest, but
  *          cloth crosses cloth); MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
- * Memory:  at most two cloths and two drapes at one time
+ * Memory:  at most three cloths and three drapes at one time
  * Cost:    a T-shirt at 0.01 m takes about a second, with self_contact some seconds
  */
 MUS_API mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus_body *body,

@@ -43,8 +43,8 @@ MUS_API void mus_manifold_def_init(mus_manifold_def *def, size_t size);
  *
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_BODY (no limb is as large as the lattice's spacing).
  *          *out is then NULL
- * Memory:  16 MB for an adult at the default spacing (220,000 vertices), 100 MB while it is made
- * Cost:    about 2 s of CPU for an adult at the default spacing, twice as much where a handle is cut
+ * Memory:  16 MB for an adult at the default spacing (220,000 vertices), 70 MB while it is made
+ * Cost:    about 0.5 s of CPU for an adult at the default spacing
  */
 MUS_API mus_status mus_manifold_create(const mus_body *body, const mus_manifold_def *def, mus_manifold **out);
 

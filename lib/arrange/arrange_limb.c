@@ -101,6 +101,14 @@ static void around_arm(const mus__arrangement *arrangement, mus__arranged_ring *
     if (!biceps->there) return;
     mus_body_landmark(arrangement->body, right ? MUS_LANDMARK_SHOULDER_RIGHT : MUS_LANDMARK_SHOULDER_LEFT, ring->axis);
     memcpy(ring->up, biceps->up, sizeof ring->up);
+
+    /* levels are those of the rest pose; a posed arm points from the wrist to the shoulder */
+    double wrist[3];
+    const int32_t hand = right ? MUS_LANDMARK_WRIST_RIGHT : MUS_LANDMARK_WRIST_LEFT;
+    if (arrangement->body->frame != NULL && mus_body_landmark(arrangement->body, hand, wrist) == MUS_OK) {
+        for (int32_t d = 0; d < 3; d++) ring->up[d] = ring->axis[d] - wrist[d];
+        mus__unit3(ring->up);
+    }
     const double along = mus__dot3(ring->front, ring->up);
     for (int32_t d = 0; d < 3; d++) ring->front[d] -= along * ring->up[d];
     mus__unit3(ring->front);

@@ -19,7 +19,7 @@ void mus__ring_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out)
     for (int32_t j = 0; j + 1 < rings; j++) {
         int32_t low = first + n * j;
         for (int32_t k = 0; k < n; k++, out += 6) {
-            int32_t next = (k + 1) % n;
+            int32_t next = k + 1 < n ? k + 1 : 0;
             out[0] = low + k, out[1] = low + next, out[2] = low + n + k;
             out[3] = low + next, out[4] = low + n + next, out[5] = low + n + k;
         }

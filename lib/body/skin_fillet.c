@@ -27,13 +27,7 @@
 
 #include "body/body_make.h"
 #include "geom/vec.h"
-
-#define MUS__REAL double
-#define MUS__NAME(name) mus__fillet_##name
-#define mus__fillet_sqrt sqrt
-#include "limb/radius_field_kernel.h"
-#undef MUS__REAL
-#undef MUS__NAME
+#include "limb/radius_field_double.h"
 
 /* radius from which on a curve between two surfaces is no crease, in reaches (45 mm for 25): about the radius of an
  * arm, whose cap lies within the next part of the limb */
@@ -91,7 +85,7 @@ typedef struct fillet {
     double reach;                   /* width of a fillet along both surfaces of a right-angled crease [m] */
     double low[MUS__PARTS_MOST][3]; /* boxes of the parts, grown by the reach [m] */
     double high[MUS__PARTS_MOST][3];
-    mus__fillet_field query[MUS__PARTS_MOST];
+    mus__body_field query[MUS__PARTS_MOST];
     double *fresh[MUS__PARTS_MOST]; /* (nring x nangle) new radii of a part; NULL: none changed */
     bool *done[MUS__PARTS_MOST];    /* (nring) rings of it that are set */
     int32_t creases, room;
@@ -118,7 +112,7 @@ static double fillet_field(const fillet *at, int32_t q, const double *p, double 
 {
     const mus__field *field = &at->body->field[q];
     int32_t near;
-    double depth = mus__fillet_field_query(&at->query[q], p, at->reach, normal, &near), d[3];
+    double depth = mus__body_field_query(&at->query[q], p, at->reach, normal, &near), d[3];
     if (near == 0) return -1e30;
     if (depth > 0.0) return depth;
     for (int i = 0; i < 3; i++) d[i] = p[i] - field->origin[i];
@@ -229,7 +223,7 @@ static double fillet_entry(const fillet *at, int32_t q, fillet_ray *ray, double 
         if (out > most_out) continue;
         if (most < 0.0) {
             int32_t near;
-            mus__fillet_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
+            mus__body_field_query(&at->query[q], ray->start, at->reach, ray->normal, &near);
             ray->slope = mus__dot3(ray->normal, ray->way);
             if (ray->slope < FILLET_STEEP) return 0.0;
         }
@@ -466,24 +460,8 @@ static void fillet_begin(fillet *at)
 {
     for (int32_t q = 0; q < at->body->nfield; q++) {
         const mus__field *field = &at->body->field[q];
-        mus__fillet_field *f = &at->query[q];
         fillet_box(field, at->reach, at->low[q], at->high[q]);
-        memcpy(f->origin, field->origin, sizeof f->origin);
-        memcpy(f->axis, field->axis, sizeof f->axis);
-        memcpy(f->side, field->side, sizeof f->side);
-        memcpy(f->front, field->front, sizeof f->front);
-        f->s0 = field->s0, f->ds_inverse = 1.0 / field->ds;
-        f->angle_scale = 0.25 * field->nangle;
-        f->nring = field->nring, f->nangle = field->nangle;
-        f->centre = field->centre, f->radius = field->radius, f->largest = field->largest;
-        f->ring_last = field->nring - 1;
-        for (int end = 0; end < 2; end++) {
-            const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
-            f->pole[end] = field->pole[end] - f->s0;
-            f->middle[end] = field->middle[end] - f->s0;
-            f->axis_inverse[end] = 1.0 / field->half[end];
-            f->share[end] = mus__fillet_field_share(s - f->middle[end], f->axis_inverse[end]);
-        }
+        mus__field_prepare(field, &at->query[q]);
     }
 }
 

@@ -75,37 +75,45 @@ static int32_t words_find_option(int32_t axis, const char *text, size_t n)
 }
 
 
-/* the garment, the first word */
-static mus_status words_read_garment(mus_context *context, const char *word, size_t n, mus__style *out)
+/* a word of a line of words */
+typedef struct words_token {
+    const char *at;
+    size_t n; /* 0 at the end of the line */
+} words_token;
+
+
+static words_token words_next(const char *text)
 {
-    char list[256];
-    out->option[MUS__AXIS_GARMENT] = words_find_option(MUS__AXIS_GARMENT, word, n);
-    if (out->option[MUS__AXIS_GARMENT] != MUS_NONE) return MUS_OK;
-    words_list_options(MUS__AXIS_GARMENT, list, sizeof list);
-    return mus__fail(context, MUS_ERR_DESIGN, "words begin with \"%.*s\", expected one of: %s", n > 40 ? 40 : (int)n,
-                     word, list);
+    words_token token = {text + strspn(text, " \t\n"), 0};
+    token.n = strcspn(token.at, " \t\n");
+    return token;
 }
 
 
-/* one word of the rest, "sleeve=puff" */
-static mus_status words_read_word(mus_context *context, const char *word, size_t n, mus__style *out, uint32_t *named)
+static int words_show(words_token token)
+{
+    return token.n > 40 ? 40 : (int)token.n;
+}
+
+
+/* the garment: the first word that names one */
+static mus_status words_read_garment(mus_context *context, const char *words, mus__style *out, words_token *garment)
 {
     char list[256];
-    const char *equals = memchr(word, '=', n), *garment = mus__style_word(MUS__AXIS_GARMENT, out->option[0]);
-    const size_t key = equals != NULL ? (size_t)(equals - word) : n;
-    const int show = n > 40 ? 40 : (int)n;
-    int32_t axis = 1;
-    while (axis < MUS__AXIS_COUNT && !words_same(mus__style_axis(axis), word, key)) axis++;
-    if (equals == NULL || axis == MUS__AXIS_COUNT || !mus__style_has(out->option[0], axis)) {
-        words_list_axes(out->option[0], list, sizeof list);
-        return mus__fail(context, MUS_ERR_DESIGN, "word \"%.*s\" of a %s, expected one of these, = and an option: %s",
-                         show, word, garment, list);
+    const words_token first = words_next(words);
+    for (*garment = first; garment->n > 0; *garment = words_next(garment->at + garment->n)) {
+        out->option[MUS__AXIS_GARMENT] = words_find_option(MUS__AXIS_GARMENT, garment->at, garment->n);
+        if (out->option[MUS__AXIS_GARMENT] != MUS_NONE) return MUS_OK;
     }
-    const int32_t option = words_find_option(axis, equals + 1, n - key - 1);
-    if (option == MUS_NONE) {
-        words_list_options(axis, list, sizeof list);
-        return mus__fail(context, MUS_ERR_DESIGN, "word \"%.*s\", expected one of: %s", show, word, list);
-    }
+    words_list_options(MUS__AXIS_GARMENT, list, sizeof list);
+    return mus__fail(context, MUS_ERR_DESIGN, "words begin with \"%.*s\", expected one of: %s", words_show(first),
+                     first.at, list);
+}
+
+
+/* Sets an option of an axis, unless another one was named. */
+static mus_status words_set(mus_context *context, int32_t axis, int32_t option, mus__style *out, uint32_t *named)
+{
     if ((*named & WORDS_BIT(axis)) != 0 && option != out->option[axis])
         return mus__fail(context, MUS_ERR_DESIGN, "%s=%s and %s=%s, expected one of the two", mus__style_axis(axis),
                          mus__style_word(axis, out->option[axis]), mus__style_axis(axis),
@@ -113,6 +121,104 @@ static mus_status words_read_word(mus_context *context, const char *word, size_t
     out->option[axis] = option;
     *named |= WORDS_BIT(axis);
     return MUS_OK;
+}
+
+
+static int32_t words_find_axis(const char *text, size_t n)
+{
+    for (int32_t a = 1; a < MUS__AXIS_COUNT; a++)
+        if (words_same(mus__style_axis(a), text, n)) return a;
+    return MUS_NONE;
+}
+
+
+static mus_status words_refuse(mus_context *context, words_token word, int32_t garment)
+{
+    char list[256];
+    words_list_axes(garment, list, sizeof list);
+    return mus__fail(context, MUS_ERR_DESIGN, "word \"%.*s\" of a %s, expected one of these, = and an option: %s",
+                     words_show(word), word.at, mus__style_word(MUS__AXIS_GARMENT, garment), list);
+}
+
+
+/* "sleeve=puff" */
+static mus_status words_read_pair(mus_context *context, words_token word, mus__style *out, uint32_t *named)
+{
+    char list[256];
+    const size_t key = (size_t)((const char *)memchr(word.at, '=', word.n) - word.at);
+    const int32_t axis = words_find_axis(word.at, key);
+    if (axis == MUS_NONE || !mus__style_has(out->option[0], axis)) return words_refuse(context, word, out->option[0]);
+    const int32_t option = words_find_option(axis, word.at + key + 1, word.n - key - 1);
+    if (option != MUS_NONE) return words_set(context, axis, option, out, named);
+    words_list_options(axis, list, sizeof list);
+    return mus__fail(context, MUS_ERR_DESIGN, "word \"%.*s\", expected one of: %s", words_show(word), word.at, list);
+}
+
+
+/* Whether a word, or a word and the next one, are an option as a person writes it: "a-line" and "peter pan" are a_line
+ * and peter_pan. Returns the number of words, 0 when they are another option. */
+static int32_t words_spoken(const char *option, words_token word, words_token next)
+{
+    const words_token part[2] = {word, next};
+    size_t at = 0;
+    for (int32_t p = 0; p < 2; p++) {
+        for (size_t i = 0; i < part[p].n; i++, at++) {
+            const char c = part[p].at[i] == '-' ? '_' : part[p].at[i];
+            if (option[at] != c) return 0;
+        }
+        if (option[at] == '\0') return p + 1;
+        if (option[at++] != '_') return 0;
+    }
+    return 0;
+}
+
+
+/* An option without its axis: "pencil", "short sleeve", "neck v", "peter pan collar". The axis is that with this
+ * option, among several the one whose name stands beside it. *next is the word after those that were read. */
+static mus_status words_read_bare(mus_context *context, words_token word, words_token before, words_token *next,
+                                  mus__style *out, uint32_t *named)
+{
+    char list[128] = "";
+    int32_t axis = MUS_NONE, option = MUS_NONE, choices = 0, used = 1;
+    bool beside = false;
+    for (int32_t a = 1; a < MUS__AXIS_COUNT && !beside; a++)
+        for (int32_t o = 0; mus__style_has(out->option[0], a) && mus__style_word(a, o) != NULL && !beside; o++) {
+            const int32_t n = words_spoken(mus__style_word(a, o), word, *next);
+            if (n == 0) continue;
+            const words_token after = n == 2 ? words_next(next->at + next->n) : *next;
+            beside = words_same(mus__style_axis(a), after.at, after.n) ||
+                     words_same(mus__style_axis(a), before.at, before.n);
+            axis = a, option = o, used = n, choices++;
+            words_append(list, sizeof list, choices > 1 ? " or " : "");
+            words_append(list, sizeof list, mus__style_axis(a));
+            words_append(list, sizeof list, "=");
+            words_append(list, sizeof list, mus__style_word(a, o));
+        }
+    if (choices == 0) return words_refuse(context, word, out->option[0]);
+    if (choices > 1 && !beside)
+        return mus__fail(context, MUS_ERR_DESIGN, "word \"%.*s\" of a %s, expected %s", words_show(word), word.at,
+                         mus__style_word(MUS__AXIS_GARMENT, out->option[0]), list);
+    if (used == 2) *next = words_next(next->at + next->n);
+    return words_set(context, axis, option, out, named);
+}
+
+
+mus_status mus__style_read_option(mus_context *context, const char *word, size_t n, int32_t *axis, int32_t *option)
+{
+    char list[256] = "";
+    const char *equals = memchr(word, '=', n);
+    const size_t key = equals != NULL ? (size_t)(equals - word) : n;
+    const bool garment = words_same(mus__style_axis(MUS__AXIS_GARMENT), word, key);
+    *axis = garment ? MUS__AXIS_GARMENT : words_find_axis(word, key);
+    *option = *axis != MUS_NONE && key < n ? words_find_option(*axis, equals + 1, n - key - 1) : MUS_NONE;
+    if (*option != MUS_NONE) return MUS_OK;
+    if (*axis != MUS_NONE) words_list_options(*axis, list, sizeof list);
+    for (int32_t a = 0; *axis == MUS_NONE && a < MUS__AXIS_COUNT; a++) {
+        words_append(list, sizeof list, a > 0 ? " " : "");
+        words_append(list, sizeof list, mus__style_axis(a));
+    }
+    return mus__fail(context, MUS_ERR_DESIGN, "\"%.*s\", expected %s: %s", n > 40 ? 40 : (int)n, word,
+                     *axis != MUS_NONE ? "one of" : "one of these, = and an option", list);
 }
 
 
@@ -159,20 +265,24 @@ static bool words_choose(mus__style *style, uint32_t named)
 
 mus_status mus__style_read(mus_context *context, const char *words, mus__style *out)
 {
-    uint32_t named = 0;
-    mus_status status = MUS_OK;
+    uint32_t named = WORDS_BIT(MUS__AXIS_GARMENT), alone = 0; /* axes with an option; axes whose name stands alone */
     mus__style style;
+    words_token garment, before = {"", 0}, last = {"", 0};
     memset(&style, 0, sizeof style);
     memset(out, 0, sizeof *out);
-    for (const char *word = words; status == MUS_OK; ) {
-        word += strspn(word, " \t\n");
-        const size_t n = strcspn(word, " \t\n");
-        if (n == 0 && named != 0) break;
-        if (named == 0) status = words_read_garment(context, word, n, &style);
-        else status = words_read_word(context, word, n, &style, &named);
-        named |= WORDS_BIT(MUS__AXIS_GARMENT);
-        word += n;
+    mus_status status = words_read_garment(context, words, &style, &garment);
+    for (words_token word = words_next(words); status == MUS_OK && word.n > 0; ) {
+        words_token next = words_next(word.at + word.n);
+        const int32_t axis = words_find_axis(word.at, word.n);
+        if (memchr(word.at, '=', word.n) != NULL) status = words_read_pair(context, word, &style, &named);
+        else if (word.at != garment.at && axis != MUS_NONE && mus__style_has(style.option[0], axis))
+            alone |= WORDS_BIT(axis), last = word;
+        else if (word.at != garment.at)
+            status = words_read_bare(context, word, before, &next, &style, &named);
+        before = word;
+        word = next;
     }
+    if (status == MUS_OK && (alone & ~named) != 0) status = words_refuse(context, last, style.option[0]);
     if (status != MUS_OK) return status;
 
     /* check the named words among themselves, then choose the options that were left out */

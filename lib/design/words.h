@@ -7,11 +7,15 @@
 #include "base/base_internal.h"
 #include "half/style_axes.h"
 
-/* Reads words such as "dress neck=v sleeve=puff"; the first word is the garment. An axis that is not named takes its
- * first option, except closure, shape and neck, which take the first option that goes with the named words (a knit
- * top tries boxy first). Axes that the garment does not have are 0. Errors: MUS_ERR_DESIGN (unknown word: the
- * options are named; two words that exclude one another: both named, and why) */
+/* Reads words such as "dress neck=v sleeve=puff": a garment, and options with their axes, or as they are spoken:
+ * "pencil skirt", "v neck", "short sleeve", where an option of several axes needs the name of one beside it. An axis
+ * that is not named takes its first option, except closure, shape and neck, which take the first option that goes with
+ * the named words (a knit top tries boxy first). Axes that the garment does not have are 0. Errors: MUS_ERR_DESIGN
+ * (unknown word: the options are named; two words that exclude one another: both named, and why) */
 mus_status mus__style_read(mus_context *context, const char *words, mus__style *out);
+/* Reads the n bytes of "length=knee": an axis of any garment and its option. Errors: MUS_ERR_DESIGN (the axes, or the
+ * options of the axis are named) */
+mus_status mus__style_read_option(mus_context *context, const char *word, size_t n, int32_t *axis, int32_t *option);
 /* MUS_OK, or MUS_ERR_DESIGN with the two words that exclude one another, and why */
 mus_status mus__style_check(mus_context *context, const mus__style *style);
 /* Index of the first rule on the axes in the bits of `axes` that the style breaks; MUS_NONE: it breaks none. */

@@ -1,21 +1,25 @@
 /*
  * dress.c: mus_dress(): from a pattern and a body to a garment at rest, with the starts that are tried.
  *
- * Where a stranger starts in this room, which holds the runs that dress a body: sew.c (mus_drape_sew) with seam_route.c
- * and layers.c, settle.c (mus_drape_settle) with slid_off.c, untangle.c (mus_drape_untangle), the relaxation that all
- * three share (dynamic_relaxation.c), progress calls (progress.c), and why a run ended as it did (diagnosis.c).
+ * Where a stranger starts in this room, which holds the runs that dress a body: dress_start.c (one start), sew.c
+ * (mus_drape_sew) with seam_route.c and layers.c, settle.c (mus_drape_settle) with slid_off.c, untangle.c
+ * (mus_drape_untangle), the relaxation that all three share (dynamic_relaxation.c), progress calls (progress.c), and
+ * why a run ended as it did (diagnosis.c).
  *
  * A start is a placement of the panels, and the patience of sewing. An impatient start gives up when the first way of
  * sewing does not close the coarsest cut; a patient one goes on with other ways and with finer cuts, which takes long.
- * A placement from which the coarsest cut does not close is seldom a good one. Order, until one start succeeds:
+ * A placement from which the coarsest cut does not close is seldom a good one. Three placements are sewn impatiently:
  *
- *   1. the pattern's placement, impatient     (patient when no other placement may be tried; then the only start)
- *   2. the found placement, impatient
- *   3. the pattern's placement, patient       when start 1 ended with an open seam
- *   4. the found placement, patient           when start 2 ended with an open seam
+ *   1. that of the pattern      (patient when no other placement may be tried; then the only start)
+ *   2. the one that is found round the body
+ *   3. the one that is found round the body with its arms horizontal
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too, and an impatient one ends after
- * sewing when a limb is not in its opening. Cloth through the skin is told by that call, and fails no start.
+ * The first that is sewn with every limb in its opening and no cloth through cloth is settled; a success ends the
+ * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled; those that ended
+ * with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
+ *
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin is told
+ * by that call, and fails no start.
  *
  * Everything here goes through public functions.
  */
@@ -24,34 +28,15 @@
 #include <string.h>
 
 #include "drape/drape_state.h"
+#include "dress/dress_start.h"
 #include "dress/progress.h"
-#include "muslin/dress.h"
 #include "muslin/fit.h"
+#include "muslin/pose.h"
 
 /* [bytes] of mus_dress_def when ABI 1 was recorded first, the smallest that mus_dress() takes */
 #define DRESS_DEF_FIRST offsetof(mus_dress_def, progress_seconds)
 
-/* the call: what it was given, and its report */
-typedef struct dress_call {
-    mus_context *context;
-    const mus_body *body;
-    mus_dress_def def;
-    mus_drape_def drape;
-    mus_dress_report report;
-    mus_pattern *own;   /* copy with closures open or with the found placement, NULL when the caller's serves */
-    mus_pattern *found; /* copy with the found placement, of the second start; NULL before it */
-    int32_t stopped;    /* nonzero: the progress function stopped the run */
-} dress_call;
-
-/* one start and how it ended */
-typedef struct dress_trial {
-    mus_cloth *cloth;
-    mus_drape *drape;
-    mus_status status;
-    mus_reason reason;
-    int32_t refused; /* nonzero: mus_drape_start() found a fault, and nothing was sewn */
-    char text[MUS_ERROR_BYTES];
-} dress_trial;
+#define STARTS 3 /* placements, in the order in which they are tried */
 
 
 void mus_dress_def_init(mus_dress_def *def, size_t size)
@@ -76,15 +61,6 @@ void mus_dress_report_init(mus_dress_report *report, size_t size)
 }
 
 
-/* the caller's progress function; remembers that it stopped the run */
-static int32_t dress_progress(void *user, const mus_progress *progress)
-{
-    dress_call *call = user;
-    if (call->stopped == 0) call->stopped = call->def.progress(call->def.progress_user, progress);
-    return call->stopped;
-}
-
-
 /* does any panel of the pattern have a placement of its own? */
 static bool dress_is_placed(const mus_pattern *pattern)
 {
@@ -97,193 +73,144 @@ static bool dress_is_placed(const mus_pattern *pattern)
 }
 
 
-/* cut the cloth and put it round the body, before the first step */
-static mus_status dress_cut(dress_call *call, const mus_pattern *pattern, bool patient, dress_trial *trial)
-{
-    const double start = mus__progress_time();
-    mus_cloth_def cut;
-    mus_cloth_def_init(&cut, sizeof cut);
-    cut.spacing = call->def.spacing;
-    cut.fabric = call->def.fabric;
-    cut.nodes_most = call->def.nodes_most;
-    mus_status status = mus_cloth_create(call->context, pattern, &cut, &trial->cloth);
-    call->report.cut_seconds += mus__progress_time() - start;
-    if (status != MUS_OK) return status;
-    call->drape.sew_once = !patient;
-    status = mus_drape_create(call->context, trial->cloth, call->body, &call->drape, &trial->drape);
-    return status == MUS_OK ? mus_drape_place(trial->drape) : status;
-}
-
-
-/* refuse a start that is faulty before anything is sewn */
-static mus_status dress_look(dress_trial *trial)
-{
-    mus_reason_init(&trial->reason, sizeof trial->reason);
-    const mus_status status = mus_drape_start(trial->drape, &trial->reason);
-    trial->refused = status == MUS_OK && trial->reason.kind != MUS_REASON_NONE;
-    return trial->refused ? MUS_ERR_SEW : status;
-}
-
-
-/* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
- * openings count */
-static mus_status dress_worn(const dress_call *call, const mus_pattern *pattern, bool sewn, dress_trial *trial)
-{
-    mus_worn worn;
-    mus_worn_init(&worn, sizeof worn);
-    if (call->body == NULL) return MUS_OK;
-    const mus_status status = mus_fit_worn(trial->drape, pattern, call->body, &worn);
-    if (status != MUS_OK) return status;
-    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
-    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
-    mus_reason *why = &trial->reason;
-    mus_reason_init(why, sizeof *why);
-    why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;
-    memcpy(why->place, worn.place, sizeof why->place);
-    memcpy(why->text, worn.text, sizeof why->text);
-    return MUS_ERR_UNSETTLED;
-}
-
-
-/* sew and settle. An impatient start whose limbs are not in their openings once it is sewn ends there: a limb that went
- * into no opening while seams were open seldom finds it afterwards */
-static mus_status dress_sew(dress_call *call, const mus_pattern *pattern, bool patient, dress_trial *trial)
-{
-    mus_drape *drape = trial->drape;
-    const mus_progress_fn progress = call->def.progress != NULL ? dress_progress : NULL;
-    double start = mus__progress_time();
-    mus_status status = mus_drape_sew(drape, progress, call);
-    call->report.sew_seconds += mus__progress_time() - start;
-    if (status == MUS_OK && !patient) status = dress_worn(call, pattern, true, trial);
-    if (status != MUS_OK) return status;
-    start = mus__progress_time();
-    status = mus_drape_settle(drape, progress, call);
-    call->report.settle_seconds += mus__progress_time() - start;
-    return status;
-}
-
-
-/* the reason why a start ended as it did, when mus_drape_start() found no fault */
-static void dress_reason(const mus_pattern *pattern, dress_trial *trial)
-{
-    mus_reason *why = &trial->reason;
-    mus_reason_init(why, sizeof *why);
-    if (trial->drape != NULL)
-        mus_drape_reason(trial->drape, why);
-    else if (trial->status == MUS_ERR_PATTERN)
-        mus_pattern_reason(pattern, why);
-    if (trial->status == MUS_OK && why->kind == MUS_REASON_TANGLED) trial->status = MUS_ERR_TANGLED;
-    if (trial->status == MUS_OK)
-        why->kind = MUS_REASON_SETTLED;
-    else if (trial->status == MUS_ERR_DIVERGED)
-        why->kind = MUS_REASON_UNSTABLE;
-    else if (why->kind == MUS_REASON_NONE || why->kind == MUS_REASON_SETTLED)
-        why->kind = MUS_REASON_BAD_INPUT;
-}
-
-
-/* the sentence of a failure: that of the context's error, but where the reason says more; and the reason's own */
-static void dress_text(dress_trial *trial)
-{
-    mus_reason *why = &trial->reason;
-    const char *text = NULL;
-    if (trial->refused || trial->status == MUS_ERR_TANGLED || why->kind == MUS_REASON_NOT_WORN) text = why->text;
-    if (text != NULL) snprintf(trial->text, sizeof trial->text, "%s", text);
-    if (trial->status != MUS_OK && why->text[0] == '\0') snprintf(why->text, sizeof why->text, "%.255s", trial->text);
-}
-
-
-/* one start: from cutting the cloth to rest, or to the reason why not; noted in the report */
-static void dress_from(dress_call *call, const mus_pattern *pattern, int32_t place, bool patient, dress_trial *trial)
-{
-    const double start = mus__progress_time();
-    memset(trial, 0, sizeof *trial);
-    trial->status = dress_cut(call, pattern, patient, trial);
-    if (trial->status == MUS_OK) trial->status = dress_look(trial);
-    if (trial->status == MUS_OK) trial->status = dress_sew(call, pattern, patient, trial);
-    snprintf(trial->text, sizeof trial->text, "%s", mus_context_error(call->context));
-    if (!trial->refused && trial->reason.kind != MUS_REASON_NOT_WORN) dress_reason(pattern, trial);
-    if (trial->status == MUS_OK) trial->status = dress_worn(call, pattern, false, trial);
-    dress_text(trial);
-
-    mus_dress_report *report = &call->report;
-    const int32_t i = report->starts++;
-    report->start_place[i] = place;
-    report->start_patient[i] = patient;
-    report->start_end[i] = trial->reason.kind;
-    report->start_seconds[i] = mus__progress_time() - start;
-}
-
-
-static void dress_trial_free(dress_trial *trial)
-{
-    mus_drape_destroy(trial->drape);
-    mus_cloth_destroy(trial->cloth);
-}
-
-
 /* may another placement help? Not where the input is at fault, the motion diverged, or the caller stopped the run */
-static bool dress_failed_at_start(const dress_trial *trial)
+static bool dress_failed_at_start(const mus__dress_start *start)
 {
-    const int32_t kind = trial->reason.kind;
-    if (trial->status == MUS_OK || trial->status == MUS_ERR_STOPPED || trial->drape == NULL) return false;
-    if (trial->refused) return kind == MUS_REASON_START_TANGLED;
+    const int32_t kind = start->reason.kind;
+    if (start->status == MUS_OK || start->status == MUS_ERR_STOPPED || start->drape == NULL) return false;
+    if (start->refused) return kind == MUS_REASON_START_TANGLED;
     return kind == MUS_REASON_SEAM_OPEN || kind == MUS_REASON_TANGLED || kind == MUS_REASON_SLID_OFF ||
            kind == MUS_REASON_NOT_SETTLED || kind == MUS_REASON_NOT_WORN;
 }
 
 
-/* one start more. It takes the place of *kept where it succeeds, is stopped, or `better` says that it does once it is
- * cut. Returns the kind of its end */
-static int32_t dress_again(dress_call *call, const mus_pattern *pattern, int32_t place, bool patient, bool better,
-                           dress_trial *kept)
+/* does a start end the search? */
+static bool dress_ends(const mus__dress_start *start)
 {
-    dress_trial next;
-    dress_from(call, pattern, place, patient, &next);
-    const int32_t end = next.reason.kind;
-    const bool keep = next.status == MUS_OK || next.status == MUS_ERR_STOPPED || (better && next.drape != NULL);
-    dress_trial_free(keep ? kept : &next);
-    if (keep) *kept = next, call->report.kept = call->report.starts - 1;
-    return end;
+    return start->index != MUS_NONE && (start->status == MUS_OK || start->status == MUS_ERR_STOPPED);
 }
 
 
-/* starts 1 to 4 of the head comment */
-static void dress_starts(dress_call *call, const mus_pattern *pattern, bool other, dress_trial *kept)
+/* sew from a placement and, unless the start waits, settle */
+static void dress_try(mus__dress *call, const mus_pattern *pattern, int32_t place, bool patient,
+                      mus__dress_start *start)
 {
-    const int32_t first = call->report.found ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN;
-    dress_from(call, pattern, first, !other, kept);
-    call->report.kept = 0;
-    if (!other || !dress_failed_at_start(kept)) return;
-
-    const bool open = !kept->refused && kept->reason.kind == MUS_REASON_SEAM_OPEN;
-    int32_t end = MUS_REASON_NONE;
-    const double start = mus__progress_time();
-    mus_status status = mus_pattern_copy(pattern, &call->found);
-    if (status == MUS_OK) status = mus_arrange_pattern(call->found, call->body);
-    call->report.place_seconds += mus__progress_time() - start;
-    if (status == MUS_OK) end = dress_again(call, call->found, MUS_DRESS_PLACE_FOUND, false, false, kept);
-    if (kept->status != MUS_OK && open && !call->stopped)
-        dress_again(call, pattern, MUS_DRESS_PLACE_PATTERN, true, true, kept);
-    if (kept->status != MUS_OK && end == MUS_REASON_SEAM_OPEN && !call->stopped)
-        dress_again(call, call->found, MUS_DRESS_PLACE_FOUND, true, false, kept);
-    call->report.found = call->report.start_place[call->report.kept] == MUS_DRESS_PLACE_FOUND;
+    mus__dress_sew(call, pattern, place, patient, start);
+    if (start->status == MUS_OK) mus__dress_settle(call, start);
 }
 
 
-/* the pattern that the first start takes: the caller's, or a copy with closures open or with the found placement */
-static mus_status dress_prepare(dress_call *call, const mus_pattern **pattern)
+/* try the placement that is found round the body, or round the body with its arms horizontal (`raise`): a start more.
+ * *found gets the pattern with it */
+static void dress_find(mus__dress *call, const mus_pattern *pattern, bool raise, mus__dress_start *start,
+                       mus_pattern **found)
+{
+    const double time = mus__progress_time();
+    mus_pose pose;
+    mus_status status = mus_pattern_copy(pattern, found);
+    if (status == MUS_OK && raise) status = mus__dress_raise(call->body, &pose, &start->raised);
+    if (status == MUS_OK) status = mus_arrange_pattern(*found, raise ? start->raised : call->body);
+    call->report.place_seconds += mus__progress_time() - time;
+    if (status == MUS_OK)
+        dress_try(call, *found, raise ? MUS_DRESS_PLACE_RAISED : MUS_DRESS_PLACE_FOUND, false, start);
+}
+
+
+/* how far a start that failed got: the farther the greater */
+static int32_t dress_rank(const mus__dress_start *start)
+{
+    static const int32_t kinds[] = {MUS_REASON_SEAM_OPEN, MUS_REASON_SLID_OFF, MUS_REASON_NOT_WORN, MUS_REASON_TANGLED,
+                                    MUS_REASON_NOT_SETTLED};
+    if (start->index == MUS_NONE || start->drape == NULL || start->refused) return 0;
+    for (int32_t k = (int32_t)(sizeof kinds / sizeof *kinds) - 1; k >= 0; k--)
+        if (start->reason.kind == kinds[k]) return k + 2;
+    return 1;
+}
+
+
+/* did any start fail in a way that arms out of the way may mend: seams or cloth that the arms keep apart, a limb that
+ * is not in its opening? */
+static bool dress_wants_room(const mus__dress_start *start)
+{
+    for (int32_t i = 0; i < STARTS; i++) {
+        const mus_reason *why = &start[i].reason;
+        if (start[i].index == MUS_NONE) continue;
+        if (why->kind == MUS_REASON_SEAM_OPEN || why->kind == MUS_REASON_TANGLED ||
+            why->kind == MUS_REASON_START_TANGLED)
+            return true;
+        if (why->kind == MUS_REASON_NOT_WORN && why->value <= MUS_WORN_INSIDE_OUT) return true;
+    }
+    return false;
+}
+
+
+/* when no impatient start succeeded: the others of the head comment. Returns the one that is given back */
+static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
+{
+    for (int32_t i = 0; i < STARTS; i++) {
+        if (start[i].waits && start[i].reason.kind == MUS_REASON_TANGLED) mus__dress_settle(call, &start[i]);
+        if (dress_ends(&start[i])) return i;
+    }
+    for (int32_t i = 0; i < STARTS; i++) {
+        if (start[i].index == MUS_NONE || start[i].refused || start[i].reason.kind != MUS_REASON_SEAM_OPEN) continue;
+        const int32_t place = call->report.start_place[start[i].index];
+        const mus_pattern *pattern = start[i].pattern;
+        mus_body *raised = start[i].raised;
+        start[i].raised = NULL;
+        mus__dress_start_free(&start[i]);
+        start[i].raised = raised;
+        dress_try(call, pattern, place, true, &start[i]);
+        if (dress_ends(&start[i])) return i;
+    }
+    int32_t best = 0;
+    for (int32_t i = 1; i < STARTS; i++)
+        if (dress_rank(&start[i]) > dress_rank(&start[best])) best = i;
+    if (start[best].waits) mus__dress_settle(call, &start[best]);
+    return best;
+}
+
+
+/* the starts of the head comment: *kept is the one that is given back */
+static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool other, mus__dress_start *kept)
+{
+    mus__dress_start start[STARTS];
+    mus_pattern *found[STARTS] = {NULL};
+    int32_t best = 0;
+    for (int32_t i = 0; i < STARTS; i++) start[i] = (mus__dress_start){.index = MUS_NONE};
+    dress_try(call, pattern, call->report.found ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN, !other, &start[0]);
+    if (other && dress_failed_at_start(&start[0])) {
+        for (int32_t i = call->report.found ? 2 : 1; i < STARTS && !dress_ends(&start[best]); i++) {
+            if (i == 2 && !dress_wants_room(start)) break;
+            dress_find(call, pattern, i == 2, &start[i], &found[i]);
+            if (dress_ends(&start[i])) best = i;
+        }
+        if (!dress_ends(&start[best])) best = dress_insist(call, start);
+    }
+    *kept = start[best];
+    start[best] = (mus__dress_start){.index = MUS_NONE};
+    for (int32_t i = 0; i < STARTS; i++) {
+        mus__dress_start_free(&start[i]);
+        mus_pattern_destroy(found[i]);
+    }
+    mus_body_destroy(kept->raised);
+    call->report.kept = kept->index;
+    call->report.found = call->report.start_place[kept->index] != MUS_DRESS_PLACE_PATTERN;
+}
+
+
+/* the pattern that the first start takes: the caller's, or a copy with closures open or with the found placement: *own */
+static mus_status dress_prepare(mus__dress *call, const mus_pattern **pattern, mus_pattern **own)
 {
     const mus_dress_def *def = &call->def;
     const bool find = def->place == MUS_DRESS_PLACE_FOUND ||
                       (def->place == MUS_DRESS_PLACE_BOTH && call->body != NULL && !dress_is_placed(*pattern));
     mus_status status = MUS_OK;
-    if (find || def->open_closures) status = mus_pattern_copy(*pattern, &call->own);
-    if (call->own != NULL) *pattern = call->own;
-    if (status == MUS_OK && def->open_closures) status = mus_pattern_open_closures(call->own, 1, NULL);
+    if (find || def->open_closures) status = mus_pattern_copy(*pattern, &*own);
+    if (*own != NULL) *pattern = *own;
+    if (status == MUS_OK && def->open_closures) status = mus_pattern_open_closures(*own, 1, NULL);
     if (status == MUS_OK && find) {
         const double start = mus__progress_time();
-        status = mus_arrange_pattern(call->own, call->body);
+        status = mus_arrange_pattern(*own, call->body);
         call->report.place_seconds = mus__progress_time() - start;
     }
     call->report.found = find;
@@ -292,7 +219,7 @@ static mus_status dress_prepare(dress_call *call, const mus_pattern **pattern)
 
 
 /* read the caller's options; the drape's are those of def.drape, or its defaults with those that stand here */
-static mus_status dress_options(dress_call *call, const mus_dress_def *def)
+static mus_status dress_options(mus__dress *call, const mus_dress_def *def)
 {
     mus_dress_def_init(&call->def, sizeof call->def);
     mus_status status = mus__def_read(call->context, &call->def, sizeof call->def, DRESS_DEF_FIRST, def, "dress def");
@@ -335,23 +262,23 @@ mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus
     mus_status status = dress_check_sizes(context, report, reason);
     if (status != MUS_OK) return status;
 
-    dress_call call = {.context = context, .body = body};
-    dress_trial kept = {.status = MUS_OK};
+    mus__dress call = {.context = context, .body = body};
+    mus__dress_start kept = {.status = MUS_OK};
+    mus_pattern *own = NULL;
     mus_dress_report_init(&call.report, sizeof call.report);
     mus_reason_init(&kept.reason, sizeof kept.reason);
     status = dress_options(&call, def);
-    if (status == MUS_OK) status = dress_prepare(&call, &pattern);
+    if (status == MUS_OK) status = dress_prepare(&call, &pattern, &own);
     if (status == MUS_OK) {
-        const bool own = call.def.place == MUS_DRESS_PLACE_BOTH && !call.report.found;
-        dress_starts(&call, pattern, own && call.def.retry && body != NULL, &kept);
+        const bool other = call.def.place == MUS_DRESS_PLACE_BOTH && call.def.retry && body != NULL;
+        dress_starts(&call, pattern, other, &kept);
         status = kept.status;
         if (status != MUS_OK) mus_context_fail(context, status, kept.text);
     } else {
         kept.reason.kind = MUS_REASON_BAD_INPUT;
         snprintf(kept.reason.text, sizeof kept.reason.text, "%.255s", mus_context_error(context));
     }
-    mus_pattern_destroy(call.found);
-    mus_pattern_destroy(call.own);
+    mus_pattern_destroy(own);
     if (report != NULL) *report = call.report;
     if (reason != NULL) *reason = kept.reason;
     if (cloth != NULL)

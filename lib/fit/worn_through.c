@@ -16,6 +16,8 @@
 #include "selfcontact/crossing_count.h"
 
 #define THROUGH_PARTS 4        /* of each side of a triangle: 16 samples */
+#define THROUGH_SEEN 1e-3      /* [m] shallower cloth is counted and is no objection; chosen: the depth that `make corpus`
+                                * allows a node. The chord of a triangle of 20 mm is 1 mm below an arc of 50 mm radius */
 #define THROUGH_ROUND 1.2e-7   /* of a coordinate: rounding a double to float changes it by less */
 
 typedef struct through_search {
@@ -112,7 +114,8 @@ static void through_measure(const mus__worn_call *call, const through_search *se
         if (search->crosses[k] || search->inside[v[0]] || search->inside[v[1]] || search->inside[v[2]])
             through_samples(drape, k, out);
     }
-    if (first == MUS_NONE || (out->kind != MUS_WORN_YES && out->kind != MUS_WORN_UNKNOWN)) return;
+    if (first == MUS_NONE || out->through_depth <= THROUGH_SEEN) return;
+    if (out->kind != MUS_WORN_YES && out->kind != MUS_WORN_UNKNOWN) return;
     char text[128];
     snprintf(text, sizeof text, "cloth goes through the body: %d crossings, %.1f mm deep", (int)out->through,
              1000.0 * out->through_depth);

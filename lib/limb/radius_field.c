@@ -9,17 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "limb/radius_field.h"
-
-#define MUS__REAL double
-#define MUS__NAME(name) mus__body_##name
-#define mus__body_sqrt sqrt
-#include "limb/radius_field_kernel.h"
-#undef MUS__REAL
-#undef MUS__NAME
-
-/* [m] points farther outside are out of reach; chosen: the first-order distance has no meaning there */
-#define FIELD_MARGIN 0.05
+#include "limb/radius_field_double.h"
 
 /* share of a cap's length that has rings; chosen: beyond it R(s) is steep, and the query uses the form that is smooth
  * through the pole */
@@ -166,6 +156,14 @@ void mus__field_ring(const mus__field *field, double s, int32_t n, const int32_t
     }
     const double *c0 = field->centre + 2 * (ptrdiff_t)j;
     for (int i = 0; i < 2; i++) centre[i] = c0[i] + t * (c0[i + 2] - c0[i]);
+    if (n == m && shrink == 1.0) { /* the directions are those of the table */
+        for (int32_t k = 0; k < n && t == 0.0; k++) radius[k] = low[k];
+        for (int32_t k = 0; k < n && t != 0.0; k++) {
+            const double from = low[k] * low[k], to = high[k] * high[k];
+            radius[k] = sqrt(from + t * (to - from));
+        }
+        return;
+    }
     for (int32_t k = 0; k < n; k++) {
         const int32_t p = entry[k], q = p + 1 < m ? p + 1 : 0;
         const double w = share[k];
@@ -189,29 +187,30 @@ void mus__field_free(mus_context *context, mus__field *field)
 }
 
 
+void mus__field_prepare(const mus__field *field, mus__body_field *out)
+{
+    memcpy(out->origin, field->origin, sizeof out->origin);
+    memcpy(out->axis, field->axis, sizeof out->axis);
+    memcpy(out->side, field->side, sizeof out->side);
+    memcpy(out->front, field->front, sizeof out->front);
+    out->s0 = field->s0, out->ds_inverse = 1.0 / field->ds;
+    out->angle_scale = 0.25 * field->nangle;
+    out->nring = field->nring, out->nangle = field->nangle;
+    out->centre = field->centre, out->radius = field->radius, out->largest = field->largest;
+    out->ring_last = field->nring - 1;
+    for (int end = 0; end < 2; end++) {
+        const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
+        out->pole[end] = field->pole[end] - out->s0;
+        out->middle[end] = field->middle[end] - out->s0;
+        out->axis_inverse[end] = 1.0 / field->half[end];
+        out->share[end] = mus__body_field_share(s - out->middle[end], out->axis_inverse[end]);
+    }
+}
+
+
 double mus__field_depth(const mus__field *field, const double *p, double *normal)
 {
     mus__body_field f;
-    memcpy(f.origin, field->origin, sizeof f.origin);
-    memcpy(f.axis, field->axis, sizeof f.axis);
-    memcpy(f.side, field->side, sizeof f.side);
-    memcpy(f.front, field->front, sizeof f.front);
-    f.s0 = field->s0, f.ds_inverse = 1.0 / field->ds;
-    f.angle_scale = 0.25 * field->nangle;
-    f.nring = field->nring, f.nangle = field->nangle;
-    f.centre = field->centre, f.radius = field->radius, f.largest = field->largest;
-    f.ring_last = field->nring - 1;
-    for (int end = 0; end < 2; end++) {
-        const double s = end == 0 ? 0.0 : field->ds * (field->nring - 1);
-        f.pole[end] = field->pole[end] - f.s0;
-        f.middle[end] = field->middle[end] - f.s0;
-        f.axis_inverse[end] = 1.0 / field->half[end];
-        f.share[end] = mus__body_field_share(s - f.middle[end], f.axis_inverse[end]);
-    }
-
-    int32_t near;
-    double depth = mus__body_field_query(&f, p, FIELD_MARGIN, normal, &near);
-    if (near > 0) return depth;
-    normal[0] = normal[1] = normal[2] = 0.0;
-    return -1e30;
+    mus__field_prepare(field, &f);
+    return mus__field_depth_of(&f, p, normal);
 }

@@ -22,6 +22,8 @@
 
 #define MUS__FIELD_ANGLES 128 /* least steps of the diamond angle: the table then follows a contour to 0.1 mm */
 #define MUS__FIELD_MOST 512   /* most steps: samples of a finer surface */
+#define MUS__FIELD_MARGIN 0.05 /* [m] points farther outside are out of reach; chosen: the first-order distance has no
+                                  meaning there */
 
 /* a range of a limb's stack that moves rigidly with one joint */
 typedef struct mus__part {

@@ -2,12 +2,11 @@
  * manifold.c: the body as one closed surface. A stranger starts here. In the order of use:
  *
  *     manifold_solid.c          the solids whose union is the body: radius fields of its parts, fingers and toes
- *     manifold_lattice.c        a lattice near them: which points are inside, and where edges cross the surface
- *     manifold_label.c  points moved onto the surface, for well shaped triangles; a solid grown without handles
- *     manifold_mesh.c   the triangles
- *
- * First the points inside are taken as they are. If their surface is not one sphere (the lattice does not resolve a
- * gap, or the body touches itself), the solid is grown anew as a ball, which takes twice as long.
+ *     manifold_cell.c           cells of a lattice: inside, outside, or near the surface
+ *     manifold_grow.c           the part of what is inside that is a ball, where the body touches itself
+ *     manifold_lattice.c        which points of the cells are inside, and where edges cross the surface
+ *     manifold_snap.c           points moved onto the surface, for well shaped triangles
+ *     manifold_mesh.c           the triangles
  *
  * Callers: examples, and whoever prints or carves a body. Nothing in the library needs it.
  */
@@ -35,23 +34,20 @@ static void manifold_clear(mus_manifold *manifold)
 }
 
 
-/* the surface of the labels that the lattice has now. Errors: MUS_ERR_MEMORY */
-static mus_status manifold_surface(mus__bcc *lattice, mus_manifold *out, int32_t *euler)
+/* the surface of the solids; of the largest part of them that is a ball where `grown`, or where the surface has not the
+ * Euler characteristic of a sphere. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+static mus_status manifold_surface(mus__bcc *lattice, bool grown, mus_manifold *out, int32_t *euler)
 {
-    manifold_clear(out);
-    mus_status status = mus__bcc_cross(lattice);
+    mus_status status = mus__bcc_sample(lattice);
     if (status != MUS_OK) return status;
-    mus__bcc_snap(lattice);
-    mus__bcc_part(lattice);
+    mus__bcc_compare(lattice, MUS__CELLS_SHARED);
+    status = mus__bcc_beside(lattice, MUS__CELLS_SHARED);
+    if (status == MUS_OK && (grown || mus__bcc_euler(lattice) != 2)) status = mus__bcc_grow(lattice, grown);
+    if (status == MUS_OK) status = mus__bcc_cross(lattice);
+    if (status == MUS_OK) status = mus__bcc_snap(lattice);
+    if (status != MUS_OK) return status;
+    mus__bcc_polish(lattice);
     return mus__bcc_mesh(lattice, out, euler);
-}
-
-
-/* take back what snapping changed: labels by depth */
-static void manifold_unsnap(mus__bcc *lattice)
-{
-    for (int32_t i = 0; i < lattice->blocks * MUS__BLOCK_POINTS; i++)
-        lattice->label[i] = lattice->depth[i] > 0.0f ? MUS__POINT_IN : 0;
 }
 
 
@@ -59,21 +55,20 @@ static mus_status manifold_make(mus_context *context, const mus__solids *solids,
                                 mus_manifold *out)
 {
     mus__pool *pool;
-    mus__bcc lattice;
     int32_t euler = 0;
     mus_status status = mus__pool_create(context, def->threads, &pool);
     if (status != MUS_OK) return status;
-    status = mus__bcc_make(context, pool, solids, def->spacing, &lattice);
-    if (status == MUS_OK) status = manifold_surface(&lattice, out, &euler);
-    if (status == MUS_OK && (out->pieces != 1 || euler != 2)) {
-            manifold_unsnap(&lattice);
-        status = mus__bcc_grow(&lattice);
-        if (status == MUS_OK) status = manifold_surface(&lattice, out, &euler);
+    for (int grown = 0; grown < 2; grown++) {
+        mus__bcc lattice;
+        manifold_clear(out);
+        status = mus__bcc_make(context, pool, solids, def->spacing, &lattice);
+        if (status == MUS_OK) status = manifold_surface(&lattice, grown > 0, out, &euler);
+        mus__bcc_free(&lattice);
+        if (status != MUS_OK || (out->pieces == 1 && euler == 2)) break;
     }
     if (status == MUS_OK && (out->pieces == 0 || euler != 2 * out->pieces))
         status = mus__fail(context, MUS_ERR_BODY,
                            "a spacing of %g m gives no closed surface of this body; a smaller one may", def->spacing);
-    mus__bcc_free(&lattice);
     mus__pool_destroy(pool);
     return status;
 }

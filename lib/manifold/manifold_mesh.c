@@ -1,6 +1,8 @@
 /*
  * manifold_mesh.c: the triangles of the lattice's surface: one or two in each tetrahedron with points on both sides.
  *
+ * The unit of a point with even coordinates is the cube from it to the next such points; the odd point is its middle.
+ *
  * A vertex is a crossing of an edge. The crossings about a point that was moved onto the surface are one vertex, that
  * which drew it; triangles that have it twice are left out.
  */
@@ -10,60 +12,106 @@
 #include "geom/vec.h"
 #include "manifold/manifold_internal.h"
 
-#define MESH_SIDE (MUS__BLOCK + 1) /* cells of a block, and their neighbours */
+#define MESH_SIDE 3    /* lattice units of a cell, and their neighbours */
+#define MESH_CORNERS 11 /* points of the tetrahedra of a unit */
+#define MESH_SHAPES 12  /* tetrahedra of a unit */
 
-/* points of a block and of the layer beyond it: of even and of odd kind */
-typedef struct mesh_block {
+/* points of a cell and of the units beyond it: of even and of odd kind */
+typedef struct mesh_cell {
     int32_t point[2][MESH_SIDE][MESH_SIDE][MESH_SIDE]; /* by k, j, i */
     uint8_t label[2][MESH_SIDE][MESH_SIDE][MESH_SIDE];
-} mesh_block;
+} mesh_cell;
+
+/* a tetrahedron of a unit: its corners among the points of the unit, also as the bits of a mask, and the directions
+ * from one corner to another */
+typedef struct mesh_shape {
+    int8_t corner[4], way[4][4];
+    uint32_t mask;
+} mesh_shape;
+
+/* the points of a unit's tetrahedra: the middle, the next middles along the three axes, and the corners of the unit but
+ * the first; the kind, and the place along each axis */
+static const int8_t mesh_point[MESH_CORNERS][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 1, 0}, {1, 0, 0, 1},
+                                                   {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 1, 0}, {0, 0, 0, 1},
+                                                   {0, 1, 0, 1}, {0, 0, 1, 1}, {0, 1, 1, 1}};
 
 typedef struct mesh_work {
     const mus__bcc *lattice;
-    int32_t *first;    /* (blocks + 1) first triangle of each block */
+    mus__step window[2][MESH_SIDE][MESH_SIDE][MESH_SIDE];
+    mesh_shape shape[MESH_SHAPES];
+    int32_t *first;    /* (cells + 1) first triangle of each cell */
     int32_t *triangle; /* (triangles x 3), NULL: they are counted */
 } mesh_work;
 
-/* a tetrahedron's corner: a point, its label, and its place in doubled coordinates of the block */
+/* a tetrahedron's corner: a point, its label, and its index in the shape */
 typedef struct mesh_corner {
-    int32_t point;
+    int32_t point, index;
     uint8_t label;
-    int32_t at[3];
 } mesh_corner;
 
 
-/* read the points of a block and of the layer beyond it; false: they all lie on one side */
-static bool mesh_read(const mus__bcc *lattice, int32_t block, mesh_block *out)
+/* the tetrahedra about the three edges from the middle of a unit to the next middles, and the window */
+static void mesh_shapes(mesh_work *work)
 {
-    if (mus__bcc_plain(lattice, block)) return false;
-    for (int32_t k = 0; k < MESH_SIDE; k++)
-        for (int32_t j = 0; j < MESH_SIDE; j++)
-            for (int32_t i = 0; i < MESH_SIDE; i++)
-                for (int32_t odd = 0; odd < 2; odd++) {
-                    const int32_t a = i < MUS__BLOCK ? i : MUS__BLOCK - 1, b = j < MUS__BLOCK ? j : MUS__BLOCK - 1;
-                    const int32_t c = k < MUS__BLOCK ? k : MUS__BLOCK - 1;
-                    int32_t point = block * MUS__BLOCK_POINTS + odd * MUS__BLOCK_CELLS +
-                                    (c * MUS__BLOCK + b) * MUS__BLOCK + a;
-                    if (i > a && point != MUS_NONE) point = mus__bcc_next(lattice, point, 0);
-                    if (j > b && point != MUS_NONE) point = mus__bcc_next(lattice, point, 1);
-                    if (k > c && point != MUS_NONE) point = mus__bcc_next(lattice, point, 2);
-                    out->point[odd][k][j][i] = point;
-                    out->label[odd][k][j][i] = point == MUS_NONE ? 0 : lattice->label[point];
-                }
-    return true;
+    for (int32_t s = 0; s < MESH_SHAPES; s++) {
+        static const int8_t turn[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+        const int32_t axis = s / 4, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        mesh_shape *shape = &work->shape[s];
+        for (int32_t c = 0; c < 4; c++) {
+            int32_t at[3] = {0};
+            at[axis] = c != 0;
+            if (c >= 2) at[u] = turn[s % 4 + c - 2][0], at[v] = turn[s % 4 + c - 2][1];
+            shape->corner[c] = (int8_t)(c == 0 ? 0 : c == 1 ? 1 + axis : 3 + at[0] + 2 * at[1] + 4 * at[2]);
+            shape->mask |= 1u << shape->corner[c];
+        }
+        for (int32_t c = 0; c < 16; c++)
+            for (int32_t d = 0; d < MUS__LINKS; d++) {
+                const int8_t *p = mesh_point[shape->corner[c / 4]], *q = mesh_point[shape->corner[c % 4]];
+                bool same = true;
+                for (int i = 0; i < 3; i++)
+                    same = same && mus__bcc_step[d][i] == 2 * (q[1 + i] - p[1 + i]) + q[0] - p[0];
+                if (same) shape->way[c / 4][c % 4] = (int8_t)d;
+            }
+    }
+    for (int32_t p = 0; p < 2 * MESH_SIDE * MESH_SIDE * MESH_SIDE; p++) {
+        const int32_t i = p % 3, j = p / 3 % 3, k = p / 9 % 3, odd = p / 27;
+        const int32_t at[3] = {2 * i + odd, 2 * j + odd, 2 * k + odd};
+        work->window[odd][k][j][i] = mus__bcc_at(work->lattice, at);
+    }
+}
+
+
+/* whether an edge of a point has one end inside */
+static bool mesh_mixed(const mus__bcc *lattice, int32_t point)
+{
+    const uint32_t every = (1u << MUS__LINKS) - 1;
+    return lattice->inside[point] != ((lattice->label[point] & MUS__POINT_IN) != 0 ? every : 0);
+}
+
+
+/* read the points of a cell and of the units beyond it; false: no edge of its points crosses the surface */
+static bool mesh_read(const mesh_work *work, int32_t cell, mesh_cell *out)
+{
+    const mus__bcc *lattice = work->lattice;
+    const mus__step *window = &work->window[0][0][0][0];
+    int32_t *point = &out->point[0][0][0][0];
+    uint8_t *label = &out->label[0][0][0][0];
+    bool any = false;
+    for (int32_t i = 0; i < MUS__CELL_POINTS && !any; i++) any = mesh_mixed(lattice, cell * MUS__CELL_POINTS + i);
+    for (int32_t i = 0; i < 2 * MESH_SIDE * MESH_SIDE * MESH_SIDE && any; i++) {
+        point[i] = mus__bcc_point(lattice, lattice->place[cell], &window[i]);
+        label[i] = lattice->label[point[i]];
+    }
+    return any;
 }
 
 
 /* the vertex between a corner inside and one outside */
-static int32_t mesh_vertex(const mus__bcc *lattice, const mesh_corner *in, const mesh_corner *out)
+static int32_t mesh_vertex(const mus__bcc *lattice, const mesh_shape *shape, const mesh_corner *in,
+                           const mesh_corner *out)
 {
-    if ((in->label & MUS__POINT_ON) != 0) return mus__bcc_crossing(lattice, in->point, in->label >> 4);
-    for (int32_t d = 0; d < MUS__LINKS; d++) {
-        const int8_t *step = mus__bcc_step[d];
-        if (step[0] == out->at[0] - in->at[0] && step[1] == out->at[1] - in->at[1] && step[2] == out->at[2] - in->at[2])
-            return mus__bcc_crossing(lattice, in->point, d);
-    }
-    return MUS_NONE;
+    const bool on = (in->label & MUS__POINT_ON) != 0;
+    return mus__bcc_crossing(lattice, in->point, on ? in->label >> 4 : shape->way[in->index][out->index]);
 }
 
 
@@ -71,7 +119,7 @@ static int32_t mesh_vertex(const mus__bcc *lattice, const mesh_corner *in, const
 static int32_t mesh_add(int32_t *to, int32_t count, int32_t a, int32_t b, int32_t c)
 {
     if (a == b || b == c || c == a) return count;
-    if (to != NULL) to[3 * (ptrdiff_t)count] = a, to[3 * (ptrdiff_t)count + 1] = b, to[3 * (ptrdiff_t)count + 2] = c;
+    to[3 * (ptrdiff_t)count] = a, to[3 * (ptrdiff_t)count + 1] = b, to[3 * (ptrdiff_t)count + 2] = c;
     return count + 1;
 }
 
@@ -85,8 +133,10 @@ static double mesh_distance(const mus__bcc *lattice, int32_t a, int32_t b)
 }
 
 
-/* triangles of a tetrahedron whose corners are the right way round; returns the number of triangles then */
-static int32_t mesh_tetrahedron(const mus__bcc *lattice, const mesh_corner *corner, int32_t *to, int32_t count)
+/* triangles of a tetrahedron through which the surface passes, and whose corners are the right way round; returns the
+ * number of triangles then. Moved points have a vertex each, so the labels alone tell how many there are */
+static int32_t mesh_tetrahedron(const mus__bcc *lattice, const mesh_shape *shape, const mesh_corner *corner,
+                                int32_t *to, int32_t count)
 {
     /* for each set of inside corners an even order that has them first */
     static const int8_t order[16][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3}, {2, 0, 1, 3},
@@ -96,15 +146,17 @@ static int32_t mesh_tetrahedron(const mus__bcc *lattice, const mesh_corner *corn
     int32_t inside = 0, set = 0;
     for (int32_t i = 0; i < 4; i++)
         if ((corner[i].label & MUS__POINT_IN) != 0) set |= 1 << i, inside++;
-    if (inside == 0 || inside == 4) return count;
     const mesh_corner *a = &corner[order[set][0]], *b = &corner[order[set][1]], *c = &corner[order[set][2]],
                       *d = &corner[order[set][3]];
+    if (to == NULL) return count + (inside != 2 || ((a->label | b->label) & MUS__POINT_ON) != 0 ? 1 : 2);
     if (inside == 1)
-        return mesh_add(to, count, mesh_vertex(lattice, a, b), mesh_vertex(lattice, a, c), mesh_vertex(lattice, a, d));
+        return mesh_add(to, count, mesh_vertex(lattice, shape, a, b), mesh_vertex(lattice, shape, a, c),
+                        mesh_vertex(lattice, shape, a, d));
     if (inside == 3)
-        return mesh_add(to, count, mesh_vertex(lattice, a, d), mesh_vertex(lattice, b, d), mesh_vertex(lattice, c, d));
-    const int32_t p = mesh_vertex(lattice, a, c), q = mesh_vertex(lattice, a, d), r = mesh_vertex(lattice, b, d);
-    const int32_t s = mesh_vertex(lattice, b, c);
+        return mesh_add(to, count, mesh_vertex(lattice, shape, a, d), mesh_vertex(lattice, shape, b, d),
+                        mesh_vertex(lattice, shape, c, d));
+    const int32_t p = mesh_vertex(lattice, shape, a, c), q = mesh_vertex(lattice, shape, a, d);
+    const int32_t r = mesh_vertex(lattice, shape, b, d), s = mesh_vertex(lattice, shape, b, c);
     if (mesh_distance(lattice, p, r) <= mesh_distance(lattice, q, s) || p == q || r == s) {
         count = mesh_add(to, count, p, q, r);
         return mesh_add(to, count, p, r, s);
@@ -114,59 +166,54 @@ static int32_t mesh_tetrahedron(const mus__bcc *lattice, const mesh_corner *corn
 }
 
 
-/* whether the points of the tetrahedra about a cell lie on one side */
-static bool mesh_skips(const mesh_block *from, const int32_t *cell)
+/* triangles of the tetrahedra about the unit at (i, j, k) = at (3) of a cell; returns the number of triangles then */
+static int32_t mesh_unit(const mesh_work *work, const mesh_cell *from, const int32_t *at, int32_t *to, int32_t count)
 {
-    int32_t inside = 0;
-    for (int32_t m = 1; m < 8; m++)
-        inside += from->label[0][cell[2] + (m >> 2)][cell[1] + (m >> 1 & 1)][cell[0] + (m & 1)] & MUS__POINT_IN;
-    for (int32_t m = 0; m < 4; m++)
-        inside += from->label[1][cell[2] + (m == 3)][cell[1] + (m == 2)][cell[0] + (m == 1)] & MUS__POINT_IN;
-    return inside == 0 || inside == 11;
-}
+    mesh_corner unit[MESH_CORNERS];
+    uint32_t in = 0, on = 0;
+    for (int32_t c = 0; c < MESH_CORNERS; c++) {
+        const int8_t *off = mesh_point[c];
+        const int32_t i = at[0] + off[1], j = at[1] + off[2], k = at[2] + off[3];
+        unit[c].point = from->point[off[0]][k][j][i];
+        unit[c].label = from->label[off[0]][k][j][i];
+        in |= (uint32_t)(unit[c].label & MUS__POINT_IN) << c;
+        on |= (uint32_t)((unit[c].label & MUS__POINT_ON) != 0) << c;
+    }
+    for (int32_t s = 0; s < MESH_SHAPES; s++) {
+        const mesh_shape *shape = &work->shape[s];
+        const uint32_t inside = in & shape->mask, moved = on & shape->mask;
 
-
-/* triangles of the tetrahedra about the cell (i, j, k): about the three edges from its middle to the next middles */
-static int32_t mesh_cell(const mus__bcc *lattice, const mesh_block *from, const int32_t *cell, int32_t *to,
-                         int32_t count)
-{
-    for (int32_t axis = 0; axis < 3; axis++) {
-        const int32_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-        static const int8_t turn[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        mesh_corner middle[2], even[4];
-        for (int32_t m = 0; m < 6; m++) {
-            mesh_corner *corner = m < 2 ? &middle[m] : &even[m - 2];
-            int32_t at[3] = {cell[0], cell[1], cell[2]};
-            if (m < 2) at[axis] += m;
-            else at[axis]++, at[u] += turn[m - 2][0], at[v] += turn[m - 2][1];
-            corner->point = from->point[m < 2][at[2]][at[1]][at[0]];
-            corner->label = from->label[m < 2][at[2]][at[1]][at[0]];
-            for (int i = 0; i < 3; i++) corner->at[i] = 2 * at[i] + (m < 2);
+        /* with one or two corners inside, all of them moved, the surface has shrunk to a point or a line */
+        if (inside == 0 || inside == shape->mask) continue;
+        const uint32_t less = inside & (inside - 1);
+        if (inside == moved && (less & (less - 1)) == 0) continue;
+        mesh_corner corner[4];
+        for (int32_t c = 0; c < 4; c++) {
+            corner[c] = unit[shape->corner[c]];
+            corner[c].index = c;
         }
-        for (int32_t m = 0; m < 4; m++) {
-            const mesh_corner corner[4] = {middle[0], middle[1], even[m], even[(m + 1) % 4]};
-            count = mesh_tetrahedron(lattice, corner, to, count);
-        }
+        count = mesh_tetrahedron(work->lattice, shape, corner, to, count);
     }
     return count;
 }
 
 
-static void mesh_blocks(void *user, int32_t part, int32_t parts)
+static void mesh_cells(void *user, int32_t part, int32_t parts)
 {
     const mesh_work *work = user;
     const mus__bcc *lattice = work->lattice;
-    const int32_t end = mus__share(lattice->blocks, part + 1, parts);
-    mesh_block block;
-    for (int32_t b = mus__share(lattice->blocks, part, parts); b < end; b++) {
+    const int32_t end = mus__share(lattice->cells, part + 1, parts);
+    mesh_cell window;
+    for (int32_t c = mus__share(lattice->cells, part, parts); c < end; c++) {
         int32_t count = 0;
-        int32_t *to = work->triangle != NULL ? work->triangle + 3 * (ptrdiff_t)work->first[b] : NULL;
-        const bool read = mesh_read(lattice, b, &block);
-        for (int32_t i = 0; i < MUS__BLOCK_CELLS && read; i++) {
-            const int32_t cell[3] = {i % MUS__BLOCK, i / MUS__BLOCK % MUS__BLOCK, i / (MUS__BLOCK * MUS__BLOCK)};
-            if (!mesh_skips(&block, cell)) count = mesh_cell(lattice, &block, cell, to, count);
+        int32_t *to = work->triangle != NULL ? work->triangle + 3 * (ptrdiff_t)work->first[c] : NULL;
+        const bool read = c >= MUS__CELLS_SHARED && mesh_read(work, c, &window);
+        for (int32_t i = 0; i < MUS__CELL_POINTS / 2 && read; i++) {
+            const int32_t at[3] = {i & 1, i >> 1 & 1, i >> 2};
+            if (mesh_mixed(lattice, window.point[1][at[2]][at[1]][at[0]]))
+                count = mesh_unit(work, &window, at, to, count);
         }
-        if (to == NULL) work->first[b] = count;
+        if (to == NULL) work->first[c] = count;
     }
 }
 
@@ -182,11 +229,11 @@ static int32_t mesh_root(int32_t *parent, int32_t vertex)
 /* number the crossings that triangles use, and copy them. Errors: MUS_ERR_MEMORY */
 static mus_status mesh_vertices(const mus__bcc *lattice, mus_manifold *out, int32_t *number)
 {
-    const int32_t crossings = lattice->block_first[lattice->blocks];
+    const int32_t crossings = lattice->crossings;
     for (int32_t i = 0; i < crossings; i++) number[i] = MUS_NONE;
     for (int32_t i = 0; i < 3 * out->triangles; i++) number[out->triangle[i]] = 0;
     for (int32_t i = 0; i < crossings; i++)
-        if (number[i] != MUS_NONE) number[i] = out->vertices++, out->cuts += lattice->cut[i];
+        if (number[i] != MUS_NONE) number[i] = out->vertices++, out->cuts += lattice->state[i] == MUS__EDGE_CUT;
     for (int32_t i = 0; i < 3 * out->triangles; i++) out->triangle[i] = number[out->triangle[i]];
     out->vertex = mus__room(out->context, 3 * (int64_t)out->vertices, sizeof *out->vertex);
     out->normal = mus__new(out->context, 3 * (int64_t)out->vertices, sizeof *out->normal);
@@ -234,22 +281,54 @@ static void mesh_pieces(mus_manifold *out, int32_t *parent, int32_t *euler)
 }
 
 
-mus_status mus__bcc_mesh(const mus__bcc *lattice, mus_manifold *out, int32_t *euler)
+/* give points to shared cells beside a point that came inside when it was moved: tetrahedra of theirs have three moved
+ * corners. Errors: MUS_ERR_MEMORY, MUS_ERR_ARG */
+static mus_status mesh_open_beside(mus__bcc *lattice)
+{
+    const int32_t end = lattice->cells * MUS__CELL_POINTS;
+    mus_status status = MUS_OK;
+    for (int32_t point = MUS__CELLS_SHARED * MUS__CELL_POINTS; point < end; point++) {
+        if ((lattice->label[point] & MUS__POINT_ON) == 0) continue;
+        for (int32_t d = 0; d < MUS__LINKS && status == MUS_OK; d++) {
+            const int32_t next = mus__bcc_next(lattice, point, d);
+            if (next / MUS__CELL_POINTS != MUS__CELL_OUT) continue;
+            const int32_t place = lattice->place[point / MUS__CELL_POINTS];
+            status = mus__bcc_open(lattice, place + lattice->step[point % MUS__CELL_POINTS][d].cell, false);
+        }
+    }
+    if (status == MUS_OK) status = mus__bcc_room(lattice);
+    const int64_t points = (int64_t)lattice->cells * MUS__CELL_POINTS;
+    if (status == MUS_OK)
+        status = mus__reserve(lattice->context, &lattice->inside, &lattice->inside_room, points,
+                              sizeof *lattice->inside);
+    for (int32_t point = end; point < points && status == MUS_OK; point++) {
+        uint32_t in = 0;
+        for (int32_t d = 0; d < MUS__LINKS; d++)
+            in |= (uint32_t)(lattice->label[mus__bcc_next(lattice, point, d)] & MUS__POINT_IN) << d;
+        lattice->inside[point] = (uint16_t)in;
+    }
+    return status;
+}
+
+
+mus_status mus__bcc_mesh(mus__bcc *lattice, mus_manifold *out, int32_t *euler)
 {
     mus_context *context = lattice->context;
-    const int32_t crossings = lattice->block_first[lattice->blocks];
     mesh_work work = {.lattice = lattice};
-    work.first = mus__new(context, (int64_t)lattice->blocks + 1, sizeof *work.first);
-    int32_t *number = mus__room(context, crossings, sizeof *number);
-    mus_status status = MUS_OK;
+    int32_t *number = NULL;
+    mus_status status = mesh_open_beside(lattice);
+    if (status != MUS_OK) return status;
+    work.first = mus__new(context, (int64_t)lattice->cells + 1, sizeof *work.first);
+    number = mus__room(context, lattice->crossings, sizeof *number);
     if (work.first == NULL || number == NULL) {
         status = mus__fail_memory(context, "a manifold");
         goto end;
     }
-    mus__pool_run(lattice->pool, mesh_blocks, &work);
-    for (int32_t b = 0; b <= lattice->blocks; b++) {
-        const int32_t count = b < lattice->blocks ? work.first[b] : 0;
-        work.first[b] = out->triangles;
+    mesh_shapes(&work);
+    mus__pool_run(lattice->pool, mesh_cells, &work);
+    for (int32_t c = 0; c <= lattice->cells; c++) {
+        const int32_t count = c < lattice->cells ? work.first[c] : 0;
+        work.first[c] = out->triangles;
         out->triangles += count;
     }
     out->triangle = work.triangle = mus__room(context, 3 * (int64_t)out->triangles, sizeof *work.triangle);
@@ -257,7 +336,7 @@ mus_status mus__bcc_mesh(const mus__bcc *lattice, mus_manifold *out, int32_t *eu
         status = mus__fail_memory(context, "a manifold");
         goto end;
     }
-    mus__pool_run(lattice->pool, mesh_blocks, &work);
+    mus__pool_run(lattice->pool, mesh_cells, &work);
     status = mesh_vertices(lattice, out, number);
     if (status != MUS_OK) goto end;
     mesh_normals(out);

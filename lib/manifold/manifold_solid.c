@@ -20,6 +20,9 @@
  * constant share */
 #define SOLID_STEP 1e-3
 
+/* share by which a bound of a squared radius is widened: far above the rounding of its sums */
+#define SOLID_ROUNDING 1e-9
+
 
 /* make the box of a solid hold x (3) */
 static void solid_hold(mus__solid *solid, const double *x)
@@ -49,6 +52,7 @@ static void solid_of_field(const mus_body *body, int32_t part, mus__solids *out)
     mus__solid *solid = solid_new(out);
     mus__field_turns(n, turn);
     solid->field = field;
+    mus__field_prepare(field, &solid->query);
     solid->keep = 1.0, solid->from = field->pole[1];
 
     /* the part that is drawn shorter ends at the pole: its share, and where it begins */
@@ -108,6 +112,14 @@ static void solid_stations(const double *x, mus__digit *out)
         mus__unit3(s->along);
         mus__cross3(s->along, s->side, s->front);
         mus__unit3(s->front);
+
+        /* within a cross-section, and up to half way to the next one */
+        for (int32_t k = j > 0 ? j - 1 : 0; k <= (j < last ? j + 1 : last); k++) {
+            const double *beside = station[k].centre, off[3] = {beside[0] - s->centre[0], beside[1] - s->centre[1],
+                                                                beside[2] - s->centre[2]};
+            const double wide = fmax(station[k].square, s->square), tall = fmax(fmax(station[k].flat, s->flat), 1.0);
+            out->reach = fmax(out->reach, sqrt(wide) * tall + 0.5 * mus__norm3(off));
+        }
     }
 }
 
@@ -181,58 +193,164 @@ static double solid_digit_depth(const mus__digit *digit, const double *x)
 /* depth of x in a radius field, of which a part may be drawn shorter */
 static double solid_field_depth(const mus__solid *solid, const double *x)
 {
-    const mus__field *field = solid->field;
-    double normal[3], off[3], y[3];
-    if (solid->keep >= 1.0) return mus__field_depth(field, x, normal);
-    for (int k = 0; k < 3; k++) off[k] = x[k] - field->origin[k];
-    const double above = fmax(mus__dot3(off, field->axis) - solid->from, 0.0), more = above / solid->keep - above;
-    for (int k = 0; k < 3; k++) y[k] = x[k] + more * field->axis[k];
-    return mus__field_depth(field, y, normal);
+    const mus__body_field *f = &solid->query;
+    double normal[3], y[3] = {x[0], x[1], x[2]};
+    if (solid->keep < 1.0) {
+        const double off[3] = {x[0] - f->origin[0], x[1] - f->origin[1], x[2] - f->origin[2]};
+        const double above = fmax(mus__dot3(off, f->axis) - solid->from, 0.0), more = above / solid->keep - above;
+        for (int k = 0; k < 3; k++) y[k] = x[k] + more * f->axis[k];
+    }
+    return mus__field_depth_of(f, y, normal);
 }
 
 
-/* bounds: the box; for a field the largest radius of the rings that the ball reaches along the axis */
-bool mus__solid_near(const mus__solid *solid, const double *x, double r)
+/* part of a field's table */
+typedef struct solid_range {
+    int32_t ring[2], entry[2]; /* the first and the last one; entries count round the contour, from -nangle on */
+} solid_range;
+
+
+/* entries of the directions from the centre to the rectangle low (2) to high (2): all, where it holds the centre */
+static void solid_entries(const mus__field *field, const double *low, const double *high, solid_range *out)
+{
+    double least = 0.0, most = 0.0, first = 0.0;
+    out->entry[0] = 0, out->entry[1] = field->nangle - 1;
+    if (low[0] <= 0.0 && high[0] >= 0.0 && low[1] <= 0.0 && high[1] >= 0.0) return;
+    for (int32_t m = 0; m < 4; m++) {
+        const double a = m % 2 != 0 ? high[0] : low[0], b = m / 2 != 0 ? high[1] : low[1];
+        const double part = fabs(b) / (fabs(a) + fabs(b));
+        double q = b >= 0.0 ? (a >= 0.0 ? part : 2.0 - part) : (a < 0.0 ? 2.0 + part : 4.0 - part);
+        if (m == 0) least = most = first = q;
+        if (q - first > 2.0) q -= 4.0; /* the rectangle is seen under less than half a turn */
+        if (q - first < -2.0) q += 4.0;
+        least = fmin(least, q), most = fmax(most, q);
+    }
+    out->entry[0] = (int32_t)floor(0.25 * least * field->nangle);
+    out->entry[1] = (int32_t)ceil(0.25 * most * field->nangle);
+}
+
+
+/* least and largest radius of a range of a table */
+static void solid_radii(const mus__field *field, const solid_range *range, double *least, double *most)
+{
+    const int32_t n = field->nangle;
+    *least = INFINITY, *most = 0.0;
+    for (int32_t j = range->ring[0]; j <= range->ring[1]; j++) {
+        const double *radius = field->radius + (ptrdiff_t)j * n;
+        for (int32_t k = range->entry[0]; k <= range->entry[1]; k++) {
+            const double r = radius[k < 0 ? k + n : k >= n ? k - n : k];
+            *least = r < *least ? r : *least;
+            *most = r > *most ? r : *most;
+        }
+    }
+}
+
+
+/* bounds: the square of the radius is interpolated, so it lies between that of the entries about a point. Beyond the
+ * rings it is at most that of the last one; where the middle of the cap's ellipse lies beyond that too, times the part
+ * by which the ellipse is wider there */
+static int solid_field_box(const mus__solid *solid, const double *middle, double half)
 {
     const mus__field *field = solid->field;
+    const double *way[3] = {field->axis, field->side, field->front};
+    const double off[3] = {middle[0] - field->origin[0], middle[1] - field->origin[1], middle[2] - field->origin[2]};
+    double low[3], high[3], least, most, wide = 1.0;
+    for (int i = 0; i < 3; i++) {
+        const double at = mus__dot3(off, way[i]), h = half * (fabs(way[i][0]) + fabs(way[i][1]) + fabs(way[i][2]));
+        low[i] = at - h, high[i] = at + h;
+    }
+    if (low[0] > solid->from) low[0] = solid->from + (low[0] - solid->from) / solid->keep;
+    if (high[0] > solid->from) high[0] = solid->from + (high[0] - solid->from) / solid->keep;
+    if (high[0] < field->pole[0] || low[0] > field->pole[1]) return MUS__BOX_OUT;
+
+    const int32_t last = field->nring - 1;
+    const double first = (low[0] - field->s0) / field->ds, end = (high[0] - field->s0) / field->ds;
+    const bool beyond = first < 0.0 || end > last;
+    solid_range range = {0};
+    range.ring[0] = (int32_t)fmin(fmax(floor(first), 0.0), last);
+    range.ring[1] = (int32_t)fmin(fmax(ceil(end), 0.0), last);
+    for (int i = 0; i < 2; i++) {
+        double from = INFINITY, to = -INFINITY;
+        for (int32_t j = range.ring[0]; j <= range.ring[1]; j++) {
+            from = fmin(from, field->centre[2 * j + i]);
+            to = fmax(to, field->centre[2 * j + i]);
+        }
+        low[1 + i] -= to, high[1 + i] -= from;
+        const double past = i == 0 ? solid->query.middle[0] : last * field->ds - solid->query.middle[1];
+        if (beyond && past < 0.0) wide = fmax(wide, 1.0 / solid->query.share[i]);
+    }
+    double near = 0.0, far = 0.0;
+    for (int i = 1; i < 3; i++) {
+        const double gap = fmax(fmax(low[i], -high[i]), 0.0), reach = fmax(-low[i], high[i]);
+        near += gap * gap, far += reach * reach;
+    }
+    if (near > wide * field->reach * field->reach) return MUS__BOX_OUT;
+    solid_entries(field, low + 1, high + 1, &range);
+    solid_radii(field, &range, &least, &most);
+    if (near > wide * most * most * (1.0 + SOLID_ROUNDING)) return MUS__BOX_OUT;
+    return !beyond && far < least * least * (1.0 - SOLID_ROUNDING) ? MUS__BOX_IN : MUS__BOX_MIXED;
+}
+
+
+/* two digits are joined where both are outside by less than a quarter of the web, and the deeper one changes the other
+ * one's depth up to a whole web farther out */
+static int solid_digit_box(const mus__solids *solids, const mus__solid *solid, const double *middle, double half)
+{
+    const mus__digit *digit = solid->digit;
+    const double ball = sqrt(3.0) * half;
+    double nearest = INFINITY;
+    for (int32_t j = 0; j < MUS__DIGIT_STATIONS; j++) {
+        const double *centre = digit->station[j].centre;
+        const double off[3] = {middle[0] - centre[0], middle[1] - centre[1], middle[2] - centre[2]};
+        nearest = fmin(nearest, mus__dot3(off, off));
+    }
+    nearest = sqrt(nearest) - ball - digit->reach;
+    if (nearest > 1.25 * solids->web) return MUS__BOX_OUT;
+    return nearest > 0.25 * solids->web ? MUS__BOX_BESIDE : MUS__BOX_MIXED;
+}
+
+
+int mus__solid_box(const mus__solids *solids, int32_t index, const double *middle, double half)
+{
+    const mus__solid *solid = &solids->solid[index];
+    const double more = half + (solid->digit != NULL ? 1.25 * solids->web : 0.0);
     for (int i = 0; i < 3; i++)
-        if (x[i] + r < solid->low[i] || x[i] - r > solid->high[i]) return false;
-    if (field == NULL || solid->keep < 1.0) return true;
-    double off[3];
-    for (int i = 0; i < 3; i++) off[i] = x[i] - field->origin[i];
-    const double s = mus__dot3(off, field->axis), a = mus__dot3(off, field->side), b = mus__dot3(off, field->front);
-    if (s + r < field->pole[0] || s - r > field->pole[1]) return false;
-    const double last = field->nring - 2.0, low = floor((s - r - field->s0) / field->ds);
-    const double high = floor((s + r - field->s0) / field->ds);
-    for (int32_t j = (int32_t)fmin(fmax(low, 0.0), last); j <= (int32_t)fmin(fmax(high, 0.0), last); j++) {
-        const double *c = field->centre + 2 * (ptrdiff_t)j, most = field->largest[j] + r;
-        for (int k = 0; k < 4; k += 2)
-            if ((a - c[k]) * (a - c[k]) + (b - c[k + 1]) * (b - c[k + 1]) <= most * most) return true;
-    }
-    return false;
+        if (solid->low[i] > middle[i] + more || solid->high[i] < middle[i] - more) return MUS__BOX_OUT;
+    return solid->digit != NULL ? solid_digit_box(solids, solid, middle, half) : solid_field_box(solid, middle, half);
 }
 
 
-double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x, double enough)
+void mus__solids_depth(const mus__solids *solids, int32_t count, const int32_t *list, double enough, int32_t n,
+                       const double *x, double *out)
 {
-    double best = -1e30, first = -1e30;
-    int32_t limb = MUS_NONE;
-    for (int32_t i = 0; i < n && best <= enough; i++) {
+    for (int32_t j = 0; j < n; j++) out[j] = -1e30;
+    for (int32_t i = 0; i < count; i++) {
         const mus__solid *solid = &solids->solid[list[i]];
-        if (solid->digit == NULL) {
-            best = fmax(best, solid_field_depth(solid, x));
-            continue;
-        }
-
-        /* digits of one hand or foot: the smooth union of the one before and this one */
-        const int32_t here = (int32_t)(solid->digit - solids->digit) / MUS__DIGITS_A_LIMB;
-        const double depth = solid_digit_depth(solid->digit, x), apart = fabs(depth - first);
-        best = fmax(best, depth);
-        if (here == limb && apart < solids->web) {
-            const double share = 1.0 - apart / solids->web;
-            best = fmax(best, fmax(depth, first) + 0.25 * solids->web * share * share);
-        }
-        limb = here, first = depth;
+        if (solid->digit != NULL) continue;
+        for (int32_t j = 0; j < n; j++)
+            if (out[j] <= enough) {
+                const double depth = solid_field_depth(solid, x + 3 * (ptrdiff_t)j);
+                if (depth > out[j]) out[j] = depth;
+            }
     }
-    return best;
+    if (count == 0 || solids->solid[list[count - 1]].digit == NULL) return;
+
+    /* digits of one hand or foot: the smooth union of the one before and this one */
+    for (int32_t j = 0; j < n; j++) {
+        double first = -1e30, best = out[j];
+        int32_t limb = MUS_NONE, before = MUS_NONE;
+        for (int32_t i = 0; i < count && best <= enough; i++) {
+            const mus__solid *solid = &solids->solid[list[i]];
+            if (solid->digit == NULL) continue;
+            const int32_t here = (int32_t)(solid->digit - solids->digit) / MUS__DIGITS_A_LIMB;
+            const double depth = solid_digit_depth(solid->digit, x + 3 * (ptrdiff_t)j), apart = fabs(depth - first);
+            best = fmax(best, depth);
+            if (here == limb && before == list[i] - 1 && apart < solids->web) {
+                const double share = 1.0 - apart / solids->web;
+                best = fmax(best, fmax(depth, first) + 0.25 * solids->web * share * share);
+            }
+            limb = here, first = depth, before = list[i];
+        }
+        out[j] = best;
+    }
 }

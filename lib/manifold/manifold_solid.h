@@ -5,6 +5,7 @@
 #define MUS_MANIFOLD_MANIFOLD_SOLID_H
 
 #include "body/body_make.h"
+#include "limb/radius_field_double.h"
 
 #define MUS__DIGITS_A_LIMB 5 /* fingers of a hand, toes of a foot */
 #define MUS__DIGITS_MOST (4 * MUS__DIGITS_A_LIMB)
@@ -22,12 +23,14 @@ typedef struct mus__digit {
     mus__station station[MUS__DIGIT_STATIONS];
     bool toe;
     double floor[4]; /* unit normal, and distance from the origin [m] */
+    double reach;    /* a point farther than this from the centres of all cross-sections is outside [m] */
 } mus__digit;
 
 /* one of the solids whose union is the body: a radius field, of which the part above s = from is drawn at the part
  * `keep` of its length, or a digit */
 typedef struct mus__solid {
     const mus__field *field; /* NULL: a digit */
+    mus__body_field query;   /* of the field */
     const mus__digit *digit;
     double from, keep;
     double low[3], high[3]; /* box [m] */
@@ -42,11 +45,18 @@ typedef struct mus__solids {
 
 /* the solids of a body where it stands, with webs [m] between its digits */
 void mus__solids_make(const mus_body *body, double web, mus__solids *out);
-/* whether a ball of radius r [m] about x (3) may touch a solid */
-bool mus__solid_near(const mus__solid *solid, const double *x, double r);
-/* depth of x (3) in the union of the n listed solids, positive inside; -1e30: far outside. Where one of
- * them is deeper than `enough`, the others are not asked [m] */
-double mus__solids_depth(const mus__solids *solids, int32_t n, const int32_t *list, const double *x,
-                         double enough);
+/* where a box lies to a solid */
+enum {
+    MUS__BOX_OUT,   /* outside, and too far off to change the union there */
+    MUS__BOX_BESIDE, /* outside, but near enough to a digit for a web */
+    MUS__BOX_MIXED, /* the solid's surface may pass through the box */
+    MUS__BOX_IN     /* inside */
+};
+/* where the cube about `middle` (3) with edges of 2 half [m] lies to a solid: MUS__BOX_* */
+int mus__solid_box(const mus__solids *solids, int32_t solid, const double *middle, double half);
+/* depth (n) of the points x (n x 3) in the union of the solids in the list of length `count`, in ascending order;
+ * positive inside; -1e30: far outside. Where one of them is deeper than `enough` [m], the others are not asked */
+void mus__solids_depth(const mus__solids *solids, int32_t count, const int32_t *list, double enough, int32_t n,
+                       const double *x, double *depth);
 
 #endif

@@ -77,14 +77,6 @@ static void torso_blocks(mus__half *half, mus__top *top)
         def.neck_ease += 3.0 * k * MUS__CM;
     }
     if (mus__style_is(half, MUS__AXIS_NECK, MUS__NECK_STRAPLESS)) def.bust_ease = fmin(def.bust_ease, 1.0 * MUS__CM);
-    const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
-    const bool moves = shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_SHOULDER_WAIST || shape == MUS__SHAPE_FRENCH ||
-                       shape == MUS__SHAPE_NECK_GATHERS || shape == MUS__SHAPE_CF_GATHERS;
-    if (moves && !def.darts) {
-        mus__board_fail(&half->board, MUS_ERR_DESIGN, "shape=%s moves a bust dart, which is drafted for women alone",
-                        mus__style_word(MUS__AXIS_SHAPE, shape));
-        return;
-    }
     const mus_status status = mus__bodice_draft(half->context, &measures, &def, &half->bodice);
     if (status != MUS_OK) half->board.status = status;
 

@@ -24,12 +24,21 @@ static bool shaping_darted(const mus__half *half)
 }
 
 
+/* is the bust point so far above the lower edge of the bodice that a dart from there, SHAPING_BACK short of the point,
+ * keeps half of its length? On a short heavy woman it may not be; the bust dart then stays at the side */
+static bool shaping_has_room(const mus__half *half, const mus__top *top)
+{
+    return half->bodice.front.bust[1] - fmax(top->hem, 0.0) > 2.0 * SHAPING_BACK;
+}
+
+
 void mus__shaping_plan(const mus__half *half, mus__top *top)
 {
     /* a waist dart that becomes part of a seam is not drawn, nor a long one from the hem beside a French dart */
     const int32_t shape = half->style.option[MUS__AXIS_SHAPE];
     const bool princess = shape == MUS__SHAPE_PRINCESS_SHOULDER || shape == MUS__SHAPE_PRINCESS_ARMHOLE;
-    const bool merged = shaping_darted(half) && (shape == MUS__SHAPE_WAIST || shape == MUS__SHAPE_FRENCH);
+    const bool merged = shaping_darted(half) && ((shape == MUS__SHAPE_WAIST && shaping_has_room(half, top)) ||
+                                                 shape == MUS__SHAPE_FRENCH);
     const bool cut = shape == MUS__SHAPE_EMPIRE && half->bodice.dart_width > 0.0;
     const bool long_french = shape == MUS__SHAPE_FRENCH && merged && top->hem < 0.0;
     top->waist_darts[MUS__TOP_FRONT] = top->darts && !princess && !cut && !long_french;
@@ -37,7 +46,9 @@ void mus__shaping_plan(const mus__half *half, mus__top *top)
 
     /* darts that will be merged share their point */
     top->meet = merged;
-    top->point_back = shape == MUS__SHAPE_SIDE_WAIST || shape == MUS__SHAPE_EMPIRE ? SHAPING_BACK : 0.0;
+    const bool side = shape == MUS__SHAPE_SIDE_WAIST || shape == MUS__SHAPE_EMPIRE ||
+                      (shape == MUS__SHAPE_WAIST && !merged);
+    top->point_back = side ? SHAPING_BACK : 0.0;
 }
 
 
@@ -47,6 +58,7 @@ void mus__shaping_plan(const mus__half *half, mus__top *top)
 static void shaping_waist(mus__half *half, mus__top *top)
 {
     mus__board *board = &half->board;
+    if (!top->meet) return;
     const int32_t keep = mus__shaping_side(half, top, MUS__TOP_FRONT, "cf");
     const int32_t first = mus__shaping_side(half, top, MUS__TOP_FRONT, "w1");
     const int32_t low = first != MUS_NONE ? first : mus__shaping_side(half, top, MUS__TOP_FRONT, "low");

@@ -204,6 +204,31 @@ START_TEST(spelling_and_reading_are_inverse)
 END_TEST
 
 
+START_TEST(words_are_read_as_they_are_spoken)
+{
+    static const char *const list[][2] = {
+        {"pencil skirt knee", "skirt skirt=pencil"},
+        {"pencil skirt midi", "skirt skirt=pencil length=midi"},
+        {"v neck dress short sleeve", "dress neck=v sleeve=short"},
+        {"jumpsuit sleeve short", "jumpsuit sleeve=short"},
+        {"a-line skirt length=mini", "skirt skirt=a_line length=mini"},
+        {"peter pan collar top closure=back", "top collar=peter_pan closure=back"},
+        {"dress three quarter sleeve half skirt", "dress sleeve=three_quarter skirt=half"},
+        {"slim tapered trousers ankle", "trousers leg=tapered leg_length=ankle ease=slim"},
+    };
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        char spoken[512], full[512];
+        ck_assert_msg(mus_design_spell(context, list[i][0], spoken, sizeof spoken) == MUS_OK, "\"%s\": %s", list[i][0],
+                      mus_context_error(context));
+        ck_assert_int_eq(mus_design_spell(context, list[i][1], full, sizeof full), MUS_OK);
+        ck_assert_str_eq(spoken, full);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(refusals_name_the_words)
 {
     static const struct {
@@ -213,6 +238,10 @@ START_TEST(refusals_name_the_words)
         {"gown", {"gown", "dress"}},
         {"neck=v", {"neck=v", "jumpsuit"}},
         {"top neck", {"neck", "expected"}},
+        {"pencil knee", {"pencil", "dress"}},
+        {"pencil skirt puff", {"puff", "skirt", "rise"}},
+        {"jumpsuit short", {"short", "sleeve=short or leg_length=short"}},
+        {"pencil skirt half", {"skirt=pencil", "skirt=half"}},
         {"top neck=", {"neck=", "jewel scoop v"}},
         {"top neck=turtle", {"neck=turtle", "jewel scoop v"}},
         {"skirt sleeve=puff", {"sleeve=puff", "skirt", "rise"}},
@@ -257,6 +286,7 @@ Suite *mus_suite_words(void)
     tcase_add_test(words, combinations_are_as_many_as_the_reference_counts);
     tcase_add_test(words, words_left_out_are_chosen_and_spelled);
     tcase_add_test(words, spelling_and_reading_are_inverse);
+    tcase_add_test(words, words_are_read_as_they_are_spoken);
     tcase_add_test(words, refusals_name_the_words);
     tcase_set_timeout(words, 60);
     suite_add_tcase(suite, words);

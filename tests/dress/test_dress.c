@@ -162,7 +162,7 @@ START_TEST(a_pattern_without_a_placement_starts_where_one_is_found)
     ck_assert_int_eq(dressing_run(&d, &w), MUS_OK);
     ck_assert_int_eq(d.report.found, 1);
     ck_assert_int_eq(d.report.starts, 1);
-    ck_assert_int_eq(d.report.start_patient[0], 1);
+    ck_assert_int_eq(d.report.start_place[0], MUS_DRESS_PLACE_FOUND);
     dressing_end(&d);
     worn_end(&w);
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""web.py [states | page]: the fitting room of MUSLIN_OUT/web (make web) in Node and in headless Chromium.
+"""web.py [states | package | page]: the fitting room of MUSLIN_OUT/web (make web) in Node and in headless Chromium.
 
-60 garments in WebAssembly against the library: equal state hashes. Then the browser: ready, three designs, a dragged
+60 garments in WebAssembly against the library: equal state hashes. The npm package, packed and installed: the command's
+hash, and its types under TypeScript. Then the browser: ready, three designs, a dragged
 slider, files (PDF by qpdf, glb by the validator where it is installed), no network, axe-core. Pictures stay in
-MUSLIN_OUT/web-tried. With `states` or `page` one part alone.
+MUSLIN_OUT/web-tried. With a word one part alone.
 """
 import json
 import os
@@ -46,6 +47,35 @@ def states():
     print(f"{'ok  ' if equal == len(pairs) else 'FAIL'} {equal} of {len(pairs)} garments have the native state hash"
           f"{'; not: ' + ', '.join(other) if other else ''}", flush=True)
     return equal == len(pairs)
+
+
+def package():
+    """The packed npm package where a stranger installs it."""
+    node, npm = hosts.need("node", "npm")
+    folder = hosts.BUILD / "npm-tried"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    packed = hosts.run(npm, "pack", "--silent", "--pack-destination", folder, cwd=hosts.BUILD / "npm").splitlines()[-1]
+    size = (folder / packed).stat().st_size
+    design, fit, spacing = hosts.SCENE
+    (folder / "package.json").write_text(json.dumps({"private": True, "type": "module"}))
+    hosts.run(npm, "install", "--no-audit", "--no-fund", "--silent", folder / packed, "typescript@5", cwd=folder)
+    (folder / "one.ts").write_text(f"""import {{ open }} from "muslin";
+const room = await open();
+room.size("{fit}");
+room.body();
+room.draft("{design}");
+const status: number = room.sew({int(spacing) / 1000});
+const mesh = room.clothMesh();
+if (status !== 0 || mesh.positions.length !== 3 / 2 * mesh.rest.length) throw new Error(`status ${{status}}`);
+console.log(room.hash);
+""")
+    hosts.run(folder / "node_modules/.bin/tsc", "--strict", "--target", "es2022", "--module", "nodenext", "--lib",
+              "es2022,dom", "one.ts", cwd=folder)
+    found = hosts.run(node, "one.js", cwd=folder)
+    good = found == hosts.by_command()
+    print(f"{'ok  ' if good else 'FAIL'} npm package, {size} bytes: types hold under tsc --strict, state {found}")
+    return good
 
 
 def pdf():
@@ -93,12 +123,13 @@ def browser():
 def main():
     if not (serve.FOLDER / "room.wasm").exists():
         sys.exit("web.py: the fitting room is not built; make web")
-    held = [] if sys.argv[1:] == ["page"] else [states()]
-    try:
-        if sys.argv[1:] != ["states"]:
-            held.append(browser())
-    except hosts.Skipped as lack:
-        print(f"skipped: {lack}")
+    parts = {"states": states, "package": package, "page": browser}
+    held = []
+    for name in sys.argv[1:] or parts:
+        try:
+            held.append(parts[name]())
+        except hosts.Skipped as lack:
+            print(f"skipped: {name}: {lack}")
     return not all(held)
 
 

@@ -101,10 +101,9 @@ class Tools:
                 _image(render([skin], 240, 480))]
 
     def designs(self, words: str = "", most: int = 20) -> dict[str, Any]:
-        """Search the named designs by words of their name, family, title and spelling ("skirt pleated")."""
-        asked = words.lower().split()
-        found = [row for row in design.designs()
-                 if all(word in " ".join(map(str, row.values())).lower() for word in asked)]
+        """Search the named designs by what a person calls them ("long sleeve tee", "skirt length=midi"), the best
+        first; without words all of them."""
+        found = design.designs(words.strip() or None)
         return {"count": len(found), "designs": [{"name": row["name"], "title": row["title"]}
                                                  for row in found[:max(0, min(most, 50))]]}
 

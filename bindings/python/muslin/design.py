@@ -16,15 +16,26 @@ if TYPE_CHECKING:
 GROUPS = {_abi.MUS_GROUP_WOMEN: "women", _abi.MUS_GROUP_MEN: "men", _abi.MUS_GROUP_CHILDREN: "children"}
 
 
-def designs() -> list[dict[str, Any]]:
-    """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children"."""
-    rows = []
-    for i in range(lib.mus_design_count()):
-        bits = lib.mus_design_groups(i)
-        rows.append({"name": lib.mus_design_name(i).decode(), "family": lib.mus_design_family(i).decode(),
-                     "title": lib.mus_design_title(i).decode(), "words": lib.mus_design_words(i).decode(),
-                     "groups": [group for bit, group in GROUPS.items() if bits & bit]})
-    return rows
+def _row(design: int) -> dict[str, Any]:
+    bits = lib.mus_design_groups(design)
+    return {"name": lib.mus_design_name(design).decode(), "family": lib.mus_design_family(design).decode(),
+            "title": lib.mus_design_title(design).decode(), "words": lib.mus_design_words(design).decode(),
+            "groups": [group for bit, group in GROUPS.items() if bits & bit]}
+
+
+def designs(phrase: str | None = None, most: int | None = None) -> list[dict[str, Any]]:
+    """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children".
+
+    phrase: what a person types ("long sleeve tee", "kids dress", "skirt length=knee"): only the designs that match, the
+    best first, with "score", 0 to 1; [] when none does. most: rows at most.
+    """
+    if phrase is None:
+        return [_row(i) for i in range(lib.mus_design_count())][:most]
+    room = lib.mus_design_count() if most is None else max(0, most)
+    found, scores, count = (ctypes.c_int32 * room)(), (ctypes.c_double * room)(), ctypes.c_int32()
+    context = Context.of_thread()
+    context.call("mus_design_search", context.handle, text(phrase), room, found, scores, ctypes.byref(count))
+    return [{**_row(found[i]), "score": scores[i]} for i in range(min(room, count.value))]
 
 
 def axes() -> dict[str, list[str]]:
@@ -45,7 +56,7 @@ def spell(words: str) -> str:
 def draft(design: str, tape: Tape | PathLike, **options: Any) -> Pattern:
     """The pattern of a design for a tape: by name ("tshirt"), or by words ("dress neck=v sleeve=puff").
 
-    A text that is no name is taken as words. tape: a Tape, or what Tape.of() takes: a path, the name of a table size.
+    A text that is no name is taken as words, with their axes or spoken ("pencil skirt midi"). tape: a Tape, or what Tape.of() takes: a path, the name of a table size.
     options: ease, length, sleeve [m] (mus_draft_def).
     """
     index = lib.mus_design_find(text(design))
@@ -54,10 +65,12 @@ def draft(design: str, tape: Tape | PathLike, **options: Any) -> Pattern:
     context = tape.context
     if index != _abi.MUS_NONE:
         function, what = "mus_design_draft", index
-    elif str(design).split(" ")[0] in axes()["garment"]:
+    elif set(str(design).split()) & set(axes()["garment"]):
         function, what = "mus_design_draft_words", text(design)
     else:
-        raise KeyError(f"no design {design!r}; muslin.designs() lists the names, muslin.axes() the words")
+        near = ", ".join(row["name"] for row in designs(str(design).replace("=", " "), 4))
+        raise KeyError(f"no design is called {design!r}; " + (f"near: {near}" if near else
+                       "muslin.designs() lists the names, muslin.axes() the words"))
     return Pattern(context=context, _handle=create(context, "pattern", function, context.handle, what, tape.handle,
                                                    ctypes.byref(definition)))
 

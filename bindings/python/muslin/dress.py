@@ -44,7 +44,7 @@ class Dressed:
         self.status = status
         self.found = bool(report.found)
         self.kept = report.kept
-        names = {number: name for name, number in _PLACES.items()}
+        names = {number: name for name, number in _PLACES.items()} | {_abi.MUS_DRESS_PLACE_RAISED: "raised"}
         self.starts = [{"kind": names[report.start_place[i]], "patient": bool(report.start_patient[i]),
                         "seconds": report.start_seconds[i], "end": lib.mus_reason_name(report.start_end[i]).decode()}
                        for i in range(report.starts)]

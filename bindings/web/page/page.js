@@ -80,6 +80,7 @@ function change(part = {}) {
 let shown = 0;
 function answer(data) {
     if (data.kind === "file") return waiting.get(data.id)?.(data.bytes);
+    if (data.kind === "found") return data.id === searched && showDesigns(data.found.map((i) => told.designs[i]));
     if (data.kind === "progress")
         return say(`${tell(data.phase ? "settling" : "sewing")} ${Math.round(100 * data.share)} %`);
     if (data.kind === "failed") {
@@ -149,11 +150,16 @@ function options(select, rows, value) {
     select.replaceChildren(...rows.map(([key, text]) => new Option(text, key, false, String(key) === String(value))));
 }
 
+// all designs, or those that the library's search finds; an answer to an older phrase is dropped
+let searched = 0;
 function listDesigns() {
-    const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = told.designs.filter((one) =>
-        words.every((part) => `${one.name} ${one.family} ${one.title}`.toLowerCase().includes(part)),
-    );
+    const phrase = $("search").value.trim();
+    searched = ++id;
+    if (phrase === "") showDesigns(told.designs);
+    else coarse.postMessage({ call: "search", phrase, id });
+}
+
+function showDesigns(found) {
     options(
         $("design"),
         found.slice(0, 200).map((one) => [one.name, one.title]),

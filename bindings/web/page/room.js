@@ -68,6 +68,13 @@ export class Room {
         }));
     }
 
+    // numbers of the designs that match a phrase, the best first; none for a phrase that is refused
+    search(phrase) {
+        this.write(phrase);
+        const count = Math.max(0, this.c.room_design_search());
+        return [...new Int32Array(this.memory.buffer, this.c.room_design_found(), count)];
+    }
+
     size(name) {
         this.write(name);
         this.check(this.c.room_size());

@@ -116,6 +116,9 @@ const calls = {
             poses: room.names("pose"),
         });
     },
+    search({ phrase, id }) {
+        postMessage({ kind: "found", id, found: room.search(phrase) });
+    },
     dress(asked) {
         wish = asked;
         work();

@@ -25,6 +25,7 @@ static mus_fit *fit;
 static mus_reason reason;
 static char *text, *bytes;
 static size_t text_room, bytes_size;
+static int32_t *found; /* designs of the last search, the best first */
 static double *normals;
 
 /* the host's: phase 0 sew, 1 settle; share done; nodes of the cut that moves and their positions. Nonzero: stop */
@@ -75,6 +76,7 @@ const char *EXPORT(room_design_name)(int32_t i) { return mus_design_name(i); }
 const char *EXPORT(room_design_title)(int32_t i) { return mus_design_title(i); }
 const char *EXPORT(room_design_family)(int32_t i) { return mus_design_family(i); }
 int32_t EXPORT(room_design_groups)(int32_t i) { return mus_design_groups(i); }
+const int32_t *EXPORT(room_design_found)(void) { return found; }
 const char *EXPORT(room_measure_name)(int32_t i) { return mus_measure_name(i); }
 
 
@@ -138,6 +140,16 @@ int32_t EXPORT(room_body_triangles)(void) { return mus_body_triangle_count(body)
 const double *EXPORT(room_body_positions)(void) { return mus_body_vertices(body); }
 const double *EXPORT(room_body_normals)(void) { return mus_body_normals(body); }
 const int32_t *EXPORT(room_body_triangle)(void) { return mus_body_triangles(body); }
+
+
+/* Searches the designs by the text. Returns how many match, -1 on an error; room_design_found() has their numbers. */
+int32_t EXPORT(room_design_search)(void)
+{
+    int32_t count = 0;
+    if (found == NULL) found = malloc((size_t)mus_design_count() * sizeof *found);
+    if (found == NULL) return -1;
+    return mus_design_search(context, text, mus_design_count(), found, NULL, &count) == MUS_OK ? count : -1;
+}
 
 
 /* ---- pattern ---- */

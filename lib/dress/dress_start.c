@@ -1,0 +1,221 @@
+/*
+ * dress_start.c: one start of mus_dress(), from cutting the cloth to rest, or to the reason why not.
+ *
+ * Settling takes most of the time of a start, so a start that is sewn is looked at first: every limb goes through its
+ * opening (mus_fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
+ * finds it afterwards, and crossings that were not drawn apart then stay. Such a start waits: mus_dress() settles it
+ * only if no other start is better.
+ *
+ * A start with raised arms is sewn round the body with horizontal arms. They are taken back to where the body has them
+ * while the cloth, which is on by then, steps in time; then it settles as any other.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drape/drape_state.h"
+#include "dress/dress_start.h"
+#include "dress/progress.h"
+#include "geom/vec.h"
+#include "muslin/fit.h"
+#include "muslin/pose.h"
+
+#define LOWER_SECONDS 1.0 /* [s] of cloth time in which arms come down; chosen: a person who lets them down */
+#define LOWER_FRAMES 60   /* parts of it, after each of which the progress function is called */
+
+
+/* the caller's progress function; remembers that it stopped the run */
+static int32_t start_progress(void *user, const mus_progress *progress)
+{
+    mus__dress *call = user;
+    if (call->stopped == 0) call->stopped = call->def.progress(call->def.progress_user, progress);
+    return call->stopped;
+}
+
+
+mus_status mus__dress_raise(const mus_body *body, mus_pose *pose, mus_body **out)
+{
+    static const int32_t shoulders[2] = {MUS_JOINT_SHOULDER_LEFT, MUS_JOINT_SHOULDER_RIGHT};
+    *out = NULL;
+    mus_pose_init(pose, sizeof *pose);
+    mus_status status = mus_body_stance(body, pose);
+    if (status != MUS_OK) return status;
+    for (int32_t i = 0; i < 2; i++) {
+        memset(pose->angle[shoulders[i]], 0, sizeof pose->angle[shoulders[i]]);
+        pose->angle[shoulders[i]][MUS_POSE_ABDUCTION] = 0.5 * MUS_PI;
+    }
+    return mus_body_pose(body, pose, out);
+}
+
+
+/* cut the cloth and put it round the body, before the first step */
+static mus_status start_cut(mus__dress *call, bool patient, mus__dress_start *start)
+{
+    const double time = mus__progress_time();
+    mus_cloth_def cut;
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.spacing = call->def.spacing;
+    cut.fabric = call->def.fabric;
+    cut.nodes_most = call->def.nodes_most;
+    mus_status status = mus_cloth_create(call->context, start->pattern, &cut, &start->cloth);
+    call->report.cut_seconds += mus__progress_time() - time;
+    if (status != MUS_OK) return status;
+    call->drape.sew_once = !patient;
+    status = mus_drape_create(call->context, start->cloth, call->body, &call->drape, &start->drape);
+    if (status == MUS_OK) status = mus_drape_place(start->drape);
+    if (status != MUS_OK || start->raised == NULL) return status;
+    mus_pose pose;
+    mus_pose_init(&pose, sizeof pose);
+    status = mus_body_stance(start->raised, &pose);
+    return status == MUS_OK ? mus_drape_pose_body(start->drape, &pose, 0.0) : status;
+}
+
+
+/* refuse a start that is faulty before anything is sewn */
+static mus_status start_look(mus__dress_start *start)
+{
+    mus_reason_init(&start->reason, sizeof start->reason);
+    const mus_status status = mus_drape_start(start->drape, &start->reason);
+    start->refused = status == MUS_OK && start->reason.kind != MUS_REASON_NONE;
+    return start->refused ? MUS_ERR_SEW : status;
+}
+
+
+/* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
+ * openings count. Cloth through the skin fails no start */
+static mus_status start_worn(const mus__dress *call, bool sewn, mus__dress_start *start)
+{
+    mus_worn worn;
+    mus_worn_init(&worn, sizeof worn);
+    if (call->body == NULL) return MUS_OK;
+    const mus_body *body = sewn && start->raised != NULL ? start->raised : call->body;
+    const mus_status status = mus_fit_worn(start->drape, start->pattern, body, &worn);
+    if (status != MUS_OK) return status;
+    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
+    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
+    mus_reason *why = &start->reason;
+    mus_reason_init(why, sizeof *why);
+    why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;
+    memcpy(why->place, worn.place, sizeof why->place);
+    memcpy(why->text, worn.text, sizeof why->text);
+    return mus__fail(call->context, MUS_ERR_UNSETTLED, "%s", worn.text);
+}
+
+
+/* MUS_ERR_TANGLED with the reason when cloth crosses cloth after sewing */
+static mus_status start_crossed(const mus__dress *call, mus__dress_start *start)
+{
+    int64_t count = 0;
+    if (!call->drape.self_contact) return MUS_OK;
+    const mus_status status = mus_drape_crossings(start->drape, 0, NULL, &count);
+    if (status != MUS_OK || count == 0) return status;
+    mus_reason *why = &start->reason;
+    mus_reason_init(why, sizeof *why);
+    why->kind = MUS_REASON_TANGLED, why->count = count < INT32_MAX ? (int32_t)count : INT32_MAX;
+    snprintf(why->text, sizeof why->text, "tangled: %lld crossings of cloth once it is sewn", (long long)count);
+    return mus__fail(call->context, MUS_ERR_TANGLED, "%s", why->text);
+}
+
+
+/* the reason why a start ended as it did, when mus_drape_start() found no fault */
+static void start_reason(mus__dress_start *start)
+{
+    mus_reason *why = &start->reason;
+    mus_reason_init(why, sizeof *why);
+    if (start->drape != NULL)
+        mus_drape_reason(start->drape, why);
+    else if (start->status == MUS_ERR_PATTERN)
+        mus_pattern_reason(start->pattern, why);
+    if (start->status == MUS_OK && why->kind == MUS_REASON_TANGLED) start->status = MUS_ERR_TANGLED;
+    if (start->status == MUS_OK)
+        why->kind = MUS_REASON_SETTLED;
+    else if (start->status == MUS_ERR_DIVERGED)
+        why->kind = MUS_REASON_UNSTABLE;
+    else if (why->kind == MUS_REASON_NONE || why->kind == MUS_REASON_SETTLED)
+        why->kind = MUS_REASON_BAD_INPUT;
+}
+
+
+/* the sentence of a failure: that of the context's error, but where the reason says more; and the reason's own. Notes
+ * the end in the report, and the time since `time` */
+static void start_note(mus__dress *call, double time, mus__dress_start *start)
+{
+    mus_reason *why = &start->reason;
+    snprintf(start->text, sizeof start->text, "%s", mus_context_error(call->context));
+    if (start->refused || start->status == MUS_ERR_TANGLED || why->kind == MUS_REASON_NOT_WORN)
+        snprintf(start->text, sizeof start->text, "%s", why->text);
+    if (start->status != MUS_OK && why->text[0] == '\0') snprintf(why->text, sizeof why->text, "%.255s", start->text);
+    call->report.start_end[start->index] = why->kind;
+    call->report.start_seconds[start->index] += mus__progress_time() - time;
+}
+
+
+void mus__dress_sew(mus__dress *call, const mus_pattern *pattern, int32_t place, bool patient, mus__dress_start *start)
+{
+    const double time = mus__progress_time();
+    start->pattern = pattern;
+    start->index = call->report.starts++;
+    call->report.start_place[start->index] = place;
+    call->report.start_patient[start->index] = patient;
+    start->status = start_cut(call, patient, start);
+    if (start->status == MUS_OK) start->status = start_look(start);
+    if (start->status == MUS_OK) {
+        const double began = mus__progress_time();
+        start->status = mus_drape_sew(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
+        call->report.sew_seconds += mus__progress_time() - began;
+    }
+    if (start->status != MUS_OK) {
+        if (!start->refused) start_reason(start);
+    } else if (!patient) {
+        start->status = start_worn(call, true, start);
+        if (start->status == MUS_OK) start->status = start_crossed(call, start);
+        start->waits = start->status == MUS_ERR_UNSETTLED || start->status == MUS_ERR_TANGLED;
+    }
+    start_note(call, time, start);
+}
+
+
+/* take the arms back to where the body has them, with the garment on */
+static mus_status start_lower(mus__dress *call, mus__dress_start *start)
+{
+    const double frame = LOWER_SECONDS / LOWER_FRAMES;
+    mus_drape *drape = start->drape;
+    mus__progress run;
+    mus_pose pose;
+    mus_pose_init(&pose, sizeof pose);
+    mus_status status = mus_body_stance(call->body, &pose);
+    if (status != MUS_OK) return status;
+    status = mus__progress_start(&run, drape, "settle", call->def.progress != NULL ? start_progress : NULL, call);
+    if (status != MUS_OK) return status;
+    status = mus_drape_pose_body(drape, &pose, LOWER_SECONDS);
+    for (int32_t k = 0; k < LOWER_FRAMES && status == MUS_OK && !run.stop; k++) {
+        const int32_t steps = (int32_t)ceil(frame / (0.9 * mus_drape_step_bound(drape)));
+        status = mus_drape_step(drape, steps, frame / steps);
+        mus__progress_report(&run, drape, (double)k / LOWER_FRAMES);
+    }
+    if (status == MUS_OK && !run.stop) status = mus_drape_pose_body(drape, &pose, 0.0);
+    return mus__progress_end(&run, drape, status, false);
+}
+
+
+void mus__dress_settle(mus__dress *call, mus__dress_start *start)
+{
+    const double time = mus__progress_time();
+    start->waits = 0;
+    start->status = start->raised != NULL ? start_lower(call, start) : MUS_OK;
+    if (start->status == MUS_OK)
+        start->status = mus_drape_settle(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
+    call->report.settle_seconds += mus__progress_time() - time;
+    start_reason(start);
+    if (start->status == MUS_OK) start->status = start_worn(call, false, start);
+    start_note(call, time, start);
+}
+
+
+void mus__dress_start_free(mus__dress_start *start)
+{
+    mus_drape_destroy(start->drape);
+    mus_cloth_destroy(start->cloth);
+    mus_body_destroy(start->raised);
+    *start = (mus__dress_start){.index = MUS_NONE};
+}

@@ -351,6 +351,45 @@ MUS_API mus_status mus_pattern_outline(const mus_pattern *pattern, int32_t panel
 MUS_API mus_status mus_pattern_rim(const mus_pattern *pattern, int32_t panel, int32_t *edges, int32_t *directions,
                                    int32_t capacity, int32_t *count);
 
+/** The closed line along which a panel is cut, with its allowances. */
+typedef struct mus_cut_line mus_cut_line;
+
+/**
+ * Make the cut line of a panel: its rim with the darts folded shut and the hems turned up, moved out by the allowance
+ * of each edge. `allowance` is that of edges without their own.
+ *
+ * A dart is two neighbouring edges that are sewn to each other and have no allowance of their own above 0. It is folded
+ * down where its mouth runs up and down the wearer, else to the wearer's middle, and cut along the edge that it lies
+ * on, so its mouth is capped. A dart inside the panel is not cut. A hem is an edge with "hem" in its label or name; the
+ * ends of its allowance lie on the cut lines of its neighbours when it is turned up. Pleats are part of their edge.
+ * Units:  allowance [m], 0 to 0.2
+ * Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline or without area), MUS_ERR_MEMORY; *out is NULL then
+ * Memory: *out is the caller's: mus_cut_line_destroy(); it does not refer to the pattern
+ * Cost:   curves are chords within 0.01 mm; n log n for n chords
+ * Source: Aldrich, Metric Pattern Cutting for Women's Wear, 2008; Wein, Exact and approximate construction of offset
+ *         polygons, 2007
+ */
+MUS_API mus_status mus_pattern_cut_line(const mus_pattern *pattern, int32_t panel, double allowance,
+                                        mus_cut_line **out);
+
+/** Free a cut line; NULL is accepted. */
+MUS_API void mus_cut_line_destroy(mus_cut_line *line);
+
+/** Number of closed loops: the outer one, then the holes that wide allowances leave in a narrow bay. 0 for NULL. */
+MUS_API int32_t mus_cut_line_loop_count(const mus_cut_line *line);
+
+/** A loop of a cut line: xy (*n x 2) in the plane of the panel [m], closed from the last point to the first; the outer
+ * one runs as the outline does, a hole against it. Borrowed until the line is destroyed; any out may be NULL. Errors:
+ * MUS_ERR_ARG. */
+MUS_API mus_status mus_cut_line_loop(const mus_cut_line *line, int32_t loop, int32_t *n, const double **xy);
+
+/** Number of darts that the cut line runs across. 0 for NULL. */
+MUS_API int32_t mus_cut_line_dart_count(const mus_cut_line *line);
+
+/** A dart that the cut line runs across: out (4 x 2) gets the first end of its mouth, its point, the second end of its
+ * mouth, and the end of the fold between the legs on the capped mouth, without allowance [m]. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_cut_line_dart(const mus_cut_line *line, int32_t dart, double *out);
+
 /** Direction of the warp of a panel: out (2), a unit vector. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
 

@@ -6,22 +6,12 @@
 
 #include "print/drawing.h"
 
-/* ---- offset (polygon_offset.c) ---- */
-
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {
-    int32_t nloop;
-    int32_t n;
+    int32_t nloop, n;
     int32_t *start; /* (nloop + 1) */
     double *xy;     /* (n x 2) */
 } mus__loops;
-
-void mus__loops_free(mus_context *context, mus__loops *loops);
-/* offset a simple counter-clockwise polygon outwards: side i (from point i to the next) by width[i] >= 0 [m]. hem (n)
- * tells which sides are hems, or is NULL; the allowance beside a hem is reflected in it. With all widths 0 the result
- * is the polygon itself */
-mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const double *width,
-                       const unsigned char *hem, mus__loops *out);
 
 /* ---- a piece (piece_outline.c) ---- */
 
@@ -52,6 +42,8 @@ typedef struct mus__piece {
     double *flat;     /* (nflat x 2) the outline as chords, on the sheet */
     int32_t *flat_side; /* (nflat) side of the chord from point i */
     mus__loops cut;   /* cut line, on the sheet */
+    int32_t ndart;
+    double *darts;    /* (ndart x 4 x 2) on the sheet: first end of the mouth, point, second end, end of the fold */
     double box[4];    /* low x, low y, high x, high y of the cut line [m] */
 } mus__piece;
 

@@ -37,9 +37,9 @@ static void marks_cut(mus__drawing *out, const mus__piece *piece, int32_t index)
     double widest = 0.0;
     for (int32_t i = 0; i < piece->nside; i++) widest = piece->sides[i].width > widest ? piece->sides[i].width : widest;
 
-    /* without any allowance the cut line is the sew line with its curves */
+    /* without any allowance and dart the cut line is the sew line with its curves */
     mus__draw_path(out, index, MUS__LAYER_CUT, MUS__PEN_CUT);
-    if (widest == 0.0) {
+    if (widest == 0.0 && piece->ndart == 0) {
         marks_spans(out, piece, 0, piece->nspan - 1);
         mus__draw_close(out);
         return;

@@ -52,7 +52,9 @@ void mus__piece_free(mus_context *context, mus__piece *piece)
     mus__print_free(context, piece->spans);
     mus__print_free(context, piece->flat);
     mus__print_free(context, piece->flat_side);
-    mus__loops_free(context, &piece->cut);
+    mus__print_free(context, piece->cut.start);
+    mus__print_free(context, piece->cut.xy);
+    mus__print_free(context, piece->darts);
     memset(piece, 0, sizeof *piece);
 }
 
@@ -68,6 +70,7 @@ void mus__piece_move(mus__piece *piece, double x, double y)
             for (int32_t j = 0; j < 4; j++) piece->spans[i].p[2 * j + k] += by[k];
         for (int32_t i = 0; i < piece->nflat; i++) piece->flat[2 * i + k] += by[k];
         for (int32_t i = 0; i < piece->cut.n; i++) piece->cut.xy[2 * i + k] += by[k];
+        for (int32_t i = 0; i < 4 * piece->ndart; i++) piece->darts[2 * i + k] += by[k];
     }
 }
 
@@ -252,20 +255,43 @@ static mus_status piece_turn(const mus_pattern *pattern, mus__piece *piece)
 }
 
 
-static mus_status piece_cut(mus_context *context, mus__piece *piece)
+/* copy the loops and darts of a cut line to the sheet */
+static mus_status piece_take_cut(mus_context *context, const mus_cut_line *line, mus__piece *piece)
 {
-    double *width = mus__print_new(context, piece->nflat, sizeof *width);
-    unsigned char *hem = mus__print_new(context, piece->nflat, 1);
-    mus_status status = MUS_OK;
-    if (width == NULL || hem == NULL) status = mus__print_memory(context, "an allowance");
-    for (int32_t i = 0; i < piece->nflat && status == MUS_OK; i++) {
-        const mus__side *side = &piece->sides[piece->flat_side[i]];
-        width[i] = side->width;
-        hem[i] = side->hem;
+    mus__loops *cut = &piece->cut;
+    const int32_t nloop = mus_cut_line_loop_count(line);
+    int32_t n = 0, count;
+    const double *xy;
+    for (int32_t i = 0; i < nloop; i++)
+        if (mus_cut_line_loop(line, i, &count, NULL) == MUS_OK) n += count;
+    piece->ndart = mus_cut_line_dart_count(line);
+    cut->start = mus__print_new(context, (int64_t)nloop + 1, sizeof *cut->start);
+    cut->xy = mus__print_new(context, n, 2 * sizeof *cut->xy);
+    piece->darts = mus__print_new(context, (int64_t)piece->ndart + 1, 8 * sizeof *piece->darts);
+    if (cut->start == NULL || cut->xy == NULL || piece->darts == NULL) return mus__print_memory(context, "a cut line");
+
+    for (int32_t i = 0; i < nloop; i++) {
+        mus_cut_line_loop(line, i, &count, &xy);
+        for (int32_t k = 0; k < count; k++)
+            mus__piece_point(piece, xy + 2 * k, cut->xy + 2 * cut->n++);
+        cut->start[++cut->nloop] = cut->n;
     }
-    if (status == MUS_OK) status = mus__offset(context, piece->nflat, piece->flat, width, hem, &piece->cut);
-    mus__print_free(context, width);
-    mus__print_free(context, hem);
+    for (int32_t i = 0; i < piece->ndart; i++) {
+        double *dart = piece->darts + 8 * i;
+        mus_cut_line_dart(line, i, dart);
+        for (int32_t k = 0; k < 4; k++) mus__piece_point(piece, dart + 2 * k, dart + 2 * k);
+    }
+    return MUS_OK;
+}
+
+
+static mus_status piece_cut(mus_context *context, const mus_pattern *pattern, double allowance, mus__piece *piece)
+{
+    mus_cut_line *line;
+    mus_status status = mus_pattern_cut_line(pattern, piece->panel, allowance, &line);
+    if (status != MUS_OK) return mus__file_fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
+    status = piece_take_cut(context, line, piece);
+    mus_cut_line_destroy(line);
     return status;
 }
 
@@ -307,7 +333,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     piece->nspan = spans.n;
     if (status == MUS_OK) status = piece_flatten(context, piece);
     if (status == MUS_OK) status = piece_turn(pattern, piece);
-    if (status == MUS_OK) status = piece_cut(context, piece);
+    if (status == MUS_OK) status = piece_cut(context, pattern, allowance, piece);
     if (status != MUS_OK) return status;
 
     /* move the low corner of the cut line's box to the origin */

@@ -68,6 +68,13 @@ static mus_status call_set_edge_allowance(const sample *s, int32_t k, double bad
 }
 
 
+static mus_status call_cut_line(const sample *s, int32_t k, double bad)
+{
+    mus_cut_line *out;
+    return k >= 1 ? MUS_NONE : mus_pattern_cut_line(s->pattern, 0, bad, &out);
+}
+
+
 static mus_status call_add_notch(const sample *s, int32_t k, double bad)
 {
     int32_t out;
@@ -168,6 +175,7 @@ static const struct {
     {"mus_pattern_add_edge", call_add_edge},
     {"mus_pattern_add_notch", call_add_notch},
     {"mus_pattern_set_edge_allowance", call_set_edge_allowance},
+    {"mus_pattern_cut_line", call_cut_line},
     {"mus_pattern_set_edge_hold", call_set_edge_hold},
     {"mus_pattern_hold_label", call_hold_label},
     {"mus_pattern_set_edge_elastic", call_set_edge_elastic},

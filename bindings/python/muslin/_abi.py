@@ -293,6 +293,10 @@ class mus_pattern(Structure):
     pass
 
 
+class mus_cut_line(Structure):
+    pass
+
+
 class mus_faults(Structure):
     pass
 
@@ -762,6 +766,14 @@ FUNCTIONS = {
                                               POINTER(POINTER(c_int32)), POINTER(POINTER(c_int32))]),
     "mus_pattern_rim": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32),
                                           c_int32, POINTER(c_int32)]),
+    "mus_pattern_cut_line": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double,
+                                               POINTER(POINTER(mus_cut_line))]),
+    "mus_cut_line_destroy": ("core", None, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_loop": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_int32),
+                                            POINTER(POINTER(c_double))]),
+    "mus_cut_line_dart_count": ("core", c_int32, [POINTER(mus_cut_line)]),
+    "mus_cut_line_dart": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_double)]),
     "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
     "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
     "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
@@ -1033,6 +1045,8 @@ FUNCTIONS = {
     "mus_pattern_dxf_init": ("exchange", None, [POINTER(mus_pattern_dxf), c_size_t]),
     "mus_pattern_read_dxf": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_dxf),
                                                    POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_propose_seams": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_int32), POINTER(c_int32),
+                                                        POINTER(c_double), c_int32, POINTER(c_int32)]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),

@@ -88,6 +88,15 @@ class Pattern(Topology, Edits, Valued):
         """The bytes that write_garmentcode() would write."""
         return taken_bytes(self.context, "mus_pattern_write_garmentcode_bytes", self.handle)
 
+    def propose_seams(self) -> list[tuple[int, int, bool, float]]:
+        """Seams for a pattern without: (edge a, edge b, in the best sewing?, confidence 0 to 1), the surest first; then
+        second choices. Seams that the pattern has are kept and not listed."""
+        room = 2 * self.edge_count
+        edges, chosen, sure = (ctypes.c_int32 * (2 * room))(), (ctypes.c_int32 * room)(), (ctypes.c_double * room)()
+        n = ctypes.c_int32()
+        self.do("propose_seams", edges, chosen, sure, room, ctypes.byref(n))
+        return [(edges[2 * i], edges[2 * i + 1], bool(chosen[i]), sure[i]) for i in range(n.value)]
+
     def copy(self) -> Pattern:
         return Pattern(context=self.context,
                        _handle=create(self.context, "pattern", "mus_pattern_copy", self.handle))
@@ -258,6 +267,23 @@ class Pattern(Topology, Edits, Valued):
         edges, signs, n = (ctypes.c_int32 * room)(), (ctypes.c_int32 * room)(), ctypes.c_int32()
         self.do("rim", panel, edges, signs, room, ctypes.byref(n))
         return list(zip(edges[:n.value], signs[:n.value]))
+
+    def cut_line(self, panel: int, allowance: float = 0.01) -> tuple[list[Array], list[list[tuple[float, float]]]]:
+        """(loops, darts) of what is cut, with allowances [m]: closed loops (n x 2), the outer one first; of each dart that
+        the line runs across: first end of its mouth, its point, second end, end of the fold."""
+        line, n, xy = ctypes.POINTER(_abi.mus_cut_line)(), ctypes.c_int32(), ctypes.POINTER(ctypes.c_double)()
+        self.do("cut_line", panel, allowance, ctypes.byref(line))
+        try:
+            loops, darts, four = [], [], (ctypes.c_double * 8)()
+            for loop in range(lib.mus_cut_line_loop_count(line)):
+                self.context.call("mus_cut_line_loop", line, loop, ctypes.byref(n), ctypes.byref(xy))
+                loops.append(result((ctypes.c_double * (2 * n.value))(*xy[:2 * n.value]), 2))
+            for dart in range(lib.mus_cut_line_dart_count(line)):
+                self.context.call("mus_cut_line_dart", line, dart, four)
+                darts.append([(four[k], four[k + 1]) for k in range(0, 8, 2)])
+            return loops, darts
+        finally:
+            lib.mus_cut_line_destroy(line)
 
     def panel(self, name: str) -> int:
         """Number of a panel by name; KeyError."""

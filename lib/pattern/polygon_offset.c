@@ -6,8 +6,8 @@
  * 1. A raw closed path: the sides moved out along their normals, joined at the corners. A corner that turns outwards
  *    gets a mitre (limit 2.5), or is cut off at one width beyond a sharp point; a corner that turns inwards is trimmed
  *    where the moved sides meet, or, when they are too short for that, joined through the corner itself. A wide
- *    allowance beside a narrow one that cannot be mitred ends square to its seam. At a hem the allowance of the
- *    neighbour is reflected in the hem line, so that it lies flush when the hem is turned up.
+ *    allowance beside a narrow one that cannot be mitred ends square to its seam. Sides that are given are part of the
+ *    cut line already (the ends of a hem): the moved side before them is joined straight to their second point.
  *
  *        A ----- M        A, B: ends of the moved sides, M: the mitre, V: the corner
  *        |       |        A = V + w1 n1, B = V + w2 n2, M = A + a d1 = B - b d2 with, t the turn from d1 to d2,
@@ -31,12 +31,11 @@
 #include <string.h>
 
 #include "base/sort.h"
-#include "print/piece.h"
+#include "pattern/polygon_offset.h"
 
 #define MITRE_LIMIT 2.5  /* longest mitre over the wider allowance; a longer one is cut off. Chosen */
 #define JITTER 1e-8      /* [m] largest move of a point; chosen: far above rounding (1e-15), far below 0.1 mm */
 #define LOOP_AREA 1e-5   /* [m2] least area of a hole that is kept; chosen: a tenth of a cm2, less is of no use */
-#define HEM_TURN 0.61    /* largest |cosine| of a hem's corner that is reflected: within 38 degrees of square. Chosen */
 
 typedef struct raw_path {
     mus_context *context;
@@ -57,7 +56,7 @@ typedef struct strand {
 static void raw_add(raw_path *raw, double x, double y)
 {
     if (raw->status != MUS_OK) return;
-    raw->status = mus__print_reserve(raw->context, &raw->xy, &raw->room, 2 * (int64_t)raw->n + 2, sizeof *raw->xy);
+    raw->status = mus__reserve(raw->context, &raw->xy, &raw->room, 2 * (int64_t)raw->n + 2, sizeof *raw->xy);
     if (raw->status != MUS_OK) return;
     raw->xy[2 * raw->n] = x;
     raw->xy[2 * raw->n + 1] = y;
@@ -126,33 +125,10 @@ static void corner_inner(raw_path *raw, const corner *c)
 }
 
 
-/*
- * The corner of a hem: from X, where the neighbour's cut line meets the hem line, along the mirror image of that cut
- * line to Y on the hem's cut line. X is w / sin t from the corner; Y lies (w + h cos t) / sin t outside.
- * False, and nothing added, when the sides are too short.
- */
-static bool corner_hem(raw_path *raw, const corner *c, bool hem_first)
+static void raw_corner(raw_path *raw, const corner *c, bool given_one, bool given_two)
 {
-    double w = hem_first ? c->w2 : c->w1, h = hem_first ? c->w1 : c->w2;
-    double hem_length = hem_first ? c->l1 : c->l2, side_length = hem_first ? c->l2 : c->l1;
-    double x = w / c->sine, y = (w + h * c->cosine) / c->sine, trim = w * c->cosine / c->sine;
-    if (fabs(c->cosine) > HEM_TURN || c->sine <= 0.0 || h <= w) return false;
-    if (-y > 0.5 * hem_length || trim > 0.5 * side_length) return false;
-    if (hem_first) {
-        corner_point(raw, c, c->d1, y, h);
-        corner_point(raw, c, c->d1, x, 0.0);
-    } else {
-        corner_point(raw, c, c->d2, -x, 0.0);
-        corner_point(raw, c, c->d2, -y, h);
-    }
-    return true;
-}
-
-
-static void raw_corner(raw_path *raw, const corner *c, bool hem_one, bool hem_two)
-{
-    if (hem_one != hem_two && corner_hem(raw, c, hem_one)) return;
-    if (c->sine > 1e-9) corner_outer(raw, c);
+    if (given_one || given_two) corner_point(raw, c, given_two ? c->d1 : c->d2, 0.0, given_two ? c->w1 : c->w2);
+    else if (c->sine > 1e-9) corner_outer(raw, c);
     else if (c->sine < -1e-9) corner_inner(raw, c);
     else {
         /* straight on, or straight back */
@@ -173,7 +149,7 @@ static double offset_jitter(uint32_t index)
 }
 
 
-static void raw_build(raw_path *raw, int32_t n, const double *xy, const double *width, const unsigned char *hem)
+static void raw_build(raw_path *raw, int32_t n, const double *xy, const double *width, const unsigned char *given)
 {
     for (int32_t i = 0; i < n && raw->status == MUS_OK; i++) {
         int32_t before = (i + n - 1) % n, after = (i + 1) % n;
@@ -191,7 +167,7 @@ static void raw_build(raw_path *raw, int32_t n, const double *xy, const double *
         }
         c.sine = c.d1[0] * c.d2[1] - c.d1[1] * c.d2[0];
         c.cosine = c.d1[0] * c.d2[0] + c.d1[1] * c.d2[1];
-        raw_corner(raw, &c, hem != NULL && hem[before], hem != NULL && hem[i]);
+        raw_corner(raw, &c, given != NULL && given[before], given != NULL && given[i]);
     }
     for (int32_t i = 0; i < 2 * raw->n; i++) raw->xy[i] += JITTER * offset_jitter((uint32_t)i);
 }
@@ -239,7 +215,7 @@ typedef struct strands {
 
 static mus_status strands_add(mus_context *context, strands *all, int32_t side, double t, int32_t partner)
 {
-    mus_status status = mus__print_reserve(context, &all->list, &all->room, (int64_t)all->n + 1, sizeof *all->list);
+    mus_status status = mus__reserve(context, &all->list, &all->room, (int64_t)all->n + 1, sizeof *all->list);
     if (status == MUS_OK) all->list[all->n++] = (strand){side, partner, t};
     return status;
 }
@@ -248,8 +224,8 @@ static mus_status strands_add(mus_context *context, strands *all, int32_t side, 
 /* find all strands: one from each corner, two from each crossing; partner is an index into this unsorted list */
 static mus_status strands_find(mus_context *context, int32_t n, const double *xy, strands *all)
 {
-    swept *order = mus__print_new(context, n, sizeof *order);
-    if (order == NULL) return mus__print_memory(context, "the sides of a cut line");
+    swept *order = mus__new(context, n, sizeof *order);
+    if (order == NULL) return mus__fail_memory(context, "the sides of a cut line");
     for (int32_t i = 0; i < n; i++) {
         double a = xy[2 * i], b = xy[2 * ((i + 1) % n)];
         order[i] = (swept){a < b ? a : b, a < b ? b : a, i};
@@ -267,7 +243,7 @@ static mus_status strands_find(mus_context *context, int32_t n, const double *xy
             if (status == MUS_OK) status = strands_add(context, all, j, u, all->n - 1);
         }
     }
-    mus__print_free(context, order);
+    mus__free(context, order);
     return status;
 }
 
@@ -291,8 +267,8 @@ static int ranked_compare(const void *left, const void *right)
 /* sort the strands along the path and renumber the partners */
 static mus_status strands_sort(mus_context *context, strands *all)
 {
-    ranked *order = mus__print_new(context, all->n, sizeof *order);
-    int32_t *place = mus__print_new(context, all->n, sizeof *place);
+    ranked *order = mus__new(context, all->n, sizeof *order);
+    int32_t *place = mus__new(context, all->n, sizeof *place);
     if (order != NULL && place != NULL) {
         for (int32_t i = 0; i < all->n; i++) order[i] = (ranked){all->list[i], i};
         mus__sort(order, (size_t)all->n, sizeof *order, ranked_compare);
@@ -302,9 +278,9 @@ static mus_status strands_sort(mus_context *context, strands *all)
             if (all->list[i].partner != MUS_NONE) all->list[i].partner = place[all->list[i].partner];
         }
     }
-    mus_status status = order == NULL || place == NULL ? mus__print_memory(context, "crossings of a cut line") : MUS_OK;
-    mus__print_free(context, order);
-    mus__print_free(context, place);
+    mus_status status = order == NULL || place == NULL ? mus__fail_memory(context, "crossings of a cut line") : MUS_OK;
+    mus__free(context, order);
+    mus__free(context, place);
     return status;
 }
 
@@ -388,14 +364,14 @@ static int32_t loop_outside(int32_t n, const double *xy, const strands *all, int
 
 
 /* keep the loops between winding numbers 0 and 1: the outer loop, then the holes */
-static mus_status loops_collect(mus_context *context, const raw_path *raw, const strands *all, mus__loops *out)
+static mus_status loops_collect(mus_context *context, const raw_path *raw, const strands *all, mus__cut_loops *out)
 {
-    unsigned char *seen = mus__print_new(context, all->n, 1);
-    out->xy = mus__print_new(context, all->n, 2 * sizeof *out->xy);
-    out->start = mus__print_new(context, (int64_t)all->n + 1, sizeof *out->start);
+    unsigned char *seen = mus__new(context, all->n, 1);
+    out->xy = mus__new(context, all->n, 2 * sizeof *out->xy);
+    out->start = mus__new(context, (int64_t)all->n + 1, sizeof *out->start);
     if (seen == NULL || out->xy == NULL || out->start == NULL) {
-        mus__print_free(context, seen);
-        return mus__print_memory(context, "a cut line");
+        mus__free(context, seen);
+        return mus__fail_memory(context, "a cut line");
     }
     /* the outer loop passes the lowest corner; it comes first, then the holes */
     int32_t lowest = 0, count;
@@ -412,21 +388,21 @@ static mus_status loops_collect(mus_context *context, const raw_path *raw, const
         out->n += count;
     }
     out->start[out->nloop] = out->n;
-    mus__print_free(context, seen);
+    mus__free(context, seen);
     return MUS_OK;
 }
 
 
-void mus__loops_free(mus_context *context, mus__loops *loops)
+void mus__cut_loops_free(mus_context *context, mus__cut_loops *loops)
 {
-    mus__print_free(context, loops->start);
-    mus__print_free(context, loops->xy);
+    mus__free(context, loops->start);
+    mus__free(context, loops->xy);
     memset(loops, 0, sizeof *loops);
 }
 
 
 mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const double *width,
-                       const unsigned char *hem, mus__loops *out)
+                       const unsigned char *given, mus__cut_loops *out)
 {
     raw_path raw = {.context = context};
     strands all = {0, 0, NULL};
@@ -436,23 +412,23 @@ mus_status mus__offset(mus_context *context, int32_t n, const double *xy, const 
     for (int32_t i = 0; i < n; i++) widest = width[i] > widest ? width[i] : widest;
     mus_status status = MUS_OK;
     if (widest > 0.0) {
-        raw_build(&raw, n, xy, width, hem);
+        raw_build(&raw, n, xy, width, given);
         status = raw.status;
         if (status == MUS_OK) status = strands_find(context, raw.n, raw.xy, &all);
         if (status == MUS_OK) status = strands_sort(context, &all);
         if (status == MUS_OK) status = loops_collect(context, &raw, &all, out);
     } else {
         /* all widths are 0: the polygon itself, unmoved */
-        out->xy = mus__print_new(context, n, 2 * sizeof *out->xy);
-        out->start = mus__print_new(context, 2, sizeof *out->start);
-        if (out->xy == NULL || out->start == NULL) status = mus__print_memory(context, "a cut line");
+        out->xy = mus__new(context, n, 2 * sizeof *out->xy);
+        out->start = mus__new(context, 2, sizeof *out->start);
+        if (out->xy == NULL || out->start == NULL) status = mus__fail_memory(context, "a cut line");
         else memcpy(out->xy, xy, 2 * (size_t)n * sizeof *out->xy);
         out->n = n;
         out->nloop = 1;
         if (out->start != NULL) out->start[1] = n;
     }
-    mus__print_free(context, raw.xy);
-    mus__print_free(context, all.list);
-    if (status != MUS_OK) mus__loops_free(context, out);
+    mus__free(context, raw.xy);
+    mus__free(context, all.list);
+    if (status != MUS_OK) mus__cut_loops_free(context, out);
     return status;
 }

@@ -1,0 +1,541 @@
+"""paper.py: named designs as printed paper, judged from outside.
+
+Each design is drafted to a pattern file and printed on a roll; this program reads both with code of its own (the JSON of
+the file, the content stream of the PDF) and shares nothing with the library. It asks of each piece:
+
+    place    the paper is the pattern: a rigid motion takes each edge of the file to its sew line on the paper
+    inside   the cut line encloses every sew line
+    mouth    the cut line never runs further into a dart than the allowance beside it
+    fold     a dart folded shut: its cut edges lie on each other, layer on layer
+    fair     a dart folded shut: step and angle between the sew edges on both sides of its mouth
+    turn     a hem turned up: its ends lie on the cut lines of its neighbours
+    seam     both edges of a seam are as long as each other, but for the ease that the seam says
+    notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
+
+    python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2]
+
+Limits are beside the checks. Exit 1 when one is passed. Needs no package.
+"""
+import argparse
+import concurrent.futures
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import zlib
+
+MM = 25.4 / 72.0
+LIMITS = {  # [mm], angles [degrees]
+    "place": 0.05,   # cairo writes three decimals of a point, and edges end at corners
+    "inside": 0.05,  # a sew line without allowance lies on the cut line
+    "mouth": 0.1,    # beyond the allowance
+    "fold": 0.15,    # two layers of paper
+    "fair": 0.5,     # step in the sewn edge
+    "angle": 20.0,   # corner in the sewn edge: the drafts, not the paper, decide it
+    "turn": 0.15,
+    "seam": 0.5,     # the check of the library allows as much
+    "notch": 1.0,
+}
+CUT, SEW, NOTCH = (0.5, ()), (0.25, (3.0, 1.5)), (0.4, ())  # pens: width and dashes [mm]
+TOKEN = re.compile(rb"\[[^\]]*\]|/?[A-Za-z'\"*]+[0-9]*|-?[0-9.]+|<[^>]*>|\((?:\\.|[^\\)])*\)")
+
+
+# ---- the PDF: objects, pages, strokes ----
+
+def pdf_pages(path):
+    """Pages in order: (height in points, content stream)."""
+    data = pathlib.Path(path).read_bytes()
+    objects = {int(m[1]): m[2] for m in re.finditer(rb"(?:^|\n)(\d+) 0 obj\s(.*?)\nendobj", data, re.S)}
+    pages = []
+    for body in objects.values():
+        if not re.search(rb"/Type\s*/Page\b(?!s)", body):
+            continue
+        box = [float(x) for x in re.search(rb"/MediaBox\s*\[([^\]]*)\]", body)[1].split()]
+        content = objects[int(re.search(rb"/Contents\s+(\d+)", body)[1])]
+        head, stream = re.split(rb"stream\r?\n", content, maxsplit=1)
+        stream = stream[:stream.rindex(b"endstream")]
+        pages.append((box[3], zlib.decompressobj().decompress(stream) if b"FlateDecode" in head else stream))
+    return pages
+
+
+def strokes(page):
+    """Stroked paths of a page: (pen, [(closed, points)]) with points in mm, y up; curves as 32 chords."""
+    _, stream = page
+    state, stack, found, parts, numbers = {"w": 0.0, "d": (), "m": (1, 0, 0, 1, 0, 0)}, [], [], [], []
+
+    def place(x, y):
+        a, b, c, d, e, f = state["m"]
+        return (MM * (a * x + c * y + e), MM * (b * x + d * y + f))
+
+    for token in TOKEN.findall(stream):
+        first = token[:1]
+        if first in b"-.0123456789":
+            numbers.append(float(token))
+            continue
+        if first == b"[":
+            numbers.append(tuple(float(x) for x in token[1:-1].split()))
+            continue
+        n = [x for x in numbers]
+        if token == b"q":
+            stack.append(dict(state))
+        elif token == b"Q":
+            state = stack.pop()
+        elif token == b"cm":
+            a, b, c, d, e, f = n[-6:]
+            p, q, r, s, t, u = state["m"]
+            state["m"] = (a * p + b * r, a * q + b * s, c * p + d * r, c * q + d * s, e * p + f * r + t, e * q + f * s + u)
+        elif token == b"w":
+            state["w"] = n[-1]
+        elif token == b"d":
+            state["d"] = n[-2]
+        elif token == b"m":
+            parts.append([False, [place(*n[-2:])]])
+        elif token == b"l":
+            parts[-1][1].append(place(*n[-2:]))
+        elif token == b"c":
+            p = [parts[-1][1][-1]] + [place(n[i], n[i + 1]) for i in (-6, -4, -2)]
+            for k in range(1, 33):
+                t = k / 32.0
+                w = ((1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t * t, t ** 3)
+                parts[-1][1].append(tuple(sum(w[i] * p[i][d] for i in range(4)) for d in (0, 1)))
+        elif token == b"re":
+            x, y, w, h = n[-4:]
+            parts.append([True, [place(x, y), place(x + w, y), place(x + w, y + h), place(x, y + h)]])
+        elif token == b"h":
+            parts[-1][0] = True
+        elif token in (b"S", b"s"):
+            pen = (round(MM * state["w"], 3), tuple(round(MM * x, 2) for x in state["d"]))
+            found.append((pen, [(closed, points) for closed, points in parts if len(points) > 1]))
+            parts = []
+        elif token in (b"f", b"f*", b"n", b"B"):
+            parts = []
+        numbers = []
+    return found
+
+
+def paper_pieces(path, tiles):
+    """Pieces in order: {"cut": [loops], "sew": [polylines], "slits": [(outer, inner)]} in mm on the sheet. `tiles`: (page,
+    x, y, height) of each page that shows a part of it. A path that touches a page is on it whole."""
+    pieces, pages, seen = {}, pdf_pages(path), set()
+    for page, x, y, _ in tiles:
+        piece = None
+        for pen, parts in strokes(pages[page]):
+            parts = [(closed, [(p[0] + x, p[1] + y) for p in points]) for closed, points in parts]
+            key = (pen, tuple((round(p[0], 1), round(p[1], 1)) for _, points in parts for p in points[::5]))
+            if pen == CUT and parts and all(closed for closed, _ in parts):
+                corner = tuple(round(5.0 * min(p[d] for p in parts[0][1])) for d in (0, 1))
+                piece = pieces.setdefault(corner, {"cut": [points for _, points in parts], "sew": [], "slits": []})
+            elif piece is not None and (corner, key) not in seen and pen in (SEW, NOTCH):
+                for _, points in parts:
+                    if pen == NOTCH:
+                        if all(math.dist(points[0], old[0]) > 0.05 for old in piece["slits"]):
+                            piece["slits"].append((points[0], points[-1]))
+                    elif all(math.dist(points[k], old[k]) > 0.05 for old in piece["sew"] for k in (0, -1)) or \
+                            all(math.dist(points[0], old[0]) + math.dist(points[-1], old[-1]) > 0.1
+                                for old in piece["sew"]):
+                        piece["sew"].append(points)
+            seen.add((piece and corner, key))
+    return list(pieces.values())
+
+
+def in_order(sew, lengths):
+    """The sew lines of a piece as a ring, from the edge whose lengths match."""
+    ring, rest = [sew[0]], list(sew[1:])
+    while rest:
+        near = min(rest, key=lambda line: math.dist(line[0], ring[-1][-1]))
+        if math.dist(near[0], ring[-1][-1]) > 0.1:
+            return sew
+        ring.append(near)
+        rest.remove(near)
+    own = [length(line) for line in ring]
+    turns = range(len(ring))
+    best = min(turns, key=lambda k: (round(max(abs(own[(i + k) % len(own)] - lengths[i]) for i in turns), 1), k))
+    return ring[best:] + ring[:best]
+
+
+# ---- the pattern file ----
+
+def edge_points(pattern, index):
+    """An edge as points [mm], curves as 64 chords."""
+    edge = pattern["edges"][index]
+    start, end = (tuple(1000.0 * x for x in pattern["points"][edge[k]]["at"]) for k in ("start", "end"))
+    pieces = edge.get("pieces") or [{"kind": "line"}]
+    out, at = [start], start
+    for k, piece in enumerate(pieces):
+        controls = [tuple(1000.0 * x for x in p) for p in piece.get("controls", [])]
+        to = tuple(1000.0 * x for x in piece["end"]) if "end" in piece else end
+        p = [at, *controls, to]
+        if piece["kind"] == "arc":
+            out += arc_points(*p)
+        else:
+            n = 1 if len(p) == 2 else 64
+            for i in range(1, n + 1):
+                t, q = i / n, p
+                while len(q) > 1:
+                    q = [tuple((1 - t) * a + t * b for a, b in zip(u, v)) for u, v in zip(q, q[1:])]
+                out.append(q[0])
+        at = to
+    return out
+
+
+def arc_points(s, m, e):
+    ax, ay, bx, by = m[0] - s[0], m[1] - s[1], e[0] - s[0], e[1] - s[1]
+    cross = 2.0 * (ax * by - ay * bx)
+    if abs(cross) < 1e-9:
+        return [m, e]
+    aa, bb = ax * ax + ay * ay, bx * bx + by * by
+    cx, cy = s[0] + (by * aa - ay * bb) / cross, s[1] + (ax * bb - bx * aa) / cross
+    r, f, g = math.hypot(s[0] - cx, s[1] - cy), math.atan2(s[1] - cy, s[0] - cx), math.atan2(e[1] - cy, e[0] - cx)
+    sweep = (g - f) % (2 * math.pi) if cross > 0 else -((f - g) % (2 * math.pi))
+    return [(cx + r * math.cos(f + sweep * k / 64), cy + r * math.sin(f + sweep * k / 64)) for k in range(1, 65)]
+
+
+def length(points):
+    return sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+
+
+def rim(outline):
+    """The outline without lines inside the panel: an edge that is followed by itself backwards is taken out."""
+    word = [tuple(step) for step in outline]
+    changed = True
+    while changed and word:
+        changed = False
+        for i in range(len(word)):
+            a, b = word[i], word[(i + 1) % len(word)]
+            if len(word) > 1 and a[0] == b[0] and a[1] != b[1]:
+                word = [w for k, w in enumerate(word) if k not in (i, (i + 1) % len(word))]
+                changed = True
+                break
+    return word
+
+
+def seams_of(pattern):
+    of = {}
+    for seam in pattern["seams"]:
+        for edge in (seam["a"], seam["b"]):
+            of.setdefault(edge, []).append(seam)
+    return of
+
+
+# ---- plane geometry ----
+
+def rigid(source, target):
+    """The rigid motion, with or without a mirror, that takes points to points best: (map, worst distance)."""
+    best = None
+    n = len(source)
+    sx, sy = sum(p[0] for p in source) / n, sum(p[1] for p in source) / n
+    tx, ty = sum(p[0] for p in target) / n, sum(p[1] for p in target) / n
+    for flip in (1.0, -1.0):
+        c = s = 0.0
+        for p, q in zip(source, target):
+            x, y, u, v = flip * (p[0] - sx), p[1] - sy, q[0] - tx, q[1] - ty
+            c += x * u + y * v
+            s += x * v - y * u
+        h = math.hypot(c, s) or 1.0
+        c, s = c / h, s / h
+
+        def move(p, c=c, s=s, flip=flip):
+            x, y = flip * (p[0] - sx), p[1] - sy
+            return (c * x - s * y + tx, s * x + c * y + ty)
+        worst = max(math.dist(move(p), q) for p, q in zip(source, target))
+        if best is None or worst < best[1]:
+            best = (move, worst)
+    return best
+
+
+def to_line(p, points, closed=True):
+    """Distance of p to a polyline."""
+    best = 1e9
+    ring = points + points[:1] if closed else points
+    for a, b in zip(ring, ring[1:]):
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        d = dx * dx + dy * dy
+        t = max(0.0, min(1.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / d)) if d > 0 else 0.0
+        best = min(best, math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy))
+    return best
+
+
+def inside(p, loops):
+    odd = False
+    for points in loops:
+        for a, b in zip(points, points[1:] + points[:1]):
+            if (a[1] > p[1]) != (b[1] > p[1]) and p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]):
+                odd = not odd
+    return odd
+
+
+def crossings(o, through, points):
+    """Points where the ray from o through a point meets a closed line: (distance from o, point), near first."""
+    dx, dy = through[0] - o[0], through[1] - o[1]
+    d = math.hypot(dx, dy)
+    dx, dy, found = dx / d, dy / d, []
+    for a, b in zip(points, points[1:] + points[:1]):
+        f, g = dx * (a[1] - o[1]) - dy * (a[0] - o[0]), dx * (b[1] - o[1]) - dy * (b[0] - o[0])
+        if (f <= 0.0) == (g <= 0.0):
+            continue
+        t = f / (f - g)
+        p = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
+        run = dx * (p[0] - o[0]) + dy * (p[1] - o[1])
+        if run > 0.0:
+            found.append((run, p))
+    return sorted(found)
+
+
+def turned(o, a, b):
+    """The turn about o that takes the direction of a to that of b."""
+    ux, uy, vx, vy = a[0] - o[0], a[1] - o[1], b[0] - o[0], b[1] - o[1]
+    h = math.hypot(ux, uy) * math.hypot(vx, vy)
+    c, s = (ux * vx + uy * vy) / h, (ux * vy - uy * vx) / h
+    return lambda p: (o[0] + c * (p[0] - o[0]) - s * (p[1] - o[1]), o[1] + s * (p[0] - o[0]) + c * (p[1] - o[1]))
+
+
+def mirrored(o, a):
+    """The mirror in the line through o and a."""
+    ux, uy = a[0] - o[0], a[1] - o[1]
+    h = ux * ux + uy * uy
+    c, s = (ux * ux - uy * uy) / h, 2 * ux * uy / h
+    return lambda p: (o[0] + c * (p[0] - o[0]) + s * (p[1] - o[1]), o[1] + s * (p[0] - o[0]) - c * (p[1] - o[1]))
+
+
+# ---- the checks of a piece ----
+
+def darts_of(pattern, word, seams):
+    """Positions of pairs of neighbouring edges that are sewn to each other, without an allowance of their own."""
+    for i in range(len(word)):
+        a, b = word[i][0], word[(i + 1) % len(word)][0]
+        own = [seam for seam in seams.get(a, []) if a != b and {seam["a"], seam["b"]} == {a, b} and not seam.get("laid")]
+        if own and not any(pattern["edges"][e].get("allowance") for e in (a, b)):
+            yield i
+
+
+def check_dart(sew, cut, i, width):
+    """(depth in the mouth beyond the allowance, worst distance of layers, step and angle of the closed sew edge)."""
+    n = len(sew)
+    a, o, b = sew[i][0], sew[i][-1], sew[(i + 1) % n][-1]
+    before, after = sew[i - 1], sew[(i + 2) % n]
+    half = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+    out = (half[0] - o[0], half[1] - o[1])
+    h = math.hypot(*out)
+    out = (out[0] / h, out[1] / h)
+
+    # into the dart: points of the cut line between the legs, below the line of the mouth
+    side_a, side_b = turned(o, a, b)(a), turned(o, b, a)(b)
+    across = (b[0] - a[0]) * (o[1] - a[1]) - (b[1] - a[1]) * (o[0] - a[0])
+    depth = 0.0
+    for p in cut:
+        la = (o[0] - a[0]) * (p[1] - a[1]) - (o[1] - a[1]) * (p[0] - a[0])
+        lb = (b[0] - o[0]) * (p[1] - o[1]) - (b[1] - o[1]) * (p[0] - o[0])
+        lm = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+        if la * across < 0.0 and lb * across < 0.0 and lm * across > 0.0:
+            depth = max(depth, abs(lm) / math.dist(a, b))
+    del side_a, side_b
+
+    # folded to either side: the halves of the cap lie on the cut line beside the dart
+    layers = []
+    for mouth, other in ((a, b), (b, a)):
+        worst = 0.0
+        halves = [(mirrored(o, mouth), mouth), (turned(o, other, mouth), other)]
+        for t in range(1, 20):
+            for move, leg in halves:
+                ray = (leg[0] + t / 20 * (half[0] - leg[0]), leg[1] + t / 20 * (half[1] - leg[1]))
+                hit = crossings(o, ray, cut)
+                worst = max(worst, to_line(move(hit[0][1]), cut) if hit else 99.0)
+        layers.append(worst)
+
+    # the closed sew edge: a step between the mouth's ends, an angle between the edges there
+    u = (before[-1][0] - before[-2][0], before[-1][1] - before[-2][1])
+    v = turned(o, b, a)((o[0] + after[1][0] - after[0][0], o[1] + after[1][1] - after[0][1]))
+    v = (v[0] - o[0], v[1] - o[1])
+    angle = math.degrees(math.atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]))
+    return depth - width, min(layers), abs(math.dist(o, a) - math.dist(o, b)), abs(angle)
+
+
+def check_hem(line, inwards, cut, depth, ends):
+    """Worst difference of a straight hem's ends (start, end, or both of `ends`), turned up, from the cut line that they
+    come to lie on; None without any."""
+    a, b = line[0], line[-1]
+    h = math.dist(a, b)
+    if h < 3.0 * depth or max(to_line(p, [a, b], closed=False) for p in line) > 0.02:
+        return None
+    u = ((b[0] - a[0]) / h, (b[1] - a[1]) / h)
+    worst, middle = 0.0, ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+    for sign in ends:
+        for t in (0.2, 0.5, 0.8):
+            runs = []
+            for side in (t * depth, -t * depth):
+                o = (middle[0] + side * inwards[0], middle[1] + side * inwards[1])
+                runs.append(crossings(o, (o[0] + sign * u[0], o[1] + sign * u[1]), cut))
+            if runs[0] and runs[1] and runs[0][0][0] < h / 2 + 3.0 * depth:
+                worst = max(worst, abs(runs[0][0][0] - runs[1][0][0]))
+    return worst
+
+
+def is_hem(edge):
+    return "hem" in edge.get("label", "") or "hem" in edge.get("name", "")
+
+
+def hem_ends(pattern, word, sew, i):
+    """The ends of the hem at position i that are turned up: -1.0 its start, 1.0 its end. An end beside another hem of the
+    same depth is mitred, and so is one that leans by more than 38 degrees from square."""
+    ends = []
+    for sign, k in ((-1.0, (i - 1) % len(word)), (1.0, (i + 1) % len(word))):
+        edge, own = pattern["edges"][word[k][0]], pattern["edges"][word[i][0]]
+        if is_hem(edge) and edge.get("allowance") == own.get("allowance"):
+            continue
+        p, q, r = (sew[k][-2], sew[i][0], sew[i][1]) if sign < 0 else (sew[i][-2], sew[i][-1], sew[k][1])
+        u, v = (q[0] - p[0], q[1] - p[1]), (r[0] - q[0], r[1] - q[1])
+        if abs(u[0] * v[0] + u[1] * v[1]) < 0.6 * math.hypot(*u) * math.hypot(*v):
+            ends.append(sign)
+    return ends
+
+
+def edge_allowance(pattern, edge):
+    own = pattern["edges"][edge].get("allowance")
+    return 10.0 if own is None else 1000.0 * own
+
+
+def check_piece(pattern, panel, piece, seams, note, lengths):
+    word = rim(panel["outline"])
+    sew = piece["sew"]
+    if len(sew) != len(word):
+        note("place", 99.0, f"{len(sew)} sew lines for {len(word)} edges")
+        return
+    drawn = []
+    for edge, direction in word:
+        points = edge_points(pattern, edge)
+        drawn.append(points if direction > 0 else points[::-1])
+    sew = in_order(sew, [length(points) for points in drawn])
+    for (edge, _), line in zip(word, sew):
+        lengths[edge] = length(line)
+    ends = [(p, q) for points, line in zip(drawn, sew) for p, q in ((points[0], line[0]), (points[-1], line[-1]))]
+    move, worst = rigid([p for p, _ in ends], [q for _, q in ends])
+    for points, line in zip(drawn, sew):
+        worst = max([worst] + [to_line(move(p), line, closed=False) for p in points[::8]])
+    note("place", worst)
+
+    outer = piece["cut"][0]
+    for line in sew:
+        for p in line[::4] + line[-1:]:
+            if not inside(p, piece["cut"]):
+                note("inside", to_line(p, outer))
+    note("inside", 0.0)
+    for i in darts_of(pattern, word, seams):
+        widths = [edge_allowance(pattern, word[k % len(word)][0]) for k in (i - 1, i + 2)]
+        depth, fold, step, angle = check_dart(sew, outer, i, max(widths))
+        where = pattern["edges"][word[i][0]].get("name", "")
+        note("mouth", depth, where), note("fold", fold, where), note("fair", step, where), note("angle", angle, where)
+
+    mouths = {(i + k) % len(word) for i in darts_of(pattern, word, seams) for k in (-1, 0, 1, 2)}
+    for i, ((edge, _), line) in enumerate(zip(word, sew)):
+        if not is_hem(pattern["edges"][edge]) or mouths & {(i - 1) % len(word), i, (i + 1) % len(word)}:
+            continue
+        a, b = line[0], line[-1]
+        out = ((b[1] - a[1]) / math.dist(a, b), (a[0] - b[0]) / math.dist(a, b))
+        middle = ((a[0] + b[0]) / 2 - 2.0 * out[0], (a[1] + b[1]) / 2 - 2.0 * out[1])
+        sign = -1.0 if inside(middle, [[p for part in sew for p in part]]) else 1.0
+        worst = check_hem(line, (sign * out[0], sign * out[1]), outer, edge_allowance(pattern, edge),
+                          hem_ends(pattern, word, sew, i))
+        if worst is not None:
+            note("turn", worst, pattern["edges"][edge].get("name", ""))
+
+    slits = sum(n["kind"] for n in pattern.get("notches", []) if n["edge"] in [e for e, _ in word])
+    note("notch", 99.0 if slits != len(piece["slits"]) else 0.0, f"{len(piece['slits'])} slits for {slits}")
+    for a, b in piece["slits"]:
+        note("notch", to_line(a, outer))
+        if not inside(b, piece["cut"]):
+            note("notch", 99.0, "a slit outside the piece")
+
+
+def check_seams(pattern, lengths, note):
+    at = {}
+    for notch in pattern.get("notches", []):
+        at.setdefault(notch["edge"], []).append((1000.0 * notch["s"], notch["kind"]))
+    for seam in pattern["seams"]:
+        a, b = seam["a"], seam["b"]
+        la, lb = (lengths.get(e) or length(edge_points(pattern, e)) for e in (a, b))
+        ease = 1000.0 * seam.get("ease", 0.0)
+        if not seam.get("laid"):
+            note("seam", abs(lb - la - ease), f"{pattern['edges'][a].get('name')}")
+        one, two = sorted(at.get(a, [])), sorted(at.get(b, []))
+        if seam.get("direction", "reversed") == "reversed":
+            two = sorted((lb - s, kind) for s, kind in two)
+        where = f"{pattern['edges'][a].get('name')}: {len(one)} and {len(two)} notches"
+        if [kind for _, kind in one] != [kind for _, kind in two]:
+            note("notch", 99.0, where)
+        else:
+            for (s, _), (t, _) in zip(one, two):
+                note("notch", max(0.0, abs(s - t) - abs(ease)), where)
+
+
+def check_design(job):
+    """{check: (worst, where)} of one design in one size, and the number of darts."""
+    command, design, size = job
+    worst = {}
+    count = {"darts": 0, "pieces": 0}
+    with tempfile.TemporaryDirectory() as folder:
+        file, pdf = f"{folder}/p.json", f"{folder}/p.pdf"
+        for words in (["draft", "--design", design, "--size", size, "-o", file],
+                      ["print", "--pattern", file, "--paper", "roll", "--pdf", pdf, "--json"]):
+            done = subprocess.run([command, *words], capture_output=True, text=True)
+            if done.returncode != 0:
+                return design, size, {"place": (99.0, done.stderr.strip()[:120])}, count
+        pattern = json.loads(pathlib.Path(file).read_text())
+        tiles = [(t["page"], 1000.0 * t["x_m"], 1000.0 * t["y_m"], t["height_m"]) for t in json.loads(done.stdout)["tiles"]]
+        pieces = paper_pieces(pdf, tiles)
+    seams, lengths = seams_of(pattern), {}
+    panels = [panel for panel in pattern["panels"] if panel.get("mirror_of") is None]
+    for k, panel in enumerate(panels):
+        def note(check, value, where="", panel=panel):
+            if check == "mouth":
+                count["darts"] += 1
+            if check not in worst or value > worst[check][0]:
+                worst[check] = (value, f"{panel['name']} {where}".strip())
+        if k < len(pieces):
+            check_piece(pattern, panel, pieces[k], seams, note, lengths)
+    count["pieces"] = len(pieces)
+    if len(panels) != len(pieces):
+        worst["place"] = (99.0, f"{len(pieces)} pieces for {len(panels)} panels")
+
+    def note_seam(check, value, where=""):
+        if check not in worst or value > worst[check][0]:
+            worst[check] = (value, where)
+    check_seams(pattern, lengths, note_seam)
+    return design, size, worst, count
+
+
+def main():
+    ask = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    ask.add_argument("--command", required=True)
+    ask.add_argument("--sizes", default="W40,M50,C116", help="a design is drafted in those that it is made for")
+    ask.add_argument("--every", type=int, default=1, help="every n-th design")
+    ask.add_argument("--designs", default="", help="these alone")
+    ask.add_argument("--jobs", type=int, default=1)
+    args = ask.parse_args()
+    rows = json.loads(subprocess.run([args.command, "designs", "--json"], capture_output=True, check=True).stdout)
+    group = {"W": "women", "M": "men", "C": "children"}
+    names = args.designs.split(",") if args.designs else [row["name"] for row in rows[::args.every]]
+    jobs = [(args.command, row["name"], size) for row in rows if row["name"] in names for size in args.sizes.split(",")
+            if group[size[0]] in row.get("groups", ["women"])]
+    worst, over, darts, pieces = {}, 0, 0, 0
+    with concurrent.futures.ProcessPoolExecutor(args.jobs) as pool:
+        for design, size, found, count in pool.map(check_design, jobs, chunksize=4):
+            darts += count["darts"]
+            pieces += count["pieces"]
+            for check, (value, where) in found.items():
+                if value > LIMITS[check]:
+                    over += 1
+                    print(f"{design} {size}: {check} {value:.3f} (limit {LIMITS[check]}): {where}")
+                if check not in worst or value > worst[check][0]:
+                    worst[check] = (value, f"{design} {size} {where}")
+    print(f"{len(jobs)} patterns, {pieces} pieces, {darts} darts, {over} over a limit")
+    for check, limit in LIMITS.items():
+        if check in worst:
+            print(f"  {check:7} worst {worst[check][0]:8.3f} of {limit}: {worst[check][1]}")
+    return 1 if over else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

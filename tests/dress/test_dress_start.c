@@ -1,6 +1,6 @@
 /*
- * test_dress_start.c: a start with raised arms is sewn round them, and settles where the body has its arms; a start that
- * is sewn beside the body waits, with the reason, and is not settled before it is asked to.
+ * test_dress_start.c: a start with raised arms is sewn round them, and settles where the body has its arms; a start
+ * that is sewn beside the body waits, with the reason, and is not settled before it is asked to.
  */
 #include <string.h>
 

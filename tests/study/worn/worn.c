@@ -81,8 +81,9 @@ static const struct {
      D(OVER_HEAD) | D(ARM_BESIDE) | D(INSIDE_OUT) | D(OFF_SHOULDER) | D(ROLLED) | D(BESIDE)},
 };
 
-/* garments wrong by simulation: drafted for the size `drafted` and sewn round another size `body`, with no edge attached
- * to it; panels with this label (NULL: none) start `by` [m] from where they belong; mirrored: front and back exchanged */
+/* garments wrong by simulation: drafted for the size `drafted` and sewn round another size `body`, with no edge
+ * attached to it; panels with this label (NULL: none) start `by` [m] from where they belong; mirrored: front and back
+ * are exchanged */
 static const struct {
     const char *design, *drafted, *body, *label;
     double by[3];

@@ -299,7 +299,7 @@ static void relief_ring(const relief *at, const mus__body_field *old, mus__field
             way[i] = turn[2 * k] * limb->side[i] + turn[2 * k + 1] * limb->front[i];
         }
         const double fresh = relief_radius(at, old, l, head ? &up : NULL, start, way, radius[k]);
-        most = fmax(most, fabs(fresh - radius[k]));
+        if (fabs(fresh - radius[k]) > most) most = fabs(fresh - radius[k]);
         radius[k] = fresh;
     }
     if (most < RELIEF_FINE || l >= MUS__LIMB_FOOT_LEFT) return;

@@ -118,8 +118,10 @@ void mus__field_bounds(mus__field *field)
     field->reach = 0.0;
     for (int32_t j = 0; j < field->nring; j++) {
         const double *centre = field->centre + 2 * j, *radius = field->radius + (ptrdiff_t)j * field->nangle;
-        double most = 0.0;
-        for (int32_t k = 0; k < field->nangle; k++) most = radius[k] > most ? radius[k] : most;
+        double four[4] = {0.0}; /* a maximum of each quarter, so that they do not wait for each other */
+        for (int32_t k = 0; k < field->nangle; k += 4)
+            for (int32_t i = 0; i < 4; i++) four[i] = radius[k + i] > four[i] ? radius[k + i] : four[i];
+        const double most = fmax(fmax(four[0], four[1]), fmax(four[2], four[3]));
         field->reach = fmax(field->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
         field->largest[j] = most;
         if (j > 0) field->largest[j - 1] = fmax(field->largest[j - 1], most);

@@ -55,8 +55,8 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
- * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump or DXF. The content tells the form. A DXF is
- * read as by mus_pattern_read_dxf() in its sample size.
+ * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump, DXF or SVG. The content tells the form. A DXF
+ * is read as by mus_pattern_read_dxf() in its sample size; an SVG by the convention of muslin_pattern(5).
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
@@ -140,6 +140,20 @@ MUS_API mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, con
 
 /** Write the specification into memory. Errors: as mus_pattern_write_garmentcode(), but for MUS_ERR_FILE */
 MUS_API mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+
+/**
+ * Write a pattern as an SVG that drawing programs edit and mus_pattern_read() reads back; path "-" writes to standard
+ * output. Millimetres; curves as they are; a layer a panel; muslin_pattern(5) has the convention.
+ *
+ * Not held: attachments of edges to the body, elastics, openings, places of panels round the body, sides that a name
+ * does not tell. Places come back within 1e-9 m, a middle of an arc within 1e-8 m.
+ * Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Source: W3C, Scalable Vector Graphics 1.1 (2011)
+ */
+MUS_API mus_status mus_pattern_write_svg(const mus_pattern *pattern, const char *path);
+
+/** Write the SVG into memory. Errors: as mus_pattern_write_svg(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_pattern_write_svg_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
  * Read a fabric file (JSON, muslin_fabric(5)). Each value stands under a key that names the unit, as a number and its

@@ -12,8 +12,8 @@
 
 #include "exchange/file_read.h"
 
-/* most entities and points of a file. Chosen: 10000 pieces of 100 entities, 200 outlines of the 20000 points that a ring
- * may have. They bound the memory of a file to 80 MB and 64 MB; the largest file of the data has 3500 entities */
+/* most entities and points of a file. Chosen: 10000 pieces of 100 entities, 200 outlines of the 20000 points that a
+ * ring may have. They bound the memory of a file to 90 MB and 64 MB */
 #define MUS__DXF_ENTITIES 1000000
 #define MUS__DXF_VERTICES 4000000
 

@@ -2,7 +2,8 @@
  * svg_panel.c: the paths of one panel of an SVG as a panel of a pattern: edges, outline, grain, marks, notches.
  *
  * A panel is drawn as edges, each a path that starts where the one before it ends, or as one closed path, whose edges
- * begin at corners of more than 30 degrees. The right side of the cloth is seen, unless the order of the edges is given.
+ * begin at corners of more than 30 degrees. The right side of the cloth is seen, unless the order of the edges is
+ * given.
  */
 #include <math.h>
 #include <stdio.h>
@@ -60,10 +61,9 @@ static mus_status point_at(panel_work *w, const mus__svg_item *item, const doubl
         *out = w->points[i];
         return MUS_OK;
     }
-    mus_status status = mus__trade_reserve(w->source, &w->points, &w->point_room, (int64_t)w->npoint + 1,
-                                           sizeof *w->points);
-    if (status == MUS_OK)
-        status = item_wrap(w, item, mus_pattern_add_point(w->pattern, w->index, p[0], p[1], out));
+    mus_status status =
+        mus__trade_reserve(w->source, &w->points, &w->point_room, (int64_t)w->npoint + 1, sizeof *w->points);
+    if (status == MUS_OK) status = item_wrap(w, item, mus_pattern_add_point(w->pattern, w->index, p[0], p[1], out));
     if (status == MUS_OK) w->points[w->npoint++] = *out;
     return status;
 }
@@ -118,8 +118,8 @@ static mus_status outline_split(panel_work *w, mus__svg_item *item)
     const mus__svg_path *path = &item->path;
     mus_status status = MUS_OK;
     if (!path->closed)
-        return mus__source_fail(w->source, item->line, MUS_ERR_FORMAT, "panel %s: the outline is open; expected a closed path",
-                                w->panel->name);
+        return mus__source_fail(w->source, item->line, MUS_ERR_FORMAT,
+                                "panel %s: the outline is open; expected a closed path", w->panel->name);
     for (int32_t k = 0, at = 0, piece = 0, start = 0; k < path->npiece && status == MUS_OK; k++) {
         at += svg_controls[path->kinds[k]] + 1;
         const bool last = k + 1 == path->npiece;
@@ -145,8 +145,9 @@ static mus_status panel_edges(panel_work *w)
             status = outline_split(w, item);
     }
     if (status == MUS_OK && w->nedge == 0)
-        status = mus__source_fail(w->source, w->panel->line, MUS_ERR_FORMAT,
-                                  "panel %s: no outline; expected a closed path or paths of class edge", w->panel->name);
+        status =
+            mus__source_fail(w->source, w->panel->line, MUS_ERR_FORMAT,
+                             "panel %s: no outline; expected a closed path or paths of class edge", w->panel->name);
     return status;
 }
 
@@ -204,14 +205,13 @@ static double word_area(const panel_work *w)
 /* each edge follows the one before it, in the order of the file; an edge drawn the other way counts -1 */
 static mus_status word_chain(panel_work *w)
 {
-    mus_status status = mus__trade_reserve(w->source, &w->directions, &w->direction_room, w->nedge,
-                                           sizeof *w->directions);
+    mus_status status =
+        mus__trade_reserve(w->source, &w->directions, &w->direction_room, w->nedge, sizeof *w->directions);
     int32_t pen = MUS_NONE;
     for (int32_t i = 0; i < w->nedge && status == MUS_OK; i++) {
         int32_t a, b, c = MUS_NONE, d = MUS_NONE;
         status = mus_pattern_edge_ends(w->pattern, w->edges[i], &a, &b);
-        if (status == MUS_OK && i == 0 && w->nedge > 1)
-            status = mus_pattern_edge_ends(w->pattern, w->edges[1], &c, &d);
+        if (status == MUS_OK && i == 0 && w->nedge > 1) status = mus_pattern_edge_ends(w->pattern, w->edges[1], &c, &d);
         const bool against = i == 0 ? (a == c || a == d) && b != c && b != d : a != pen;
         w->directions[i] = against ? -1 : 1;
         if (i > 0 && pen != a && pen != b)
@@ -238,8 +238,7 @@ static mus_status panel_outline(panel_work *w)
     mus_status status = MUS_OK;
     if (w->panel->word == NULL) {
         status = word_chain(w);
-        if (status == MUS_OK)
-            status = mus_pattern_set_outline(w->pattern, w->index, w->nedge, w->edges, w->directions);
+        if (status == MUS_OK) status = mus_pattern_set_outline(w->pattern, w->index, w->nedge, w->edges, w->directions);
     } else {
         status = word_read(w, &edges, &directions, &n);
         if (status == MUS_OK) status = mus_pattern_set_outline(w->pattern, w->index, n, edges, directions);
@@ -258,8 +257,7 @@ mus_status mus__svg_nearest(const mus__source *source, const mus_pattern *patter
     int32_t n = 0;
     mus_status status = mus_pattern_edge_polyline(pattern, edge, NEAREST_CHORDS, NULL, 0, &n);
     double *xy = status == MUS_OK ? mus_context_alloc(source->context, NULL, 2 * sizeof *xy * (size_t)n) : NULL;
-    if (status == MUS_OK && xy == NULL)
-        status = mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for an edge");
+    if (status == MUS_OK && xy == NULL) status = mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for an edge");
     if (status == MUS_OK) status = mus_pattern_edge_polyline(pattern, edge, NEAREST_CHORDS, xy, n, &n);
     double along = 0.0;
     *s = 0.0;
@@ -325,8 +323,8 @@ static mus_status panel_items(panel_work *w)
         const double *xy = item->path.xy;
         const int32_t n = item->path.nxy;
         if (item->kind == MUS__SVG_GRAIN && n > 1)
-            status = item_wrap(w, item, mus_pattern_set_grain(w->pattern, w->index, xy[2 * n - 2] - xy[0],
-                                                              xy[2 * n - 1] - xy[1]));
+            status = item_wrap(
+                w, item, mus_pattern_set_grain(w->pattern, w->index, xy[2 * n - 2] - xy[0], xy[2 * n - 1] - xy[1]));
         else if (item->kind == MUS__SVG_MARK)
             status = item_wrap(w, item, mus_pattern_add_mark(w->pattern, w->index, item->name, n, xy, NULL));
         else if (item->kind == MUS__SVG_NOTCH)
@@ -353,8 +351,8 @@ static mus_status panel_head(panel_work *w)
 
 mus_status mus__svg_panel_add(const mus__source *source, mus__svg_panel *panel, mus_pattern *pattern, int32_t *out)
 {
-    panel_work w = {.source = source, .panel = panel, .pattern = pattern,
-                    .joined = panel->word != NULL ? JOINED_GIVEN : JOINED};
+    panel_work w = {
+        .source = source, .panel = panel, .pattern = pattern, .joined = panel->word != NULL ? JOINED_GIVEN : JOINED};
     mus_status status = panel_head(&w);
     if (status == MUS_OK) status = panel_edges(&w);
     if (status == MUS_OK) status = panel_outline(&w);

@@ -1,8 +1,8 @@
 /*
  * svg_path.c: the data of an SVG path (lines, quadratic and cubic Beziers, circular arcs) and the transforms above it.
  *
- * An arc of a circle stays an arc, when its transform is a similarity; so it comes back as it was written. An ellipse is
- * refused: drawing programs convert it to Beziers. Source: W3C, SVG 1.1, sections 7.6, 8.3 and F.6.
+ * An arc of a circle stays an arc, when its transform is a similarity; so it comes back as it was written. An ellipse
+ * is refused: drawing programs convert it to Beziers. Source: W3C, SVG 1.1, sections 7.6, 8.3 and F.6.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -13,8 +13,8 @@
 #include "trade/svg_path.h"
 
 #define PATH_POINTS 20000 /* most points of a path; as of an outline of a DXF */
-#define PATH_JOINED 1e-6   /* [unit of the file] a piece shorter than this is left out */
-#define CIRCLE_OFF 1e-6    /* relative difference of the radii of an arc that is circular */
+#define PATH_JOINED 1e-6  /* [unit of the file] a piece shorter than this is left out */
+#define CIRCLE_OFF 1e-6   /* relative difference of the radii of an arc that is circular */
 
 typedef struct path_reader {
     const mus__source *source;
@@ -74,8 +74,8 @@ static bool take_flag(const char **at, double *out)
 
 static mus_status path_fail(const path_reader *r, char command, const char *expected)
 {
-    return mus__source_fail(r->source, r->line, MUS_ERR_FORMAT, "path: %c: expected %s, got \"%.20s\"", command, expected,
-                            r->at);
+    return mus__source_fail(r->source, r->line, MUS_ERR_FORMAT, "path: %c: expected %s, got \"%.20s\"", command,
+                            expected, r->at);
 }
 
 
@@ -86,8 +86,8 @@ static mus_status add_point(path_reader *r, const double *p)
     mus__svg_path *out = r->out;
     if (out->nxy >= PATH_POINTS)
         return mus__source_fail(r->source, r->line, MUS_ERR_LIMIT, "path: more than %d points", PATH_POINTS);
-    mus_status status = mus__trade_reserve(r->source, &out->xy, &out->xy_room, (int64_t)out->nxy + 1,
-                                           2 * sizeof *out->xy);
+    mus_status status =
+        mus__trade_reserve(r->source, &out->xy, &out->xy_room, (int64_t)out->nxy + 1, 2 * sizeof *out->xy);
     if (status == MUS_OK) mus__svg_apply(r->m, p, out->xy + 2 * (size_t)out->nxy++);
     return status;
 }
@@ -100,8 +100,8 @@ static mus_status add_piece(path_reader *r, int32_t kind, int32_t points, const 
     double reach = 0.0;
     for (int32_t i = 0; i < 2 * points; i++) reach = fmax(reach, fabs(p[i] - r->pen[i % 2]));
     if (reach <= PATH_JOINED) return MUS_OK;
-    mus_status status = mus__trade_reserve(r->source, &out->kinds, &out->piece_room, (int64_t)out->npiece + 1,
-                                           sizeof *out->kinds);
+    mus_status status =
+        mus__trade_reserve(r->source, &out->kinds, &out->piece_room, (int64_t)out->npiece + 1, sizeof *out->kinds);
     if (status == MUS_OK && out->nxy == 0) status = add_point(r, r->pen);
     if (status != MUS_OK) return status;
     out->kinds[out->npiece++] = kind;
@@ -130,8 +130,8 @@ static mus_status add_arc(path_reader *r, const double *q)
     p[1] = 0.5 * (r->pen[1] + q[6]) - sign * sagitta * dx / chord;
     p[2] = q[5];
     p[3] = q[6];
-    return add_piece(r, sagitta > 1e-9 * chord ? MUS_PIECE_ARC : MUS_PIECE_LINE,
-                     sagitta > 1e-9 * chord ? 2 : 1, sagitta > 1e-9 * chord ? p : p + 2);
+    return add_piece(r, sagitta > 1e-9 * chord ? MUS_PIECE_ARC : MUS_PIECE_LINE, sagitta > 1e-9 * chord ? 2 : 1,
+                     sagitta > 1e-9 * chord ? p : p + 2);
 }
 
 
@@ -140,10 +140,14 @@ static mus_status add_arc(path_reader *r, const double *q)
 static int32_t count_of(char command)
 {
     switch (command) {
-    case 'M': case 'L': case 'T': return 2;
-    case 'H': case 'V': return 1;
+    case 'M':
+    case 'L':
+    case 'T': return 2;
+    case 'H':
+    case 'V': return 1;
     case 'C': return 6;
-    case 'S': case 'Q': return 4;
+    case 'S':
+    case 'Q': return 4;
     case 'A': return 7;
     default: return 0;
     }
@@ -178,7 +182,7 @@ static bool take_numbers(path_reader *r, char command, bool relative, double *q)
 
 static mus_status run_command(path_reader *r, char command, bool relative)
 {
-    double q[8];
+    double q[8] = {0.0};
     if (!take_numbers(r, command, relative, q)) return path_fail(r, command, "numbers within 1e7");
     const char curve = command == 'S' ? 'C' : command == 'T' ? 'Q' : command;
     const double control[2] = {curve == 'C' ? q[2] : q[0], curve == 'C' ? q[3] : q[1]};
@@ -228,8 +232,7 @@ mus_status mus__svg_path_read(const mus__source *source, int64_t line, const cha
         status = run_command(&r, command, relative);
         if (command == 'M') command = 'L';
     }
-    if (status == MUS_OK && out->npiece > 0 &&
-        fabs(r.pen[0] - r.first[0]) + fabs(r.pen[1] - r.first[1]) <= PATH_JOINED)
+    if (status == MUS_OK && out->npiece > 0 && fabs(r.pen[0] - r.first[0]) + fabs(r.pen[1] - r.first[1]) <= PATH_JOINED)
         out->closed = true;
     /* a path of one point is a drill hole */
     if (status == MUS_OK && out->nxy == 0) status = add_point(&r, r.pen);
@@ -241,9 +244,8 @@ mus_status mus__svg_path_read(const mus__source *source, int64_t line, const cha
 
 static void multiply(double *m, const double *n)
 {
-    const double p[6] = {m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3],
-                         m[1] * n[2] + m[3] * n[3], m[0] * n[4] + m[2] * n[5] + m[4],
-                         m[1] * n[4] + m[3] * n[5] + m[5]};
+    const double p[6] = {m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1],        m[0] * n[2] + m[2] * n[3],
+                         m[1] * n[2] + m[3] * n[3], m[0] * n[4] + m[2] * n[5] + m[4], m[1] * n[4] + m[3] * n[5] + m[5]};
     memcpy(m, p, sizeof p);
 }
 
@@ -288,7 +290,8 @@ mus_status mus__svg_transform(const mus__source *source, int64_t line, const cha
         if (*at != ')' || !transform_of(name, length, n, q, own))
             return mus__source_fail(source, line, MUS_ERR_FORMAT,
                                     "transform: expected matrix, translate, scale or rotate with its numbers, got "
-                                    "\"%.30s\"", name);
+                                    "\"%.30s\"",
+                                    name);
         at++;
         multiply(m, own);
     }

@@ -65,9 +65,9 @@ bool mus__svg_begins(const char *text)
     const char *at = text;
     for (;;) {
         at += strspn(at, " \t\r\n");
-        if (strncmp(at, "<svg", 4) == 0 || strncmp(at, "<svg:svg", 8) == 0) return true;
+        if (strncmp(at, "<svg", 4) == 0 || strncmp(at, "<!DOCTYPE svg", 13) == 0) return true;
         const bool comment = strncmp(at, "<!--", 4) == 0;
-        if (!comment && strncmp(at, "<?", 2) != 0 && strncmp(at, "<!DOCTYPE svg", 13) != 0) return false;
+        if (!comment && strncmp(at, "<?", 2) != 0) return false;
         at = strstr(at, comment ? "-->" : ">");
         if (at == NULL) return false;
         at += comment ? 3 : 1;
@@ -155,8 +155,8 @@ static void read_root(svg_reader *r, const XML_Char **attributes)
     static const struct {
         const char *name;
         double mm;
-    } units[] = {{"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6}, {"px", CSS_PIXEL},
-                 {"", CSS_PIXEL}};
+    } units[] = {{"mm", 1.0},      {"cm", 10.0},      {"in", 25.4},   {"pt", 25.4 / 72},
+                 {"pc", 25.4 / 6}, {"px", CSS_PIXEL}, {"", CSS_PIXEL}};
     const char *width = attribute(attributes, "width"), *box = attribute(attributes, "viewBox");
     double scale = CSS_PIXEL, view[4] = {0.0, 0.0, 0.0, 0.0};
     if (width != NULL && box != NULL && strchr(width, '%') == NULL) {
@@ -339,7 +339,8 @@ static void XMLCALL svg_start(void *user, const XML_Char *name, const XML_Char *
     const char *own = strncmp(name, "svg:", 4) == 0 ? name + 4 : name;
     const char *transform = attribute(attributes, "transform");
     if (++r->depth > GROUPS_DEEPEST) {
-        reader_fail(r, mus__source_fail(r->source, line_of(r), MUS_ERR_LIMIT, "groups more than %d deep", GROUPS_DEEPEST));
+        reader_fail(r,
+                    mus__source_fail(r->source, line_of(r), MUS_ERR_LIMIT, "groups more than %d deep", GROUPS_DEEPEST));
         return;
     }
     if (r->depth == 1) {
@@ -361,8 +362,10 @@ static void XMLCALL svg_start(void *user, const XML_Char *name, const XML_Char *
     if (d == NULL) return;
     if (polygon) { /* its points are path data; Z closes it */
         closed = mus_context_alloc(r->source->context, NULL, strlen(d) + 2);
-        if (closed != NULL) snprintf(closed, strlen(d) + 2, "%sZ", d);
-        else status = mus__source_fail(r->source, line_of(r), MUS_ERR_MEMORY, "no memory for a polygon");
+        if (closed != NULL)
+            snprintf(closed, strlen(d) + 2, "%sZ", d);
+        else
+            status = mus__source_fail(r->source, line_of(r), MUS_ERR_MEMORY, "no memory for a polygon");
         d = closed;
     }
     if (status == MUS_OK)
@@ -382,15 +385,15 @@ static void XMLCALL svg_end(void *user, const XML_Char *name)
 }
 
 
-/* entities could grow without bound */
-static void XMLCALL svg_entity(void *user, const XML_Char *name, int is_parameter, const XML_Char *value, int length,
-                               const XML_Char *base, const XML_Char *system, const XML_Char *public,
-                               const XML_Char *notation)
+/* declared entities could grow without bound */
+static void XMLCALL svg_doctype(void *user, const XML_Char *name, const XML_Char *system, const XML_Char *public,
+                                int internal)
 {
     svg_reader *r = user;
-    (void)name, (void)is_parameter, (void)value, (void)length, (void)base, (void)system, (void)public, (void)notation;
-    reader_fail(r, mus__source_fail(r->source, line_of(r), MUS_ERR_UNSUPPORTED,
-                                    "a declaration of an entity; expected an SVG without (save it as plain SVG)"));
+    (void)name, (void)system, (void)public;
+    if (internal)
+        reader_fail(r, mus__source_fail(r->source, line_of(r), MUS_ERR_UNSUPPORTED,
+                                        "a document type with declarations; expected none (save it as plain SVG)"));
 }
 
 
@@ -430,7 +433,8 @@ static mus_status seam_edge(const svg_reader *r, const svg_seam *seam, const cha
     for (int32_t i = 0; i < r->nname && *out == MUS_NONE; i++)
         if (strcmp(r->names[i].id, id) == 0) *out = r->names[i].edge;
     if (*out != MUS_NONE) return MUS_OK;
-    return mus__source_fail(r->source, seam->line, MUS_ERR_FORMAT, "seam: expected the id of an edge, got \"%.40s\"", id);
+    return mus__source_fail(r->source, seam->line, MUS_ERR_FORMAT, "seam: expected the id of an edge, got \"%.40s\"",
+                            id);
 }
 
 
@@ -444,7 +448,8 @@ static mus_status add_seams(const svg_reader *r)
         if (status != MUS_OK) return status;
         /* a seam that was drawn by hand has the ease of its lengths */
         if (def.ease != def.ease)
-            def.ease = mus_pattern_edge_length(r->pattern, def.edge_b) - mus_pattern_edge_length(r->pattern, def.edge_a);
+            def.ease =
+                mus_pattern_edge_length(r->pattern, def.edge_b) - mus_pattern_edge_length(r->pattern, def.edge_a);
         status = mus_pattern_add_seam(r->pattern, &def, NULL);
         if (status != MUS_OK) return mus__source_wrap(r->source, r->seams[i].line, status);
     }
@@ -472,7 +477,7 @@ static mus_status svg_parse(svg_reader *r)
 {
     XML_SetUserData(r->parser, r);
     XML_SetElementHandler(r->parser, svg_start, svg_end);
-    XML_SetEntityDeclHandler(r->parser, svg_entity);
+    XML_SetStartDoctypeDeclHandler(r->parser, svg_doctype);
     /* the largest file is far below INT_MAX */
     const enum XML_Status parsed = XML_Parse(r->parser, r->source->text, (int)r->source->size, 1);
     if (r->status != MUS_OK) return r->status;

@@ -12,9 +12,9 @@
 #include "file/sink.h"
 #include "muslin/exchange.h"
 
-#define SVG_GAP 30.0    /* [mm] between panels; chosen: room for a name */
-#define SVG_NOTCH 4.0   /* [mm] length of the line of a notch */
-#define SVG_ROW 3000.0  /* [mm] a row of panels is begun anew beyond this width; chosen: a table */
+#define SVG_GAP 30.0   /* [mm] between panels; chosen: room for a name */
+#define SVG_NOTCH 4.0  /* [mm] length of the line of a notch */
+#define SVG_ROW 3000.0 /* [mm] a row of panels is begun anew beyond this width; chosen: a table */
 
 typedef struct svg_writer {
     mus__sink *sink;
@@ -27,11 +27,16 @@ typedef struct svg_writer {
 static void put_escaped(mus__sink *sink, const char *text)
 {
     for (const char *at = text; *at != '\0'; at++) {
-        if (*at == '&') mus__sink_print(sink, "&amp;");
-        else if (*at == '<') mus__sink_print(sink, "&lt;");
-        else if (*at == '"') mus__sink_print(sink, "&quot;");
-        else if ((unsigned char)*at < 32) mus__sink_print(sink, "&#%d;", *at == '\t' || *at == '\n' ? *at : 32);
-        else mus__sink_add(sink, at, 1);
+        if (*at == '&')
+            mus__sink_print(sink, "&amp;");
+        else if (*at == '<')
+            mus__sink_print(sink, "&lt;");
+        else if (*at == '"')
+            mus__sink_print(sink, "&quot;");
+        else if ((unsigned char)*at < 32)
+            mus__sink_print(sink, "&#%d;", *at == '\t' || *at == '\n' ? *at : 32);
+        else
+            mus__sink_add(sink, at, 1);
     }
 }
 
@@ -201,8 +206,8 @@ static mus_status put_notches(svg_writer *w, int32_t panel)
         if (status != MUS_OK || mus_pattern_edge_panel(w->pattern, edge) != panel) continue;
         const double length = mus_pattern_edge_length(w->pattern, edge), t = fmin(1.0, fmax(0.0, s / length));
         status = mus_pattern_edge_at(w->pattern, edge, 1, &t, p);
-        mus__sink_print(w->sink, "<path class=\"notch\" data-edge=\"e%d\" data-s=\"%.7f\" data-kind=\"%d\" d=\"M", (int)edge,
-                        1e3 * s, (int)kind);
+        mus__sink_print(w->sink, "<path class=\"notch\" data-edge=\"e%d\" data-s=\"%.7f\" data-kind=\"%d\" d=\"M",
+                        (int)edge, 1e3 * s, (int)kind);
         put_point(w->sink, p);
         mus__sink_print(w->sink, " l0,%g\"/>\n", SVG_NOTCH);
     }
@@ -219,10 +224,12 @@ static mus_status put_panel(svg_writer *w, int32_t panel)
     put_text(w->sink, "inkscape:label", name);
     put_text(w->sink, "data-name", name);
     put_text(w->sink, "data-label", mus_pattern_panel_label(w->pattern, panel));
-    mus__sink_print(w->sink, " data-cut=\"%d\" data-layer=\"%d\"", (int)count, (int)mus_pattern_layer(w->pattern, panel));
+    mus__sink_print(w->sink, " data-cut=\"%d\" data-layer=\"%d\"", (int)count,
+                    (int)mus_pattern_layer(w->pattern, panel));
     if (mirror_of != MUS_NONE) put_text(w->sink, "data-mirror-of", mus_pattern_panel_name(w->pattern, mirror_of));
     if (status == MUS_OK) status = put_word(w, panel);
-    mus__sink_print(w->sink, " transform=\"translate(%.3f,%.3f)\">\n", w->origins[2 * panel], w->origins[2 * panel + 1]);
+    mus__sink_print(w->sink, " transform=\"translate(%.3f,%.3f)\">\n", w->origins[2 * panel],
+                    w->origins[2 * panel + 1]);
     put_edges(w, panel);
     if (status == MUS_OK) status = put_inside(w, panel);
     if (status == MUS_OK) status = put_notches(w, panel);
@@ -266,12 +273,15 @@ static mus_status put_seams(svg_writer *w)
 static mus_status put_document(svg_writer *w)
 {
     mus_status status = place_panels(w);
-    mus__sink_print(w->sink, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                             "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"%.3fmm\" "
-                             "height=\"%.3fmm\" viewBox=\"0 0 %.3f %.3f\"", w->width, w->height, w->width, w->height);
+    mus__sink_print(w->sink,
+                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"%.3fmm\" "
+                    "height=\"%.3fmm\" viewBox=\"0 0 %.3f %.3f\"",
+                    w->width, w->height, w->width, w->height);
     put_text(w->sink, "data-name", mus_pattern_name(w->pattern));
-    mus__sink_print(w->sink, ">\n<style>path{fill:none;stroke:#000;stroke-width:0.5} .seam{stroke:#c33;stroke-width:0.2} "
-                             ".grain,.mark{stroke:#36c} .name{font:12px sans-serif}</style>\n");
+    mus__sink_print(w->sink,
+                    ">\n<style>path{fill:none;stroke:#000;stroke-width:0.5} .seam{stroke:#c33;stroke-width:0.2} "
+                    ".grain,.mark{stroke:#36c} .name{font:12px sans-serif}</style>\n");
     for (int32_t p = 0; p < mus_pattern_panel_count(w->pattern) && status == MUS_OK; p++) status = put_panel(w, p);
     if (status == MUS_OK) status = put_seams(w);
     mus__sink_print(w->sink, "</svg>\n");
@@ -290,7 +300,8 @@ static mus_status svg_write(const mus_pattern *pattern, const mus__target *targe
     if (status != MUS_OK) return status;
     mus__sink_init(&sink, context);
     svg_writer w = {.sink = &sink, .pattern = pattern};
-    w.origins = mus_context_alloc(context, NULL, sizeof *w.origins * 2 * (size_t)(mus_pattern_panel_count(pattern) + 1));
+    w.origins =
+        mus_context_alloc(context, NULL, sizeof *w.origins * 2 * (size_t)(mus_pattern_panel_count(pattern) + 1));
     status = w.origins != NULL ? put_document(&w) : mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a drawing");
     if (status == MUS_OK) status = mus__sink_give(&sink, target);
     mus_context_alloc(context, w.origins, 0);

@@ -55,7 +55,7 @@ MUS_API int32_t mus_design_find(const char *name);
  *          their numbers; *count: designs that match, which may be more than room
  * Errors:  MUS_ERR_ARG; MUS_ERR_DESIGN ("axis=option" that no design has); MUS_ERR_MEMORY
  * Memory:  frees all that it allocates, about 0.3 MB
- * Cost:    about 1 ms for each word of the phrase on one core, 5 ms for "axis=option"
+ * Cost:    about 2 ms, 1 ms more for each word of the phrase, up to 12 ms more for "axis=option"
  * Source:  Sparck Jones, A statistical interpretation of term specificity, 1972; Robertson and Zaragoza, The
  *          probabilistic relevance framework, 2009
  */

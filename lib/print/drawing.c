@@ -92,6 +92,8 @@ void mus__draw_free(mus__drawing *drawing)
     mus__print_free(drawing->context, drawing->paths);
     mus__print_free(drawing->context, drawing->ops);
     mus__print_free(drawing->context, drawing->xy);
+    mus__print_free(drawing->context, drawing->texts);
+    mus__print_free(drawing->context, drawing->letters);
     mus__draw_init(drawing, drawing->context);
 }
 
@@ -143,6 +145,23 @@ static void draw_step(mus__drawing *drawing, unsigned char op, int32_t npoint, c
             drawing->xy[drawing->nxy++] = x;
         }
     }
+}
+
+
+void mus__draw_letters(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
+{
+    const size_t n = strlen(text);
+    if (drawing->status != MUS_OK || n == 0 || n > INT32_MAX / 2) return;
+    drawing->status = mus__print_reserve(drawing->context, &drawing->texts, &drawing->text_room,
+                                         (int64_t)drawing->ntext + 1, sizeof *drawing->texts);
+    if (drawing->status == MUS_OK)
+        drawing->status = mus__print_reserve(drawing->context, &drawing->letters, &drawing->letter_room,
+                                             (int64_t)drawing->nletter + (int64_t)n, 1);
+    if (drawing->status != MUS_OK) return;
+    memcpy(drawing->letters + drawing->nletter, text, n);
+    drawing->texts[drawing->ntext++] =
+        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height, style->cosine, style->sine};
+    drawing->nletter += (int32_t)n;
 }
 
 

@@ -78,6 +78,13 @@ typedef struct mus__path {
     double box[4]; /* low x, low y, high x, high y of its points [m] */
 } mus__path;
 
+/* a text that is drawn as strokes, for whoever reads the file as text */
+typedef struct mus__text {
+    int32_t at, n;       /* its UTF-8 in letters, without a zero byte */
+    double x, y;         /* left end of the base line [m] */
+    double height, cosine, sine; /* of a capital [m]; direction of the line */
+} mus__text;
+
 typedef struct mus__drawing {
     mus_context *context;
     mus_status status; /* first failure; later calls do nothing */
@@ -86,6 +93,9 @@ typedef struct mus__drawing {
     mus__path *paths;   /* (npath) */
     unsigned char *ops; /* (nop) 'm' and 'l' take one point, 'c' three, 'z' none */
     double *xy;         /* (nxy) x and y of each point [m] */
+    int32_t ntext, text_room, nletter, letter_room;
+    mus__text *texts; /* (ntext) */
+    char *letters;    /* (nletter) */
 } mus__drawing;
 
 void mus__draw_init(mus__drawing *drawing, mus_context *context);
@@ -114,6 +124,10 @@ typedef struct mus__text_style {
 uint32_t mus__text_character(const char **text);
 /* width of UTF-8 text whose capitals have the height 1 */
 double mus__text_width(const char *text);
+/* advance of a character whose capitals have the height 1 */
+double mus__text_advance(uint32_t code);
+/* keep a text for readers; its left end is at (x, y) */
+void mus__draw_letters(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style);
 /* add text as strokes to the path that was begun last; its base line goes through (x, y) */
 void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style);
 

@@ -9,6 +9,7 @@
  * right side up and all outlines run counter-clockwise.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/elementary.h"
@@ -62,6 +63,7 @@ void mus__piece_free(mus_context *context, mus__piece *piece)
 void mus__piece_move(mus__piece *piece, double x, double y)
 {
     const double by[2] = {x, y};
+    piece->axis += x;
     for (int32_t k = 0; k < 2; k++) {
         piece->shift[k] += by[k];
         piece->box[k] += by[k];
@@ -307,7 +309,13 @@ static void piece_copies(const mus_pattern *pattern, mus__piece *piece)
 }
 
 
-mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
+void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size)
+{
+    snprintf(out, size, "Cut %d%s", piece->copies, piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
+}
+
+
+mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance, bool fold,
                            mus__piece *piece)
 {
     int32_t n = 0, *edges = NULL, *directions;
@@ -334,6 +342,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = piece_flatten(context, piece);
     if (status == MUS_OK) status = piece_turn(pattern, piece);
     if (status == MUS_OK) status = piece_cut(context, pattern, allowance, piece);
+    if (status == MUS_OK && fold) status = mus__piece_fold(context, pattern, piece);
     if (status != MUS_OK) return status;
 
     /* move the low corner of the cut line's box to the origin */

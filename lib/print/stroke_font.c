@@ -106,6 +106,12 @@ double mus__text_width(const char *text)
 }
 
 
+double mus__text_advance(uint32_t code)
+{
+    return (double)(stroke_digit(stroke_glyph(code)[0]) + SPACING) / CAPITAL;
+}
+
+
 /* map from the grid of a glyph to the drawing */
 typedef struct text_frame {
     double x, y, unit, cosine, sine;
@@ -148,6 +154,7 @@ void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y,
     double back = style->align * style->height * mus__text_width(text);
     text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
                     style->sine};
+    mus__draw_letters(drawing, text, f.x, f.y, style);
     for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);

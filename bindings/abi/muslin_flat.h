@@ -1174,6 +1174,7 @@ mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern 
 mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
 void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
+mus_status mus_pattern_propose_seams(const mus_pattern *pattern, int32_t *edges, int32_t *chosen, double *confidence, int32_t capacity, int32_t *count);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);

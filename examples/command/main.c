@@ -24,6 +24,7 @@ static const struct {
     {"sheet", command_sheet, "dress many designs on many bodies, as one picture"},
     {"print", command_print, "write paper ready to cut: PDF, SVG"},
     {"convert", command_convert, "convert a pattern or tape file to another form"},
+    {"seams", command_seams, "propose the seams of a pattern whose file has none"},
     {"catalogue", command_catalogue, "add patterns to a catalogue file"},
     {"find", command_find, "find patterns of a catalogue that are like a given one"},
     {"bench", command_bench, "measure speed"},

@@ -157,7 +157,10 @@ static int32_t surface_rings(mus_body *body, int32_t l, const surface_work *work
         double most = 0.0, spacing = body->def.ring_spacing;
         surface_section(body, l, s, work, centre, now);
         if (contour > 0 && limb->contour[contour - 1].fine) spacing *= 0.5;
-        for (int32_t k = 0; k < n && i > 0; k++) most = fmax(most, fabs(now[k] - last[k]));
+        for (int32_t k = 0; k < n && i > 0; k++) {
+            const double off = fabs(now[k] - last[k]);
+            most = off > most ? off : most;
+        }
         double steps = ceil(sqrt((s - low) * (s - low) + most * most) / spacing), bulge = 0.0;
         if (s - low > 2.5 * surface_field(body, l, low)->ds && spacing < SURFACE_FINE + 1e-9) {
             for (int third = 1; third < 3; third++) { /* an S has no bulge in the middle */

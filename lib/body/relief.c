@@ -16,6 +16,7 @@
 #include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
+#include "limb/radius_field_double.h"
 
 /* chosen: they shape the picture */
 #define RELIEF_PALM 0.38   /* share of its length that the hand keeps beyond the knuckles */
@@ -261,7 +262,7 @@ static bool relief_way(const relief *at, int32_t l, const relief_height *up, con
 
 
 /* the new radius of an entry whose ray is start + radius way, in the rest pose; `old` is the field as it was */
-static double relief_radius(const relief *at, const mus__field *old, int32_t l, const relief_height *up,
+static double relief_radius(const relief *at, const mus__body_field *old, int32_t l, const relief_height *up,
                             const double *start, const double *way, double radius)
 {
     const double least = 0.5 * radius;
@@ -270,7 +271,7 @@ static double relief_radius(const relief *at, const mus__field *old, int32_t l, 
         for (int i = 0; i < 3; i++) x[i] = start[i] + radius * way[i];
         if (!relief_way(at, l, up, x, v)) break;
         for (int i = 0; i < 3; i++) x[i] -= v[i];
-        const double depth = mus__field_depth(old, x, normal), slope = mus__dot3(normal, way);
+        const double depth = mus__field_depth_of(old, x, normal), slope = mus__dot3(normal, way);
         if (depth < -1e29 || fabs(depth) < RELIEF_NEAR) break;
         radius = fmax(radius + depth / fmax(slope, RELIEF_SLOPE), least);
     }
@@ -279,7 +280,7 @@ static double relief_radius(const relief *at, const mus__field *old, int32_t l, 
 
 
 /* change the entries of ring j of part q; `old` is the field as it was */
-static void relief_ring(const relief *at, const mus__field *old, mus__field *field, int32_t q, int32_t j,
+static void relief_ring(const relief *at, const mus__body_field *old, mus__field *field, int32_t q, int32_t j,
                         const double *turn)
 {
     const int32_t n = field->nangle, l = at->body->rig.part[q].limb;
@@ -298,7 +299,7 @@ static void relief_ring(const relief *at, const mus__field *old, mus__field *fie
             way[i] = turn[2 * k] * limb->side[i] + turn[2 * k + 1] * limb->front[i];
         }
         const double fresh = relief_radius(at, old, l, head ? &up : NULL, start, way, radius[k]);
-        most = fmax(most, fabs(fresh - radius[k]));
+        if (fabs(fresh - radius[k]) > most) most = fabs(fresh - radius[k]);
         radius[k] = fresh;
     }
     if (most < RELIEF_FINE || l >= MUS__LIMB_FOOT_LEFT) return;
@@ -321,6 +322,7 @@ static double relief_front(const mus__limb *limb, int32_t girth)
 static mus_status relief_part(const relief *at, mus_body *body, int32_t q)
 {
     mus__field *field = &body->field[q], old = *field;
+    mus__body_field query;
     const int32_t l = body->rig.part[q].limb;
     const bool head = l == MUS__LIMB_TORSO && body->rig.part[q].joint == MUS_JOINT_NECK;
     const int64_t size = (int64_t)field->nring * field->nangle;
@@ -332,9 +334,10 @@ static mus_status relief_part(const relief *at, mus_body *body, int32_t q)
     old.radius = mus__room(body->context, size, sizeof(double));
     if (old.radius == NULL) return mus__fail_memory(body->context, "the details of a body");
     memcpy(old.radius, field->radius, (size_t)size * sizeof(double));
+    mus__field_prepare(&old, &query);
     for (int32_t j = 0; j < field->nring; j++) {
         const double s = field->s0 + j * field->ds;
-        if (s >= range[0] && s <= range[1]) relief_ring(at, &old, field, q, j, turn);
+        if (s >= range[0] && s <= range[1]) relief_ring(at, &query, field, q, j, turn);
     }
     mus__free(body->context, old.radius);
     return MUS_OK;

@@ -19,7 +19,7 @@ void mus__ring_triangles(int32_t vertex, int32_t rings, int32_t n, int32_t *out)
     for (int32_t j = 0; j + 1 < rings; j++) {
         int32_t low = first + n * j;
         for (int32_t k = 0; k < n; k++, out += 6) {
-            int32_t next = (k + 1) % n;
+            int32_t next = k + 1 < n ? k + 1 : 0;
             out[0] = low + k, out[1] = low + next, out[2] = low + n + k;
             out[3] = low + next, out[4] = low + n + next, out[5] = low + n + k;
         }
@@ -54,15 +54,15 @@ void mus__ring_normals(const double *x, int32_t n, int32_t rings, int32_t from, 
     const ptrdiff_t row = 3 * (ptrdiff_t)n;
     const double *low = x, *high = x + 3 + rings * row;
     for (int32_t j = from; j < rings; j++) {
-        const double *p = x + 3 + j * row;
+        const double *p = x + 3 + j * row, *below = j > 0 ? p - row : low, *above = j + 1 < rings ? p + row : high;
+        const ptrdiff_t under = j > 0 ? 1 : 0, over = j + 1 < rings ? 1 : 0, end = row - 3;
         double *out = normals + 3 + j * row;
-        for (int32_t k = 0; k < n; k++, out += 3) {
-            const ptrdiff_t here = 3 * (ptrdiff_t)k, next = k + 1 < n ? here + 3 : 0, last = k > 0 ? here - 3 : row - 3;
-            const double *below = j > 0 ? p - row + here : low, *below_next = j > 0 ? p - row + next : low;
-            const double *above = j + 1 < rings ? p + row + here : high;
-            const double *above_last = j + 1 < rings ? p + row + last : high;
-            ring_hexagon(p + next, above, above_last, p + last, below, below_next, out);
-        }
+        ring_hexagon(p + 3, above, above + over * end, p + end, below, below + under * 3, out);
+        for (ptrdiff_t here = 3; here < end; here += 3)
+            ring_hexagon(p + here + 3, above + over * here, above + over * (here - 3), p + here - 3,
+                         below + under * here, below + under * (here + 3), out + here);
+        ring_hexagon(p, above + over * end, above + over * (end - 3), p + end - 3, below + under * end, below,
+                     out + end);
     }
 
     /* an end point: the vector area of its ring */

@@ -359,8 +359,10 @@ static void fillet_slack(fillet *at, const mus__field *field, int32_t j, bool fr
     const int32_t n = field->nangle;
     const double *r = field->radius + (ptrdiff_t)j * n, *c = field->centre + 2 * (ptrdiff_t)j;
     const double shift = fresh ? 0.0 : fabs(c[0] - c[-2]) + fabs(c[1] - c[-1]) + field->ds;
-    for (int32_t k = 0; k < n; k++)
-        at->slack[k] = fresh ? 0.0 : fmax(at->slack[k] - 2.0 * (shift + fabs(r[k] - r[k - n])), 0.0);
+    for (int32_t k = 0; k < n; k++) {
+        const double left = fresh ? 0.0 : at->slack[k] - 2.0 * (shift + fabs(r[k] - r[k - n]));
+        at->slack[k] = left > 0.0 ? left : 0.0;
+    }
 }
 
 

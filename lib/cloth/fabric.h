@@ -13,8 +13,11 @@
 #define MUS__FABRIC_FIRST offsetof(mus_fabric, bend_hysteresis)
 
 /* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it. Chosen: well below 50 /m,
- * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat */
+ * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat. tests/study/fabric/slider.py
+ * compiles with others */
+#ifndef MUS__SLIDE_CURVATURE
 #define MUS__SLIDE_CURVATURE 5.0
+#endif
 
 /* constants of a lattice: springs along warp (0) and weft (1), diagonals, stencils likewise */
 typedef struct mus__fabric_lattice {

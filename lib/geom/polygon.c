@@ -7,6 +7,7 @@
  * winding number counts upward and downward crossings.
  */
 #include <math.h>
+#include <string.h>
 
 #include "geom/polygon.h"
 #include "base/elementary.h"
@@ -69,6 +70,40 @@ static void polygon_sort(const polygon_order *order, int32_t *index)
         index[0] = index[end], index[end] = swap;
         polygon_sift(order, index, 0, end);
     }
+}
+
+
+/* Returns the end of the sorted run that begins at `from`. */
+static int32_t polygon_run(const polygon_order *order, const int32_t *index, int32_t from)
+{
+    int32_t end = from + 1;
+    while (end < order->n && !polygon_before(order, index[end], index[end - 1])) end++;
+    return end;
+}
+
+
+/* Sorts as polygon_sort() does, by merging sorted runs, of which a closed contour has two or three.
+ * Scratch: spare (n) */
+static void polygon_merge(const polygon_order *order, int32_t *index, int32_t *spare)
+{
+    const int32_t n = order->n;
+    int32_t *from = index, *to = spare;
+    for (int32_t i = 0; i < n; i++) index[i] = i;
+    for (int32_t i = 0, end; i < n; i = end) { /* falling runs are turned over */
+        for (end = i + 1; end < n && polygon_before(order, end, end - 1);) end++;
+        for (int32_t j = i; j < end; j++) index[j] = end - 1 - (j - i);
+    }
+    while (polygon_run(order, from, 0) < n) {
+        for (int32_t at = 0; at < n;) {
+            const int32_t middle = polygon_run(order, from, at);
+            const int32_t end = middle < n ? polygon_run(order, from, middle) : n;
+            for (int32_t i = at, j = middle; at < end; at++)
+                to[at] = j == end || (i < middle && polygon_before(order, from[i], from[j])) ? from[i++] : from[j++];
+        }
+        int32_t *swap = from;
+        from = to, to = swap;
+    }
+    if (from != index) memcpy(index, from, (size_t)n * sizeof *index);
 }
 
 
@@ -140,7 +175,7 @@ int32_t mus__polygon_hull(int32_t n, const double *xy, int32_t *out, int32_t *wo
 {
     if (n < 1) return 0;
     polygon_order order = {n, xy, false};
-    polygon_sort(&order, work);
+    polygon_merge(&order, work, out);
 
     /* lower chain from left to right, then upper chain from right to left over the remaining points */
     int32_t count = 0;

@@ -118,8 +118,10 @@ void mus__field_bounds(mus__field *field)
     field->reach = 0.0;
     for (int32_t j = 0; j < field->nring; j++) {
         const double *centre = field->centre + 2 * j, *radius = field->radius + (ptrdiff_t)j * field->nangle;
-        double most = 0.0;
-        for (int32_t k = 0; k < field->nangle; k++) most = radius[k] > most ? radius[k] : most;
+        double four[4] = {0.0}; /* a maximum of each quarter, so that they do not wait for each other */
+        for (int32_t k = 0; k < field->nangle; k += 4)
+            for (int32_t i = 0; i < 4; i++) four[i] = radius[k + i] > four[i] ? radius[k + i] : four[i];
+        const double most = fmax(fmax(four[0], four[1]), fmax(four[2], four[3]));
         field->reach = fmax(field->reach, most + sqrt(centre[0] * centre[0] + centre[1] * centre[1]));
         field->largest[j] = most;
         if (j > 0) field->largest[j - 1] = fmax(field->largest[j - 1], most);
@@ -156,6 +158,14 @@ void mus__field_ring(const mus__field *field, double s, int32_t n, const int32_t
     }
     const double *c0 = field->centre + 2 * (ptrdiff_t)j;
     for (int i = 0; i < 2; i++) centre[i] = c0[i] + t * (c0[i + 2] - c0[i]);
+    if (n == m && shrink == 1.0) { /* the directions are those of the table */
+        for (int32_t k = 0; k < n && t == 0.0; k++) radius[k] = low[k];
+        for (int32_t k = 0; k < n && t != 0.0; k++) {
+            const double from = low[k] * low[k], to = high[k] * high[k];
+            radius[k] = sqrt(from + t * (to - from));
+        }
+        return;
+    }
     for (int32_t k = 0; k < n; k++) {
         const int32_t p = entry[k], q = p + 1 < m ? p + 1 : 0;
         const double w = share[k];
@@ -204,9 +214,5 @@ double mus__field_depth(const mus__field *field, const double *p, double *normal
 {
     mus__body_field f;
     mus__field_prepare(field, &f);
-    int32_t near;
-    double depth = mus__body_field_query(&f, p, MUS__FIELD_MARGIN, normal, &near);
-    if (near > 0) return depth;
-    normal[0] = normal[1] = normal[2] = 0.0;
-    return -1e30;
+    return mus__field_depth_of(&f, p, normal);
 }

@@ -18,4 +18,14 @@
 /* the numbers that the query of a field reads; it borrows the tables of the field */
 void mus__field_prepare(const mus__field *field, mus__body_field *out);
 
+/* mus__field_depth() of a prepared field */
+static inline double mus__field_depth_of(const mus__body_field *field, const double *p, double *normal)
+{
+    int32_t near;
+    const double depth = mus__body_field_query(field, p, MUS__FIELD_MARGIN, normal, &near);
+    if (near > 0) return depth;
+    normal[0] = normal[1] = normal[2] = 0.0;
+    return -1e30;
+}
+
 #endif

@@ -195,14 +195,12 @@ static double solid_field_depth(const mus__solid *solid, const double *x)
 {
     const mus__body_field *f = &solid->query;
     double normal[3], y[3] = {x[0], x[1], x[2]};
-    int32_t near;
     if (solid->keep < 1.0) {
         const double off[3] = {x[0] - f->origin[0], x[1] - f->origin[1], x[2] - f->origin[2]};
         const double above = fmax(mus__dot3(off, f->axis) - solid->from, 0.0), more = above / solid->keep - above;
         for (int k = 0; k < 3; k++) y[k] = x[k] + more * f->axis[k];
     }
-    const double depth = mus__body_field_query(f, y, MUS__FIELD_MARGIN, normal, &near);
-    return near > 0 ? depth : -1e30;
+    return mus__field_depth_of(f, y, normal);
 }
 
 

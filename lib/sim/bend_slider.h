@@ -11,7 +11,9 @@
 
 /* steps between two moves of the sliders. Chosen: cloth bends thousands of steps long, and the sliders, which write to
  * four nodes each, then cost less than the other forces */
+#ifndef MUS__SLIDE_STEPS
 #define MUS__SLIDE_STEPS 8
+#endif
 
 /* room for the sliders of a cloth; none without friction of bending. Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT */
 mus_status mus__sliders_create(mus_context *context, const mus_cloth *cloth, mus__program *program);

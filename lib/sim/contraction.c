@@ -1,10 +1,10 @@
 /*
  * contraction.c: the cells of a force program that couple warp and weft (contraction.h).
  *
- * With q = |u|^2 / p^2 and i = 1 / (q^4 + 1):
+ * The two edges along one way are the 6-vector w = (e1, e2) / (p root 2), of length r. With i = 1 / (r^8 + 1):
  *
- *     psi = 1/4 - i / 2,   d psi / du = c u / p^2,   c = 4 q^3 i^2,
- *     d2 psi / du2 = -c (1 + 32 psi) / p^2 along u, c / p^2 across it
+ *     psi = 1/4 - i / 2,   d psi / dw = c w,   c = 4 r^6 i^2,
+ *     d2 psi / dw2 = -c (1 + 32 psi) along w, c across it
  */
 #include <math.h>
 
@@ -14,14 +14,13 @@
  * above over stretches from e^-1.2 to e^1.2 */
 #define CELL_MOST 2.08
 
-/* one edge vector of a cell: its direction, and psi with its derivatives for an edge of length 1 */
-typedef struct cell_edge {
-    double n[3], length, psi, slope, curve, across;
-} cell_edge;
+/* the edges of a cell along one way: their vectors over the rest length, and psi with its derivatives by w */
+typedef struct cell_edges {
+    double e[2][3], r, psi, across, curve;
+} cell_edges;
 
-
-/* sign of corner k = a, a+1, b, b+1 in the edge vectors along weft and warp */
-static const double cell_sign[2][4] = {{-1.0, 1.0, -1.0, 1.0}, {-1.0, -1.0, 1.0, 1.0}};
+/* corners a, a+1, b, b+1 at the ends of the two edges along weft, and along warp */
+static const int32_t cell_ends[2][2][2] = {{{0, 1}, {2, 3}}, {{0, 2}, {1, 3}}};
 
 
 static void cell_corners(const mus__cell_run *run, int32_t i, int32_t *node)
@@ -30,19 +29,22 @@ static void cell_corners(const mus__cell_run *run, int32_t i, int32_t *node)
 }
 
 
-static cell_edge cell_measure(const double *x, const int32_t *node, const double *sign, double side)
+static cell_edges cell_measure(const double *x, const int32_t *node, int32_t way, double side)
 {
-    cell_edge e = {{0.0}, 0.0, 0.0, 0.0, 0.0, 0.0};
-    for (int32_t k = 0; k < 4; k++)
-        for (int32_t d = 0; d < 3; d++) e.n[d] += 0.5 * sign[k] * x[3 * (int64_t)node[k] + d] / side;
-    const double q = e.n[0] * e.n[0] + e.n[1] * e.n[1] + e.n[2] * e.n[2], i = 1.0 / (q * q * (q * q) + 1.0);
-    e.length = sqrt(q);
-    e.psi = 0.25 - 0.5 * i;
-    e.across = 4.0 * (q * q * q * i) * i;
-    e.slope = e.across * e.length;
-    e.curve = -e.across * (1.0 + 32.0 * e.psi);
-    for (int32_t d = 0; d < 3 && e.length > 0.0; d++) e.n[d] /= e.length;
-    return e;
+    cell_edges w;
+    double sum = 0.0;
+    for (int32_t k = 0; k < 2; k++)
+        for (int32_t d = 0; d < 3; d++) {
+            const int32_t *end = cell_ends[way][k];
+            w.e[k][d] = (x[3 * (int64_t)node[end[1]] + d] - x[3 * (int64_t)node[end[0]] + d]) / side;
+            sum += w.e[k][d] * w.e[k][d];
+        }
+    const double q = 0.5 * sum, i = 1.0 / (q * q * (q * q) + 1.0);
+    w.r = sqrt(q);
+    w.psi = 0.25 - 0.5 * i;
+    w.across = 4.0 * (q * q * q * i) * i;
+    w.curve = -w.across * (1.0 + 32.0 * w.psi);
+    return w;
 }
 
 
@@ -111,13 +113,15 @@ double mus__contraction_force(const mus__program *program, const double *x, doub
         for (int32_t i = 0; i < program->cell_run[r].count; i++) {
             int32_t node[4];
             cell_corners(&program->cell_run[r], i, node);
-            const cell_edge u = cell_measure(x, node, cell_sign[0], side[0]);
-            const cell_edge v = cell_measure(x, node, cell_sign[1], side[1]);
-            energy += k * u.psi * v.psi;
-            const double pu = -0.5 * k * v.psi * u.slope / side[0], pv = -0.5 * k * u.psi * v.slope / side[1];
-            for (int32_t c = 0; c < 4 && f != NULL; c++)
-                for (int32_t d = 0; d < 3; d++)
-                    f[3 * (int64_t)node[c] + d] += cell_sign[0][c] * pu * u.n[d] + cell_sign[1][c] * pv * v.n[d];
+            const cell_edges w[2] = {cell_measure(x, node, 0, side[0]), cell_measure(x, node, 1, side[1])};
+            energy += k * w[0].psi * w[1].psi;
+            for (int32_t way = 0; way < 2 && f != NULL; way++)
+                for (int32_t m = 0; m < 6; m++) {
+                    const int32_t *end = cell_ends[way][m / 3], d = m % 3;
+                    const double pull = 0.5 * k * w[1 - way].psi * w[way].across / side[way] * w[way].e[m / 3][d];
+                    f[3 * (int64_t)node[end[0]] + d] += pull;
+                    f[3 * (int64_t)node[end[1]] + d] -= pull;
+                }
         }
     return energy;
 }
@@ -137,13 +141,28 @@ void mus__contraction_stiffness(const mus__program *program, double *t)
 }
 
 
+/* adds to the matrices of the ends of a way's edges: `along` the edge, `across` it */
+static void cell_tangent(const cell_edges *w, int32_t way, const int32_t *node, double along, double across, double *t)
+{
+    for (int32_t m = 0; m < 4; m++) {
+        const double *e = w->e[m / 2], size2 = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+        const double more = size2 > 0.0 ? fmax(0.0, along - across) / size2 : 0.0, all = size2 > 0.0 ? across : along;
+        double *out = t + 6 * (int64_t)node[cell_ends[way][m / 2][m % 2]];
+        for (int32_t d = 0; d < 3; d++) {
+            out[d] += all + more * e[d] * e[d];
+            out[3 + d] += more * e[d] * e[(d + 1) % 3];
+        }
+    }
+}
+
+
 /*
- * The second variation of E for changes U, V of the edge vectors, times 1 / C, with s = q / p:
+ * The second variation of E for changes W, Z of the edges along and across, times 1 / C, with w, z their directions:
  *
- *     s psi_v (curve_u (n_u U)^2 + across_u (|U|^2 - (n_u U)^2)) + 2 slope_u slope_v (n_u U) (n_v V) + the same of v
+ *     q/p psi_z (curve_w (w W)^2 + across_w (|W|^2 - (w W)^2)) + 2 c_w r_w c_z r_z (w W) (z Z) + the same of z
  *
- * where 2 (n_u U) (n_v V) <= (n_u U)^2 + (n_v V)^2, what is negative is left out, and |U|^2 is at most the sum of the
- * squares of the changes of the four corners, as the weights are 1/2.
+ * where 2 (w W) (z Z) <= (w W)^2 + (z Z)^2 and what is negative is left out. |W|^2 is at most the sum of the squares of
+ * the changes of the four corners, and (w W)^2 that of their parts along the edges.
  */
 void mus__contraction_stiffness_at(const mus__program *program, const double *x, double *tangent)
 {
@@ -152,19 +171,12 @@ void mus__contraction_stiffness_at(const mus__program *program, const double *x,
         for (int32_t i = 0; i < program->cell_run[r].count; i++) {
             int32_t node[4];
             cell_corners(&program->cell_run[r], i, node);
-            const cell_edge e[2] = {cell_measure(x, node, cell_sign[0], side[0]),
-                                    cell_measure(x, node, cell_sign[1], side[1])};
-            double sum[6] = {0.0};
-            for (int32_t k = 0; k < 2; k++) {
-                const double *n = e[k].n, other = e[1 - k].psi * side[1 - k] / side[k];
-                const double along = program->couple * (e[0].slope * e[1].slope + fmax(0.0, other * e[k].curve));
-                const double across = program->couple * fmax(0.0, other * e[k].across);
-                for (int32_t d = 0; d < 3; d++) {
-                    sum[d] += across + (along - across) * n[d] * n[d];
-                    sum[3 + d] += (along - across) * n[d] * n[(d + 1) % 3];
-                }
+            const cell_edges w[2] = {cell_measure(x, node, 0, side[0]), cell_measure(x, node, 1, side[1])};
+            const double both = w[0].across * w[0].r * (w[1].across * w[1].r);
+            for (int32_t way = 0; way < 2; way++) {
+                const double other = w[1 - way].psi * side[1 - way] / side[way];
+                const double along = program->couple * (both + fmax(0.0, other * w[way].curve));
+                cell_tangent(&w[way], way, node, along, program->couple * fmax(0.0, other * w[way].across), tangent);
             }
-            for (int32_t c = 0; c < 4; c++)
-                for (int32_t d = 0; d < 6; d++) tangent[6 * (int64_t)node[c] + d] += sum[d];
         }
 }

@@ -2,13 +2,15 @@
  * contraction.h: lateral contraction: an element in each full cell of the lattice that couples its strain along warp
  * with that along weft.
  *
- *      b --- b+1      u = (x_{a+1} - x_a + x_{b+1} - x_b) / 2 and v = (x_b - x_a + x_{b+1} - x_{a+1}) / 2 are the edge
- *      |   v  |       vectors of the cell of p by q, the gradient of a bilinear cell at its middle:
- *      |    u |
- *      a --- a+1      E = C p q psi(u/p) psi(v/q), psi(r) = tanh(4 ln |r|) / 4 = 1/4 - 1 / (2 |r|^8 + 2)
+ *      b ---- b+1     r = root of the mean square of the edges along weft, a to a+1 and b to b+1, over their rest p;
+ *      |       |      s = the same of the two along the warp, over q:
+ *      |       |
+ *      a ---- a+1     E = C p q psi(r) psi(s),   psi(r) = tanh(4 ln r) / 4 = 1/4 - 1 / (2 r^8 + 2)
  *
  * psi is the strain where it is small and stays below a quarter, so that force and stiffness are bounded in every pose.
- * It has no root. E does not change with translation or rotation: the forces of a cell have no sum and no moment.
+ * It has no root. E depends on lengths alone: the forces of a cell have no sum and no moment. Edges are measured, not
+ * the middle of the cell: a twisted cell whose edges keep their lengths has no strain (with the middle, discs of a soft
+ * fabric hung 10 points higher at 5 mm).
  * C is what the fabric's C12 has beyond the diagonals of the cell (lib/cloth/fabric.c).
  *
  * Cells stand on lattice nodes alone, so welding leaves them as they are. Triangles of the strip between the lattice

@@ -6,41 +6,45 @@
  * the forces on its own nodes.
  */
 
-/* constants of all cells: -C p q / 2, 1 / p^2, 1 / q^2 */
+/* constants of all cells: C p q / 2, 1 / (2 p^2), 1 / (2 q^2) */
 typedef struct MUS__NAME(cell_constants) {
     MUS__REAL k, over[2];
 } MUS__NAME(cell_constants);
 
 
-/* half of the force along u, plus that along v (sum) and minus it (less), 3 planes of 16; 0 from lane `count` on */
+/* forces on the corners a, a+1, b, b+1 of 16 cells, each 3 planes of 16; 0 from lane `count` on */
 static MUS_INLINE void MUS__NAME(cell_pull)(int64_t n, const MUS__REAL *restrict a, const MUS__REAL *restrict b,
-                                            int32_t count, const MUS__NAME(cell_constants) *c, MUS__REAL *restrict sum,
-                                            MUS__REAL *restrict less)
+                                            int32_t count, const MUS__NAME(cell_constants) *c, MUS__REAL *restrict pull)
 {
+    enum { PLANES = 3 * MUS__LANES };
     for (int32_t i = 0; i < MUS__LANES; i++) {
-        MUS__REAL u[3], v[3];
+        MUS__REAL qu = 0, qv = 0;
         MUS_UNROLL
         for (int32_t d = 0; d < 3; d++) {
-            const MUS__REAL rise = b[d * n + i + 1] - a[d * n + i], fall = a[d * n + i + 1] - b[d * n + i];
-            u[d] = (rise + fall) / 2, v[d] = (rise - fall) / 2;
+            const MUS__REAL low = a[d * n + i + 1] - a[d * n + i], high = b[d * n + i + 1] - b[d * n + i];
+            const MUS__REAL left = b[d * n + i] - a[d * n + i], right = b[d * n + i + 1] - a[d * n + i + 1];
+            qu += low * low + high * high, qv += left * left + right * right;
         }
-        const MUS__REAL qu = (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) * c->over[0];
-        const MUS__REAL qv = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * c->over[1];
+        qu *= c->over[0], qv *= c->over[1];
         const MUS__REAL u2 = qu * qu, v2 = qv * qv, iu = 1 / (u2 * u2 + 1), iv = 1 / (v2 * v2 + 1);
         const MUS__REAL k = i < count ? c->k : 0;
-        const MUS__REAL pu = k * c->over[0] * ((MUS__REAL)0.25 - iv / 2) * (4 * (u2 * qu * iu) * iu);
-        const MUS__REAL pv = k * c->over[1] * ((MUS__REAL)0.25 - iu / 2) * (4 * (v2 * qv * iv) * iv);
+        const MUS__REAL pu = k * c->over[0] * ((MUS__REAL)0.25 - iv / 2) * (8 * (u2 * qu * iu) * iu);
+        const MUS__REAL pv = k * c->over[1] * ((MUS__REAL)0.25 - iu / 2) * (8 * (v2 * qv * iv) * iv);
         MUS_UNROLL
         for (int32_t d = 0; d < 3; d++) {
-            sum[d * MUS__LANES + i] = pu * u[d] + pv * v[d];
-            less[d * MUS__LANES + i] = pu * u[d] - pv * v[d];
+            const MUS__REAL low = pu * (a[d * n + i + 1] - a[d * n + i]), high = pu * (b[d * n + i + 1] - b[d * n + i]);
+            const MUS__REAL left = pv * (b[d * n + i] - a[d * n + i]);
+            const MUS__REAL right = pv * (b[d * n + i + 1] - a[d * n + i + 1]);
+            MUS__REAL *out = pull + d * MUS__LANES + i;
+            out[0] = low + left, out[PLANES] = right - low;
+            out[2 * PLANES] = high - left, out[3 * PLANES] = -high - right;
         }
     }
 }
 
 
-/* adds sign times 3 planes of 16 to the chunk's forces from its node `at` on, which may be outside */
-static MUS_INLINE void MUS__NAME(cell_add)(int32_t at, int32_t nodes, MUS__REAL sign, const MUS__REAL *restrict from,
+/* adds 3 planes of 16 to the chunk's forces from its node `at` on, which may be outside */
+static MUS_INLINE void MUS__NAME(cell_add)(int32_t at, int32_t nodes, const MUS__REAL *restrict from,
                                            MUS__REAL *restrict f)
 {
     if (at >= nodes) return;
@@ -48,9 +52,9 @@ static MUS_INLINE void MUS__NAME(cell_add)(int32_t at, int32_t nodes, MUS__REAL 
     for (int32_t d = 0; d < 3; d++) {
         MUS__REAL *restrict out = f + d * MUS__SPAN + at;
         if (at >= 0)
-            for (int32_t i = 0; i < MUS__LANES; i++) out[i] += sign * from[d * MUS__LANES + i];
+            for (int32_t i = 0; i < MUS__LANES; i++) out[i] += from[d * MUS__LANES + i];
         else
-            for (int32_t i = -at; i < MUS__LANES; i++) out[i] += sign * from[d * MUS__LANES + i];
+            for (int32_t i = -at; i < MUS__LANES; i++) out[i] += from[d * MUS__LANES + i];
     }
 }
 
@@ -61,19 +65,19 @@ static void MUS__NAME(cells)(const mus__sim *sim, const mus__chunk *chunk, MUS__
 {
     const mus__program *program = sim->program;
     const double *side = program->cell_side;
-    const MUS__NAME(cell_constants) c = {(MUS__REAL)(-0.5 * program->couple * side[0] * side[1]),
-                                         {(MUS__REAL)(1.0 / (side[0] * side[0])),
-                                          (MUS__REAL)(1.0 / (side[1] * side[1]))}};
+    const MUS__NAME(cell_constants) c = {(MUS__REAL)(0.5 * program->couple * side[0] * side[1]),
+                                         {(MUS__REAL)(0.5 / (side[0] * side[0])),
+                                          (MUS__REAL)(0.5 / (side[1] * side[1]))}};
     const MUS__REAL *y = sim->phase_y;
     for (int32_t r = chunk->cell; r < chunk->cell + chunk->ncell; r++) {
         const mus__cell_run *run = &program->cell[r];
         for (int32_t i = 0; i < run->count; i += MUS__LANES) {
-            MUS__REAL pull[2][3 * MUS__LANES]; /* along u plus and minus along v */
-            MUS__NAME(cell_pull)(sim->n, y + run->a + i, y + run->b + i, run->count - i, &c, pull[0], pull[1]);
+            MUS__REAL pull[12 * MUS__LANES];
+            MUS__NAME(cell_pull)(sim->n, y + run->a + i, y + run->b + i, run->count - i, &c, pull);
             MUS_ROLLED
-            for (int32_t k = 0; k < 4; k++) /* corners a, a+1, b, b+1 */
+            for (int32_t k = 0; k < 4; k++)
                 MUS__NAME(cell_add)((k < 2 ? run->a : run->b) + i + k % 2 - chunk->first, chunk->count,
-                                    k % 2 == 0 ? -1 : 1, pull[k == 1 || k == 2], f);
+                                    pull + 3 * k * MUS__LANES, f);
         }
     }
 }

@@ -3,7 +3,7 @@ import json
 
 import pytest
 
-COMMANDS = ["body", "designs", "draft", "grade", "dress", "print", "convert", "catalogue", "find", "bench", "verify"]
+COMMANDS = ["body", "designs", "draft", "grade", "dress", "print", "convert", "seams", "catalogue", "find", "bench", "verify"]
 TAPES = ["w40", "m50", "child116"]
 REPORT_KEYS = {"status", "nodes", "springs", "seams_closed", "max_seam_gap_mm", "max_penetration_mm", "max_strain",
                "seconds", "steps", "step_s", "step_bound_s", "spring_evaluations", "contact_queries", "skipped",

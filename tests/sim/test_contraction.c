@@ -233,6 +233,28 @@ START_TEST(a_strained_sheet_has_the_energy_of_its_contraction)
 END_TEST
 
 
+/* folded along its diagonal, a cell keeps the lengths of its edges: it has no strain, and no energy */
+START_TEST(a_folded_cell_has_no_strain)
+{
+    mus_context *context = support_context();
+    mus_drape *drape = sheet(context, CONTRACTION, 2, 2, MUS_METHOD_RK4);
+    const double p = 0.010, q = 0.013, angle = 0.5, size2 = p * p + q * q;
+    double f[12] = {0.0}, x[12] = {0.0, 0.0, 0.0, p, 0.0, 0.0, 0.0, q, 0.0, p, q, 0.0};
+
+    /* node 3 turns about the line from node 1 to node 2: along the line it stays, across it leaves the plane */
+    const double along = q * q / size2, foot[2] = {p * (1.0 - along), q * along}, c = cos(angle), s = sin(angle);
+    x[9] = foot[0] + c * (p - foot[0]), x[10] = foot[1] + c * (q - foot[1]);
+    x[11] = s * hypot(p - foot[0], q - foot[1]);
+    ck_assert_double_eq_tol(hypot(x[9] - p, hypot(x[10], x[11])), q, 1e-12);
+    ck_assert_double_eq_tol(hypot(x[9], hypot(x[10] - q, x[11])), p, 1e-12);
+    ck_assert_double_eq_tol(mus__contraction_force(&drape->program, x, f), 0.0, 1e-20);
+    for (int i = 0; i < 12; i++) ck_assert_double_eq_tol(f[i], 0.0, 1e-10);
+    mus_drape_destroy(drape);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a bare value below what the springs give makes nothing: the same bytes, the same memory, the same steps */
 START_TEST(without_it_nothing_is_made)
 {
@@ -298,6 +320,7 @@ Suite *mus_suite_contraction(void)
     tcase_add_test(tests, the_bounds_of_stiffness_hold);
     tcase_add_loop_test(tests, runs_below_the_step_bound_keep_their_energy, MUS_METHOD_RK4, MUS_METHOD_VERLET + 1);
     tcase_add_test(tests, a_strained_sheet_has_the_energy_of_its_contraction);
+    tcase_add_test(tests, a_folded_cell_has_no_strain);
     tcase_add_test(tests, without_it_nothing_is_made);
     tcase_add_test(tests, a_coupling_is_clamped_and_memory_may_fail);
     suite_add_tcase(suite, tests);

@@ -1045,6 +1045,8 @@ FUNCTIONS = {
     "mus_pattern_dxf_init": ("exchange", None, [POINTER(mus_pattern_dxf), c_size_t]),
     "mus_pattern_read_dxf": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_dxf),
                                                    POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_propose_seams": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_int32), POINTER(c_int32),
+                                                        POINTER(c_double), c_int32, POINTER(c_int32)]),
     "mus_pattern_write": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),

@@ -88,6 +88,15 @@ class Pattern(Topology, Edits, Valued):
         """The bytes that write_garmentcode() would write."""
         return taken_bytes(self.context, "mus_pattern_write_garmentcode_bytes", self.handle)
 
+    def propose_seams(self) -> list[tuple[int, int, bool, float]]:
+        """Seams for a pattern without: (edge a, edge b, in the best sewing?, confidence 0 to 1), the surest first; then
+        second choices. Seams that the pattern has are kept and not listed."""
+        room = 2 * self.edge_count
+        edges, chosen, sure = (ctypes.c_int32 * (2 * room))(), (ctypes.c_int32 * room)(), (ctypes.c_double * room)()
+        n = ctypes.c_int32()
+        self.do("propose_seams", edges, chosen, sure, room, ctypes.byref(n))
+        return [(edges[2 * i], edges[2 * i + 1], bool(chosen[i]), sure[i]) for i in range(n.value)]
+
     def copy(self) -> Pattern:
         return Pattern(context=self.context,
                        _handle=create(self.context, "pattern", "mus_pattern_copy", self.handle))

@@ -44,8 +44,8 @@ def turned(values):
 
 
 def bending(fabric, cells=16):
-    """(rigidity [N m] that Peirce's cantilever gives, at rest): a strip of twice its bending length, held at two rows of
-    nodes, without the friction, which KES reads apart from B."""
+    """(rigidity [N m] that Peirce's cantilever gives, at rest): a strip of twice its bending length, held at two rows
+    of nodes, without the friction, which KES reads apart from B."""
     values = fabric.values()
     weight = values["weight"] * cusick.GRAVITY
     plain = muslin.Fabric(**{**values, "bend_hysteresis": 0.0, "damping": 0.0})

@@ -17,11 +17,12 @@ __extension__ typedef __int128 wide;
 typedef struct check {
     const ruler_mesh *mesh;
     int64_t *x;          /* (vertices x 3) in steps */
-    int32_t *edge;       /* (room) corner whose directed edge hashes here, NONE: free */
-    uint32_t room;       /* a power of 2 */
+    int32_t *from;       /* (vertices + 1) first of the corners at each vertex, from which directed edges go out */
+    int32_t *corner;     /* (3 triangles) those corners */
     int32_t *piece;      /* (vertices) parent of each in its piece */
     int32_t *fan;        /* (vertices) fans of triangles about each */
     char *seen;          /* (3 triangles) corners that were visited */
+    int64_t *box;        /* (triangles x 6) low and high corner of each triangle's box */
     int32_t *low, *first, *list; /* cell of each triangle's low corner (triangles x 3); grid */
     int32_t grid[3];
     int64_t base[3], cell;
@@ -40,14 +41,25 @@ static int32_t corner_next(int32_t corner)
 }
 
 
-/* where the directed edge from a to b stands in the table, or would */
-static uint32_t edge_place(const check *c, int32_t a, int32_t b)
+/* the first corner whose directed edge goes from a to b, NONE: there is none */
+static int32_t edge_find(const check *c, int32_t a, int32_t b)
 {
-    uint32_t at = ((uint32_t)a * 2654435761u ^ (uint32_t)b * 2246822519u) & (c->room - 1);
-    while (c->edge[at] != NONE &&
-           (corner_vertex(c, c->edge[at]) != a || corner_vertex(c, corner_next(c->edge[at])) != b))
-        at = (at + 1) & (c->room - 1);
-    return at;
+    for (int32_t i = c->from[a]; i < c->from[a + 1]; i++)
+        if (corner_vertex(c, corner_next(c->corner[i])) == b) return c->corner[i];
+    return NONE;
+}
+
+
+/* sort the corners by their vertices */
+static void check_corners(check *c)
+{
+    const int32_t corners = 3 * c->mesh->triangles, vertices = c->mesh->vertices;
+    memset(c->from, 0, sizeof *c->from * ((size_t)vertices + 1));
+    for (int32_t k = 0; k < corners; k++) c->from[corner_vertex(c, k) + 1]++;
+    for (int32_t v = 0; v < vertices; v++) c->from[v + 1] += c->from[v];
+    for (int32_t k = 0; k < corners; k++) c->corner[c->from[corner_vertex(c, k)]++] = k;
+    for (int32_t v = vertices; v > 0; v--) c->from[v] = c->from[v - 1];
+    c->from[0] = 0;
 }
 
 
@@ -62,18 +74,15 @@ static int32_t root(int32_t *parent, int32_t v)
 static void check_edges(check *c, closed_report *out)
 {
     const int32_t corners = 3 * c->mesh->triangles, vertices = c->mesh->vertices;
-    for (uint32_t i = 0; i < c->room; i++) c->edge[i] = NONE;
+    check_corners(c);
     for (int32_t i = 0; i < vertices; i++) c->piece[i] = i;
     for (int32_t k = 0; k < corners; k++) {
         const int32_t a = corner_vertex(c, k), b = corner_vertex(c, corner_next(k));
-        const uint32_t at = edge_place(c, a, b);
-        if (c->edge[at] != NONE) out->open++;
-        else c->edge[at] = k;
+        out->open += edge_find(c, a, b) != k;
+        out->open += edge_find(c, b, a) == NONE;
         const int32_t p = root(c->piece, a), q = root(c->piece, b);
         c->piece[p > q ? p : q] = p < q ? p : q;
     }
-    for (int32_t k = 0; k < corners; k++)
-        if (c->edge[edge_place(c, corner_vertex(c, corner_next(k)), corner_vertex(c, k))] == NONE) out->open++;
     for (int32_t i = 0; i < vertices; i++) out->pieces += c->piece[i] == i;
     out->euler = vertices - c->mesh->triangles / 2;
     if (out->open > 0 || c->mesh->triangles % 2 != 0) return;
@@ -85,7 +94,7 @@ static void check_edges(check *c, closed_report *out)
         for (int32_t j = k; !c->seen[j];) {
             c->seen[j] = 1;
             const int32_t before = corner_next(corner_next(j));
-            j = c->edge[edge_place(c, corner_vertex(c, j), corner_vertex(c, before))];
+            j = edge_find(c, corner_vertex(c, j), corner_vertex(c, before));
         }
     }
     for (int32_t i = 0; i < vertices; i++) out->pinched += c->fan[i] != 1;
@@ -166,7 +175,7 @@ static bool folded(const int64_t *a, const int64_t *b, const int64_t *p, const i
 }
 
 
-/* whether two triangles meet anywhere but in the vertices that they share */
+/* whether two triangles whose boxes meet do so anywhere but in the vertices that they share */
 static bool crosses(const check *c, int32_t s, int32_t t)
 {
     const int32_t *v = c->mesh->triangle + 3 * (size_t)s, *w = c->mesh->triangle + 3 * (size_t)t;
@@ -176,15 +185,6 @@ static bool crosses(const check *c, int32_t s, int32_t t)
         p[i] = c->x + 3 * (size_t)v[i], q[i] = c->x + 3 * (size_t)w[i];
         for (int j = 0; j < 3; j++)
             if (v[i] == w[j]) shared++, at[0] += i, at[1] += j;
-    }
-    for (int i = 0; i < 3; i++) {
-        const int64_t *a = p[0], *b = q[0];
-        int64_t low = a[i], high = a[i], least = b[i], most = b[i];
-        for (int k = 1; k < 3; k++) {
-            low = p[k][i] < low ? p[k][i] : low, high = p[k][i] > high ? p[k][i] : high;
-            least = q[k][i] < least ? q[k][i] : least, most = q[k][i] > most ? q[k][i] : most;
-        }
-        if (low > most || high < least) return false;
     }
     if (shared == 3) return true;
     if (shared == 2) /* the vertices that are not shared: the indices of a triangle sum to 3 */
@@ -198,16 +198,28 @@ static bool crosses(const check *c, int32_t s, int32_t t)
 }
 
 
+/* boxes of the triangles */
+static void check_boxes(check *c)
+{
+    for (int32_t t = 0; t < c->mesh->triangles; t++)
+        for (int i = 0; i < 3; i++) {
+            int64_t least = INT64_MAX, most = INT64_MIN;
+            for (int k = 0; k < 3; k++) {
+                const int64_t x = c->x[3 * (size_t)corner_vertex(c, 3 * t + k) + (size_t)i];
+                least = x < least ? x : least, most = x > most ? x : most;
+            }
+            c->box[6 * (size_t)t + (size_t)i] = least, c->box[6 * (size_t)t + 3 + (size_t)i] = most;
+        }
+}
+
+
 /* cells of a triangle's box: low and one past high */
 static void cells(const check *c, int32_t t, int32_t *low, int32_t *high)
 {
+    const int64_t *box = c->box + 6 * (size_t)t;
     for (int i = 0; i < 3; i++) {
-        int64_t least = INT64_MAX, most = INT64_MIN;
-        for (int k = 0; k < 3; k++) {
-            const int64_t x = c->x[3 * (size_t)corner_vertex(c, 3 * t + k) + (size_t)i];
-            least = x < least ? x : least, most = x > most ? x : most;
-        }
-        low[i] = (int32_t)((least - c->base[i]) / c->cell), high[i] = (int32_t)((most - c->base[i]) / c->cell) + 1;
+        low[i] = (int32_t)((box[i] - c->base[i]) / c->cell);
+        high[i] = (int32_t)((box[3 + i] - c->base[i]) / c->cell) + 1;
     }
 }
 
@@ -264,46 +276,75 @@ static bool check_grid(check *c)
 }
 
 
-/* each pair of triangles is asked in one cell: the greater of their low cells */
-static void check_crossings(const check *c, closed_report *out)
+/* the pairs of the n triangles of a cell that cross; each pair is asked in one cell, the greater of their low cells.
+ * box: scratch (6 n) */
+static int32_t check_cell(const check *c, const int32_t *list, int32_t n, const int32_t *cell, int64_t *box)
 {
-    for (int32_t k = 0; k < c->grid[2]; k++)
+    int32_t count = 0;
+    for (int32_t a = 0; a < n; a++) {
+        int64_t *own = box + 6 * (size_t)a;
+        const int32_t *s = c->low + 3 * (size_t)list[a];
+        memcpy(own, c->box + 6 * (size_t)list[a], 6 * sizeof *own);
+        for (int32_t b = 0; b < a; b++) {
+            const int64_t *other = box + 6 * (size_t)b;
+            if (own[0] > other[3] || other[0] > own[3] || own[1] > other[4] || other[1] > own[4] ||
+                own[2] > other[5] || other[2] > own[5])
+                continue;
+            const int32_t *t = c->low + 3 * (size_t)list[b];
+            bool here = true;
+            for (int i = 0; i < 3; i++) here = here && (s[i] > t[i] ? s[i] : t[i]) == cell[i];
+            if (here) count += crosses(c, list[a], list[b]);
+        }
+    }
+    return count;
+}
+
+
+/* false: no memory */
+static bool check_crossings(const check *c, closed_report *out)
+{
+    const size_t count = cell_at(c, 0, 0, c->grid[2]);
+    int32_t most = 0;
+    for (size_t at = 0; at < count; at++)
+        if (c->first[at + 1] - c->first[at] > most) most = c->first[at + 1] - c->first[at];
+    int64_t *box = malloc(sizeof *box * 6 * ((size_t)most + 1));
+    for (int32_t k = 0; k < c->grid[2] && box != NULL; k++)
         for (int32_t j = 0; j < c->grid[1]; j++)
             for (int32_t i = 0; i < c->grid[0]; i++) {
                 const size_t at = cell_at(c, i, j, k);
-                for (int32_t a = c->first[at]; a < c->first[at + 1]; a++)
-                    for (int32_t b = c->first[at]; b < a; b++) {
-                        const int32_t *s = c->low + 3 * (size_t)c->list[a], *t = c->low + 3 * (size_t)c->list[b];
-                        if ((s[0] > t[0] ? s[0] : t[0]) != i || (s[1] > t[1] ? s[1] : t[1]) != j ||
-                            (s[2] > t[2] ? s[2] : t[2]) != k)
-                            continue;
-                        out->crossings += crosses(c, c->list[a], c->list[b]);
-                    }
+                const int32_t cell[3] = {i, j, k}, n = c->first[at + 1] - c->first[at];
+                out->crossings += check_cell(c, c->list + c->first[at], n, cell, box);
             }
+    free(box);
+    return box != NULL;
 }
 
 
 bool closed_check(const ruler_mesh *mesh, closed_report *out)
 {
     const size_t vertices = (size_t)mesh->vertices, corners = 3 * (size_t)mesh->triangles;
-    check c = {.mesh = mesh, .room = 1024};
+    check c = {.mesh = mesh};
     memset(out, 0, sizeof *out);
-    while (c.room < 2 * corners) c.room *= 2;
     c.x = malloc(sizeof *c.x * 3 * vertices);
-    c.edge = malloc(sizeof *c.edge * c.room);
+    c.from = malloc(sizeof *c.from * (vertices + 1));
+    c.corner = malloc(sizeof *c.corner * corners);
+    c.box = malloc(sizeof *c.box * 2 * corners);
     c.piece = malloc(sizeof *c.piece * vertices);
     c.fan = calloc(vertices, sizeof *c.fan);
     c.seen = calloc(corners, 1);
-    bool good = c.x != NULL && c.edge != NULL && c.piece != NULL && c.fan != NULL && c.seen != NULL;
+    bool good = c.x && c.from && c.corner && c.box && c.piece && c.fan && c.seen;
     for (size_t i = 0; i < 3 * vertices && good; i++) c.x[i] = llround(mesh->x[i] * UNIT);
     if (good) {
+        check_boxes(&c);
         check_edges(&c, out);
         check_shapes(&c, out);
         good = check_grid(&c);
     }
-    if (good) check_crossings(&c, out);
+    if (good) good = check_crossings(&c, out);
     free(c.x);
-    free(c.edge);
+    free(c.from);
+    free(c.corner);
+    free(c.box);
     free(c.piece);
     free(c.fan);
     free(c.seen);

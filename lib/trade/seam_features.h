@@ -1,0 +1,108 @@
+/*
+ * seam_features.h: the features of a sewing, in the order of the weights, each with the words of the study's table.
+ */
+#ifndef MUS_TRADE_SEAM_FEATURES_H
+#define MUS_TRADE_SEAM_FEATURES_H
+
+/* features of a seam, each with a name for the study's table */
+#define MUS__SEAM_PAIR(X)                                                                                            \
+    X(SEWN, "a seam")                                                                                                \
+    X(RATIO, "logarithm of the lengths' ratio, 1.5 at most")                                                         \
+    X(EQUAL, "lengths within 0.2 %")                                                                                 \
+    X(NEAR, "lengths within 1 %")                                                                                    \
+    X(CLOSE, "lengths within 5 %")                                                                                   \
+    X(EASED, "lengths within 20 %")                                                                                  \
+    X(ONLY, "share of this mate among mates of equal length")                                                        \
+    X(RANK, "rank of the length among all, 8 at most")                                                               \
+    X(TURN_SUM, "turns that differ as of complementary curves [rad]")                                                \
+    X(TURN_BOTH, "turns that differ from complementary and from equal [rad]")                                        \
+    X(CONVEX, "a convex edge to a concave one")                                                                      \
+    X(STRAIGHT, "both straight")                                                                                     \
+    X(MIRROR, "normals are mirror images")                                                                           \
+    X(OPPOSED, "normals are opposite")                                                                               \
+    X(DIRECTION, "the better agreement of the normals")                                                              \
+    X(UPWARD, "sum of the normals' heights")                                                                         \
+    X(CORNER, "corners that add up to a straight line, 0 to 2")                                                      \
+    X(SAME, "one panel")                                                                                             \
+    X(DART, "neighbours of one panel with a narrow wedge")                                                           \
+    X(DART_EQUAL, "the same of equal length")                                                                        \
+    X(SAME_EQUAL, "edges of one panel of equal length")                                                              \
+    X(ACROSS, "left to right")                                                                                       \
+    X(ONE_SIDE, "left to left, right to right")                                                                      \
+    X(FRONT_BACK, "front to back")                                                                                   \
+    X(FRONT_FRONT, "front to front, back to back")                                                                   \
+    X(FRONT_BACK_MIRROR, "front to back with mirrored normals")                                                      \
+    X(CENTRE, "an edge to its own mirror image")                                                                     \
+    X(CENTRE_VERTICAL, "the same, upright")                                                                          \
+    X(TWIN, "panels of equal edges")                                                                                 \
+    X(TWIN_EQUAL, "panels of equal edges, lengths within 0.2 %")                                                     \
+    X(NOTCH_OK, "notches agree in number and kind")                                                                  \
+    X(NOTCH_PLACE, "notches agree in place")                                                                         \
+    X(NOTCH_BAD, "notches disagree")                                                                                 \
+    X(LABEL, "panels of one label")                                                                                  \
+    X(WORDS, "share of common words of the panels' names")                                                           \
+    X(NUMBERS, "names that differ by one in a number")                                                               \
+    X(HEIGHT, "difference of the heights within the panels")                                                         \
+    X(SIDE, "upright seam of front and back: equal lengths, mirrored normals")                                       \
+    X(MIRROR_EQUAL, "two panels: lengths within 1 %, mirrored normals")                                              \
+    X(OPPOSED_EQUAL, "two panels: lengths within 1 %, opposite normals")                                             \
+    X(TUBE, "one panel: equal lengths, mirrored normals")                                                            \
+    X(CURVE_EQUAL, "lengths within 1 % and equal turns, both curved")                                                \
+    X(CURVE_FITS, "lengths within 5 %, a convex edge to a concave one")                                              \
+    X(UNEQUAL_TURN, "turns that differ where lengths do")                                                            \
+    X(WAIST, "an edge that looks down to one that looks up")                                                         \
+    X(WAIST_SIDES, "the same of panels on one side, front or back")                                                  \
+    X(BOTH_DOWN, "both look down")                                                                                   \
+    X(BOTH_UP, "both look up")                                                                                       \
+    X(EASED_SIDE, "lengths beyond 5 %, edges that look sideways")                                                    \
+    X(SHORT, "length of the shorter by the longest of the pattern")
+
+/* features of a whole sewing: free edges, vertices, openings, symmetry */
+#define MUS__SEAM_WHOLE(X)                                                                                           \
+    X(FREE_TURN, "turn of a free edge [rad]")                                                                        \
+    X(FREE_CONCAVE, "a free edge that is concave")                                                                   \
+    X(FREE_DOWN, "a free edge that looks down")                                                                      \
+    X(FREE_UP, "a free edge that looks up")                                                                          \
+    X(FREE_LENGTH, "length of a free edge by the longest of the pattern")                                            \
+    X(FREE_NOTCH, "a free edge with notches")                                                                        \
+    X(FREE_LOW, "height of a free edge within its panel, 0 to 1")                                                    \
+    X(FREE_EQUAL, "a free edge with an equal one other than its image")                                              \
+    X(FREE_IMAGE, "a free edge with an equal mirror image alone")                                                    \
+    X(FREE_DOWN_LOW, "a free edge that looks down at the bottom of its panel")                                       \
+    X(FREE_UP_HIGH, "a free edge that looks up at the top")                                                          \
+    X(FREE_CONCAVE_HIGH, "a concave free edge in the upper half")                                                    \
+    X(FREE_SIDEWAYS, "a free edge that looks sideways")                                                              \
+    X(FREE_SIDEWAYS_EQUAL, "the same where others have its length")                                                  \
+    X(FREE_ALONE, "a free edge whose length no other has within 1 %")                                                \
+    X(CLOSED_1, "tip of a dart")                                                                                     \
+    X(CLOSED_2, "closed vertex of 2 corners")                                                                        \
+    X(CLOSED_3, "closed vertex of 3 corners")                                                                        \
+    X(CLOSED_4, "closed vertex of 4 corners")                                                                        \
+    X(CLOSED_5, "closed vertex of 5 corners")                                                                        \
+    X(CLOSED_MORE, "closed vertex of more corners")                                                                  \
+    X(CLOSED_2_OFF, "angle of 2 corners from the full turn, 2 rad at most")                                          \
+    X(CLOSED_3_OFF, "angle of 3 and more corners from the full turn")                                                \
+    X(CLOSED_2_FLAT, "2 corners that make a full turn")                                                              \
+    X(CLOSED_3_FLAT, "3 and more corners that make a full turn")                                                     \
+    X(OPEN_1, "corner between two free edges")                                                                       \
+    X(OPEN_2, "vertex of an opening of 2 corners")                                                                   \
+    X(OPEN_3, "vertex of an opening of 3 corners")                                                                   \
+    X(OPEN_4, "vertex of an opening of 4 corners")                                                                   \
+    X(OPEN_MORE, "vertex of an opening of more corners")                                                             \
+    X(OPEN_2_OFF, "angle of 2 corners from the half turn, 1.5 rad at most")                                          \
+    X(OPEN_3_OFF, "angle of 3 and more corners from the half turn")                                                  \
+    X(OPEN_2_FLAT, "2 corners that make a half turn")                                                                \
+    X(OPEN_3_FLAT, "3 and more corners that make a half turn")                                                       \
+    X(OPEN_REFLEX, "vertex of an opening of more than 220 degrees")                                                  \
+    X(COMPONENTS, "garments beyond the first")                                                                       \
+    X(HANDLES, "handles")                                                                                            \
+    X(OPENINGS, "openings")                                                                                          \
+    X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
+    X(UNEVEN, "seams whose mirror image is none")
+
+#define MUS__SEAM_ENUM(name, text) MUS__SEAM_##name,
+enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_PAIRS };
+enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_WHOLES };
+#define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_WHOLES)
+
+#endif

@@ -1,0 +1,112 @@
+/*
+ * seam_find.h: the seams of a pattern without seams: facts of its edges, features of a sewing, search for the best.
+ *
+ * A sewing gives each edge of an outline at most one mate; two mates run against each other (MUS_SEAM_REVERSED). Its
+ * score is the scalar product of its features with weights: features of each seam (lengths, curvature, directions,
+ * notches, names), of each edge that stays free, of each vertex that the seams close or leave on an opening, and of the
+ * whole (components, handles, openings, mirror symmetry). The weights are in seam_weights.c, which the study
+ * tests/study/seams writes: logistic regression of "this change of the sewing is right" on the change of the features.
+ *
+ * seam_facts.c   reads the facts of the edges from the pattern
+ * seam_score.c   features and score
+ * seam_search.c  the search: local changes, and starts that are torn open and sewn again
+ * seam_propose.c the public call
+ */
+#ifndef MUS_TRADE_SEAM_FIND_H
+#define MUS_TRADE_SEAM_FIND_H
+
+#include <stdbool.h>
+
+#include "muslin/pattern.h"
+#include "trade/seam_features.h"
+
+#define MUS__SEAM_IN_NAME 8 /* words of a panel's name that are kept; chosen: names of pieces have up to five */
+#define MUS__SEAM_EDGES 500 /* most edges; chosen: bounds the time to a minute; the largest of the data has 176 */
+
+/* one edge of an outline, in the direction of the outline; the panel as its right side is seen, the grain upwards */
+typedef struct mus__seam_edge {
+    int32_t edge;      /* in the pattern */
+    int32_t panel;
+    int32_t next, prev; /* round the outline */
+    int32_t mirror;    /* mirror image, MUS_NONE without one */
+    int32_t notch, nnotch; /* in the list of notches */
+    double length;     /* [m] */
+    double log_length;
+    double turn;       /* [rad] sum of the exterior angles along it; positive: convex */
+    double normal[2];  /* of its chord, outwards */
+    double start, end; /* [rad] interior angles of the panel at its ends */
+    double height;     /* of its middle within the panel, 0 (bottom) to 1 */
+} mus__seam_edge;
+
+typedef struct mus__seam_panel {
+    int32_t first, n; /* its edges */
+    int32_t sides;
+    uint64_t key;     /* equal for panels of equal edges */
+    uint32_t label;
+    uint32_t words[MUS__SEAM_IN_NAME];
+    int32_t nword;
+    uint32_t stem;    /* of the name without its number */
+    int32_t number;   /* in the name, MUS_NONE without */
+} mus__seam_panel;
+
+typedef struct mus__seam_facts {
+    mus_context *context;
+    int32_t n, npanel, nnotch;
+    mus__seam_edge *edges;   /* (n) */
+    mus__seam_panel *panels; /* (npanel) */
+    double *notches;         /* (nnotch x 2) relative arc length and kind, ascending on each edge */
+    double *lengths;         /* (n) logarithms of the lengths, ascending */
+    int32_t *fixed;          /* (n) mate by a seam that the pattern has; MUS_NONE */
+    double longest;          /* [m] */
+} mus__seam_facts;
+
+/* reads the facts of a pattern. Errors: MUS_ERR_LIMIT (MUS__SEAM_EDGES), MUS_ERR_MEMORY; *out is to be freed anyway */
+mus_status mus__seam_read(const mus_pattern *pattern, mus__seam_facts *out);
+void mus__seam_free(mus__seam_facts *facts);
+
+/* features (MUS__SEAM_PAIRS) of the seam of edges a and b */
+void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out);
+
+/* scratch memory of mus__seam_whole(): (4 n + npanel) integers */
+#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + (facts)->npanel)
+
+/* features (MUS__SEAM_WHOLES) of a sewing, mate (n) */
+void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out);
+
+/* a search at work */
+typedef struct mus__seam_search {
+    const mus__seam_facts *facts;
+    const double *weights;  /* (MUS__SEAM_FEATURES) those of a pair, then those of the whole */
+    double *pairs;          /* (n x n) score of each seam */
+    int32_t *near;          /* (n x nnear) mates of highest score, best first */
+    int32_t nnear;
+    int32_t *mate;          /* (n) best sewing found */
+    double score;
+    int32_t *trial, *keep, *scratch;
+} mus__seam_search;
+
+/* a change of a sewing: see mus__seam_change_apply() */
+typedef struct mus__seam_change {
+    /* edges that are sewn; b MUS_NONE: a is freed; a MUS_NONE: the mates of panel b and of its mirror image swap */
+    int32_t a, b;
+    bool join;      /* the mates that they had are sewn to one another */
+    bool mirrored;  /* the same is done to the mirror images */
+} mus__seam_change;
+
+mus_status mus__seam_begin(const mus__seam_facts *facts, const double *weights, mus__seam_search *out);
+void mus__seam_end(mus__seam_search *search);
+double mus__seam_score(mus__seam_search *search, const int32_t *mate);
+/* *mate changed; false where the change is none, or touches a seam that is fixed */
+bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change *change, int32_t *mate);
+/* change number i of all that are tried on a sewing; false: there are no more */
+bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_change *out);
+/* searches for the sewing of highest score from the seams that are fixed: rounds of tearing open and sewing again */
+void mus__seam_run(mus__seam_search *search, int32_t rounds);
+/* score of a sewing less the highest of all sewings without the seam of edge a that one change makes; the mate that
+ * the other gives to a is *other */
+double mus__seam_margin(mus__seam_search *search, int32_t a, int32_t *other);
+
+extern const double mus__seam_weights[MUS__SEAM_FEATURES];
+extern const double mus__seam_confidence[2];
+
+#endif

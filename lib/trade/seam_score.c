@@ -1,0 +1,363 @@
+/*
+ * seam_score.c: the features of a sewing: of each seam, and of the surface that the seams make.
+ *
+ * A vertex of the sewn surface is an orbit of corners. The corner at the start of edge e is glued across e to the
+ * corner at the start of the edge after e's mate. An orbit that comes back to its first corner is a closed vertex; one
+ * that ends at two free edges lies on an opening. From vertices, edges, panels and openings follows the number of
+ * handles: the Euler characteristic is 2 (components - handles) - openings.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "trade/seam_find.h"
+#include "base/elementary.h"
+
+#define SCORE_PI 3.14159265358979323846
+#define LENGTHS_EQUAL 2e-3  /* relative difference of lengths that count as equal; chosen: 1 mm of a side seam */
+#define NORMALS_SPREAD 0.04 /* 1 less the cosine at which an agreement of normals falls to 1/e: 16 degrees */
+#define CORNERS_SPREAD 0.06 /* [rad] the same of corners that add up to a half turn */
+#define NOTCHES_SPREAD 0.02 /* relative arc length, the same of notches */
+#define ANGLES_SPREAD 0.1   /* [rad] the same of the angle of a vertex */
+#define DART_WEDGE 1.2      /* [rad] widest dart; chosen: a quarter more than a bust dart of a large cup */
+#define OPENING_SMALL 0.15  /* [m] a shorter opening lets no hand through; chosen: half the girth of a child's wrist */
+#define OPENING_REFLEX 3.84 /* [rad] 220 degrees */
+#define CURVED 0.3          /* [rad] turn of an edge that counts as curved */
+#define NARROW 0.02         /* [rad] turn of an edge that counts as straight */
+
+
+static double bell(double x, double spread)
+{
+    return mus__exp(-(x / spread) * (x / spread));
+}
+
+
+/* ---- a seam ---- */
+
+/* number of edges whose logarithm of the length is below x */
+static int32_t count_below(const mus__seam_facts *facts, double x)
+{
+    int32_t low = 0, high = facts->n;
+    while (low < high) {
+        const int32_t middle = low + (high - low) / 2;
+        if (facts->lengths[middle] < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+
+/* number of other edges whose length differs by less than the ratio */
+static int32_t count_near(const mus__seam_facts *facts, int32_t a, double ratio)
+{
+    const double x = facts->edges[a].log_length;
+    const int32_t n = count_below(facts, x + ratio) - count_below(facts, x - ratio) - 1;
+    return n > 0 ? n : 0;
+}
+
+
+static void pair_lengths(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
+{
+    const mus__seam_edge *x = &facts->edges[a], *y = &facts->edges[b];
+    const double r = fabs(x->log_length - y->log_length);
+    const int32_t rank_a = count_near(facts, a, r), rank_b = count_near(facts, b, r);
+    out[MUS__SEAM_RATIO] = fmin(r, 1.5);
+    out[MUS__SEAM_EQUAL] = r < LENGTHS_EQUAL;
+    out[MUS__SEAM_NEAR] = r < 0.01;
+    out[MUS__SEAM_CLOSE] = r < 0.05;
+    out[MUS__SEAM_EASED] = r < 0.2;
+    if (r < LENGTHS_EQUAL) {
+        const int32_t na = count_near(facts, a, LENGTHS_EQUAL), nb = count_near(facts, b, LENGTHS_EQUAL);
+        out[MUS__SEAM_ONLY] = 1.0 / (na > nb ? na > 1 ? na : 1 : nb > 1 ? nb : 1);
+    }
+    out[MUS__SEAM_RANK] = fmin(rank_a > rank_b ? rank_a : rank_b, 8.0) / 8.0;
+    out[MUS__SEAM_SHORT] = fmin(x->length, y->length) / facts->longest;
+}
+
+
+static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+{
+    const double sum = fabs(x->turn + y->turn), difference = fabs(x->turn - y->turn);
+    const double mirror = -x->normal[0] * y->normal[0] + x->normal[1] * y->normal[1];
+    const double opposed = -x->normal[0] * y->normal[0] - x->normal[1] * y->normal[1];
+    out[MUS__SEAM_TURN_SUM] = fmin(sum, 1.5);
+    out[MUS__SEAM_TURN_BOTH] = fmin(fmin(sum, difference), 1.5);
+    out[MUS__SEAM_CONVEX] = fmin(x->turn, y->turn) < -CURVED && fmax(x->turn, y->turn) > CURVED;
+    out[MUS__SEAM_STRAIGHT] = fabs(x->turn) < NARROW && fabs(y->turn) < NARROW;
+    out[MUS__SEAM_MIRROR] = mus__exp((mirror - 1.0) / NORMALS_SPREAD);
+    out[MUS__SEAM_OPPOSED] = mus__exp((opposed - 1.0) / NORMALS_SPREAD);
+    out[MUS__SEAM_DIRECTION] = fmax(mirror, opposed);
+    out[MUS__SEAM_UPWARD] = x->normal[1] + y->normal[1];
+    out[MUS__SEAM_CORNER] =
+        bell(x->start + y->end - SCORE_PI, CORNERS_SPREAD) + bell(x->end + y->start - SCORE_PI, CORNERS_SPREAD);
+}
+
+
+static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
+{
+    const mus__seam_edge *x = &facts->edges[a];
+    const bool equal = out[MUS__SEAM_EQUAL] > 0.0, next = x->next == b, prev = x->prev == b;
+    const double wedge = 2.0 * SCORE_PI - (next ? x->end : x->start);
+    out[MUS__SEAM_SAME] = 1.0;
+    out[MUS__SEAM_DART] = (next || prev) && wedge < DART_WEDGE;
+    out[MUS__SEAM_DART_EQUAL] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_NEAR] > 0.0;
+    out[MUS__SEAM_SAME_EQUAL] = equal && !next && !prev;
+}
+
+
+static double common_words(const mus__seam_panel *p, const mus__seam_panel *q)
+{
+    int32_t common = 0;
+    const int32_t fewer = p->nword < q->nword ? p->nword : q->nword;
+    for (int32_t i = 0; i < p->nword; i++)
+        for (int32_t k = 0; k < q->nword; k++)
+            if (p->words[i] == q->words[k]) {
+                common++;
+                break;
+            }
+    return fewer > 0 ? fmin(1.0, (double)common / fewer) : 0.0;
+}
+
+
+static void pair_panels(const mus__seam_panel *p, const mus__seam_panel *q, double *out)
+{
+    const int32_t lateral = MUS_SIDE_LEFT | MUS_SIDE_RIGHT, along = MUS_SIDE_FRONT | MUS_SIDE_BACK;
+    const int32_t ps = p->sides & lateral, qs = q->sides & lateral, pa = p->sides & along, qa = q->sides & along;
+    out[MUS__SEAM_ACROSS] = ps != 0 && qs != 0 && ps != qs;
+    out[MUS__SEAM_ONE_SIDE] = ps != 0 && ps == qs;
+    out[MUS__SEAM_FRONT_BACK] = pa != 0 && qa != 0 && pa != qa;
+    out[MUS__SEAM_FRONT_FRONT] = p != q && pa != 0 && pa == qa;
+    out[MUS__SEAM_FRONT_BACK_MIRROR] = out[MUS__SEAM_FRONT_BACK] * out[MUS__SEAM_MIRROR];
+    out[MUS__SEAM_TWIN] = p != q && p->key == q->key;
+    out[MUS__SEAM_TWIN_EQUAL] = out[MUS__SEAM_TWIN] * out[MUS__SEAM_EQUAL];
+    out[MUS__SEAM_LABEL] = p != q && p->label == q->label;
+    out[MUS__SEAM_WORDS] = p != q ? common_words(p, q) : 0.0;
+    out[MUS__SEAM_NUMBERS] = p->number != MUS_NONE && q->number != MUS_NONE && p->stem == q->stem &&
+                             (p->number - q->number == 1 || q->number - p->number == 1);
+}
+
+
+static void pair_notches(const mus__seam_facts *facts, const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+{
+    if (x->nnotch == 0 && y->nnotch == 0) return;
+    bool same = x->nnotch == y->nnotch;
+    double off = 0.0;
+    for (int32_t i = 0; i < x->nnotch && same; i++) {
+        const double *s = facts->notches + 2 * (x->notch + i);
+        const double *t = facts->notches + 2 * (y->notch + y->nnotch - 1 - i);
+        same = fabs(s[1] - t[1]) < 0.5;
+        off = fmax(off, fabs(s[0] - (1.0 - t[0])));
+    }
+    out[MUS__SEAM_NOTCH_OK] = same;
+    out[MUS__SEAM_NOTCH_BAD] = !same;
+    out[MUS__SEAM_NOTCH_PLACE] = same ? bell(off, NOTCHES_SPREAD) : 0.0;
+}
+
+
+/* features of two kinds at once, which a sum of the two does not tell */
+static void pair_both(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+{
+    const bool near = out[MUS__SEAM_NEAR] > 0.0, other = x->panel != y->panel;
+    const bool curved = fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
+    const double high = fmax(x->normal[1], y->normal[1]), low = fmin(x->normal[1], y->normal[1]);
+    const bool sides = out[MUS__SEAM_FRONT_FRONT] > 0.0 && out[MUS__SEAM_ACROSS] <= 0.0;
+    const double mirror = near ? out[MUS__SEAM_MIRROR] : 0.0, opposed = near ? out[MUS__SEAM_OPPOSED] : 0.0;
+    out[MUS__SEAM_SIDE] = out[MUS__SEAM_FRONT_BACK] > 0.0 && fabs(x->normal[0]) > 0.7 ? mirror : 0.0;
+    out[MUS__SEAM_MIRROR_EQUAL] = other ? mirror : 0.0;
+    out[MUS__SEAM_OPPOSED_EQUAL] = other ? opposed : 0.0;
+    out[MUS__SEAM_TUBE] = out[MUS__SEAM_SAME_EQUAL] * out[MUS__SEAM_MIRROR];
+    out[MUS__SEAM_CURVE_EQUAL] = near && curved;
+    out[MUS__SEAM_CURVE_FITS] = out[MUS__SEAM_CLOSE] * out[MUS__SEAM_CONVEX];
+    out[MUS__SEAM_UNEQUAL_TURN] = near ? 0.0 : out[MUS__SEAM_TURN_BOTH];
+    out[MUS__SEAM_WAIST] = other && high > 0.9 && low < -0.9;
+    out[MUS__SEAM_WAIST_SIDES] = sides ? out[MUS__SEAM_WAIST] : 0.0;
+    out[MUS__SEAM_BOTH_DOWN] = high < -0.9;
+    out[MUS__SEAM_BOTH_UP] = low > 0.9;
+    out[MUS__SEAM_EASED_SIDE] = out[MUS__SEAM_CLOSE] <= 0.0 && fabs(x->normal[0]) > 0.9 && fabs(y->normal[0]) > 0.9;
+}
+
+
+void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
+{
+    const mus__seam_edge *x = &facts->edges[a], *y = &facts->edges[b];
+    memset(out, 0, MUS__SEAM_PAIRS * sizeof *out);
+    out[MUS__SEAM_SEWN] = 1.0;
+    pair_lengths(facts, a, b, out);
+    pair_shape(x, y, out);
+    if (x->panel == y->panel) pair_panel(facts, a, b, out);
+    pair_panels(&facts->panels[x->panel], &facts->panels[y->panel], out);
+    pair_notches(facts, x, y, out);
+    pair_both(x, y, out);
+    out[MUS__SEAM_CENTRE] = x->mirror == b;
+    out[MUS__SEAM_CENTRE_VERTICAL] = x->mirror == b && fabs(x->normal[0]) > 0.9;
+    out[MUS__SEAM_HEIGHT] = x->panel != y->panel ? fabs(x->height - y->height) : 0.0;
+}
+
+
+/* ---- the whole ---- */
+
+typedef struct surface {
+    const mus__seam_facts *facts;
+    const int32_t *mate;
+    int32_t *seen;  /* (n) corners */
+    int32_t *after; /* (n) the free edge that follows a free edge round an opening */
+    int32_t *done;  /* (n) free edges */
+    int32_t *part;  /* (npanel) parent in the forest of components */
+    int32_t nvertex, nopening;
+    double *out;
+} surface;
+
+
+static void free_edge(const surface *s, int32_t a)
+{
+    const mus__seam_edge *x = &s->facts->edges[a];
+    const int32_t equal = count_near(s->facts, a, LENGTHS_EQUAL);
+    s->out[MUS__SEAM_FREE_TURN] += fmin(fabs(x->turn), 3.0);
+    s->out[MUS__SEAM_FREE_CONCAVE] += x->turn < -CURVED;
+    s->out[MUS__SEAM_FREE_DOWN] += x->normal[1] < -0.9;
+    s->out[MUS__SEAM_FREE_UP] += x->normal[1] > 0.9;
+    s->out[MUS__SEAM_FREE_LENGTH] += x->length / s->facts->longest;
+    s->out[MUS__SEAM_FREE_NOTCH] += x->nnotch > 0;
+    s->out[MUS__SEAM_FREE_LOW] += x->height;
+    s->out[MUS__SEAM_FREE_EQUAL] += equal > 1;
+    s->out[MUS__SEAM_FREE_DOWN_LOW] += x->normal[1] < -0.9 && x->height < 0.2;
+    s->out[MUS__SEAM_FREE_UP_HIGH] += x->normal[1] > 0.9 && x->height > 0.8;
+    s->out[MUS__SEAM_FREE_CONCAVE_HIGH] += x->turn < -CURVED && x->height > 0.5;
+    s->out[MUS__SEAM_FREE_SIDEWAYS] += fabs(x->normal[0]) > 0.9;
+    s->out[MUS__SEAM_FREE_SIDEWAYS_EQUAL] += fabs(x->normal[0]) > 0.9 && equal > 0;
+    s->out[MUS__SEAM_FREE_ALONE] += count_near(s->facts, a, 0.01) == 0;
+    s->out[MUS__SEAM_FREE_IMAGE] += equal == 1 && x->mirror != MUS_NONE && x->mirror != a;
+}
+
+
+static void closed_vertex(double *out, int32_t k, double angle)
+{
+    const double off = fmin(fabs(angle - 2.0 * SCORE_PI), 2.0), flat = bell(angle - 2.0 * SCORE_PI, ANGLES_SPREAD);
+    out[MUS__SEAM_CLOSED_1 + (k < 6 ? k : 6) - 1] += 1.0;
+    if (k == 2) {
+        out[MUS__SEAM_CLOSED_2_OFF] += off;
+        out[MUS__SEAM_CLOSED_2_FLAT] += flat;
+    } else if (k > 2) {
+        out[MUS__SEAM_CLOSED_3_OFF] += off;
+        out[MUS__SEAM_CLOSED_3_FLAT] += flat;
+    }
+}
+
+
+static void open_vertex(double *out, int32_t k, double angle)
+{
+    const double off = fmin(fabs(angle - SCORE_PI), 1.5), flat = bell(angle - SCORE_PI, ANGLES_SPREAD);
+    out[MUS__SEAM_OPEN_1 + (k < 5 ? k : 5) - 1] += 1.0;
+    if (k == 2) {
+        out[MUS__SEAM_OPEN_2_OFF] += off;
+        out[MUS__SEAM_OPEN_2_FLAT] += flat;
+    } else if (k > 2) {
+        out[MUS__SEAM_OPEN_3_OFF] += off;
+        out[MUS__SEAM_OPEN_3_FLAT] += flat;
+    }
+    if (k > 1) out[MUS__SEAM_OPEN_REFLEX] += angle > OPENING_REFLEX;
+}
+
+
+/* the vertex of the corner at the start of edge e */
+static void walk_vertex(surface *s, int32_t e)
+{
+    const mus__seam_edge *edges = s->facts->edges;
+    int32_t first = e, k = 0, last = MUS_NONE;
+    while (s->mate[edges[first].prev] != MUS_NONE) {
+        first = s->mate[edges[first].prev];
+        if (first == e) break;
+    }
+    const int32_t before = edges[first].prev;
+    double angle = 0.0;
+    for (int32_t c = first;; c = edges[s->mate[c]].next) {
+        if (k > 0 && c == first) break;
+        s->seen[c] = 1;
+        angle += edges[c].start;
+        k++;
+        last = c;
+        if (s->mate[c] == MUS_NONE) break;
+    }
+    s->nvertex++;
+    if (s->mate[last] != MUS_NONE) {
+        closed_vertex(s->out, k, angle);
+        return;
+    }
+    open_vertex(s->out, k, angle);
+    s->after[before] = last;
+}
+
+
+static void walk_openings(surface *s)
+{
+    for (int32_t a = 0; a < s->facts->n; a++) {
+        if (s->mate[a] != MUS_NONE || s->done[a]) continue;
+        double length = 0.0;
+        for (int32_t b = a; !s->done[b]; b = s->after[b]) {
+            s->done[b] = 1;
+            length += s->facts->edges[b].length;
+        }
+        s->nopening++;
+        s->out[MUS__SEAM_OPENINGS_SMALL] += length < OPENING_SMALL;
+    }
+}
+
+
+static int32_t part_root(int32_t *part, int32_t p)
+{
+    while (part[p] != p) p = part[p] = part[part[p]];
+    return p;
+}
+
+
+/* components of the panels with an outline; *faces is how many of these panels there are */
+static int32_t count_components(const surface *s, int32_t *faces)
+{
+    int32_t components = 0;
+    for (int32_t p = 0; p < s->facts->npanel; p++) s->part[p] = p;
+    for (int32_t a = 0; a < s->facts->n; a++) {
+        if (s->mate[a] == MUS_NONE) continue;
+        const int32_t p = part_root(s->part, s->facts->edges[a].panel);
+        const int32_t q = part_root(s->part, s->facts->edges[s->mate[a]].panel);
+        if (p != q) s->part[p] = q;
+    }
+    *faces = 0;
+    for (int32_t p = 0; p < s->facts->npanel; p++) {
+        *faces += s->facts->panels[p].n > 0;
+        components += s->facts->panels[p].n > 0 && s->part[p] == p;
+    }
+    return components;
+}
+
+
+void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out)
+{
+    const int32_t n = facts->n;
+    surface s = {.facts = facts,
+                 .mate = mate,
+                 .seen = scratch,
+                 .after = scratch + n,
+                 .done = scratch + 2 * n,
+                 .part = scratch + 4 * n,
+                 .out = out};
+    int32_t seams = 0, faces = 0;
+    memset(scratch, 0, 3 * sizeof *scratch * (size_t)n);
+    memset(out, 0, MUS__SEAM_WHOLES * sizeof *out);
+    for (int32_t a = 0; a < n; a++) {
+        const int32_t b = mate[a];
+        if (!s.seen[a]) walk_vertex(&s, a);
+        if (b == MUS_NONE) {
+            free_edge(&s, a);
+        } else if (a < b) {
+            const int32_t c = facts->edges[a].mirror, d = facts->edges[b].mirror;
+            seams++;
+            out[MUS__SEAM_UNEVEN] += c != MUS_NONE && d != MUS_NONE && mate[c] != d;
+        }
+    }
+    walk_openings(&s);
+    const int32_t components = count_components(&s, &faces);
+    out[MUS__SEAM_COMPONENTS] = components - 1;
+    out[MUS__SEAM_HANDLES] = components - 0.5 * (s.nvertex - (n - seams) + faces + s.nopening);
+    out[MUS__SEAM_OPENINGS] = s.nopening;
+}

@@ -1,0 +1,290 @@
+/*
+ * seam_search.c: the sewing of highest score, by local changes.
+ *
+ * A change sews two edges (their former mates become free, or are sewn to one another), frees an edge, or swaps what a
+ * panel and its mirror image are sewn to; each also together with its mirror image. The search takes for each edge the
+ * best change as long as any raises the score. Then it tears a panel off, searches again, and keeps the better sewing.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "trade/seam_find.h"
+
+#define SEARCH_NEAR 10    /* mates that are tried for each edge; chosen: the right one is among them but in 1 of 300 */
+#define SEARCH_SWEEPS 40  /* sweeps over all edges at most; chosen: five are usual */
+#define SEARCH_GAIN 1e-9  /* a change that raises the score by less is none */
+#define CHANGES_OF_MATE 4 /* joined or not, mirrored or not */
+
+
+static void *search_new(mus_context *context, int64_t count, size_t size)
+{
+    return mus_context_alloc(context, NULL, (size_t)(count > 0 ? count : 1) * size);
+}
+
+
+mus_status mus__seam_begin(const mus__seam_facts *facts, const double *weights, mus__seam_search *out)
+{
+    const int32_t n = facts->n, near = n - 1 < SEARCH_NEAR ? n - 1 : SEARCH_NEAR;
+    const mus__seam_search none = {.facts = facts, .weights = weights, .nnear = near > 0 ? near : 0};
+    *out = none;
+    out->pairs = search_new(facts->context, (int64_t)n * n, sizeof *out->pairs);
+    out->near = search_new(facts->context, (int64_t)n * SEARCH_NEAR, sizeof *out->near);
+    out->mate = search_new(facts->context, 3 * (int64_t)n, sizeof *out->mate);
+    out->scratch = search_new(facts->context, MUS__SEAM_SCRATCH(facts), sizeof *out->scratch);
+    if (out->pairs == NULL || out->near == NULL || out->mate == NULL || out->scratch == NULL) {
+        mus__seam_end(out);
+        return mus_context_fail(facts->context, MUS_ERR_MEMORY, "no memory for the search of seams");
+    }
+    out->trial = out->mate + n;
+    out->keep = out->mate + 2 * n;
+    for (int32_t a = 0; a < n; a++) {
+        int32_t *near_a = out->near + (int64_t)a * SEARCH_NEAR;
+        for (int32_t b = 0; b < a; b++) {
+            double features[MUS__SEAM_PAIRS], sum = 0.0;
+            mus__seam_pair(facts, a, b, features);
+            for (int32_t k = 0; k < MUS__SEAM_PAIRS; k++) sum += weights[k] * features[k];
+            out->pairs[(int64_t)a * n + b] = out->pairs[(int64_t)b * n + a] = sum;
+        }
+        for (int32_t k = 0; k < SEARCH_NEAR; k++) near_a[k] = MUS_NONE;
+    }
+    for (int32_t a = 0; a < n; a++)
+        for (int32_t b = 0; b < n; b++) {
+            int32_t *near_a = out->near + (int64_t)a * SEARCH_NEAR, at = out->nnear;
+            const double *row = out->pairs + (int64_t)a * n;
+            if (a == b) continue;
+            while (at > 0 && (near_a[at - 1] == MUS_NONE || row[near_a[at - 1]] < row[b])) at--;
+            for (int32_t k = out->nnear - 1; k > at; k--) near_a[k] = near_a[k - 1];
+            if (at < out->nnear) near_a[at] = b;
+        }
+    return MUS_OK;
+}
+
+
+void mus__seam_end(mus__seam_search *search)
+{
+    void *const blocks[] = {search->pairs, search->near, search->mate, search->scratch};
+    for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus_context_alloc(search->facts->context, blocks[i], 0);
+}
+
+
+double mus__seam_score(mus__seam_search *search, const int32_t *mate)
+{
+    double whole[MUS__SEAM_WHOLES], sum = 0.0;
+    const int32_t n = search->facts->n;
+    mus__seam_whole(search->facts, mate, search->scratch, whole);
+    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) sum += search->weights[MUS__SEAM_PAIRS + k] * whole[k];
+    for (int32_t a = 0; a < n; a++)
+        if (mate[a] > a) sum += search->pairs[(int64_t)a * n + mate[a]];
+    return sum;
+}
+
+
+/* ---- changes ---- */
+
+static void part_from_mate(int32_t *mate, int32_t a)
+{
+    if (mate[a] != MUS_NONE) mate[mate[a]] = MUS_NONE;
+    mate[a] = MUS_NONE;
+}
+
+
+static bool sew_pair(const int32_t *fixed, int32_t a, int32_t b, bool join, int32_t *mate)
+{
+    if (a == b || mate[a] == b) return false;
+    const int32_t c = mate[a], d = mate[b];
+    if (fixed[a] != MUS_NONE || fixed[b] != MUS_NONE || (join && (c == MUS_NONE || d == MUS_NONE))) return false;
+    part_from_mate(mate, a);
+    part_from_mate(mate, b);
+    mate[a] = b;
+    mate[b] = a;
+    if (!join) return true;
+    mate[c] = d;
+    mate[d] = c;
+    return true;
+}
+
+
+/* what panel p is sewn to, and what its mirror image is sewn to, change places */
+static bool swap_twin(const mus__seam_facts *facts, int32_t p, int32_t *mate)
+{
+    const mus__seam_panel *panel = &facts->panels[p];
+    bool changed = false;
+    for (int32_t a = panel->first; a < panel->first + panel->n; a++) {
+        const int32_t b = facts->edges[a].mirror;
+        if (b == MUS_NONE || facts->edges[b].panel <= p) return false;
+        if (facts->fixed[a] != MUS_NONE || facts->fixed[b] != MUS_NONE) return false;
+        const int32_t q = facts->edges[b].panel, c = mate[a], d = mate[b];
+        /* seams within the two panels go from image to image of themselves, or stay */
+        if (c != MUS_NONE && (facts->edges[c].panel == p || facts->edges[c].panel == q)) continue;
+        if (d != MUS_NONE && (facts->edges[d].panel == p || facts->edges[d].panel == q)) continue;
+        if (c == MUS_NONE && d == MUS_NONE) continue;
+        mate[a] = d;
+        mate[b] = c;
+        if (d != MUS_NONE) mate[d] = a;
+        if (c != MUS_NONE) mate[c] = b;
+        changed = true;
+    }
+    return changed;
+}
+
+
+bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change *change, int32_t *mate)
+{
+    const int32_t a = change->a, b = change->b;
+    if (a == MUS_NONE) return swap_twin(facts, b, mate);
+    const int32_t c = facts->edges[a].mirror, d = b != MUS_NONE ? facts->edges[b].mirror : MUS_NONE;
+    if (b == MUS_NONE) {
+        if (mate[a] == MUS_NONE || facts->fixed[a] != MUS_NONE) return false;
+        const int32_t image = facts->edges[mate[a]].mirror;
+        part_from_mate(mate, a);
+        if (!change->mirrored) return true;
+        if (c == MUS_NONE || image == MUS_NONE || mate[c] != image || facts->fixed[c] != MUS_NONE) return false;
+        part_from_mate(mate, c);
+        return true;
+    }
+    if (!sew_pair(facts->fixed, a, b, change->join, mate)) return false;
+    if (!change->mirrored) return true;
+    if (c == MUS_NONE || d == MUS_NONE || c == b || (c == a && d == b)) return false;
+    if (c == a || d == b) return false;
+    return sew_pair(facts->fixed, c, d, change->join, mate);
+}
+
+
+bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_change *out)
+{
+    const mus__seam_facts *facts = search->facts;
+    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, a = i / each, k = i % each;
+    const mus__seam_change none = {.a = MUS_NONE, .b = MUS_NONE};
+    *out = none;
+    if (a >= facts->n) {
+        out->b = i - facts->n * each;
+        return out->b < facts->npanel;
+    }
+    out->a = a;
+    if (k < 2) {
+        out->mirrored = k == 1;
+    } else {
+        out->b = search->near[(int64_t)a * SEARCH_NEAR + (k - 2) / CHANGES_OF_MATE];
+        out->join = (k - 2) % 2 == 1;
+        out->mirrored = (k - 2) % CHANGES_OF_MATE >= 2;
+    }
+    return true;
+}
+
+
+/* ---- the search ---- */
+
+/* raises the score of `mate` by the best change of each edge in turn, until no change raises it; returns the score */
+static double climb(mus__seam_search *search, int32_t *mate)
+{
+    const mus__seam_facts *facts = search->facts;
+    const size_t bytes = sizeof *mate * (size_t)facts->n;
+    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, all = facts->n * each + facts->npanel;
+    double score = mus__seam_score(search, mate);
+    bool moved = true;
+    for (int32_t sweep = 0; sweep < SEARCH_SWEEPS && moved; sweep++) {
+        moved = false;
+        for (int32_t i = 0; i < all;) {
+            const int32_t end = i < facts->n * each ? i + each : i + 1;
+            int32_t best = MUS_NONE;
+            double highest = score + SEARCH_GAIN;
+            mus__seam_change change;
+            for (; i < end; i++) {
+                memcpy(search->trial, mate, bytes);
+                if (!mus__seam_change_list(search, i, &change)) continue;
+                if (!mus__seam_change_apply(facts, &change, search->trial)) continue;
+                const double trial = mus__seam_score(search, search->trial);
+                if (trial <= highest) continue;
+                highest = trial;
+                best = i;
+            }
+            if (best == MUS_NONE) continue;
+            mus__seam_change_list(search, best, &change);
+            mus__seam_change_apply(facts, &change, mate);
+            score = highest;
+            moved = true;
+        }
+    }
+    return score;
+}
+
+
+/* frees the edges of panel p and of its image */
+static void tear(const mus__seam_facts *facts, int32_t p, int32_t *mate)
+{
+    const mus__seam_panel *panel = &facts->panels[p];
+    for (int32_t a = panel->first; a < panel->first + panel->n; a++) {
+        const int32_t b = facts->edges[a].mirror;
+        if (facts->fixed[a] == MUS_NONE) part_from_mate(mate, a);
+        if (b != MUS_NONE && facts->fixed[b] == MUS_NONE) part_from_mate(mate, b);
+    }
+}
+
+
+/* sews the pairs of highest score first, as long as a pair's score is above 0 */
+static void sew_greedily(mus__seam_search *search, int32_t *mate)
+{
+    const int32_t n = search->facts->n;
+    for (;;) {
+        double highest = 0.0;
+        int32_t a = MUS_NONE, b = MUS_NONE;
+        for (int32_t i = 0; i < n; i++)
+            for (int32_t k = 0; k < search->nnear && mate[i] == MUS_NONE; k++) {
+                const int32_t j = search->near[(int64_t)i * SEARCH_NEAR + k];
+                if (mate[j] != MUS_NONE) continue;
+                const double score = search->pairs[(int64_t)i * n + j];
+                if (score > highest) {
+                    highest = score;
+                    a = i;
+                    b = j;
+                }
+                break;
+            }
+        if (a == MUS_NONE) return;
+        mate[a] = b;
+        mate[b] = a;
+    }
+}
+
+
+void mus__seam_run(mus__seam_search *search, int32_t rounds)
+{
+    const mus__seam_facts *facts = search->facts;
+    const size_t bytes = sizeof *search->mate * (size_t)facts->n;
+    memcpy(search->mate, facts->fixed, bytes);
+    sew_greedily(search, search->mate);
+    search->score = climb(search, search->mate);
+    for (int32_t round = 0; round < rounds; round++)
+        for (int32_t p = 0; p < facts->npanel; p++) {
+            memcpy(search->keep, search->mate, bytes);
+            tear(facts, p, search->keep);
+            if (round % 2 == 1) tear(facts, (p + 1 + round / 2) % facts->npanel, search->keep);
+            const double score = climb(search, search->keep);
+            if (score <= search->score + SEARCH_GAIN) continue;
+            search->score = score;
+            memcpy(search->mate, search->keep, bytes);
+        }
+}
+
+
+double mus__seam_margin(mus__seam_search *search, int32_t a, int32_t *other)
+{
+    const mus__seam_facts *facts = search->facts;
+    const size_t bytes = sizeof *search->mate * (size_t)facts->n;
+    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, ends[2] = {a, search->mate[a]};
+    double highest = -HUGE_VAL;
+    *other = MUS_NONE;
+    for (int32_t k = 0; k < 2; k++)
+        for (int32_t i = ends[k] * each; ends[k] != MUS_NONE && i < (ends[k] + 1) * each; i++) {
+            mus__seam_change change;
+            memcpy(search->trial, search->mate, bytes);
+            mus__seam_change_list(search, i, &change);
+            if (!mus__seam_change_apply(facts, &change, search->trial)) continue;
+            if (search->trial[a] == search->mate[a]) continue;
+            const double score = mus__seam_score(search, search->trial);
+            if (score <= highest) continue;
+            highest = score;
+            *other = search->trial[a];
+        }
+    return search->score - highest;
+}

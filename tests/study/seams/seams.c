@@ -1,0 +1,503 @@
+/*
+ * seams.c: the seams of patterns are taken away and found again: `make seams`.
+ *
+ *     build/bin/seams DATA [--every N] [--fit FILE] [--list]
+ *
+ * The patterns are every N-th named design (default 8), each in one size, and every GarmentCode specification of the
+ * folder DATA. They are in two halves: designs by the hash of their family, specifications by their number, so that the
+ * variants of a garment are in one half. --fit fits the weights of lib/trade/seam_weights.c to the first half and
+ * writes them; without it the weights of the library are judged. Both halves are printed.
+ *
+ * The fit: from the true sewing and from the sewings that the search found, each change that the search would try is a
+ * row: the change of the features, and whether it makes fewer or more seams wrong. A logistic regression without
+ * intercept is fitted by Newton's method with a ridge, and the search is run again with its weights.
+ */
+#include <glob.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "muslin/exchange.h"
+#include "muslin/muslin.h"
+#include "trade/seam_find.h"
+
+#define D MUS__SEAM_FEATURES
+#define RIDGE 1.0         /* in units of one row */
+#define ROUNDS_FIT 5      /* of search and regression */
+#define WEIGHT_RIGHT 8.0  /* of a row that makes fewer seams wrong: there are fewer of them */
+#define WEIGHT_WHOLE 30.0 /* of the row of a whole garment */
+#define BINS 10
+
+typedef struct garment {
+    char name[128];
+    bool ours, judged;
+    mus__seam_facts facts;
+    int32_t *truth;
+    mus_pattern *pattern;
+    int32_t *found; /* the sewing that the search found last */
+    int32_t ndirect;
+} garment;
+
+#define NAME_OF(name, text) text,
+static const char *const feature_names[D] = {MUS__SEAM_PAIR(NAME_OF) MUS__SEAM_WHOLE(NAME_OF)};
+
+static garment *garments;
+static int32_t ngarment;
+
+
+static void give_up(mus_context *context, const char *what)
+{
+    fprintf(stderr, "seams: %s: %s\n", what, mus_context_error(context));
+    exit(1);
+}
+
+
+static void add_garment(mus_context *context, mus_pattern *pattern, const char *name, bool ours, bool judged)
+{
+    garments = realloc(garments, (size_t)(ngarment + 1) * sizeof *garments);
+    if (garments == NULL) exit(1);
+    garment *g = &garments[ngarment++];
+    memset(g, 0, sizeof *g);
+    snprintf(g->name, sizeof g->name, "%s", name);
+    g->ours = ours;
+    g->judged = judged;
+    if (mus__seam_read(pattern, &g->facts) != MUS_OK) give_up(context, name);
+    g->truth = malloc(sizeof *g->truth * (size_t)(g->facts.n + 1));
+    memcpy(g->truth, g->facts.fixed, sizeof *g->truth * (size_t)g->facts.n);
+    for (int32_t i = 0; i < g->facts.n; i++) g->facts.fixed[i] = MUS_NONE;
+    for (int32_t s = 0; s < mus_pattern_seam_count(pattern); s++) {
+        mus_seam_def def;
+        mus_seam_def_init(&def, sizeof def);
+        mus_pattern_seam(pattern, s, &def);
+        g->ndirect += def.direction == MUS_SEAM_DIRECT;
+    }
+    g->pattern = pattern;
+}
+
+
+static uint32_t hash_text(const char *text)
+{
+    uint32_t hash = 2166136261u;
+    for (; *text != '\0'; text++) hash = (hash ^ (uint32_t)(unsigned char)*text) * 16777619u;
+    return hash ^ (hash >> 15);
+}
+
+
+static void load_designs(mus_context *context, int32_t every)
+{
+    static const char *const sizes[] = {"W40", "M50", "C116"};
+    mus_tape *tapes[3] = {NULL};
+    for (int32_t i = 0; i < 3; i++)
+        if (mus_tape_create(context, &tapes[i]) != MUS_OK || mus_tape_set_size(tapes[i], sizes[i]) != MUS_OK ||
+            mus_tape_complete(tapes[i]) != MUS_OK)
+            give_up(context, sizes[i]);
+    for (int32_t i = 0; i < mus_design_count(); i += every) {
+        const int32_t groups = mus_design_groups(i), tape = groups & 1 ? 0 : groups & 2 ? 1 : 2;
+        mus_pattern *pattern = NULL;
+        if (mus_design_draft(context, i, tapes[tape], NULL, &pattern) != MUS_OK) {
+            fprintf(stderr, "seams: %s is not drafted: %s\n", mus_design_name(i), mus_context_error(context));
+            continue;
+        }
+        add_garment(context, pattern, mus_design_name(i), true, hash_text(mus_design_family(i)) % 2 != 0);
+    }
+    for (int32_t i = 0; i < 3; i++) mus_tape_destroy(tapes[i]);
+}
+
+
+static void load_specifications(mus_context *context, const char *data)
+{
+    static const char *const folders[] = {"specs", "originals"};
+    for (int32_t f = 0; f < 2; f++) {
+        char path[1024];
+        glob_t found;
+        snprintf(path, sizeof path, "%s/garmentcode/%s/*_specification.json", data, folders[f]);
+        if (glob(path, 0, NULL, &found) != 0) continue;
+        for (size_t i = 0; i < found.gl_pathc; i++) {
+            mus_pattern *pattern = NULL;
+            const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+            int32_t a = 0, number = 0;
+            if (sscanf(name, "d%d_%d", &a, &number) != 2) number = (int32_t)hash_text(name);
+            if (mus_pattern_read(context, found.gl_pathv[i], &pattern) != MUS_OK) give_up(context, name);
+            add_garment(context, pattern, name, false, number % 2 != 0);
+        }
+        globfree(&found);
+    }
+}
+
+
+/* ---- the fit ---- */
+
+static void add_pairs(const garment *g, const int32_t *mate, const int32_t *less, double *x)
+{
+    double features[MUS__SEAM_PAIRS];
+    for (int32_t a = 0; a < g->facts.n; a++)
+        for (int32_t sign = 1; sign >= -1; sign -= 2) {
+            const int32_t b = sign > 0 ? mate[a] : less[a];
+            if (b <= a || mate[a] == less[a]) continue;
+            mus__seam_pair(&g->facts, a, b, features);
+            for (int32_t k = 0; k < MUS__SEAM_PAIRS; k++) x[k] += sign * features[k];
+        }
+}
+
+
+static int32_t wrong_seams(const garment *g, const int32_t *mate)
+{
+    int32_t wrong = 0;
+    for (int32_t a = 0; a < g->facts.n; a++)
+        wrong += (mate[a] > a && g->truth[a] != mate[a]) + (g->truth[a] > a && g->truth[a] != mate[a]);
+    return wrong;
+}
+
+
+/* rows of the regression, each already times its sign */
+typedef struct newton {
+    double w[D], gradient[D], hessian[D * D];
+    float *rows; /* (nrow x (D + 1)), the last the weight */
+    int64_t nrow, room;
+} newton;
+
+
+static void add_row(newton *fit, const double *x, double y, double weight)
+{
+    if (fit->nrow == fit->room) {
+        fit->room = 2 * fit->room + 65536;
+        fit->rows = realloc(fit->rows, sizeof *fit->rows * (D + 1) * (size_t)fit->room);
+        if (fit->rows == NULL) exit(1);
+    }
+    for (int32_t k = 0; k < D; k++) fit->rows[fit->nrow * (D + 1) + k] = (float)(y * x[k]);
+    fit->rows[fit->nrow * (D + 1) + D] = (float)weight;
+    fit->nrow++;
+}
+
+
+/* negative logarithm of the likelihood, and its derivatives where asked for */
+static double likelihood(newton *fit, const double *w, bool derive)
+{
+    double loss = 0.0;
+    if (derive) memset(fit->gradient, 0, sizeof fit->gradient);
+    if (derive) memset(fit->hessian, 0, sizeof fit->hessian);
+    for (int32_t k = 0; k < D; k++) loss += 0.5 * RIDGE * w[k] * w[k];
+    for (int64_t row = 0; row < fit->nrow; row++) {
+        const float *x = fit->rows + row * (D + 1);
+        int32_t at[D], n = 0;
+        double z = 0.0;
+        for (int32_t k = 0; k < D; k++) z += w[k] * (double)x[k];
+        if (z > 20.0) continue;
+        loss += (double)x[D] * (z < -30.0 ? -z : log1p(exp(-z)));
+        if (!derive) continue;
+        const double p = 1.0 / (1.0 + exp(z)), h = (double)x[D] * p * (1.0 - p);
+        for (int32_t k = 0; k < D; k++)
+            if (x[k] != 0.0f) at[n++] = k;
+        for (int32_t i = 0; i < n; i++) {
+            const double xi = (double)x[at[i]];
+            fit->gradient[at[i]] -= (double)x[D] * p * xi;
+            for (int32_t k = 0; k <= i; k++) fit->hessian[at[i] * D + at[k]] += h * xi * (double)x[at[k]];
+        }
+    }
+    return loss;
+}
+
+
+static void add_state(newton *fit, garment *g, mus__seam_search *search, const int32_t *mate)
+{
+    const size_t bytes = sizeof *mate * (size_t)g->facts.n;
+    double base[MUS__SEAM_WHOLES], x[D];
+    const int32_t wrong = wrong_seams(g, mate);
+    mus__seam_change change;
+    mus__seam_whole(&g->facts, mate, search->scratch, base);
+    for (int32_t i = 0; mus__seam_change_list(search, i, &change); i++) {
+        memcpy(search->trial, mate, bytes);
+        if (!mus__seam_change_apply(&g->facts, &change, search->trial)) continue;
+        const int32_t more = wrong_seams(g, search->trial) - wrong;
+        if (more == 0) continue;
+        memset(x, 0, sizeof x);
+        add_pairs(g, search->trial, mate, x);
+        mus__seam_whole(&g->facts, search->trial, search->scratch, x + MUS__SEAM_PAIRS);
+        for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) x[MUS__SEAM_PAIRS + k] -= base[k];
+        add_row(fit, x, more < 0 ? 1.0 : -1.0, more < 0 ? WEIGHT_RIGHT : 1.0);
+    }
+}
+
+
+/* the step of Newton's method (H + ridge)^-1 (g + ridge w), into the gradient, by Cholesky */
+static void newton_step(newton *fit)
+{
+    double *h = fit->hessian, *g = fit->gradient;
+    for (int32_t k = 0; k < D; k++) {
+        h[k * D + k] += RIDGE;
+        g[k] += RIDGE * fit->w[k];
+    }
+    for (int32_t i = 0; i < D; i++)
+        for (int32_t k = 0; k <= i; k++) {
+            double sum = h[i * D + k];
+            for (int32_t m = 0; m < k; m++) sum -= h[i * D + m] * h[k * D + m];
+            h[i * D + k] = i == k ? sqrt(fmax(sum, 1e-9)) : sum / h[k * D + k];
+        }
+    for (int32_t i = 0; i < D; i++) {
+        for (int32_t m = 0; m < i; m++) g[i] -= h[i * D + m] * g[m];
+        g[i] /= h[i * D + i];
+    }
+    for (int32_t i = D - 1; i >= 0; i--) {
+        for (int32_t m = i + 1; m < D; m++) g[i] -= h[m * D + i] * g[m];
+        g[i] /= h[i * D + i];
+    }
+}
+
+
+/* one row: the true sewing against the one that was found */
+static void add_whole(newton *fit, garment *g, mus__seam_search *search)
+{
+    double x[D] = {0}, base[MUS__SEAM_WHOLES];
+    if (wrong_seams(g, g->found) == 0) return;
+    add_pairs(g, g->truth, g->found, x);
+    mus__seam_whole(&g->facts, g->truth, search->scratch, x + MUS__SEAM_PAIRS);
+    mus__seam_whole(&g->facts, g->found, search->scratch, base);
+    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) x[MUS__SEAM_PAIRS + k] -= base[k];
+    add_row(fit, x, 1.0, WEIGHT_WHOLE);
+}
+
+
+static void add_states(newton *fit, garment *g, bool truth)
+{
+    mus__seam_search search;
+    if (mus__seam_begin(&g->facts, fit->w, &search) != MUS_OK) exit(1);
+    if (truth) add_state(fit, g, &search, g->truth);
+    if (g->found != NULL) add_state(fit, g, &search, g->found);
+    if (g->found != NULL) add_whole(fit, g, &search);
+    mus__seam_end(&search);
+}
+
+
+static void regress(newton *fit, int32_t steps)
+{
+    double loss = 0.0;
+    for (int32_t step = 0; step < steps; step++) {
+        double w[D], t = 1.0;
+        const double before = loss = likelihood(fit, fit->w, true);
+        newton_step(fit);
+        for (; t > 1e-4; t *= 0.5) {
+            for (int32_t k = 0; k < D; k++) w[k] = fit->w[k] - t * fit->gradient[k];
+            loss = likelihood(fit, w, false);
+            if (loss < before) break;
+        }
+        if (loss >= before) break;
+        memcpy(fit->w, w, sizeof w);
+        if (before - loss < 1e-4 * before) break;
+    }
+    fprintf(stderr, "%lld rows, loss %.1f a garment\n", (long long)fit->nrow, loss / ngarment);
+}
+
+
+/* ---- the judgement ---- */
+
+typedef struct tally {
+    int32_t garments, whole, seams, right, found, missed_by_search;
+} tally;
+
+static tally tallies[2][2];      /* half, ours */
+static int32_t bins[2][BINS][2]; /* half, confidence, right */
+static double *margins; /* (nmargin x 2) of the fitted half: margin of a seam that was found, 1 where it is right */
+static int64_t nmargin;
+
+
+/* counts a seam that was found by its confidence; of the fitted half, keeps its margin */
+static void count_confidence(const garment *g, mus__seam_search *search, int32_t a, const double *confidence)
+{
+    int32_t other;
+    const double margin = mus__seam_margin(search, a, &other);
+    const double p = 1.0 / (1.0 + exp(-confidence[0] * margin - confidence[1]));
+    const int32_t right = search->mate[a] == g->truth[a], bin = (int32_t)(p * BINS);
+    bins[g->judged][bin < BINS ? bin : BINS - 1][right]++;
+    if (g->judged) return;
+    margins = realloc(margins, (size_t)(nmargin + 1) * 2 * sizeof *margins);
+    if (margins == NULL) exit(1);
+    margins[2 * nmargin] = margin;
+    margins[2 * nmargin + 1] = right;
+    nmargin++;
+}
+
+
+/* the logistic regression of right on the margin: factor and constant */
+static void fit_confidence(double *c)
+{
+    c[0] = c[1] = 0.0;
+    for (int32_t step = 0; step < 30; step++) {
+        double g0 = 0.0, g1 = 0.0, h00 = 1e-6, h01 = 0.0, h11 = 1e-6;
+        for (int64_t i = 0; i < nmargin; i++) {
+            const double x = margins[2 * i], p = 1.0 / (1.0 + exp(-c[0] * x - c[1]));
+            const double r = margins[2 * i + 1] - p, h = p * (1.0 - p);
+            g0 += r * x;
+            g1 += r;
+            h00 += h * x * x;
+            h01 += h * x;
+            h11 += h;
+        }
+        const double d = h00 * h11 - h01 * h01;
+        c[0] += (h11 * g0 - h01 * g1) / d;
+        c[1] += (h00 * g1 - h01 * g0) / d;
+    }
+}
+
+
+static void write_weights(const char *path, const double *w, const double *c)
+{
+    FILE *f = fopen(path, "w");
+    if (f == NULL) return;
+    fprintf(
+        f, "/*\n * seam_weights.c: weights of the features of a sewing, and of the confidence. Written by `make seams\n"
+           " * SEAMS='--fit lib/trade/seam_weights.c'`; do not edit.\n */\n#include \"trade/seam_find.h\"\n\n"
+           "const double mus__seam_weights[MUS__SEAM_FEATURES] = {\n");
+    for (int32_t k = 0; k < D; k++) fprintf(f, "    %.6g, /* %s */\n", w[k], feature_names[k]);
+    fprintf(f, "};\n\n/* factor and constant of the margin */\nconst double mus__seam_confidence[2] = {%.6g, %.6g};\n",
+            c[0], c[1]);
+    fclose(f);
+}
+
+
+static void judge(garment *g, const double *weights, int32_t rounds, bool keep, bool list, const double *confidence)
+{
+    mus__seam_search search;
+    tally *t = &tallies[g->judged][g->ours];
+    if (mus__seam_begin(&g->facts, weights, &search) != MUS_OK) exit(1);
+    mus__seam_run(&search, rounds);
+    int32_t wrong = wrong_seams(g, search.mate), missed = 0;
+    t->garments++;
+    t->whole += wrong == 0;
+    for (int32_t a = 0; a < g->facts.n; a++) {
+        const int32_t b = search.mate[a], c = g->truth[a];
+        t->seams += c > a;
+        t->found += b > a;
+        t->right += b > a && b == c;
+        missed += c > a && b != c;
+        if (confidence != NULL && b > a) count_confidence(g, &search, a, confidence);
+        if (list && ((b > a && b != c) || (c > a && b != c))) {
+            const mus__seam_edge *e = g->facts.edges;
+            const int32_t at[3] = {a, b, c};
+            printf("  %s:", g->name);
+            for (int32_t k = 0; k < 3; k++) {
+                printf(k == 0 ? " " : k == 1 ? "  FOUND " : "  TRUTH ");
+                if (at[k] == MUS_NONE)
+                    printf("-");
+                else
+                    printf("%s.%d (%.0f mm, %.2f rad)", mus_pattern_panel_name(g->pattern, e[at[k]].panel),
+                           at[k] - g->facts.panels[e[at[k]].panel].first, 1e3 * e[at[k]].length, e[at[k]].turn);
+            }
+            if (b != MUS_NONE && c != MUS_NONE)
+                printf("  pair scores %.1f %.1f", search.pairs[a * g->facts.n + b], search.pairs[a * g->facts.n + c]);
+            printf("\n");
+        }
+    }
+    t->missed_by_search += mus__seam_score(&search, g->truth) > search.score + 1e-6;
+    if (keep) {
+        if (g->found == NULL) g->found = malloc(sizeof(int32_t) * (size_t)(g->facts.n + 1));
+        memcpy(g->found, search.mate, sizeof(int32_t) * (size_t)g->facts.n);
+    }
+    mus__seam_end(&search);
+}
+
+
+static void print_tallies(void)
+{
+    for (int32_t half = 0; half < 2; half++)
+        for (int32_t ours = 1; ours >= 0; ours--) {
+            const tally *t = &tallies[half][ours];
+            if (t->garments == 0) continue;
+            printf("%-6s %-14s %4d garments, whole %5.1f %%; %5d seams, found %5.1f %%, right of the found %5.1f %%; "
+                   "truth scores better in %d\n",
+                   half ? "judged" : "fitted", ours ? "named designs" : "specifications", t->garments,
+                   100.0 * t->whole / t->garments, t->seams, 100.0 * t->right / fmax(1, t->seams),
+                   100.0 * t->right / fmax(1, t->found), t->missed_by_search);
+        }
+    memset(tallies, 0, sizeof tallies);
+}
+
+
+/* the constant of a seam, so that most seams of the fitted half are right: found, less half of the wrong ones */
+static void choose_constant(double *w)
+{
+    const double first = w[MUS__SEAM_SEWN];
+    double best = -1e9, chosen = first;
+    for (int32_t step = 0; step <= 6; step++) {
+        int32_t gain = 0;
+        w[MUS__SEAM_SEWN] = first + 0.2 * step;
+        for (int32_t i = 0; i < ngarment; i++)
+            if (!garments[i].judged) judge(&garments[i], w, 0, false, false, NULL);
+        for (int32_t ours = 0; ours < 2; ours++) gain += 2 * tallies[0][ours].right - tallies[0][ours].found;
+        if (gain > best) {
+            best = gain;
+            chosen = w[MUS__SEAM_SEWN];
+        }
+        printf("constant of a seam %.2f:\n", w[MUS__SEAM_SEWN]);
+        print_tallies();
+    }
+    w[MUS__SEAM_SEWN] = chosen;
+}
+
+
+static void print_confidence(void)
+{
+    for (int32_t half = 0; half < 2; half++)
+        for (int32_t b = 0; b < BINS; b++) {
+            const int32_t n = bins[half][b][0] + bins[half][b][1];
+            if (n > 0)
+                printf("%-6s confidence %.1f to %.1f: %5d seams, %5.1f %% right\n", half ? "judged" : "fitted",
+                       (double)b / BINS, (b + 1.0) / BINS, n, 100.0 * bins[half][b][1] / n);
+        }
+    memset(bins, 0, sizeof bins);
+}
+
+
+static void fit_weights(newton *fit)
+{
+    for (int32_t round = 0; round < ROUNDS_FIT; round++) {
+        for (int32_t i = 0; i < ngarment; i++)
+            if (!garments[i].judged) add_states(fit, &garments[i], round == 0);
+        regress(fit, 8);
+        for (int32_t i = 0; i < ngarment; i++)
+            if (!garments[i].judged) judge(&garments[i], fit->w, 0, true, false, NULL);
+        print_tallies();
+        fflush(stdout);
+    }
+    choose_constant(fit->w);
+}
+
+
+int main(int argc, char **argv)
+{
+    int32_t every = 8, rounds = 2;
+    const char *out = NULL;
+    bool list = false;
+    mus_context *context = NULL;
+    if (argc < 2 || mus_context_create(NULL, &context) != MUS_OK) return 1;
+    for (int i = 2; i < argc; i++) {
+        if (strcmp(argv[i], "--every") == 0 && i + 1 < argc)
+            every = atoi(argv[++i]);
+        else if (strcmp(argv[i], "--rounds") == 0 && i + 1 < argc)
+            rounds = atoi(argv[++i]);
+        else if (strcmp(argv[i], "--fit") == 0 && i + 1 < argc)
+            out = argv[++i];
+        else if (strcmp(argv[i], "--list") == 0)
+            list = true;
+    }
+    load_designs(context, every);
+    load_specifications(context, argv[1]);
+    static newton fit;
+    double confidence[2] = {mus__seam_confidence[0], mus__seam_confidence[1]};
+    memcpy(fit.w, mus__seam_weights, sizeof fit.w);
+    if (out != NULL) {
+        memset(fit.w, 0, sizeof fit.w);
+        fit_weights(&fit);
+        for (int32_t i = 0; i < ngarment; i++)
+            if (!garments[i].judged) judge(&garments[i], fit.w, 0, false, false, confidence);
+        memset(tallies, 0, sizeof tallies);
+        memset(bins, 0, sizeof bins);
+        fit_confidence(confidence);
+        write_weights(out, fit.w, confidence);
+    }
+    for (int32_t i = 0; i < ngarment; i++) judge(&garments[i], fit.w, rounds, false, list, confidence);
+    print_tallies();
+    print_confidence();
+    return 0;
+}

@@ -148,23 +148,6 @@ static void draw_step(mus__drawing *drawing, unsigned char op, int32_t npoint, c
 }
 
 
-void mus__draw_letters(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
-{
-    const size_t n = strlen(text);
-    if (drawing->status != MUS_OK || n == 0 || n > INT32_MAX / 2) return;
-    drawing->status = mus__print_reserve(drawing->context, &drawing->texts, &drawing->text_room,
-                                         (int64_t)drawing->ntext + 1, sizeof *drawing->texts);
-    if (drawing->status == MUS_OK)
-        drawing->status = mus__print_reserve(drawing->context, &drawing->letters, &drawing->letter_room,
-                                             (int64_t)drawing->nletter + (int64_t)n, 1);
-    if (drawing->status != MUS_OK) return;
-    memcpy(drawing->letters + drawing->nletter, text, n);
-    drawing->texts[drawing->ntext++] =
-        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height, style->cosine, style->sine};
-    drawing->nletter += (int32_t)n;
-}
-
-
 void mus__draw_move(mus__drawing *drawing, double x, double y)
 {
     draw_step(drawing, 'm', 1, (const double[]){x, y});

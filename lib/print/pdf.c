@@ -3,9 +3,9 @@
  *
  * Coordinates are converted to those of the page (1/72 inch, y down) before cairo gets them, and cairo has no scale of
  * its own: it rounds paths to multiples of 1/256 point (1.4 um). A path that touches a page is drawn whole and clipped
- * to the printed window, so that lengths can be measured on any page. Letters are strokes; for search, copy and reading
- * aloud each text lies over its strokes a second time, in a font made here whose glyphs are empty and have the widths of
- * the strokes. No font of the machine is used and the date is fixed, so that the same sheet gives the same bytes.
+ * to the printed window, so that lengths can be measured on any page. Letters are strokes; for search, copy and
+ * reading aloud each text lies over its strokes a second time, in a font made here whose glyphs are empty and as wide
+ * as the strokes. No font of the machine is used and the date is fixed, so that the same sheet gives the same bytes.
  */
 #include <cairo-pdf.h>
 #include <cairo.h>

@@ -4,7 +4,7 @@
 #ifndef MUS__PRINT_PIECE_H
 #define MUS__PRINT_PIECE_H
 
-#include "print/drawing.h"
+#include "print/stroke_font.h"
 
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {
@@ -27,7 +27,6 @@ typedef struct mus__side {
     int32_t edge;
     int32_t direction; /* +1 along the edge, -1 against it; the outline runs counter-clockwise */
     double width;      /* allowance [m] */
-    bool hem;
 } mus__side;
 
 typedef struct mus__piece {
@@ -50,13 +49,13 @@ typedef struct mus__piece {
 } mus__piece;
 
 /* make a piece of a panel: outline and cut line, the low corner of its box at (0, 0). allowance [m] is that of edges
- * without their own; with `fold` a symmetric panel becomes its half. The caller zeroes `piece` before and frees it
- * afterwards */
-mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance, bool fold,
+ * without their own; the caller zeroes `piece` before and frees it afterwards */
+mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece);
 /* write how a piece is cut: "Cut 2 mirrored", "Cut 1 on fold" */
 void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size);
 void mus__piece_free(mus_context *context, mus__piece *piece);
+void mus__piece_box(mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
@@ -64,7 +63,8 @@ void mus__cubic_at(const double *p, double t, double *out);
 /* number of equal chords that keep within `tolerance` [m] of a cubic (four points) */
 int32_t mus__cubic_chords(const double *p, double tolerance);
 
-/* make a piece its right half when it is symmetric about the upright line through its middle (piece_fold.c) */
+/* turn a piece that is symmetric about the upright line through its middle into its right half, with the low corner of
+ * its box at (0, 0) (piece_fold.c) */
 mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus__piece *piece);
 
 /* ---- lines on a piece (piece_marks.c) ---- */

@@ -219,5 +219,7 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
         return MUS_OK;
     piece->fold = true;
     piece->axis = axis;
-    return fold_lines(context, piece, axis);
+    const mus_status status = fold_lines(context, piece, axis);
+    if (status == MUS_OK) mus__piece_box(piece);
+    return status;
 }

@@ -309,13 +309,27 @@ static void piece_copies(const mus_pattern *pattern, mus__piece *piece)
 }
 
 
+/* compute the box of the cut line, and move its low corner to the origin */
+void mus__piece_box(mus__piece *piece)
+{
+    for (int32_t i = 0; i < piece->cut.n; i++) {
+        for (int32_t k = 0; k < 2; k++) {
+            double x = piece->cut.xy[2 * i + k];
+            if (i == 0 || x < piece->box[k]) piece->box[k] = x;
+            if (i == 0 || x > piece->box[2 + k]) piece->box[2 + k] = x;
+        }
+    }
+    mus__piece_move(piece, -piece->box[0], -piece->box[1]);
+}
+
+
 void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size)
 {
     snprintf(out, size, "Cut %d%s", piece->copies, piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
 }
 
 
-mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance, bool fold,
+mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece)
 {
     int32_t n = 0, *edges = NULL, *directions;
@@ -331,9 +345,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = mus_pattern_rim(pattern, panel, edges, directions, n, &piece->nside);
     for (int32_t i = 0; i < piece->nside && status == MUS_OK; i++) {
         double own = mus_pattern_edge_allowance(pattern, edges[i]);
-        const char *label = mus_pattern_edge_label(pattern, edges[i]), *name = mus_pattern_edge_name(pattern, edges[i]);
-        bool hem = (label != NULL && strstr(label, "hem") != NULL) || (name != NULL && strstr(name, "hem") != NULL);
-        piece->sides[i] = (mus__side){edges[i], directions[i], own >= 0.0 ? own : allowance, hem};
+        piece->sides[i] = (mus__side){edges[i], directions[i], own >= 0.0 ? own : allowance};
         status = span_edge(&spans, pattern, edges[i], directions[i], i);
     }
     mus__print_free(context, edges);
@@ -342,18 +354,9 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = piece_flatten(context, piece);
     if (status == MUS_OK) status = piece_turn(pattern, piece);
     if (status == MUS_OK) status = piece_cut(context, pattern, allowance, piece);
-    if (status == MUS_OK && fold) status = mus__piece_fold(context, pattern, piece);
     if (status != MUS_OK) return status;
 
-    /* move the low corner of the cut line's box to the origin */
     piece_copies(pattern, piece);
-    for (int32_t i = 0; i < piece->cut.n; i++) {
-        for (int32_t k = 0; k < 2; k++) {
-            double x = piece->cut.xy[2 * i + k];
-            if (i == 0 || x < piece->box[k]) piece->box[k] = x;
-            if (i == 0 || x > piece->box[2 + k]) piece->box[2 + k] = x;
-        }
-    }
-    mus__piece_move(piece, -piece->box[0], -piece->box[1]);
+    mus__piece_box(piece);
     return MUS_OK;
 }

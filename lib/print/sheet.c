@@ -102,9 +102,10 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
         if (status != MUS_OK || mirror != MUS_NONE) continue;
         snprintf(sheet->names[sheet->npiece], sizeof *sheet->names, "%s", mus_pattern_panel_name(pattern, i));
         snprintf(sheet->labels[sheet->npiece], sizeof *sheet->labels, "%s", mus_pattern_panel_label(pattern, i));
-        status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, sheet->def.fold != 0,
-                                 &sheet->pieces[sheet->npiece++]);
+        status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, &sheet->pieces[sheet->npiece++]);
     }
+    for (int32_t i = 0; i < sheet->npiece && status == MUS_OK && sheet->def.fold; i++)
+        status = mus__piece_fold(sheet->context, pattern, &sheet->pieces[i]);
     if (status == MUS_OK && sheet->npiece == 0)
         status = mus__file_fail(sheet->context, MUS_ERR_PATTERN, "pattern %.100s has no panel to print", sheet->title);
     return status;

@@ -69,8 +69,9 @@ START_TEST(halves_of_named_designs_unfold_to_the_whole)
             mus__piece whole, half;
             memset(&whole, 0, sizeof whole);
             memset(&half, 0, sizeof half);
-            ck_assert_int_eq(mus__piece_make(context, pattern, p, 0.01, false, &whole), MUS_OK);
-            ck_assert_int_eq(mus__piece_make(context, pattern, p, 0.01, true, &half), MUS_OK);
+            ck_assert_int_eq(mus__piece_make(context, pattern, p, 0.01, &whole), MUS_OK);
+            ck_assert_int_eq(mus__piece_make(context, pattern, p, 0.01, &half), MUS_OK);
+            ck_assert_int_eq(mus__piece_fold(context, pattern, &half), MUS_OK);
             if (half.fold) unfolds(&whole, &half);
             halves += half.fold;
             wholes += !half.fold;
@@ -98,7 +99,8 @@ START_TEST(what_is_not_symmetric_stays_whole)
         if (k == 1) ck_assert_int_eq(mus_pattern_add_notch(pattern, 1, 0.2, MUS_NOTCH_SINGLE, NULL), MUS_OK);
         if (k == 2) ck_assert_int_eq(mus_pattern_add_mark(pattern, 0, "pocket", 1, at, NULL), MUS_OK);
         if (k == 3) ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, 1, 0.02), MUS_OK);
-        ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, true, &piece), MUS_OK);
+        ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
+        ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
         ck_assert_int_eq(piece.fold, k == 0);
         if (k == 0) ck_assert_double_eq_tol(piece.box[2], 0.21, 1e-6);
         mus__piece_free(context, &piece);

@@ -32,7 +32,7 @@ static void teardown(void)
 static void make(const mus_pattern *from, int32_t panel, double allowance)
 {
     mus__piece_free(context, &piece);
-    ck_assert_int_eq(mus__piece_make(context, from, panel, allowance, false, &piece), MUS_OK);
+    ck_assert_int_eq(mus__piece_make(context, from, panel, allowance, &piece), MUS_OK);
 }
 
 

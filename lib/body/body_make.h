@@ -48,8 +48,6 @@ void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus_
  * MUS_ERR_MEMORY */
 mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
                             int32_t *work);
-/* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
-double mus__span_side(const double *before, const double *at, const double *after);
 
 /* ---- limbs_left_out.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 

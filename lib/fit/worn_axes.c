@@ -173,29 +173,58 @@ static int32_t axis_pass(const double *p, const double *q, const double *a, cons
 
 /* the cone over a loop, and how far the axes are moved */
 typedef struct axis_cone {
-    double apex[3], by[3]; /* [m] */
-    const int32_t *node;   /* (count) of the loop */
+    double apex[3], by[3];    /* [m] */
+    double low[3], high[3];   /* box of the loop and the apex [m] */
+    const int32_t *node;      /* (count) of the loop */
     int32_t count;
-    const double *x;       /* places of the nodes [m] */
+    const double *x;          /* places of the nodes [m] */
 } axis_cone;
 
 
-/* signed passes of an axis on a way through a cone */
-static int32_t axis_passes(const mus__worn_axes *axes, int32_t axis, int32_t way, const axis_cone *cone, int32_t *flat)
+/* takes the box of the loop and the apex */
+static void axis_box(axis_cone *cone)
 {
-    const double *by = cone->by;
-    int32_t sum = 0;
-    for (int32_t k = 0; axes->count[axis] > 0 && k <= axes->leave[axis][way]; k++) {
-        const double *from = axes->point[axis][k];
-        const double *to = k < axes->leave[axis][way] ? axes->point[axis][k + 1] : axes->far[axis][way];
-        const double p[3] = {from[0] + by[0], from[1] + by[1], from[2] + by[2]};
-        const double q[3] = {to[0] + by[0], to[1] + by[1], to[2] + by[2]};
-        for (int32_t i = 0; i < cone->count; i++) {
-            const int32_t a = cone->node[i], b = cone->node[(i + 1) % cone->count];
-            sum += axis_pass(p, q, cone->apex, cone->x + 3 * (ptrdiff_t)a, cone->x + 3 * (ptrdiff_t)b, flat);
+    memcpy(cone->low, cone->apex, sizeof cone->low);
+    memcpy(cone->high, cone->apex, sizeof cone->high);
+    for (int32_t i = 0; i < cone->count; i++)
+        for (int32_t d = 0; d < 3; d++) {
+            const double at = cone->x[3 * (ptrdiff_t)cone->node[i] + d];
+            cone->low[d] = fmin(cone->low[d], at), cone->high[d] = fmax(cone->high[d], at);
         }
+}
+
+
+/* signed passes of the segment from one place to another through a cone; none where their boxes have no point in
+ * common */
+static int32_t axis_passes(const double *from, const double *to, const axis_cone *cone, int32_t *flat)
+{
+    double p[3], q[3];
+    int32_t sum = 0;
+    for (int32_t d = 0; d < 3; d++) {
+        p[d] = from[d] + cone->by[d], q[d] = to[d] + cone->by[d];
+        if ((p[d] < cone->low[d] && q[d] < cone->low[d]) || (p[d] > cone->high[d] && q[d] > cone->high[d])) return 0;
+    }
+    for (int32_t i = 0; i < cone->count; i++) {
+        const int32_t a = cone->node[i], b = cone->node[(i + 1) % cone->count];
+        sum += axis_pass(p, q, cone->apex, cone->x + 3 * (ptrdiff_t)a, cone->x + 3 * (ptrdiff_t)b, flat);
     }
     return sum;
+}
+
+
+/* signed passes of an axis through a cone, on each way: that inside the body up to the point of leaving, and the way
+ * outside */
+static void axis_ways(const mus__worn_axes *axes, int32_t axis, const axis_cone *cone, int32_t *out, int32_t *flat)
+{
+    int32_t sum = 0;
+    for (int32_t way = 0; way < MUS__WORN_WAYS; way++) out[way] = 0;
+    for (int32_t k = 0; k < axes->count[axis]; k++) {
+        for (int32_t way = 0; way < MUS__WORN_WAYS; way++)
+            if (axes->leave[axis][way] == k)
+                out[way] = sum + axis_passes(axes->point[axis][k], axes->far[axis][way], cone, flat);
+        if (k + 1 < axes->count[axis])
+            sum += axis_passes(axes->point[axis][k], axes->point[axis][k + 1], cone, flat);
+    }
 }
 
 
@@ -209,9 +238,8 @@ void mus__worn_link(const mus__worn_axes *axes, const mus__worn_loops *loops, in
     int32_t flat = 1;
     for (int32_t try = 0; try < AXIS_NUDGES && flat; try++) {
         flat = 0;
-        for (int32_t axis = 0; axis < MUS_WORN_LIMBS; axis++)
-            for (int32_t way = 0; way < MUS__WORN_WAYS; way++)
-                out[axis][way] = axis_passes(axes, axis, way, &cone, &flat);
+        axis_box(&cone);
+        for (int32_t axis = 0; axis < MUS_WORN_LIMBS; axis++) axis_ways(axes, axis, &cone, out[axis], &flat);
 
         /* steps of different size and direction */
         const double apex[3] = {1.0 + try, -0.7, 0.6 + 0.3 * try}, by[3] = {0.6, 2.0 + try, -0.8};

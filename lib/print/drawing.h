@@ -82,7 +82,7 @@ typedef struct mus__path {
 typedef struct mus__text {
     int32_t at, n;       /* its UTF-8 in letters, without a zero byte */
     double x, y;         /* left end of the base line [m] */
-    double height, cosine, sine; /* of a capital [m]; direction of the line */
+    double height;       /* of a capital [m] */
 } mus__text;
 
 typedef struct mus__drawing {

@@ -90,7 +90,10 @@ static cairo_status_t pdf_glyph(cairo_scaled_font_t *font, unsigned long glyph, 
 {
     (void)font;
     (void)cairo;
-    extents->x_advance = mus__text_advance((uint32_t)glyph);
+    /* readers leave out glyphs without height */
+    extents->x_advance = extents->width = mus__text_advance((uint32_t)glyph);
+    extents->y_bearing = -1.0;
+    extents->height = 1.0;
     return CAIRO_STATUS_SUCCESS;
 }
 
@@ -113,7 +116,8 @@ static cairo_font_face_t *pdf_font(void)
 }
 
 
-/* lay the texts that begin in the window (NULL: all) over their strokes, invisible */
+/* lay the texts that begin in the window (NULL: all) over their strokes, invisible. They are all upright: readers take
+ * turned text apart into letters */
 static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const double *window)
 {
     for (int32_t i = 0; i < drawing->ntext; i++) {
@@ -125,8 +129,7 @@ static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const d
         memcpy(letters, drawing->letters + text->at, (size_t)text->n);
         letters[text->n] = '\0';
         const double size = text->height * POINTS;
-        cairo_matrix_t turn = {size * text->cosine, -size * text->sine, size * text->sine, size * text->cosine, 0, 0};
-        cairo_set_font_matrix(page->cairo, &turn);
+        cairo_set_font_size(page->cairo, size);
         cairo_move_to(page->cairo, (text->x - page->left) * POINTS, (page->top - text->y) * POINTS);
         cairo_show_text(page->cairo, letters);
     }

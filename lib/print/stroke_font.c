@@ -162,7 +162,7 @@ static void text_keep(mus__drawing *drawing, const char *text, double x, double 
     if (drawing->status != MUS_OK) return;
     memcpy(drawing->letters + drawing->nletter, text, n);
     drawing->texts[drawing->ntext++] =
-        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height, style->cosine, style->sine};
+        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height};
     drawing->nletter += (int32_t)n;
 }
 

@@ -58,8 +58,8 @@ def cut(spacing, fabric):
 
 
 def lay(cloth, start=0, residual=0.005, seconds=6.0, **options):
-    """Sewn, held on the support, the ring level but for a wave of a millimetre: of 6 folds, or (start > 0) a sum of 2 to
-    11 folds with sizes and phases of that seed."""
+    """Sewn, held on the support, the ring level but for a wave of a millimetre: of 6 folds, or (start > 0) a sum of 2
+    to 11 folds with sizes and phases of that seed."""
     drape = muslin.Drape(cloth, settle_residual=residual, settle_seconds=seconds, gravity=(0.0, 0.0, 0.0), **options)
     drape.place()
     level = np.array(drape.positions)

@@ -1,12 +1,15 @@
 /*
  * worn.c: garments made wrong on purpose, and what mus_fit_worn() says of them: `make worn`.
  *
- *     build/bin/worn DATA [--spacing MM] [--garment WORD] [--right LIST]
+ *     build/bin/worn DATA [--spacing MM] [--garment WORD] [--only simulated] [--right LIST]
  *
  * Ten garments, named designs and GarmentCode specifications of the folder DATA, are dressed. As they lie they are to
  * be right, but for triangles through the skin. Then nodes are moved: each row is one defect of one garment, with the
  * kind, the limb and the place that the certificate names. Exit 1 when a row is not named as it should be, or a
  * garment as it lies is objected to.
+ *
+ * Then come garments that are wrong by simulation: drafted for another person than they are sewn round, or with panels
+ * that start at a wrong place. Nothing is moved by hand once they are sewn.
  *
  * --right LIST: dress instead the garments of a file, "NAME PATTERN TAPE" a line (PATTERN a file or a design), and
  * print what the certificate says of each; the pictures say whether that is so.
@@ -76,6 +79,26 @@ static const struct {
      D(LEG_IN_BOTH) | D(INSIDE_OUT) | D(OFF_SHOULDER) | D(THROUGH) | D(ARM_IN) | D(BESIDE)},
     {"shirt_mean", "originals", "mean_all",
      D(OVER_HEAD) | D(ARM_BESIDE) | D(INSIDE_OUT) | D(OFF_SHOULDER) | D(ROLLED) | D(BESIDE)},
+};
+
+/* garments wrong by simulation: drafted for the size `drafted` and sewn round another size `body`, with no edge
+ * attached to it; panels with this label (NULL: none) start `by` [m] from where they belong; mirrored: front and back
+ * are exchanged */
+static const struct {
+    const char *design, *drafted, *body, *label;
+    double by[3];
+    int32_t mirrored, kind, limb;
+} simulated[] = {
+    {"tshirt", "C92", "W40", NULL, {0, 0, 0}, 0, MUS_WORN_TIGHT, MUS_NONE},
+    {"leggings", "C104", "M50", NULL, {0, 0, 0}, 0, MUS_WORN_TIGHT, MUS_NONE},
+    {"straight_skirt_mini", "W52", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_LOW, MUS_NONE},
+    {"straight_trousers", "M58", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_OPENING, MUS_NONE}, /* toes through the cloth */
+    {"corset_top", "W52", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_LOW, MUS_NONE},
+    {"knit_wide_long", "W52", "C116", NULL, {0, 0, 0}, 0, MUS_WORN_OPENING, MUS_NONE},
+    {"tshirt", "W40", "W40", "arm", {0, 0, -0.35}, 0, MUS_WORN_OPENING, MUS_NONE},
+    {"tee_crew", "W40", "W40", "arm", {0, 0, 0.35}, 0, MUS_WORN_OPENING, MUS_NONE},
+    {"tshirt", "W40", "W40", NULL, {0, 0, 0}, 1, MUS_WORN_INSIDE_OUT, MUS_NONE},
+    {"straight_trousers", "W40", "W40", NULL, {0, 0, 0}, 1, MUS_WORN_INSIDE_OUT, MUS_NONE},
 };
 
 typedef struct dressed {
@@ -279,6 +302,118 @@ static int table(mus_context *context, const char *data, double spacing, const c
 }
 
 
+/* moves the start of the panels of a simulated garment */
+static void misplace(size_t row, mus_pattern *pattern)
+{
+    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++) {
+        mus_placement place;
+        mus_placement_init(&place, sizeof place);
+        mus_pattern_placement(pattern, p, &place);
+        const char *label = mus_pattern_panel_label(pattern, p);
+        if (simulated[row].label != NULL && strcmp(label, simulated[row].label) == 0)
+            for (int32_t d = 0; d < 3; d++) place.origin[d] += simulated[row].by[d];
+
+        /* half a turn about the vertical axis, and the wrong side out */
+        for (int32_t d = 0; d < 3 && simulated[row].mirrored; d++) place.rotation[6 + d] = -place.rotation[6 + d];
+        if (simulated[row].mirrored) {
+            for (int32_t k = 0; k < 3; k++) place.rotation[3 * k + 2] = -place.rotation[3 * k + 2];
+            place.origin[2] = -place.origin[2], place.bend = -place.bend;
+        }
+        mus_pattern_set_placement(pattern, p, &place);
+    }
+}
+
+
+/* tape of a size */
+static mus_status size_tape(mus_context *context, const char *size, mus_tape **out)
+{
+    const mus_status status = mus_tape_create(context, out);
+    return status == MUS_OK ? mus_tape_set_size(*out, size) : status;
+}
+
+
+/* sews and settles the garment of a row from its misplaced start: places x of the nodes (caller frees), NULL with the
+ * context's error */
+static double *sew_wrong(mus_context *context, size_t row, const mus_cloth_def *cut, const dressed *d)
+{
+    mus_pattern *wrong = NULL;
+    mus_cloth *cloth = NULL;
+    mus_drape *drape = NULL;
+    mus_drape_def def;
+    double *x = NULL;
+    mus_drape_def_init(&def, sizeof def);
+    def.self_contact = 1;
+    mus_status status = mus_pattern_copy(d->pattern, &wrong);
+    if (status == MUS_OK) misplace(row, wrong);
+    if (status == MUS_OK) status = mus_cloth_create(context, wrong, cut, &cloth);
+    if (status == MUS_OK) status = mus_drape_create(context, cloth, d->body, &def, &drape);
+    if (status == MUS_OK) status = mus_drape_place(drape);
+    if (status == MUS_OK) status = mus_drape_sew(drape, NULL, NULL);
+    if (status == MUS_OK || status == MUS_ERR_SEW) {
+        if (status == MUS_OK) mus_drape_settle(drape, NULL, NULL);
+        const size_t bytes = 3 * (size_t)mus_drape_node_count(drape) * sizeof *x;
+        x = malloc(bytes);
+        if (x != NULL) memcpy(x, mus_drape_positions(drape), bytes);
+    }
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_pattern_destroy(wrong);
+    return x;
+}
+
+
+/* the certificate of a simulated garment against the pattern as it should start */
+static mus_status simulate(mus_context *context, size_t row, double spacing, dressed *d, mus_worn *worn)
+{
+    mus_tape *other = NULL;
+    mus_cloth_def cut;
+    memset(d, 0, sizeof *d);
+    mus_worn_init(worn, sizeof *worn);
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.spacing = spacing;
+    mus_status status = size_tape(context, simulated[row].drafted, &other);
+    if (status == MUS_OK) status = size_tape(context, simulated[row].body, &d->tape);
+    if (status == MUS_OK) status = mus_body_create(context, d->tape, NULL, &d->body);
+    if (status == MUS_OK)
+        status = mus_design_draft(context, mus_design_find(simulated[row].design), other, NULL, &d->pattern);
+    mus_tape_destroy(other);
+    const bool foreign = strcmp(simulated[row].drafted, simulated[row].body) != 0;
+    if (status == MUS_OK && foreign) status = mus_arrange_pattern(d->pattern, d->body);
+    for (int32_t e = 0; status == MUS_OK && foreign && e < mus_pattern_edge_count(d->pattern); e++)
+        status = mus_pattern_set_edge_hold(d->pattern, e, MUS_HOLD_NONE, 0.0);
+    if (status == MUS_OK) status = mus_cloth_create(context, d->pattern, &cut, &d->cloth);
+    if (status == MUS_OK) status = mus_drape_create(context, d->cloth, d->body, NULL, &d->drape);
+    double *x = status == MUS_OK ? sew_wrong(context, row, &cut, d) : NULL;
+    if (status == MUS_OK) status = x != NULL ? mus_drape_set_state(d->drape, x, NULL) : MUS_ERR_SEW;
+    if (status == MUS_OK) status = mus_fit_worn(d->drape, d->pattern, d->body, worn);
+    free(x);
+    return status;
+}
+
+
+/* the table of garments wrong by simulation; returns the number that is not named */
+static int simulations(mus_context *context, double spacing, const char *word)
+{
+    int rows = 0, named = 0;
+    for (size_t row = 0; row < sizeof simulated / sizeof *simulated; row++) {
+        dressed d;
+        mus_worn worn;
+        if (word != NULL && strstr(simulated[row].design, word) == NULL) continue;
+        rows++;
+        const mus_status status = simulate(context, row, spacing, &d, &worn);
+        const bool good = status == MUS_OK && worn.kind == simulated[row].kind;
+        named += good;
+        printf("%-3s %-20s of %-4s on %-4s %s%s: %s\n", good ? "yes" : "NO", simulated[row].design,
+               simulated[row].drafted, simulated[row].body, simulated[row].label != NULL ? "sleeves moved " : "",
+               simulated[row].mirrored ? "mirrored" : "", status == MUS_OK ? worn.text : mus_context_error(context));
+        fflush(stdout);
+        dressed_free(&d);
+    }
+    printf("%d of %d garments wrong by simulation named\n", named, rows);
+    return rows - named;
+}
+
+
 /* what the certificate says of the garments of a list */
 static int lists(mus_context *context, const char *path, double spacing)
 {
@@ -315,16 +450,20 @@ int main(int argc, char **argv)
     const char *word = NULL, *list = NULL;
     double spacing = 0.02;
     mus_context *context;
+    bool sims = false; /* those wrong by simulation alone */
     for (int i = 2; i + 1 < argc; i += 2) {
-        if (strcmp(argv[i], "--spacing") == 0) spacing = 0.001 * atof(argv[i + 1]);
+        if (strcmp(argv[i], "--only") == 0) sims = strcmp(argv[i + 1], "simulated") == 0;
+        else if (strcmp(argv[i], "--spacing") == 0) spacing = 0.001 * atof(argv[i + 1]);
         else if (strcmp(argv[i], "--garment") == 0) word = argv[i + 1];
         else if (strcmp(argv[i], "--right") == 0) list = argv[i + 1];
     }
     if (argc < 2 || mus_context_create(NULL, &context) != MUS_OK) {
-        fputs("worn DATA [--spacing MM] [--garment WORD] [--right LIST]\n", stderr);
+        fputs("worn DATA [--spacing MM] [--garment WORD] [--only simulated] [--right LIST]\n", stderr);
         return 2;
     }
-    const int code = list != NULL ? lists(context, list, spacing) : table(context, argv[1], spacing, word);
+    int code = list != NULL ? lists(context, list, spacing) : 0;
+    if (list == NULL && !sims) code = table(context, argv[1], spacing, word);
+    if (list == NULL && simulations(context, spacing, word) > 0) code = 1;
     mus_context_destroy(context);
     return code;
 }

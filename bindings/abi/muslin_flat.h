@@ -1179,6 +1179,8 @@ mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+mus_status mus_pattern_write_svg(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_svg_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);

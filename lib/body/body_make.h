@@ -98,7 +98,8 @@ bool mus__girth_has_legs(int32_t girth);
 /* vertices of a posed body near bent joints, on the parts */
 void mus__body_skin(mus_body *body);
 
-/* ---- skin_fillet.c, relief.c, fingers_toes.c: what is added to the limbs, unless def.plain; after the fields ---- */
+/* ---- skin_fillet.c, relief.c, fingers_toes.c: shapes added to the limbs. Fillets and details are written into the
+ * fields; with def.plain there are no details and no fingers and toes ---- */
 
 /* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fillets(mus_body *body, double reach);

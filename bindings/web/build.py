@@ -16,6 +16,9 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import fetch  # noqa: E402
+
 ROOT = HERE.parents[1]
 BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
 OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
@@ -70,7 +73,7 @@ def page():
     modules = WORK / "node_modules"
     if not (modules / "esbuild").exists():
         (WORK / "package.json").write_text(json.dumps({"private": True, "dependencies": PACKAGES}))
-        subprocess.run([program("npm"), "install", "--no-audit", "--no-fund", "--silent"], cwd=WORK, check=True)
+        fetch.install(program("npm"), "install", "--no-audit", "--no-fund", cwd=WORK, made=modules)
     for name in ("page.js", "worker.js"):
         subprocess.run([modules / ".bin/esbuild", HERE / "page" / name, "--bundle", "--minify", "--format=esm",
                         "--log-level=warning", f"--outfile={OUT / name}"], check=True,

@@ -105,7 +105,7 @@ int command_body(int argc, char **argv)
         } else if (as_json) {
             write_json(body, spent, &j);
             if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
-        } else if (!is_stdout(files.obj) && !is_stdout(files.glb)) {
+        } else if (!is_stdout(files.obj) && !is_stdout(files.glb) && !is_stdout(files.png)) {
             write_table(body, spent);
         }
     }

@@ -143,7 +143,7 @@ static void look_at_worn(dress *d)
 /* Writes picture and meshes of the present state. */
 static int write_shapes(dress *d)
 {
-    if (d->png == NULL && d->glb == NULL && d->obj == NULL) return EXIT_DONE;
+    if (d->png == NULL && d->glb == NULL && d->obj == NULL && d->turn == 0.0) return EXIT_DONE;
     garment g = {0};
     mus_body *own = NULL;
     mus_status status = body_now(d, &own);
@@ -159,6 +159,8 @@ static int write_shapes(dress *d)
     if (status != MUS_OK) code = scene_fail_output(&d->s, status);
     const double start = seconds();
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
+    if (code == EXIT_DONE && d->turn > 0.0)
+        code = picture_turn(&d->s, &d->look, &g, (int32_t)d->turn, d->moved.frames);
     d->render_seconds = seconds() - start;
     garment_free(&g);
     fit_map_free(&d->coloured);
@@ -227,7 +229,7 @@ int32_t dress_options(dress *d, option *table)
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG as print of the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
         {"--map", OPTION_TEXT, &d->map, 0, 0, "NAME  colour the cloth by strain, pressure or ease"},
-        {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH,ZOOM  a view, in degrees; may be repeated"},
+        {"--view", OPTION_LIST, &d->look.views, 0, 0, "YAW,PITCH[,ZOOM]  a view, in degrees; may be repeated"},
         {"--pixels", OPTION_TEXT, &d->look.pixels, 0, 0, "WxH  size of the picture"},
         {"--pose", OPTION_TEXT, &d->moved.pose, 0, 0,
          "NAME  bring the body into a pose (muslin body --poses lists them)"},
@@ -244,6 +246,10 @@ int32_t dress_options(dress *d, option *table)
 
 int dress_check(const char *command, const dress *d)
 {
+    if (d->turn > 0.0 && (d->moved.frames == NULL || d->moved.move != NULL))
+        return complain(EXIT_INPUT, command, "--turn N goes with --frames DIR and without --move");
+    if (d->moved.frames != NULL && d->moved.move == NULL && d->turn == 0.0)
+        return complain(EXIT_INPUT, command, "--frames %s: goes with --move NAME or --turn N", d->moved.frames);
     if (d->precision != 32.0 && d->precision != 64.0)
         return complain(EXIT_INPUT, command, "--precision %g: expected 32 or 64", d->precision);
     if (d->place != NULL && strcmp(d->place, "file") != 0 && strcmp(d->place, "found") != 0)
@@ -331,6 +337,7 @@ static int read_options(dress *d, int argc, char **argv)
     const option outputs[] = {
         {"--frames", OPTION_TEXT, &d->moved.frames, 0, 0,
          "DIR  write a picture for each frame: DIR/frame_0001.png and on"},
+        {"--turn", OPTION_WHOLE, &d->turn, 1, 4096, "N  N pictures of one turn to --frames, in place of a movement"},
         {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  write the picture"},
         {"--glb", OPTION_OUTPUT, &d->glb, 0, 0,
          "FILE  write body and garment as binary glTF 2.0; animated with --move"},

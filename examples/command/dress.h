@@ -16,6 +16,7 @@ typedef struct dress {
     const char *fabric_name, *place, *map, *png, *glb, *obj, *report;
     const char *batch; /* for the help only: batch.c reads this option */
     double spacing_mm, nodes, threads, precision, friction;
+    double turn; /* pictures of one turn; 0: none */
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;

@@ -126,7 +126,7 @@ static int mesh_tell(const mus_body *body, const mus_scan_report *report, double
         json_warnings(&j);
         json_close(&j, '}');
         if (!json_write(&j, "body", "-")) code = EXIT_FAILED;
-    } else if (!is_stdout(files->obj) && !is_stdout(files->glb)) {
+    } else if (!is_stdout(files->obj) && !is_stdout(files->glb) && !is_stdout(files->png)) {
         mesh_table(report);
         printf("volume %.1f l, %.1f ms\n", 1000.0 * mus_body_volume(body), 1000.0 * spent);
     }

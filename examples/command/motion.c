@@ -42,8 +42,6 @@ int motion_check(const scene *s, const motion *m)
     mus_move *move = NULL;
     mus_pose_init(&pose, sizeof pose);
     mus_status status = MUS_OK;
-    if (m->frames != NULL && m->move == NULL)
-        return complain(EXIT_INPUT, s->command, "--frames %s: goes with --move NAME", m->frames);
     if (m->pose != NULL && m->move != NULL)
         return complain(EXIT_INPUT, s->command, "--pose and --move exclude each other");
     if (m->pose != NULL) status = mus_pose_named(s->context, m->pose, &pose);

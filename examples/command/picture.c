@@ -4,6 +4,7 @@
 #include "picture.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -99,31 +100,34 @@ static void mesh_from_view(const mus_mesh_view *view, int32_t kind, render_mesh 
 }
 
 
-/* Loads the scene, draws all views and writes the file. Returns an exit code. */
-static int draw(film *f, const render_mesh *meshes, int32_t count, const char *path, render_error *error)
+/* Draws all views, turned by `turn` degrees, and writes the file. Returns 0, or -1 with the error. */
+static int draw(film *f, const render_camera *view, int32_t views, double turn, const char *path, render_error *error)
 {
     const look *l = f->l;
     int32_t width = PIXELS_WIDE, height = PIXELS_HIGH;
     if (l->pixels != NULL && render_size_parse(l->pixels, &width, &height, error) != 0) return -1;
     render_camera cameras[32];
-    memcpy(cameras, render_default_views, sizeof render_default_views);
-    int32_t views = RENDER_DEFAULT_VIEW_COUNT;
-    if (l->views.count > 0) views = l->views.count;
-    for (int32_t i = 0; i < l->views.count; i++)
-        if (render_view_parse(l->views.at[i], &cameras[i], error) != 0) return -1;
-
-    const render_scene dressed = {count, meshes, 1, f->box};
+    for (int32_t i = 0; i < views; i++) cameras[i] = view[i], cameras[i].yaw += turn;
     unsigned char *rgba = malloc((size_t)width * (size_t)height * 4);
     int result = -1;
     if (rgba == NULL) {
         strcpy(error->text, "no memory for the picture");
-    } else if (render_load(f->r, &dressed, error) == 0 &&
-               render_picture(f->r, views, cameras, width, height, rgba, error) == 0) {
+    } else if (render_picture(f->r, views, cameras, width, height, rgba, error) == 0) {
         if (l->map != NULL) fit_map_legend(l->map, width, height, rgba);
         result = render_png_write(path, width, height, rgba, error) == 0 ? 0 : -1;
     }
     free(rgba);
     return result;
+}
+
+
+/* The views of the options to `out` (32), or the default ones. Returns their number, or -1 with the error. */
+static int32_t views_of(const look *l, render_camera *out, render_error *error)
+{
+    memcpy(out, render_default_views, sizeof render_default_views);
+    for (int32_t i = 0; i < l->views.count; i++)
+        if (render_view_parse(l->views.at[i], &out[i], error) != 0) return -1;
+    return l->views.count > 0 ? l->views.count : RENDER_DEFAULT_VIEW_COUNT;
 }
 
 
@@ -139,19 +143,29 @@ int film_open(film *f, const scene *s, const look *l, const double *box)
 }
 
 
-int film_shoot(film *f, const garment *g, const char *path)
+/* Loads the meshes of body and garment, those that have vertices. Returns 0, or -1 with the error. */
+static int load(film *f, const garment *g, render_error *error)
 {
     render_mesh meshes[2];
     int32_t count = 0;
     if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
-    mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
-    if (f->l->map != NULL) meshes[count - 1].colours = f->l->map->colours;
-    if (f->print.rgba != NULL) {
-        meshes[count - 1].print = &f->print;
-        meshes[count - 1].print_width = f->l->repeat;
+    if (g->view[1].vertex_count > 0) {
+        mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count]);
+        if (f->l->map != NULL) meshes[count].colours = f->l->map->colours;
+        if (f->print.rgba != NULL) meshes[count].print = &f->print, meshes[count].print_width = f->l->repeat;
+        count++;
     }
+    const render_scene dressed = {count, meshes, 1, f->box};
+    return render_load(f->r, &dressed, error);
+}
+
+
+int film_shoot(film *f, const garment *g, const char *path)
+{
     render_error error;
-    if (draw(f, meshes, count, path, &error) == 0) return EXIT_DONE;
+    render_camera views[32];
+    const int32_t n = views_of(f->l, views, &error);
+    if (n > 0 && load(f, g, &error) == 0 && draw(f, views, n, 0.0, path, &error) == 0) return EXIT_DONE;
     return complain(EXIT_FAILED, f->s->command, "%s", error.text);
 }
 
@@ -159,14 +173,8 @@ int film_shoot(film *f, const garment *g, const char *path)
 int film_tile(film *f, const garment *g, int32_t width, int32_t height, unsigned char *rgba)
 {
     static const render_camera front = {20.0, 4.0, 1.1, NAN};
-    render_mesh meshes[2];
     render_error error;
-    int32_t count = 0;
-    if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
-    mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count++]);
-    const render_scene dressed = {count, meshes, 1, f->box};
-    if (render_load(f->r, &dressed, &error) == 0 && render_draw(f->r, &front, width, height, rgba, &error) == 0)
-        return EXIT_DONE;
+    if (load(f, g, &error) == 0 && render_draw(f->r, &front, width, height, rgba, &error) == 0) return EXIT_DONE;
     return complain(EXIT_FAILED, f->s->command, "%s", error.text);
 }
 
@@ -183,6 +191,26 @@ int picture_write(const scene *s, const look *l, const garment *g, const char *p
     film f;
     int code = film_open(&f, s, l, NULL);
     if (code == EXIT_DONE) code = film_shoot(&f, g, path);
+    film_close(&f);
+    return code;
+}
+
+
+int picture_turn(const scene *s, const look *l, const garment *g, int32_t count, const char *folder)
+{
+    film f;
+    render_error error;
+    render_camera views[32];
+    char path[4096];
+    int code = film_open(&f, s, l, NULL);
+    const int32_t asked = views_of(l, views, &error), n = l->views.count > 0 ? asked : 1;
+    if (code == EXIT_DONE && (asked < 0 || load(&f, g, &error) != 0))
+        code = complain(EXIT_FAILED, s->command, "%s", error.text);
+    for (int32_t k = 0; k < count && code == EXIT_DONE; k++) {
+        snprintf(path, sizeof path, "%s/frame_%04d.png", folder, (int)k + 1);
+        if (draw(&f, views, n, 360.0 * k / count, path, &error) != 0)
+            code = complain(EXIT_FAILED, s->command, "%s", error.text);
+    }
     film_close(&f);
     return code;
 }

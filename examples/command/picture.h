@@ -17,7 +17,7 @@ typedef struct look {
 /* Checks the options, and that the texture can be read, before the long work. Returns an exit code. */
 int look_check(const scene *s, const look *l);
 
-/* Meshes of body and garment, made once for picture and files. */
+/* Meshes of body and garment, made once for picture and files. A mesh without vertices is not drawn. */
 typedef struct garment {
     double *normals; /* (nodes x 3) */
     mus_mesh_view view[2]; /* body, garment */
@@ -30,6 +30,10 @@ void garment_free(garment *g);
 
 /* Draws and writes a PNG. Returns an exit code. */
 int picture_write(const scene *s, const look *l, const garment *g, const char *path);
+
+/* Draws one turn round what stands there: `count` pictures folder/frame_0001.png and on, each turned on by 360 degrees
+ * over `count`. They begin with the views of `l`, or with the front. Returns an exit code. */
+int picture_turn(const scene *s, const look *l, const garment *g, int32_t count, const char *folder);
 
 /* A renderer that is kept open for many pictures by one camera. */
 typedef struct film {

@@ -124,9 +124,10 @@ static void draw_view_set(const render *r, const render_camera *camera, double a
     double half_height = FRAME * (h * cos(pitch) + r->radius * fabs(sin(pitch))), half_width = FRAME * r->radius;
     double tangent = tan(0.5 * LENS * PI / 180.0), depth = h * fabs(sin(pitch)) + r->radius * cos(pitch);
     double distance = fmax(half_height, half_width / aspect) / tangent + 0.5 * r->radius;
-    double aim[3] = {r->centre[0], r->centre[1], r->centre[2]}, out[3], forward[3], up[3] = {0, 1, 0};
+    double aim[3], out[3], forward[3], up[3] = {0, 1, 0}, nearer = camera->zoom > 1 ? 1 - 1 / camera->zoom : 0;
     float look[16], lens[16];
 
+    for (int k = 0; k < 3; k++) aim[k] = r->centre[k] + nearer * (r->focus[k] - r->centre[k]);
     if (isfinite(camera->height)) aim[1] = camera->height;
     draw_direction(camera->yaw, 0, camera->pitch, out);
     for (int k = 0; k < 3; k++) {

@@ -16,7 +16,7 @@
 
 static const char usage[] =
     "usage: muslin-render [--body F.obj] [--garment F.obj]... [--colour C]... [--texture F.png]\n"
-    "                     [--texture-width MM] [--view YAW,PITCH,ZOOM]... [--size WxH] -o OUT.png\n"
+    "                     [--texture-width MM] [--view YAW,PITCH[,ZOOM]]... [--size WxH] -o OUT.png\n"
     "\n"
     "Draw a body and garments into a PNG, without a screen.\n"
     "\n"
@@ -26,7 +26,7 @@ static const char usage[] =
     "                       the last one also of those after it\n"
     "  --texture F.png      picture printed on all garments\n"
     "  --texture-width MM   width of one repeat of it, 100 if not given\n"
-    "  --view Y,P,Z         yaw and pitch in degrees and zoom of a view; may be given more than once,\n"
+    "  --view Y,P,Z         yaw and pitch in degrees and zoom (1) of a view; may be given more than once,\n"
     "                       views stand side by side; without it: 0,5,1 and 40,8,1\n"
     "                       (a fourth number is the height of the middle of the picture in metres)\n"
     "  --size WxH           of the whole picture in pixels, 1500x1000 if not given\n"

@@ -68,7 +68,7 @@ const char *render_number_parse(const char *text, double *out)
 
 int render_view_parse(const char *text, render_camera *out, render_error *error)
 {
-    double value[4] = {0, 0, 0, NAN};
+    double value[4] = {0, 0, 1, NAN};
     const char *at = text;
     int count = 0;
 
@@ -79,8 +79,8 @@ int render_view_parse(const char *text, render_camera *out, render_error *error)
         if (*at != ',') break;
         at++;
     }
-    if (!at || *at != '\0' || count < 3 || at[-1] == ',')
-        return render_fail(error, "view \"%s\": expected YAW,PITCH,ZOOM in degrees, such as 40,8,1", text);
+    if (!at || *at != '\0' || count < 2 || at[-1] == ',')
+        return render_fail(error, "view \"%s\": expected YAW,PITCH or YAW,PITCH,ZOOM in degrees, such as 40,8", text);
     if (!(fabs(value[0]) <= 36000.0) || !(fabs(value[1]) <= 89.0) || !(value[2] >= 0.1 && value[2] <= 100.0))
         return render_fail(error, "view \"%s\": yaw is -36000 to 36000, pitch -89 to 89, zoom 0.1 to 100", text);
     out->yaw = value[0];

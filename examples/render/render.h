@@ -56,12 +56,14 @@ typedef struct render_scene {
                                   same camera for the frames of a film; NULL: the box round the meshes */
 } render_scene;
 
-/* A camera frames the whole scene at zoom 1, at one scale for every yaw. */
+/* A camera frames the whole scene at zoom 1, at one scale for every yaw. From there on it turns to what is shown: at
+ * zoom z > 1 the middle of the picture is the share 1 - 1/z of the way from the middle of the scene to that of the
+ * cloth. */
 typedef struct render_camera {
     double yaw;    /* [deg] 0 looks at the front; positive goes to the wearer's left */
     double pitch;  /* [deg] positive looks down; -89..89 */
     double zoom;   /* 0.1..100 */
-    double height; /* of the point in the middle of the picture [m]; NaN: the middle of the scene */
+    double height; /* of the point in the middle of the picture [m]; NaN: as above */
 } render_camera;
 
 /* Front and three-quarter view. */
@@ -118,7 +120,7 @@ typedef struct render_obj {
 int render_obj_read(const char *path, render_obj *out, render_error *error);
 void render_obj_free(render_obj *obj);
 
-/** "YAW,PITCH,ZOOM" or "YAW,PITCH,ZOOM,HEIGHT"; a decimal point, whatever the locale. */
+/** "YAW,PITCH" (zoom 1), "YAW,PITCH,ZOOM" or "YAW,PITCH,ZOOM,HEIGHT"; a decimal point, whatever the locale. */
 int render_view_parse(const char *text, render_camera *out, render_error *error);
 
 /** "WxH". */

@@ -94,6 +94,7 @@ struct render {
     double low[3];                 /* bounds without the floor [m] */
     double high[3];
     double centre[3];
+    double focus[3];               /* middle of the cloth; the centre in a film and without cloth [m] */
     double radius;                 /* largest distance from the upright axis through the centre [m] */
 };
 

@@ -67,7 +67,7 @@ static void scene_bounds(render *r, const render_scene *scene)
         for (int k = 0; k < 3; k++) {
             r->low[k] = scene->frame[k];
             r->high[k] = scene->frame[k + 3];
-            r->centre[k] = 0.5 * (r->low[k] + r->high[k]);
+            r->focus[k] = r->centre[k] = 0.5 * (r->low[k] + r->high[k]);
         }
         r->radius = fmax(r->high[0] - r->centre[0], r->high[2] - r->centre[2]);
         return;
@@ -81,7 +81,15 @@ static void scene_bounds(render *r, const render_scene *scene)
             r->low[j % 3] = fmin(r->low[j % 3], scene->meshes[i].positions[j]);
             r->high[j % 3] = fmax(r->high[j % 3], scene->meshes[i].positions[j]);
         }
-    for (int k = 0; k < 3; k++) r->centre[k] = 0.5 * (r->low[k] + r->high[k]);
+    for (int k = 0; k < 3; k++) r->focus[k] = r->centre[k] = 0.5 * (r->low[k] + r->high[k]);
+
+    double low[3] = {1e30, 1e30, 1e30}, high[3] = {-1e30, -1e30, -1e30};
+    for (int32_t i = 0; i < scene->mesh_count; i++)
+        for (int32_t j = 0; j < 3 * scene->meshes[i].vertex_count && scene->meshes[i].kind == RENDER_CLOTH; j++) {
+            low[j % 3] = fmin(low[j % 3], scene->meshes[i].positions[j]);
+            high[j % 3] = fmax(high[j % 3], scene->meshes[i].positions[j]);
+        }
+    for (int k = 0; k < 3 && low[0] <= high[0]; k++) r->focus[k] = 0.5 * (low[k] + high[k]);
 
     r->radius = 0.01;
     for (int32_t i = 0; i < scene->mesh_count; i++)

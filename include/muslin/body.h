@@ -88,7 +88,8 @@ typedef struct mus_body_def {
     int32_t samples;      /* samples round each contour of the surface, a multiple of 4, 16 to 512, default 128; arms,
                              legs and feet of a tape have half as many, but not fewer than 64 if there are 64 */
     double ring_spacing;  /* largest distance of the surface's rings along a limb [m], 0.001 to 0.1, default 0.015;
-                             rings are closer where the surface bends */
+                             rings are closer where the surface bends; at most 200 between two contours, so that a
+                             longer way between them has rings farther apart */
     int32_t ellipse;      /* nonzero: ellipses in place of superellipses, default 0 */
     int32_t without;      /* sum of MUS_WITHOUT_*, for a body of a tape; default 0: all limbs */
     int32_t limbs;        /* number of limbs added to a body of a tape, 0 to 48, default 0 */
@@ -116,7 +117,7 @@ MUS_API void mus_body_def_init(mus_body_def *def, size_t size);
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION, MUS_ERR_MEMORY; MUS_ERR_TAPE (contradictory measures);
  *          MUS_ERR_BODY (two contours cross; the message names their measures). *out is then NULL
  * Memory:  about 6 MB with the defaults, freed by mus_body_destroy()
- * Cost:    about 10 ms
+ * Cost:    about 10 ms; up to four times that with a given crotch_length, for which the torso is fitted again
  * Source:  the paper named above; depth to breadth of the contours: ANSUR II and the mean bodies of GarmentCode
  */
 MUS_API mus_status mus_body_create(mus_context *context, const mus_tape *tape, const mus_body_def *def, mus_body **out);

@@ -113,7 +113,7 @@ MUS_API mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_
 #define MUS_WORN_LEG_RIGHT 4
 #define MUS_WORN_LIMBS 5
 
-/* Why a garment is not worn: the whole list of kinds. */
+/* Why a garment is not worn: the whole list of kinds. The checks run in this order. */
 #define MUS_WORN_YES 0        /* it is worn */
 #define MUS_WORN_UNKNOWN 1    /* the body has no trunk, shoulders and waist to tell by */
 #define MUS_WORN_OPENING 2    /* limb, panel: the limb does not go through its opening, or goes through another's */
@@ -129,7 +129,8 @@ MUS_API mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_
 /** Is the garment worn, and what goes through the body. */
 typedef struct mus_worn {
     size_t size;
-    int32_t kind;          /* MUS_WORN_*: the first of the list that holds */
+    int32_t kind;          /* MUS_WORN_*: the first check that fails, in the order of the list. A body that cannot be
+                            * told by is MUS_WORN_UNKNOWN unless cloth goes through it, MUS_WORN_THROUGH */
     int32_t limb;          /* MUS_WORN_NECK and so on, or MUS_NONE */
     int32_t panel;         /* of the pattern, or MUS_NONE */
     int32_t node;          /* of the cloth, or MUS_NONE */
@@ -139,7 +140,7 @@ typedef struct mus_worn {
     double through_depth;  /* of the deepest sample of these triangles of the cloth [m] */
     double through_area;   /* of the cloth in the body [m2] */
     double through_place[3]; /* of the deepest sample [m], 0 without any */
-    char text[256];        /* one sentence, "" when it is worn */
+    char text[256];        /* one sentence, "" when it is worn or unknown */
 } mus_worn;
 
 /** Zero `worn` and write its size; limb, panel and node are MUS_NONE. */

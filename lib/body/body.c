@@ -28,6 +28,7 @@
 #include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/vec.h"
+#include "limb/across.h"
 
 /* distance of rings of the radius fields, in parts of the stature (3.7 mm at 1.68 m); measured: the depth of the
  * surface in its own field then stays below 0.5 mm, also at the steep shoulders */
@@ -105,13 +106,51 @@ static mus_status body_contours(mus_body *body, const mus_tape *tape, double mor
     for (int32_t right = 0; right < 2; right++) {
         mus__limb_arm(tape, bone, right, &limb[MUS__LIMB_ARM_LEFT + right]);
         mus__limb_leg(tape, bone, right, hip, &limb[MUS__LIMB_LEG_LEFT + right]);
-        mus__limb_foot(tape, bone, right, &limb[MUS__LIMB_FOOT_LEFT + right]);
+        mus__limb_foot(tape, bone, right, &limb[MUS__LIMB_LEG_LEFT + right], &limb[MUS__LIMB_FOOT_LEFT + right]);
     }
     for (int32_t l = MUS__LIMB_TORSO + 1; l < MUS__LIMB_COUNT && status == MUS_OK; l++)
         status = body_fit(body, l, xy, work);
     if (status != MUS_OK) return status;
     mus__body_without(body);
     return MUS_OK;
+}
+
+
+/* breadth of back and chest from arm to arm, in the fields, for a body with an arm */
+static void body_across(mus_body *body)
+{
+    const mus__skeleton *bone = &body->skeleton;
+    const int32_t arm = body->limb[MUS__LIMB_ARM_LEFT].gone ? MUS__LIMB_ARM_RIGHT : MUS__LIMB_ARM_LEFT;
+    if (body->limb[arm].gone || body->def.ellipse) return;
+    const mus__across in = {.torso = &body->limb[MUS__LIMB_TORSO],
+                            .arm = &body->limb[arm],
+                            .torso_index = MUS__LIMB_TORSO,
+                            .arm_index = arm,
+                            .fields = body->nfield,
+                            .part = body->rig.part,
+                            .field = body->field,
+                            .side = arm == MUS__LIMB_ARM_LEFT ? 1.0 : -1.0,
+                            .back = body->asked[MUS_MEASURE_ACROSS_BACK],
+                            .front = body->asked[MUS_MEASURE_ACROSS_FRONT],
+                            .range = {bone->bust, bone->shoulder}};
+    mus__limb_across(&in);
+
+    /* the girths within the range are kept: rings about their contours give way */
+    double turn[2 * MUS__FIELD_MOST], xy[2 * MUS__FIELD_MOST];
+    int32_t work[2 * MUS__FIELD_MOST];
+    for (int32_t i = 0; i < in.torso->count; i++) {
+        const mus__contour *c = &in.torso->contour[i];
+        if (c->girth == MUS_NONE || c->s <= in.range[0] || c->s >= in.range[1]) continue;
+        for (int32_t p = 0; p < body->nfield; p++) {
+            const mus__field *field = &body->field[p];
+            const double ring = floor((c->s - field->s0) / field->ds + 0.5);
+            if (in.part[p].limb != MUS__LIMB_TORSO || c->s < in.part[p].end[0] || c->s >= in.part[p].end[1]) continue;
+            mus__field_turns(field->nangle, turn);
+            const double *radius = field->radius + (ptrdiff_t)ring * field->nangle;
+            const double made = mus__give_tape(field->nangle, turn, radius, xy, work);
+            mus__give_scale(body, MUS__LIMB_TORSO, i, body->asked[c->girth] / made - 1.0, turn);
+        }
+    }
 }
 
 
@@ -122,6 +161,7 @@ static mus_status body_finish(mus_body *body)
     mus__bones_measured(&body->skeleton, body->asked[MUS_MEASURE_FOOT], &body->bones);
     mus_status status = mus__body_fields(body, BODY_FIELD_SPACING * body->skeleton.crown);
     mus__body_find_levels(body);
+    if (status == MUS_OK) body_across(body);
     if (status == MUS_OK) status = mus__body_fillets(body, body->fillet);
     if (status != MUS_OK) return status;
     status = mus__body_relief(body);

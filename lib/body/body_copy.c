@@ -2,7 +2,7 @@
  * body_copy.c: a copy of a body whose parts stand elsewhere.
  *
  * The copy keeps the limbs as they were made, and with them girths and asked and made measures. Its contact fields are
- * those of the rest pose carried by the frames of their parts; its surface is made from the same stacks ring by ring
+ * those of the rest pose carried by the frames of their parts; its surface is drawn from these fields ring by ring
  * (body_surface.c). A copy of a posed body starts from the rest pose again. Called by lib/pose.
  */
 #include <string.h>

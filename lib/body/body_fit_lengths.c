@@ -8,7 +8,7 @@
  * girth again. The shapes stay within limits of real bodies; a tape beyond them gets the nearest length, which
  * body->made has.
  *
- *     bust_span(angle, height)   = twice the X of the foremost point of the contour, by a parabola through its samples
+ *     bust_span(angle, height)   = twice the X of the foremost point of the contour, where its depth is largest
  *     crotch_length(depth)       = tape along the torso's middle line from waist to waist, on a stack of 16 directions
  *
  * Both are monotone; the root is found by false position (Illinois) to 0.2 mm. A tape without them costs nothing.
@@ -16,14 +16,18 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "body/body_make.h"
 #include "geom/polygon.h"
 
 #define FOLLOW_ROUNDS 24       /* most rounds of a root: bounds the time */
 #define FOLLOW_CLOSE 2e-4      /* [m] a length that near its target is reached */
-#define FOLLOW_ANGLE_LOW 0.15  /* [rad] angle of the breasts off the front, least ... */
-#define FOLLOW_ANGLE_HIGH 0.85 /* ... and most; chosen */
-#define FOLLOW_RISE 1.8        /* most factor of the breasts' height; chosen */
+#define FOLLOW_HALVES 18       /* halvings of a range: to 4e-6 of it */
+#define FOLLOW_SCALES 6        /* rounds of breasts and girth: each leaves a tenth of the difference */
+#define FOLLOW_STEEPEST 0.6    /* distance of the foremost point from the middle of a bump, in widths: the steepest */
+#define FOLLOW_ASIDE 0.98      /* largest angle of the foremost point off the front, in parts of the steepest; chosen */
+#define FOLLOW_FRONT 0.01      /* breasts are further forward than the middle by this part of the depth; chosen */
+#define FOLLOW_HIGH 0.5        /* most height of the breasts in parts of the half depth; chosen */
 #define FOLLOW_SEAT_LOW 0.50   /* depth of the contour above the crotch, in parts of the hip's, least ... */
 #define FOLLOW_SEAT_HIGH 0.90  /* ... and most; chosen */
 #define FOLLOW_HIP_LOW 0.84    /* factor of the hip's depth to breadth, least ... */
@@ -45,14 +49,6 @@ typedef struct follow {
 
 /* a length [m] as a function of the varied shape x */
 typedef double follow_length(follow *at, double x);
-
-
-double mus__span_side(const double *before, const double *at, const double *after)
-{
-    const double bend = before[1] - 2.0 * at[1] + after[1];
-    const double t = bend < 0.0 ? fmin(fmax(0.5 * (before[1] - after[1]) / bend, -0.5), 0.5) : 0.0;
-    return at[0] + 0.5 * t * (after[0] - before[0]) + 0.5 * t * t * (before[0] - 2.0 * at[0] + after[0]);
-}
 
 
 /* the x from low to high at which a length that grows with x is `target` [m]; an end, where it is not reached */
@@ -81,52 +77,66 @@ static double follow_root(follow *at, follow_length *length, double target, doub
 
 /* ---- bust span ---- */
 
-/* half the bust span [m] with the breasts at `angle` [rad] off the front */
-static double follow_span(follow *at, double angle)
+/* radius of a contour at an angle off the front [rad] */
+static double follow_front(const mus__contour *c, double angle)
 {
-    const int32_t n = at->body->def.samples, first = 3 * n / 4;
-    mus__contour *c = at->contour;
-    double radius[MUS__CONTOUR_SAMPLES], place[MUS__CONTOUR_SAMPLES / 4 + 2][2];
-    *c = at->base;
-    c->bump_angle[0] = angle;
-    c->bump[0] *= at->rise;
-    mus__contour_fit(c, c->target, n, at->turn, at->xy, at->work);
+    return mus__contour_radius(c, mus__sin(angle), -mus__cos(angle));
+}
 
-    /* samples from one before the front to the side: X and Z */
-    mus__contour_radii(c, n, at->turn, radius);
-    int32_t best = 1;
-    for (int32_t k = 0; k <= n / 4; k++) {
-        const int32_t i = (first - 1 + k) % n;
-        place[k][0] = radius[i] * at->turn[2 * i], place[k][1] = -radius[i] * at->turn[2 * i + 1];
-        if (k > 1 && k < n / 4 && place[k][1] > place[best][1]) best = k;
+
+/* breasts whose foremost point stands at the angle t off the front, `c` widths of a bump inside their middle. There the
+ * depth (R + h e) cos t is largest over t, with e = exp(-c^2) and the width w:
+ *
+ *     h e (2 c / w - tan t) = R tan t - R'
+ *
+ * c is the largest one with which the breasts are at least `height` [m] high, and further forward than the middle
+ * between them. Sets height and angle of the bumps; returns twice the distance from the middle plane [m] */
+static double follow_breasts(mus__contour *shape, double t, double height)
+{
+    const double w = MUS__CONTOUR_BUMP, step = 1e-3, tangent = mus__tan(t), cosine = mus__cos(t);
+    shape->bump[0] = 0.0;
+    const double front = follow_front(shape, 0.0) * (1.0 + FOLLOW_FRONT), radius = follow_front(shape, t);
+    const double slope = (follow_front(shape, t + step) - follow_front(shape, t - step)) / (2.0 * step);
+    const double rise = radius * tangent - slope;
+    double low = 0.5 * w * tangent, high = FOLLOW_STEEPEST; /* at `low` no height is enough */
+    for (int round = 0; round < FOLLOW_HALVES; round++) {
+        const double c = round == 0 ? high : 0.5 * (low + high), add = rise / (2.0 * c / w - tangent);
+        const bool enough = add * mus__exp(c * c) >= height && (radius + add) * cosine >= front;
+        if (round == 0 && enough) low = high;
+        if (enough)
+            low = c;
+        else
+            high = c;
     }
-    return mus__span_side(place[best - 1], place[best], place[best + 1]);
+    const double add = rise / (2.0 * low / w - tangent);
+    shape->bump[0] = add * mus__exp(low * low), shape->bump_angle[0] = t + low * w;
+    return 2.0 * (radius + add) * mus__sin(t);
 }
 
 
-/* largest angle of the breasts at which the span still grows: beyond it the middle of the chest is foremost */
-static double follow_outmost(follow *at)
-{
-    double high = FOLLOW_ANGLE_HIGH;
-    while (high > FOLLOW_ANGLE_LOW + 0.1 && follow_span(at, high) < follow_span(at, high - 0.05)) high -= 0.05;
-    return high;
-}
-
-
-/* vary the breasts until the bust span is `span` [m] */
+/* breasts of the bust contour with the foremost points `span` [m] apart, or as near to that as their greatest height
+ * allows. Scaling the contour to its girth changes the span in proportion */
 static void follow_bust(follow *at, double span)
 {
     mus__limb *torso = &at->body->limb[MUS__LIMB_TORSO];
     for (int32_t i = 0; i < torso->count; i++) {
-        mus__contour *c = &torso->contour[i];
+        mus__contour *c = &torso->contour[i], base = *c;
         if (c->girth != MUS_MEASURE_BUST || c->bump[0] <= 0.0) continue;
-        at->base = *c, at->contour = c, at->rise = 1.0;
-        double high = follow_outmost(at);
-        while (at->rise < FOLLOW_RISE && follow_span(at, high) < 0.5 * span) {
-            at->rise += 0.1;
-            high = follow_outmost(at);
+        double scale = 1.0;
+        for (int round = 0; round < FOLLOW_SCALES; round++) {
+            double low = 0.0, high = FOLLOW_ASIDE * mus__atan2(2.0 * FOLLOW_STEEPEST, MUS__CONTOUR_BUMP);
+            *c = base;
+            for (int step = 0; step < FOLLOW_HALVES; step++) {
+                const double t = 0.5 * (low + high), got = scale * follow_breasts(c, t, base.bump[0]);
+                if (got > span || c->bump[0] > FOLLOW_HIGH * base.b)
+                    high = t;
+                else
+                    low = t;
+            }
+            follow_breasts(c, low, base.bump[0]);
+            mus__contour_fit(c, c->target, at->body->def.samples, at->turn, at->xy, at->work);
+            scale = c->a / base.a;
         }
-        follow_span(at, follow_root(at, follow_span, 0.5 * span, FOLLOW_ANGLE_LOW, high));
     }
 }
 
@@ -207,7 +217,7 @@ mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, c
 {
     follow at = {.body = body, .turn = turn, .xy = xy, .work = work, .status = MUS_OK};
     if (body->def.ellipse) return MUS_OK;
-    if (mus_tape_source(tape, MUS_MEASURE_BUST_SPAN) == MUS_SOURCE_GIVEN)
+    if (mus_tape_source(tape, MUS_MEASURE_BUST_SPAN) != MUS_SOURCE_NONE)
         follow_bust(&at, mus_tape_value(tape, MUS_MEASURE_BUST_SPAN));
     if (mus_tape_source(tape, MUS_MEASURE_CROTCH_LENGTH) == MUS_SOURCE_GIVEN)
         follow_rise(&at, mus_tape_value(tape, MUS_MEASURE_CROTCH_LENGTH) + more);

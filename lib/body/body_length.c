@@ -10,7 +10,8 @@
  *     elbow           the same to the elbow; all of the bend's 5 % of the arm lies above the tip of the elbow
  *     back_waist      middle line of the back from nape to waist
  *     crotch_length   middle line from the waist in front, under the crotch, to the waist behind
- *     across_back     half way down the armhole, between the places where the skin of the arms meets that of the torso
+ *     across_back     half way down the armhole, between the places where the skins of arms and torso would meet without
+ *                     their fillets
  *     across_front    the same in front
  *     bust_span       between the foremost points of both sides at the height of the bust
  *
@@ -26,9 +27,9 @@
 /* the tape of a bent arm is longer than that of the straight arm by this part; as in skeleton.c */
 #define LENGTH_BEND 0.05
 
-/* [m] where torso and arm are nearer to each other they carry one fillet; chosen: what their tables differ by on it
- * between two directions */
-#define LENGTH_SHEET 2e-3
+#define LENGTH_NEAR 0.6    /* nearer to each other, in widths of a fillet, torso and arm may carry one */
+#define LENGTH_FAR 0.05  /* [m] off an arm that a point is too far from for a depth: where contact ends */
+#define LENGTH_ROUNDS 16 /* halvings of a step between two samples: to 0.2 micrometres */
 
 /* points of a row in a plane, and scratch for their hull */
 typedef struct length_row {
@@ -207,16 +208,66 @@ static double length_in_arms(const mus_body *body, const double *x)
 }
 
 
-/* the step between k and k + 1 at which a depth in the arms passes `level` [m] for the first time; `found`, if it is
- * known already */
-static double length_step(int32_t k, double before, double depth, double level, double found, int32_t none)
+/* the polynomial through `count` places (x, y), at x = at (Lagrange) */
+static double length_through(int count, const double *x, const double *y, double at)
 {
-    if (found < none || depth < level) return found;
-    return before < -1e29 ? k + 1.0 : k + fmin(fmax((level - before) / (depth - before), 0.0), 1.0);
+    double sum = 0.0;
+    for (int i = 0; i < count; i++) {
+        double term = y[i];
+        for (int j = 0; j < count; j++)
+            if (j != i) term *= (at - x[j]) / (x[i] - x[j]);
+        sum += term;
+    }
+    return sum;
 }
 
 
-/* across_back or across_front [m]: from arm to arm over line `middle` of the ring half way down the armhole */
+/* its root between the second and the third place, by bisection */
+static double length_root(const double *x, const double *y)
+{
+    double low = x[1], high = x[2];
+    for (int round = 0; round < LENGTH_ROUNDS; round++) {
+        const double at = 0.5 * (low + high);
+        if (length_through(3, x, y, at) < 0.0)
+            low = at;
+        else
+            high = at;
+    }
+    return 0.5 * (low + high);
+}
+
+
+/* the point (3) of the torso's ring at s, on the way from line `middle` to a side (1, -1), at which the ring would go
+ * into the arm without the fillet between the two: where the parabolas through the two samples before the fillet and
+ * the one behind it are on the arm's skin. Returns the steps from the middle line; -1: the ring does not meet an arm */
+static double length_crease(const mus_body *body, int32_t middle, int32_t side, double s, double *out)
+{
+    const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
+    const int32_t n = body->def.samples;
+    const double near = LENGTH_NEAR * body->fillet;
+    double x[3], place[3] = {0.0}, depth[3] = {0.0}, at[3][3] = {{0.0}};
+    int32_t found = 0;
+    for (int32_t k = 0; k < n / 2 && found < 3; k++) {
+        length_at(body, torso, s, (middle + side * k + n) % n, x);
+        const double here = length_in_arms(body, x);
+        if (fabs(here) < near || (found < 2 && here > 0.0)) continue;
+        if (found == 2 && here < 0.0) {
+            place[0] = place[1], depth[0] = depth[1], found = 1;
+            for (int i = 0; i < 3; i++) at[i][0] = at[i][1];
+        }
+        place[found] = k, depth[found] = here < -1e29 ? -LENGTH_FAR : here;
+        for (int i = 0; i < 3; i++) at[i][found] = x[i];
+        found++;
+    }
+    if (found < 3) return -1.0;
+    const double crease = length_root(place, depth);
+    for (int i = 0; i < 3; i++) out[i] = length_through(3, place, at[i], crease);
+    return crease;
+}
+
+
+/* across_back or across_front [m]: from arm to arm over line `middle` of the ring half way down the armhole; NaN where
+ * the torso does not meet an arm */
 static double length_across(const mus_body *body, int32_t middle, length_row *row)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -225,38 +276,24 @@ static double length_across(const mus_body *body, int32_t middle, length_row *ro
     const double left[3] = {1.0, 0.0, 0.0}, front[3] = {0.0, 0.0, 1.0}, s = 0.5 * (bone->armpit + bone->shoulder);
     const bool left_arm = !body->limb[MUS__LIMB_ARM_LEFT].gone, back = middle == quarter;
     const int32_t side = left_arm == back ? -1 : 1; /* to the side that has an arm; the other is its mirror image */
-    double x[3], last[3], depth = 0.0, before = -1.0;
+    double x[3], end[3];
+    const double crease = length_crease(body, middle, side, s, end);
+    if (crease < 0.0) return NAN;
+    const int32_t reach = (int32_t)crease;
     length_begin(row, left, front);
-
-    /* steps of samples to one side until the arm begins, and until the torso goes into it: the fields of both carry the
-     * fillet between the two, and the crease is half way. The other side is its mirror image */
-    double begin = quarter, end_at = quarter;
-    for (int32_t k = 0; k < quarter && end_at == quarter; k++, before = depth) {
-        length_at(body, torso, s, (middle + side * (k + 1) + n) % n, x);
-        depth = length_in_arms(body, x);
-        begin = length_step(k, before, depth, -LENGTH_SHEET, begin, quarter);
-        end_at = length_step(k, before, depth, LENGTH_SHEET, end_at, quarter);
-    }
-    const double crease = 0.5 * (begin + end_at);
-    const int32_t reach = (int32_t)fmin(crease, quarter);
-    const double part = crease - reach;
     for (int32_t k = -reach - 1; k <= reach + 1; k++) {
         const int32_t aside = k < 0 ? -k : k;
-        const bool end = aside == reach + 1;
-        if (end && reach == quarter) continue;
         length_at(body, torso, s, (middle + side * aside + n) % n, x);
-        if (end) {
-            length_at(body, torso, s, (middle + side * (aside - 1) + n) % n, last);
-            for (int i = 0; i < 3; i++) x[i] = last[i] + part * (x[i] - last[i]);
-        }
+        for (int i = 0; i < 3 && aside == reach + 1; i++) x[i] = end[i];
         if ((k < 0) == (x[0] > 0.0)) x[0] = -x[0];
-        length_put(row, x);
+        if (fabs(x[0]) <= fabs(end[0])) length_put(row, x);
     }
     return length_tape(row, back ? -1.0 : 1.0); /* the row goes to the left */
 }
 
 
-/* bust_span [m]: twice the X of the foremost point of the bust's ring; NaN without breasts */
+/* bust_span [m]: twice the X of the foremost point of the bust's ring, where the slopes of its sides about the foremost
+ * vertex pass 0; NaN without breasts */
 static double length_span(const mus_body *body)
 {
     const mus__limb *torso = &body->limb[MUS__LIMB_TORSO];
@@ -268,12 +305,13 @@ static double length_span(const mus_body *body)
         for (int32_t k = best + 1; k < n; k++)
             if (length_vertex(body, torso, c->ring, k)[2] > length_vertex(body, torso, c->ring, best)[2]) best = k;
         if (best == 3 * n / 4) return NAN;
-        double place[3][2];
-        for (int32_t k = 0; k < 3; k++) {
-            const double *x = length_vertex(body, torso, c->ring, (best - 1 + k) % n);
-            place[k][0] = x[0], place[k][1] = x[2];
+        double slope[4], middle[4];
+        for (int32_t k = 0; k < 4; k++) {
+            const double *p = length_vertex(body, torso, c->ring, (best - 2 + k) % n);
+            const double *q = length_vertex(body, torso, c->ring, (best - 1 + k) % n);
+            slope[k] = (q[2] - p[2]) / (q[0] - p[0]), middle[k] = 0.5 * (p[0] + q[0]);
         }
-        return 2.0 * mus__span_side(place[0], place[1], place[2]);
+        return 2.0 * length_through(4, slope, middle, 0.0);
     }
     return NAN;
 }

@@ -48,8 +48,6 @@ void mus__posture_torso(const mus_body_def *def, const mus__skeleton *bone, mus_
  * MUS_ERR_MEMORY */
 mus_status mus__body_follow(mus_body *body, const mus_tape *tape, double more, const double *turn, double *xy,
                             int32_t *work);
-/* x of the maximum of the parabola through three points (x, y), the middle one being the highest [m] */
-double mus__span_side(const double *before, const double *at, const double *after);
 
 /* ---- limbs_left_out.c, body_from_limbs.c, body_outline.c: limbs left out, and limbs given by the caller ---- */
 
@@ -100,7 +98,8 @@ bool mus__girth_has_legs(int32_t girth);
 /* vertices of a posed body near bent joints, on the parts */
 void mus__body_skin(mus_body *body);
 
-/* ---- skin_fillet.c, relief.c, fingers_toes.c: what is added to the limbs, unless def.plain; after the fields ---- */
+/* ---- skin_fillet.c, relief.c, fingers_toes.c: shapes added to the limbs. Fillets and details are written into the
+ * fields; with def.plain there are no details and no fingers and toes ---- */
 
 /* fillets of a width `reach` [m] where limbs meet, in the fields; 0: none. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_fillets(mus_body *body, double reach);

@@ -18,10 +18,10 @@
  * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled; those that ended
  * with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin is told
- * by that call, and fails no start.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin alone,
+ * and a body that the call cannot tell by, fail no start.
  *
- * Everything here goes through public functions.
+ * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */
 #include <math.h>
 #include <stdio.h>

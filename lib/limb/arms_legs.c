@@ -199,10 +199,14 @@ void mus__limb_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 }
 
 
-void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb)
+void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__limb *leg,
+                    mus__limb *limb)
 {
     double h = skeleton->crown, foot = mus_tape_value(tape, MUS_MEASURE_FOOT), side = right ? -1.0 : 1.0;
     double ankle_x = 0.063 * h + 0.002, heel = -0.029 * h - 0.25 * foot;
+
+    /* the heel is behind the end of the leg: a newborn's leg is as deep there as half of its foot */
+    heel = fmin(heel, -leg->contour[0].cb - leg->contour[0].b);
 
     /* frame: b is up, s forwards */
     memset(limb, 0, sizeof *limb);

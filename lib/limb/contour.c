@@ -20,9 +20,6 @@
 #include "geom/polygon.h"
 #include "geom/vec.h"
 
-/* half width of a bump at 1/e of its height [rad]; fitted to the breasts of the mean body of GarmentCode */
-#define CONTOUR_BUMP_WIDTH 0.35
-
 /* exponent with which a hosted contour is rounded towards its wall; chosen: a larger one makes a sharper corner */
 #define CONTOUR_ROUND 2.6
 
@@ -69,8 +66,8 @@ static double contour_apart(double x, double y)
 /* height at angle t of a pair of bumps of height h that stand `angle` to both sides of the direction `middle` */
 static double contour_bump(double h, double angle, double middle, double t)
 {
-    double l = contour_apart(t, middle - angle) / CONTOUR_BUMP_WIDTH;
-    double r = contour_apart(t, middle + angle) / CONTOUR_BUMP_WIDTH;
+    double l = contour_apart(t, middle - angle) / MUS__CONTOUR_BUMP;
+    double r = contour_apart(t, middle + angle) / MUS__CONTOUR_BUMP;
 
     /* beyond 6.5 widths a bump is below 4e-19 of its height */
     return h * ((l < 6.5 ? mus__exp(-l * l) : 0.0) + (r < 6.5 ? mus__exp(-r * r) : 0.0));

@@ -10,6 +10,7 @@
  *     arms_legs.c            the contours of arms, legs and feet
  *     contour_stack.[ch]     the limb sampled in fixed directions, with splines between the contours
  *     radius_field.[ch]      a part of a limb as a table of radii: depth and normal at a point
+ *     across.[ch]            bumps of the torso beside the arms: the tape's breadth of back and chest
  *     radius_field_kernel.h  the query of that table, one text for float and double
  *
  * Callers: lib/body puts limbs together into a body; lib/contact copies the fields; the drafting blocks read the
@@ -28,6 +29,9 @@
 #define MUS__LIMB_CONTOURS 128    /* most contours of a limb; a torso from a tape has 20 */
 #define MUS__LIMB_NAME_BYTES 32   /* of a limb's own name, the closing 0 included */
 #define MUS__CONTOUR_SAMPLES 512  /* most samples round a contour; 128 is the default of mus_body_def */
+
+/* half width of a bump of a contour at 1/e of its height [rad]; fitted to the mean body of GarmentCode */
+#define MUS__CONTOUR_BUMP 0.35
 
 typedef struct mus__contour {
     const char *name;
@@ -97,7 +101,8 @@ void mus__limb_arm(const mus_tape *tape, const mus__skeleton *skeleton, int32_t 
 /* left or right leg; hip: the fitted hip contour of the torso, from which the root of the leg takes its shape */
 void mus__limb_leg(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__contour *hip,
                    mus__limb *limb);
-/* left or right foot */
-void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, mus__limb *limb);
+/* left or right foot, under its leg */
+void mus__limb_foot(const mus_tape *tape, const mus__skeleton *skeleton, int32_t right, const mus__limb *leg,
+                    mus__limb *limb);
 
 #endif

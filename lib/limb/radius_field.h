@@ -20,7 +20,8 @@
 
 #include "limb/contour_stack.h"
 
-#define MUS__FIELD_ANGLES 128 /* least steps of the diamond angle: the table then follows a contour to 0.1 mm */
+#define MUS__FIELD_ANGLES 128 /* least steps of the diamond angle: the table then follows a contour to 0.1 mm. Thin
+                               * limbs (arms, legs, feet) have fewer */
 #define MUS__FIELD_MOST 512   /* most steps: samples of a finer surface */
 #define MUS__FIELD_MARGIN 0.05 /* [m] points farther outside are out of reach; chosen: the first-order distance has no
                                   meaning there */

@@ -23,8 +23,8 @@
 #define CELL_PAD 7.0
 
 /* most cells of the grid, and most with points of their own: indices of their crossings stay below 2^31 */
-#define CELL_GRID 5e8
-#define CELL_MOST (INT32_C(1) << 24)
+#define CELL_TABLE 5e8
+#define CELL_OWN (INT32_C(1) << 24)
 
 const int8_t mus__bcc_step[MUS__LINKS][3] = {
     {2, 0, 0},  {0, 2, 0},  {0, 0, 2},  {1, -1, -1}, {1, 1, -1},  {1, -1, 1},  {1, 1, 1},
@@ -52,7 +52,7 @@ static mus_status cell_grid(mus__bcc *lattice)
         lattice->origin[i] = first * wide + shift[i];
         lattice->grid[i] = CELL_BLOCK * (int32_t)(last - first);
     }
-    if (cells > CELL_GRID)
+    if (cells > CELL_TABLE)
         return mus__fail(lattice->context, MUS_ERR_ARG, "spacing %g m is too small for this body: %.0f cells",
                          lattice->spacing, cells);
     lattice->table = mus__room(lattice->context, (int64_t)cells, sizeof *lattice->table);
@@ -65,9 +65,9 @@ static mus_status cell_grid(mus__bcc *lattice)
 static mus_status cell_add(mus__bcc *lattice, int32_t place, int32_t n, const int32_t *list)
 {
     mus_context *context = lattice->context;
-    if (lattice->cells >= CELL_MOST)
+    if (lattice->cells >= CELL_OWN)
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is too small for this body: more than %d cells",
-                         lattice->spacing, (int)CELL_MOST);
+                         lattice->spacing, (int)CELL_OWN);
     mus_status status = mus__reserve(context, &lattice->place, &lattice->place_room, (int64_t)lattice->cells + 1,
                                      sizeof *lattice->place);
     if (status == MUS_OK)

@@ -12,7 +12,7 @@
 
 /* largest sum over both directions of the stiffness of a square cell over C, in any pose: computed from the formula
  * above over stretches from e^-1.2 to e^1.2 */
-#define CELL_MOST 2.08
+#define CONTRACTION_MOST 2.08
 
 /* the edges of a cell along one way: their vectors over the rest length, and psi with its derivatives by w */
 typedef struct cell_edges {
@@ -131,7 +131,7 @@ void mus__contraction_stiffness(const mus__program *program, double *t)
 {
     const double *side = program->cell_side;
     if (program->ncell_run == 0) return;
-    const double most = CELL_MOST * program->couple * fmax(side[0] / side[1], side[1] / side[0]);
+    const double most = CONTRACTION_MOST * program->couple * fmax(side[0] / side[1], side[1] / side[0]);
     for (int32_t r = 0; r < program->ncell_run; r++)
         for (int32_t i = 0; i < program->cell_run[r].count; i++) {
             int32_t node[4];

@@ -31,6 +31,7 @@ static const tape_pair tape_errors[] = {
     {TAPE_M(WRIST), TAPE_M(UPPER_ARM), 1.0, 0.0},
     {TAPE_M(ANKLE), TAPE_M(CALF), 1.0, 2.0},
     {TAPE_M(ELBOW), TAPE_M(ARM), 0.70, 0.0},
+    {TAPE_M(ARM), TAPE_M(STATURE), 0.43, 0.0}, /* it is to the wrist; to the fingertips it would be 0.46 */
     {TAPE_M(INLEG), TAPE_M(STATURE), 0.56, 0.0},
     {TAPE_M(BUST), TAPE_M(STATURE), 1.3, 0.0},
     {TAPE_M(WAIST), TAPE_M(STATURE), 1.3, 0.0},

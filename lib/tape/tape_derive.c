@@ -45,8 +45,13 @@ static const tape_rule tape_rules[] = {
     {MUS_MEASURE_CALF, {4, .03, 0, 0, .28}, {6, 0, 0, 0, .32}, {7, 0, 0, 0, .27}, 1.9, 1.9},
     {MUS_MEASURE_ANKLE, {5, .044, 0, 0, .095}, {4.2, .03, 0, 0, .13}, {9, 0, 0, 0, .13}, 1.2, 1.1},
     {MUS_MEASURE_FOOT, {1.9, .14, 0, 0, 0}, {3, .137, 0, 0, 0}, {1.9, .14, 0, 0, 0}, .9, .9},
-    {MUS_MEASURE_CROTCH_LENGTH, {12, .157, 0, 0, .307}, {3, .129, 0, 0, .395}, {7.5, .143, 0, 0, .351}, 3.1, 3.1},
 };
+
+/* crotch length: constant, and factors of rise and hip [cm], of women, men, children. The lengths that the sections of
+ * the body have between waist and crotch (torso.c); of the people of ANSUR II, whose rise is to the navel, the
+ * deviation from such a line is 2.3 cm (women) and 2.6 cm (men) */
+static const double tape_crotch[3][3] = {{-1.7, 1.764, .236}, {-6.3, 1.839, .278}, {-1.0, 1.721, .247}};
+static const double tape_crotch_deviation[2] = {2.3, 2.6}; /* [cm] */
 
 #define TAPE_RULE_COUNT ((int)(sizeof tape_rules / sizeof *tape_rules))
 
@@ -83,6 +88,13 @@ static double tape_mix(int32_t sex, double female, double male)
 }
 
 
+/* crotch length [m] of row `sex` of its table, from rise and hip */
+static double tape_crotch_at(int sex, const double *v)
+{
+    return 0.01 * tape_crotch[sex][0] + tape_crotch[sex][1] * v[MUS_MEASURE_RISE] + tape_crotch[sex][2] * v[MUS_MEASURE_HIP];
+}
+
+
 double mus__tape_predict(const mus_tape *tape, int32_t measure, double *deviation)
 {
     *deviation = 0.0;
@@ -92,6 +104,11 @@ double mus__tape_predict(const mus_tape *tape, int32_t measure, double *deviatio
     if (child && measure == MUS_MEASURE_HEAD) return 0.01 * tape_table(tape_child_head, h);
     if (measure == MUS_MEASURE_SHOULDER_SLOPE) return (child ? 21.0 : 22.0) * (3.14159265358979323846 / 180.0);
     if (measure == MUS_MEASURE_ARM_ANGLE) return 45.0 * (3.14159265358979323846 / 180.0);
+    if (measure == MUS_MEASURE_CROTCH_LENGTH) {
+        if (child) return tape_crotch_at(2, tape->value);
+        *deviation = 0.01 * tape_mix(tape->sex, tape_crotch_deviation[0], tape_crotch_deviation[1]);
+        return tape_mix(tape->sex, tape_crotch_at(0, tape->value), tape_crotch_at(1, tape->value));
+    }
 
     for (int i = 0; i < TAPE_RULE_COUNT; i++) {
         const tape_rule *rule = &tape_rules[i];
@@ -158,6 +175,7 @@ static void tape_derive_legs(mus_tape *tape)
     tape_put(tape, r, rise);
     tape_put(tape, l, v[w] - v[r]);
     tape_at_most(tape, l, 0.56 * stature);
+    tape_put_predicted(tape, MUS_MEASURE_CROTCH_LENGTH);
 }
 
 
@@ -208,7 +226,9 @@ static void tape_derive_heights(mus_tape *tape)
 
     double nape = v[MUS_MEASURE_NAPE_HEIGHT];
     tape_put(tape, MUS_MEASURE_BUST_HEIGHT, nape + 0.01 - 0.88 * v[MUS_MEASURE_BUST_DEPTH]);
-    tape_at_least(tape, MUS_MEASURE_BUST_HEIGHT, waist + 0.25 * (nape - waist));
+    const double least = waist + 0.25 * (nape - waist);
+    tape_at_least(tape, MUS_MEASURE_BUST_HEIGHT, least);
+    if (v[MUS_MEASURE_BUST_HEIGHT] <= least) tape_at_most(tape, MUS_MEASURE_BUST_DEPTH, (nape + 0.01 - least) / 0.88);
     if (tape->sex != MUS_SEX_CHILD && (tape->held[MUS_MEASURE_RISE] || tape->held[MUS_MEASURE_INLEG]))
         tape_put(tape, MUS_MEASURE_WAIST_TO_HIP, tape_mix(tape->sex, 0.777, 0.823) * v[MUS_MEASURE_RISE]);
     tape_at_most(tape, MUS_MEASURE_WAIST_TO_HIP, 0.85 * v[MUS_MEASURE_RISE]);

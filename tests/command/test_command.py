@@ -77,7 +77,7 @@ def test_the_closed_surface_has_two_triangles_at_each_edge(command, tape, tmp_pa
     assert len(edges) == 3 * len(corners) and all((b, a) in edges for a, b in edges)
     assert len(points_of(closed)) - len(edges) // 2 + len(corners) == 2
     assert (tmp_path / "closed.glb").read_bytes()[:4] == b"glTF"
-    assert "--obj or --glb" in one_line(command("body", "--tape", tape, "--manifold", code=2))
+    assert "--obj, --glb or a picture" in one_line(command("body", "--tape", tape, "--manifold", code=2))
     assert "needs --manifold" in one_line(command("body", "--tape", tape, "--spacing", "5", "--obj", closed, code=2))
 
 
@@ -118,6 +118,18 @@ def test_a_doubt_about_the_tape_is_a_line_and_a_member_of_the_json(command, tmp_
     assert json.loads((tmp_path / "out" / "results.jsonl").read_text())["warnings"] == [doubt]
     printed = command("print", *skirt[:2], "--tape", path, "--pdf", tmp_path / "s.pdf", "--json").stdout
     assert json.loads(printed)["warnings"] == [doubt]
+
+
+def test_a_body_is_drawn_alone_and_turned(command, tape, tmp_path, one_line):
+    view = "--view", "0,5", "--pixels", "64x96"
+    if b"EGL" in command("body", "--tape", tape, "--png", tmp_path / "a.png", *view, code=None).stderr:
+        pytest.skip("a machine without EGL")
+    command("body", "--tape", tape, "--turn", 3, "--frames", tmp_path, *view)
+    names = ["a.png"] + [f"frame_000{k}.png" for k in (1, 2, 3)]
+    pictures = [(tmp_path / name).read_bytes() for name in names]
+    assert pictures[0] == pictures[1] and len(set(pictures)) == 3
+    assert "go together" in one_line(command("body", "--tape", tape, "--turn", 3, code=2))
+    assert "--view" in one_line(command("body", "--tape", tape, "--png", tmp_path / "b.png", "--view", "front", code=2))
 
 
 # ---- draft and convert ----

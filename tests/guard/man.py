@@ -3,7 +3,8 @@
 
 Every public function stands in a .Fn or .Fo of some page in man/; every mus_ function named there is declared; every
 .Xr of a mus page has its page; mandoc -Tlint -Wstyle is silent. With LIBFOLDER, each example that has a main() is
-compiled, linked with the archives there and run in an empty folder: it must end with 0.
+compiled, linked with the archives there and run in an empty folder: it must end with 0; and muslin(1) has the options of
+each `muslin COMMAND --help`, in its text and, unless that says "options", in its synopsis, and no others.
 """
 import os
 import pathlib
@@ -13,6 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+OF_LINES = {"-name"}  # options of the lines of a batch, which no --help lists
 DECLARED = re.compile(r"\bMUS_API\s[^;(#]*?\b(mus_\w+)\s*\(")
 
 
@@ -48,6 +50,46 @@ def run_example(name, text, lib):
     return []
 
 
+def sections(text):
+    """{subcommand: [lists of options]}: those of its synopses; {subcommand: text of its part}; what holds for all."""
+    whole = re.search(r"^\.Sh SYNOPSIS\n(.*?)^\.Sh DESCRIPTION\n(.*?)^\.Sh ", text, re.M | re.S)
+    synopsis, description = whole.groups()
+    uses = {}
+    for use in synopsis.split(".Nm\n")[1:]:
+        name = re.match(r"\.Cm (\w+)", use)
+        if name:
+            uses.setdefault(name[1], []).append(use)
+    common, *parts = re.split(r"^\.Ss (.*)\n", description, flags=re.M)
+    return uses, dict(zip(parts[::2], parts[1::2])), common
+
+
+def options(text, lead=""):
+    """The options that a page names: of all its lines, or of those that begin with `lead`."""
+    lines = [line for line in text.splitlines() if line.startswith(lead or ".") and "Fl " in line]
+    return {name for line in lines for name in re.findall(r"(?<!\S)-\w[\w-]*|(?<=Fl )\w\b", line)}
+
+
+def command_faults(command, page):
+    """Options of `muslin COMMAND --help` that muslin(1) does not name, and those that it names and are not there."""
+    faults = []
+    uses, parts, common = sections(page.read_text())
+    for name in uses:
+        helps = [[name]] + ([["dress", "--batch"]] if name == "dress" else [])
+        texts = [subprocess.run([command, *words, "--help"], capture_output=True, text=True).stdout for words in helps]
+        there = {flag[1:] for text in texts for flag in re.findall(r"^  (-[\w-]+)", text, re.M)} - {"-help"}
+        part = "".join(text for title, text in parts.items() if title.split()[0] == name)
+        whole = any("Ar options" in use for use in uses[name])
+        shown = {flag for use in uses[name] for flag in options(use)}
+        told = options(part) | options(common, ".It ")
+        faults += [f"{page.name}: {name} has no option -{flag}"
+                   for flag in sorted((shown | options(part, ".It ")) - there - OF_LINES)]
+        if not whole:
+            faults += [f"{page.name}: the synopsis of {name} lacks -{flag}" for flag in sorted(there - shown)]
+        faults += [f"{page.name}: {name} does not tell -{flag}"
+                   for flag in sorted(there - told - (set() if whole else shown))]
+    return faults
+
+
 def main():
     pages = sorted((ROOT / "man").glob("*.[0-9]"))
     declared = set()
@@ -66,6 +108,9 @@ def main():
     faults += [f"{page}: {name} is declared in no header" for name, page in sorted(named.items())
                if name not in declared]
     if len(sys.argv) > 1:
+        command = pathlib.Path(sys.argv[1]).resolve().parent / "bin" / "muslin"
+        if command.exists():
+            faults += command_faults(command, ROOT / "man" / "muslin.1")
         for page in pages:
             for text in examples(page):
                 faults += run_example(page.name, text, pathlib.Path(sys.argv[1]).resolve())

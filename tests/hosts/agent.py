@@ -104,6 +104,6 @@ if __name__ == "__main__":
     if pathlib.Path(sys.prefix) != HOME:
         if not python.exists():
             venv.create(HOME, with_pip=True)
-            hosts.run(python, "-m", "pip", "install", "-q", "mcp>=2", "numpy")
+            hosts.fetch.install(python, "-m", "pip", "install", "-q", "mcp>=2", "numpy", made=HOME)
         os.execv(python, [str(python), __file__])
     asyncio.run(main())

@@ -102,7 +102,7 @@ if __name__ == "__main__":
     if pathlib.Path(sys.prefix).resolve() != HOME:
         if not python.exists():
             venv.create(HOME, with_pip=True)
-            hosts.run(python, "-m", "pip", "install", "-q", "bpy", "numpy")
+            hosts.fetch.install(python, "-m", "pip", "install", "-q", "bpy", "numpy", made=HOME)
         os.environ.update(PYTHONPATH=str(hosts.BINDINGS / "python"), MUSLIN_LIB=str(hosts.LIB))
         sys.exit(subprocess.run([python, __file__], timeout=550).returncode)
     code = 1

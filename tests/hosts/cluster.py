@@ -117,6 +117,6 @@ if __name__ == "__main__":
     if pathlib.Path(sys.prefix) != HOME:
         if not python.exists():
             venv.create(HOME, with_pip=True)
-            hosts.run(python, "-m", "pip", "install", "-q", "distributed", "numpy", "pyarrow")
+            hosts.fetch.install(python, "-m", "pip", "install", "-q", "distributed", "numpy", "pyarrow", made=HOME)
         os.execv(python, [str(python), __file__, *sys.argv[1:]])
     sys.exit(main(*map(int, sys.argv[1:])))

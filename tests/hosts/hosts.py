@@ -15,6 +15,9 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BINDINGS = ROOT / "bindings"
+sys.path.append(str(BINDINGS))
+import fetch  # noqa: E402, F401: used by the scripts beside this one
+
 BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
 BIN = pathlib.Path(os.environ.get("MUSLIN_BIN", BUILD / "bin")).resolve()
 LIB = pathlib.Path(os.environ.get("MUSLIN_LIB", BUILD / "lib/libmuslin.so")).resolve()

@@ -59,7 +59,7 @@ def package():
     size = (folder / packed).stat().st_size
     design, fit, spacing = hosts.SCENE
     (folder / "package.json").write_text(json.dumps({"private": True, "type": "module"}))
-    hosts.run(npm, "install", "--no-audit", "--no-fund", "--silent", folder / packed, "typescript@5", cwd=folder)
+    hosts.fetch.install(npm, "install", "--no-audit", "--no-fund", folder / packed, "typescript@5", cwd=folder)
     (folder / "one.ts").write_text(f"""import {{ open }} from "muslin";
 const room = await open();
 room.size("{fit}");
@@ -111,7 +111,7 @@ def browser():
     TRIED.mkdir(parents=True, exist_ok=True)
     if not (TRIED / "node_modules/axe-core").exists():
         (TRIED / "package.json").write_text(json.dumps({"private": True, "dependencies": PACKAGES}))
-        subprocess.run([npm, "install", "--no-audit", "--no-fund", "--silent"], cwd=TRIED, check=True)
+        hosts.fetch.install(npm, "install", "--no-audit", "--no-fund", cwd=TRIED, made=TRIED / "node_modules")
     made = serve.server()
     threading.Thread(target=made.serve_forever, daemon=True).start()
     url = f"http://127.0.0.1:{made.server_address[1]}/"

@@ -63,7 +63,7 @@ def clean(name, *packages):
     start = time.time()
     venv.create(TRIED / name, clear=True, with_pip=True)
     python = TRIED / name / "bin" / "python"
-    hosts.run(python, "-m", "pip", "install", "-q", *packages)
+    hosts.fetch.install(python, "-m", "pip", "install", "-q", *packages)
     return python, time.time() - start
 
 

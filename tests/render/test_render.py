@@ -186,6 +186,18 @@ def test_zoom_and_height_aim(tmp_path, body, skirt):
     assert width[1] == pytest.approx(2 * width[0], rel=0.06)
 
 
+def test_two_numbers_are_a_view_and_zoom_turns_to_the_garment(tmp_path, body, skirt):
+    common = "--body", body, "--garment", skirt, "--colour", "#c02020", "--size", "300x300"
+    assert (draw(tmp_path / "2.png", *common, "--view", "20,5", size=(300, 300)) ==
+            draw(tmp_path / "3.png", *common, "--view", "20,5,1", size=(300, 300))).all()
+    middles = []
+    for zoom in (1, 1.5, 3):
+        rgb = draw(tmp_path / "z.png", *common, "--view", f"0,0,{zoom}", size=(300, 300)).astype(int)
+        rows = ((rgb[:, :, 0] - rgb[:, :, 1]) > 40).nonzero()[0]
+        middles.append(abs(0.5 * (rows.min() + rows.max()) - 150) / zoom)
+    assert middles[0] > 1.3 * middles[1] > 1.3 * 1.3 * middles[2]
+
+
 def test_wrong_side_of_cloth_is_darker(tmp_path):
     # two sheets that face the camera and away from it
     v = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
@@ -313,7 +325,7 @@ def test_obj_cut_anywhere_draws_or_is_refused(tmp_path):
     (["--size", "100x100x"], "WIDTHxHEIGHT"),
     (["--size", "4x100"], "16 to 8192"),
     (["--size", "100x99999999999999999999"], "16 to 8192"),
-    (["--view", "1,2"], "YAW,PITCH,ZOOM"),
+    (["--view", "1"], "YAW,PITCH,ZOOM"),
     (["--view", "1,2,3,"], "YAW,PITCH,ZOOM"),
     (["--view", "1;2;3"], "YAW,PITCH,ZOOM"),
     (["--view", "0,90,1"], "pitch"),

@@ -69,6 +69,13 @@ def tell(folder, since, told):
               f"{report.get('reason', '')}", flush=True)
 
 
+def thrown(used):
+    """CPU seconds of the starts that were not kept: the report has wall seconds, so their share of all of them."""
+    seconds = dict(used.get("seconds", {}))
+    away = seconds.pop("thrown_away", 0)
+    return used["cpu_s"] * away / sum(seconds.values()) if away else 0
+
+
 def dress_all(jobs, options, out, place):
     """{name: (report, CPU seconds)} of all garments, dressed by one batch in the folder `out`."""
     out.mkdir(parents=True, exist_ok=True)
@@ -91,7 +98,7 @@ def dress_all(jobs, options, out, place):
     results, times = (list(map(json.loads, (out / name).read_text().splitlines()))
                       for name in ("results.jsonl", "times.jsonl"))
     for one, used in zip(results, times):
-        one["thrown_s"] = used.get("seconds", {}).get("thrown_away", 0)
+        one["thrown_s"] = thrown(used)
     return {one["name"]: (one, used["cpu_s"]) for one, used in zip(results, times)}
 
 
@@ -170,9 +177,9 @@ def summary(rows, options):
         lines.append(f"starts found: {both} good of the {len(given)} that the start of the file makes good "
                      f"({100 * both / len(given):.1f} %)")
     lines.append(f"CPU seconds: {seconds(rows)}")
-    thrown, worked = (sum(float(row[key] or 0) for row in rows) for key in ("thrown_s", "cpu_s"))
-    lines.append(f"seconds of starts that were thrown away: {thrown:.0f}" +
-                 (f" ({100 * thrown / worked:.1f} % of all)" if worked else ""))
+    away, worked = (sum(float(row[key] or 0) for row in rows) for key in ("thrown_s", "cpu_s"))
+    lines.append(f"CPU seconds of starts that were thrown away: {away:.0f}" +
+                 (f" ({100 * away / worked:.1f} % of all)" if worked else ""))
     lines += [f"invalid: {row['file']}: {row['status']}: {row['reason']}" for row in rows if not row["valid"]]
     lines += [f"not good: {row['file']}: {lack(row, options.self_contact)}" for row in rows
               if row["valid"] and not row["good"] and row["status"]]

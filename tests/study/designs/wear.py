@@ -87,12 +87,17 @@ def unusual(designs, out):
 def tell_unusual(results, times):
     """What only `--unusual` tells; returns the results that are settled and worn."""
     drafted = [result for result in results if "panels" in result]
-    worn = [result for result in drafted if result["status"] == "settled" and result.get("worn_why", "").find(
-        "cloth goes through the body") >= 0 or result.get("worn")]
+    worn = [result for result in drafted if result["status"] == "settled" and (
+        result.get("worn") or "cloth goes through the body" in result.get("worn_why", ""))]
     whole = sum(bool(result.get("worn")) for result in worn)
-    thrown, cpu = sum(one.get("seconds", {}).get("thrown_away", 0) for one in times), sum(one["cpu_s"] for one in times)
-    print(f"{len(drafted)} of {len(results)} drafted; {len(worn)} settled and worn, {whole} of them with nothing "
-          f"through the skin; {thrown:.0f} of {cpu:.0f} s in starts thrown away")
+    away = cpu = 0.0
+    for one in times:  # seconds are wall time: the share of them that was thrown away, of the CPU time
+        seconds = dict(one.get("seconds", {}))
+        thrown = seconds.pop("thrown_away", 0)
+        cpu += one["cpu_s"]
+        away += one["cpu_s"] * thrown / sum(seconds.values()) if thrown else 0
+    print(f"{len(drafted)} of {len(results)} drafted; {len(worn)} settled and worn, {whole} of them with cloth at most "
+          f"1 mm in the body; {away:.0f} of {cpu:.0f} CPU seconds in starts thrown away")
     return worn
 
 

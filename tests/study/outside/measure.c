@@ -14,6 +14,7 @@ enum { TORSO, ARM = 1, LEG = 3, FOOT = 5 }; /* limbs of a body of a tape; each b
 
 #define GIRTH 1e-3
 #define HEIGHT 2e-3
+#define CREASE 0.009 /* [parts of the stature] nearer to each other two skins may carry a fillet */
 
 const outside_row outside_rows[OUTSIDE_ROWS] = {
     {MUS_MEASURE_BUST, 'g', "bust", TORSO, GIRTH, false},
@@ -33,10 +34,10 @@ const outside_row outside_rows[OUTSIDE_ROWS] = {
     {MUS_MEASURE_ANKLE, 'l', "ankle", LEG, GIRTH, false},
     {MUS_MEASURE_STATURE, 'h', NULL, TORSO, HEIGHT, false},
     {MUS_MEASURE_INLEG, 'h', NULL, TORSO, HEIGHT, false},
-    {MUS_MEASURE_FOOT, 'h', NULL, FOOT, HEIGHT, true},
-    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT, true},
+    {MUS_MEASURE_FOOT, 'h', NULL, FOOT, HEIGHT, false},
+    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT, false},
     {MUS_MEASURE_ACROSS_FRONT, 's', "armpit", TORSO, INFINITY, false},
-    {MUS_MEASURE_BUST_SPAN, 's', "bust", TORSO, HEIGHT, true},
+    {MUS_MEASURE_BUST_SPAN, 's', "bust", TORSO, HEIGHT, false},
     {MUS_MEASURE_CROTCH_LENGTH, 's', "waist", TORSO, INFINITY, false},
     {MUS_MEASURE_SHOULDER, 's', "neck", TORSO, HEIGHT, false},
     {MUS_MEASURE_SHOULDER_SLOPE, 's', "neck", TORSO, INFINITY, false},
@@ -96,32 +97,114 @@ static int32_t trunk_loop(const ruler_cut *cut)
 }
 
 
-/* whether a point is within a loop of a cut other than `torso` */
-static bool covered(const ruler_cut *cut, int32_t torso, double u, double v)
+/* how deep (u, v) lies within a loop of a cut [m]; negative outside */
+static double depth_in(const ruler_cut *cut, int32_t loop, const double *p)
 {
-    bool in = false;
-    for (int32_t l = 0; l < cut->loops; l++) in |= l != torso && ruler_within(cut, l, u, v);
-    return in;
+    const double off = ruler_off(cut, loop, p[0], p[1]);
+    return ruler_within(cut, loop, p[0], p[1]) ? off : -off;
 }
 
 
-/* append to uv (n x 2) what of the chord from p to q no other loop covers: p, and where the chord enters a loop */
-static void put_bare(const ruler_cut *cut, int32_t torso, const double *p, const double *q, double *uv, int32_t *n)
+/* the loop on a side (1, -1) that begins nearest to the middle plane: the arm of that side; -1: none */
+static int32_t arm_loop(const ruler_cut *cut, int32_t torso, double to)
 {
-    if (covered(cut, torso, p[0], p[1])) return;
-    uv[2 * *n] = p[0], uv[2 * *n + 1] = p[1];
-    *n += 1;
-    if (!covered(cut, torso, q[0], q[1])) return;
-    double t = 0.0;
-    for (double step = 0.5; step > 1e-4; step *= 0.5)
-        if (!covered(cut, torso, p[0] + (t + step) * (q[0] - p[0]), p[1] + (t + step) * (q[1] - p[1]))) t += step;
-    uv[2 * *n] = p[0] + t * (q[0] - p[0]), uv[2 * *n + 1] = p[1] + t * (q[1] - p[1]);
-    *n += 1;
+    int32_t best = -1;
+    for (int32_t l = 0; l < cut->loops; l++) {
+        if (l == torso || cut->of[l].points < 3 || cut->of[l].middle[0] * to <= 0.0) continue;
+        if (best < 0 || cut->of[l].points > cut->of[best].points) best = l;
+    }
+    return best;
 }
 
 
-/* across_back (side -1) or across_front (1): half way from the armpit to the shoulder, between the places where the
- * loops of the arms meet that of the torso */
+/* the cubic through four places (x, y), at x = at */
+static double cubic(const double *x, const double *y, double at)
+{
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        double term = y[i];
+        for (int j = 0; j < 4; j++)
+            if (j != i) term *= (at - x[j]) / (x[i] - x[j]);
+        sum += term;
+    }
+    return sum;
+}
+
+
+/* a curve by its distance from a middle: places (angle, distance), two before and two behind what a fillet covers */
+typedef struct bare {
+    double middle[2], angle[4], far[4];
+} bare;
+
+
+/* angle of (u, v) about a middle, from the way (0, -side) on, turning towards u * to > 0 */
+static double angle_about(const double *middle, double side, double to, const double *p)
+{
+    return atan2(to * (p[0] - middle[0]), -side * (p[1] - middle[1]));
+}
+
+
+/* the places of a loop on both sides of where it goes into another loop: of its points that lie `near` [m] or further
+ * off the other's, the two last ones outside and the two first ones within, by angle from `from` on. false: it does not
+ * go in */
+static bool bare_of(const ruler_cut *cut, int32_t loop, int32_t other, double near, double side, double to, double from,
+                    bare *out)
+{
+    double last = -1e30;
+    int32_t found = 0;
+    while (found < 4) {
+        double next = 1e30, place[2] = {0.0, 0.0};
+        for (int32_t i = 0; i < cut->points; i++) { /* the next point by angle */
+            const double *p = cut->uv + 2 * (size_t)i, angle = angle_about(out->middle, side, to, p);
+            if (cut->loop[i] != loop || angle < from || angle <= last || angle >= next) continue;
+            next = angle, place[0] = p[0], place[1] = p[1];
+        }
+        if (next > 1e29) return false;
+        last = next;
+        const double far = hypot(place[0] - out->middle[0], place[1] - out->middle[1]);
+        const double here = depth_in(cut, other, place);
+        if (fabs(here) < near || (found < 2 && here > 0.0)) continue;
+        const bool apart = found == 0 || (next - out->angle[found - 1]) * far > 0.5 * near;
+        if (here < 0.0 && found == 2) {
+            if (apart) out->angle[0] = out->angle[1], out->far[0] = out->far[1];
+            found = 1;
+        } else if (found == 3 && !apart)
+            continue;
+        out->angle[found] = next, out->far[found++] = far;
+    }
+    return true;
+}
+
+
+/* where the loops of torso and arm would meet without the fillet between them, `near` [m] wide: (u, v); the place on
+ * the torso's bare curve that is on the arm's. false: they do not meet */
+static bool crease(const ruler_cut *cut, int32_t torso, double near, double side, double to, double *out)
+{
+    const int32_t arm = arm_loop(cut, torso, to);
+    if (arm < 0) return false;
+    const ruler_loop *t = &cut->of[torso], *a = &cut->of[arm];
+    bare of_torso = {.middle = {0.0, 0.5 * (t->low[1] + t->high[1])}};
+    bare of_arm = {.middle = {0.5 * (a->low[0] + a->high[0]), 0.5 * (a->low[1] + a->high[1])}};
+    const double outside = -0.5 * acos(-1.0); /* the arm's side away from the body */
+    if (!bare_of(cut, torso, arm, near, side, to, 0.0, &of_torso) ||
+        !bare_of(cut, arm, torso, near, side, -to, outside, &of_arm))
+        return false;
+    double low = of_torso.angle[1], high = of_torso.angle[2];
+    for (int step = 0; step < 40; step++) {
+        const double angle = 0.5 * (low + high), far = cubic(of_torso.angle, of_torso.far, angle);
+        out[0] = to * far * sin(angle), out[1] = of_torso.middle[1] - side * far * cos(angle);
+        const double off = hypot(out[0] - of_arm.middle[0], out[1] - of_arm.middle[1]);
+        if (off > cubic(of_arm.angle, of_arm.far, angle_about(of_arm.middle, side, -to, out)))
+            low = angle;
+        else
+            high = angle;
+    }
+    return true;
+}
+
+
+/* across_back (side -1) or across_front (1): half way from the armpit to the shoulder, from arm to arm; ISO 8559-1:2017
+ * has it between the points at which the arms leave the back */
 static double across_at(const ruler_mesh *mesh, const mus_body *body, double side)
 {
     ruler_plane low, high;
@@ -132,40 +215,28 @@ static double across_at(const ruler_mesh *mesh, const mus_body *body, double sid
     if (!ruler_cut_at(mesh, &plane, &cut)) return NAN;
     ruler_take_trunk(&cut, false);
     const int32_t torso = trunk_loop(&cut);
-    double *uv = malloc(sizeof *uv * 8 * ((size_t)cut.chords + 2)), length = NAN;
-    int32_t n = 0, kept = 1, first = 0, last = 0;
-    for (int32_t k = 0; k < cut.chords && torso >= 0 && uv != NULL; k++) {
-        const int32_t *c = cut.chord + 2 * (size_t)k;
-        if (cut.loop[c[0]] != torso) continue;
-        put_bare(&cut, torso, cut.uv + 2 * (size_t)c[0], cut.uv + 2 * (size_t)c[1], uv, &n);
-        put_bare(&cut, torso, cut.uv + 2 * (size_t)c[1], cut.uv + 2 * (size_t)c[0], uv, &n);
-    }
-
-    /* the points on the side asked for; the tape from the one furthest to the right to the one furthest to the left */
-    const double middle = torso >= 0 ? 0.5 * (cut.of[torso].low[1] + cut.of[torso].high[1]) : 0.0;
-    for (int32_t i = 0; i < n; i++) {
-        if (side * (uv[2 * i + 1] - middle) > 0.0) continue;
-        if (first == 0 || uv[2 * i] < uv[2 * first]) first = i;
-        if (last == 0 || uv[2 * i] > uv[2 * last]) last = i;
-    }
-    double *way = malloc(sizeof *way * 2 * ((size_t)n + 2));
-    if (way != NULL && first != last) {
-        way[0] = uv[2 * first], way[1] = uv[2 * first + 1];
-        for (int32_t i = 0; i < n; i++) {
-            if (i == first || i == last || side * (uv[2 * i + 1] - middle) > 0.0) continue;
-            way[2 * kept] = uv[2 * i], way[2 * kept + 1] = uv[2 * i + 1], kept++;
+    const double near = CREASE * mus_body_asked(body, MUS_MEASURE_STATURE);
+    double *uv = malloc(sizeof *uv * 2 * ((size_t)cut.points + 2)), length = NAN, end[2];
+    int32_t n = 1;
+    if (uv != NULL && torso >= 0 && crease(&cut, torso, near, side, -1.0, uv) &&
+        crease(&cut, torso, near, side, 1.0, end)) {
+        for (int32_t i = 0; i < cut.points; i++) {
+            const double *p = cut.uv + 2 * (size_t)i;
+            const double limit = p[0] < 0.0 ? uv[1] : end[1];
+            if (cut.loop[i] != torso || p[0] <= uv[0] || p[0] >= end[0] || side * (p[1] - limit) > 0.0) continue;
+            memcpy(uv + 2 * (size_t)n++, p, 2 * sizeof *p);
         }
-        way[2 * kept] = uv[2 * last], way[2 * kept + 1] = uv[2 * last + 1];
-        length = ruler_string(kept + 1, way, side);
+        memcpy(uv + 2 * (size_t)n++, end, sizeof end);
+        length = ruler_string(n, uv, side);
     }
-    free(way);
     free(uv);
     ruler_cut_free(&cut);
     return length;
 }
 
 
-/* twice the distance of the foremost point of the left breast from the middle plane */
+/* twice the distance of the foremost point of the left breast from the middle plane. The cut is a polygon whose sides
+ * are a centimetre long: the foremost place is where the slopes of its sides, by a cubic through four of them, pass 0 */
 static double span(const ruler_mesh *mesh, const mus_body *body)
 {
     ruler_plane plane;
@@ -174,13 +245,31 @@ static double span(const ruler_mesh *mesh, const mus_body *body)
     plane = ruler_plane_at((double[3]){0.0, plane.point[1], 0.0}, up, across);
     if (!ruler_cut_at(mesh, &plane, &cut)) return NAN;
     ruler_take_trunk(&cut, false);
-    double best = 1e30, at = NAN;
+    const int32_t torso = trunk_loop(&cut);
+    double row[5][2], slope[4], middle[4];
+    int32_t best = -1;
     for (int32_t i = 0; i < cut.points; i++) {
         const double *p = cut.uv + 2 * (size_t)i;
-        if (cut.of[cut.loop[i]].taken && p[0] >= 0.0 && p[1] < best) best = p[1], at = p[0];
+        if (cut.loop[i] == torso && p[0] >= 0.0 && (best < 0 || p[1] < cut.uv[2 * (size_t)best + 1])) best = i;
+    }
+    if (best >= 0) memcpy(row[2], cut.uv + 2 * (size_t)best, sizeof row[2]);
+    for (int32_t k = 0; k < 4 && best >= 0; k++) { /* two neighbours on each side, in front */
+        const int32_t from = k < 2 ? 2 - k : k, to = k < 2 ? 1 - k : k + 1;
+        const double way = k < 2 ? -1.0 : 1.0;
+        row[to][0] = way * 1e30, row[to][1] = 0.0;
+        for (int32_t i = 0; i < cut.points; i++) {
+            const double *p = cut.uv + 2 * (size_t)i;
+            const bool next = way * (p[0] - row[from][0]) > 1e-3 && way * (p[0] - row[to][0]) < 0.0;
+            if (cut.loop[i] == torso && p[1] < 0.0 && next) memcpy(row[to], p, sizeof row[to]);
+        }
     }
     ruler_cut_free(&cut);
-    return 2.0 * at;
+    if (best < 0) return NAN;
+    for (int k = 0; k < 4; k++) {
+        slope[k] = (row[k + 1][1] - row[k][1]) / (row[k + 1][0] - row[k][0]);
+        middle[k] = 0.5 * (row[k + 1][0] + row[k][0]);
+    }
+    return 2.0 * cubic(slope, middle, 0.0);
 }
 
 

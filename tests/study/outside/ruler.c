@@ -362,3 +362,19 @@ bool ruler_within(const ruler_cut *cut, int32_t loop, double u, double v)
     }
     return odd;
 }
+
+
+double ruler_off(const ruler_cut *cut, int32_t loop, double u, double v)
+{
+    double least = 1e30;
+    for (int32_t k = 0; k < cut->chords; k++) {
+        const int32_t i = cut->chord[2 * (size_t)k], j = cut->chord[2 * (size_t)k + 1];
+        if (cut->loop[i] != loop) continue;
+        const double *p = cut->uv + 2 * (size_t)i, *q = cut->uv + 2 * (size_t)j;
+        const double d[2] = {q[0] - p[0], q[1] - p[1]}, square = d[0] * d[0] + d[1] * d[1];
+        const double t = square > 0.0 ? ((u - p[0]) * d[0] + (v - p[1]) * d[1]) / square : 0.0;
+        const double in = fmin(fmax(t, 0.0), 1.0);
+        least = fmin(least, hypot(p[0] + in * d[0] - u, p[1] + in * d[1] - v));
+    }
+    return least;
+}

@@ -59,5 +59,7 @@ double ruler_tape(const ruler_cut *cut);
 double ruler_string(int32_t n, double *uv, double side);
 /* whether (u, v) lies within a loop of a cut: a ray meets its chords an odd number of times */
 bool ruler_within(const ruler_cut *cut, int32_t loop, double u, double v);
+/* distance of (u, v) to the chords of a loop of a cut */
+double ruler_off(const ruler_cut *cut, int32_t loop, double u, double v);
 
 #endif

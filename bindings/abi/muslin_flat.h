@@ -720,6 +720,7 @@ struct mus_sheet_def {
     double overlap;
     const char *title;
     const char *person;
+    int32_t fold;
 };
 
 struct mus_sheet_piece {
@@ -728,6 +729,7 @@ struct mus_sheet_piece {
     const char *name;
     int32_t copies;
     int32_t mirrored;
+    int32_t fold;
     double turn[4];
     double shift[2];
     double box[4];
@@ -1177,6 +1179,8 @@ mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+mus_status mus_pattern_write_svg(const mus_pattern *pattern, const char *path);
+mus_status mus_pattern_write_svg_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 mus_status mus_fabric_load(mus_context *context, const char *path, mus_fabric *out);
 mus_status mus_fabric_load_from(mus_context *context, const char *text, size_t size, const char *name, mus_fabric *out);
 mus_status mus_fabric_save(mus_context *context, const mus_fabric *fabric, const char *name, const char *const *sources, const char *path);

@@ -1,9 +1,10 @@
 /*
  * convert.c: muslin convert: a pattern or tape file to another form, by its extension.
  *
- * Patterns: muslin JSON, GarmentCode or DXF in, muslin JSON, _specification.json (GarmentCode), .svg, .pdf, .dxf or
- * .plt out. Tapes: any tape in, .tape out. --to names the form where the name of the file does not say it ("-" is
- * standard output). Each thing of the pattern that the form cannot hold is told in one line on standard error.
+ * Patterns: muslin JSON, GarmentCode, DXF or SVG in, muslin JSON, _specification.json (GarmentCode), .panels.svg (an
+ * SVG that is read back), .svg, .pdf, .dxf or .plt out. Tapes: any tape in, .tape out. --to names the form where the
+ * name of the file does not say it ("-" is standard output). Each thing of the pattern that the form cannot hold is
+ * told in one line on standard error.
  */
 #include <string.h>
 
@@ -87,18 +88,21 @@ static mus_status write_sheet(scene *s, const convert_ask *ask, const char *form
 
 static int convert_pattern(scene *s, const convert_ask *ask)
 {
-    static const char *const forms[] = {"svg", "pdf", "dxf", "plt", "garmentcode"};
+    static const char *const forms[] = {"svg", "pdf", "dxf", "plt", "garmentcode", "panels"};
     const char *form = NULL;
     for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++)
         if (is_form(ask->out, ask->to, forms[i])) form = forms[i];
     if (ask->to == NULL && ends_with(ask->out, "_specification.json")) form = forms[4];
+    if (ask->to == NULL && ends_with(ask->out, ".panels.svg")) form = forms[5];
     if (form == NULL && !is_form(ask->out, ask->to, "json") && (ask->to != NULL || !is_stdout(ask->out)))
-        return complain(EXIT_INPUT, "convert", "%s: a pattern is written as json, garmentcode, svg, pdf, dxf or plt",
+        return complain(EXIT_INPUT, "convert",
+                        "%s: a pattern is written as json, garmentcode, panels, svg, pdf, dxf or plt",
                         ask->to != NULL ? ask->to : ask->out);
     mus_status status = read_any(s, ask);
     if (status != MUS_OK) return scene_fail(s, status);
     if (form == NULL) status = mus_pattern_write(s->pattern, ask->out);
     else if (form == forms[4]) status = mus_pattern_write_garmentcode(s->pattern, ask->out);
+    else if (form == forms[5]) status = mus_pattern_write_svg(s->pattern, ask->out);
     else status = write_sheet(s, ask, form);
     if (status == MUS_OK && form != NULL) convert_tell_losses(s->pattern, form);
     return status == MUS_OK ? EXIT_DONE : scene_fail_output(s, status);
@@ -111,7 +115,7 @@ int command_convert(int argc, char **argv)
     const option options[] = {
         {"IN", OPTION_PLAIN, &ask.in, 0, 0, "a pattern or a tape"},
         {"OUT", OPTION_PLAIN, &ask.out, 0, 0, "the file to write, its form by its extension; - for standard output"},
-        {"--to", OPTION_TEXT, &ask.to, 0, 0, "FORM  json, garmentcode, svg, pdf, dxf or plt; tape or txt"},
+        {"--to", OPTION_TEXT, &ask.to, 0, 0, "FORM  json, garmentcode, panels, svg, pdf, dxf or plt; tape or txt"},
         {"--dialect", OPTION_TEXT, &ask.dialect, 0, 0, "NAME  of a DXF that is written: astm (default) or aama"},
         {"--rul", OPTION_TEXT, &ask.rules, 0, 0, "FILE  the grade rules of a DXF that is read"},
         {"--size", OPTION_TEXT, &ask.size, 0, 0, "NAME  the size of a DXF that is read; without it the sample size"},

@@ -85,25 +85,26 @@ void convert_tell_losses(const mus_pattern *pattern, const char *form)
     count_edges(pattern, &l);
     count_panels(pattern, &l);
     count_seams(pattern, &l);
-    const bool dxf = strcmp(form, "dxf") == 0, code = strcmp(form, "garmentcode") == 0, paper = !code;
+    const bool dxf = strcmp(form, "dxf") == 0, code = strcmp(form, "garmentcode") == 0;
+    const bool panels = strcmp(form, "panels") == 0, paper = !code && !panels;
     const struct {
         int32_t count;
         const char *what;
     } rows[] = {{paper ? l.seams : 0, "seams: which edges are sewn together is not in the file"},
-                {l.closures, "closures (zips, buttons)"},
+                {panels ? 0 : l.closures, "closures (zips, buttons)"},
                 {code ? l.laid : 0, "second seams of edges (pleats, pockets)"},
                 {code ? l.bends : 0, "bends of panels round the body"},
                 {code ? l.notches : 0, "notches"},
                 {code ? l.marks : 0, "marks inside panels"},
                 {code ? l.allowances : 0, "seam allowances of edges"},
-                {paper ? l.placements : 0, "places of panels round the body"},
-                {l.layers, "layers of panels"},
+                {code ? 0 : l.placements, "places of panels round the body"},
+                {panels ? 0 : l.layers, "layers of panels"},
                 {l.holds, "attachments of edges to a level of the body"},
                 {l.elastics, "elastics along edges"},
-                {l.inner, "sewn lines inside panels"},
+                {panels ? 0 : l.inner, "sewn lines inside panels"},
                 {l.openings, "declared openings"},
                 {paper ? l.labels : 0, "labels of edges (hem, neck, ...)"},
-                {l.names, "names of edges"},
+                {panels ? 0 : l.names, "names of edges"},
                 {dxf ? l.curves : 0, "curved edges: they become chords within 0.01 mm"},
                 {dxf ? l.small : 0, "names of panels: they become 20 capitals, digits and \"_\""}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)

@@ -17,7 +17,7 @@ static const struct {
     const char *help;
 } commands[] = {
     {"body", command_body, "make a body from a tape; measures asked for and made"},
-    {"designs", command_designs, "list the named designs"},
+    {"designs", command_designs, "list, search, show and draw the named designs"},
     {"draft", command_draft, "draft a design to a tape"},
     {"grade", command_grade, "draft one design in several sizes: ease, seams, grade rules"},
     {"dress", command_dress, "sew and drape a garment: picture, mesh, report"},
@@ -42,6 +42,20 @@ static void usage(void)
 }
 
 
+/* The command that begins with the most letters of a text, at least three; NULL: none does. */
+static const char *nearest(const char *text)
+{
+    const char *found = NULL;
+    size_t most = 2;
+    for (size_t i = 0; i < COMMANDS; i++) {
+        size_t n = 0;
+        while (text[n] != '\0' && text[n] == commands[i].name[n]) n++;
+        if (n > most) most = n, found = commands[i].name;
+    }
+    return found;
+}
+
+
 int main(int argc, char **argv)
 {
     if (argc < 2) {
@@ -61,6 +75,9 @@ int main(int argc, char **argv)
         const int code = commands[i].run(argc - 2, argv + 2);
         return code == EXIT_DONE ? output_end(argv[1]) : code;
     }
-    fprintf(stderr, "muslin: command \"%s\" is unknown; see muslin --help\n", argv[1]);
+    const char *near = nearest(argv[1]);
+    fprintf(stderr, "muslin: command \"%s\" is unknown; ", argv[1]);
+    if (near != NULL) fprintf(stderr, "did you mean %s? ", near);
+    fprintf(stderr, "see muslin --help\n");
     return EXIT_INPUT;
 }

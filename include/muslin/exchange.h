@@ -55,8 +55,8 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
- * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump or DXF. The content tells the form. A DXF is
- * read as by mus_pattern_read_dxf() in its sample size.
+ * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump, DXF or SVG. The content tells the form. A
+ * DXF is read as by mus_pattern_read_dxf() in its sample size; an SVG by the convention of muslin_pattern(5).
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
@@ -114,7 +114,7 @@ MUS_API mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_
  * Errors: MUS_ERR_ARG, MUS_ERR_LIMIT (above 500 edges), MUS_ERR_PATTERN, MUS_ERR_MEMORY
  * Memory: 8 bytes for each pair of edges, and less for the rest, during the call
  * Cost:   0.02 s for 25 edges, 4 s for 170, minutes for 500
- * Source: ours: a linear score of a sewing, its weights by logistic regression (lib/trade/seam_find.h)
+ * Source: ours: a linear score of a sewing, its weights by logistic regression (lib/seam/seam_find.h)
  */
 MUS_API mus_status mus_pattern_propose_seams(const mus_pattern *pattern, int32_t *edges, int32_t *chosen,
                                              double *confidence, int32_t capacity, int32_t *count);
@@ -140,6 +140,20 @@ MUS_API mus_status mus_pattern_write_garmentcode(const mus_pattern *pattern, con
 
 /** Write the specification into memory. Errors: as mus_pattern_write_garmentcode(), but for MUS_ERR_FILE */
 MUS_API mus_status mus_pattern_write_garmentcode_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
+
+/**
+ * Write a pattern as an SVG that drawing programs edit and mus_pattern_read() reads back; path "-" writes to standard
+ * output. Millimetres; curves as they are; a layer a panel; muslin_pattern(5) has the convention.
+ *
+ * Not held: attachments of edges to the body, elastics, openings, places of panels round the body, sides that a name
+ * does not tell. Points come back within 1e-9 m, the middle of a flat arc within 0.01 mm.
+ * Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Source: W3C, Scalable Vector Graphics 1.1 (2011)
+ */
+MUS_API mus_status mus_pattern_write_svg(const mus_pattern *pattern, const char *path);
+
+/** Write the SVG into memory. Errors: as mus_pattern_write_svg(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_pattern_write_svg_bytes(const mus_pattern *pattern, char **bytes, size_t *size);
 
 /**
  * Read a fabric file (JSON, muslin_fabric(5)). Each value stands under a key that names the unit, as a number and its

@@ -102,7 +102,8 @@ static double worn_length(const mus__worn_call *call, const mus__worn_loop *loop
 }
 
 
-/* openings, and cloth, at twice their length */
+/* openings, and cloth, at twice their length. Less cloth than a cell of the lattice is a sliver of the mesh at a corner
+ * or a seam, which the cut does not resolve */
 static mus_status worn_tight(const mus__worn_call *call)
 {
     char text[128];
@@ -121,11 +122,17 @@ static mus_status worn_tight(const mus__worn_call *call)
     mus_fit fit = {.n = n, .warp = strain, .weft = strain + n, .area = strain + 2 * (ptrdiff_t)n};
     mus__fit_strains(&fit, call->drape);
     int32_t worst = MUS_NONE;
-    for (int32_t i = 0; i < n; i++)
-        if (fmax(fit.warp[i], fit.weft[i]) > most) most = fmax(fit.warp[i], fit.weft[i]), worst = i;
+    double area = 0.0;
+    for (int32_t i = 0; i < n; i++) {
+        const double own = fmax(fit.warp[i], fit.weft[i]);
+        if (own > WORN_TIGHT) area += fit.area[i];
+        if (own > most) most = own, worst = i;
+    }
     mus__free(call->drape->context, strain);
+    const double spacing = call->drape->cloth->spacing;
     snprintf(text, sizeof text, "too tight: cloth is drawn to %.1f times its length", 1.0 + most);
-    if (worst != MUS_NONE) mus__worn_note(call, MUS_WORN_TIGHT, MUS_NONE, MUS_NONE, worst, most, text);
+    if (worst != MUS_NONE && area > spacing * spacing)
+        mus__worn_note(call, MUS_WORN_TIGHT, MUS_NONE, MUS_NONE, worst, most, text);
     return MUS_OK;
 }
 

@@ -14,6 +14,7 @@
 
 #define COORDINATE_MOST 1e7 /* [unit of the file] chosen: 10 km in mm; far above any piece */
 #define NUMBER_MOST 64      /* [bytes] of a number; chosen: 17 digits are exact */
+#define LIST_LONGEST (1 << 24) /* most elements of any list; chosen: bounds it to 1 GB, entities and points have less */
 #define INCH 0.0254
 
 typedef enum dxf_type { DXF_NONE, DXF_KEPT, DXF_BLOCK, DXF_VERTEX, DXF_SECTION, DXF_VARIABLE } dxf_type;
@@ -41,7 +42,9 @@ mus_status mus__trade_reserve(const mus__source *source, void *array, int32_t *r
     if (need <= *room) return MUS_OK;
     int64_t grown = (int64_t)*room + *room / 2 + 64;
     grown = grown < need ? need : grown;
-    if (grown > INT32_MAX / 2) return mus__source_fail(source, 0, MUS_ERR_LIMIT, "more than 2^30 elements");
+    if (grown > LIST_LONGEST)
+        return mus__source_fail(source, 0, MUS_ERR_LIMIT, "a list of more than %d elements; expected a pattern",
+                                (int)LIST_LONGEST);
     void *old;
     memcpy(&old, array, sizeof old);
     void *bigger = mus_context_alloc(source->context, old, (size_t)grown * size);
@@ -220,6 +223,9 @@ static mus_status text_pair(dxf_text *t)
 static mus_status point_add(dxf_text *t, const double *p)
 {
     mus__dxf_file *file = t->file;
+    if (file->nxy >= MUS__DXF_VERTICES)
+        return mus__source_fail(file->source, t->line, MUS_ERR_LIMIT, "more than %d points; expected a pattern",
+                                (int)MUS__DXF_VERTICES);
     mus_status status = mus__trade_reserve(file->source, &file->xy, &file->xy_room, (int64_t)file->nxy + 1,
                                            2 * sizeof *file->xy);
     if (status != MUS_OK) return status;
@@ -232,6 +238,9 @@ static mus_status entity_add(dxf_text *t)
 {
     mus__dxf_file *file = t->file;
     t->now.n = file->nxy - t->now.first;
+    if (file->nentity >= MUS__DXF_ENTITIES)
+        return mus__source_fail(file->source, t->now.line, MUS_ERR_LIMIT, "more than %d entities; expected a pattern",
+                                (int)MUS__DXF_ENTITIES);
     mus_status status = mus__trade_reserve(file->source, &file->entities, &file->entity_room,
                                            (int64_t)file->nentity + 1, sizeof *file->entities);
     if (status == MUS_OK) file->entities[file->nentity++] = t->now;

@@ -12,6 +12,11 @@
 
 #include "exchange/file_read.h"
 
+/* most entities and points of a file. Chosen: 10000 pieces of 100 entities, 200 outlines of the 20000 points that a
+ * ring may have. They bound the memory of a file to 90 MB and 64 MB */
+#define MUS__DXF_ENTITIES 1000000
+#define MUS__DXF_VERTICES 4000000
+
 enum { MUS__DXF_POINT, MUS__DXF_LINE, MUS__DXF_POLYLINE, MUS__DXF_TEXT };
 
 /* a text of the file: `length` bytes, no zero byte behind them */

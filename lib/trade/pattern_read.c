@@ -3,7 +3,8 @@
  *
  * The room: the files of the garment trade. The readers of muslin's JSON, GarmentCode and FreeSewing are in
  * lib/exchange; here are DXF and its grade rules: dxf_file.c (text to entities), dxf_read.c (which pieces), dxf_ring.c
- * (outline), dxf_panel.c (panel), dxf_name.c, rul_read.c; and garmentcode_write.c. The room is a part of
+ * (outline), dxf_panel.c (panel), dxf_name.c, rul_read.c; SVG: svg_path.c (path data), svg_panel.c, svg_read.c,
+ * svg_write.c; seam_find.h (seams of a pattern without); and garmentcode_write.c. The room is a part of
  * libmuslin-exchange.
  */
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "exchange/pattern_readers.h"
 #include "trade/dxf_file.h"
 #include "trade/dxf_read.h"
+#include "trade/svg_read.h"
 
 
 static mus_status read_pattern(const mus__source *source, mus_pattern **out)
@@ -27,6 +29,12 @@ static mus_status read_pattern(const mus__source *source, mus_pattern **out)
         status = mus_pattern_create(source->context, name, out);
         return status == MUS_OK ? mus__dxf_read(source, NULL, NULL, *out) : status;
     }
+    if (mus__svg_begins(source->text)) {
+        static const char *const svg_endings[] = {".svg", ".SVG", NULL};
+        mus__source_base(source->path, svg_endings, name, sizeof name);
+        status = mus_pattern_create(source->context, name, out);
+        return status == MUS_OK ? mus__svg_read(source, *out) : status;
+    }
     json_t *json = mus__json_document(source, &status);
     if (json == NULL) return status;
     mus__json_at root = {source, NULL, NULL, 0, json};
@@ -37,7 +45,7 @@ static mus_status read_pattern(const mus__source *source, mus_pattern **out)
     if (!own && !garmentcode && !freesewing)
         status = mus__json_fail(&root, MUS_ERR_FORMAT,
                                 "expected a pattern: an object with \"muslin_pattern\", with \"pattern\" "
-                                "(GarmentCode), or with \"format\" \"freesewing-dump-1\"; or a DXF");
+                                "(GarmentCode), or with \"format\" \"freesewing-dump-1\"; or a DXF or SVG");
     if (status == MUS_OK) status = mus_pattern_create(source->context, name, out);
     if (status == MUS_OK)
         status = own          ? mus__pattern_read_json(&root, *out)

@@ -28,6 +28,11 @@ def test_an_unknown_name_is_answered_with_near_ones(command, name, near):
         assert f'no design is called "{name}"; near: ' in said and near in said
 
 
+def test_an_unknown_command_is_answered_with_a_near_one(command):
+    assert b"did you mean dress?" in command("dres", code=2).stderr
+    assert b"did you mean" not in command("xyzzy", code=2).stderr
+
+
 def test_show_tells_axes_ease_pieces_and_cloth(command):
     told = json.loads(command("designs", "--show", "pencil_skirt_knee", "--size", "W44", "--json").stdout)
     assert told["axes"]["skirt"] == "pencil" and told["axes"]["length"] == "knee" and "sleeve" not in told["axes"]

@@ -15,6 +15,7 @@
 /* name, and what the bytes are */
 #define FUZZ_TARGETS(X)                                                                                                \
     X(pattern, "a pattern file of any form: read, written, read back, checked, its form")                              \
+    X(dxf, "a DXF file, behind its line EOF a RUL file: read in two sizes, its seams proposed")                        \
     X(tape, "a form of tape, and a tape file: read, completed, written, read back")                                    \
     X(fabric, "a fabric file: read, saved, read back")                                                                 \
     X(scan, "an OBJ file: read, and made a body")                                                                      \

@@ -39,6 +39,47 @@ void fuzz_pattern(const uint8_t *bytes, size_t size)
 }
 
 
+/* the DXF in one size, with the rules or without */
+static void read_size(mus_context *context, mus_pattern_dxf *from, const char *size)
+{
+    mus_pattern *pattern = NULL;
+    from->size_name = size;
+    const mus_status status = mus_pattern_read_dxf(context, from, &pattern);
+    fuzz_must((status == MUS_OK) == (pattern != NULL), "a DXF gives a pattern exactly with MUS_OK");
+    fuzz_must(status == MUS_OK || mus_context_error(context)[0] != '\0', "a refusal of a DXF has a sentence");
+    if (pattern != NULL) {
+        char *text = NULL;
+        size_t length = 0;
+        int32_t count = 0;
+        fuzz_must(mus_pattern_write_bytes(pattern, &text, &length) == MUS_OK, "a DXF that was read is written");
+        mus_context_alloc(context, text, 0);
+        if (mus_pattern_edge_count(pattern) <= 60)
+            fuzz_must(mus_pattern_propose_seams(pattern, NULL, NULL, NULL, 0, &count) == MUS_OK, "seams are proposed");
+    }
+    mus_pattern_destroy(pattern);
+}
+
+
+void fuzz_dxf(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    size_t end = 4;
+    while (end < size && memcmp(bytes + end - 4, "EOF\n", 4) != 0) end++;
+    if (end > size) end = size;
+    mus_pattern_dxf from;
+    mus_pattern_dxf_init(&from, sizeof from);
+    from.path = "fuzz.dxf";
+    from.text = (const char *)bytes;
+    from.text_size = end;
+    read_size(context, &from, NULL);
+    from.rules_path = "fuzz.rul";
+    from.rules = (const char *)bytes + end;
+    from.rules_size = size - end;
+    read_size(context, &from, "38");
+    fuzz_context_end(context);
+}
+
+
 void fuzz_tape(const uint8_t *bytes, size_t size)
 {
     static const char *const forms[] = {"me.tape", "me.csv", "me.yaml", "me.vit"};

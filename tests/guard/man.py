@@ -73,6 +73,8 @@ def command_faults(command, page):
     """Options of `muslin COMMAND --help` that muslin(1) does not name, and those that it names and are not there."""
     faults = []
     uses, parts, common = sections(page.read_text())
+    commands = re.findall(r"^  (\w+) ", subprocess.run([command, "--help"], capture_output=True, text=True).stdout, re.M)
+    faults += [f"{page.name}: the synopsis has no {name}" for name in commands if name not in uses]
     for name in uses:
         helps = [[name]] + ([["dress", "--batch"]] if name == "dress" else [])
         texts = [subprocess.run([command, *words, "--help"], capture_output=True, text=True).stdout for words in helps]

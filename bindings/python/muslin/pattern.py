@@ -88,6 +88,14 @@ class Pattern(Topology, Edits, Valued):
         """The bytes that write_garmentcode() would write."""
         return taken_bytes(self.context, "mus_pattern_write_garmentcode_bytes", self.handle)
 
+    def write_svg(self, path: PathLike) -> None:
+        """Write as an SVG that drawing programs edit and read() reads back."""
+        self.context.call("mus_pattern_write_svg", self.handle, text(path))
+
+    def svg_bytes(self) -> bytes:
+        """The bytes that write_svg() would write."""
+        return taken_bytes(self.context, "mus_pattern_write_svg_bytes", self.handle)
+
     def propose_seams(self) -> list[tuple[int, int, bool, float]]:
         """Seams for a pattern without: (edge a, edge b, in the best sewing?, confidence 0 to 1), the surest first; then
         second choices. Seams that the pattern has are kept and not listed."""

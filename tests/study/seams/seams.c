@@ -5,7 +5,7 @@
  *
  * The patterns are every N-th named design (default 8), each in one size, and every GarmentCode specification of the
  * folder DATA. They are in two halves: designs by the hash of their family, specifications by their number, so that the
- * variants of a garment are in one half. --fit fits the weights of lib/trade/seam_weights.c to the first half and
+ * variants of a garment are in one half. --fit fits the weights of lib/seam/seam_weights.c to the first half and
  * writes them; without it the weights of the library are judged. Both halves are printed.
  *
  * The fit: from the true sewing and from the sewings that the search found, each change that the search would try is a
@@ -21,7 +21,7 @@
 
 #include "muslin/exchange.h"
 #include "muslin/muslin.h"
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 
 #define D MUS__SEAM_FEATURES
 #define RIDGE 1.0         /* in units of one row */
@@ -347,7 +347,7 @@ static void write_weights(const char *path, const double *w, const double *c)
     if (f == NULL) return;
     fprintf(
         f, "/*\n * seam_weights.c: weights of the features of a sewing, and of the confidence. Written by `make seams\n"
-           " * SEAMS='--fit lib/trade/seam_weights.c'`; do not edit.\n */\n#include \"trade/seam_find.h\"\n\n"
+           " * SEAMS='--fit lib/seam/seam_weights.c'`; do not edit.\n */\n#include \"seam/seam_find.h\"\n\n"
            "const double mus__seam_weights[MUS__SEAM_FEATURES] = {\n");
     for (int32_t k = 0; k < D; k++) fprintf(f, "    %.6g, /* %s */\n", w[k], feature_names[k]);
     fprintf(f, "};\n\n/* factor and constant of the margin */\nconst double mus__seam_confidence[2] = {%.6g, %.6g};\n",

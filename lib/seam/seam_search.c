@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 
 #define SEARCH_NEAR 10    /* mates that are tried for each edge; chosen: the right one is among them but in 1 of 300 */
 #define SEARCH_SWEEPS 40  /* sweeps over all edges at most; chosen: five are usual */

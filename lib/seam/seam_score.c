@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 #include "base/elementary.h"
 
 #define SCORE_PI 3.14159265358979323846

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "muslin/exchange.h"
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 #include "base/elementary.h"
 #include "base/sort.h"
 

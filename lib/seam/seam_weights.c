@@ -1,8 +1,8 @@
 /*
  * seam_weights.c: weights of the features of a sewing, and of the confidence. Written by `make seams
- * SEAMS='--fit lib/trade/seam_weights.c'`; do not edit.
+ * SEAMS='--fit lib/seam/seam_weights.c'`; do not edit.
  */
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 
 const double mus__seam_weights[MUS__SEAM_FEATURES] = {
     -0.82208, /* a seam */

@@ -1,8 +1,8 @@
 /*
  * seam_features.h: the features of a sewing, in the order of the weights, each with the words of the study's table.
  */
-#ifndef MUS_TRADE_SEAM_FEATURES_H
-#define MUS_TRADE_SEAM_FEATURES_H
+#ifndef MUS_SEAM_FEATURES_H
+#define MUS_SEAM_FEATURES_H
 
 /* features of a seam, each with a name for the study's table */
 #define MUS__SEAM_PAIR(X)                                                                                            \

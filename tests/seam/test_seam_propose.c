@@ -7,7 +7,7 @@
 #include "muslin/exchange.h"
 #include "muslin/muslin.h"
 #include "support.h"
-#include "trade/seam_find.h"
+#include "seam/seam_find.h"
 
 
 static void add_trapezoid(mus_pattern *pattern, const char *name, double top, double bottom, double height)

@@ -12,13 +12,13 @@
  * seam_search.c  the search: local changes, and starts that are torn open and sewn again
  * seam_propose.c the public call
  */
-#ifndef MUS_TRADE_SEAM_FIND_H
-#define MUS_TRADE_SEAM_FIND_H
+#ifndef MUS_SEAM_FIND_H
+#define MUS_SEAM_FIND_H
 
 #include <stdbool.h>
 
 #include "muslin/pattern.h"
-#include "trade/seam_features.h"
+#include "seam/seam_features.h"
 
 #define MUS__SEAM_IN_NAME 8 /* words of a panel's name that are kept; chosen: names of pieces have up to five */
 #define MUS__SEAM_EDGES 500 /* most edges; chosen: bounds the time to a minute; the largest of the data has 176 */

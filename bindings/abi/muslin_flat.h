@@ -720,6 +720,7 @@ struct mus_sheet_def {
     double overlap;
     const char *title;
     const char *person;
+    int32_t fold;
 };
 
 struct mus_sheet_piece {
@@ -728,6 +729,7 @@ struct mus_sheet_piece {
     const char *name;
     int32_t copies;
     int32_t mirrored;
+    int32_t fold;
     double turn[4];
     double shift[2];
     double box[4];

@@ -63,7 +63,7 @@ int command_print(int argc, char **argv)
     const char *pdf = NULL, *svg = NULL, *paper = "a4";
     const char *asked = NULL;
     const char *plt = NULL;
-    bool cutter = false;
+    bool cutter = false, fold = false;
     print_dxf dxf = {0};
     double allowance = -1.0;
     bool as_json = false;
@@ -80,12 +80,15 @@ int command_print(int argc, char **argv)
         {"--plt", OPTION_OUTPUT, &plt, 0, 0, "FILE  write HPGL/2 for a plotter"},
         {"--cutter", OPTION_FLAG, &cutter, 0, 0, "the plot is for a cutter: piece by piece, the cut line last"},
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
+        {"--fold", OPTION_FLAG, &fold, 0, 0, "symmetric pieces as halves, to be cut on the fold of the cloth"},
         {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the pattern has none"},
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
     if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL)
         return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE, --svg FILE, --dxf FILE or --plt FILE");
+    if (fold && (dxf.dxf != NULL || dxf.rul != NULL))
+        return complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
     if (dxf.rul != NULL && dxf.sizes == NULL)
         return complain(EXIT_INPUT, "print", "--rul: needs --sizes LIST, the sizes that the rules are for");
     if (print_dxf_dialect(dxf.dialect) == MUS_NONE)
@@ -105,6 +108,8 @@ int command_print(int argc, char **argv)
         mus_sheet_def_init(&def, sizeof def);
         def.paper = find_paper(paper);
         def.person = s.tape != NULL ? mus_tape_name(s.tape) : NULL;
+        if (from.design != NULL) def.title = mus_design_title(mus_design_find(from.design));
+        def.fold = fold;
         if (allowance >= 0.0) def.allowance = 0.001 * allowance;
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && pdf != NULL) status = mus_sheet_write_pdf(sheet, pdf);

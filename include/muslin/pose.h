@@ -8,6 +8,10 @@
  * Flexion turns about the axis from side to side, abduction about the axis from back to front, rotation about the bone.
  * A joint rotates first, then abducts, then flexes.
  *
+ * Chest and thighs stand as the angles of root, lumbar and hip joints say. The pelvis between them takes its part of
+ * the flexion: where the hips have more than 5/8 of the sum of hips (their mean) and lumbar spine, as in sitting, it
+ * tilts backwards about the hip joints until they have that part, and carries the lower end of the lumbar spine along.
+ *
  * Units:   radian, metre, second
  */
 #ifndef MUSLIN_POSE_H

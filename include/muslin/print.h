@@ -30,6 +30,8 @@ typedef struct mus_sheet_def {
     double overlap;    /* of neighbouring tiles [m], default 0.01, 0..0.1 */
     const char *title; /* on every label, NULL: the name of the pattern; read during the call */
     const char *person; /* wearer's name, on every label; NULL: none */
+    int32_t fold;      /* nonzero: a symmetric panel is printed as its half, with the line that is laid on the fold of
+                        * the cloth; default 0. Such a sheet is not written as DXF */
 } mus_sheet_def;
 
 /** Zero `def`, write the defaults and its size. */
@@ -72,6 +74,7 @@ typedef struct mus_sheet_piece {
     const char *name; /* of the panel; borrowed until the sheet is destroyed */
     int32_t copies;   /* number of copies to cut */
     int32_t mirrored; /* nonzero: half of the copies are cut turned over */
+    int32_t fold;     /* nonzero: the half of a symmetric panel, right of the fold line; its axis is at box[0] */
     double turn[4];   /* from the plane of the panel to the sheet: x = turn[0] u + turn[1] v + shift[0], */
     double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; grain up, right side up */
     double box[4];    /* of the cut line: low x, low y, high x, high y [m] */

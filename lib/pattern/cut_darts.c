@@ -138,7 +138,7 @@ static void fold_walk(const mus__cut_ring *ring, int32_t mouth, const mus__cut_d
 }
 
 
-/* add the cap of the mouth at side `mouth`, without its second end; a straight line when the fold has no edge to meet */
+/* add the cap of the mouth at side `mouth`, without its second end; a straight line when the fold meets no edge */
 static void fold_cap(const mus__cut_ring *in, int32_t mouth, mus__cut_dart *darts, mus__cut_ring *out)
 {
     mus__cut_dart *own = &darts[in->list[mouth].dart];

@@ -11,8 +11,8 @@
  *      |         \
  *      +-----------Y--    a side that leans outwards gives a hem that leans inwards, and the other way round
  *
- * On a curved hem the mirror image of q is 2 f - q, with f the nearest point of the hem line: q and its image are at the
- * same arc length of the hem and at the same distance on both sides of it. Beyond its end the hem goes on straight.
+ * On a curved hem the mirror image of q is 2 f - q, with f the nearest point of the hem line: q and its image are at
+ * the same arc length of the hem, at the same distance on both sides of it. Beyond its end the hem goes on straight.
  */
 #include <math.h>
 #include <string.h>
@@ -27,7 +27,7 @@
 #define HEM_SMOOTH 0.8
 /* largest part of a hem's length that one end may take off. Chosen: two ends must not meet */
 #define HEM_TAKEN 0.45
-/* most of a neighbour that is read, in depths of the hem. Chosen: it leans by at most 38 degrees, or it is no neighbour */
+/* most of a neighbour that is read, in depths of the hem. Chosen: one that leans more is no neighbour */
 #define NEIGHBOUR_MOST 4.0
 #define IMAGE_SAME 1e-9 /* [m] a shorter line is none; chosen: above rounding */
 #define BISECTIONS 44  /* halvings of a line to find a depth; chosen: 2^-44 of a metre is below rounding */

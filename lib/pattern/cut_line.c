@@ -4,14 +4,15 @@
  *
  * The outline is read as a ring of straight sides, within 0.01 mm of its curves. Two neighbouring edges that are sewn
  * to each other are the legs of a dart; the ring runs straight across its mouth, which cut_darts.c then caps. Pairs may
- * be nested: legs of several edges, and a dart inside the panel (a fish-eye) at the end of a bridge, which vanishes with
- * the bridge, so that nothing is cut there. Legs that have an allowance of their own are a seam: they are cut open.
+ * be nested: legs of several edges, and a dart inside the panel (a fish-eye) at the end of a bridge, which vanishes
+ * with the bridge, so that nothing is cut there. Legs with an allowance of their own are a seam: they are cut open.
  */
 #include <math.h>
 #include <string.h>
 
 #include "base/elementary.h"
 #include "geom/curve.h"
+#include "geom/vec.h"
 #include "pattern/cut_ring.h"
 #include "pattern/polygon_offset.h"
 
@@ -126,7 +127,10 @@ static bool dart_from_rim(const rim_read *read, int32_t first, int32_t last, mus
     rim_end(read, last, true, dart->mouth[1]);
     rim_end(read, inner, true, dart->point);
     double u[2], v[2];
-    for (int32_t d = 0; d < 2; d++) u[d] = dart->mouth[0][d] - dart->point[d], v[d] = dart->mouth[1][d] - dart->point[d];
+    for (int32_t d = 0; d < 2; d++) {
+        u[d] = dart->mouth[0][d] - dart->point[d];
+        v[d] = dart->mouth[1][d] - dart->point[d];
+    }
     dart->onto_second = dart_presses_second(read, (const double (*)[2])dart->mouth);
     return fabs(u[0] - v[0]) + fabs(u[1] - v[1]) > CUT_SAME && u[0] * v[0] + u[1] * v[1] > 0.0;
 }
@@ -140,7 +144,7 @@ static int32_t ring_chords(int32_t kind, const double *p)
 {
     double bend = 0.0;
     for (int32_t k = 0; k < (kind == MUS_PIECE_CUBIC ? 2 : kind == MUS_PIECE_QUADRATIC ? 1 : 0); k++) {
-        const double x = p[2 * k] - 2.0 * p[2 * k + 2] + p[2 * k + 4], y = p[2 * k + 1] - 2.0 * p[2 * k + 3] + p[2 * k + 5];
+        const double *q = p + 2 * k, x = q[0] - 2.0 * q[2] + q[4], y = q[1] - 2.0 * q[3] + q[5];
         bend = fmax(bend, (kind == MUS_PIECE_CUBIC ? 0.75 : 0.25) * sqrt(x * x + y * y));
     }
     if (kind == MUS_PIECE_ARC) {
@@ -209,7 +213,7 @@ static void ring_read(rim_read *read, mus__cut_ring *ring)
             mus__cut_corner corner = {.width = own >= 0.0 ? own : read->allowance, .dart = read->line->ndart++};
             ring_point(ring, &corner, dart->mouth[0]);
             i = last;
-        } else if (fabs(dart->mouth[0][0] - dart->mouth[1][0]) + fabs(dart->mouth[0][1] - dart->mouth[1][1]) < CUT_SAME) {
+        } else if (mus__dist2(dart->mouth[0], dart->mouth[1]) < CUT_SAME) {
             i = last; /* a slit that is sewn shut */
         } else {
             for (int32_t k = i; k <= last; k++) read->mate[k] = MUS_NONE;
@@ -367,8 +371,8 @@ mus_status mus_cut_line_dart(const mus_cut_line *line, int32_t dart, double *out
 {
     if (line == NULL) return MUS_ERR_ARG;
     if (out == NULL || dart < 0 || dart >= line->ndart)
-        return mus__fail(line->context, MUS_ERR_ARG, "cut line: out is NULL, or dart %d is unknown: it has %d", (int)dart,
-                         (int)line->ndart);
+        return mus__fail(line->context, MUS_ERR_ARG, "cut line: out is NULL, or dart %d is unknown: it has %d",
+                         (int)dart, (int)line->ndart);
     const mus__cut_dart *own = &line->darts[dart];
     memcpy(out, own->mouth[0], 2 * sizeof *out);
     memcpy(out + 2, own->point, 2 * sizeof *out);

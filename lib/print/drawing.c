@@ -92,6 +92,8 @@ void mus__draw_free(mus__drawing *drawing)
     mus__print_free(drawing->context, drawing->paths);
     mus__print_free(drawing->context, drawing->ops);
     mus__print_free(drawing->context, drawing->xy);
+    mus__print_free(drawing->context, drawing->texts);
+    mus__print_free(drawing->context, drawing->letters);
     mus__draw_init(drawing, drawing->context);
 }
 

@@ -1,5 +1,5 @@
 /*
- * drawing.h: a drawing (paths, each with a pen and a group), letters as strokes, and helpers for memory.
+ * drawing.h: a drawing (paths, each with a pen and a group), and helpers for memory.
  *
  * Units: metre, x right, y up; the writers turn and scale. Memory and failures go through the public functions of the
  * context, since libmuslin-print is a library apart from libmuslin.
@@ -78,6 +78,13 @@ typedef struct mus__path {
     double box[4]; /* low x, low y, high x, high y of its points [m] */
 } mus__path;
 
+/* a text that is drawn as strokes, for whoever reads the file as text */
+typedef struct mus__text {
+    int32_t at, n;       /* its UTF-8 in letters, without a zero byte */
+    double x, y;         /* left end of the base line [m] */
+    double height;       /* of a capital [m] */
+} mus__text;
+
 typedef struct mus__drawing {
     mus_context *context;
     mus_status status; /* first failure; later calls do nothing */
@@ -86,6 +93,9 @@ typedef struct mus__drawing {
     mus__path *paths;   /* (npath) */
     unsigned char *ops; /* (nop) 'm' and 'l' take one point, 'c' three, 'z' none */
     double *xy;         /* (nxy) x and y of each point [m] */
+    int32_t ntext, text_room, nletter, letter_room;
+    mus__text *texts; /* (ntext) */
+    char *letters;    /* (nletter) */
 } mus__drawing;
 
 void mus__draw_init(mus__drawing *drawing, mus_context *context);
@@ -100,21 +110,5 @@ void mus__draw_line(mus__drawing *drawing, double x, double y);
 void mus__draw_curve(mus__drawing *drawing, const double *xy); /* cubic: two control points and the end */
 void mus__draw_close(mus__drawing *drawing);
 void mus__draw_rectangle(mus__drawing *drawing, double x, double y, double width, double height);
-
-/* ---- letters (stroke_font.c) ---- */
-
-typedef struct mus__text_style {
-    double height; /* of a capital [m] */
-    double cosine; /* direction of the line of text: a unit vector */
-    double sine;
-    double align; /* 0: x is the left end, 0.5 the middle, 1 the right end */
-} mus__text_style;
-
-/* read the next character of UTF-8 text and advance *text; 0 at its end, U+FFFD for a wrong byte */
-uint32_t mus__text_character(const char **text);
-/* width of UTF-8 text whose capitals have the height 1 */
-double mus__text_width(const char *text);
-/* add text as strokes to the path that was begun last; its base line goes through (x, y) */
-void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style);
 
 #endif

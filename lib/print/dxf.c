@@ -114,6 +114,9 @@ static mus_status dxf_write(const mus_sheet *sheet, const mus_sheet_dxf *def, bo
     if (sheet == NULL) return MUS_ERR_ARG;
     mus_status status = mus__target_check(sheet->context, target, what);
     if (status != MUS_OK) return status;
+    if (sheet->def.fold)
+        return mus__file_fail(sheet->context, MUS_ERR_ARG, "%s: the sheet has half pieces; make one of whole pieces",
+                              what);
     mus__sink bytes;
     mus__dxf dxf;
     mus__sink_init(&bytes, sheet->context);

@@ -224,8 +224,9 @@ void mus__dxf_piece(const mus__dxf *dxf, int32_t piece, int32_t size)
     double widest = 0.0;
     for (int32_t i = 0; i < own->nside; i++) widest = own->sides[i].width > widest ? own->sides[i].width : widest;
     const double move[2] = {sample->shift[0] - own->shift[0], sample->shift[1] - own->shift[1]};
+    const bool bare = widest == 0.0 && own->ndart == 0;
     dxf_block b = {dxf, dxf->bytes, sheet, own, piece, {move[0], move[1]},
-                   dxf->def.dialect == MUS_DXF_ASTM, dxf->def.boundary == MUS_DXF_SEW || (widest == 0.0 && own->ndart == 0)};
+                   dxf->def.dialect == MUS_DXF_ASTM, dxf->def.boundary == MUS_DXF_SEW || bare};
     dxf_texts(&b, size);
     dxf_boundary(&b);
     dxf_lines(&b);

@@ -221,8 +221,11 @@ static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, do
         snprintf(text, sizeof text, "%d", i + 1);
         if (!last) page_text(out, MUS__PEN_TEXT, text, x + 0.005, y, 0.0025, 1.0);
         if (last) snprintf(text, sizeof text, "and %d more", sheet->npiece - i);
-        else snprintf(text, sizeof text, "%.40s: cut %d%s", sheet->names[i], piece->copies,
-                      piece->mirrored ? " mirrored" : "");
+        else {
+            char cut[64];
+            mus__piece_cut_text(piece, cut, sizeof cut);
+            snprintf(text, sizeof text, "%.40s: c%s", sheet->names[i], cut + 1);
+        }
         for (char *c = text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
         page_text(out, MUS__PEN_TEXT, text, x + 0.0075, y, 0.0025, 0.0);
         if (last) return;

@@ -3,8 +3,9 @@
  *
  * Coordinates are converted to those of the page (1/72 inch, y down) before cairo gets them, and cairo has no scale of
  * its own: it rounds paths to multiples of 1/256 point (1.4 um). A path that touches a page is drawn whole and clipped
- * to the printed window, so that lengths can be measured on any page. No font is used and the date is fixed, so that
- * the same sheet gives the same bytes.
+ * to the printed window, so that lengths can be measured on any page. Letters are strokes; for search, copy and
+ * reading aloud each text lies over its strokes a second time, in a font made here whose glyphs are empty and as wide
+ * as the strokes. No font of the machine is used and the date is fixed, so that the same sheet gives the same bytes.
  */
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -15,6 +16,8 @@
 
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */
+
+#define PDF_TEXT 1023 /* [bytes] longest text that can be searched for; chosen: four times a line of a label */
 
 /* the page that is drawn: x of the sheet at its left edge, y at its upper edge [m] */
 typedef struct pdf_page {
@@ -80,6 +83,60 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
 }
 
 
+/* ---- text for readers ---- */
+
+static cairo_status_t pdf_glyph(cairo_scaled_font_t *font, unsigned long glyph, cairo_t *cairo,
+                                cairo_text_extents_t *extents)
+{
+    (void)font;
+    (void)cairo;
+    /* readers leave out glyphs without height */
+    extents->x_advance = extents->width = mus__text_advance((uint32_t)glyph);
+    extents->y_bearing = -1.0;
+    extents->height = 1.0;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+
+/* the glyph of a character is its code point */
+static cairo_status_t pdf_character(cairo_scaled_font_t *font, unsigned long code, unsigned long *glyph)
+{
+    (void)font;
+    *glyph = code;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+
+static cairo_font_face_t *pdf_font(void)
+{
+    cairo_font_face_t *face = cairo_user_font_face_create();
+    cairo_user_font_face_set_render_glyph_func(face, pdf_glyph);
+    cairo_user_font_face_set_unicode_to_glyph_func(face, pdf_character);
+    return face;
+}
+
+
+/* lay the texts that begin in the window (NULL: all) over their strokes, invisible. They are all upright: readers take
+ * turned text apart into letters */
+static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const double *window)
+{
+    for (int32_t i = 0; i < drawing->ntext; i++) {
+        const mus__text *text = &drawing->texts[i];
+        char letters[PDF_TEXT + 1];
+        const bool on = window == NULL || (text->x >= window[0] && text->x <= window[2] && text->y >= window[1] &&
+                                           text->y <= window[3]);
+        if (!on || text->n > PDF_TEXT) continue;
+        memcpy(letters, drawing->letters + text->at, (size_t)text->n);
+        letters[text->n] = '\0';
+        const double size = text->height * POINTS;
+        cairo_set_font_size(page->cairo, size);
+        cairo_move_to(page->cairo, (text->x - page->left) * POINTS, (page->top - text->y) * POINTS);
+        cairo_show_text(page->cairo, letters);
+    }
+    cairo_new_path(page->cairo);
+}
+
+
 static mus_status pdf_cover(cairo_surface_t *surface, cairo_t *cairo, const mus_sheet *sheet)
 {
     double size[2];
@@ -92,6 +149,7 @@ static mus_status pdf_cover(cairo_surface_t *surface, cairo_t *cairo, const mus_
         const pdf_page page = {cairo, 0.0, size[1]};
         cairo_pdf_surface_set_size(surface, size[0] * POINTS, size[1] * POINTS);
         pdf_draw(&page, &drawing, NULL);
+        pdf_texts(&page, &drawing, NULL);
         cairo_show_page(cairo);
     }
     mus__draw_free(&drawing);
@@ -117,8 +175,10 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
         cairo_rectangle(cairo, margin * POINTS, margin * POINTS, width, height);
         cairo_clip(cairo);
         pdf_draw(&page, &sheet->drawing, box);
+        pdf_texts(&page, &sheet->drawing, box);
         cairo_restore(cairo);
         pdf_draw(&own, &drawing, NULL);
+        pdf_texts(&own, &drawing, NULL);
         cairo_show_page(cairo);
     }
     mus__draw_free(&drawing);
@@ -134,6 +194,9 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "muslin");
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, PDF_DATE);
     cairo_t *cairo = cairo_create(surface);
+    cairo_font_face_t *face = pdf_font();
+    cairo_set_font_face(cairo, face);
+    cairo_font_face_destroy(face);
 
     mus_status status = sheet->tiled ? pdf_cover(surface, cairo, sheet) : MUS_OK;
     for (int32_t i = 0; i < sheet->ntile && status == MUS_OK; i++) status = pdf_tile(surface, cairo, sheet, i);

@@ -4,7 +4,7 @@
 #ifndef MUS__PRINT_PIECE_H
 #define MUS__PRINT_PIECE_H
 
-#include "print/drawing.h"
+#include "print/stroke_font.h"
 
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {
@@ -27,13 +27,14 @@ typedef struct mus__side {
     int32_t edge;
     int32_t direction; /* +1 along the edge, -1 against it; the outline runs counter-clockwise */
     double width;      /* allowance [m] */
-    bool hem;
 } mus__side;
 
 typedef struct mus__piece {
     int32_t panel;
     int32_t copies;   /* number of copies to cut */
     bool mirrored;    /* half of the copies are cut turned over */
+    bool fold;        /* the right half of a symmetric piece, to be laid on the fold of the cloth */
+    double axis;      /* x of the fold line, of a half [m] */
     double turn[4];   /* matrix from the panel's plane to the sheet, row-major: grain up, outline counter-clockwise */
     double shift[2];  /* [m] added after turn */
     int32_t nside, nspan, nflat;
@@ -48,10 +49,13 @@ typedef struct mus__piece {
 } mus__piece;
 
 /* make a piece of a panel: outline and cut line, the low corner of its box at (0, 0). allowance [m] is that of edges
- * without their own. The caller zeroes `piece` before and frees it afterwards */
+ * without their own; the caller zeroes `piece` before and frees it afterwards */
 mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece);
+/* write how a piece is cut: "Cut 2 mirrored", "Cut 1 on fold" */
+void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size);
 void mus__piece_free(mus_context *context, mus__piece *piece);
+void mus__piece_box(mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
@@ -59,7 +63,14 @@ void mus__cubic_at(const double *p, double t, double *out);
 /* number of equal chords that keep within `tolerance` [m] of a cubic (four points) */
 int32_t mus__cubic_chords(const double *p, double tolerance);
 
+/* turn a piece that is symmetric about the upright line through its middle into its right half, with the low corner of
+ * its box at (0, 0) (piece_fold.c) */
+mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus__piece *piece);
+
 /* ---- lines on a piece (piece_marks.c) ---- */
+
+/* [m] distance of the bracket from the fold line of a half; chosen: its words fit between */
+#define MUS__FOLD_BRACKET 0.012
 
 /* draw cut line, sew line, notches, grain line and marks; grain (3) gets x, low y, high y of the grain line [m] */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,

@@ -84,8 +84,7 @@ static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block
     snprintf(name->text, LABEL_BYTES, "%s", sheet->names[index]);
     for (char *c = name->text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
     snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "Piece %d of %d", index + 1, sheet->npiece);
-    snprintf(label_add(block, 0.0055, true)->text, LABEL_BYTES, piece->mirrored ? "Cut %d mirrored" : "Cut %d",
-             piece->copies);
+    mus__piece_cut_text(piece, label_add(block, 0.0055, true)->text, LABEL_BYTES);
     if (sheet->person != NULL)
         snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "For %.120s", sheet->person);
     label_allowance(piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
@@ -115,7 +114,10 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
                               const double *grain, label_walls *walls)
 {
     const double low[2] = {grain[0], grain[1]}, high[2] = {grain[0], grain[2]};
+    const double bracket[4] = {piece->axis + MUS__FOLD_BRACKET, piece->box[1], piece->axis + MUS__FOLD_BRACKET,
+                               piece->box[3]};
     mus_status status = walls_add(sheet->context, walls, low, high);
+    if (status == MUS_OK && piece->fold) status = walls_add(sheet->context, walls, bracket, bracket + 2);
     for (int32_t i = 0; i < piece->nflat && status == MUS_OK; i++)
         status = walls_add(sheet->context, walls, piece->flat + 2 * i, piece->flat + 2 * ((i + 1) % piece->nflat));
     for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && status == MUS_OK; i++) {
@@ -169,6 +171,19 @@ static bool label_on_page(const mus_sheet *sheet, const double *box)
 }
 
 
+/* is every corner of the box, and its middle, on a page? A page in the middle of a piece may be left out */
+static bool label_shown(const mus_sheet *sheet, const double *box)
+{
+    for (int32_t k = 0; k < 5; k++) {
+        const double x = k == 4 ? 0.5 * (box[0] + box[2]) : box[k % 2 * 2];
+        const double y = k == 4 ? 0.5 * (box[1] + box[3]) : box[1 + k / 2 * 2];
+        const double point[4] = {x, y, x, y};
+        if (!label_on_page(sheet, point)) return false;
+    }
+    return true;
+}
+
+
 /* find the place nearest to the middle of the sew line's box, at the largest size that fits; a lying label, or one that
  * crosses the edge of a page, counts as farther away */
 static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, const label_walls *walls,
@@ -193,7 +208,7 @@ static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, c
             const double box[4] = {x - w, y - h, x + w, y + h};
             double away = mus__hypot(x - middle[0], y - middle[1]) + (lying ? LYING : 0.0);
             if (away < nearest && !label_on_page(sheet, box)) away += ACROSS;
-            if (away >= nearest || !label_fits(piece, walls, box)) continue;
+            if (away >= nearest || !label_fits(piece, walls, box) || !label_shown(sheet, box)) continue;
             nearest = away;
             best = (label_place){x, y, scales[s], lying};
         }

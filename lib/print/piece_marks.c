@@ -6,6 +6,7 @@
  * for a triple one. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
  */
 #include <math.h>
+#include <string.h>
 
 #include "print/piece.h"
 
@@ -14,6 +15,7 @@
 #define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
 #define SLIT_APART 0.004   /* [m] distance of the slits of one notch; chosen: they can be told apart by eye */
 #define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen: with more the line is a little longer */
+#define FOLD_WORDS 0.022 /* [m] half the length of a bracket at least; chosen: its words fit between its arrows */
 #define ARROW 0.006        /* [m] length of an arrow head; chosen: visible at arm's length */
 /* [m] height of capitals in the name of a mark; chosen: the smallest that is read at arm's length */
 #define CAPTION 0.0025
@@ -32,6 +34,28 @@ static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t firs
 }
 
 
+static bool marks_on_fold(const mus__piece *piece, const double *p)
+{
+    return fabs(p[0] - piece->axis) < 1e-9;
+}
+
+
+/* draw the cut line of a half without the fold line: from its one end round to the other */
+static void marks_half(mus__drawing *out, const mus__piece *piece)
+{
+    const int32_t n = piece->cut.n;
+    int32_t first = 0;
+    for (int32_t i = 0; i < n; i++)
+        if (marks_on_fold(piece, piece->cut.xy + 2 * i) && marks_on_fold(piece, piece->cut.xy + 2 * ((i + 1) % n)))
+            first = (i + 1) % n;
+    for (int32_t i = 0; i < n; i++) {
+        const double *p = piece->cut.xy + 2 * ((first + i) % n);
+        if (i == 0) mus__draw_move(out, p[0], p[1]);
+        else mus__draw_line(out, p[0], p[1]);
+    }
+}
+
+
 static void marks_cut(mus__drawing *out, const mus__piece *piece, int32_t index)
 {
     double widest = 0.0;
@@ -39,9 +63,13 @@ static void marks_cut(mus__drawing *out, const mus__piece *piece, int32_t index)
 
     /* without any allowance and dart the cut line is the sew line with its curves */
     mus__draw_path(out, index, MUS__LAYER_CUT, MUS__PEN_CUT);
-    if (widest == 0.0 && piece->ndart == 0) {
+    if (widest == 0.0 && piece->ndart == 0 && !piece->fold) {
         marks_spans(out, piece, 0, piece->nspan - 1);
         mus__draw_close(out);
+        return;
+    }
+    if (piece->fold) {
+        marks_half(out, piece);
         return;
     }
     for (int32_t i = 0; i < piece->cut.nloop; i++) {
@@ -99,7 +127,7 @@ static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus_
 
     /* the outside lies on the right of the outline's direction */
     double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
-    if (!(d > 0.0)) return;
+    if (!(d > 0.0) || (piece->fold && p[0] < piece->axis - 1e-6)) return;
     const double n[2] = {dy / d, -dx / d};
     double reach = marks_reach(piece, p, n, side->width), depth = side->width - SLIT_CLEAR;
     depth = depth > SLIT_DEPTH ? SLIT_DEPTH : depth < SLIT_LEAST ? SLIT_LEAST : depth;
@@ -221,7 +249,61 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int3
     }
     out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
     out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
-    return true;
+    return !piece->fold || out->x > piece->axis;
+}
+
+
+/* draw a segment of a mark, of a half the part right of its fold line */
+static void marks_segment(mus__drawing *out, const mus__piece *piece, const double *from, const double *to, bool *open)
+{
+    double a[2] = {from[0], from[1]}, b[2] = {to[0], to[1]};
+    if (piece->fold) {
+        const bool in = a[0] >= piece->axis, next = b[0] >= piece->axis;
+        if (in != next) {
+            double *cut = in ? b : a;
+            cut[1] = from[1] + (to[1] - from[1]) * (piece->axis - from[0]) / (to[0] - from[0]);
+            cut[0] = piece->axis;
+        }
+        if (!in) *open = false;
+        if (!in && !next) return;
+    }
+    if (!*open) mus__draw_move(out, a[0], a[1]);
+    mus__draw_line(out, b[0], b[1]);
+    *open = true;
+}
+
+
+/* draw the fold line of a half, and a bracket with arrows that point at it */
+static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int32_t i = 0; i < piece->cut.n; i++) {
+        if (!marks_on_fold(piece, piece->cut.xy + 2 * i)) continue;
+        low = fmin(low, piece->cut.xy[2 * i + 1]);
+        high = fmax(high, piece->cut.xy[2 * i + 1]);
+    }
+    if (!(high > low)) return;
+    const double x = piece->axis, bracket = x + MUS__FOLD_BRACKET;
+    const double third = fmin((high - low) / 3.0, fmax(0.0, 0.5 * (high - low) - FOLD_WORDS));
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
+    mus__draw_move(out, x, low);
+    mus__draw_line(out, x, high);
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
+    mus__draw_move(out, x + ARROW, low + third);
+    mus__draw_line(out, bracket, low + third);
+    mus__draw_line(out, bracket, high - third);
+    mus__draw_line(out, x + ARROW, high - third);
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_INK);
+    for (int32_t i = 0; i < 2; i++) {
+        const double y = i == 0 ? low + third : high - third;
+        mus__draw_move(out, x, y);
+        mus__draw_line(out, x + ARROW, y - 0.25 * ARROW);
+        mus__draw_line(out, x + ARROW, y + 0.25 * ARROW);
+        mus__draw_close(out);
+    }
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
+    mus__draw_text(out, "place on fold", bracket - 0.0015, 0.5 * (low + high),
+                   &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
 }
 
 
@@ -234,7 +316,9 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         if (mus_pattern_mark(pattern, i, &panel, &name, &n, &xy) != MUS_OK || panel != piece->panel || n < 1) continue;
 
         double first[2], p[2];
+        bool open = false;
         mus__piece_point(piece, xy, first);
+        if (n == 1 && piece->fold && first[0] < piece->axis - 1e-9) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
         mus__draw_mark(out, i);
         if (n == 1) {
@@ -243,12 +327,10 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             mus__draw_line(out, first[0] + 0.003, first[1]);
             mus__draw_move(out, first[0], first[1] - 0.003);
             mus__draw_line(out, first[0], first[1] + 0.003);
-        } else {
-            mus__draw_move(out, first[0], first[1]);
         }
-        for (int32_t k = 1; k < n; k++) {
+        for (int32_t k = 1; k < n; k++, memcpy(first, p, sizeof first)) {
             mus__piece_point(piece, xy + 2 * k, p);
-            mus__draw_line(out, p[0], p[1]);
+            marks_segment(out, piece, first, p, &open);
         }
         mus__caption caption;
         if (!mus__mark_caption(pattern, piece, i, &caption)) continue;
@@ -266,4 +348,5 @@ void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__p
     marks_notches(out, pattern, piece, index);
     marks_grain(out, piece, index, grain);
     marks_inside(out, pattern, piece, index);
+    if (piece->fold) marks_fold(out, piece, index);
 }

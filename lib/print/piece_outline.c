@@ -9,6 +9,7 @@
  * right side up and all outlines run counter-clockwise.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/elementary.h"
@@ -62,6 +63,7 @@ void mus__piece_free(mus_context *context, mus__piece *piece)
 void mus__piece_move(mus__piece *piece, double x, double y)
 {
     const double by[2] = {x, y};
+    piece->axis += x;
     for (int32_t k = 0; k < 2; k++) {
         piece->shift[k] += by[k];
         piece->box[k] += by[k];
@@ -307,6 +309,26 @@ static void piece_copies(const mus_pattern *pattern, mus__piece *piece)
 }
 
 
+/* compute the box of the cut line, and move its low corner to the origin */
+void mus__piece_box(mus__piece *piece)
+{
+    for (int32_t i = 0; i < piece->cut.n; i++) {
+        for (int32_t k = 0; k < 2; k++) {
+            double x = piece->cut.xy[2 * i + k];
+            if (i == 0 || x < piece->box[k]) piece->box[k] = x;
+            if (i == 0 || x > piece->box[2 + k]) piece->box[2 + k] = x;
+        }
+    }
+    mus__piece_move(piece, -piece->box[0], -piece->box[1]);
+}
+
+
+void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size)
+{
+    snprintf(out, size, "Cut %d%s", piece->copies, piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
+}
+
+
 mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece)
 {
@@ -323,9 +345,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = mus_pattern_rim(pattern, panel, edges, directions, n, &piece->nside);
     for (int32_t i = 0; i < piece->nside && status == MUS_OK; i++) {
         double own = mus_pattern_edge_allowance(pattern, edges[i]);
-        const char *label = mus_pattern_edge_label(pattern, edges[i]), *name = mus_pattern_edge_name(pattern, edges[i]);
-        bool hem = (label != NULL && strstr(label, "hem") != NULL) || (name != NULL && strstr(name, "hem") != NULL);
-        piece->sides[i] = (mus__side){edges[i], directions[i], own >= 0.0 ? own : allowance, hem};
+        piece->sides[i] = (mus__side){edges[i], directions[i], own >= 0.0 ? own : allowance};
         status = span_edge(&spans, pattern, edges[i], directions[i], i);
     }
     mus__print_free(context, edges);
@@ -336,15 +356,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = piece_cut(context, pattern, allowance, piece);
     if (status != MUS_OK) return status;
 
-    /* move the low corner of the cut line's box to the origin */
     piece_copies(pattern, piece);
-    for (int32_t i = 0; i < piece->cut.n; i++) {
-        for (int32_t k = 0; k < 2; k++) {
-            double x = piece->cut.xy[2 * i + k];
-            if (i == 0 || x < piece->box[k]) piece->box[k] = x;
-            if (i == 0 || x > piece->box[2 + k]) piece->box[2 + k] = x;
-        }
-    }
-    mus__piece_move(piece, -piece->box[0], -piece->box[1]);
+    mus__piece_box(piece);
     return MUS_OK;
 }

@@ -104,8 +104,73 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
         snprintf(sheet->labels[sheet->npiece], sizeof *sheet->labels, "%s", mus_pattern_panel_label(pattern, i));
         status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, &sheet->pieces[sheet->npiece++]);
     }
+    for (int32_t i = 0; i < sheet->npiece && status == MUS_OK && sheet->def.fold; i++)
+        status = mus__piece_fold(sheet->context, pattern, &sheet->pieces[i]);
     if (status == MUS_OK && sheet->npiece == 0)
         status = mus__file_fail(sheet->context, MUS_ERR_PATTERN, "pattern %.100s has no panel to print", sheet->title);
+    return status;
+}
+
+
+/* does a path pass through the box? Cubics are read as eight chords */
+static bool sheet_path_meets(const mus__drawing *drawing, const mus__path *path, const double *box)
+{
+    const double *xy = drawing->xy + path->at;
+    double at[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, p[2];
+    for (int32_t i = 0; i < path->nop; i++) {
+        const unsigned char op = drawing->ops[path->op + i];
+        double cubic[8] = {at[0], at[1], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        if (op == 'c') memcpy(cubic + 2, xy, 6 * sizeof *xy);
+        for (int32_t k = 1; k <= (op == 'c' ? 8 : op == 'm' ? 0 : 1); k++) {
+            if (op == 'c') mus__cubic_at(cubic, 0.125 * k, p);
+            else memcpy(p, op == 'z' ? first : xy, sizeof p);
+            if (mus__segment_meets(at, p, box)) return true;
+            memcpy(at, p, sizeof at);
+        }
+        if (op == 'm') memcpy(at, xy, sizeof at), memcpy(first, xy, sizeof first);
+        xy += 2 * (op == 'c' ? 3 : op == 'z' ? 0 : 1);
+    }
+    return false;
+}
+
+
+/* leave out the pages that have no line but those that a neighbour shows in the overlap */
+static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
+{
+    const double overlap = sheet->def.overlap;
+    for (int32_t t = 0; t < sheet->ntile;) {
+        const mus__tile *tile = &sheet->tiles[t];
+        double box[4];
+        mus__tile_window(sheet, tile, box);
+        if (mus__tile_find(sheet, tile->column - 1, tile->row) != MUS_NONE) box[0] += overlap;
+        if (mus__tile_find(sheet, tile->column + 1, tile->row) != MUS_NONE) box[2] -= overlap;
+        if (mus__tile_find(sheet, tile->column, tile->row + 1) != MUS_NONE) box[1] += overlap;
+        if (mus__tile_find(sheet, tile->column, tile->row - 1) != MUS_NONE) box[3] -= overlap;
+        bool own = false;
+        for (int32_t i = 0; i < lines->npath && !own; i++) own = sheet_path_meets(lines, &lines->paths[i], box);
+        if (own) {
+            t++;
+            continue;
+        }
+        sheet->ntile--;
+        memmove(sheet->tiles + t, sheet->tiles + t + 1, (size_t)(sheet->ntile - t) * sizeof *sheet->tiles);
+    }
+}
+
+
+/* the pages of a tiled sheet, once its lines are known */
+static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *pattern)
+{
+    if (!sheet->tiled) return MUS_OK;
+    mus__drawing lines;
+    mus__draw_init(&lines, sheet->context);
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        double grain[3];
+        mus__marks_draw(&lines, pattern, &sheet->pieces[i], i, grain);
+    }
+    const mus_status status = lines.status;
+    if (status == MUS_OK) sheet_prune(sheet, &lines);
+    mus__draw_free(&lines);
     return status;
 }
 
@@ -140,6 +205,7 @@ static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *pattern)
     if (status == MUS_OK) status = sheet_pieces(sheet, pattern);
     if (status == MUS_OK) status = mus__sheet_layout(sheet);
     if (status == MUS_OK && sheet->tiled) status = mus__cover_check(sheet);
+    if (status == MUS_OK) status = sheet_pages(sheet, pattern);
     if (status == MUS_OK) status = sheet_draw(sheet, pattern);
     return status;
 }

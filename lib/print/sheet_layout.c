@@ -4,7 +4,7 @@
  *
  *      A1 | A2 | A3      A page prints a window, its paper less the margins. Windows are one step apart; a step is
  *      ---+----+---      the window less the overlap, so the sheet is columns x step + overlap wide. Rows count from
- *      B1 | B2 | B3      the top. Pages on which no cloth lies are left out.
+ *      B1 | B2 | B3      the top. Pages that have no line of their own are left out.
  *
  * When everything fits on one page with the test squares, there is no grid and no cover. Otherwise both ways round of
  * the paper and several widths of the sheet are tried, and the one with the fewest pages is taken.

@@ -13,7 +13,7 @@
  */
 #include <string.h>
 
-#include "print/drawing.h"
+#include "print/stroke_font.h"
 
 #define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
 #define BASE 4        /* y of the base line on the grid */
@@ -106,6 +106,12 @@ double mus__text_width(const char *text)
 }
 
 
+double mus__text_advance(uint32_t code)
+{
+    return (double)(stroke_digit(stroke_glyph(code)[0]) + SPACING) / CAPITAL;
+}
+
+
 /* map from the grid of a glyph to the drawing */
 typedef struct text_frame {
     double x, y, unit, cosine, sine;
@@ -143,11 +149,30 @@ static void text_glyph(mus__drawing *drawing, const char *glyph, const text_fram
 }
 
 
+/* keep a text for readers; its left end is at (x, y) */
+static void text_keep(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
+{
+    const size_t n = strlen(text);
+    if (drawing->status != MUS_OK || n == 0 || n > INT32_MAX / 2) return;
+    drawing->status = mus__print_reserve(drawing->context, &drawing->texts, &drawing->text_room,
+                                         (int64_t)drawing->ntext + 1, sizeof *drawing->texts);
+    if (drawing->status == MUS_OK)
+        drawing->status = mus__print_reserve(drawing->context, &drawing->letters, &drawing->letter_room,
+                                             (int64_t)drawing->nletter + (int64_t)n, 1);
+    if (drawing->status != MUS_OK) return;
+    memcpy(drawing->letters + drawing->nletter, text, n);
+    drawing->texts[drawing->ntext++] =
+        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height};
+    drawing->nletter += (int32_t)n;
+}
+
+
 void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
 {
     double back = style->align * style->height * mus__text_width(text);
     text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
                     style->sine};
+    text_keep(drawing, text, f.x, f.y, style);
     for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);

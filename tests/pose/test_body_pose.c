@@ -128,6 +128,29 @@ static void turn_about(int axis, double angle, double *x)
 }
 
 
+/* angle about X [rad] of a hip's rotation, whose other two parts are taken off: the half angles' product by hand */
+static double hip_twist(const double *angle)
+{
+    const double c[3] = {cos(0.5 * angle[0]), cos(0.5 * angle[1]), cos(0.5 * angle[2])};
+    const double s[3] = {sin(0.5 * angle[0]), sin(0.5 * angle[1]), sin(0.5 * angle[2])};
+    return 2.0 * atan((c[0] * s[1] * s[2] - s[0] * c[1] * c[2]) / (c[0] * c[1] * c[2] + s[0] * s[1] * s[2]));
+}
+
+
+/* move a point (3) of the chest, of a pose without lumbar flexion, with the pelvis: it tilts backwards by 0.375 of the
+ * hips' mean flexion (of small angles; here the part of the chord), about the axis through the hips */
+static void carry_chest(const mus__rig *rig, const mus_pose *pose, double *x)
+{
+    const double hips = 0.5 * (hip_twist(pose->angle[MUS_JOINT_HIP_LEFT]) + hip_twist(pose->angle[MUS_JOINT_HIP_RIGHT]));
+    double lumbar[3];
+    if (hips >= 0.0) return;
+    for (int i = 0; i < 3; i++)
+        lumbar[i] = rig->pivot[MUS_JOINT_LUMBAR][i] - rig->pivot[MUS_JOINT_ROOT][i], x[i] -= lumbar[i];
+    turn_about(0, 2.0 * atan2(0.375 * sin(0.5 * hips), 0.625 + 0.375 * cos(0.5 * hips)), lumbar);
+    for (int i = 0; i < 3; i++) x[i] += lumbar[i];
+}
+
+
 /* the arm and the leg as chains by hand: bones hang down from the joint, each turned by rotation, abduction, flexion,
  * then by all joints above it. The wrist and the ankle of the body are there */
 START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
@@ -185,6 +208,7 @@ START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
             const double shift[3] = {-0.5 * side * up, up, 0.0};
             for (int i = 0; i < 3; i++)
                 x[i] += rig->pivot[MUS_JOINT_SHOULDER_LEFT + right][i] + shift[i] - rig->pivot[MUS_JOINT_ROOT][i];
+            carry_chest(rig, &pose, x);
             turn_about(1, root[2], x);
             turn_about(2, -root[1], x);
             turn_about(0, root[0], x);
@@ -192,6 +216,39 @@ START_TEST(wrists_and_ankles_are_where_a_chain_by_hand_ends)
             ck_assert_int_eq(mus_body_landmark(copy, MUS_LANDMARK_WRIST_LEFT + right, wrist), MUS_OK);
             for (int i = 0; i < 3; i++) ck_assert_double_eq_tol(wrist[i], x[i], 1e-12);
         }
+        mus_body_destroy(copy);
+    }
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a seated pelvis tilts backwards under a chest that keeps its direction, and legs stay: of 90 degrees at the hips and
+ * none at the lumbar spine 33 (a chord: 33.75 of small parts); where the spine has its share already, it does not */
+START_TEST(the_pelvis_tilts_where_hips_flex_more_than_their_share)
+{
+    static const struct {
+        double hip[2], lumbar, tilt, slack;
+    } rows[] = {{{90.0, 90.0}, 0.0, -33.75, 0.8}, {{90.0, 90.0}, 10.0, -27.5, 0.8}, {{60.0, 0.0}, 0.0, -11.25, 0.1},
+                {{45.0, 45.0}, 40.0, 0.0, 0.0},   {{-20.0, -20.0}, 0.0, 0.0, 0.0},  {{0.0, 0.0}, 30.0, 0.0, 0.0},
+                {{0.0, 0.0}, -20.0, 0.0, 0.0}};
+    mus_context *context = support_context();
+    const mus_body_def def = {.size = sizeof def, .samples = 16, .ring_spacing = 0.05};
+    mus_body *body = people_body(context, "W40", &def);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mus_pose pose;
+        mus_pose_init(&pose, sizeof pose);
+        pose.angle[MUS_JOINT_HIP_LEFT][MUS_POSE_FLEXION] = DEGREE * rows[i].hip[0];
+        pose.angle[MUS_JOINT_HIP_RIGHT][MUS_POSE_FLEXION] = DEGREE * rows[i].hip[1];
+        pose.angle[MUS_JOINT_LUMBAR][MUS_POSE_FLEXION] = DEGREE * rows[i].lumbar;
+        mus_body *copy = posed(body, &pose);
+        const double *pelvis = copy->frame[0].turn, *chest = copy->frame[1].turn;
+        ck_assert_double_eq_tol(atan2(pelvis[7], pelvis[8]) / DEGREE, rows[i].tilt, rows[i].slack + 1e-12);
+        ck_assert_double_eq_tol(atan2(chest[7], chest[8]) / DEGREE, rows[i].lumbar, 1e-12);
+        double x[3];
+        mus__frame_point(&copy->frame[0], body->rig.pivot[MUS_JOINT_HIP_LEFT], x);
+        for (int k = 0; k < 3; k++) ck_assert_double_eq_tol(x[k], body->rig.pivot[MUS_JOINT_HIP_LEFT][k], 1e-12);
         mus_body_destroy(copy);
     }
     mus_body_destroy(body);
@@ -494,6 +551,7 @@ Suite *mus_suite_body_pose(void)
     tcase_add_test(tests, the_rest_pose_is_the_body);
     tcase_add_test(tests, girths_are_those_of_the_rest_pose);
     tcase_add_test(tests, wrists_and_ankles_are_where_a_chain_by_hand_ends);
+    tcase_add_test(tests, the_pelvis_tilts_where_hips_flex_more_than_their_share);
     tcase_add_test(tests, depth_and_skin_go_together);
     tcase_add_test(tests, an_angle_beyond_its_limit_is_refused_by_joint_value_and_limit);
     tcase_add_test(tests, named_poses_fit_bodies);

@@ -125,3 +125,13 @@ def test_the_command_prints_a_tshirt_true_to_scale(tmp_path):
     assert measure_pdf.compare(lengths, expected) <= 0.1
     for size, sides in measure_pdf.squares(pdf).items():
         assert all(abs(length - size) <= 0.2 for length in sides)
+
+
+def test_a_reader_finds_the_words_in_three_scripts(tmp_path):
+    """Letters are strokes, and text besides: title, person, pieces and pages are found by pdftotext."""
+    muslin = pytest.importorskip("muslin")
+    title, person, pdf = "Skirt Größe 40", "Ольга 山田", tmp_path / "skirt.pdf"
+    muslin.Sheet(muslin.draft("skirt", "W40"), title=title, person=person, fold=1).write_pdf(pdf)
+    text = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
+    for words in (title, person, "skirt front", "Cut 1 on fold", "place on fold", "Piece 2 of", "100 mm", "B2"):
+        assert words in text, words

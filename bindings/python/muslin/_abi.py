@@ -590,9 +590,9 @@ mus_worn._fields_ = [("size", c_size_t), ("kind", c_int32), ("limb", c_int32), (
                      ("value", c_double), ("place", c_double * 3), ("through", c_int32), ("through_depth", c_double),
                      ("through_area", c_double), ("through_place", c_double * 3), ("text", c_char * 256)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
-                          ("overlap", c_double), ("title", c_char_p), ("person", c_char_p)]
+                          ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
-                            ("mirrored", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
+                            ("mirrored", c_int32), ("fold", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
                             ("box", c_double * 4)]
 mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
                            ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),

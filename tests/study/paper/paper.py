@@ -9,6 +9,8 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     fold     a dart folded shut: its cut edges lie on each other, layer on layer
     fair     a dart folded shut: step and angle between the sew edges on both sides of its mouth
     turn     a hem turned up: its ends lie on the cut lines of its neighbours
+    unfold   the halves of a print on the fold, mirrored, are the whole pieces
+    pages    on A4, pages without a line of their own: one that no other page shows
     seam     both edges of a seam are as long as each other, but for the ease that the seam says
     notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
 
@@ -36,6 +38,8 @@ LIMITS = {  # [mm], angles [degrees]
     "fair": 0.5,     # step in the sewn edge
     "angle": 20.0,   # corner in the sewn edge: the drafts, not the paper, decide it
     "turn": 0.15,
+    "unfold": 0.1,   # as the task of paper on the fold asks
+    "pages": 0.0,    # pages without a line where no other page shows it
     "seam": 0.5,     # the check of the library allows as much
     "notch": 1.0,
 }
@@ -64,7 +68,7 @@ def pdf_pages(path):
 def strokes(page):
     """Stroked paths of a page: (pen, [(closed, points)]) with points in mm, y up; curves as 32 chords."""
     _, stream = page
-    state, stack, found, parts, numbers = {"w": 0.0, "d": (), "m": (1, 0, 0, 1, 0, 0)}, [], [], [], []
+    state, stack, found, parts, numbers = {"w": 0.0, "d": (), "J": 0, "m": (1, 0, 0, 1, 0, 0)}, [], [], [], []
 
     def place(x, y):
         a, b, c, d, e, f = state["m"]
@@ -91,6 +95,8 @@ def strokes(page):
             state["w"] = n[-1]
         elif token == b"d":
             state["d"] = n[-2]
+        elif token == b"J":
+            state["J"] = int(n[-1])
         elif token == b"m":
             parts.append([False, [place(*n[-2:])]])
         elif token == b"l":
@@ -108,12 +114,19 @@ def strokes(page):
             parts[-1][0] = True
         elif token in (b"S", b"s"):
             pen = (round(MM * state["w"], 3), tuple(round(MM * x, 2) for x in state["d"]))
-            found.append((pen, [(closed, points) for closed, points in parts if len(points) > 1]))
+            if state["J"] == 0:  # letters have round ends
+                found.append((pen, [(closed, points) for closed, points in parts if len(points) > 1]))
             parts = []
         elif token in (b"f", b"f*", b"n", b"B"):
             parts = []
         numbers = []
     return found
+
+
+def place_of(known, points):
+    """The box of a cut line, or that of a known one that is the same line on another page."""
+    box = tuple(f(p[d] for p in points) for f in (min, max) for d in (0, 1))
+    return next((k for k in known if max(abs(a - b) for a, b in zip(k, box)) < 0.5), box)
 
 
 def paper_pieces(path, tiles):
@@ -126,7 +139,7 @@ def paper_pieces(path, tiles):
             parts = [(closed, [(p[0] + x, p[1] + y) for p in points]) for closed, points in parts]
             key = (pen, tuple((round(p[0], 1), round(p[1], 1)) for _, points in parts for p in points[::5]))
             if pen == CUT and parts and all(closed for closed, _ in parts):
-                corner = tuple(round(5.0 * min(p[d] for p in parts[0][1])) for d in (0, 1))
+                corner = place_of(pieces, parts[0][1])
                 piece = pieces.setdefault(corner, {"cut": [points for _, points in parts], "sew": [], "slits": []})
             elif piece is not None and (corner, key) not in seen and pen in (SEW, NOTCH):
                 for _, points in parts:
@@ -139,6 +152,42 @@ def paper_pieces(path, tiles):
                         piece["sew"].append(points)
             seen.add((piece and corner, key))
     return list(pieces.values())
+
+
+def halves(path, tiles):
+    """Cut lines of a print on the fold, in order: (closed, points) in mm on the sheet."""
+    found, pages = {}, pdf_pages(path)
+    for page, x, y, _ in tiles:
+        for pen, parts in strokes(pages[page]):
+            if pen == CUT and parts:
+                points = [(p[0] + x, p[1] + y) for p in parts[0][1]]
+                found.setdefault(place_of(found, points), (parts[0][0], points))
+    return list(found.values())
+
+
+def check_halves(pieces, half, note):
+    """A half and its mirror image make up the whole: worst distance of the whole's cut line."""
+    if len(half) != len(pieces):
+        note("unfold", 99.0, f"{len(half)} pieces on the fold for {len(pieces)}")
+        return
+    def extent(points):
+        return [max(p[d] for p in points) - min(p[d] for p in points) for d in (0, 1)]
+
+    def unlike(piece, other):
+        (width, height), (w, h) = extent(piece["cut"][0]), extent(other[1])
+        return abs(height - h) + abs(width - w * (1 if other[0] else 2))
+    rest = list(half)
+    for piece in pieces:
+        whole = piece["cut"][0]
+        closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
+        if closed:
+            continue
+        right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
+        line = [(p[0] + right, p[1] + top) for p in points]
+        axis = (line[0][0] + line[-1][0]) / 2
+        for p in whole:
+            note("unfold", to_line((axis + abs(p[0] - axis), p[1]), line, closed=False))
+        note("unfold", abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis))
 
 
 def in_order(sew, lengths):
@@ -470,6 +519,54 @@ def check_seams(pattern, lengths, note):
                 note("notch", max(0.0, abs(s - t) - abs(ease)), where)
 
 
+def printed(command, file, folder, paper, *options):
+    """(PDF, tiles, page's width and height) of a pattern [mm]."""
+    pdf = f"{folder}/{paper}.pdf"
+    done = subprocess.run([command, "print", "--pattern", file, "--paper", paper, "--pdf", pdf, "--json", *options],
+                          capture_output=True, text=True, check=True)
+    tiles = json.loads(done.stdout)["tiles"]
+    size = tuple(1000.0 * tiles[0][k] for k in ("width_m", "height_m"))
+    return pdf, [(t["page"], 1000.0 * t["x_m"], 1000.0 * t["y_m"], t["height_m"]) for t in tiles], size
+
+
+def lone_pages(pdf, tiles, size):
+    """Number of pages all of whose lines other pages show too. A page prints its paper less margins of 10 mm."""
+    windows = [(x + 10.0, y + 10.0, x + size[0] - 10.0, y + size[1] - 10.0) for _, x, y, _ in tiles]
+    pages, count = pdf_pages(pdf), 0
+    for i, (page, x, y, _) in enumerate(tiles):
+        own = len(tiles) == 1
+        for pen, parts in strokes(pages[page]):
+            if own or pen[0] in (0.15, 0.1):  # frame and joins
+                continue
+            for _, points in parts:
+                for a, b in zip(points, points[1:]):
+                    n = max(2, int(math.dist(a, b) / 2.0))
+                    for k in range(n + 1):
+                        p = (x + a[0] + (b[0] - a[0]) * k / n, y + a[1] + (b[1] - a[1]) * k / n)
+                        shown = [j for j, w in enumerate(windows) if w[0] < p[0] < w[2] and w[1] < p[1] < w[3]]
+                        own = own or shown == [i]
+                    if own:
+                        break
+        count += not own
+    return count
+
+
+def in_panels_order(pattern, panels, pieces):
+    """Pieces in the order of their panels: a page shows them in the order of the sheet, several pages do not. Panels are
+    told apart by the lengths of their edges."""
+    rest, out = list(pieces), []
+    for panel in panels:
+        own = sorted(length(edge_points(pattern, edge)) for edge, _ in rim(panel["outline"]))
+
+        def unlike(piece, own=own):
+            other = sorted(length(line) for line in piece["sew"])
+            return max(abs(a - b) for a, b in zip(own, other)) if len(own) == len(other) else 1e9
+        if rest:
+            best = min(range(len(rest)), key=lambda k: (round(unlike(rest[k]), 1), k))
+            out.append(rest.pop(best))
+    return out + rest
+
+
 def check_design(job):
     """{check: (worst, where)} of one design in one size, and the number of darts."""
     command, design, size = job
@@ -485,8 +582,12 @@ def check_design(job):
         pattern = json.loads(pathlib.Path(file).read_text())
         tiles = [(t["page"], 1000.0 * t["x_m"], 1000.0 * t["y_m"], t["height_m"]) for t in json.loads(done.stdout)["tiles"]]
         pieces = paper_pieces(pdf, tiles)
+        fold = printed(command, file, folder, "roll", "--fold")
+        half = halves(*fold[:2])
+        lone = lone_pages(*printed(command, file, folder, "a4", "--fold"))
     seams, lengths = seams_of(pattern), {}
     panels = [panel for panel in pattern["panels"] if panel.get("mirror_of") is None]
+    pieces = in_panels_order(pattern, panels, pieces)
     for k, panel in enumerate(panels):
         def note(check, value, where="", panel=panel):
             if check == "mouth":
@@ -503,6 +604,8 @@ def check_design(job):
         if check not in worst or value > worst[check][0]:
             worst[check] = (value, where)
     check_seams(pattern, lengths, note_seam)
+    check_halves(pieces, half, note_seam)
+    note_seam("pages", float(lone))
     return design, size, worst, count
 
 

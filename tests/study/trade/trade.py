@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Patterns through the files of the garment trade and back: `make trade`.
 
-Six parts, each with a line of its own at the end; the command fails when a part does.
+Seven parts, each with a line of its own at the end; the command fails when a part does.
   round trip: every named design in one size and every GarmentCode specification, through DXF AAMA and ASTM. Compared:
               pieces, edges, the distance of the outlines, allowances, notches, grain, marks, names, labels, quantities.
   audit:      the same files by ezdxf, which has to find no error and repair nothing (left out without ezdxf).
   valentina:  the DXF files of the data: pieces, and areas of the sew line or cut line, as its facts.csv has them.
   rules:      designs in eight sizes: the sample graded by the RUL file against each size's own draft, at the ends of edges.
   garmentcode: the same patterns as GarmentCode specifications and back.
+  drawings:   the same patterns as an SVG that drawing programs edit, and back.
   plots:      a dozen sheets as HPGL, at true size as hp2xx reads them (left out without hp2xx).
 
     MUSLIN_LIB=build/lib/libmuslin.so python3 tests/study/trade/trade.py --data DATA [--every 10] [--list]
@@ -344,13 +345,59 @@ def plots(args):
     return bad == 0
 
 
+def drawing_faults(pattern, again):
+    """What an SVG lost of a pattern, and how far its edges are off [mm]. Edges come back in the order of the panels."""
+    if pattern.panels != again.panels or pattern.edge_count != again.edge_count:
+        return ["panels or edges"], 0.0
+    order = sorted(range(pattern.edge_count), key=lambda e: (pattern.get("edge_panel", e), e))
+    place, worst, faults = {e: i for i, e in enumerate(order)}, 0.0, []
+    for edge, new in place.items():
+        old, line = (1e3 * np.array(p.edge_polyline(e, 16)) for p, e in ((pattern, edge), (again, new)))
+        worst = max(worst, np.abs(old - line).max() if old.shape == line.shape else math.inf)
+        for what in ("edge_name", "edge_label"):
+            if pattern.get(what, edge) != again.get(what, new):
+                faults.append(f"edge {edge}: {what}")
+        if abs((pattern.edge_allowance(edge) or 0.0) - (again.edge_allowance(new) or 0.0)) > 1e-9:
+            faults.append(f"edge {edge}: allowance")
+    for panel in range(len(pattern.panels)):
+        if [(place[e], d) for e, d in pattern.outline(panel)] != list(again.outline(panel)):
+            faults.append(f"panel {panel}: outline")
+        turned = np.abs(np.subtract(pattern.grain(panel), again.grain(panel))).max() > 1e-6
+        if pattern.cut(panel) != again.cut(panel) or turned:
+            faults.append(f"panel {panel}: cut or grain")
+    for i in range(min(pattern.seam_count, again.seam_count)):
+        old, new = pattern.seam(i), again.seam(i)
+        same = all(bool(old[k]) == bool(new[k]) for k in ("direction", "laid", "closure", "open"))
+        if (place[old["edge_a"]], place[old["edge_b"]]) != (new["edge_a"], new["edge_b"]) or not same \
+                or abs(old["ease"] - new["ease"]) > 1e-9:
+            faults.append(f"seam {i}")
+    notches = sorted((place[e], s, k) for e, s, k in pattern.notches()), sorted(again.notches())
+    if any(a[0] != b[0] or abs(a[1] - b[1]) > 1e-8 or a[2] != b[2] for a, b in zip(*notches)):
+        faults.append("notches")
+    if [len(n) for n in notches] != 2 * [len(notches[0])] or len(pattern.marks()) != len(again.marks()) \
+            or pattern.seam_count != again.seam_count:
+        faults.append("number of seams, notches or marks")
+    return faults, worst
+
+
+def drawings(args):
+    count, bad, worst = 0, 0, 0.0
+    for name, pattern in patterns(args.data, args.every):
+        faults, off = drawing_faults(pattern, Pattern.parse(pattern.svg_bytes(), name="drawing.svg"))
+        count, bad, worst = count + 1, bad + bool(faults or off > OUTLINE_MM), max(worst, off)
+        if args.list and faults:
+            print(f"  {name}: " + "; ".join(faults[:3]))
+    print(f"drawings: {count - bad} of {count} patterns come back from an SVG, edges within {worst:.4f} mm")
+    return bad == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--every", type=int, default=1, help="take every n-th pattern")
     parser.add_argument("--list", action="store_true", help="print every fault")
     args = parser.parse_args()
-    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args)]) else 1
+    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args), drawings(args)]) else 1
 
 
 if __name__ == "__main__":

@@ -1,0 +1,25 @@
+/*
+ * stroke_font.h: letters as strokes, and the texts that they spell.
+ */
+#ifndef MUS_PRINT_STROKE_FONT_H
+#define MUS_PRINT_STROKE_FONT_H
+
+#include "print/drawing.h"
+
+typedef struct mus__text_style {
+    double height; /* of a capital [m] */
+    double cosine; /* direction of the line of text: a unit vector */
+    double sine;
+    double align; /* 0: x is the left end, 0.5 the middle, 1 the right end */
+} mus__text_style;
+
+/* read the next character of UTF-8 text and advance *text; 0 at its end, U+FFFD for a wrong byte */
+uint32_t mus__text_character(const char **text);
+/* width of UTF-8 text whose capitals have the height 1 */
+double mus__text_width(const char *text);
+/* advance of a character whose capitals have the height 1 */
+double mus__text_advance(uint32_t code);
+/* add text as strokes to the path that was begun last; its base line goes through (x, y) */
+void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style);
+
+#endif

@@ -18,6 +18,7 @@
  */
 #include <math.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 #include <yaml.h>
 
@@ -30,6 +31,11 @@
 /* depth of the armpit over the scye depth, which is measured to a lower tape; chosen: sets the armpit of a
  * GarmentCode body */
 #define BODY_SCYE 0.9
+/* an arm longer than this part of the stature is one to the fingertips, as of GarmentCode's bodies of SMPL: the tape's
+ * own limit of an arm to the wrist */
+#define BODY_ARM_MOST 0.43
+/* length of the hand over the stature. Source: Drillis and Contini, Body Segment Parameters, 1966 */
+#define BODY_HAND 0.108
 
 
 /* the measures of the file, by their own names */
@@ -185,6 +191,19 @@ static mus_status body_set(struct body_reader *reader, mus_tape *tape, int32_t m
 }
 
 
+/* length of the arm to the wrist [cm] */
+static double body_arm(const struct body_reader *reader)
+{
+    const double arm = reader->value[BODY_ARM], height = reader->value[BODY_HEIGHT];
+    if (!(arm > BODY_ARM_MOST * height)) return arm;
+    char text[384]; /* the name has at most 200 bytes, as in file_read.h */
+    snprintf(text, sizeof text, "%s: arm_length %g of a height of %g is to the fingertips: %.1f is taken, to the wrist",
+             reader->source->name, arm, height, arm - BODY_HAND * height);
+    mus_context_log(reader->source->context, MUS_LOG_WARNING, text);
+    return arm - BODY_HAND * height;
+}
+
+
 static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
 {
     const double *v = reader->value;
@@ -203,7 +222,7 @@ static mus_status body_measures(struct body_reader *reader, mus_tape *tape)
         {MUS_MEASURE_HIP, v[BODY_HIPS] / 100.0},
         {MUS_MEASURE_THIGH, v[BODY_THIGH] / 100.0},
         {MUS_MEASURE_WRIST, v[BODY_WRIST] / 100.0},
-        {MUS_MEASURE_ARM, v[BODY_ARM] / 100.0},
+        {MUS_MEASURE_ARM, body_arm(reader) / 100.0},
         {MUS_MEASURE_ARM_ANGLE, v[BODY_ARM_ANGLE] * MUS__DEGREE},
         {MUS_MEASURE_SHOULDER_SLOPE, v[BODY_INCLINE] * MUS__DEGREE},
         {MUS_MEASURE_BUST_SPAN, v[BODY_BUST_POINTS] / 100.0},

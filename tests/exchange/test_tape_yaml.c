@@ -104,6 +104,28 @@ START_TEST(the_shoulder_line_is_at_the_level_of_the_file)
 END_TEST
 
 
+START_TEST(an_arm_to_the_fingertips_loses_its_hand)
+{
+    /* 80 of 178 is more than 0.43 of the height: less a hand of 0.108 * 178 = 19.224; 62 is not */
+    static const struct {
+        const char *text;
+        double arm;
+    } rows[] = {{"body:\n  height: 178\n  arm_length: 80\n", 0.60776},
+                {"body:\n  height: 178\n  arm_length: 62\n", 0.62}};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        mus_tape *tape;
+        mus_status status = read_text(context, rows[i].text, &tape);
+        ck_assert_msg(status == MUS_OK, "%s", mus_context_error(context));
+        ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_ARM), rows[i].arm, 1e-12);
+        mus_tape_destroy(tape);
+    }
+    ck_assert_ptr_nonnull(strstr(support_log(), "body.yaml: arm_length 80 of a height of 178 is to the fingertips"));
+    support_context_end(context);
+}
+END_TEST
+
+
 static const char *const bodies[] = {"mean_all", "mean_female", "m_smpl_average_A40"};
 
 
@@ -238,6 +260,7 @@ Suite *mus_suite_tape_yaml(void)
     tcase_add_test(tests, heights_follow_from_the_lengths_of_the_file);
     tcase_add_test(tests, the_shoulder_ends_where_the_file_has_the_shoulder_point);
     tcase_add_test(tests, the_shoulder_line_is_at_the_level_of_the_file);
+    tcase_add_test(tests, an_arm_to_the_fingertips_loses_its_hand);
     tcase_add_loop_test(tests, real_bodies_complete_and_build, 0, sizeof bodies / sizeof bodies[0]);
     tcase_add_loop_test(tests, shoulders_are_as_high_as_those_of_the_mesh, 0, 2);
     tcase_add_loop_test(tests, a_fault_is_named_with_its_line, 0, sizeof refusals / sizeof refusals[0]);

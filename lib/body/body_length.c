@@ -10,8 +10,8 @@
  *     elbow           the same to the elbow; all of the bend's 5 % of the arm lies above the tip of the elbow
  *     back_waist      middle line of the back from nape to waist
  *     crotch_length   middle line from the waist in front, under the crotch, to the waist behind
- *     across_back     half way down the armhole, between the places where the skins of arms and torso would meet without
- *                     their fillets
+ *     across_back     half way down the armhole, between the places where the skins of arms and torso would meet
+ *                     without their fillets
  *     across_front    the same in front
  *     bust_span       between the foremost points of both sides at the height of the bust
  *

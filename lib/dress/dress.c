@@ -198,7 +198,8 @@ static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool othe
 }
 
 
-/* the pattern that the first start takes: the caller's, or a copy with closures open or with the found placement: *own */
+/* the pattern that the first start takes: the caller's, or a copy (*own) with closures open or with the found
+ * placement */
 static mus_status dress_prepare(mus__dress *call, const mus_pattern **pattern, mus_pattern **own)
 {
     const mus_dress_def *def = &call->def;

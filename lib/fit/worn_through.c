@@ -16,8 +16,9 @@
 #include "selfcontact/crossing_count.h"
 
 #define THROUGH_PARTS 4        /* of each side of a triangle: 16 samples */
-#define THROUGH_SEEN 1e-3      /* [m] shallower cloth is counted and is no objection; chosen: the depth that `make corpus`
-                                * allows a node. The chord of a triangle of 20 mm is 1 mm below an arc of 50 mm radius */
+/* [m] shallower cloth is counted and is no objection; chosen: the depth that `make corpus` allows a node. The chord of
+ * a triangle of 20 mm is 1 mm below an arc of 50 mm radius */
+#define THROUGH_SEEN 1e-3
 #define THROUGH_ROUND 1.2e-7   /* of a coordinate: rounding a double to float changes it by less */
 
 typedef struct through_search {

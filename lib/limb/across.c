@@ -25,8 +25,8 @@
 #define ACROSS_STEPS 8      /* Newton steps to the arm's skin */
 #define ACROSS_SLOPE 0.2    /* least slope of the arm's depth along the way; chosen: on a steeper skin more steps */
 #define ACROSS_MOST 0.3     /* most height of a bump in parts of its distance from the centre; chosen */
-#define ACROSS_INSIDE 0.15  /* [rad] a bump lies so far inside the crease, where the torso then goes steeply into the arm;
-                               chosen: somewhat less than half of a bump's half width */
+#define ACROSS_INSIDE 0.15  /* [rad] a bump lies so far inside the crease, where the torso then goes steeply into the
+                             * arm; chosen: somewhat less than half of a bump's half width */
 #define ACROSS_BRACKET 4    /* most steps to a place below the root */
 
 /* the section of the torso half way down the armhole */

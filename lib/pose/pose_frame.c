@@ -7,9 +7,9 @@
  *
  * A shoulder joint moves up and inwards with the scapula while the arm rises from 30 to 170 degrees.
  *
- * The flexion of the trunk against the thighs is shared by hip joints and lumbar spine. A pose gives the two apart; where
- * the hips have more than their share, as in sitting, the pelvis tilts backwards under a chest that keeps its direction,
- * about the axis through the hip joints. Legs keep their places, so that standing feet stay.
+ * The flexion of the trunk against the thighs is shared by hip joints and lumbar spine. A pose gives the two apart;
+ * where the hips have more than their share, as in sitting, the pelvis tilts backwards under a chest that keeps its
+ * direction, about the axis through the hip joints. Legs keep their places, so that standing feet stay.
  */
 #include "pose/pose_frame.h"
 
@@ -22,8 +22,8 @@
 /* shift of a shoulder joint inwards over its shift upwards; chosen: more narrows raised shoulders */
 #define POSE_SCAPULA_IN 0.5
 
-/* share of the lumbar spine in the flexion of the trunk against the thighs: 41.6 of 111 degrees. Source: Esola, McClure,
- * Fitzgerald and Siegler, Analysis of Lumbar Spine and Hip Motion during Forward Bending, 1996 */
+/* share of the lumbar spine in the flexion of the trunk against the thighs: 41.6 of 111 degrees. Source: Esola,
+ * McClure, Fitzgerald and Siegler, Analysis of Lumbar Spine and Hip Motion during Forward Bending, 1996 */
 #define POSE_SPINE 0.375
 
 _Static_assert(MUS__FLEXION == MUS_POSE_FLEXION && MUS__ABDUCTION == MUS_POSE_ABDUCTION, "one order of the angles");

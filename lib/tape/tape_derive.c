@@ -91,7 +91,8 @@ static double tape_mix(int32_t sex, double female, double male)
 /* crotch length [m] of row `sex` of its table, from rise and hip */
 static double tape_crotch_at(int sex, const double *v)
 {
-    return 0.01 * tape_crotch[sex][0] + tape_crotch[sex][1] * v[MUS_MEASURE_RISE] + tape_crotch[sex][2] * v[MUS_MEASURE_HIP];
+    const double *line = tape_crotch[sex];
+    return 0.01 * line[0] + line[1] * v[MUS_MEASURE_RISE] + line[2] * v[MUS_MEASURE_HIP];
 }
 
 

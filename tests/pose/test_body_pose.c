@@ -141,7 +141,8 @@ static double hip_twist(const double *angle)
  * hips' mean flexion (of small angles; here the part of the chord), about the axis through the hips */
 static void carry_chest(const mus__rig *rig, const mus_pose *pose, double *x)
 {
-    const double hips = 0.5 * (hip_twist(pose->angle[MUS_JOINT_HIP_LEFT]) + hip_twist(pose->angle[MUS_JOINT_HIP_RIGHT]));
+    const double left = hip_twist(pose->angle[MUS_JOINT_HIP_LEFT]);
+    const double hips = 0.5 * (left + hip_twist(pose->angle[MUS_JOINT_HIP_RIGHT]));
     double lumbar[3];
     if (hips >= 0.0) return;
     for (int i = 0; i < 3; i++)

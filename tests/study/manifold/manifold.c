@@ -1,15 +1,16 @@
 /*
  * manifold.c: the bodies of all table sizes, of people of ANSUR II and in poses, as closed surfaces: `make manifold`.
  *
- * manifold TABLE FOLDER [--sizes N] [--each N] [--poses N] [--spacing MM] [--limit SECONDS] [--rows 0]. The file is written to FOLDER and judged by
- * programs that read the file alone (closed.h, and the ruler of `make outside`). A row for each body: triangles,
- * pieces, V - E + F, open edges, pinched vertices, crossings, least height and angle of a triangle, vertices on a cut,
- * volume against the body's own, the worst girth, CPU time. The volume is compared on a body without fingers and toes,
- * as mus_body_volume() counts it. --sizes N, --each N, --poses N: every Nth table size, person of the survey, and pose
- * of a woman and a man; 0: none. All people: --each 1; they are taken in
- * an order that is spread over the table, and after --limit of CPU time the study ends with those that it has. --rows 0:
- * only the rows with a fault, then the table of all. Exit 1 when one is not closed, is not a sphere or crosses itself, or a girth is off by
- * more than 1 mm.
+ * manifold TABLE FOLDER [--sizes N] [--each N] [--poses N] [--spacing MM] [--limit SECONDS] [--rows 0]. The file is
+ * written to FOLDER and judged by programs that read the file alone (closed.h, and the ruler of `make outside`). A row
+ * for each body: triangles, pieces, V - E + F, open edges, pinched vertices, crossings, least height and angle of a
+ * triangle, vertices on a cut, volume against the body's own, the worst girth, CPU time. The volume is compared on a
+ * body without fingers and toes, as mus_body_volume() counts it.
+ *
+ * --sizes N, --each N, --poses N: every Nth table size, person of the survey, and pose of a woman and a man; 0: none.
+ * All people: --each 1; they are taken in an order that is spread over the table, and after --limit of CPU time the
+ * study ends with those that it has. --rows 0: only the rows with a fault, then the table of all. Exit 1 when one is
+ * not closed, is not a sphere or crosses itself, or a girth is off by more than 1 mm.
  */
 #include <math.h>
 #include <stdio.h>

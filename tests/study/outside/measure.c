@@ -236,7 +236,7 @@ static double across_at(const ruler_mesh *mesh, const mus_body *body, double sid
 
 
 /* twice the distance of the foremost point of the left breast from the middle plane. The cut is a polygon whose sides
- * are a centimetre long: the foremost place is where the slopes of its sides, by a cubic through four of them, pass 0 */
+ * are a centimetre long: the foremost place is where the slopes of its sides, by a cubic through four of them, are 0 */
 static double span(const ruler_mesh *mesh, const mus_body *body)
 {
     ruler_plane plane;

@@ -34,8 +34,9 @@
  * while anyway */
 #define MUS__QUERY_MARGIN 0.04
 #define MUS__CACHE_GAP 2e-3 /* [m] a part this far beyond the clearance goes into the cache; chosen */
-/* travel until the next query is the distance over this; five would be the measured error of the distance */
-#define MUS__CACHE_DIVISOR 8
+/* travel until the next query is the distance over this. The distance along a ray is too large where the surface is
+ * steep, by a factor between 8 and 10 where bumps of the torso lie inside the arm: 8 fails its test there, 10 holds */
+#define MUS__CACHE_DIVISOR 10
 /* [m] a node that is pushed further than this may come to a part that its cache leaves out */
 #define MUS__PUSH_FAR (MUS__CACHE_GAP * (MUS__CACHE_DIVISOR - 1) / MUS__CACHE_DIVISOR)
 #define MUS__SAFE_FRACTION 0.999 /* of the safe travel, for the rounding of distances: more is swept */

@@ -109,6 +109,7 @@ static inline mus_tape *people_garmentcode(mus_context *context, const char *tex
     double nape = people_yaml(text, "height") - people_yaml(text, "head_l"),
            waist = nape - people_yaml(text, "waist_line");
     double hip = waist - people_yaml(text, "hips_line"), crotch = hip - people_yaml(text, "crotch_hip_diff");
+    const double stature = people_yaml(text, "height"), arm = people_yaml(text, "arm_length");
     double slope = people_yaml(text, "shoulder_incl") * (3.14159265358979323846 / 180.0);
     const struct {
         int32_t measure;
@@ -121,7 +122,7 @@ static inline mus_tape *people_garmentcode(mus_context *context, const char *tex
         {MUS_MEASURE_HIP, people_yaml(text, "hips")},
         {MUS_MEASURE_THIGH, people_yaml(text, "leg_circ")},
         {MUS_MEASURE_WRIST, people_yaml(text, "wrist")},
-        {MUS_MEASURE_ARM, people_yaml(text, "arm_length")},
+        {MUS_MEASURE_ARM, arm > 0.43 * stature ? arm - 0.108 * stature : arm}, /* to the fingertips: less the hand */
         {MUS_MEASURE_NAPE_HEIGHT, nape},
         {MUS_MEASURE_WAIST_HEIGHT, waist},
         {MUS_MEASURE_WAIST_TO_HIP, waist - hip},

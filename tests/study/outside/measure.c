@@ -35,7 +35,7 @@ const outside_row outside_rows[OUTSIDE_ROWS] = {
     {MUS_MEASURE_STATURE, 'h', NULL, TORSO, HEIGHT, false},
     {MUS_MEASURE_INLEG, 'h', NULL, TORSO, HEIGHT, false},
     {MUS_MEASURE_FOOT, 'h', NULL, FOOT, HEIGHT, false},
-    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT, false},
+    {MUS_MEASURE_ACROSS_BACK, 's', "armpit", TORSO, HEIGHT, true},
     {MUS_MEASURE_ACROSS_FRONT, 's', "armpit", TORSO, INFINITY, false},
     {MUS_MEASURE_BUST_SPAN, 's', "bust", TORSO, HEIGHT, false},
     {MUS_MEASURE_CROTCH_LENGTH, 's', "waist", TORSO, INFINITY, false},

@@ -57,8 +57,8 @@ OMIT_design = block half style design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
-OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress drape/scene_pose arrange/arrange \
-  $(addprefix arrange/arrange_,clear from_pattern limb ring)
+OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress dress/dress_start drape/scene_pose \
+  arrange/arrange $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 # ---- sources; a library of its own, and everything else, names its outside packages ----

@@ -362,7 +362,7 @@ static void judge(garment *g, const double *weights, int32_t rounds, bool keep, 
     tally *t = &tallies[g->judged][g->ours];
     if (mus__seam_begin(&g->facts, weights, &search) != MUS_OK) exit(1);
     mus__seam_run(&search, rounds);
-    int32_t wrong = wrong_seams(g, search.mate), missed = 0;
+    int32_t wrong = wrong_seams(g, search.mate);
     t->garments++;
     t->whole += wrong == 0;
     for (int32_t a = 0; a < g->facts.n; a++) {
@@ -370,7 +370,6 @@ static void judge(garment *g, const double *weights, int32_t rounds, bool keep, 
         t->seams += c > a;
         t->found += b > a;
         t->right += b > a && b == c;
-        missed += c > a && b != c;
         if (confidence != NULL && b > a) count_confidence(g, &search, a, confidence);
         if (list && ((b > a && b != c) || (c > a && b != c))) {
             const mus__seam_edge *e = g->facts.edges;

@@ -137,18 +137,9 @@ static void shown_print(const scene *s, const shown *sh)
 
 static void shown_json(const scene *s, const shown *sh, json *j)
 {
-    const int32_t d = sh->design, groups = mus_design_groups(d);
     char one[64];
     json_open(j, NULL, '{');
-    json_text(j, "name", mus_design_name(d));
-    json_text(j, "family", mus_design_family(d));
-    json_text(j, "title", mus_design_title(d));
-    json_text(j, "words", mus_design_words(d));
-    json_open(j, "groups", '[');
-    if (groups & MUS_GROUP_WOMEN) json_text(j, NULL, "women");
-    if (groups & MUS_GROUP_MEN) json_text(j, NULL, "men");
-    if (groups & MUS_GROUP_CHILDREN) json_text(j, NULL, "children");
-    json_close(j, ']');
+    design_json_head(sh->design, j);
     json_open(j, "axes", '{');
     for (int32_t a = 1; a < mus_design_axis_count(); a++)
         if (axis_option(s, sh->words, a, one)) json_text(j, mus_design_axis_name(a), one);

@@ -75,21 +75,27 @@ static void designs_print(const found *list)
 }
 
 
+void design_json_head(int32_t design, json *j)
+{
+    const int32_t groups = mus_design_groups(design);
+    json_text(j, "name", mus_design_name(design));
+    json_text(j, "family", mus_design_family(design));
+    json_text(j, "title", mus_design_title(design));
+    json_text(j, "words", mus_design_words(design));
+    json_open(j, "groups", '[');
+    if (groups & MUS_GROUP_WOMEN) json_text(j, NULL, "women");
+    if (groups & MUS_GROUP_MEN) json_text(j, NULL, "men");
+    if (groups & MUS_GROUP_CHILDREN) json_text(j, NULL, "children");
+    json_close(j, ']');
+}
+
+
 static void designs_json(const found *list, json *j)
 {
     json_open(j, NULL, '[');
     for (int32_t i = 0; i < list->count; i++) {
-        const int32_t d = list->design[i], groups = mus_design_groups(d);
         json_open(j, NULL, '{');
-        json_text(j, "name", mus_design_name(d));
-        json_text(j, "family", mus_design_family(d));
-        json_text(j, "title", mus_design_title(d));
-        json_text(j, "words", mus_design_words(d));
-        json_open(j, "groups", '[');
-        if (groups & MUS_GROUP_WOMEN) json_text(j, NULL, "women");
-        if (groups & MUS_GROUP_MEN) json_text(j, NULL, "men");
-        if (groups & MUS_GROUP_CHILDREN) json_text(j, NULL, "children");
-        json_close(j, ']');
+        design_json_head(list->design[i], j);
         if (list->score != NULL) json_number(j, "score", list->score[i]);
         json_close(j, '}');
     }

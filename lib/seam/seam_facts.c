@@ -14,7 +14,6 @@
 #include "base/sort.h"
 
 #define FACTS_CHORDS 8 /* chords of a curve; chosen: directions at its ends are right within 0.1 rad */
-#define FACTS_PI 3.14159265358979323846
 #define MIRROR_LENGTH 3e-3 /* relative difference of images; chosen: above the rounding of files, below an ease */
 #define MIRROR_ANGLE 0.05  /* [rad] the same of corners */
 #define MIRROR_NORMAL 0.1  /* the same of normals */
@@ -187,7 +186,7 @@ static void read_corners(const facts_work *w, int32_t first, int32_t n)
         edge->height = (edge->height - low) / fmax(1e-9, high - low);
         chord_of(w, i, true, u);
         chord_of(w, edge->next - first, false, v);
-        edge->end = next->start = FACTS_PI - turn_of(u, v);
+        edge->end = next->start = MUS__SEAM_PI - turn_of(u, v);
     }
 }
 

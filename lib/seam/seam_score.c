@@ -12,7 +12,6 @@
 #include "seam/seam_find.h"
 #include "base/elementary.h"
 
-#define SCORE_PI 3.14159265358979323846
 #define LENGTHS_EQUAL 2e-3  /* relative difference of lengths that count as equal; chosen: 1 mm of a side seam */
 #define NORMALS_SPREAD 0.04 /* 1 less the cosine at which an agreement of normals falls to 1/e: 16 degrees */
 #define CORNERS_SPREAD 0.06 /* [rad] the same of corners that add up to a half turn */
@@ -90,7 +89,7 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
     out[MUS__SEAM_DIRECTION] = fmax(mirror, opposed);
     out[MUS__SEAM_UPWARD] = x->normal[1] + y->normal[1];
     out[MUS__SEAM_CORNER] =
-        bell(x->start + y->end - SCORE_PI, CORNERS_SPREAD) + bell(x->end + y->start - SCORE_PI, CORNERS_SPREAD);
+        bell(x->start + y->end - MUS__SEAM_PI, CORNERS_SPREAD) + bell(x->end + y->start - MUS__SEAM_PI, CORNERS_SPREAD);
 }
 
 
@@ -98,7 +97,7 @@ static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, doubl
 {
     const mus__seam_edge *x = &facts->edges[a];
     const bool equal = out[MUS__SEAM_EQUAL] > 0.0, next = x->next == b, prev = x->prev == b;
-    const double wedge = 2.0 * SCORE_PI - (next ? x->end : x->start);
+    const double wedge = 2.0 * MUS__SEAM_PI - (next ? x->end : x->start);
     out[MUS__SEAM_SAME] = 1.0;
     out[MUS__SEAM_DART] = (next || prev) && wedge < DART_WEDGE;
     out[MUS__SEAM_DART_EQUAL] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_NEAR] > 0.0;
@@ -233,7 +232,8 @@ static void free_edge(const surface *s, int32_t a)
 
 static void closed_vertex(double *out, int32_t k, double angle)
 {
-    const double off = fmin(fabs(angle - 2.0 * SCORE_PI), 2.0), flat = bell(angle - 2.0 * SCORE_PI, ANGLES_SPREAD);
+    const double off = fmin(fabs(angle - 2.0 * MUS__SEAM_PI), 2.0);
+    const double flat = bell(angle - 2.0 * MUS__SEAM_PI, ANGLES_SPREAD);
     out[MUS__SEAM_CLOSED_1 + (k < 6 ? k : 6) - 1] += 1.0;
     if (k == 2) {
         out[MUS__SEAM_CLOSED_2_OFF] += off;
@@ -247,7 +247,7 @@ static void closed_vertex(double *out, int32_t k, double angle)
 
 static void open_vertex(double *out, int32_t k, double angle)
 {
-    const double off = fmin(fabs(angle - SCORE_PI), 1.5), flat = bell(angle - SCORE_PI, ANGLES_SPREAD);
+    const double off = fmin(fabs(angle - MUS__SEAM_PI), 1.5), flat = bell(angle - MUS__SEAM_PI, ANGLES_SPREAD);
     out[MUS__SEAM_OPEN_1 + (k < 5 ? k : 5) - 1] += 1.0;
     if (k == 2) {
         out[MUS__SEAM_OPEN_2_OFF] += off;

@@ -2,7 +2,7 @@
  * dress_start.c: one start of mus_dress(), from cutting the cloth to rest, or to the reason why not.
  *
  * Settling takes most of the time of a start, so a start that is sewn is looked at first: every limb goes through its
- * opening (mus_fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
+ * opening (mus__fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
  * finds it afterwards, and crossings that were not drawn apart then stay. Such a start waits: mus_dress() settles it
  * only if no other start is better.
  *
@@ -16,8 +16,8 @@
 #include "drape/drape_state.h"
 #include "dress/dress_start.h"
 #include "dress/progress.h"
+#include "fit/worn_check.h"
 #include "geom/vec.h"
-#include "muslin/fit.h"
 #include "muslin/pose.h"
 
 #define LOWER_SECONDS 1.0 /* [s] of cloth time in which arms come down; chosen: a person who lets them down */
@@ -89,10 +89,9 @@ static mus_status start_worn(const mus__dress *call, bool sewn, mus__dress_start
     mus_worn_init(&worn, sizeof worn);
     if (call->body == NULL) return MUS_OK;
     const mus_body *body = sewn && start->raised != NULL ? start->raised : call->body;
-    const mus_status status = mus_fit_worn(start->drape, start->pattern, body, &worn);
+    const mus_status status = mus__fit_worn(start->drape, start->pattern, body, sewn ? 0 : MUS__WORN_HANGS, &worn);
     if (status != MUS_OK) return status;
-    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
-    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
+    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN) return MUS_OK;
     mus_reason *why = &start->reason;
     mus_reason_init(why, sizeof *why);
     why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;

@@ -12,16 +12,15 @@
  *
  *   1. that of the pattern      (patient when no other placement may be tried; then the only start)
  *   2. the one that is found round the body
- *   3. the one that is found round the body with its arms horizontal
+ *   3. the one that is found round the body with its arms horizontal, where cloth lies beside an arm
  *
  * The first that is sewn with every limb in its opening and no cloth through cloth is settled; a success ends the
  * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled, the one with the
  * fewest crossings first, and no one with more than another has at rest; those that ended with an open seam are sewn
- * patiently; and the one that got farthest is returned, settled if it is sewn. The third placement has its turn only
- * where cloth lies beside an arm.
+ * patiently; and the one that got farthest is returned, settled if it is sewn.
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin alone,
- * and a body that the call cannot tell by, fail no start.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin, other than
+ * a limb that goes through the cloth, fails no start, nor does a body that the call cannot tell by.
  *
  * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */
@@ -157,8 +156,8 @@ static mus_status dress_near_arms(const mus__dress *call, const mus_body *raised
 }
 
 
-/* did any start fail in a way that arms out of the way may mend? Seams that are open, cloth through cloth or a limb that
- * is not in its opening, with cloth beside an arm. `raised`: the body with its arms horizontal */
+/* did any start fail in a way that arms out of the way may mend? Seams that are open, cloth through cloth, a limb that is
+ * not in its opening or goes through the cloth, with cloth beside an arm. `raised`: the body with its arms horizontal */
 static mus_status dress_wants_room(const mus__dress *call, const mus_body *raised, const mus__dress_start *start,
                                    bool *wants)
 {
@@ -168,7 +167,8 @@ static mus_status dress_wants_room(const mus__dress *call, const mus_body *raise
         if (start[i].index == MUS_NONE) continue;
         if (why->kind == MUS_REASON_SEAM_OPEN || why->kind == MUS_REASON_TANGLED ||
             why->kind == MUS_REASON_START_TANGLED ||
-            (why->kind == MUS_REASON_NOT_WORN && why->value <= MUS_WORN_INSIDE_OUT))
+            (why->kind == MUS_REASON_NOT_WORN &&
+             (why->value <= MUS_WORN_INSIDE_OUT || why->value >= MUS_WORN_THROUGH)))
             status = dress_near_arms(call, raised, &start[i], wants);
     }
     return status;
@@ -242,8 +242,7 @@ static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool othe
     dress_try(call, pattern, call->report.found ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN, !other, &start[0]);
     if (other && dress_failed_at_start(&start[0])) {
         for (int32_t i = call->report.found ? 2 : 1; i < STARTS && !dress_ends(&start[best]); i++) {
-            mus_body *raised = NULL;
-            if (i == 2) raised = dress_room(call, start);
+            mus_body *raised = i == 2 ? dress_room(call, start) : NULL;
             if (i == 2 && raised == NULL) break;
             dress_find(call, pattern, raised, &start[i], &found[i]);
             if (dress_ends(&start[i])) best = i;

@@ -2,9 +2,9 @@
  * dress_start.c: one start of mus_dress(), from cutting the cloth to rest, or to the reason why not.
  *
  * Settling takes most of the time of a start, so a start that is sewn is looked at first: every limb goes through its
- * opening (mus__fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
- * finds it afterwards, and crossings that were not drawn apart then stay. Such a start waits: mus_dress() settles it
- * only if no other start is better.
+ * opening and none through the cloth (mus__fit_worn()), and no cloth crosses cloth. A limb that went into no opening
+ * while seams were open seldom finds it afterwards, and crossings that were not drawn apart then stay. Such a start
+ * waits: mus_dress() settles it only if no other start is better.
  *
  * A start with raised arms is sewn round the body with horizontal arms. They are taken back to where the body has them
  * while the cloth, which is on by then, steps in time; then it settles as any other.
@@ -82,7 +82,7 @@ static mus_status start_look(mus__dress_start *start)
 
 
 /* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
- * openings count. Cloth through the skin fails no start */
+ * openings and limbs through the cloth count. Cloth through the skin fails no start */
 static mus_status start_worn(const mus__dress *call, bool sewn, mus__dress_start *start)
 {
     mus_worn worn;

@@ -151,6 +151,7 @@ static mus_status worn_check(mus__worn_call *call, int32_t parts)
             mus__worn_levels(call);
             status = worn_tight(call);
         }
+        if (status == MUS_OK) mus__worn_pierced(call);
     } else {
         call->out->kind = MUS_WORN_UNKNOWN;
     }

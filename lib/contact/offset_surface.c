@@ -231,7 +231,8 @@ static void fill_part(const mus__field *from, const mus__limb *limb, mus__offset
     memcpy(part->front, limb->front, sizeof part->front);
     memcpy(part->end, from->pole, sizeof part->end);
     part->reach = from->reach;
-    for (int64_t i = 0; i < (int64_t)from->nring * from->nangle; i++) if (from->radius[i] < least) least = from->radius[i];
+    for (int64_t i = 0; i < (int64_t)from->nring * from->nangle; i++)
+        if (from->radius[i] < least) least = from->radius[i];
     part->safe = OFFSET_SAFE * least;
 }
 

@@ -133,8 +133,8 @@ static int32_t stencil_promote(stencil_set *set)
 }
 
 
-/* adds the items of one more node to the set; returns 0, with the set as it was, if they do not fit. Most nodes of a row
- * have the index differences of the node before them, and add none */
+/* adds the items of one more node to the set; returns 0, with the set as it was, if they do not fit. Most nodes of a
+ * row have the index differences of the node before them, and add none */
 static int32_t stencil_grow(stencil_set *set, const stencil_items *items)
 {
     int32_t known = 1;

@@ -1,7 +1,7 @@
 /*
  * sheet.h: a sheet: all pieces, their places on paper, the pages.
  *
- * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (pack.c,
+ * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (file/pack.c,
  * sheet_layout.c) -> one drawing of the whole sheet (piece_marks.c, piece_label.c, stroke_font.c) -> pages (page.c) ->
  * bytes (pdf.c, svg.c, dxf.c, plt.c) -> file (lib/file).
  */
@@ -34,10 +34,6 @@ struct mus_sheet {
     mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones */
     mus__drawing drawing; /* lines of all pieces */
 };
-
-/* pack `n` boxes (size, n x 2 [m]) on a strip of the given width, `gap` apart: at (n x 2) gets their low corners.
- * Returns the height used, or -1 when a box is too wide. Scratch: work (n), sky (2n + 2) x 3 */
-double mus__pack(int32_t n, const double *size, double width, double gap, double *at, int32_t *work, double *sky);
 
 /* place the pieces on pages: sets extent, tiled, page, columns, rows, tiles */
 mus_status mus__sheet_layout(mus_sheet *sheet);

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "file/pack.h"
 #include "print/page.h"
 
 #define PIECE_GAP 0.006      /* [m] distance of the boxes of two cut lines; chosen: scissors pass between two pieces */

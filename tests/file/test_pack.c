@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "print/page.h"
+#include "file/pack.h"
 #include "support.h"
 
 #define BOXES 24

@@ -11,7 +11,9 @@
  * Source: Chazelle, The bottom-left bin-packing heuristic, 1983; skyline form as in Jylanki, A thousand ways to pack
  * the bin, 2010, section 2.4.
  */
-#include "print/sheet.h"
+#include <stdbool.h>
+
+#include "file/pack.h"
 
 /* a step of the skyline: left end, right end, height */
 enum { STEP_LEFT, STEP_RIGHT, STEP_HEIGHT, STEP_FIELDS };

@@ -70,9 +70,9 @@ PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
-SRC_muslin := $(call room,$(filter-out file trade seam $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file meshfile trade seam $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
-$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),trade seam))))) # and base's: objects_of
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),meshfile trade seam))))) # and base's: objects_of
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/% tests/study/elementary/%,$(wildcard tests/*/*.c tests/study/*/*.c))
@@ -215,11 +215,11 @@ $(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel
 RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
 RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
 RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
-RUN_check-glb = sh tests/guard/glb.sh $(OUT)/out/tshirt.glb
+RUN_check-glb = MUSLIN_OUT='$(abspath $(OUT))' $(PYTHON) tests/study/trade/meshes.py --command $(BIN)/muslin
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
-NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib check-glb:run-dress
+NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

@@ -240,6 +240,11 @@ enum {
     MUS_DXF_ASTM = 1,
     MUS_DXF_CUT = 0,
     MUS_DXF_SEW = 1,
+    MUS_MESH_OBJ = 0,
+    MUS_MESH_GLB = 1,
+    MUS_MESH_USDA = 2,
+    MUS_MESH_PLY = 3,
+    MUS_MESH_PC2 = 4,
     MUS_CATALOGUE_READ = 0,
     MUS_CATALOGUE_WRITE = 1,
     MUS_DISTANCE_PIECES = 0,
@@ -305,6 +310,7 @@ typedef struct mus_sheet_plt mus_sheet_plt;
 typedef struct mus_pattern_dxf mus_pattern_dxf;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
+typedef struct mus_mesh_file mus_mesh_file;
 typedef void *(*mus_alloc_fn)(void *user, void *ptr, size_t old_size, size_t new_size);
 typedef void (*mus_log_fn)(void *user, int32_t level, const char *text);
 typedef void (*mus_rate_fn)(void *user, double t, const double *y, double *dy);
@@ -797,6 +803,18 @@ struct mus_mesh_motion {
     const double *normals;
 };
 
+struct mus_mesh_file {
+    size_t size;
+    int32_t form;
+    int32_t count;
+    const mus_mesh_view *meshes;
+    const mus_cloth *const *cloths;
+    const char *const *materials;
+    int32_t keys;
+    const double *times;
+    const mus_mesh_motion *motion;
+};
+
 /* libmuslin */
 const char *mus_status_name(mus_status status);
 const char *mus_status_text(mus_status status);
@@ -1195,6 +1213,9 @@ mus_status mus_mesh_write_glb_bytes(mus_context *context, int32_t n, const mus_m
 void mus_mesh_motion_init(mus_mesh_motion *motion, size_t size);
 mus_status mus_mesh_write_glb_motion(mus_context *context, const char *path, int32_t n, const mus_mesh_view *meshes, int32_t keys, const double *times, const mus_mesh_motion *motion);
 mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t n, const mus_mesh_view *meshes, int32_t keys, const double *times, const mus_mesh_motion *motion, char **bytes, size_t *size);
+void mus_mesh_file_init(mus_mesh_file *file, size_t size);
+mus_status mus_mesh_write(mus_context *context, const char *path, const mus_mesh_file *file);
+mus_status mus_mesh_write_bytes(mus_context *context, const mus_mesh_file *file, char **bytes, size_t *size);
 mus_status mus_mesh_read_obj(mus_context *context, const char *path, mus_mesh **out);
 mus_status mus_mesh_read_obj_from(mus_context *context, const char *text, size_t size, const char *name, mus_mesh **out);
 void mus_mesh_destroy(mus_mesh *mesh);

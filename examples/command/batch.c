@@ -77,8 +77,8 @@ static void ask_files(const batch *b, const batch_line *g, dress *d, char paths[
 {
     d->quiet = true;
     if (b->png && batch_path(b, g->name, ".png", paths[0])) d->png = paths[0];
-    if (b->glb && batch_path(b, g->name, ".glb", paths[1])) d->glb = paths[1];
-    if (b->obj && batch_path(b, g->name, ".obj", paths[2])) d->obj = paths[2];
+    if (b->glb && batch_path(b, g->name, ".glb", paths[1])) d->files[MUS_MESH_GLB] = paths[1];
+    if (b->obj && batch_path(b, g->name, ".obj", paths[2])) d->files[MUS_MESH_OBJ] = paths[2];
 }
 
 

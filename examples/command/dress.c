@@ -96,11 +96,11 @@ static int move_on(dress *d)
         mus_body_def_init(&def, sizeof def);
         def.samples = 32;
         def.ring_spacing = 0.025;
-        if (d->glb != NULL && d->mesh.file == NULL)
+        if (motion_filed(d->files) && d->mesh.file == NULL)
             d->outcome = scene_body(&d->s, &d->from, &def, &thin);
         on.thin = thin;
-        if (d->outcome == MUS_OK) code = motion_lead(&on, &d->moved, d->glb, &d->outcome);
-        d->led = d->glb != NULL && d->moved.made > 0;
+        if (d->outcome == MUS_OK) code = motion_lead(&on, &d->moved, d->fabric_name, d->files, &d->outcome);
+        d->led = motion_filed(d->files) && d->moved.made > 0;
         mus_body_destroy(thin);
     }
     if (d->moved.pose != NULL || d->moved.move != NULL) moved_reason(d);
@@ -143,7 +143,14 @@ static void look_at_worn(dress *d)
 /* Writes picture and meshes of the present state. */
 static int write_shapes(dress *d)
 {
-    if (d->png == NULL && d->glb == NULL && d->obj == NULL && d->turn == 0.0) return EXIT_DONE;
+    const char *files[MESH_FORMS];
+    bool asked = d->png != NULL || d->turn > 0.0;
+    for (int32_t i = 0; i < MESH_FORMS; i++) {
+        const bool done = d->led && (i == MUS_MESH_GLB || i == MUS_MESH_USDA);
+        files[i] = done ? NULL : d->files[i];
+        asked = asked || d->files[i] != NULL;
+    }
+    if (!asked) return EXIT_DONE;
     garment g = {0};
     mus_body *own = NULL;
     mus_status status = body_now(d, &own);
@@ -153,9 +160,7 @@ static int write_shapes(dress *d)
         code = fit_map_make(&d->s, d->map, d->fit, &d->coloured);
         d->look.map = &d->coloured;
     }
-    if (code == EXIT_DONE && d->glb != NULL && !d->led) status = mus_mesh_write_glb(d->s.context, d->glb, 2, g.view);
-    if (code == EXIT_DONE && status == MUS_OK && d->obj != NULL)
-        status = mus_mesh_write_obj(d->s.context, d->obj, 2, g.view);
+    if (code == EXIT_DONE) status = garment_write(&d->s, &g, d->cloth, d->fabric_name, NULL, files);
     if (status != MUS_OK) code = scene_fail_output(&d->s, status);
     const double start = seconds();
     if (code == EXIT_DONE && d->png != NULL) code = picture_write(&d->s, &d->look, &g, d->png);
@@ -250,6 +255,8 @@ int dress_check(const char *command, const dress *d)
         return complain(EXIT_INPUT, command, "--turn N goes with --frames DIR and without --move");
     if (d->moved.frames != NULL && d->moved.move == NULL && d->turn == 0.0)
         return complain(EXIT_INPUT, command, "--frames %s: goes with --move NAME or --turn N", d->moved.frames);
+    if (d->files[MUS_MESH_PC2] != NULL && d->moved.move == NULL)
+        return complain(EXIT_INPUT, command, "--pc2 %s: goes with --move NAME", d->files[MUS_MESH_PC2]);
     if (d->precision != 32.0 && d->precision != 64.0)
         return complain(EXIT_INPUT, command, "--precision %g: expected 32 or 64", d->precision);
     if (d->place != NULL && strcmp(d->place, "file") != 0 && strcmp(d->place, "found") != 0)
@@ -316,9 +323,9 @@ static int write_report(const dress *d)
     if (d->report != NULL && !json_write(&j, "dress", d->report)) code = EXIT_FAILED;
     if (d->as_json && !json_write(&j, "dress", "-")) code = EXIT_FAILED;
     json_free(&j);
-    if (d->as_json || d->drape == NULL || is_stdout(d->report) || is_stdout(d->png) || is_stdout(d->glb) ||
-        is_stdout(d->obj))
-        return code;
+    bool taken = is_stdout(d->report) || is_stdout(d->png);
+    for (int32_t i = 0; i < MESH_FORMS; i++) taken = taken || is_stdout(d->files[i]);
+    if (d->as_json || d->drape == NULL || taken) return code;
 
     mus_drape_report r;
     mus_drape_report_init(&r, sizeof r);
@@ -339,9 +346,13 @@ static int read_options(dress *d, int argc, char **argv)
          "DIR  write a picture for each frame: DIR/frame_0001.png and on"},
         {"--turn", OPTION_WHOLE, &d->turn, 1, 4096, "N  N pictures of one turn to --frames, in place of a movement"},
         {"--png", OPTION_OUTPUT, &d->png, 0, 0, "FILE  write the picture"},
-        {"--glb", OPTION_OUTPUT, &d->glb, 0, 0,
+        {"--glb", OPTION_OUTPUT, &d->files[MUS_MESH_GLB], 0, 0,
          "FILE  write body and garment as binary glTF 2.0; animated with --move"},
-        {"--obj", OPTION_OUTPUT, &d->obj, 0, 0, "FILE  write body and garment as OBJ"},
+        {"--obj", OPTION_OUTPUT, &d->files[MUS_MESH_OBJ], 0, 0, "FILE  write body and garment as OBJ"},
+        {"--usda", OPTION_OUTPUT, &d->files[MUS_MESH_USDA], 0, 0, "FILE  write them as USD; animated with --move"},
+        {"--ply", OPTION_OUTPUT, &d->files[MUS_MESH_PLY], 0, 0, "FILE  write them as PLY"},
+        {"--pc2", OPTION_OUTPUT, &d->files[MUS_MESH_PC2], 0, 0,
+         "FILE  write the garment of each frame of --move as a point cache"},
         {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  write the report as JSON"},
         {"--json", OPTION_STDOUT, &d->as_json, 0, 0, "the report on standard output"},
         {"--quiet", OPTION_FLAG, &d->quiet, 0, 0, "no progress on the terminal"},

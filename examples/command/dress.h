@@ -13,14 +13,15 @@ typedef struct dress {
     mesh_source mesh;
     look look;
     mus_fabric fabric;
-    const char *fabric_name, *place, *map, *png, *glb, *obj, *report;
+    const char *fabric_name, *place, *map, *png, *report;
+    const char *files[MESH_FORMS]; /* mesh files by their form, NULL where none is asked for */
     const char *batch; /* for the help only: batch.c reads this option */
     double spacing_mm, nodes, threads, precision, friction;
     double turn; /* pictures of one turn; 0: none */
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;
-    bool led; /* whether the animated file is written */
+    bool led; /* whether the animated files are written */
     mus_progress_fn progress; /* of sewing and settling, when none is shown; may be NULL. With progress_user */
     void *progress_user;
 

@@ -4,7 +4,7 @@
  *
  * A pose is reached by a smooth change of all angles. A movement begins with a smooth change into its first pose, whose
  * frames are not counted. The largest depth of a node over all frames and the longest way of a node between two frames
- * are recorded. Pictures are FOLDER/frame_0001.png and on; the animated .glb has all frames as keys.
+ * are recorded. Pictures are FOLDER/frame_0001.png and on; the animated files have all frames as keys.
  */
 #include "motion.h"
 
@@ -209,18 +209,18 @@ static int show_frame(lead *q, int32_t k, const mus_pose *pose)
 }
 
 
-/* Writes the animated file: the meshes of the last frame, with the keys. */
-static int write_film(lead *q, const char *glb)
+/* Writes the animated files: the meshes of the last frame, with the keys. */
+static int write_film(lead *q, const char *fabric, const char *const *files)
 {
     const dressed *d = q->d;
     garment g;
     int code = garment_make(d->s, d->l, d->thin != NULL ? d->thin : d->body, d->cloth, d->drape, &g);
     if (code == EXIT_DONE) {
-        mus_mesh_motion moves[2];
-        for (int i = 0; i < 2; i++) mus_mesh_motion_init(&moves[i], sizeof moves[i]);
-        moves[0].positions = q->body.positions, moves[0].normals = q->body.normals;
-        moves[1].positions = q->cloth.positions, moves[1].normals = q->cloth.normals;
-        mus_status status = mus_mesh_write_glb_motion(d->s->context, glb, 2, g.view, q->m->made, q->times, moves);
+        garment_motion moves = {.keys = q->m->made, .times = q->times};
+        for (int i = 0; i < 2; i++) mus_mesh_motion_init(&moves.move[i], sizeof moves.move[i]);
+        moves.move[0].positions = q->body.positions, moves.move[0].normals = q->body.normals;
+        moves.move[1].positions = q->cloth.positions, moves.move[1].normals = q->cloth.normals;
+        const mus_status status = garment_write(d->s, &g, d->cloth, fabric, &moves, files);
         if (status != MUS_OK) code = scene_fail_output(d->s, status);
     }
     garment_free(&g);
@@ -243,11 +243,11 @@ static void frame_box(const mus_body *body, double *box)
 }
 
 
-static int open_lead(lead *q, const char *glb, double *box)
+static int open_lead(lead *q, bool keep, double *box)
 {
     const dressed *d = q->d;
     const int32_t count = (int32_t)q->m->count;
-    if (glb != NULL) {
+    if (keep) {
         q->times = malloc((size_t)count * sizeof *q->times);
         if (q->times == NULL || !track_open(&q->cloth, count, mus_cloth_node_count(d->cloth)) ||
             !track_open(&q->body, count, mus_body_vertex_count(d->thin != NULL ? d->thin : d->body)))
@@ -301,16 +301,22 @@ static int lead_frames(lead *q, mus_status *status)
 }
 
 
-int motion_lead(const dressed *d, motion *m, const char *glb, mus_status *status)
+bool motion_filed(const char *const *files)
+{
+    return files[MUS_MESH_GLB] != NULL || files[MUS_MESH_USDA] != NULL || files[MUS_MESH_PC2] != NULL;
+}
+
+
+int motion_lead(const dressed *d, motion *m, const char *fabric, const char *const *files, mus_status *status)
 {
     lead q = {.d = d, .m = m};
     double box[6];
-    int code = open_lead(&q, glb, box);
+    int code = open_lead(&q, motion_filed(files), box);
     if (code == EXIT_DONE) {
         *status = mus_body_move(d->body, m->move, ARM_GAP, &q.move);
         if (*status == MUS_OK) *status = begin(d, &q.plan, &q.last);
         if (*status == MUS_OK) code = lead_frames(&q, status);
-        if (code == EXIT_DONE && glb != NULL && m->made > 0) code = write_film(&q, glb);
+        if (code == EXIT_DONE && motion_filed(files) && m->made > 0) code = write_film(&q, fabric, files);
     }
     close_lead(&q);
     return code;

@@ -37,8 +37,11 @@ int motion_check(const scene *s, const motion *m);
 /* Moves the body from its present pose into the named one, in 1.5 s of cloth time. */
 mus_status motion_into(const dressed *d, motion *m, const char *pose);
 
-/* Leads the body through the movement. `glb` is the path of the animated file; NULL: none. Returns an exit code;
- * *status is that of the last step. */
-int motion_lead(const dressed *d, motion *m, const char *glb, mus_status *status);
+/* Whether a file of `files` (MESH_FORMS) that holds a motion is asked for. */
+bool motion_filed(const char *const *files);
+
+/* Leads the body through the movement and writes those of `files` (MESH_FORMS) that hold it, of a cloth of `fabric`.
+ * Returns an exit code; *status is that of the last step. */
+int motion_lead(const dressed *d, motion *m, const char *fabric, const char *const *files, mus_status *status);
 
 #endif

@@ -86,6 +86,39 @@ void garment_free(garment *g)
 }
 
 
+/* Copies the name of a fabric: a name of the table, or that of a file without folders and ending. */
+static void fabric_base(const char *fabric, char *out, size_t bytes)
+{
+    const char *base = fabric != NULL ? fabric : "jersey";
+    if (strrchr(base, '/') != NULL) base = strrchr(base, '/') + 1;
+    snprintf(out, bytes, "%.*s", (int)strcspn(base, "."), base);
+}
+
+
+mus_status garment_write(const scene *s, const garment *g, const mus_cloth *cloth, const char *fabric,
+                         const garment_motion *moves, const char *const *files)
+{
+    char name[128];
+    fabric_base(fabric, name, sizeof name);
+    const mus_cloth *const cloths[2] = {NULL, cloth};
+    const char *const materials[2] = {"skin", name};
+    mus_status status = MUS_OK;
+    for (int32_t form = 0; form < MESH_FORMS && status == MUS_OK; form++) {
+        const bool moving = form == MUS_MESH_GLB || form == MUS_MESH_USDA || form == MUS_MESH_PC2;
+        if (files[form] == NULL || (moves != NULL && !moving) || (moves == NULL && form == MUS_MESH_PC2)) continue;
+        const int32_t first = g->view[0].vertex_count == 0 || form == MUS_MESH_PC2;
+        mus_mesh_file file;
+        mus_mesh_file_init(&file, sizeof file);
+        file.form = form;
+        file.count = 2 - first;
+        file.meshes = g->view + first, file.cloths = cloths + first, file.materials = materials + first;
+        if (moves != NULL) file.keys = moves->keys, file.times = moves->times, file.motion = moves->move + first;
+        status = mus_mesh_write(s->context, files[form], &file);
+    }
+    return status;
+}
+
+
 static void mesh_from_view(const mus_mesh_view *view, int32_t kind, render_mesh *mesh)
 {
     memset(mesh, 0, sizeof *mesh);

@@ -28,6 +28,20 @@ int garment_make(const scene *s, const look *l, const mus_body *body, const mus_
                  garment *out);
 void garment_free(garment *g);
 
+#define MESH_FORMS (MUS_MESH_PC2 + 1)
+
+/* The motion of body and garment at all keys, for the files that hold one. */
+typedef struct garment_motion {
+    int32_t keys;
+    const double *times;     /* (keys) [s] */
+    mus_mesh_motion move[2]; /* body, garment */
+} garment_motion;
+
+/* Writes the mesh files that are asked for: files (MESH_FORMS) by form, NULL for none. With `moves` those that hold a
+ * motion, without it the others. `fabric` names the cloth. */
+mus_status garment_write(const scene *s, const garment *g, const mus_cloth *cloth, const char *fabric,
+                         const garment_motion *moves, const char *const *files);
+
 /* Draws and writes a PNG. Returns an exit code. */
 int picture_write(const scene *s, const look *l, const garment *g, const char *path);
 

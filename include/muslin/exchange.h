@@ -248,6 +248,49 @@ MUS_API mus_status mus_mesh_write_glb_motion_bytes(mus_context *context, int32_t
                                                    int32_t keys, const double *times, const mus_mesh_motion *motion,
                                                    char **bytes, size_t *size);
 
+/** Forms of a mesh file. */
+#define MUS_MESH_OBJ 0  /* Wavefront OBJ; a panel is a group with a material of its own, in an .mtl beside the file */
+#define MUS_MESH_GLB 1  /* binary glTF 2.0; a panel is a node, mesh and material */
+#define MUS_MESH_USDA 2 /* Universal Scene Description as text; a panel is a Mesh under the garment's Xform */
+#define MUS_MESH_PLY 3  /* PLY, binary; vertices and triangles have the number of their panel, comments its name */
+#define MUS_MESH_PC2 4  /* point cache: the positions of one mesh at each key */
+
+/** Meshes to write, with the cloths that they are of and their motion. All arrays are borrowed during the call. */
+typedef struct mus_mesh_file {
+    size_t size;
+    int32_t form;                   /* MUS_MESH_OBJ (default) to MUS_MESH_PC2 */
+    int32_t count;                  /* number of meshes, 1 or more; of a point cache 1 */
+    const mus_mesh_view *meshes;    /* (count) */
+    const mus_cloth *const *cloths; /* (count) the cloth whose nodes and triangles a mesh has, NULL for another mesh;
+                                     * NULL (default): no mesh is of a cloth */
+    const char *const *materials;   /* (count) names of the materials ("jersey"), NULL without one; NULL (default) */
+    int32_t keys;                   /* times of the motion, 0 (default): nothing moves. OBJ and PLY have no motion */
+    const double *times;            /* (keys) ascending from 0 on [s] */
+    const mus_mesh_motion *motion;  /* (count) */
+} mus_mesh_file;
+
+/** Zero `file` and write its size: an OBJ without meshes. */
+MUS_API void mus_mesh_file_init(mus_mesh_file *file, size_t size);
+
+/**
+ * Write meshes in one of the forms; path "-" writes to standard output.
+ *
+ * The mesh of a cloth is divided into its panels, by name, and its seams become lines (not in a point cache). Its first
+ * texture coordinates are the flat panels at one scale, packed in the unit square without overlap; glTF and USDA hold
+ * view->texcoords, the same in metres, as the second. The material of a panel is "jersey.front". A mesh without a cloth
+ * is written whole.
+ * Errors:  MUS_ERR_ARG (form; as mus_mesh_write_glb() and mus_mesh_write_glb_motion(); a mesh that has not the nodes
+ *          and triangles of its cloth; a point cache of other than one mesh in motion), MUS_ERR_VERSION,
+ *          MUS_ERR_LIMIT (a .glb above 4 GiB), MUS_ERR_FILE, MUS_ERR_MEMORY
+ * Memory:  the whole file, and 20 bytes for each vertex
+ * Source:  Wavefront, Advanced Visualizer appendix B1; Khronos, glTF 2.0; Pixar, USD; Turk, PLY, 1994
+ */
+MUS_API mus_status mus_mesh_write(mus_context *context, const char *path, const mus_mesh_file *file);
+
+/** Write meshes as mus_mesh_write() does, into memory; the materials of an OBJ are left out.
+ * Errors: as mus_mesh_write(), but for MUS_ERR_FILE */
+MUS_API mus_status mus_mesh_write_bytes(mus_context *context, const mus_mesh_file *file, char **bytes, size_t *size);
+
 /** A triangle mesh that was read from a file. */
 typedef struct mus_mesh mus_mesh;
 

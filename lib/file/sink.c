@@ -64,6 +64,23 @@ void mus__sink_add(mus__sink *sink, const void *bytes, size_t size)
 }
 
 
+void mus__sink_u32(mus__sink *sink, uint32_t value)
+{
+    const unsigned char bytes[4] = {(unsigned char)value, (unsigned char)(value >> 8), (unsigned char)(value >> 16),
+                                    (unsigned char)(value >> 24)};
+    mus__sink_add(sink, bytes, 4);
+}
+
+
+void mus__sink_f32(mus__sink *sink, double value)
+{
+    float narrow = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &narrow, sizeof bits);
+    mus__sink_u32(sink, bits);
+}
+
+
 void mus__sink_print(mus__sink *sink, const char *format, ...)
 {
     /* nearly every call prints less than 256 bytes; a longer text is printed a second time, into enough memory */

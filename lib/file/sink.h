@@ -8,6 +8,7 @@
 #define MUS_FILE_SINK_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "file/message.h"
 #include "muslin/base.h"
@@ -26,6 +27,10 @@ void mus__sink_init(mus__sink *sink, mus_context *context);
 void mus__sink_free(mus__sink *sink);
 /* add `size` bytes */
 void mus__sink_add(mus__sink *sink, const void *bytes, size_t size);
+/* add 4 bytes, the lowest first */
+void mus__sink_u32(mus__sink *sink, uint32_t value);
+/* add a number as a float of 4 bytes */
+void mus__sink_f32(mus__sink *sink, double value);
 /* add formatted text, as printf */
 void mus__sink_print(mus__sink *sink, const char *format, ...) MUS__FILE_PRINTF(2, 3);
 /* add a number with 15, 16 or 17 digits: the fewest that read back to the same double */

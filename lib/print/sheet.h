@@ -1,7 +1,7 @@
 /*
  * sheet.h: a sheet: all pieces, their places on paper, the pages.
  *
- * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (pack.c,
+ * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (outline_pack.c,
  * sheet_layout.c) -> one drawing of the whole sheet (piece_marks.c, piece_label.c, stroke_font.c) -> pages (page.c) ->
  * bytes (pdf.c, svg.c, dxf.c, plt.c) -> file (lib/file).
  */

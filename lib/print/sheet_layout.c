@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/pack.h"
+#include "print/outline_pack.h"
 #include "print/page.h"
 
 #define PIECE_GAP 0.006      /* [m] distance of two cut lines; chosen: scissors pass between two pieces */
@@ -183,7 +183,7 @@ static bool layout_pack(const mus_sheet *sheet, search *s, int32_t n, int32_t co
     layout *l = &s->now;
     const double margin = sheet->def.margin, overlap = sheet->def.overlap;
     const double width = columns * sheet_step(sheet, l, 0) + overlap - 2.0 * SHEET_BORDER;
-    l->used = mus__pack(&s->strip, n, s->shapes, s->order, width, PIECE_GAP, l->places);
+    l->used = mus__strip_pack(&s->strip, n, s->shapes, s->order, width, PIECE_GAP, l->places);
     if (l->used < 0.0) return false;
 
     const double need = l->used + 2.0 * SHEET_BORDER;

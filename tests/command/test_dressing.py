@@ -184,15 +184,20 @@ def test_meshes_hold_body_and_garment(command, dress, tape, tmp_path, root):
     kind, text, end = chunk(data, 12)
     assert kind == 0x4E4F534A
     scene = json.loads(text)
-    assert [node["name"] for node in scene["nodes"]] == ["body", "garment"]
+    panels = ["front", "back", "sleeve_left", "sleeve_right"]
+    assert [node["name"] for node in scene["nodes"]] == ["body", "garment", *panels, "seams"]
+    assert scene["nodes"][1]["children"] == [2, 3, 4, 5, 6]
+    assert [material["name"] for material in scene["materials"]] == ["skin", *[f"jersey.{name}" for name in panels]]
     positions = [scene["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]] for mesh in scene["meshes"]]
-    assert positions[1]["count"] == report["nodes"]
+    assert sum(accessor["count"] for accessor in positions[1:-1]) == positions[-1]["count"] == report["nodes"]
     for accessor in positions:
         assert all(-2 < low <= high < 3 for low, high in zip(accessor["min"], accessor["max"]))
     assert chunk(data, end)[0] == 0x004E4942
     lines = obj.read_text().splitlines()
     assert [line for line in lines if line.startswith("o ")] == ["o body", "o garment"]
-    assert sum(line.startswith("v ") for line in lines) == sum(accessor["count"] for accessor in positions)
+    assert [line for line in lines if line.startswith("g ")] == [f"g {name}" for name in [*panels, "seams"]]
+    assert sum(line.startswith("v ") for line in lines) == sum(accessor["count"] for accessor in positions[:-1])
+    assert (tmp_path / "a.mtl").read_text().count("newmtl") == 5
 
     done = subprocess.run(["sh", root / "tests/guard/glb.sh", glb], capture_output=True, text=True)
     if done.stdout.startswith("skipped"):

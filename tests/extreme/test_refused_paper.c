@@ -69,7 +69,7 @@ END_TEST
 
 
 /* mus_mesh_write_glb_motion, mus_mesh_write_glb_motion_bytes: mus_mesh_motion.positions mus_mesh_motion.normals,
- * times */
+ * times; mus_mesh_write_bytes: mus_mesh_file.times */
 START_TEST(a_motion_that_is_not_finite_makes_no_file)
 {
     mus_context *context = support_context();
@@ -96,6 +96,12 @@ START_TEST(a_motion_that_is_not_finite_makes_no_file)
             size_t size;
             ck_assert_int_eq(mus_mesh_write_glb_motion_bytes(context, 1, &view, 2, number + 36, &motion, &bytes, &size),
                              MUS_ERR_ARG);
+            ck_assert_ptr_null(bytes);
+            mus_mesh_file file;
+            mus_mesh_file_init(&file, sizeof file);
+            file.form = MUS_MESH_USDA, file.count = 1, file.meshes = &view;
+            file.keys = 2, file.times = number + 36, file.motion = &motion;
+            ck_assert_int_eq(mus_mesh_write_bytes(context, &file, &bytes, &size), MUS_ERR_ARG);
             ck_assert_ptr_null(bytes);
             number[k] = was;
         }

@@ -83,6 +83,18 @@ def test_paper_and_meshes_are_written(scene, tmp_path):
         sheet.write_pdf("no/such/folder/skirt.pdf")
 
 
+def test_a_cloth_is_written_panel_by_panel(tmp_path):
+    cloth = muslin.Cloth(muslin.draft("skirt", "W40"), spacing=0.05)
+    places = [(x, y, 0) for x, y in cloth.rest]
+    mesh = muslin.Mesh("skirt", places, cloth.triangles, texcoords=cloth.rest, cloth=cloth, material="denim")
+    muslin.write_mesh(tmp_path / "skirt.obj", [mesh])
+    groups = [line[2:] for line in (tmp_path / "skirt.obj").read_text().splitlines() if line.startswith("g ")]
+    assert groups[-1] == "seams" and len(groups) == 1 + len(set(cloth.node_panels))
+    assert f"newmtl denim.{groups[0]}" in (tmp_path / "skirt.mtl").read_text()
+    for form in ("glb", "usda", "ply"):
+        assert groups[0].encode() in muslin.exchange.mesh_bytes([mesh], form)
+
+
 def test_meshes_in_motion_are_written(tmp_path):
     square, faces = [[0, 0, 0], [1, 0, 0], [1, 1, 0]], [[0, 1, 2]]
     mesh = muslin.Mesh("flag", square, faces, normals=[[0, 0, 1]] * 3)
@@ -93,5 +105,11 @@ def test_meshes_in_motion_are_written(tmp_path):
     document = json.loads(data[20:20 + length])
     assert len(document["meshes"][0]["primitives"][0]["targets"]) == 2
     assert document["animations"][0]["channels"][0]["target"] == {"node": 0, "path": "weights"}
+    muslin.write_mesh(tmp_path / "flag.usda", [mesh], times=[0, 0.5], motions=[(moved, None)])
+    assert "points.timeSamples" in (tmp_path / "flag.usda").read_text()
+    muslin.write_mesh(tmp_path / "flag.pc2", [mesh], times=[0, 0.5], motions=[(moved, None)])
+    assert len((tmp_path / "flag.pc2").read_bytes()) == 32 + 2 * 3 * 12
+    with pytest.raises(ValueError, match="'stl' is no form"):
+        muslin.write_mesh(tmp_path / "flag.stl", [mesh])
     with pytest.raises(ValueError, match="2 keys of 3 vertices"):
         muslin.write_glb_motion(tmp_path / "flag.glb", [mesh], [0, 0.5], [(square, None)])

@@ -25,7 +25,7 @@ from .design import axes, designs, draft, ease, grade, spell
 from .drape import Drape
 from .dress import Dressed, dress
 from .errors import MuslinError
-from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_obj
+from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_mesh, write_obj
 from .fit import Fit
 from .integrate import integrate
 from .manifold import Manifold
@@ -41,4 +41,4 @@ __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LE
            "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "View", "arrange", "axes",
            "designs", "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves",
            "pattern_reason", "png_bytes", "poses", "read_obj", "render", "scan", "sizes", "spell", "version",
-           "write_glb", "write_glb_motion", "write_obj", "__version__"]
+           "write_glb", "write_glb_motion", "write_mesh", "write_obj", "__version__"]

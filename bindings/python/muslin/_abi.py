@@ -243,6 +243,11 @@ MUS_DXF_AAMA = 0
 MUS_DXF_ASTM = 1
 MUS_DXF_CUT = 0
 MUS_DXF_SEW = 1
+MUS_MESH_OBJ = 0
+MUS_MESH_GLB = 1
+MUS_MESH_USDA = 2
+MUS_MESH_PLY = 3
+MUS_MESH_PC2 = 4
 MUS_CATALOGUE_READ = 0
 MUS_CATALOGUE_WRITE = 1
 MUS_DISTANCE_PIECES = 0
@@ -481,6 +486,10 @@ class mus_mesh_motion(Structure):
     pass
 
 
+class mus_mesh_file(Structure):
+    pass
+
+
 # callbacks
 mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
 mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
@@ -609,6 +618,10 @@ mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count
                           ("normals", POINTER(c_double)), ("texcoords", POINTER(c_double)),
                           ("triangles", POINTER(c_int32)), ("colour", c_double * 4), ("two_sided", c_int32)]
 mus_mesh_motion._fields_ = [("size", c_size_t), ("positions", POINTER(c_double)), ("normals", POINTER(c_double))]
+mus_mesh_file._fields_ = [("size", c_size_t), ("form", c_int32), ("count", c_int32),
+                          ("meshes", POINTER(mus_mesh_view)), ("cloths", POINTER(POINTER(mus_cloth))),
+                          ("materials", POINTER(c_char_p)), ("keys", c_int32), ("times", POINTER(c_double)),
+                          ("motion", POINTER(mus_mesh_motion))]
 
 
 # functions: name -> (library, result, arguments)
@@ -1078,6 +1091,10 @@ FUNCTIONS = {
     "mus_mesh_write_glb_motion_bytes": ("exchange", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_mesh_view),
                                                               c_int32, POINTER(c_double), POINTER(mus_mesh_motion),
                                                               POINTER(c_char_p), POINTER(c_size_t)]),
+    "mus_mesh_file_init": ("exchange", None, [POINTER(mus_mesh_file), c_size_t]),
+    "mus_mesh_write": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(mus_mesh_file)]),
+    "mus_mesh_write_bytes": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_mesh_file), POINTER(c_char_p),
+                                                   POINTER(c_size_t)]),
     "mus_mesh_read_obj": ("exchange", c_int32, [POINTER(mus_context), c_char_p, POINTER(POINTER(mus_mesh))]),
     "mus_mesh_read_obj_from": ("exchange", c_int32, [POINTER(mus_context), c_char_p, c_size_t, c_char_p,
                                                      POINTER(POINTER(mus_mesh))]),

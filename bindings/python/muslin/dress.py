@@ -51,12 +51,12 @@ class Dressed:
         self.seconds = {phase: getattr(report, f"{phase}_seconds") for phase in _PHASES}
 
     def meshes(self, colour: Sequence[float] = CLOTH, body: Body | None = None) -> list[Mesh]:
-        """The body (or `body` in its place) and the garment as meshes: for render(), View, write_glb(), write_obj()."""
+        """The body (or `body` in its place) and the garment as meshes: for render(), View, write_mesh(), write_glb()."""
         if self.cloth is None or self.drape is None:
             raise ValueError(f"{self.pattern.name} was not cut: {self.reason['text']}")
         body = body or self.body
         garment = Mesh(self.pattern.name, self.drape.positions, self.cloth.triangles, self.drape.normals,
-                       self.cloth.rest, colour=(*colour[:3], 1.0), two_sided=True)
+                       self.cloth.rest, colour=(*colour[:3], 1.0), two_sided=True, cloth=self.cloth)
         return [Mesh("body", body.vertices, body.triangles, body.normals, colour=SKIN)] * (body is not None) + [garment]
 
     def picture(self, width: int = 360, height: int = 540, **options: Any) -> Array:

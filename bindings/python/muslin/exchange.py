@@ -1,7 +1,9 @@
 """exchange.py: triangle meshes to files and from them. Tapes and patterns have read and write of their own."""
 from __future__ import annotations
 
+import ctypes
 from typing import TYPE_CHECKING, Any
+
 from . import _abi
 from ._library import lib
 from .arrays import doubles, integers
@@ -11,14 +13,19 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ._types import MeshLists, Numbers, PathLike
+    from .cloth import Cloth
 
 
 class Mesh:
-    """A mesh to write: positions (n x 3), triangles (m x 3), normals (n x 3), texcoords (n x 2), colour (RGBA)."""
+    """A mesh to write: positions (n x 3), triangles (m x 3), normals (n x 3), texcoords (n x 2), colour (RGBA).
+
+    With the `cloth` whose nodes and triangles it has, write_mesh() divides it into panels; `material` names the fabric.
+    """
 
     def __init__(self, name: str, positions: Numbers, triangles: Numbers, normals: Numbers | None = None,
                  texcoords: Numbers | None = None, colour: Sequence[float] | None = None,
-                 two_sided: bool = False) -> None:
+                 two_sided: bool = False, cloth: Cloth | None = None, material: str | None = None) -> None:
+        self._cloth, self._material = cloth, text(material) if material is not None else None
         self._positions, n = doubles(positions, 3)
         self._triangles, m = integers(triangles, 3)
         self._normals = self._rows(normals, 3, n)
@@ -122,6 +129,53 @@ def _motion(mesh: Mesh, keys: int, positions: Numbers | None, normals: Numbers |
             raise ValueError(f"{keys} keys of {mesh.struct.vertex_count} vertices, {array[1]} rows of 3")
         setattr(motion, field, array[0])
     return motion, arrays
+
+
+_FORMS = {"obj": _abi.MUS_MESH_OBJ, "glb": _abi.MUS_MESH_GLB, "usda": _abi.MUS_MESH_USDA, "ply": _abi.MUS_MESH_PLY,
+          "pc2": _abi.MUS_MESH_PC2}
+
+
+def _mesh_file(meshes: Sequence[Mesh], form: str, times: Numbers | None,
+               motions: Sequence[tuple[Numbers | None, Numbers | None]] | None) -> tuple[Any, Any]:
+    """The struct of a mesh file, and what it borrows."""
+    if form not in _FORMS:
+        raise ValueError(f"{form!r} is no form of a mesh file: {', '.join(_FORMS)}")
+    cloths = (ctypes.POINTER(_abi.mus_cloth) * len(meshes))()
+    for i, mesh in enumerate(meshes):
+        if mesh._cloth is not None:
+            cloths[i] = mesh._cloth.handle
+    materials = (ctypes.c_char_p * len(meshes))(*[mesh._material for mesh in meshes])
+    views = _views(meshes)
+    options = {"form": _FORMS[form], "count": len(meshes)}
+    held: list[Any] = [cloths, materials, views]
+    file = make_def(_abi.mus_mesh_file, lib.mus_mesh_file_init, options)
+    file.meshes, file.materials, file.cloths = views, materials, cloths
+    if times is not None and motions is not None:
+        when, keys = doubles(times, 1)
+        motion = [_motion(mesh, keys, *moved) for mesh, moved in zip(meshes, motions, strict=True)]
+        structs = (_abi.mus_mesh_motion * len(meshes))(*[struct for struct, _ in motion])
+        file.keys, file.times, file.motion = keys, when, structs
+        held += [when, motion, structs]
+    return file, held
+
+
+def write_mesh(path: PathLike, meshes: Sequence[Mesh], form: str | None = None, times: Numbers | None = None,
+               motions: Sequence[tuple[Numbers | None, Numbers | None]] | None = None,
+               context: Context | None = None) -> None:
+    """Meshes as "obj", "glb", "usda", "ply" or "pc2" (the ending of the path): a mesh of a cloth panel by panel, with
+    packed texture coordinates and its seams as lines. times and motions: as write_glb_motion() has them."""
+    context = context or Context.of_thread()
+    file, _ = _mesh_file(meshes, form or str(path).rpartition(".")[2], times, motions)
+    context.call("mus_mesh_write", context.handle, text(path), ctypes.byref(file))
+
+
+def mesh_bytes(meshes: Sequence[Mesh], form: str, times: Numbers | None = None,
+               motions: Sequence[tuple[Numbers | None, Numbers | None]] | None = None,
+               context: Context | None = None) -> bytes:
+    """What write_mesh() writes, as bytes."""
+    context = context or Context.of_thread()
+    file, _ = _mesh_file(meshes, form, times, motions)
+    return taken_bytes(context, "mus_mesh_write_bytes", context.handle, ctypes.byref(file))
 
 
 def write_glb_motion(path: PathLike, meshes: Sequence[Mesh], times: Numbers,

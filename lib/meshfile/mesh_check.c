@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "exchange/mesh_check.h"
 #include "file/message.h"
+#include "meshfile/mesh_check.h"
 
 #define MESH_LIMIT 1e30 /* [m] largest number of a mesh; chosen: a float can hold it, and no garment comes near it */
 

@@ -1,8 +1,8 @@
 /*
- * pack.h: pack outlines on a strip of paper (pack.c).
+ * outline_pack.h: pack outlines on a strip of paper (outline_pack.c).
  */
-#ifndef MUS_PRINT_PACK_H
-#define MUS_PRINT_PACK_H
+#ifndef MUS_PRINT_OUTLINE_PACK_H
+#define MUS_PRINT_OUTLINE_PACK_H
 
 #include "print/piece.h"
 
@@ -47,7 +47,7 @@ void mus__strip_free(mus_context *context, mus__strip *strip);
 
 /* pack n shapes in the order given on a strip of `width` [m]: places (n) gets where each lies. Returns the height used
  * [m], or -1 when a shape is too wide */
-double mus__pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const int32_t *order, double width, double gap,
-                 mus__place *places);
+double mus__strip_pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const int32_t *order, double width,
+                       double gap, mus__place *places);
 
 #endif

@@ -1,9 +1,9 @@
 /*
- * test_pack.c: outlines on a strip: inside, apart by the gap, none lost; hollows are used, and ways round.
+ * test_outline_pack.c: outlines on a strip: inside, apart by the gap, none lost; hollows are used, and ways round.
  */
 #include <math.h>
 
-#include "print/pack.h"
+#include "print/outline_pack.h"
 #include "support.h"
 
 #define SHAPES 12
@@ -62,7 +62,7 @@ static double pack(double width, double gap, mus__place *places)
     int32_t order[SHAPES];
     for (int32_t i = 0; i < count; i++) order[i] = i;
     ck_assert_int_eq(mus__strip_make(context, count, shapes, width + 1.0, &strip), MUS_OK);
-    return mus__pack(&strip, count, shapes, order, width, gap, places);
+    return mus__strip_pack(&strip, count, shapes, order, width, gap, places);
 }
 
 
@@ -146,10 +146,10 @@ START_TEST(a_shape_wider_than_the_strip_is_refused)
 END_TEST
 
 
-Suite *mus_suite_pack(void);
-Suite *mus_suite_pack(void)
+Suite *mus_suite_outline_pack(void);
+Suite *mus_suite_outline_pack(void)
 {
-    Suite *suite = suite_create("pack");
+    Suite *suite = suite_create("outline_pack");
     TCase *test = tcase_create("pack");
     tcase_add_checked_fixture(test, setup, teardown);
     tcase_add_test(test, boxes_lie_inside_the_strip_and_apart);

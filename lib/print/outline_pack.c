@@ -1,7 +1,7 @@
 /*
- * pack.c: pack outlines on a strip of paper, in a given order: each at the place nearest to the top of the strip where
- * it fits among those before it, also in their hollows (bottom-left on true outlines, upside down). An outline may be
- * turned by half a turn, so that the grain stays upright, and the half of a piece on the fold mirrored.
+ * outline_pack.c: pack outlines on a strip of paper, in a given order: each at the place nearest to the top of the
+ * strip where it fits among those before it, also in their hollows (bottom-left on true outlines, upside down). An
+ * outline may be turned by half a turn, so that the grain stays upright, and the half of a piece on the fold mirrored.
  *
  * The strip is cut into upright slabs of equal width. In a slab an outline is a list of spans that it covers, measured
  * down from its top; it is grown by half the gap all round first. A place is a whole number of slabs from the left:
@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "print/pack.h"
+#include "print/outline_pack.h"
 
 #define STRIDE 0.008 /* [m] from place to place; chosen: twice as much takes half the time and packs a little looser */
 #define SLABS_MOST 1e6 /* most slabs of a shape; chosen: bounds the memory */
@@ -150,7 +150,7 @@ static const double *shape_slab(const mus__shape *shape, const bool *flip, int32
 
 /* compute the least distance from the top at which the shape lies free with its first slab on slab s; false at `limit`
  * or above */
-static bool pack_rest(const mus__strip *strip, const mus__shape *shape, const bool *flip, int32_t s, double limit,
+static bool strip_rest(const mus__strip *strip, const mus__shape *shape, const bool *flip, int32_t s, double limit,
                       double *out)
 {
     double y = 0.0;
@@ -176,7 +176,7 @@ static bool pack_rest(const mus__strip *strip, const mus__shape *shape, const bo
 }
 
 
-static void pack_put(mus__strip *strip, const mus__shape *shape, const mus__place *place)
+static void strip_put(mus__strip *strip, const mus__shape *shape, const mus__place *place)
 {
     for (int32_t k = 0; k < shape->nslab; k++) {
         int32_t count;
@@ -219,7 +219,7 @@ void mus__strip_free(mus_context *context, mus__strip *strip)
 
 /* find the place nearest to the top for a shape, of those that differ by less than a slab the leftmost: at each STRIDE
  * and at the last slab, then moved to the left while it does not sink; y is HUGE_VAL when the shape is too wide */
-static mus__place pack_find(const mus__strip *strip, const mus__shape *shape, int32_t nslab)
+static mus__place strip_find(const mus__strip *strip, const mus__shape *shape, int32_t nslab)
 {
     static const bool flips[4][2] = {{false, false}, {true, true}, {true, false}, {false, true}};
     mus__place best = {0, {false, false}, 0.0, HUGE_VAL};
@@ -229,13 +229,13 @@ static mus__place pack_find(const mus__strip *strip, const mus__shape *shape, in
     for (int32_t s = 0; s <= last && best.y > 0.0; s = s < last && s + stride > last ? last : s + stride) {
         for (int32_t i = 0; i < ways; i++) {
             const int32_t way = (shape->first + i) % ways;
-            if (!pack_rest(strip, shape, flips[way], s, best.y - shape->slab, &y)) continue;
+            if (!strip_rest(strip, shape, flips[way], s, best.y - shape->slab, &y)) continue;
             best.slab = s;
             memcpy(best.flip, flips[way], sizeof best.flip);
             best.y = y;
         }
     }
-    while (best.slab > 0 && pack_rest(strip, shape, best.flip, best.slab - 1, best.y + 1e-9, &y)) {
+    while (best.slab > 0 && strip_rest(strip, shape, best.flip, best.slab - 1, best.y + 1e-9, &y)) {
         best.slab--;
         best.y = y < best.y ? y : best.y;
     }
@@ -243,8 +243,8 @@ static mus__place pack_find(const mus__strip *strip, const mus__shape *shape, in
 }
 
 
-double mus__pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const int32_t *order, double width, double gap,
-                 mus__place *places)
+double mus__strip_pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const int32_t *order, double width,
+                       double gap, mus__place *places)
 {
     /* the gap is part of each shape, so the strip is one gap wider */
     const int32_t nslab = (int32_t)((width + gap) / strip->slab + 1e-9);
@@ -254,9 +254,9 @@ double mus__pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const i
     for (int32_t s = 0; s < nslab; s++) strip->first[s] = MUS_NONE;
     for (int32_t i = 0; i < n; i++) {
         const mus__shape *shape = &shapes[order[i]];
-        const mus__place best = pack_find(strip, shape, nslab);
+        const mus__place best = strip_find(strip, shape, nslab);
         if (!(best.y < HUGE_VAL)) return -1.0; /* wider than the strip */
-        pack_put(strip, shape, &best);
+        strip_put(strip, shape, &best);
         places[order[i]] = best;
         /* mirrored, the shape ends with its last slab, which it may fill in part */
         places[order[i]].x = best.slab * shape->slab;

@@ -1,8 +1,8 @@
 /*
  * mesh_check.h: the check of meshes before a file is written.
  */
-#ifndef MUS_EXCHANGE_MESH_CHECK_H
-#define MUS_EXCHANGE_MESH_CHECK_H
+#ifndef MUS_MESHFILE_MESH_CHECK_H
+#define MUS_MESHFILE_MESH_CHECK_H
 
 #include "muslin/exchange.h"
 

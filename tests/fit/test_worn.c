@@ -31,6 +31,7 @@ static const defect defects[] = {
     {"front and back exchanged: inside out", "tshirt", NULL, {1, 1, -1}, {0, 0, 0}, MUS_WORN_INSIDE_OUT, MUS_NONE},
     {"slid down", "skirt", NULL, {1, 1, 1}, {0, -0.3, 0}, MUS_WORN_LOW, MUS_NONE},
     {"rolled up", "skirt", NULL, {1, 0.3, 1}, {0, 0.72, 0}, MUS_WORN_ROLLED, MUS_NONE},
+    {"legs through the front", "skirt", "skirt_front", {1, 1, 1}, {0, 0, -0.2}, MUS_WORN_THROUGH, MUS_WORN_LEG_LEFT},
     {"drawn wide", "skirt", NULL, {1, 1, 5}, {0, 0, 0}, MUS_WORN_TIGHT, MUS_NONE},
 };
 

@@ -2,9 +2,9 @@
  * dress_start.c: one start of mus_dress(), from cutting the cloth to rest, or to the reason why not.
  *
  * Settling takes most of the time of a start, so a start that is sewn is looked at first: every limb goes through its
- * opening (mus_fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
- * finds it afterwards, and crossings that were not drawn apart then stay. Such a start waits: mus_dress() settles it
- * only if no other start is better.
+ * opening and none through the cloth (mus__fit_worn()), and no cloth crosses cloth. A limb that went into no opening
+ * while seams were open seldom finds it afterwards, and crossings that were not drawn apart then stay. Such a start
+ * waits: mus_dress() settles it only if no other start is better.
  *
  * A start with raised arms is sewn round the body with horizontal arms. They are taken back to where the body has them
  * while the cloth, which is on by then, steps in time; then it settles as any other.
@@ -16,8 +16,8 @@
 #include "drape/drape_state.h"
 #include "dress/dress_start.h"
 #include "dress/progress.h"
+#include "fit/worn_check.h"
 #include "geom/vec.h"
-#include "muslin/fit.h"
 #include "muslin/pose.h"
 
 #define LOWER_SECONDS 1.0 /* [s] of cloth time in which arms come down; chosen: a person who lets them down */
@@ -82,17 +82,16 @@ static mus_status start_look(mus__dress_start *start)
 
 
 /* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
- * openings count. Cloth through the skin fails no start */
+ * openings and limbs through the cloth count. Cloth through the skin fails no start */
 static mus_status start_worn(const mus__dress *call, bool sewn, mus__dress_start *start)
 {
     mus_worn worn;
     mus_worn_init(&worn, sizeof worn);
     if (call->body == NULL) return MUS_OK;
     const mus_body *body = sewn && start->raised != NULL ? start->raised : call->body;
-    const mus_status status = mus_fit_worn(start->drape, start->pattern, body, &worn);
+    const mus_status status = mus__fit_worn(start->drape, start->pattern, body, sewn ? 0 : MUS__WORN_HANGS, &worn);
     if (status != MUS_OK) return status;
-    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
-    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
+    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN) return MUS_OK;
     mus_reason *why = &start->reason;
     mus_reason_init(why, sizeof *why);
     why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;

@@ -88,7 +88,10 @@ void mus__worn_note(const mus__worn_call *call, int32_t kind, int32_t limb, int3
 
 /* worn_level.c: heights and shoulders */
 void mus__worn_levels(const mus__worn_call *call);
-/* worn_through.c: cloth through the skin: through and its fellows in out. Errors: MUS_ERR_MEMORY */
+/* worn_through.c: a limb whose axis, as far as it lies in the body, meets a triangle of the cloth: that limb is through
+ * the cloth, not a mere fold of the cloth in the skin */
+void mus__worn_pierced(const mus__worn_call *call);
+/* cloth through the skin: through and its fellows in out. Errors: MUS_ERR_MEMORY */
 mus_status mus__worn_through(const mus__worn_call *call);
 
 #endif

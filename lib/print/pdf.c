@@ -198,7 +198,7 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     cairo_set_font_face(cairo, face);
     cairo_font_face_destroy(face);
 
-    mus_status status = sheet->tiled ? pdf_cover(surface, cairo, sheet) : MUS_OK;
+    mus_status status = sheet->cover ? pdf_cover(surface, cairo, sheet) : MUS_OK;
     for (int32_t i = 0; i < sheet->ntile && status == MUS_OK; i++) status = pdf_tile(surface, cairo, sheet, i);
 
     /* failures of cairo: no memory, or a sink that has failed */

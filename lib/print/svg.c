@@ -128,10 +128,8 @@ static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
     mus__draw_init(&drawing, sheet->context);
-    double size[2];
-    mus__squares_size(true, size);
-    if (sheet->tiled) mus__squares_draw(&drawing, 0.0, -SVG_GAP - size[1], true);
-    else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1], sheet->squares_beside);
+    if (sheet->cover) mus__squares_draw(&drawing, 0.0, -SVG_GAP - MUS__SQUARES);
+    else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1]);
     mus__sink_print(bytes, "<g id=\"scale\">\n");
     const mus_status status = drawing.status;
     for (int32_t i = 0; status == MUS_OK && i < drawing.npath; i++)
@@ -149,11 +147,10 @@ static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, c
     if (status != MUS_OK) return status;
     mus__sink bytes;
     mus__sink_init(&bytes, sheet->context);
-    double squares[2], width = sheet->extent[0], height = sheet->extent[1];
-    mus__squares_size(true, squares);
-    if (sheet->tiled) {
-        width = width > squares[0] + SVG_GAP ? width : squares[0] + SVG_GAP;
-        height += squares[1] + 2.0 * SVG_GAP;
+    double width = sheet->extent[0], height = sheet->extent[1];
+    if (sheet->cover) {
+        width = width > MUS__SQUARES + SVG_GAP ? width : MUS__SQUARES + SVG_GAP;
+        height += MUS__SQUARES + 2.0 * SVG_GAP;
     }
     mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");

@@ -9,7 +9,7 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     fold     a dart folded shut: its cut edges lie on each other, layer on layer
     fair     a dart folded shut: step and angle between the sew edges on both sides of its mouth
     turn     a hem turned up: its ends lie on the cut lines of its neighbours
-    unfold   the halves of a print on the fold, mirrored, are the whole pieces
+    unfold   the halves of a print on the fold, each a right or a left one, upright or turned, unfold to the whole pieces
     pages    on A4, pages without a line of their own: one that no other page shows
     seam     both edges of a seam are as long as each other, but for the ease that the seam says
     notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
@@ -165,6 +165,17 @@ def halves(path, tiles):
     return list(found.values())
 
 
+def unfolded(whole, points):
+    """Worst distance of the whole's cut line from a half and its mirror image; the half lies on the right."""
+    right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
+    line = [(p[0] + right, p[1] + top) for p in points]
+    axis = (line[0][0] + line[-1][0]) / 2
+    worst = abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis)
+    if worst > 1.0:
+        return worst
+    return max(worst, *(to_line((axis + abs(p[0] - axis), p[1]), line, closed=False) for p in whole))
+
+
 def check_halves(pieces, half, note):
     """A half and its mirror image make up the whole: worst distance of the whole's cut line."""
     if len(half) != len(pieces):
@@ -182,12 +193,7 @@ def check_halves(pieces, half, note):
         closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
         if closed:
             continue
-        right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
-        line = [(p[0] + right, p[1] + top) for p in points]
-        axis = (line[0][0] + line[-1][0]) / 2
-        for p in whole:
-            note("unfold", to_line((axis + abs(p[0] - axis), p[1]), line, closed=False))
-        note("unfold", abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis))
+        note("unfold", min(unfolded(whole, [(fx * p[0], fy * p[1]) for p in points]) for fx in (1, -1) for fy in (1, -1)))
 
 
 def in_order(sew, lengths):

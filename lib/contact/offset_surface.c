@@ -3,7 +3,7 @@
  *
  * The point of the offset surface at height s lies off the point of the skin at s' = s - offset g_s / |g|, with
  * g = grad F there and F = rho - R(s, q). That is an equation for s', solved by iteration at each ring and each angle.
- * The gradients along eight columns of the table (all rings, eight angles) are worked out once, before their rings are
+ * The gradients along 16 columns of the table (all rings, 16 angles) are worked out once, before their rings are
  * solved.
  */
 #include <math.h>
@@ -15,7 +15,7 @@
 #define OFFSET_CAP_FALL 0.4999 /* bound of k of a cap, which must be below 1/2 for its half axis to be finite */
 #define OFFSET_CLOSE 1e-3      /* [rings] the iteration ends when s' moves by less: micrometres */
 #define OFFSET_ROUNDS 8        /* iterations at most; it converges by a factor of the surface's slope */
-#define OFFSET_LANES 8         /* columns side by side: vectors of eight doubles at most, one line of the cache */
+#define OFFSET_LANES 16        /* columns side by side: two lines of the cache */
 #define OFFSET_SAFE                                                                                                    \
     0.5 /* of the least radius: the skin that is nearest to a node no deeper than this is the one it passed */
 #define OFFSET_FAR 1e30 /* [m] beyond every radius */
@@ -118,15 +118,18 @@ static void offset_ring(const offset_columns *all, int32_t k, double *radius)
         }
     }
     const double *c = field->centre + 2 * (int64_t)k;
+    double squared[OFFSET_LANES], back[OFFSET_LANES], found[OFFSET_LANES];
     for (int32_t i = 0; i < OFFSET_LANES; i++) {
         const int64_t low = (int64_t)at[i] * OFFSET_LANES + i;
         const double *c0 = field->centre + 2 * (int64_t)at[i];
         const double r0 = all->radius[low], r1 = all->radius[low + OFFSET_LANES];
-        const double back =
+        squared[i] = r0 * r0 + t[i] * (r1 * r1 - r0 * r0);
+        back[i] =
             (c[0] - c0[0] - t[i] * (c0[2] - c0[0])) * all->ua[i] + (c[1] - c0[1] - t[i] * (c0[3] - c0[1])) * all->ub[i];
-        radius[all->column[i]] =
-            sqrt(r0 * r0 + t[i] * (r1 * r1 - r0 * r0)) + offset * plane[i] / length_g[i] - back;
     }
+    for (int32_t i = 0; i < OFFSET_LANES; i++)
+        found[i] = sqrt(squared[i]) + offset * plane[i] / length_g[i] - back[i];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) radius[all->column[i]] = found[i];
 }
 
 

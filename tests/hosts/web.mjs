@@ -127,9 +127,9 @@ const rate = dragged.shown / dragged.seconds,
     aims = [rate >= 20, middle(dragged.pictures) < 60, dragged.rest < 400].filter(Boolean).length;
 claim(
     dragged.shown > 0,
-    `slider dragged for ${dragged.seconds.toFixed(1)} s: ${rate.toFixed(1)} drapes shown a second (aim 20), a picture ` +
-        `${middle(dragged.pictures)} ms after its value (median, aim 60), at rest ${dragged.rest.toFixed(0)} ms after ` +
-        `the last one (aim 400): ${aims} of 3 aims; 20 mm, ${load()}`,
+    `slider dragged for ${dragged.seconds.toFixed(1)} s: ${rate.toFixed(1)} drapes shown a second (aim 20), ` +
+        `a picture ${middle(dragged.pictures)} ms after its value (median, aim 60), at rest ` +
+        `${dragged.rest.toFixed(0)} ms after the last one (aim 400): ${aims} of 3 aims; 20 mm, ${load()}`,
 );
 await page.waitForTimeout(100);
 await rest(true);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""web.py [states | package | page]: the fitting room of MUSLIN_OUT/web (make web) in Node and in headless Chromium.
+"""web.py [states | refit | package | page]: the fitting room of MUSLIN_OUT/web (make web) in Node and in Chromium.
 
-60 garments in WebAssembly against the library: equal state hashes. The npm package, packed and installed: the command's
-hash, and its types under TypeScript. Then the browser: ready, three designs, a dragged
+60 garments in WebAssembly against the library: equal state hashes. What a moved slider costs. The npm package, packed
+and installed: the command's hash, and its types under TypeScript. Then the browser: ready, three designs, a dragged
 slider, files (PDF by qpdf, glb by the validator where it is installed), no network, axe-core. Pictures stay in
 MUSLIN_OUT/web-tried. With a word one part alone.
 """
@@ -47,6 +47,22 @@ def states():
     print(f"{'ok  ' if equal == len(pairs) else 'FAIL'} {equal} of {len(pairs)} garments have the native state hash"
           f"{'; not: ' + ', '.join(other) if other else ''}", flush=True)
     return equal == len(pairs)
+
+
+def refit():
+    """CPU milliseconds from a moved slider to the first picture and to rest, in Node."""
+    node, = hosts.need("node")
+    held = True
+    for line in hosts.run(node, hosts.ROOT / "tests/hosts/web_refit.mjs", serve.FOLDER / "room.wasm",
+                          hosts.BINDINGS / "web/page/room.js", "tshirt", "skirt", "jeans", "shirt").splitlines():
+        design, nodes, *least = line.split()
+        body, draft, cut, settle = map(float, least)
+        first, rest = body + draft + cut, body + draft + cut + settle
+        held &= first < 60 and rest < 400
+        print(f"{'ok  ' if first < 60 and rest < 400 else 'FAIL'} {design}, {nodes} nodes, bust moved by 1 mm: picture "
+              f"after {first:.0f} CPU ms (body {body:.0f}, draft {draft:.0f}, cut {cut:.0f}; aim 60), rest after "
+              f"{rest:.0f} (aim 400), least of 30")
+    return held
 
 
 def package():
@@ -100,8 +116,10 @@ def glb():
     data = path.read_bytes()
     length = int.from_bytes(data[12:16], "little")
     tree = json.loads(data[20:20 + length])
-    good = data[:4] == b"glTF" and int.from_bytes(data[8:12], "little") == len(data) and len(tree["meshes"]) == 2
-    print(f"{'ok  ' if good else 'FAIL'} glb: {len(tree['meshes'])} meshes, {len(data)} bytes")
+    done = subprocess.run(["sh", hosts.ROOT / "tests/guard/glb.sh", path], capture_output=True, text=True)
+    said = done.stdout.strip().splitlines()[-1].split(": ")[-1]
+    good = done.returncode == 0 and len(tree["meshes"]) == 2
+    print(f"{'ok  ' if good else 'FAIL'} glb: {len(tree['meshes'])} meshes, {len(data)} bytes; the validator: {said}")
     return good
 
 
@@ -126,7 +144,7 @@ def browser():
 def main():
     if not (serve.FOLDER / "room.wasm").exists():
         sys.exit("web.py: the fitting room is not built; make web")
-    parts = {"states": states, "package": package, "page": browser}
+    parts = {"states": states, "refit": refit, "package": package, "page": browser}
     held = []
     for name in sys.argv[1:] or parts:
         try:

@@ -23,7 +23,7 @@ EXAMPLES = hosts.BINDINGS / "python" / "examples"
 BARE = """
 import sys, muslin
 assert "numpy" not in sys.modules and muslin.arrays.numpy is None
-shirt = muslin.dress("tshirt", "W40", spacing=0.03)
+shirt = muslin.dress("tshirt", "W40", spacing=0.03, progress=True)  # without tqdm there is no bar
 mesh = muslin.Mesh("shirt", shirt.drape.positions, shirt.cloth.triangles)  # the views handed back
 shirt.drape.set_state(shirt.drape.positions, shirt.drape.velocities)
 assert shirt._repr_png_() is None and shirt.pattern._repr_svg_().startswith("<")
@@ -40,6 +40,24 @@ for _ in range(20): loop()
 gc.collect(); first = resident()
 for _ in range(200): loop()
 gc.collect(); print((resident() - first) / 1e6)
+"""
+EXTRAS = """
+import pathlib, sys, muslin
+tape = muslin.Tape.size("W40")
+tape.write(pathlib.Path("w40.tape"))
+shirt = muslin.dress("tshirt", pathlib.Path("w40.tape"), spacing=0.03, progress=True)
+assert "tqdm" in sys.modules
+garment = shirt.meshes()[-1].to_trimesh()
+assert type(garment).__module__.startswith("trimesh") and len(garment.vertices) == len(shirt.drape)
+table = shirt.fit().to_pandas()
+assert type(table).__name__ == "DataFrame" and "ease" in table and len(table) == len(shirt.fit().levels)
+shirt.pattern.write(pathlib.Path("tshirt.json"))
+muslin.Sheet(muslin.Pattern.read(pathlib.Path("tshirt.json"))).write_pdf(pathlib.Path("tshirt.pdf"))
+muslin.write_glb(pathlib.Path("tshirt.glb"), shirt.meshes())
+page = shirt.view().page()
+assert "model-viewer" in page and "data:model/gltf-binary;base64," in page and "data:image/png" in page
+print(f"trimesh {len(garment.faces)} faces, pandas {table.shape[0]} levels, tqdm, Path, a model that turns "
+      f"({len(page) / 1e6:.1f} MB)")
 """
 NOTEBOOK = """
 import sys, time, nbformat, nbclient
@@ -93,6 +111,7 @@ def with_all(wheel):
     picture = base64.b64decode(cells[0]["outputs"][0]["data"]["image/png"])
     (TRIED / "first.png").write_bytes(picture)
     claim(first < 60, f"notebook: first picture after {first:.1f} s ({len(picture)} bytes), all of it {last:.1f} s")
+    claim(True, plain(python, "-c", EXTRAS))
     grown = float(plain(python, "-c", LOOPS))
     claim(grown < 4, f"200 loops of dress, fit, picture, sheet: {grown:+.2f} MB")
     lines = plain(python, EXAMPLES / "sizes.py").splitlines()

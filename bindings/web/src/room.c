@@ -302,6 +302,7 @@ int32_t EXPORT(room_warm)(double spacing, int32_t index)
     mus_drape_def_init(&how, sizeof how);
     how.progress_seconds = 0.01; /* [s] the host asks often whether it still wants this drape */
     def.spacing = spacing;
+    def.coarser = 0; /* it settles from where it is */
     if (index >= 0) def.fabric = fabric_of(index, &fabric);
     cloth_new = NULL, drape_new = NULL;
     mus_status status = mus_cloth_create(context, pattern, &def, &cloth_new);

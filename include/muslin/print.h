@@ -48,9 +48,10 @@ MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pat
                                     mus_sheet **out);
 
 /** Lay out the same pattern in `count` sizes (1 to 64) on one sheet: the sizes of a piece lie on each other by the
- * frame of its panel, halves by their fold lines. `names` (count) are those of the sizes ("W40"); each stands on its
- * cut line. Such a sheet is not written as DXF. Errors: as mus_sheet_create(), and MUS_ERR_ARG (count out of range; a
- * size whose panels are not those of the first) */
+ * frame of its panel, halves by their fold lines. `names` (count) are those of the sizes ("W40"). Each size has dashes
+ * of its own for its cut line, with its name beside it, and is a layer of the PDF; all layers are visible. Such a
+ * sheet is not written as DXF. Errors: as mus_sheet_create(), and MUS_ERR_ARG (count out of range; a size whose panels
+ * are not those of the first) */
 MUS_API mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, const mus_pattern *const *patterns,
                                           const char *const *names, const mus_sheet_def *def, mus_sheet **out);
 

@@ -16,11 +16,11 @@
  *
  * The first that is sewn with every limb in its opening and no cloth through cloth is settled; a success ends the
  * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled, the one with the
- * fewest crossings first, and no one with more than another has at rest; those that ended with an open seam are sewn
- * patiently; and the one that got farthest is returned, settled if it is sewn.
+ * fewest crossings first, and no one with more than another has at rest; where none got through settling, those that
+ * ended with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin, other than
- * a limb that goes through the cloth, fails no start, nor does a body that the call cannot tell by.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin fails no
+ * start, but a limb that goes through the cloth does. A body that the call cannot tell by fails none.
  *
  * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */
@@ -148,16 +148,18 @@ static mus_status dress_near_arms(const mus__dress *call, const mus_body *raised
     double *depth = mus__new(call->context, 2 * (int64_t)n, sizeof *depth);
     if (n > 0 && depth == NULL) return mus__fail_memory(call->context, "the cloth beside the arms");
     mus_status status = MUS_OK;
-    if (n > 0) status = mus_body_depth(call->body, n, mus_drape_positions(start->drape), depth, NULL);
-    if (n > 0 && status == MUS_OK) status = mus_body_depth(raised, n, mus_drape_positions(start->drape), depth + n, NULL);
+    const double *x = n > 0 ? mus_drape_positions(start->drape) : NULL;
+    if (n > 0) status = mus_body_depth(call->body, n, x, depth, NULL);
+    if (n > 0 && status == MUS_OK) status = mus_body_depth(raised, n, x, depth + n, NULL);
     for (int32_t i = 0; i < n && status == MUS_OK; i++) *near = *near || fabs(depth[i] - depth[n + i]) > NEAR_DEPTH;
     mus__free(call->context, depth);
     return status;
 }
 
 
-/* did any start fail in a way that arms out of the way may mend? Seams that are open, cloth through cloth, a limb that is
- * not in its opening or goes through the cloth, with cloth beside an arm. `raised`: the body with its arms horizontal */
+/* did any start fail in a way that arms out of the way may mend? Seams that are open, cloth through cloth, a limb that
+ * is not in its opening or goes through the cloth, with cloth beside an arm. `raised`: the body with its arms
+ * horizontal */
 static mus_status dress_wants_room(const mus__dress *call, const mus_body *raised, const mus__dress_start *start,
                                    bool *wants)
 {
@@ -206,6 +208,19 @@ static int32_t dress_least_crossed(const mus__dress_start *start)
 }
 
 
+/* did any start go through settling with all its seams closed, its limbs in their openings and its place kept, though
+ * some cloth crosses cloth or it found no rest? Patience with an open seam seldom gets as far */
+static bool dress_settled_any(const mus__dress_start *start)
+{
+    for (int32_t i = 0; i < STARTS; i++) {
+        const int32_t kind = start[i].reason.kind;
+        if (start[i].index == MUS_NONE || start[i].waits) continue;
+        if (kind == MUS_REASON_TANGLED || kind == MUS_REASON_NOT_SETTLED) return true;
+    }
+    return false;
+}
+
+
 /* when no impatient start succeeded: the others of the head comment. Returns the one that is given back */
 static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
 {
@@ -213,7 +228,7 @@ static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
         mus__dress_settle(call, &start[i]);
         if (dress_ends(&start[i])) return i;
     }
-    for (int32_t i = 0; i < STARTS; i++) {
+    for (int32_t i = 0; i < STARTS && !dress_settled_any(start); i++) {
         if (start[i].index == MUS_NONE || start[i].refused || start[i].reason.kind != MUS_REASON_SEAM_OPEN) continue;
         const int32_t place = call->report.start_place[start[i].index];
         const mus_pattern *pattern = start[i].pattern;

@@ -146,12 +146,13 @@ static mus_status worn_check(mus__worn_call *call, int32_t parts)
         status = mus__worn_loops_make(call->drape->context, call->drape->cloth, &call->loops);
         if (status == MUS_OK)
             status = mus__worn_expect(call->pattern, call->drape->cloth, &call->axes, call->placed, &call->loops);
-        if (status == MUS_OK) worn_openings(call);
+        if (status == MUS_OK && (parts & MUS__WORN_GIRTHS) != 0) mus__worn_girths(call);
+        if (status == MUS_OK && (parts & MUS__WORN_OPENINGS) != 0) worn_openings(call);
         if (status == MUS_OK && (parts & MUS__WORN_HANGS) != 0) {
             mus__worn_levels(call);
             status = worn_tight(call);
         }
-        if (status == MUS_OK) mus__worn_pierced(call);
+        if (status == MUS_OK && (parts & MUS__WORN_OPENINGS) != 0) mus__worn_pierced(call);
     } else {
         call->out->kind = MUS_WORN_UNKNOWN;
     }
@@ -189,5 +190,5 @@ mus_status mus__fit_worn(const mus_drape *drape, const mus_pattern *pattern, con
 
 mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus_worn *out)
 {
-    return mus__fit_worn(drape, pattern, body, MUS__WORN_HANGS | MUS__WORN_SKIN, out);
+    return mus__fit_worn(drape, pattern, body, MUS__WORN_OPENINGS | MUS__WORN_HANGS | MUS__WORN_SKIN, out);
 }

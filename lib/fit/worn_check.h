@@ -6,9 +6,11 @@
 
 #include "muslin/fit.h"
 
-/* beside the openings and limbs through the cloth, which are always looked at; a sum */
-#define MUS__WORN_HANGS 1 /* shoulders, heights, tightness: of a garment at rest */
-#define MUS__WORN_SKIN 2  /* triangles through the skin, which take most of the time */
+/* the checks; a sum */
+#define MUS__WORN_OPENINGS 1 /* every limb in its opening, none through the cloth */
+#define MUS__WORN_HANGS 2    /* shoulders, heights, tightness: of a garment at rest */
+#define MUS__WORN_SKIN 4     /* triangles through the skin, which take most of the time */
+#define MUS__WORN_GIRTHS 8   /* openings too small for their limb: of the placement, before anything is sewn */
 
 /* mus_fit_worn() with these checks alone: without MUS__WORN_SKIN, MUS_WORN_THROUGH is a limb through the cloth.
  * The fields through... of mus_worn are 0 without it */

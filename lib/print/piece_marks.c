@@ -288,6 +288,7 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
     mus__draw_move(out, x, low);
     mus__draw_line(out, x, high);
+    if (piece->follower) return;
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
     mus__draw_move(out, tip, low + third);
     mus__draw_line(out, bracket, low + third);

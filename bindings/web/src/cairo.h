@@ -30,6 +30,8 @@ typedef cairo_status_t (*cairo_user_scaled_font_unicode_to_glyph_func_t)(cairo_s
 cairo_surface_t *cairo_pdf_surface_create_for_stream(cairo_write_func_t write, void *closure, double width,
                                                      double height);
 void cairo_pdf_surface_set_metadata(cairo_surface_t *surface, cairo_pdf_metadata_t what, const char *text);
+typedef enum { CAIRO_PDF_VERSION_1_4 } cairo_pdf_version_t;
+void cairo_pdf_surface_restrict_to_version(cairo_surface_t *surface, cairo_pdf_version_t version);
 void cairo_pdf_surface_set_size(cairo_surface_t *surface, double width, double height);
 cairo_status_t cairo_surface_status(cairo_surface_t *surface);
 void cairo_surface_finish(cairo_surface_t *surface);

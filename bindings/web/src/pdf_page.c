@@ -121,6 +121,14 @@ void cairo_pdf_surface_set_metadata(cairo_surface_t *s, cairo_pdf_metadata_t wha
 }
 
 
+void cairo_pdf_surface_restrict_to_version(cairo_surface_t *s, cairo_pdf_version_t version)
+{
+    /* all that is written here is version 1.4 */
+    (void)s;
+    (void)version;
+}
+
+
 void cairo_pdf_surface_set_size(cairo_surface_t *s, double width, double height)
 {
     s->width = width, s->height = height;

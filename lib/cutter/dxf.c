@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "print/dxf.h"
+#include "cutter/dxf.h"
 
 
 /* name of the block of a piece: with its size when there are several */

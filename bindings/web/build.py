@@ -25,7 +25,7 @@ OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
 LEFT_OUT = {"catalogue", "scan", "exchange", "meshfile", "trade", "seam"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
-FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mbulk-memory", "-mnontrapping-fptoint", "-msign-ext",  # all browsers
+FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
          "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
          "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", f"-I{HERE / 'src'}", f"-I{ROOT / 'include'}",
          f"-I{ROOT / 'lib'}"]

@@ -84,9 +84,10 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * the one found round the body with horizontal arms, which are taken back once the garment is sewn. Because sewing with
  * patience is slow, and settling too, each placement is first sewn in one way only, and not settled when a limb is not
  * in its opening then or goes through the cloth, or cloth crosses cloth. Where none succeeds so, starts with crossings
- * are settled all the same, the fewest first and while they have fewer than another has at rest; and those with an open
- * seam are sewn in all ways. The first success ends the search; when none succeeds, the result is the one that got
- * farthest: not at rest, tangled (with the fewest crossings), not worn, slid off, a seam open, in this order.
+ * are settled all the same, the fewest first and while they have fewer than another has at rest; and where none got
+ * through settling, those with an open seam are sewn in all ways. The first success ends the search; when none
+ * succeeds, the result is the one that got farthest: not at rest, tangled (with the fewest crossings), not worn, slid
+ * off, a seam open, in this order.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
  * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the

@@ -16,8 +16,8 @@
  *
  * The first that is sewn with every limb in its opening and no cloth through cloth is settled; a success ends the
  * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled, the one with the
- * fewest crossings first, and no one with more than another has at rest; those that ended with an open seam are sewn
- * patiently; and the one that got farthest is returned, settled if it is sewn.
+ * fewest crossings first, and no one with more than another has at rest; where none got through settling, those that
+ * ended with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
  *
  * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin fails no
  * start, but a limb that goes through the cloth does. A body that the call cannot tell by fails none.
@@ -208,6 +208,19 @@ static int32_t dress_least_crossed(const mus__dress_start *start)
 }
 
 
+/* did any start go through settling with all its seams closed, its limbs in their openings and its place kept, though
+ * some cloth crosses cloth or it found no rest? Patience with an open seam seldom gets as far */
+static bool dress_settled_any(const mus__dress_start *start)
+{
+    for (int32_t i = 0; i < STARTS; i++) {
+        const int32_t kind = start[i].reason.kind;
+        if (start[i].index == MUS_NONE || start[i].waits) continue;
+        if (kind == MUS_REASON_TANGLED || kind == MUS_REASON_NOT_SETTLED) return true;
+    }
+    return false;
+}
+
+
 /* when no impatient start succeeded: the others of the head comment. Returns the one that is given back */
 static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
 {
@@ -215,7 +228,7 @@ static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
         mus__dress_settle(call, &start[i]);
         if (dress_ends(&start[i])) return i;
     }
-    for (int32_t i = 0; i < STARTS; i++) {
+    for (int32_t i = 0; i < STARTS && !dress_settled_any(start); i++) {
         if (start[i].index == MUS_NONE || start[i].refused || start[i].reason.kind != MUS_REASON_SEAM_OPEN) continue;
         const int32_t place = call->report.start_place[start[i].index];
         const mus_pattern *pattern = start[i].pattern;

@@ -42,9 +42,9 @@ def picture(bpy, path):
 def packed(bpy):
     """Whether Blender's builder takes the zip, and makes one of the same files; None where there is no zip."""
     made = hosts.BUILD / "extensions/muslin-blender.zip"
-    builder = next(pathlib.Path(bpy.__file__).parent.glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"), None)
-    if not made.exists() or builder is None:
-        print("skipped: the extension's zip; make wheel extensions" if builder else "skipped: bpy has no builder")
+    builder = pathlib.Path(bpy.utils.resource_path("LOCAL"), "scripts/addons_core/bl_pkg/cli/blender_ext.py")
+    if not made.exists() or not builder.exists():
+        print("skipped: bpy has no builder" if made.exists() else "skipped: there is no zip; make wheel extensions")
         return None
     source = TRIED / "extension"
     shutil.rmtree(source, ignore_errors=True)

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""wheel.py: the wheel and the source distribution of bindings/python, tried in clean environments.
+"""wheel.py [chroot]: the wheel and the source distribution of bindings/python, tried in clean environments.
+
+With `chroot` alone the source distribution is built by pip in a fresh system of this machine's release, with the
+compiler and libraries of its packages and nothing of this machine (needs root and mmdebstrap).
 
 One line a claim with its figure; exit 1 when one does not hold. The files are those of MUSLIN_OUT/wheel (make wheel).
 Packages come from PyPI. The notebook's picture and the executed notebook stay in MUSLIN_OUT/wheel/tried.
@@ -68,6 +71,9 @@ client.execute()
 nbformat.write(notebook, sys.argv[2])
 print(times[0], times[-1])
 """
+SYSTEM = ["python3", "python3-pip", "gcc", "make", "pkg-config", "libcairo2-dev", "libjansson-dev", "libyaml-dev",
+          "libexpat1-dev", "libsqlite3-dev"]
+BUILDERS = ["setuptools>=77"]
 claims = {"held": 0, "failed": 0}
 
 
@@ -137,9 +143,33 @@ def refuses(sdist):
           f"without its sources ({size / 1e6:.1f} MB) the source distribution says: {said[:60]}...")
 
 
+def in_chroot(sdist):
+    """The source distribution in a fresh system without a network: pip builds and installs it, and it dresses."""
+    lines = pathlib.Path("/etc/os-release").read_text().splitlines()
+    release = dict(line.split("=", 1) for line in lines if "=" in line)
+    mmdebstrap, = hosts.need("mmdebstrap")
+    system, start = TRIED / "system", time.time()
+    shutil.rmtree(system, ignore_errors=True)
+    TRIED.mkdir(exist_ok=True)
+    hosts.run(mmdebstrap, "--variant=apt", f"--include={','.join(SYSTEM)}", release["VERSION_CODENAME"], system)
+    made = time.time()
+    hosts.fetch.install(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", system / "tmp", *BUILDERS)
+    shutil.copy(sdist, system / "tmp")
+    hosts.run("chroot", system, "pip", "install", "-q", "--no-index", "--find-links", "/tmp", "--break-system-packages",
+              f"/tmp/{sdist.name}")
+    built = time.time()
+    state = hosts.run("chroot", system, "python3", "-c", BARE.replace("progress=True", ""), MUSLIN_LIB="")
+    shutil.rmtree(system)
+    claim(state == hosts.by_command(), f"source distribution in a fresh {release['VERSION_CODENAME']} (made in "
+          f"{made - start:.0f} s): built and installed by pip in {built - made:.0f} s, state {state}")
+
+
 def main():
-    wheel, = HERE.glob("*.whl")
     sdist, = HERE.glob("*.tar.gz")
+    if sys.argv[1:] == ["chroot"]:
+        in_chroot(sdist)
+        return claims["failed"] > 0
+    wheel, = HERE.glob("*.whl")
     shutil.rmtree(TRIED, ignore_errors=True)
     TRIED.mkdir()
     claim(wheel.stat().st_size < 4e6, f"{wheel.name}: {wheel.stat().st_size / 1e6:.2f} MB")

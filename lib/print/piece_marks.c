@@ -361,7 +361,8 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
     const double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
     const mus__text_style style = {CAPTION, sign * dx / d, sign * dy / d, 0.5};
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, "fold here", middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine, &style);
+    mus__draw_text(out, "fold here", middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine,
+                   &style);
 }
 
 

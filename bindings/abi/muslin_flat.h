@@ -740,6 +740,7 @@ struct mus_sheet_piece {
     double turn[4];
     double shift[2];
     double box[4];
+    int32_t size_index;
 };
 
 struct mus_sheet_line {
@@ -1170,6 +1171,7 @@ mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, cons
 /* libmuslin-print */
 void mus_sheet_def_init(mus_sheet_def *def, size_t size);
 mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def, mus_sheet **out);
+mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, const mus_pattern *const *patterns, const char *const *names, const mus_sheet_def *def, mus_sheet **out);
 void mus_sheet_destroy(mus_sheet *sheet);
 int32_t mus_sheet_page_count(const mus_sheet *sheet);
 int32_t mus_sheet_columns(const mus_sheet *sheet);

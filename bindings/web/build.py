@@ -25,9 +25,10 @@ OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
 LEFT_OUT = {"catalogue", "scan", "exchange", "meshfile", "trade", "seam", "valentina"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
-FLAGS = ["--target=wasm32-wasi", "-msimd128", "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG",
-         "-Wall", "-Wextra", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", f"-I{HERE / 'src'}",
-         f"-I{ROOT / 'include'}", f"-I{ROOT / 'lib'}"]
+FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
+         "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
+         "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", f"-I{HERE / 'src'}", f"-I{ROOT / 'include'}",
+         f"-I{ROOT / 'lib'}"]
 PACKAGES = {"three": "^0.180.0", "esbuild": "^0.25.0"}
 LARGEST = 700_000  # bytes of all files together, compressed
 

@@ -8,6 +8,7 @@
 #include "json.h"
 #include "muslin/print.h"
 #include "print_dxf.h"
+#include "print_sizes.h"
 #include "scene.h"
 
 static const struct {
@@ -57,6 +58,26 @@ static void describe(const mus_sheet *sheet, json *j)
 }
 
 
+/* Takes the first size of a list as the own one when neither tape, size nor pattern is given. */
+static void take_first(source *from, const char *list, char *name, size_t size)
+{
+    if (from->tape != NULL || from->size != NULL || from->row != NULL || from->pattern != NULL) return;
+    snprintf(name, size, "%.*s", (int)strcspn(list, ","), list);
+    from->size = name;
+}
+
+
+static void define(const scene *s, const source *from, int32_t paper, bool fold, double allowance, mus_sheet_def *def)
+{
+    mus_sheet_def_init(def, sizeof *def);
+    def->paper = paper;
+    def->person = s->tape != NULL ? mus_tape_name(s->tape) : NULL;
+    if (from->design != NULL) def->title = mus_design_title(mus_design_find(from->design));
+    def->fold = fold;
+    if (allowance >= 0.0) def->allowance = 0.001 * allowance;
+}
+
+
 int command_print(int argc, char **argv)
 {
     source from = {0};
@@ -75,7 +96,7 @@ int command_print(int argc, char **argv)
         {"--dxf", OPTION_OUTPUT, &dxf.dxf, 0, 0, "FILE  write the pieces as DXF R12 for cutters and CAD"},
         {"--rul", OPTION_OUTPUT, &dxf.rul, 0, 0, "FILE  write the grade rules of --sizes"},
         {"--dialect", OPTION_TEXT, &dxf.dialect, 0, 0, "NAME  of the DXF: astm (default) or aama"},
-        {"--sizes", OPTION_TEXT, &dxf.sizes, 0, 0, "LIST  further table sizes for --dxf and --rul: W36,W38,W42"},
+        {"--sizes", OPTION_TEXT, &dxf.sizes, 0, 0, "LIST  further table sizes, one on the other: W36,W38,W42"},
         {"--sew", OPTION_FLAG, &dxf.sew, 0, 0, "layer 1 of the DXF is the sew line, without allowances"},
         {"--plt", OPTION_OUTPUT, &plt, 0, 0, "FILE  write HPGL/2 for a plotter"},
         {"--cutter", OPTION_FLAG, &cutter, 0, 0, "the plot is for a cutter: piece by piece, the cut line last"},
@@ -94,41 +115,42 @@ int command_print(int argc, char **argv)
     if (print_dxf_dialect(dxf.dialect) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--dialect %s: expected astm or aama", dxf.dialect);
     if (asked != NULL) paper = asked;
+    char first[32];
+    if (dxf.sizes != NULL) take_first(&from, dxf.sizes, first, sizeof first);
     if (find_paper(paper) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--paper %s: expected a4, letter, a3, a0 or roll", paper);
 
     scene s;
-    mus_sheet *sheet = NULL;
+    mus_sheet *sheet = NULL, *nest = NULL;
     json j = {0};
     int code = scene_open(&s, "print");
     if (code == EXIT_DONE && (from.tape != NULL || from.size != NULL || from.row != NULL)) code = scene_tape(&s, &from);
     if (code == EXIT_DONE) code = scene_pattern(&s, &from);
     if (code == EXIT_DONE) {
         mus_sheet_def def;
-        mus_sheet_def_init(&def, sizeof def);
-        def.paper = find_paper(paper);
-        def.person = s.tape != NULL ? mus_tape_name(s.tape) : NULL;
-        if (from.design != NULL) def.title = mus_design_title(mus_design_find(from.design));
-        def.fold = fold;
-        if (allowance >= 0.0) def.allowance = 0.001 * allowance;
+        define(&s, &from, find_paper(paper), fold, allowance, &def);
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
-        if (status == MUS_OK && pdf != NULL) status = mus_sheet_write_pdf(sheet, pdf);
-        if (status == MUS_OK && svg != NULL) status = mus_sheet_write_svg(sheet, svg);
+        if (status == MUS_OK && dxf.sizes != NULL && (pdf != NULL || svg != NULL))
+            code = print_sizes_sheet(&s, &from, dxf.sizes, &def, &nest);
+        const mus_sheet *drawn = nest != NULL ? nest : sheet;
+        if (status == MUS_OK && code == EXIT_DONE && pdf != NULL) status = mus_sheet_write_pdf(drawn, pdf);
+        if (status == MUS_OK && code == EXIT_DONE && svg != NULL) status = mus_sheet_write_svg(drawn, svg);
         mus_sheet_plt plot;
         mus_sheet_plt_init(&plot, sizeof plot);
         plot.by_piece = cutter;
-        if (status == MUS_OK && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
+        if (status == MUS_OK && code == EXIT_DONE && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
         if (status != MUS_OK) code = scene_fail_output(&s, status);
         if (code == EXIT_DONE) code = print_dxf_write(&s, &from, sheet, &def, &dxf);
     }
     if (code == EXIT_DONE && as_json) {
-        describe(sheet, &j);
+        describe(nest != NULL ? nest : sheet, &j);
         if (!json_write(&j, "print", "-")) code = EXIT_FAILED;
     } else if (code == EXIT_DONE && pdf != NULL && !is_stdout(pdf) && !is_stdout(svg)) {
-        const int pages = (int)mus_sheet_page_count(sheet);
+        const int pages = (int)mus_sheet_page_count(nest != NULL ? nest : sheet);
         print_line("%s: %d page%s of %s", pdf, pages, pages == 1 ? "" : "s", paper);
     }
     json_free(&j);
+    mus_sheet_destroy(nest);
     mus_sheet_destroy(sheet);
     scene_close(&s);
     return code;

@@ -79,13 +79,15 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  *
  * The pattern's own placement comes first when it has one, else the one of mus_arrange_pattern(). A start fails when
  * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off, finds no rest
- * or is not worn (mus_fit_worn(); cloth through the skin alone fails no start). Then, with MUS_DRESS_PLACE_BOTH and
- * `retry`, two more have their turn: the found placement, and the one found round the body with horizontal arms, which
- * are taken back once the garment is sewn. Because sewing with patience is slow, and settling too, each placement is
- * first sewn in one way only, and not settled when a limb is not in its opening then or cloth crosses cloth. Where none
- * succeeds so, starts with crossings are settled all the same, and those with an open seam are sewn in all ways. The
- * first success ends the search; when none succeeds, the result is the one that got farthest: not at rest, tangled, not
- * worn, slid off, a seam open, in this order.
+ * or is not worn (mus_fit_worn(); cloth through the skin fails no start, but a limb through the cloth does). Then, with
+ * MUS_DRESS_PLACE_BOTH and `retry`, two more have their turn: the found placement and, where cloth lies beside an arm,
+ * the one found round the body with horizontal arms, which are taken back once the garment is sewn. Because sewing with
+ * patience is slow, and settling too, each placement is first sewn in one way only, and not settled when a limb is not
+ * in its opening then or goes through the cloth, or cloth crosses cloth. Where none succeeds so, starts with crossings
+ * are settled all the same, the fewest first and while they have fewer than another has at rest; and where none got
+ * through settling, those with an open seam are sewn in all ways. The first success ends the search; when none
+ * succeeds, the result is the one that got farthest: not at rest, tangled (with the fewest crossings), not worn, slid
+ * off, a seam open, in this order.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
  * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the
@@ -93,7 +95,8 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * mus_drape_reason(), or the fault of the start or of the pattern.
  * Errors:  MUS_ERR_ARG, MUS_ERR_VERSION; MUS_ERR_PATTERN, MUS_ERR_MESH, MUS_ERR_LIMIT (as mus_cloth_create);
  *          MUS_ERR_BODY (a placement must be found, round a body not made of a tape); MUS_ERR_SEW (a bad start,
- *          or a seam stays open); MUS_ERR_UNSETTLED (no rest, or at rest but not worn); MUS_ERR_TANGLED (at rest, but
+ *          or a seam stays open); MUS_ERR_UNSETTLED (no rest; not worn at rest; or an opening is far too small for its
+ *          limb, which is told before anything is sewn); MUS_ERR_TANGLED (at rest, but
  *          cloth crosses cloth); MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
  * Memory:  at most three cloths and three drapes at one time
  * Cost:    a T-shirt at 0.01 m takes about a second, with self_contact some seconds

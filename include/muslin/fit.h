@@ -123,7 +123,8 @@ MUS_API mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_
 #define MUS_WORN_LOW 6        /* panel, value: an opening hangs that much lower than its girth allows [m] */
 #define MUS_WORN_ROLLED 7     /* panel, value: an opening is that much higher than the pattern puts it [m] */
 #define MUS_WORN_TIGHT 8      /* panel, value: strain above 1, of an opening or of the cloth */
-#define MUS_WORN_THROUGH 9    /* panel, value: cloth goes through the body that deep [m], more than 1 mm */
+#define MUS_WORN_THROUGH 9    /* panel, limb: that limb goes through the cloth; or MUS_NONE, and value: cloth goes
+                               * through the body that deep [m], more than 1 mm */
 #define MUS_WORN_COUNT 10
 
 /** Is the garment worn, and what goes through the body. */

@@ -27,11 +27,12 @@ typedef struct mus_sheet_def {
     int32_t paper;     /* MUS_PAPER_*, default A4 */
     double allowance;  /* of edges without an allowance of their own [m], default 0.01, 0..0.1 */
     double margin;     /* unprinted border of each page [m], default 0.01, 0..0.1 */
-    double overlap;    /* of neighbouring tiles [m], default 0.01, 0..0.1 */
+    double overlap;    /* of what neighbouring tiles print [m], default 0 (frame on frame), 0..0.1 */
     const char *title; /* on every label, NULL: the name of the pattern; read during the call */
     const char *person; /* wearer's name, on every label; NULL: none */
     int32_t fold;      /* nonzero: a symmetric panel is printed as its half, with the line that is laid on the fold of
-                        * the cloth; default 0. Such a sheet is not written as DXF */
+                        * the cloth; pieces may be turned by half a turn and halves mirrored to save paper; default 0.
+                        * Such a sheet is not written as DXF */
 } mus_sheet_def;
 
 /** Zero `def`, write the defaults and its size. */
@@ -46,10 +47,18 @@ typedef struct mus_sheet mus_sheet;
 MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def,
                                     mus_sheet **out);
 
+/** Lay out the same pattern in `count` sizes (1 to 64) on one sheet: the sizes of a piece lie on each other by the
+ * frame of its panel, halves by their fold lines. `names` (count) are those of the sizes ("W40"). Each size has dashes
+ * of its own for its cut line, with its name beside it, and is a layer of the PDF; all layers are visible. Such a
+ * sheet is not written as DXF. Errors: as mus_sheet_create(), and MUS_ERR_ARG (count out of range; a size whose panels
+ * are not those of the first) */
+MUS_API mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, const mus_pattern *const *patterns,
+                                          const char *const *names, const mus_sheet_def *def, mus_sheet **out);
+
 /** Free a sheet. NULL is accepted. */
 MUS_API void mus_sheet_destroy(mus_sheet *sheet);
 
-/** Number of pages of the PDF, with the cover of a tiled sheet. */
+/** Number of pages of the PDF, with the cover of a tiled sheet whose pages have no room for title and squares. */
 MUS_API int32_t mus_sheet_page_count(const mus_sheet *sheet);
 
 /** Number of columns of tiles; 1 when the sheet is one page. */
@@ -74,10 +83,12 @@ typedef struct mus_sheet_piece {
     const char *name; /* of the panel; borrowed until the sheet is destroyed */
     int32_t copies;   /* number of copies to cut */
     int32_t mirrored; /* nonzero: half of the copies are cut turned over */
-    int32_t fold;     /* nonzero: the half of a symmetric panel, right of the fold line; its axis is at box[0] */
+    int32_t fold;     /* nonzero: the half of a symmetric panel. 1: it lies right of the fold line, which is at box[0];
+                       * -1: left, at box[2] */
     double turn[4];   /* from the plane of the panel to the sheet: x = turn[0] u + turn[1] v + shift[0], */
-    double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; grain up, right side up */
+    double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; grain upright, right side up */
     double box[4];    /* of the cut line: low x, low y, high x, high y [m] */
+    int32_t size_index; /* of the size that the piece is of; 0 on a sheet of one size */
 } mus_sheet_piece;
 
 /** Zero `piece` and write its size. */
@@ -86,7 +97,8 @@ MUS_API void mus_sheet_piece_init(mus_sheet_piece *piece, size_t size);
 /** Number of pieces. */
 MUS_API int32_t mus_sheet_piece_count(const mus_sheet *sheet);
 
-/** Get piece `piece`, in the order of the pattern's panels. Errors: MUS_ERR_ARG (no such piece), MUS_ERR_VERSION */
+/** Get piece `piece`, in the order of the pattern's panels; the sizes of a panel stand together. Errors: MUS_ERR_ARG
+ * (no such piece), MUS_ERR_VERSION */
 MUS_API mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mus_sheet_piece *out);
 
 #define MUS_LINE_CUT 0   /* cut line: closed; the outer one first, then holes */
@@ -99,7 +111,7 @@ MUS_API mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mu
 /** A line of the sheet: steps and their points, as a PostScript path; y up. */
 typedef struct mus_sheet_line {
     size_t size;
-    int32_t piece;        /* index of the piece that the line belongs to */
+    int32_t piece;        /* index of the piece that the line belongs to; MUS_NONE: test squares and instructions */
     int32_t kind;         /* MUS_LINE_* */
     int32_t edge;         /* edge of the pattern, for a sew line and a notch; else MUS_NONE */
     int32_t filled;       /* nonzero: a filled area (arrow heads); 0: a stroke */

@@ -13,6 +13,7 @@
 #include "geom/vec.h"
 
 #define READ_SIDE 0.5 /* horizontal component of the unit normal from which on an edge is a side */
+#define READ_UP 0.5   /* vertical component of the unit normal from which on an edge points up */
 
 
 /* the limb that a panel goes round, by its label */
@@ -160,6 +161,29 @@ static void read_fan(mus__arrangement *arrangement, int32_t p)
 }
 
 
+/* finds a band that goes round the neck: its two sides alone are sewn, to edges that point up, all on one panel or on
+ * panels of the front alone or of the back alone. A strap over the shoulder joins front and back */
+static void read_halter(mus__arrangement *arrangement, int32_t p)
+{
+    mus__arranged_panel *panel = &arrangement->panel[p];
+    int32_t sides = 0, only = MUS_NONE, says = MUS__ARRANGE_FRONT | MUS__ARRANGE_BACK;
+    bool one = true;
+    for (int32_t i = 0; i < panel->nedge; i++) {
+        const mus__arranged_edge *edge = &arrangement->edge[panel->edge[i]];
+        if (edge->seam == MUS_NONE) continue;
+        const mus__arranged_seam *seam = &arrangement->seam[edge->seam];
+        const mus__arranged_edge *other = &arrangement->edge[seam->a == panel->edge[i] ? seam->b : seam->a];
+        if (!(fabs(edge->outward[0]) > READ_SIDE) || !(other->outward[1] > READ_UP) || other->panel == p) return;
+        sides |= edge->outward[0] > 0.0 ? 1 : 2;
+        one = one && (only == MUS_NONE || only == other->panel);
+        only = other->panel;
+        says &= arrangement->panel[only].says;
+    }
+    const bool half = says == MUS__ARRANGE_FRONT || says == MUS__ARRANGE_BACK;
+    if (panel->limb == MUS__ARRANGE_TRUNK && sides == 3 && (one || half)) panel->limb = MUS__ARRANGE_NECK;
+}
+
+
 /* takes the step of a seam, and whether it joins two panels side by side: one edge faces right, the other left */
 static void read_seam(mus__arrangement *arrangement, mus__arranged_seam *seam)
 {
@@ -201,6 +225,7 @@ mus_status mus__arrange_read(mus__arrangement *arrangement)
     if (status != MUS_OK) return status;
     read_arms(arrangement);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_turn(arrangement, &arrangement->panel[p]);
+    for (int32_t p = 0; p < arrangement->npanel; p++) read_halter(arrangement, p);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_fan(arrangement, p);
     for (int32_t i = 0; i < arrangement->nseam; i++) read_seam(arrangement, &arrangement->seam[i]);
     return MUS_OK;

@@ -20,6 +20,7 @@
 /* All numbers below are chosen; the table of `make wear` (garments that come on) shows what they change. */
 
 #define AROUND_WAYS 72         /* azimuths that are tried */
+#define AROUND_FINE 1e-6       /* [rad] the azimuth is found to this: a symmetric garment starts symmetric to 1 um */
 #define AROUND_ON_SIDE 0.02    /* [m2] cost of a side against an azimuth, in squared distances of edges */
 #define AROUND_SHOULDER 0.02   /* [m2] cost of shoulder edges on the same side of the body */
 #define AROUND_UP 0.5          /* vertical component of the unit normal from which on an edge points up */
@@ -236,7 +237,7 @@ static void around_turn(mus__arrangement *arrangement, int32_t t)
         const double cost = around_cost(arrangement, t, &shift);
         if (cost < best - 1e-12) best = cost, phase = ring->phase;
     }
-    for (double step = MUS_PI / AROUND_WAYS; step > 1e-3; step *= 0.5)
+    for (double step = MUS_PI / AROUND_WAYS; step > AROUND_FINE; step *= 0.5)
         for (int32_t side = -1; side <= 1; side += 2) {
             ring->phase = phase + side * step;
             const double cost = around_cost(arrangement, t, &shift);

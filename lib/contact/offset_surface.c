@@ -3,7 +3,8 @@
  *
  * The point of the offset surface at height s lies off the point of the skin at s' = s - offset g_s / |g|, with
  * g = grad F there and F = rho - R(s, q). That is an equation for s', solved by iteration at each ring and each angle.
- * The gradients along a column of the table (all rings, one angle) are worked out once, before its rings are solved.
+ * The gradients along 16 columns of the table (all rings, 16 angles) are worked out once, before their rings are
+ * solved.
  */
 #include <math.h>
 #include <string.h>
@@ -14,23 +15,23 @@
 #define OFFSET_CAP_FALL 0.4999 /* bound of k of a cap, which must be below 1/2 for its half axis to be finite */
 #define OFFSET_CLOSE 1e-3      /* [rings] the iteration ends when s' moves by less: micrometres */
 #define OFFSET_ROUNDS 8        /* iterations at most; it converges by a factor of the surface's slope */
+#define OFFSET_LANES 16        /* columns side by side: two lines of the cache */
 #define OFFSET_SAFE                                                                                                    \
     0.5 /* of the least radius: the skin that is nearest to a node no deeper than this is the one it passed */
 #define OFFSET_FAR 1e30 /* [m] beyond every radius */
 
-/* gradients of F at the rings of one column of a table */
-typedef struct offset_slope {
-    double radius;
-    double plane2; /* square of the gradient's part in the contour's plane, at least 1 */
-    double along;  /* its part along the axis */
-} offset_slope;
-
-/* one column: its direction in the contour's plane */
-typedef struct offset_column {
+/* columns of a table that are worked out side by side, a lane each: their directions in the contour's plane, and the
+ * gradients of F at their rings. The last lanes repeat the last column where the table has no more */
+typedef struct offset_columns {
     const mus__field *field;
-    double offset, ua, ub;
-    const offset_slope *slope; /* (nring) */
-} offset_column;
+    double offset;
+    int32_t column[OFFSET_LANES];
+    double ua[OFFSET_LANES], ub[OFFSET_LANES];
+    double bend[OFFSET_LANES]; /* square of the distance from the axis of the diamond angle's point */
+    double *radius;            /* (nring x OFFSET_LANES) */
+    double *plane2;            /* (same) square of the gradient's part in the contour's plane, at least 1 */
+    double *along;             /* (same) its part along the axis */
+} offset_columns;
 
 
 /* largest radius of rings k and k+1 of a table (nring x nangle) */
@@ -44,69 +45,109 @@ static double ring_largest(const mus__field *field, const double *radius, int32_
 }
 
 
-/* slopes at ring k and angle step j, by central differences of the square of the radius */
-static offset_slope field_slopes(const mus__field *field, int32_t k, int32_t j)
+/* sets the columns from `first` on: a + b = 1 at the diamond angle's point (a, b), which gives their directions */
+static void offset_columns_at(offset_columns *at, int32_t first)
 {
-    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
-    const double *ring = field->radius + (int64_t)k * n, radius = ring[j],
-                 span = field->ds * (high > low ? high - low : 1);
-    const double before = field->radius[(int64_t)low * n + j], after = field->radius[(int64_t)high * n + j];
-    const double slope_s = (after * after - before * before) / (2.0 * radius * span);
-
-    /* dR/dq turns into the plane by |dq| = (a^2 + b^2) / rho at the diamond angle's point (a, b), |a| + |b| = 1 */
-    const double q = 4.0 * j / n, b = q - floor(q), slope_q = (ring[(j + 1) % n] - ring[(j + n - 1) % n]) * n / 8.0;
-    const double turn = slope_q / radius * (b * b + (1.0 - b) * (1.0 - b));
-    const double x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
-    const double ua = (q < 1.0 || q >= 3.0 ? x : -x) / length, ub = (q < 2.0 ? y : -y) / length;
-    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
-    const double along = -slope_s - ((ua + turn * ub) * (c1[0] - c0[0]) + (ub - turn * ua) * (c1[1] - c0[1])) / span;
-    return (offset_slope){radius, 1.0 + turn * turn, along};
-}
-
-
-/* radius of the offset surface at ring k of a column: the point found there is offset |g_plane| / |g| off in the
- * contour's plane, which is |g_plane| times that along the ray */
-static double offset_radius(const offset_column *column, int32_t k)
-{
-    const mus__field *field = column->field;
-    const double offset = column->offset;
-    double u = k, radius = 0.0;
-    for (int32_t round = 0; round < OFFSET_ROUNDS; round++) {
-        /* between the two rings round u */
-        const int32_t at = u >= field->nring - 1 ? field->nring - 2 : (int32_t)u;
-        const double t = u - at;
-        const offset_slope *low = &column->slope[at], *high = low + 1;
-        const double r0 = low->radius, r1 = high->radius;
-        const double plane = low->plane2 + t * (high->plane2 - low->plane2);
-        const double up = low->along + t * (high->along - low->along);
-        const double length_g = sqrt(plane + up * up);
-        const double *c0 = field->centre + 2 * (int64_t)at, *c = field->centre + 2 * (int64_t)k;
-        const double back =
-            (c[0] - c0[0] - t * (c0[2] - c0[0])) * column->ua + (c[1] - c0[1] - t * (c0[3] - c0[1])) * column->ub;
-        radius = sqrt(r0 * r0 + t * (r1 * r1 - r0 * r0)) + offset * plane / length_g - back;
-        const double next = fmin(fmax(k - offset * up / (length_g * field->ds), 0.0), field->nring - 1);
-        if (fabs(next - u) < OFFSET_CLOSE) break;
-        u = next;
+    const int32_t n = at->field->nangle;
+    for (int32_t i = 0; i < OFFSET_LANES; i++) {
+        const int32_t j = at->column[i] = first + i < n ? first + i : n - 1;
+        const double q = 4.0 * j / n, b = q - floor(q);
+        const double x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
+        at->ua[i] = (q < 1.0 || q >= 3.0 ? x : -x) / length, at->ub[i] = (q < 2.0 ? y : -y) / length;
+        at->bend[i] = b * b + (1.0 - b) * (1.0 - b);
     }
-    return radius;
 }
 
 
-/* radii (nring x nangle) of the offset surface; slope (nring) is scratch */
-static void offset_radii(const mus__field *field, double offset, offset_slope *slope, double *radius)
+/* gradients at ring k of the columns, by central differences of the square of the radius */
+static void offset_slopes(const offset_columns *at, int32_t k)
+{
+    const mus__field *field = at->field;
+    const int32_t n = field->nangle, low = k > 0 ? k - 1 : k, high = k + 1 < field->nring ? k + 1 : k;
+    const double *ring = field->radius + (int64_t)k * n, span = field->ds * (high > low ? high - low : 1);
+    const double *ring0 = field->radius + (int64_t)low * n, *ring1 = field->radius + (int64_t)high * n;
+    const double *c0 = field->centre + 2 * (int64_t)low, *c1 = field->centre + 2 * (int64_t)high;
+    const double lean_a = c1[0] - c0[0], lean_b = c1[1] - c0[1];
+    double *radius = at->radius + (int64_t)k * OFFSET_LANES;
+    double *plane2 = at->plane2 + (int64_t)k * OFFSET_LANES, *along = at->along + (int64_t)k * OFFSET_LANES;
+    double before[OFFSET_LANES], after[OFFSET_LANES], step[OFFSET_LANES];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) {
+        const int32_t j = at->column[i];
+        radius[i] = ring[j];
+        before[i] = ring0[j], after[i] = ring1[j];
+        step[i] = ring[j + 1 < n ? j + 1 : 0] - ring[j > 0 ? j - 1 : n - 1];
+    }
+    for (int32_t i = 0; i < OFFSET_LANES; i++) {
+        const double slope_s = (after[i] * after[i] - before[i] * before[i]) / (2.0 * radius[i] * span);
+        /* dR/dq turns into the plane by |dq| = (a^2 + b^2) / rho */
+        const double turn = step[i] * n / 8.0 / radius[i] * at->bend[i], ua = at->ua[i], ub = at->ub[i];
+        plane2[i] = 1.0 + turn * turn;
+        along[i] = -slope_s - ((ua + turn * ub) * lean_a + (ub - turn * ua) * lean_b) / span;
+    }
+}
+
+
+/* radii of the offset surface at ring k of the columns: the point found there is offset |g_plane| / |g| off in the
+ * contour's plane, which is |g_plane| times that along the ray. A lane that has converged finds the same again */
+static void offset_ring(const offset_columns *all, int32_t k, double *radius)
+{
+    const mus__field *field = all->field;
+    const double offset = all->offset, ds = field->ds, last = field->nring - 1;
+    double u[OFFSET_LANES], t[OFFSET_LANES], plane[OFFSET_LANES], up[OFFSET_LANES], length_g[OFFSET_LANES];
+    int32_t at[OFFSET_LANES];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) u[i] = k;
+    for (int32_t round = 0, moving = 1; round < OFFSET_ROUNDS && moving > 0; round++) {
+        for (int32_t i = 0; i < OFFSET_LANES; i++) {
+            at[i] = u[i] >= last ? field->nring - 2 : (int32_t)u[i]; /* between the two rings round u */
+            t[i] = u[i] - at[i];
+            const int64_t low = (int64_t)at[i] * OFFSET_LANES + i, high = low + OFFSET_LANES;
+            plane[i] = all->plane2[low] + t[i] * (all->plane2[high] - all->plane2[low]);
+            up[i] = all->along[low] + t[i] * (all->along[high] - all->along[low]);
+        }
+        double next[OFFSET_LANES];
+        for (int32_t i = 0; i < OFFSET_LANES; i++) {
+            length_g[i] = sqrt(plane[i] + up[i] * up[i]);
+            const double to = k - offset * up[i] / (length_g[i] * ds), above = to > 0.0 ? to : 0.0;
+            next[i] = above < last ? above : last;
+        }
+        moving = 0;
+        for (int32_t i = 0; i < OFFSET_LANES; i++) {
+            const int32_t far = !(fabs(next[i] - u[i]) < OFFSET_CLOSE);
+            u[i] = far ? next[i] : u[i];
+            moving += far;
+        }
+    }
+    const double *c = field->centre + 2 * (int64_t)k;
+    double squared[OFFSET_LANES], back[OFFSET_LANES], found[OFFSET_LANES];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) {
+        const int64_t low = (int64_t)at[i] * OFFSET_LANES + i;
+        const double *c0 = field->centre + 2 * (int64_t)at[i];
+        const double r0 = all->radius[low], r1 = all->radius[low + OFFSET_LANES];
+        squared[i] = r0 * r0 + t[i] * (r1 * r1 - r0 * r0);
+        back[i] =
+            (c[0] - c0[0] - t[i] * (c0[2] - c0[0])) * all->ua[i] + (c[1] - c0[1] - t[i] * (c0[3] - c0[1])) * all->ub[i];
+    }
+    for (int32_t i = 0; i < OFFSET_LANES; i++)
+        found[i] = sqrt(squared[i]) + offset * plane[i] / length_g[i] - back[i];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) radius[all->column[i]] = found[i];
+}
+
+
+/* radii (nring x nangle) of the offset surface; scratch (3 nring x OFFSET_LANES) */
+static void offset_radii(const mus__field *field, double offset, double *scratch, double *radius)
 {
     const int32_t n = field->nangle;
+    const int64_t rings = (int64_t)field->nring * OFFSET_LANES;
     if (offset == 0.0) {
         memcpy(radius, field->radius, (size_t)field->nring * (size_t)n * sizeof *radius);
         return;
     }
-    for (int32_t j = 0; j < n; j++) {
-        const double angle = 4.0 * j / n, b = angle - floor(angle);
-        const double x = (int32_t)angle % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
-        const double ua = (angle < 1.0 || angle >= 3.0 ? x : -x) / length, ub = (angle < 2.0 ? y : -y) / length;
-        const offset_column column = {field, offset, ua, ub, slope};
-        for (int32_t k = 0; k < field->nring; k++) slope[k] = field_slopes(field, k, j);
-        for (int32_t k = 0; k < field->nring; k++) radius[(int64_t)k * n + j] = offset_radius(&column, k);
+    offset_columns at = {.field = field, .offset = offset, .radius = scratch, .plane2 = scratch + rings,
+                         .along = scratch + 2 * rings};
+    for (int32_t first = 0; first < n; first += OFFSET_LANES) {
+        offset_columns_at(&at, first);
+        for (int32_t k = 0; k < field->nring; k++) offset_slopes(&at, k);
+        for (int32_t k = 0; k < field->nring; k++) offset_ring(&at, k, radius + (int64_t)k * n);
     }
 }
 
@@ -139,7 +180,7 @@ static void fit_cap(const mus__field *from, double offset, int32_t end, mus__fie
 
 
 /* the field of one part in double; table: its centres, radii and maxima, in this order */
-static void fill_double(const mus__field *from, double offset, offset_slope *slope, mus__field_f64 *to, double *table)
+static void fill_double(const mus__field *from, double offset, double *scratch, mus__field_f64 *to, double *table)
 {
     const int64_t nring = from->nring, nradius = nring * from->nangle;
     to->s0 = from->s0;
@@ -151,7 +192,7 @@ static void fill_double(const mus__field *from, double offset, offset_slope *slo
 
     memcpy(table, from->centre, (size_t)(2 * nring) * sizeof *table);
     double *radius = table + 2 * nring;
-    offset_radii(from, offset, slope, radius);
+    offset_radii(from, offset, scratch, radius);
     for (int32_t k = 0; k < from->nring; k++) table[2 * nring + nradius + k] = ring_largest(from, radius, k);
     to->centre = table;
     to->radius = table + 2 * nring;
@@ -193,7 +234,8 @@ static void fill_part(const mus__field *from, const mus__limb *limb, mus__offset
     memcpy(part->front, limb->front, sizeof part->front);
     memcpy(part->end, from->pole, sizeof part->end);
     part->reach = from->reach;
-    for (int64_t i = 0; i < (int64_t)from->nring * from->nangle; i++) least = fmin(least, from->radius[i]);
+    for (int64_t i = 0; i < (int64_t)from->nring * from->nangle; i++)
+        if (from->radius[i] < least) least = from->radius[i];
     part->safe = OFFSET_SAFE * least;
 }
 
@@ -213,20 +255,20 @@ static mus_status offset_make(mus__offset_surface *surface, const mus_body *body
     surface->part = mus__new(context, n, sizeof *surface->part);
     surface->table32 = mus__new(context, total, sizeof *surface->table32);
     surface->table64 = mus__new(context, total, sizeof *surface->table64);
-    offset_slope *slope = mus__new(context, rings, sizeof *slope);
+    double *scratch = mus__new(context, 3 * OFFSET_LANES * rings, sizeof *scratch);
     if (surface->field32 == NULL || surface->field64 == NULL || surface->part == NULL || surface->table32 == NULL ||
-        surface->table64 == NULL || slope == NULL) {
-        mus__free(context, slope);
+        surface->table64 == NULL || scratch == NULL) {
+        mus__free(context, scratch);
         return mus__fail_memory(context, "the radius fields of a collider");
     }
     for (int32_t l = 0; l < n; l++) {
         const mus__field *field = &body->field[l];
-        fill_double(field, surface->offset, slope, &surface->field64[l], surface->table64 + at);
+        fill_double(field, surface->offset, scratch, &surface->field64[l], surface->table64 + at);
         fill_float(&surface->field64[l], &surface->field32[l], surface->table32 + at);
         fill_part(field, &body->limb[body->rig.part[l].limb], &surface->part[l]);
         at += (int64_t)field->nring * (field->nangle + 3);
     }
-    mus__free(context, slope);
+    mus__free(context, scratch);
     return MUS_OK;
 }
 

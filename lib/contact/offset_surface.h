@@ -4,7 +4,7 @@
  *
  * The body names the surface that was made of it last, so that all its colliders share it, those of its posed copies
  * too: a surface knows nothing of where the parts are. It is destroyed with the last collider that uses it. To make one
- * takes 12 ms of the 15 ms of a drape's creation (T-shirt at 30 mm).
+ * takes about half of the time of a drape's creation (T-shirt at 30 mm).
  */
 #ifndef MUS_CONTACT_OFFSET_SURFACE_H
 #define MUS_CONTACT_OFFSET_SURFACE_H

@@ -168,6 +168,7 @@ static void locate(const mus_cloth *cloth, const bucket_grid *grid, const double
                         node[i] = cloth->triangle[3 * (int64_t)grid->item[k] + i];
                         weight[i] = (float)w[i];
                     }
+                    if (best <= 0.0) return;
                 }
             }
         }

@@ -12,14 +12,15 @@
  *
  *   1. that of the pattern      (patient when no other placement may be tried; then the only start)
  *   2. the one that is found round the body
- *   3. the one that is found round the body with its arms horizontal
+ *   3. the one that is found round the body with its arms horizontal, where cloth lies beside an arm
  *
  * The first that is sewn with every limb in its opening and no cloth through cloth is settled; a success ends the
- * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled; those that ended
- * with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
+ * search. Else, as long as none succeeds: those that are sewn with cloth through cloth are settled, the one with the
+ * fewest crossings first, and no one with more than another has at rest; where none got through settling, those that
+ * ended with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin alone,
- * and a body that the call cannot tell by, fail no start.
+ * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin fails no
+ * start, but a limb that goes through the cloth does. A body that the call cannot tell by fails none.
  *
  * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */
@@ -37,6 +38,7 @@
 #define DRESS_DEF_FIRST offsetof(mus_dress_def, progress_seconds)
 
 #define STARTS 3 /* placements, in the order in which they are tried */
+#define NEAR_DEPTH 1e-3 /* [m] by which depths in two poses of the body differ beside a limb that moved; chosen */
 
 
 void mus_dress_def_init(mus_dress_def *def, size_t size)
@@ -100,19 +102,18 @@ static void dress_try(mus__dress *call, const mus_pattern *pattern, int32_t plac
 }
 
 
-/* try the placement that is found round the body, or round the body with its arms horizontal (`raise`): a start more.
- * *found gets the pattern with it */
-static void dress_find(mus__dress *call, const mus_pattern *pattern, bool raise, mus__dress_start *start,
+/* try the placement that is found round the body, or round the body `raised` with its arms horizontal, which the start
+ * takes (NULL: the body as it stands): a start more. *found gets the pattern with it */
+static void dress_find(mus__dress *call, const mus_pattern *pattern, mus_body *raised, mus__dress_start *start,
                        mus_pattern **found)
 {
     const double time = mus__progress_time();
-    mus_pose pose;
+    start->raised = raised;
     mus_status status = mus_pattern_copy(pattern, found);
-    if (status == MUS_OK && raise) status = mus__dress_raise(call->body, &pose, &start->raised);
-    if (status == MUS_OK) status = mus_arrange_pattern(*found, raise ? start->raised : call->body);
+    if (status == MUS_OK) status = mus_arrange_pattern(*found, raised != NULL ? raised : call->body);
     call->report.place_seconds += mus__progress_time() - time;
     if (status == MUS_OK)
-        dress_try(call, *found, raise ? MUS_DRESS_PLACE_RAISED : MUS_DRESS_PLACE_FOUND, false, start);
+        dress_try(call, *found, raised != NULL ? MUS_DRESS_PLACE_RAISED : MUS_DRESS_PLACE_FOUND, false, start);
 }
 
 
@@ -128,17 +129,93 @@ static int32_t dress_rank(const mus__dress_start *start)
 }
 
 
-/* did any start fail in a way that arms out of the way may mend: seams or cloth that the arms keep apart, a limb that
- * is not in its opening? */
-static bool dress_wants_room(const mus__dress_start *start)
+/* did start a get farther than start b? Of two with cloth through cloth the one at rest, then the one with fewer
+ * crossings */
+static bool dress_farther(const mus__dress_start *a, const mus__dress_start *b)
 {
-    for (int32_t i = 0; i < STARTS; i++) {
+    const int32_t of_a = dress_rank(a), of_b = dress_rank(b);
+    if (of_a != of_b || of_a == 0 || a->reason.kind != MUS_REASON_TANGLED) return of_a > of_b;
+    return a->waits != b->waits ? b->waits : a->reason.count < b->reason.count;
+}
+
+
+/* is any node of a start within 5 cm of an arm? There the body and the body with its arms horizontal have not the same
+ * depth (mus_body_depth()); a node that is farther from both has none */
+static mus_status dress_near_arms(const mus__dress *call, const mus_body *raised, const mus__dress_start *start,
+                                  bool *near)
+{
+    const int32_t n = start->drape != NULL ? mus_cloth_node_count(start->cloth) : 0;
+    double *depth = mus__new(call->context, 2 * (int64_t)n, sizeof *depth);
+    if (n > 0 && depth == NULL) return mus__fail_memory(call->context, "the cloth beside the arms");
+    mus_status status = MUS_OK;
+    const double *x = n > 0 ? mus_drape_positions(start->drape) : NULL;
+    if (n > 0) status = mus_body_depth(call->body, n, x, depth, NULL);
+    if (n > 0 && status == MUS_OK) status = mus_body_depth(raised, n, x, depth + n, NULL);
+    for (int32_t i = 0; i < n && status == MUS_OK; i++) *near = *near || fabs(depth[i] - depth[n + i]) > NEAR_DEPTH;
+    mus__free(call->context, depth);
+    return status;
+}
+
+
+/* did any start fail in a way that arms out of the way may mend? Seams that are open, cloth through cloth, a limb that
+ * is not in its opening or goes through the cloth, with cloth beside an arm. `raised`: the body with its arms
+ * horizontal */
+static mus_status dress_wants_room(const mus__dress *call, const mus_body *raised, const mus__dress_start *start,
+                                   bool *wants)
+{
+    mus_status status = MUS_OK;
+    for (int32_t i = 0; i < STARTS && status == MUS_OK && !*wants; i++) {
         const mus_reason *why = &start[i].reason;
         if (start[i].index == MUS_NONE) continue;
         if (why->kind == MUS_REASON_SEAM_OPEN || why->kind == MUS_REASON_TANGLED ||
-            why->kind == MUS_REASON_START_TANGLED)
-            return true;
-        if (why->kind == MUS_REASON_NOT_WORN && why->value <= MUS_WORN_INSIDE_OUT) return true;
+            why->kind == MUS_REASON_START_TANGLED ||
+            (why->kind == MUS_REASON_NOT_WORN &&
+             (why->value <= MUS_WORN_INSIDE_OUT || why->value >= MUS_WORN_THROUGH)))
+            status = dress_near_arms(call, raised, &start[i], wants);
+    }
+    return status;
+}
+
+
+/* the body with its arms horizontal, where a start failed in a way that this may mend; else, or after an error, NULL */
+static mus_body *dress_room(mus__dress *call, const mus__dress_start *start)
+{
+    const double time = mus__progress_time();
+    mus_body *raised = NULL;
+    mus_pose pose;
+    bool wants = false;
+    mus_status status = mus__dress_raise(call->body, &pose, &raised);
+    if (status == MUS_OK) status = dress_wants_room(call, raised, start, &wants);
+    call->report.place_seconds += mus__progress_time() - time;
+    if (status == MUS_OK && wants) return raised;
+    mus_body_destroy(raised);
+    return NULL;
+}
+
+
+/* the start to settle next of those that wait with cloth through cloth: the one with the fewest crossings, if these are
+ * fewer than any start has that came to rest with crossings. MUS_NONE without any */
+static int32_t dress_least_crossed(const mus__dress_start *start)
+{
+    int32_t best = MUS_NONE, least = INT32_MAX;
+    for (int32_t i = 0; i < STARTS; i++)
+        if (start[i].index != MUS_NONE && !start[i].waits && start[i].reason.kind == MUS_REASON_TANGLED)
+            least = start[i].reason.count < least ? start[i].reason.count : least;
+    for (int32_t i = 0; i < STARTS; i++)
+        if (start[i].waits && start[i].reason.kind == MUS_REASON_TANGLED && start[i].reason.count < least)
+            best = i, least = start[i].reason.count;
+    return best;
+}
+
+
+/* did any start go through settling with all its seams closed, its limbs in their openings and its place kept, though
+ * some cloth crosses cloth or it found no rest? Patience with an open seam seldom gets as far */
+static bool dress_settled_any(const mus__dress_start *start)
+{
+    for (int32_t i = 0; i < STARTS; i++) {
+        const int32_t kind = start[i].reason.kind;
+        if (start[i].index == MUS_NONE || start[i].waits) continue;
+        if (kind == MUS_REASON_TANGLED || kind == MUS_REASON_NOT_SETTLED) return true;
     }
     return false;
 }
@@ -147,11 +224,11 @@ static bool dress_wants_room(const mus__dress_start *start)
 /* when no impatient start succeeded: the others of the head comment. Returns the one that is given back */
 static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
 {
-    for (int32_t i = 0; i < STARTS; i++) {
-        if (start[i].waits && start[i].reason.kind == MUS_REASON_TANGLED) mus__dress_settle(call, &start[i]);
+    for (int32_t i; (i = dress_least_crossed(start)) != MUS_NONE;) {
+        mus__dress_settle(call, &start[i]);
         if (dress_ends(&start[i])) return i;
     }
-    for (int32_t i = 0; i < STARTS; i++) {
+    for (int32_t i = 0; i < STARTS && !dress_settled_any(start); i++) {
         if (start[i].index == MUS_NONE || start[i].refused || start[i].reason.kind != MUS_REASON_SEAM_OPEN) continue;
         const int32_t place = call->report.start_place[start[i].index];
         const mus_pattern *pattern = start[i].pattern;
@@ -164,7 +241,7 @@ static int32_t dress_insist(mus__dress *call, mus__dress_start *start)
     }
     int32_t best = 0;
     for (int32_t i = 1; i < STARTS; i++)
-        if (dress_rank(&start[i]) > dress_rank(&start[best])) best = i;
+        if (dress_farther(&start[i], &start[best])) best = i;
     if (start[best].waits) mus__dress_settle(call, &start[best]);
     return best;
 }
@@ -180,8 +257,9 @@ static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool othe
     dress_try(call, pattern, call->report.found ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN, !other, &start[0]);
     if (other && dress_failed_at_start(&start[0])) {
         for (int32_t i = call->report.found ? 2 : 1; i < STARTS && !dress_ends(&start[best]); i++) {
-            if (i == 2 && !dress_wants_room(start)) break;
-            dress_find(call, pattern, i == 2, &start[i], &found[i]);
+            mus_body *raised = i == 2 ? dress_room(call, start) : NULL;
+            if (i == 2 && raised == NULL) break;
+            dress_find(call, pattern, raised, &start[i], &found[i]);
             if (dress_ends(&start[i])) best = i;
         }
         if (!dress_ends(&start[best])) best = dress_insist(call, start);

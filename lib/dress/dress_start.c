@@ -2,9 +2,10 @@
  * dress_start.c: one start of mus_dress(), from cutting the cloth to rest, or to the reason why not.
  *
  * Settling takes most of the time of a start, so a start that is sewn is looked at first: every limb goes through its
- * opening (mus_fit_worn()), and no cloth crosses cloth. A limb that went into no opening while seams were open seldom
- * finds it afterwards, and crossings that were not drawn apart then stay. Such a start waits: mus_dress() settles it
- * only if no other start is better.
+ * opening and none through the cloth (mus__fit_worn()), and no cloth crosses cloth. A limb that went into no opening
+ * while seams were open seldom finds it afterwards, and crossings that were not drawn apart then stay. Such a start
+ * waits: mus_dress() settles it only if no other start is better. An opening that is far too small for its limb is told
+ * before anything is sewn.
  *
  * A start with raised arms is sewn round the body with horizontal arms. They are taken back to where the body has them
  * while the cloth, which is on by then, steps in time; then it settles as any other.
@@ -16,8 +17,8 @@
 #include "drape/drape_state.h"
 #include "dress/dress_start.h"
 #include "dress/progress.h"
+#include "fit/worn_check.h"
 #include "geom/vec.h"
-#include "muslin/fit.h"
 #include "muslin/pose.h"
 
 #define LOWER_SECONDS 1.0 /* [s] of cloth time in which arms come down; chosen: a person who lets them down */
@@ -71,34 +72,35 @@ static mus_status start_cut(mus__dress *call, bool patient, mus__dress_start *st
 }
 
 
-/* refuse a start that is faulty before anything is sewn */
-static mus_status start_look(mus__dress_start *start)
-{
-    mus_reason_init(&start->reason, sizeof start->reason);
-    const mus_status status = mus_drape_start(start->drape, &start->reason);
-    start->refused = status == MUS_OK && start->reason.kind != MUS_REASON_NONE;
-    return start->refused ? MUS_ERR_SEW : status;
-}
-
-
-/* MUS_ERR_UNSETTLED with the reason when the garment is not worn; `sewn`: it has still to settle, so that only
- * openings count. Cloth through the skin fails no start */
-static mus_status start_worn(const mus__dress *call, bool sewn, mus__dress_start *start)
+/* MUS_ERR_UNSETTLED with the reason when the garment is not worn, by `checks` (MUS__WORN_*) alone. `settled`: round the
+ * body as it stands, not with its arms raised */
+static mus_status start_worn(const mus__dress *call, int32_t checks, bool settled, mus__dress_start *start)
 {
     mus_worn worn;
     mus_worn_init(&worn, sizeof worn);
     if (call->body == NULL) return MUS_OK;
-    const mus_body *body = sewn && start->raised != NULL ? start->raised : call->body;
-    const mus_status status = mus_fit_worn(start->drape, start->pattern, body, &worn);
+    const mus_body *body = !settled && start->raised != NULL ? start->raised : call->body;
+    const mus_status status = mus__fit_worn(start->drape, start->pattern, body, checks, &worn);
     if (status != MUS_OK) return status;
-    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN || worn.kind == MUS_WORN_THROUGH) return MUS_OK;
-    if (sewn && worn.kind != MUS_WORN_OPENING && worn.kind != MUS_WORN_INSIDE_OUT) return MUS_OK;
+    if (worn.kind == MUS_WORN_YES || worn.kind == MUS_WORN_UNKNOWN) return MUS_OK;
     mus_reason *why = &start->reason;
     mus_reason_init(why, sizeof *why);
     why->kind = MUS_REASON_NOT_WORN, why->panel = worn.panel, why->node = worn.node, why->value = worn.kind;
     memcpy(why->place, worn.place, sizeof why->place);
     memcpy(why->text, worn.text, sizeof why->text);
     return mus__fail(call->context, MUS_ERR_UNSETTLED, "%s", worn.text);
+}
+
+
+/* refuse a start that is faulty, or a garment that is too tight, before anything is sewn */
+static mus_status start_look(const mus__dress *call, mus__dress_start *start)
+{
+    mus_reason_init(&start->reason, sizeof start->reason);
+    mus_status status = mus_drape_start(start->drape, &start->reason);
+    if (status == MUS_OK && start->reason.kind != MUS_REASON_NONE) status = MUS_ERR_SEW;
+    if (status == MUS_OK) status = start_worn(call, MUS__WORN_GIRTHS, false, start);
+    start->refused = status == MUS_ERR_SEW || status == MUS_ERR_UNSETTLED;
+    return status;
 }
 
 
@@ -158,7 +160,7 @@ void mus__dress_sew(mus__dress *call, const mus_pattern *pattern, int32_t place,
     call->report.start_place[start->index] = place;
     call->report.start_patient[start->index] = patient;
     start->status = start_cut(call, patient, start);
-    if (start->status == MUS_OK) start->status = start_look(start);
+    if (start->status == MUS_OK) start->status = start_look(call, start);
     if (start->status == MUS_OK) {
         const double began = mus__progress_time();
         start->status = mus_drape_sew(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
@@ -167,7 +169,7 @@ void mus__dress_sew(mus__dress *call, const mus_pattern *pattern, int32_t place,
     if (start->status != MUS_OK) {
         if (!start->refused) start_reason(start);
     } else if (!patient) {
-        start->status = start_worn(call, true, start);
+        start->status = start_worn(call, MUS__WORN_OPENINGS, false, start);
         if (start->status == MUS_OK) start->status = start_crossed(call, start);
         start->waits = start->status == MUS_ERR_UNSETTLED || start->status == MUS_ERR_TANGLED;
     }
@@ -207,7 +209,7 @@ void mus__dress_settle(mus__dress *call, mus__dress_start *start)
         start->status = mus_drape_settle(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
     call->report.settle_seconds += mus__progress_time() - time;
     start_reason(start);
-    if (start->status == MUS_OK) start->status = start_worn(call, false, start);
+    if (start->status == MUS_OK) start->status = start_worn(call, MUS__WORN_OPENINGS | MUS__WORN_HANGS, true, start);
     start_note(call, time, start);
 }
 

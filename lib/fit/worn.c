@@ -14,6 +14,7 @@
 
 #include "arrange/arrange_nodes.h"
 #include "fit/fit_internal.h"
+#include "fit/worn_check.h"
 #include "fit/worn_internal.h"
 #include "geom/vec.h"
 
@@ -137,27 +138,30 @@ static mus_status worn_tight(const mus__worn_call *call)
 }
 
 
-/* all checks, in the order of the list of kinds */
-static mus_status worn_check(mus__worn_call *call)
+/* the checks of `parts` (MUS__WORN_*), in the order of the list of kinds */
+static mus_status worn_check(mus__worn_call *call, int32_t parts)
 {
     mus_status status = MUS_OK;
     if (mus__worn_axes_make(call->body, &call->axes)) {
         status = mus__worn_loops_make(call->drape->context, call->drape->cloth, &call->loops);
         if (status == MUS_OK)
             status = mus__worn_expect(call->pattern, call->drape->cloth, &call->axes, call->placed, &call->loops);
-        if (status == MUS_OK) {
-            worn_openings(call);
+        if (status == MUS_OK && (parts & MUS__WORN_GIRTHS) != 0) mus__worn_girths(call);
+        if (status == MUS_OK && (parts & MUS__WORN_OPENINGS) != 0) worn_openings(call);
+        if (status == MUS_OK && (parts & MUS__WORN_HANGS) != 0) {
             mus__worn_levels(call);
             status = worn_tight(call);
         }
+        if (status == MUS_OK && (parts & MUS__WORN_OPENINGS) != 0) mus__worn_pierced(call);
     } else {
         call->out->kind = MUS_WORN_UNKNOWN;
     }
-    return status == MUS_OK ? mus__worn_through(call) : status;
+    return status == MUS_OK && (parts & MUS__WORN_SKIN) != 0 ? mus__worn_through(call) : status;
 }
 
 
-mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus_worn *out)
+mus_status mus__fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, int32_t parts,
+                         mus_worn *out)
 {
     if (drape == NULL) return MUS_ERR_ARG;
     if (pattern == NULL || body == NULL || out == NULL)
@@ -176,9 +180,15 @@ mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, cons
     mus_worn_init(&worn, sizeof worn);
     mus__worn_call call = {.drape = drape, .pattern = pattern, .body = body, .x = drape->x, .placed = placed,
                            .out = &worn};
-    const mus_status status = worn_check(&call);
+    const mus_status status = worn_check(&call, parts);
     if (call.loops.context != NULL) mus__worn_loops_free(&call.loops);
     mus__free(drape->context, placed);
     if (status == MUS_OK) *out = worn;
     return status;
+}
+
+
+mus_status mus_fit_worn(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus_worn *out)
+{
+    return mus__fit_worn(drape, pattern, body, MUS__WORN_OPENINGS | MUS__WORN_HANGS | MUS__WORN_SKIN, out);
 }

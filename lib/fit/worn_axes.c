@@ -133,7 +133,7 @@ bool mus__worn_axes_make(const mus_body *body, mus__worn_axes *out)
         const int32_t own = mus_body_contour_count(body, limb);
         double side[3];
         memcpy(out->point[axis][0], chest, sizeof chest);
-        out->count[axis] = out->own[axis] = 1;
+        out->count[axis] = out->own[axis] = 1, out->limb[axis] = limb;
         if (axis == MUS_WORN_NECK) {
             axis_add(body, torso, middle + 1, contours, 1, 0.0, axis, out);
             if (out->count[axis] > 1) axis_end(axis, out->front, axis_face(out), out);

@@ -40,6 +40,7 @@ typedef struct mus__worn_loops {
 
 typedef struct mus__worn_axes {
     int32_t count[MUS_WORN_LIMBS]; /* points inside the body; 0: the body lacks the limb */
+    int32_t limb[MUS_WORN_LIMBS];  /* of the body; of the neck the trunk */
     int32_t own[MUS_WORN_LIMBS];   /* the first of them that is the limb's own, not the trunk's */
     double point[MUS_WORN_LIMBS][MUS__WORN_POINTS][3];
     double far[MUS_WORN_LIMBS][MUS__WORN_WAYS][3]; /* where the axis ends, 20 m outside, on each way */
@@ -86,9 +87,14 @@ typedef struct mus__worn_call {
 void mus__worn_note(const mus__worn_call *call, int32_t kind, int32_t limb, int32_t loop, int32_t node, double value,
                     const char *text);
 
+/* worn_girth.c: openings that are too small for their limb where they start; before anything is sewn */
+void mus__worn_girths(const mus__worn_call *call);
 /* worn_level.c: heights and shoulders */
 void mus__worn_levels(const mus__worn_call *call);
-/* worn_through.c: cloth through the skin: through and its fellows in out. Errors: MUS_ERR_MEMORY */
+/* worn_through.c: a limb whose axis, as far as it lies in the body, meets a triangle of the cloth: that limb is through
+ * the cloth, not a mere fold of the cloth in the skin */
+void mus__worn_pierced(const mus__worn_call *call);
+/* cloth through the skin: through and its fellows in out. Errors: MUS_ERR_MEMORY */
 mus_status mus__worn_through(const mus__worn_call *call);
 
 #endif

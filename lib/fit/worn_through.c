@@ -126,6 +126,40 @@ static void through_measure(const mus__worn_call *call, const through_search *se
 }
 
 
+/* whether segment a b meets triangle k of the cloth; the box of the triangle is compared first */
+static bool through_axis(const mus__worn_call *call, const double *a, const double *b, int32_t k)
+{
+    const int32_t *v = call->drape->cloth->triangle + 3 * (ptrdiff_t)k;
+    const double *p = call->x + 3 * (ptrdiff_t)v[0], *q = call->x + 3 * (ptrdiff_t)v[1];
+    const double *r = call->x + 3 * (ptrdiff_t)v[2];
+    for (int32_t d = 0; d < 3; d++) {
+        const double low = fmin(a[d], b[d]), high = fmax(a[d], b[d]);
+        if ((p[d] < low && q[d] < low && r[d] < low) || (p[d] > high && q[d] > high && r[d] > high)) return false;
+    }
+    return mus__segment_meets_triangle(a, b, p, q, r) != 0;
+}
+
+
+void mus__worn_pierced(const mus__worn_call *call)
+{
+    static const char *const names[MUS_WORN_LIMBS] = {"the head goes", "the left arm goes", "the right arm goes",
+                                                      "the left leg goes", "the right leg goes"};
+    const mus__worn_axes *axes = &call->axes;
+    for (int32_t limb = 0; limb < MUS_WORN_LIMBS; limb++)
+        for (int32_t k = 0; k + 1 < axes->count[limb]; k++) {
+            const double *a = axes->point[limb][k], *b = axes->point[limb][k + 1];
+            for (int32_t t = 0; t < call->drape->cloth->ntriangle; t++) {
+                char text[128];
+                if (!through_axis(call, a, b, t)) continue;
+                snprintf(text, sizeof text, "%s through the cloth", names[limb]);
+                mus__worn_note(call, MUS_WORN_THROUGH, limb, MUS_NONE,
+                               call->drape->cloth->triangle[3 * (ptrdiff_t)t], 0.0, text);
+                return;
+            }
+        }
+}
+
+
 mus_status mus__worn_through(const mus__worn_call *call)
 {
     const mus_drape *drape = call->drape;

@@ -6,8 +6,7 @@
 
 #include "print/sheet.h"
 
-#define MUS__INCH_4 0.1016     /* [m] side of the test square of 4 inches */
-#define MUS__SQUARE_GAP 0.006 /* [m] distance of the two test squares; chosen: a ruler can be laid on either */
+#define MUS__SQUARES 0.1016 /* [m] side of the test square of 4 inches; that of 100 mm lies in its middle */
 
 /* width and height of a paper held upright */
 void mus__paper_size(int32_t paper, double *out);
@@ -16,11 +15,13 @@ mus_status mus__paper_check(const mus_sheet *sheet);
 /* length [m] of the page of a roll that holds `length` [m]: whole points, between the shortest and the longest page */
 double mus__roll_length(double length);
 
-/* ---- pages without their pieces (page.c), in coordinates of the page ---- */
+/* write a text: left end (align 0), middle (0.5) or right end (1) of its base line at (x, y), capitals `height` high */
+void mus__page_text(mus__drawing *out, mus__pen pen, const char *text, double x, double y, double height, double align);
 
-/* width and height [m] of both test squares, 100 mm and 4 inches, side by side or one above the other */
-void mus__squares_size(bool beside, double *out);
-void mus__squares_draw(mus__drawing *out, double x, double y, bool beside);
+/* ---- pages without their pieces (page.c, cover.c), in coordinates of the page ---- */
+
+/* draw the test squares, 100 mm inside 4 inches, with their low corner at (x, y) */
+void mus__squares_draw(mus__drawing *out, double x, double y);
 /* name of a tile by row and column, such as "B3" */
 void mus__tile_name(const mus__tile *tile, char *out, size_t size);
 /* draw the frame of a tile, its marks and the names of its neighbours */
@@ -29,5 +30,12 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out);
 mus_status mus__cover_check(const mus_sheet *sheet);
 void mus__cover_size(const mus_sheet *sheet, double *out);
 void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out);
+/* find places on the pages of a tiled sheet for the test squares (at `corner`, unless NULL) and for title and
+ * instructions: sets squares, legend, and cover (false when both are found). taken(user, box) tells whether a piece
+ * meets the box */
+void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box), const void *user,
+                       const double *corner);
+/* draw title and instructions on the sheet, at `legend` */
+void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out);
 
 #endif

@@ -46,10 +46,3 @@ mus_status mus__paper_check(const mus_sheet *sheet)
                           "paper %s: margin %s mm leaves %s mm of its width to print on; at least %s mm and twice the "
                           "overlap of %s mm must be left", names[def->paper], margin, left, least, overlap);
 }
-
-
-void mus__squares_size(bool beside, double *out)
-{
-    out[0] = beside ? 0.1 + MUS__SQUARE_GAP + MUS__INCH_4 : MUS__INCH_4;
-    out[1] = beside ? MUS__INCH_4 : 0.1 + MUS__SQUARE_GAP + MUS__INCH_4;
-}

@@ -13,6 +13,7 @@
 
 #include "file/sink.h"
 #include "print/page.h"
+#include "print/pdf_layers.h"
 
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */
@@ -23,6 +24,7 @@
 typedef struct pdf_page {
     cairo_t *cairo;
     double left, top;
+    const mus_sheet *sheet;
 } pdf_page;
 
 
@@ -62,7 +64,7 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
         const mus__path *path = &drawing->paths[i];
         const mus__pen_style *style = &mus__pen_styles[path->pen];
         double w = 0.5 * style->width, dash[2] = {style->dash[0] * POINTS, style->dash[1] * POINTS};
-        if (path->nop == 0) continue;
+        if (path->nop == 0 || mus__path_layered(page->sheet, path)) continue;
         if (window != NULL && (path->box[0] - w > window[2] || path->box[2] + w < window[0] ||
                                path->box[1] - w > window[3] || path->box[3] + w < window[1]))
             continue;
@@ -146,7 +148,7 @@ static mus_status pdf_cover(cairo_surface_t *surface, cairo_t *cairo, const mus_
     mus__cover_draw(sheet, &drawing);
     mus_status status = drawing.status;
     if (status == MUS_OK) {
-        const pdf_page page = {cairo, 0.0, size[1]};
+        const pdf_page page = {cairo, 0.0, size[1], sheet};
         cairo_pdf_surface_set_size(surface, size[0] * POINTS, size[1] * POINTS);
         pdf_draw(&page, &drawing, NULL);
         pdf_texts(&page, &drawing, NULL);
@@ -166,7 +168,8 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
     mus_status status = drawing.status;
     if (status == MUS_OK) {
         mus__tile_window(sheet, &sheet->tiles[tile], box);
-        const pdf_page own = {cairo, 0.0, sheet->page[1]}, page = {cairo, box[0] - margin, box[3] + margin};
+        const pdf_page own = {cairo, 0.0, sheet->page[1], sheet};
+        const pdf_page page = {cairo, box[0] - margin, box[3] + margin, sheet};
         cairo_pdf_surface_set_size(surface, sheet->page[0] * POINTS, sheet->page[1] * POINTS);
 
         /* pieces clipped to the window, then frame and marks */
@@ -190,6 +193,8 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
 {
     double width = sheet->page[0] * POINTS, height = sheet->page[1] * POINTS;
     cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(pdf_collect, bytes, width, height);
+    /* objects in plain text, which layers are added to */
+    if (sheet->nsize > 1) cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, sheet->title);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "muslin");
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, PDF_DATE);
@@ -198,7 +203,7 @@ static mus_status pdf_pages(const mus_sheet *sheet, mus__sink *bytes)
     cairo_set_font_face(cairo, face);
     cairo_font_face_destroy(face);
 
-    mus_status status = sheet->tiled ? pdf_cover(surface, cairo, sheet) : MUS_OK;
+    mus_status status = sheet->cover ? pdf_cover(surface, cairo, sheet) : MUS_OK;
     for (int32_t i = 0; i < sheet->ntile && status == MUS_OK; i++) status = pdf_tile(surface, cairo, sheet, i);
 
     /* failures of cairo: no memory, or a sink that has failed */
@@ -223,6 +228,7 @@ static mus_status pdf_write(const mus_sheet *sheet, const mus__target *target, c
     mus__sink bytes;
     mus__sink_init(&bytes, sheet->context);
     status = pdf_pages(sheet, &bytes);
+    if (status == MUS_OK && sheet->nsize > 1) status = mus__pdf_layers_add(sheet, &bytes);
     if (status == MUS_OK) status = mus__sink_give(&bytes, target);
     mus__sink_free(&bytes);
     return status;

@@ -33,9 +33,11 @@ typedef struct mus__piece {
     int32_t panel;
     int32_t copies;   /* number of copies to cut */
     bool mirrored;    /* half of the copies are cut turned over */
-    bool fold;        /* the right half of a symmetric piece, to be laid on the fold of the cloth */
+    bool fold;        /* the half of a symmetric piece, to be laid on the fold of the cloth */
     double axis;      /* x of the fold line, of a half [m] */
-    double turn[4];   /* matrix from the panel's plane to the sheet, row-major: grain up, outline counter-clockwise */
+    double inward;    /* +1: the half lies right of its fold line; -1: left */
+    bool follower;    /* another size of the nest carries grain line, label and words */
+    double turn[4];   /* matrix from the panel's plane to the sheet, row-major: grain upright */
     double shift[2];  /* [m] added after turn */
     int32_t nside, nspan, nflat;
     mus__side *sides; /* (nside) */
@@ -57,6 +59,8 @@ void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size);
 void mus__piece_free(mus_context *context, mus__piece *piece);
 void mus__piece_box(mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
+/* mirror a piece left to right (x) and top to bottom (y) in lines through (0, 0); both are half a turn */
+void mus__piece_flip(mus__piece *piece, bool x, bool y);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
 void mus__cubic_at(const double *p, double t, double *out);
@@ -72,7 +76,8 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
 /* [m] distance of the bracket from the fold line of a half; chosen: its words fit between */
 #define MUS__FOLD_BRACKET 0.012
 
-/* draw cut line, sew line, notches, grain line and marks; grain (3) gets x, low y, high y of the grain line [m] */
+/* draw cut line, sew line, notches, marks, and the grain line unless it follows; grain (3) gets x, low y, high y of the
+ * grain line [m] */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain);
 /* the name of a mark, with the left end of its base line and its direction */

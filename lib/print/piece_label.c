@@ -12,7 +12,7 @@
 #include "base/elementary.h"
 #include "print/sheet.h"
 
-#define LABEL_LINES 7    /* most lines of a label: as many as label_lines adds */
+#define LABEL_LINES 8    /* most lines of a label: as many as label_lines adds */
 #define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
 #define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */
 #define LABEL_PAD 0.004  /* [m] distance kept free round the label; chosen: its letters do not touch lines */
@@ -74,6 +74,14 @@ static void label_allowance(const mus__piece *piece, char *out, size_t size)
 }
 
 
+static void label_sizes(const mus_sheet *sheet, char *out, size_t size)
+{
+    size_t at = (size_t)snprintf(out, size, "Sizes ");
+    for (int32_t k = 0; k < sheet->nsize && at < size; k++)
+        at += (size_t)snprintf(out + at, size - at, "%s%s", k > 0 ? ", " : "", sheet->sizes[k]);
+}
+
+
 static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block)
 {
     const mus__piece *piece = &sheet->pieces[index];
@@ -83,8 +91,10 @@ static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block
     label_line *name = label_add(block, 0.008, true);
     snprintf(name->text, LABEL_BYTES, "%s", sheet->names[index]);
     for (char *c = name->text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
-    snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "Piece %d of %d", index + 1, sheet->npiece);
+    snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "Piece %d of %d", index / sheet->nsize + 1,
+             sheet->npiece / sheet->nsize);
     mus__piece_cut_text(piece, label_add(block, 0.0055, true)->text, LABEL_BYTES);
+    if (sheet->nsize > 1) label_sizes(sheet, label_add(block, 0.0045, false)->text, LABEL_BYTES);
     if (sheet->person != NULL)
         snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "For %.120s", sheet->person);
     label_allowance(piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
@@ -114,8 +124,8 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
                               const double *grain, label_walls *walls)
 {
     const double low[2] = {grain[0], grain[1]}, high[2] = {grain[0], grain[2]};
-    const double bracket[4] = {piece->axis + MUS__FOLD_BRACKET, piece->box[1], piece->axis + MUS__FOLD_BRACKET,
-                               piece->box[3]};
+    const double bracket_x = piece->axis + piece->inward * MUS__FOLD_BRACKET;
+    const double bracket[4] = {bracket_x, piece->box[1], bracket_x, piece->box[3]};
     mus_status status = walls_add(sheet->context, walls, low, high);
     if (status == MUS_OK && piece->fold) status = walls_add(sheet->context, walls, bracket, bracket + 2);
     for (int32_t i = 0; i < piece->nflat && status == MUS_OK; i++)

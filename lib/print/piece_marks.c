@@ -127,7 +127,7 @@ static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus_
 
     /* the outside lies on the right of the outline's direction */
     double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
-    if (!(d > 0.0) || (piece->fold && p[0] < piece->axis - 1e-6)) return;
+    if (!(d > 0.0) || (piece->fold && piece->inward * (p[0] - piece->axis) < -1e-6)) return;
     const double n[2] = {dy / d, -dx / d};
     double reach = marks_reach(piece, p, n, side->width), depth = side->width - SLIT_CLEAR;
     depth = depth > SLIT_DEPTH ? SLIT_DEPTH : depth < SLIT_LEAST ? SLIT_LEAST : depth;
@@ -249,16 +249,16 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int3
     }
     out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
     out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
-    return !piece->fold || out->x > piece->axis;
+    return !piece->fold || piece->inward * (out->x - piece->axis) > 0.0;
 }
 
 
-/* draw a segment of a mark, of a half the part right of its fold line */
+/* draw a segment of a mark, of a half the part on its side of the fold line */
 static void marks_segment(mus__drawing *out, const mus__piece *piece, const double *from, const double *to, bool *open)
 {
     double a[2] = {from[0], from[1]}, b[2] = {to[0], to[1]};
     if (piece->fold) {
-        const bool in = a[0] >= piece->axis, next = b[0] >= piece->axis;
+        const bool in = piece->inward * (a[0] - piece->axis) >= 0.0, next = piece->inward * (b[0] - piece->axis) >= 0.0;
         if (in != next) {
             double *cut = in ? b : a;
             cut[1] = from[1] + (to[1] - from[1]) * (piece->axis - from[0]) / (to[0] - from[0]);
@@ -283,26 +283,27 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
         high = fmax(high, piece->cut.xy[2 * i + 1]);
     }
     if (!(high > low)) return;
-    const double x = piece->axis, bracket = x + MUS__FOLD_BRACKET;
+    const double x = piece->axis, tip = x + piece->inward * ARROW, bracket = x + piece->inward * MUS__FOLD_BRACKET;
     const double third = fmin((high - low) / 3.0, fmax(0.0, 0.5 * (high - low) - FOLD_WORDS));
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
     mus__draw_move(out, x, low);
     mus__draw_line(out, x, high);
+    if (piece->follower) return;
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
-    mus__draw_move(out, x + ARROW, low + third);
+    mus__draw_move(out, tip, low + third);
     mus__draw_line(out, bracket, low + third);
     mus__draw_line(out, bracket, high - third);
-    mus__draw_line(out, x + ARROW, high - third);
+    mus__draw_line(out, tip, high - third);
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_INK);
     for (int32_t i = 0; i < 2; i++) {
         const double y = i == 0 ? low + third : high - third;
         mus__draw_move(out, x, y);
-        mus__draw_line(out, x + ARROW, y - 0.25 * ARROW);
-        mus__draw_line(out, x + ARROW, y + 0.25 * ARROW);
+        mus__draw_line(out, tip, y - 0.25 * ARROW);
+        mus__draw_line(out, tip, y + 0.25 * ARROW);
         mus__draw_close(out);
     }
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, "place on fold", bracket - 0.0015, 0.5 * (low + high),
+    mus__draw_text(out, "place on fold", bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
                    &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
 }
 
@@ -318,7 +319,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         double first[2], p[2];
         bool open = false;
         mus__piece_point(piece, xy, first);
-        if (n == 1 && piece->fold && first[0] < piece->axis - 1e-9) continue;
+        if (n == 1 && piece->fold && piece->inward * (first[0] - piece->axis) < -1e-9) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
         mus__draw_mark(out, i);
         if (n == 1) {
@@ -333,7 +334,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             marks_segment(out, piece, first, p, &open);
         }
         mus__caption caption;
-        if (!mus__mark_caption(pattern, piece, i, &caption)) continue;
+        if (piece->follower || !mus__mark_caption(pattern, piece, i, &caption)) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
         mus__draw_text(out, caption.text, caption.x, caption.y, &caption.style);
     }
@@ -346,7 +347,7 @@ void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__p
     marks_cut(out, piece, index);
     marks_seam(out, piece, index);
     marks_notches(out, pattern, piece, index);
-    marks_grain(out, piece, index, grain);
+    if (!piece->follower) marks_grain(out, piece, index, grain);
     marks_inside(out, pattern, piece, index);
     if (piece->fold) marks_fold(out, piece, index);
 }

@@ -77,6 +77,60 @@ void mus__piece_move(mus__piece *piece, double x, double y)
 }
 
 
+/* reverse n points, in place */
+static void piece_reverse(int32_t n, double *xy)
+{
+    for (int32_t i = 0, k = n - 1; i < k; i++, k--) {
+        double held[2];
+        memcpy(held, xy + 2 * i, sizeof held);
+        memcpy(xy + 2 * i, xy + 2 * k, sizeof held);
+        memcpy(xy + 2 * k, held, sizeof held);
+    }
+}
+
+
+/* let all lines run the other way */
+static void piece_turn_round(mus__piece *piece)
+{
+    for (int32_t i = 0, k = piece->nspan - 1; i < k; i++, k--) {
+        const mus__span held = piece->spans[i];
+        piece->spans[i] = piece->spans[k];
+        piece->spans[k] = held;
+    }
+    for (int32_t i = 0; i < piece->nspan; i++) piece_reverse(4, piece->spans[i].p);
+    for (int32_t i = 0; i < piece->nside; i++) piece->sides[i].direction *= -1;
+    for (int32_t l = 0; l < piece->cut.nloop; l++)
+        piece_reverse(piece->cut.start[l + 1] - piece->cut.start[l], piece->cut.xy + 2 * piece->cut.start[l]);
+    /* point i is the old point n - 1 - i, so the chord from it is the old chord n - 2 - i */
+    piece_reverse(piece->nflat, piece->flat);
+    for (int32_t i = 0, k = piece->nflat - 2; i < k; i++, k--) {
+        const int32_t held = piece->flat_side[i];
+        piece->flat_side[i] = piece->flat_side[k];
+        piece->flat_side[k] = held;
+    }
+}
+
+
+void mus__piece_flip(mus__piece *piece, bool x, bool y)
+{
+    const double sign[2] = {x ? -1.0 : 1.0, y ? -1.0 : 1.0}, old[4] = {piece->box[0], piece->box[1], piece->box[2],
+                                                                     piece->box[3]};
+    for (int32_t k = 0; k < 2; k++) {
+        for (int32_t i = 0; i < 4 * piece->nspan; i++) piece->spans[i / 4].p[2 * (i % 4) + k] *= sign[k];
+        for (int32_t i = 0; i < piece->nflat; i++) piece->flat[2 * i + k] *= sign[k];
+        for (int32_t i = 0; i < piece->cut.n; i++) piece->cut.xy[2 * i + k] *= sign[k];
+        for (int32_t i = 0; i < 4 * piece->ndart; i++) piece->darts[2 * i + k] *= sign[k];
+        for (int32_t i = 0; i < 2; i++) piece->turn[2 * k + i] *= sign[k];
+        piece->shift[k] *= sign[k];
+        piece->box[k] = sign[k] < 0.0 ? -old[2 + k] : old[k];
+        piece->box[2 + k] = sign[k] < 0.0 ? -old[k] : old[2 + k];
+    }
+    piece->axis *= sign[0];
+    piece->inward *= sign[0];
+    if (x != y) piece_turn_round(piece);
+}
+
+
 /* ---- spans from the segments of the pattern's edges, in the panel's plane ---- */
 
 typedef struct span_list {
@@ -335,6 +389,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     int32_t n = 0, *edges = NULL, *directions;
     span_list spans = {.context = context};
     piece->panel = panel;
+    piece->inward = 1.0;
     mus_status status = mus_pattern_outline(pattern, panel, &n, NULL, NULL);
     if (status == MUS_OK) {
         piece->sides = mus__print_new(context, n, sizeof *piece->sides);

@@ -24,7 +24,7 @@ void mus_sheet_def_init(mus_sheet_def *def, size_t size)
     def->paper = MUS_PAPER_A4;
     def->allowance = 0.01;
     def->margin = 0.01;
-    def->overlap = 0.01;
+    def->overlap = 0.0;
 }
 
 
@@ -80,32 +80,73 @@ static mus_status sheet_faults(mus_context *context, const mus_pattern *pattern)
 }
 
 
-/* make a piece of each panel that is not the mirror image of another */
-static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *pattern)
+/* names of pieces and marks, those of the first size */
+static mus_status sheet_names(mus_sheet *sheet, const mus_pattern *pattern)
 {
-    int32_t npanel = mus_pattern_panel_count(pattern), count, mirror;
-    sheet->pieces = mus__print_new(sheet->context, npanel, sizeof *sheet->pieces);
-    sheet->names = mus__print_new(sheet->context, npanel, sizeof *sheet->names);
-    sheet->labels = mus__print_new(sheet->context, npanel, sizeof *sheet->labels);
-    sheet->marks = mus__print_new(sheet->context, mus_pattern_mark_count(pattern), sizeof *sheet->marks);
+    const int32_t npanel = mus_pattern_panel_count(pattern), nmark = mus_pattern_mark_count(pattern);
+    const int64_t most = (int64_t)npanel * sheet->nsize;
+    sheet->pieces = mus__print_new(sheet->context, most, sizeof *sheet->pieces);
+    sheet->names = mus__print_new(sheet->context, most, sizeof *sheet->names);
+    sheet->labels = mus__print_new(sheet->context, most, sizeof *sheet->labels);
+    sheet->marks = mus__print_new(sheet->context, nmark, sizeof *sheet->marks);
     if (sheet->pieces == NULL || sheet->names == NULL || sheet->labels == NULL || sheet->marks == NULL)
         return mus__print_memory(sheet->context, "the pieces");
-    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+    for (int32_t i = 0; i < nmark; i++) {
         const char *name = "";
         mus_pattern_mark(pattern, i, NULL, &name, NULL, NULL);
         snprintf(sheet->marks[i], sizeof *sheet->marks, "%s", name);
     }
+    return MUS_OK;
+}
 
+
+/* make the sizes of a piece: on the fold all or none, one on the other by the frame of the panel */
+static mus_status sheet_nest(mus_sheet *sheet, const mus_pattern *const *patterns, int32_t panel, mus__piece *nest)
+{
     mus_status status = MUS_OK;
-    for (int32_t i = 0; i < npanel && status == MUS_OK; i++) {
+    bool fold = sheet->def.fold != 0, whole = true;
+    for (int32_t round = 0; round < 2 && status == MUS_OK && whole; round++, fold = false) {
+        whole = false;
+        for (int32_t k = 0; k < sheet->nsize && status == MUS_OK; k++) {
+            mus__piece_free(sheet->context, &nest[k]);
+            status = mus__piece_make(sheet->context, patterns[k], panel, sheet->def.allowance, &nest[k]);
+            if (status == MUS_OK && fold) status = mus__piece_fold(sheet->context, patterns[k], &nest[k]);
+            whole = whole || (fold && !nest[k].fold);
+        }
+        whole = whole && sheet->nsize > 1;
+    }
+    int32_t least = 0;
+    for (int32_t k = 0; k < sheet->nsize && status == MUS_OK; k++) {
+        const mus__piece *own = &nest[k], *first = &nest[0], *small = &nest[least];
+        const double x = first->fold ? first->axis - own->axis : first->shift[0] - own->shift[0];
+        if (k > 0) mus__piece_move(&nest[k], x, first->shift[1] - own->shift[1]);
+        nest[k].follower = true;
+        if (own->box[2] - own->box[0] + own->box[3] - own->box[1] <
+            small->box[2] - small->box[0] + small->box[3] - small->box[1])
+            least = k;
+    }
+    nest[least].follower = false;
+    return status;
+}
+
+
+/* make a piece of each panel that is not the mirror image of another, in each size */
+static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *const *patterns)
+{
+    const mus_pattern *pattern = patterns[0];
+    mus_status status = sheet_names(sheet, pattern);
+    for (int32_t i = 0; i < mus_pattern_panel_count(pattern) && status == MUS_OK; i++) {
+        int32_t count, mirror;
         status = mus_pattern_cut(pattern, i, &count, &mirror);
         if (status != MUS_OK || mirror != MUS_NONE) continue;
-        snprintf(sheet->names[sheet->npiece], sizeof *sheet->names, "%s", mus_pattern_panel_name(pattern, i));
-        snprintf(sheet->labels[sheet->npiece], sizeof *sheet->labels, "%s", mus_pattern_panel_label(pattern, i));
-        status = mus__piece_make(sheet->context, pattern, i, sheet->def.allowance, &sheet->pieces[sheet->npiece++]);
+        const int32_t first = sheet->npiece;
+        sheet->npiece += sheet->nsize;
+        for (int32_t k = first; k < sheet->npiece; k++) {
+            snprintf(sheet->names[k], sizeof *sheet->names, "%s", mus_pattern_panel_name(pattern, i));
+            snprintf(sheet->labels[k], sizeof *sheet->labels, "%s", mus_pattern_panel_label(pattern, i));
+        }
+        status = sheet_nest(sheet, patterns, i, sheet->pieces + first);
     }
-    for (int32_t i = 0; i < sheet->npiece && status == MUS_OK && sheet->def.fold; i++)
-        status = mus__piece_fold(sheet->context, pattern, &sheet->pieces[i]);
     if (status == MUS_OK && sheet->npiece == 0)
         status = mus__file_fail(sheet->context, MUS_ERR_PATTERN, "pattern %.100s has no panel to print", sheet->title);
     return status;
@@ -158,65 +199,114 @@ static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
 }
 
 
-/* the pages of a tiled sheet, once its lines are known */
-static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *pattern)
+static mus_status sheet_marks(const mus_sheet *sheet, const mus_pattern *const *patterns, mus__drawing *out)
+{
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        double grain[3];
+        mus__marks_draw(out, patterns[i % sheet->nsize], &sheet->pieces[i], i, grain);
+    }
+    return out->status;
+}
+
+
+static bool sheet_taken(const void *user, const double *box)
+{
+    const mus_sheet *sheet = user;
+    for (int32_t i = 0; i < sheet->npiece; i++)
+        if (mus__piece_meets(&sheet->pieces[i], box)) return true;
+    return false;
+}
+
+
+/* the pages of a tiled sheet, once its lines are known, and the place of the legend */
+static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *const *patterns)
 {
     if (!sheet->tiled) return MUS_OK;
     mus__drawing lines;
     mus__draw_init(&lines, sheet->context);
-    for (int32_t i = 0; i < sheet->npiece; i++) {
-        double grain[3];
-        mus__marks_draw(&lines, pattern, &sheet->pieces[i], i, grain);
-    }
-    const mus_status status = lines.status;
+    const mus_status status = sheet_marks(sheet, patterns, &lines);
     if (status == MUS_OK) sheet_prune(sheet, &lines);
     mus__draw_free(&lines);
-    return status;
+    if (status == MUS_OK)
+        mus__legend_place(sheet, sheet_taken, sheet, sheet->packed ? sheet->squares : NULL);
+    return status != MUS_OK || !sheet->cover ? status : mus__cover_check(sheet);
 }
 
 
-static mus_status sheet_draw(mus_sheet *sheet, const mus_pattern *pattern)
+/* write the name of a size along its cut line, where the piece is farthest to the right */
+static void sheet_size_name(mus_sheet *sheet, int32_t index)
+{
+    const mus__loops *cut = &sheet->pieces[index].cut;
+    int32_t at = 0;
+    for (int32_t i = 1; i < cut->start[1]; i++)
+        if (cut->xy[2 * i] > cut->xy[2 * at]) at = i;
+    mus__draw_path(&sheet->drawing, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
+    mus__draw_text(&sheet->drawing, sheet->sizes[index % sheet->nsize], cut->xy[2 * at] - 0.001,
+                   cut->xy[2 * at + 1] - 0.01, &(mus__text_style){0.0025, 0.0, 1.0, 0.5});
+}
+
+
+static mus_status sheet_draw(mus_sheet *sheet, const mus_pattern *const *patterns)
 {
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < sheet->npiece && status == MUS_OK; i++) {
+        const mus_pattern *pattern = patterns[i % sheet->nsize];
         double grain[3];
         mus__marks_draw(&sheet->drawing, pattern, &sheet->pieces[i], i, grain);
-        status = mus__label_draw(sheet, pattern, i, grain);
+        if (sheet->nsize > 1) sheet_size_name(sheet, i);
+        if (!sheet->pieces[i].follower || sheet->nsize == 1) status = mus__label_draw(sheet, pattern, i, grain);
     }
-    if (!sheet->tiled && status == MUS_OK)
-        mus__squares_draw(&sheet->drawing, sheet->squares[0], sheet->squares[1], sheet->squares_beside);
+    if (!sheet->cover && status == MUS_OK)
+        mus__squares_draw(&sheet->drawing, sheet->squares[0], sheet->squares[1]);
+    if (sheet->tiled && !sheet->cover) mus__legend_draw(sheet, &sheet->drawing);
     return status != MUS_OK ? status : sheet->drawing.status;
 }
 
 
-static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *pattern)
+/* MUS_ERR_ARG unless all sizes have the same panels */
+static mus_status sheet_sizes_check(mus_context *context, int32_t count, const mus_pattern *const *patterns,
+                                    const char *const *names)
+{
+    const int32_t n = mus_pattern_panel_count(patterns[0]);
+    for (int32_t k = 0; k < count; k++) {
+        bool same = names[k] != NULL && mus_pattern_panel_count(patterns[k]) == n;
+        for (int32_t i = 0; i < n && same; i++)
+            same = strcmp(mus_pattern_panel_name(patterns[0], i), mus_pattern_panel_name(patterns[k], i)) == 0;
+        if (!same)
+            return mus__file_fail(context, MUS_ERR_ARG, "size %d of %d (%.30s): its panels are not those of the first "
+                                  "size", k + 1, count, names[k] != NULL ? names[k] : "no name");
+    }
+    return MUS_OK;
+}
+
+
+static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *const *patterns, const char *const *names)
 {
     mus_context *context = sheet->context;
-    const char *title = sheet->def.title != NULL ? sheet->def.title : mus_pattern_name(pattern);
+    const char *title = sheet->def.title != NULL ? sheet->def.title : mus_pattern_name(patterns[0]);
     sheet->title = sheet_text(context, title);
+    sheet->sizes = mus__print_new(context, sheet->nsize, sizeof *sheet->sizes);
     if (sheet->def.person != NULL) sheet->person = sheet_text(context, sheet->def.person);
-    if (sheet->title == NULL || (sheet->def.person != NULL && sheet->person == NULL))
+    if (sheet->title == NULL || sheet->sizes == NULL || (sheet->def.person != NULL && sheet->person == NULL))
         return mus__print_memory(context, "the title of a sheet");
     sheet->def.title = sheet->title;
     sheet->def.person = sheet->person;
+    for (int32_t k = 0; k < sheet->nsize && names != NULL; k++)
+        snprintf(sheet->sizes[k], sizeof *sheet->sizes, "%s", names[k]);
 
     mus_status status = mus__paper_check(sheet);
-    if (status == MUS_OK) status = sheet_faults(context, pattern);
-    if (status == MUS_OK) status = sheet_pieces(sheet, pattern);
+    for (int32_t k = 0; k < sheet->nsize && status == MUS_OK; k++) status = sheet_faults(context, patterns[k]);
+    if (status == MUS_OK) status = sheet_pieces(sheet, patterns);
     if (status == MUS_OK) status = mus__sheet_layout(sheet);
-    if (status == MUS_OK && sheet->tiled) status = mus__cover_check(sheet);
-    if (status == MUS_OK) status = sheet_pages(sheet, pattern);
-    if (status == MUS_OK) status = sheet_draw(sheet, pattern);
+    if (status == MUS_OK) status = sheet_pages(sheet, patterns);
+    if (status == MUS_OK) status = sheet_draw(sheet, patterns);
     return status;
 }
 
 
-mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def, mus_sheet **out)
+static mus_status sheet_create(mus_context *context, int32_t count, const mus_pattern *const *patterns,
+                               const char *const *names, const mus_sheet_def *def, mus_sheet **out)
 {
-    if (out != NULL) *out = NULL;
-    if (context == NULL || pattern == NULL || out == NULL)
-        return mus_context_fail(context, MUS_ERR_ARG, "mus_sheet_create: context, pattern or out is NULL");
-
     mus_sheet_def own;
     mus_sheet_def_init(&own, sizeof own);
     if (def != NULL) {
@@ -232,14 +322,42 @@ mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, co
     if (sheet == NULL) return mus__print_memory(context, "a sheet");
     sheet->context = context;
     sheet->def = own;
+    sheet->nsize = count;
     mus__draw_init(&sheet->drawing, context);
-    status = sheet_build(sheet, pattern);
+    status = sheet_build(sheet, patterns, names);
     if (status != MUS_OK) {
         mus_sheet_destroy(sheet);
         return status;
     }
     *out = sheet;
     return MUS_OK;
+}
+
+
+mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def, mus_sheet **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL || pattern == NULL || out == NULL)
+        return mus_context_fail(context, MUS_ERR_ARG, "mus_sheet_create: context, pattern or out is NULL");
+    return sheet_create(context, 1, &pattern, NULL, def, out);
+}
+
+
+mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, const mus_pattern *const *patterns,
+                                  const char *const *names, const mus_sheet_def *def, mus_sheet **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL || patterns == NULL || names == NULL || out == NULL)
+        return mus_context_fail(context, MUS_ERR_ARG,
+                                "mus_sheet_create_sizes: context, patterns, names or out is NULL");
+    if (count < 1 || count > MUS__SIZES_MOST)
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_sheet_create_sizes: %d sizes; expected 1 to %d", (int)count,
+                              MUS__SIZES_MOST);
+    for (int32_t k = 0; k < count; k++)
+        if (patterns[k] == NULL)
+            return mus__file_fail(context, MUS_ERR_ARG, "mus_sheet_create_sizes: pattern %d is NULL", (int)k);
+    const mus_status status = sheet_sizes_check(context, count, patterns, names);
+    return status == MUS_OK ? sheet_create(context, count, patterns, names, def, out) : status;
 }
 
 
@@ -253,6 +371,7 @@ void mus_sheet_destroy(mus_sheet *sheet)
     mus__print_free(context, sheet->names);
     mus__print_free(context, sheet->labels);
     mus__print_free(context, sheet->marks);
+    mus__print_free(context, sheet->sizes);
     mus__print_free(context, sheet->tiles);
     mus__print_free(context, sheet->title);
     mus__print_free(context, sheet->person);
@@ -262,7 +381,7 @@ void mus_sheet_destroy(mus_sheet *sheet)
 
 int32_t mus_sheet_page_count(const mus_sheet *sheet)
 {
-    return sheet == NULL ? 0 : sheet->ntile + (sheet->tiled ? 1 : 0);
+    return sheet == NULL ? 0 : sheet->ntile + (sheet->cover ? 1 : 0);
 }
 
 
@@ -291,7 +410,7 @@ mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *out)
 {
     if (sheet == NULL) return MUS_ERR_ARG;
     if (out == NULL) return mus_context_fail(sheet->context, MUS_ERR_ARG, "mus_sheet_page: out is NULL");
-    int32_t first = sheet->tiled ? 1 : 0;
+    int32_t first = sheet->cover ? 1 : 0;
     if (page < first || page >= first + sheet->ntile)
         return mus__file_fail(sheet->context, MUS_ERR_ARG, "page %d shows no part of the sheet; pages %d to %d do",
                               page, first, first + sheet->ntile - 1);

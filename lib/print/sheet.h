@@ -1,7 +1,7 @@
 /*
  * sheet.h: a sheet: all pieces, their places on paper, the pages.
  *
- * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (file/pack.c,
+ * Flow of the data: pattern -> pieces (piece_outline.c, piece_fold.c) -> places on the sheet (outline_pack.c,
  * sheet_layout.c) -> one drawing of the whole sheet (piece_marks.c, piece_label.c, stroke_font.c) -> pages (page.c) ->
  * bytes (pdf.c, svg.c, dxf.c, plt.c) -> file (lib/file).
  */
@@ -9,6 +9,9 @@
 #define MUS_PRINT_SHEET_H
 
 #include "print/piece.h"
+
+#define MUS__SIZES_MOST 64 /* sizes of a sheet; chosen: twice the longest size list of a shop */
+#define MUS__SIZE_NAME 32  /* [bytes] of the name of a size with its zero byte */
 
 typedef struct mus__tile {
     int32_t column; /* from the left */
@@ -20,15 +23,19 @@ struct mus_sheet {
     mus_sheet_def def; /* options; its texts point to the copies below */
     char *title;
     char *person;
-    int32_t npiece;
-    mus__piece *pieces; /* (npiece) in the order of the pattern */
+    int32_t nsize;      /* sizes of the pattern that lie on each other */
+    char (*sizes)[MUS__SIZE_NAME]; /* (nsize) their names */
+    int32_t npiece;     /* pieces of all sizes */
+    mus__piece *pieces; /* (npiece) in the order of the pattern, the sizes of a piece (a nest) together */
     char (*names)[128]; /* (npiece) names of the panels */
     char (*labels)[128]; /* (npiece) labels of the panels */
     char (*marks)[128]; /* (marks of the pattern) names of the marks */
     double extent[2];
-    bool tiled;         /* has a cover; else the test squares stand on the sheet */
-    double squares[2];  /* low corner of the test squares [m], when not tiled */
-    bool squares_beside; /* side by side, or one above the other */
+    bool tiled;         /* several pages that are joined */
+    bool cover;         /* the first page has title, squares and instructions; else they stand on the sheet */
+    bool packed;        /* the test squares were packed as a piece */
+    double squares[2];  /* low corner of the test squares [m], without a cover */
+    double legend[4];   /* low x, low y, high x, high y of title and instructions [m], tiled without a cover */
     double page[2];     /* width and height of a page [m] */
     int32_t columns, rows, ntile;
     mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones */

@@ -7,271 +7,415 @@
  *      B1 | B2 | B3      the top. Pages that have no line of their own are left out.
  *
  * When everything fits on one page with the test squares, there is no grid and no cover. Otherwise both ways round of
- * the paper and several widths of the sheet are tried, and the one with the fewest pages is taken.
+ * the paper, several widths of the sheet and several orders of the pieces are tried, and the layout with the fewest
+ * pages is taken. The sizes of a piece (a nest) lie on each other and are placed as one.
  */
 #include <math.h>
 #include <string.h>
 
-#include "file/pack.h"
+#include "print/outline_pack.h"
 #include "print/page.h"
 
-#define PIECE_GAP 0.006      /* [m] distance of the boxes of two cut lines; chosen: scissors pass between two pieces */
-/* [m] distance of cut lines from the edge of the printed window; chosen: a nearer line may be clipped */
-#define SHEET_BORDER 0.003
+#define PIECE_GAP 0.006      /* [m] distance of two cut lines; chosen: scissors pass between two pieces */
+/* [m] distance of cut lines from the edge of the printed window: twice their width, so that they are drawn whole */
+#define SHEET_BORDER 0.001
 /* widths of the sheet tried beyond the least, in columns; chosen: more seldom save a page */
 #define MORE_COLUMNS 10
+/* orders of the pieces: sorted ones, tried for each width, and further ones, tried for each width whose sorted ones
+ * took at most a page more than the best; chosen: twice as many seldom save a page */
+#define SORTED 3
+#define SHUFFLED 24
+#define SHUFFLED_PAGES 100 /* pages of a sheet whose orders are shuffled; chosen: nobody tapes more */
+/* [m] widths of the slabs of the packer, for the first search and for the last; the fine one costs five times as much
+ * and loses less than 1 mm beside an upright line */
+#define SLAB_COARSE 0.005
+#define SLAB_FINE 0.001
 #define TILES_MAX 10000      /* most tiles of a sheet; chosen: a square of about 25 m on A4 */
-
-/* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left */
-bool mus__segment_meets(const double *a, const double *b, const double *box)
-{
-    double from = 0.0, to = 1.0;
-    for (int32_t k = 0; k < 2; k++) {
-        double d = b[k] - a[k];
-        if (d == 0.0) {
-            if (a[k] < box[k] || a[k] > box[2 + k]) return false;
-            continue;
-        }
-        double t = (box[k] - a[k]) / d, u = (box[2 + k] - a[k]) / d;
-        from = fmax(from, t < u ? t : u);
-        to = fmin(to, t < u ? u : t);
-    }
-    return from <= to;
-}
-
-
-bool mus__piece_meets(const mus__piece *piece, const double *box)
-{
-    if (box[0] > piece->box[2] || box[2] < piece->box[0] || box[1] > piece->box[3] || box[3] < piece->box[1])
-        return false;
-
-    double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
-    bool inside = false;
-    for (int32_t l = 0; l < piece->cut.nloop; l++) {
-        int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
-        for (int32_t i = start; i < end; i++) {
-            const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
-            if (mus__segment_meets(a, b, box)) return true;
-            if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1])) inside = !inside;
-        }
-    }
-    return inside;
-}
-
-
-void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box)
-{
-    double margin = sheet->def.margin, overlap = sheet->def.overlap;
-    double width = sheet->page[0] - 2.0 * margin, height = sheet->page[1] - 2.0 * margin;
-    box[0] = tile->column * (width - overlap);
-    box[3] = sheet->extent[1] - tile->row * (height - overlap);
-    box[2] = box[0] + width;
-    box[1] = box[3] - height;
-}
-
-
-int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row)
-{
-    for (int32_t i = 0; i < sheet->ntile; i++)
-        if (sheet->tiles[i].column == column && sheet->tiles[i].row == row) return i;
-    return MUS_NONE;
-}
 
 
 /* ---- the search ---- */
 
-/* a layout of the sheet, with the arrays that the search needs */
+/* a layout of the sheet: where each nest lies, and the pages that it fills */
 typedef struct layout {
     double page[2];
     int32_t columns, rows, ntile;
-    double *at;      /* (npiece + 1) x 2 low corners from the packer [m]; the last is that of the test squares */
-    double *best_at; /* low corners of the best layout so far */
-    double *size;    /* (npiece + 1) x 2 widths and heights [m] */
-    double *sky;
-    int32_t *work;
-    mus__tile *tiles; /* tiles of the best layout so far */
-    int32_t room;
+    bool squares;       /* the test squares are packed too */
+    bool cover;         /* title and test squares find no place on the pages */
+    double used;        /* height that the pieces take [m] */
+    double offset[2];   /* of the pieces from the left and from the top of the sheet, within what is free [m] */
+    mus__place *places; /* (nnest + 1) the last is that of the test squares, when they are packed */
 } layout;
 
+/* what the search needs: the pieces as shapes, and room */
+typedef struct search {
+    int32_t n;         /* nests */
+    double *box;       /* (n + 1) x 4 low x, low y, high x, high y of all sizes of a nest [m] */
+    mus__shape *shapes; /* (n + 1) */
+    int32_t *order;    /* (n + 1) in which the shapes are packed */
+    mus__strip strip;
+    int32_t tile_room;
+    int32_t least[2][MORE_COLUMNS + 1]; /* pages of the best layout of each width, upright and landscape; 0: none */
+    mus_status status;
+    layout now, best;
+} search;
 
-static void layout_free(mus_context *context, layout *l)
+
+static void search_free(const mus_sheet *sheet, search *s)
 {
-    mus__print_free(context, l->at);
-    mus__print_free(context, l->best_at);
-    mus__print_free(context, l->size);
-    mus__print_free(context, l->sky);
-    mus__print_free(context, l->work);
-    mus__print_free(context, l->tiles);
+    mus_context *context = sheet->context;
+    for (int32_t i = 0; i <= s->n && s->shapes != NULL; i++) mus__shape_free(context, &s->shapes[i]);
+    mus__strip_free(context, &s->strip);
+    mus__print_free(context, s->box);
+    mus__print_free(context, s->shapes);
+    mus__print_free(context, s->order);
+    mus__print_free(context, s->now.places);
+    mus__print_free(context, s->best.places);
 }
 
 
-static bool layout_new(const mus_sheet *sheet, layout *l)
+/* the shape of all sizes of a nest */
+static mus_status search_shape(const mus_sheet *sheet, search *s, int32_t nest, double slab)
 {
-    int64_t n = (int64_t)sheet->npiece + 1;
-    l->at = mus__print_new(sheet->context, n, 2 * sizeof *l->at);
-    l->best_at = mus__print_new(sheet->context, n, 2 * sizeof *l->at);
-    l->size = mus__print_new(sheet->context, n, 2 * sizeof *l->size);
-    l->sky = mus__print_new(sheet->context, 2 * n + 2, 3 * sizeof *l->sky);
-    l->work = mus__print_new(sheet->context, n, sizeof *l->work);
-    if (l->at == NULL || l->best_at == NULL || l->size == NULL || l->sky == NULL || l->work == NULL) return false;
-    for (int32_t i = 0; i < sheet->npiece; i++) {
-        l->size[2 * i] = sheet->pieces[i].box[2];
-        l->size[2 * i + 1] = sheet->pieces[i].box[3];
+    const mus__piece *pieces = sheet->pieces + nest * sheet->nsize;
+    const mus__loops *loops[MUS__SIZES_MOST];
+    double *box = s->box + 4 * nest;
+    memcpy(box, pieces->box, sizeof pieces->box);
+    for (int32_t k = 0; k < sheet->nsize; k++) {
+        loops[k] = &pieces[k].cut;
+        for (int32_t d = 0; d < 2; d++) {
+            box[d] = fmin(box[d], pieces[k].box[d]);
+            box[2 + d] = fmax(box[2 + d], pieces[k].box[2 + d]);
+        }
     }
-    return true;
+    const mus_status status = mus__shape_make(sheet->context, sheet->nsize, loops, box, PIECE_GAP, slab,
+                                              &s->shapes[nest]);
+    s->shapes[nest].turns = sheet->def.fold != 0;
+    s->shapes[nest].flips = pieces->fold;
+    return status;
 }
 
 
-/* pack a strip of `columns` pages: sets at and rows (on a roll also the page's height). False: a piece is too wide */
-static bool layout_pack(const mus_sheet *sheet, layout *l, int32_t nbox, int32_t columns)
+/* make the shapes of all nests and of the test squares, in slabs of the given width, and the strip for them */
+static mus_status search_shapes(const mus_sheet *sheet, search *s, double slab)
 {
-    double margin = sheet->def.margin, overlap = sheet->def.overlap;
-    double width = columns * (l->page[0] - 2.0 * margin - overlap) + overlap - 2.0 * SHEET_BORDER;
-    double used = mus__pack(nbox, l->size, width, PIECE_GAP, l->at, l->work, l->sky);
-    if (used < 0.0) return false;
+    const int32_t n = s->n;
+    mus_status status = MUS_OK;
+    for (int32_t i = 0; i <= n; i++) mus__shape_free(sheet->context, &s->shapes[i]);
+    mus__strip_free(sheet->context, &s->strip);
+    for (int32_t i = 0; i < n && status == MUS_OK; i++) status = search_shape(sheet, s, i, slab);
 
-    double need = used + 2.0 * SHEET_BORDER;
-    if (sheet->def.paper == MUS_PAPER_ROLL)
-        l->page[1] = mus__roll_length(need + 2.0 * margin);
-    double step = l->page[1] - 2.0 * margin - overlap, rows = ceil((need - overlap) / step - 1e-9);
+    /* the test squares, as a piece of their own */
+    double squares[8] = {0.0, 0.0, MUS__SQUARES, 0.0, MUS__SQUARES, MUS__SQUARES, 0.0, MUS__SQUARES};
+    int32_t start[2] = {0, 4};
+    const mus__loops square = {1, 4, start, squares}, *loops[1] = {&square};
+    s->box[4 * n + 2] = s->box[4 * n + 3] = MUS__SQUARES;
+    if (status == MUS_OK)
+        status = mus__shape_make(sheet->context, 1, loops, s->box + 4 * n, PIECE_GAP, slab, &s->shapes[n]);
+
+    double widest = 0.0, paper[2];
+    mus__paper_size(sheet->def.paper, paper);
+    for (int32_t i = 0; i < n; i++) widest = fmax(widest, s->shapes[i].width);
+    widest += (MORE_COLUMNS + 2) * fmax(paper[0], sheet->def.paper == MUS_PAPER_ROLL ? 0.0 : paper[1]);
+    return status == MUS_OK ? mus__strip_make(sheet->context, n + 1, s->shapes, widest, &s->strip) : status;
+}
+
+
+static mus_status search_make(const mus_sheet *sheet, search *s)
+{
+    const int64_t n = s->n = sheet->npiece / sheet->nsize;
+    s->box = mus__print_new(sheet->context, n + 1, 4 * sizeof *s->box);
+    s->shapes = mus__print_new(sheet->context, n + 1, sizeof *s->shapes);
+    s->order = mus__print_new(sheet->context, n + 1, sizeof *s->order);
+    s->now.places = mus__print_new(sheet->context, n + 1, sizeof *s->now.places);
+    s->best.places = mus__print_new(sheet->context, n + 1, sizeof *s->best.places);
+    if (s->box == NULL || s->shapes == NULL || s->order == NULL || s->now.places == NULL || s->best.places == NULL)
+        return mus__print_memory(sheet->context, "the layout of a sheet");
+    return search_shapes(sheet, s, SLAB_COARSE);
+}
+
+
+/* ---- orders ---- */
+
+/* is shape a to be packed before b? By height, by area of the box, or by width */
+static bool order_before(const mus__shape *a, const mus__shape *b, int32_t by)
+{
+    const double first = by == 0 ? a->height : by == 1 ? a->height * a->width : a->width;
+    const double second = by == 0 ? b->height : by == 1 ? b->height * b->width : b->width;
+    return first > second || (first == second && a->width > b->width);
+}
+
+
+/* order number `try`: sorted in three ways (insertion sort: a pattern has few pieces); from SORTED on with drawn ways
+ * round that each shape is tried in first, and each second one shuffled */
+static void search_order(search *s, int32_t n, int32_t try, uint32_t *seed)
+{
+    for (int32_t i = 0; i < n; i++) {
+        int32_t j = i;
+        s->shapes[i].first = 0;
+        for (; j > 0 && order_before(&s->shapes[i], &s->shapes[s->order[j - 1]], try % SORTED); j--)
+            s->order[j] = s->order[j - 1];
+        s->order[j] = i;
+    }
+    /* Fisher and Yates; the generator is that of Numerical Recipes, 1992, section 7.1 */
+    for (int32_t i = n - 1; try >= SORTED && i >= 0; i--) {
+        *seed = 1664525u * *seed + 1013904223u;
+        const int32_t k = (int32_t)((*seed >> 8) % (uint32_t)(i + 1)), held = s->order[i];
+        s->shapes[i].first = (int32_t)(*seed >> 30);
+        if (try / 2 % 2 == 0) continue;
+        s->order[i] = s->order[k];
+        s->order[k] = held;
+    }
+}
+
+
+/* ---- one layout ---- */
+
+static double sheet_step(const mus_sheet *sheet, const layout *l, int32_t axis)
+{
+    return l->page[axis] - 2.0 * sheet->def.margin - sheet->def.overlap;
+}
+
+
+/* pack the first n shapes on a strip of `columns` pages: sets places and rows (on a roll also the page's height). False
+ * when a piece is too wide */
+static bool layout_pack(const mus_sheet *sheet, search *s, int32_t n, int32_t columns)
+{
+    layout *l = &s->now;
+    const double margin = sheet->def.margin, overlap = sheet->def.overlap;
+    const double width = columns * sheet_step(sheet, l, 0) + overlap - 2.0 * SHEET_BORDER;
+    l->used = mus__strip_pack(&s->strip, n, s->shapes, s->order, width, PIECE_GAP, l->places);
+    if (l->used < 0.0) return false;
+
+    const double need = l->used + 2.0 * SHEET_BORDER;
+    if (sheet->def.paper == MUS_PAPER_ROLL) l->page[1] = mus__roll_length(need + 2.0 * margin);
+    const double rows = ceil((need - overlap) / sheet_step(sheet, l, 1) - 1e-9);
+    l->squares = n > s->n;
     l->columns = columns;
     l->rows = rows < 1.0 ? 1 : rows > TILES_MAX ? TILES_MAX : (int32_t)rows;
+    l->offset[0] = l->offset[1] = 0.0;
     return true;
 }
 
 
-/* low corner of box i on the sheet: the packer fills upwards from (0, 0), the sheet from its top */
-static void layout_corner(const mus_sheet *sheet, const layout *l, const double *at, int32_t i, double *out)
+/* low corner of nest i on the sheet: the packer measures from the upper left corner */
+static void layout_corner(const mus_sheet *sheet, const search *s, const layout *l, int32_t i, double *out)
 {
-    double margin = sheet->def.margin, overlap = sheet->def.overlap;
-    double top = l->rows * (l->page[1] - 2.0 * margin - overlap) + overlap - SHEET_BORDER;
-    out[0] = at[2 * i] + SHEET_BORDER;
-    out[1] = top - at[2 * i + 1] - l->size[2 * i + 1];
+    const double *box = s->box + 4 * i;
+    const double top = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap - SHEET_BORDER;
+    out[0] = l->places[i].x + l->offset[0] + SHEET_BORDER;
+    out[1] = top - l->offset[1] - l->places[i].y - (box[3] - box[1]);
 }
 
 
-/* true when a piece meets a page; the pieces still have their low corners at the origin */
-static bool layout_filled(const mus_sheet *sheet, const layout *l, int32_t column, int32_t row)
+/* a layout that is looked at while its pieces still lie as they were made */
+typedef struct layout_view {
+    const mus_sheet *sheet;
+    const search *search;
+    const layout *layout;
+} layout_view;
+
+
+/* true when a piece of the layout meets the box (low x, low y, high x, high y on the sheet [m]) */
+static bool layout_meets(const void *user, const double *box)
 {
-    double margin = sheet->def.margin, overlap = sheet->def.overlap, corner[2];
-    double width = l->page[0] - 2.0 * margin, height = l->page[1] - 2.0 * margin;
-    double left = column * (width - overlap), top = l->rows * (height - overlap) + overlap - row * (height - overlap);
-    for (int32_t i = 0; i < sheet->npiece; i++) {
-        layout_corner(sheet, l, l->at, i, corner);
-        const double box[4] = {left - corner[0], top - height - corner[1], left + width - corner[0], top - corner[1]};
-        if (mus__piece_meets(&sheet->pieces[i], box)) return true;
+    const layout_view *view = user;
+    const mus_sheet *sheet = view->sheet;
+    for (int32_t i = 0; i < view->search->n; i++) {
+        const double *own = view->search->box + 4 * i;
+        double corner[2], at[4];
+        layout_corner(sheet, view->search, view->layout, i, corner);
+        const double low[2] = {box[0] - corner[0], box[1] - corner[1]};
+        const double high[2] = {box[2] - corner[0], box[3] - corner[1]};
+        if (high[0] < 0.0 || high[1] < 0.0 || low[0] > own[2] - own[0] || low[1] > own[3] - own[1]) continue;
+        for (int32_t k = 0; k < 2; k++) {
+            const bool flip = view->layout->places[i].flip[k];
+            at[k] = flip ? own[2 + k] - high[k] : own[k] + low[k];
+            at[2 + k] = flip ? own[2 + k] - low[k] : own[k] + high[k];
+        }
+        for (int32_t k = 0; k < sheet->nsize; k++)
+            if (mus__piece_meets(&sheet->pieces[i * sheet->nsize + k], at)) return true;
     }
     return false;
 }
 
 
-/* count the pages of the layout `l` that are not empty, and keep it in `best` when they are fewer */
-static mus_status layout_compare(mus_sheet *sheet, layout *l, layout *best)
+/* set the pages of the sheet to those that the layout fills */
+static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l)
 {
-    mus_status status = mus__print_reserve(sheet->context, &l->tiles, &l->room, (int64_t)l->columns * l->rows,
-                                           sizeof *l->tiles);
+    const layout_view view = {sheet, s, l};
+    const mus_status status = mus__print_reserve(sheet->context, &sheet->tiles, &s->tile_room,
+                                                 (int64_t)l->columns * l->rows, sizeof *sheet->tiles);
     if (status != MUS_OK) return status;
-    l->ntile = 0;
-    for (int32_t row = 0; row < l->rows; row++)
-        for (int32_t column = 0; column < l->columns; column++)
-            if (layout_filled(sheet, l, column, row)) l->tiles[l->ntile++] = (mus__tile){column, row};
-    if (best->ntile > 0 && best->ntile <= l->ntile) return MUS_OK;
-
-    status = mus__print_reserve(sheet->context, &sheet->tiles, &best->room, l->ntile, sizeof *sheet->tiles);
-    if (status != MUS_OK) return status;
-    memcpy(sheet->tiles, l->tiles, (size_t)l->ntile * sizeof *l->tiles);
-    memcpy(l->best_at, l->at, 2 * (size_t)sheet->npiece * sizeof *l->at);
-    memcpy(best->page, l->page, sizeof best->page);
-    best->columns = l->columns;
-    best->rows = l->rows;
-    best->ntile = l->ntile;
+    memcpy(sheet->page, l->page, sizeof sheet->page);
+    sheet->columns = l->columns;
+    sheet->rows = l->rows;
+    sheet->extent[0] = l->columns * sheet_step(sheet, l, 0) + sheet->def.overlap;
+    sheet->extent[1] = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap;
+    sheet->ntile = 0;
+    for (int32_t row = 0; row < l->rows; row++) {
+        for (int32_t column = 0; column < l->columns; column++) {
+            const mus__tile tile = {column, row};
+            double box[4];
+            mus__tile_window(sheet, &tile, box);
+            if (layout_meets(&view, box)) sheet->tiles[sheet->ntile++] = tile;
+        }
+    }
+    /* a last row may hold nothing but the border; places are measured from the top */
+    l->rows = sheet->rows = sheet->ntile > 0 ? sheet->tiles[sheet->ntile - 1].row + 1 : 1;
+    sheet->extent[1] = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap;
     return MUS_OK;
 }
 
 
-/* try the widths of the sheet, from the least on, with the paper upright or landscape */
-static mus_status layout_search(mus_sheet *sheet, layout *l, bool landscape, layout *best)
+/* count the pages of the layout, with a cover if it needs one, and keep it when they are fewer, or when it leaves more
+ * of the last row */
+static void layout_compare(mus_sheet *sheet, search *s)
 {
-    double paper[2];
-    mus__paper_size(sheet->def.paper, paper);
-    l->page[0] = paper[landscape ? 1 : 0];
-    l->page[1] = paper[landscape ? 0 : 1];
-    double step = l->page[0] - 2.0 * sheet->def.margin - sheet->def.overlap, widest = 0.0;
-    for (int32_t i = 0; i < sheet->npiece; i++) widest = fmax(widest, l->size[2 * i]);
-    double least = ceil((widest + 2.0 * SHEET_BORDER - sheet->def.overlap) / step - 1e-9);
-    if (least > TILES_MAX) least = TILES_MAX;
-
-    mus_status status = MUS_OK;
-    for (int32_t k = least < 1.0 ? 1 : (int32_t)least, last = k + MORE_COLUMNS; k <= last && status == MUS_OK; k++) {
-        if (!layout_pack(sheet, l, sheet->npiece, k)) continue;
-        if ((int64_t)l->columns * l->rows > TILES_MAX) continue;
-        status = layout_compare(sheet, l, best);
-        if (l->rows == 1) break;
+    layout *l = &s->now, *best = &s->best;
+    if (s->status == MUS_OK) s->status = layout_pages(sheet, s, l);
+    if (s->status != MUS_OK) return;
+    const int32_t most = best->ntile + best->cover;
+    l->ntile = sheet->ntile;
+    l->cover = false;
+    if (best->ntile > 0 && (most < l->ntile || (most == l->ntile && best->used <= l->used))) return;
+    if (sheet->tiled) {
+        const layout_view view = {sheet, s, l};
+        double corner[2];
+        if (l->squares) layout_corner(sheet, s, l, s->n, corner);
+        mus__legend_place(sheet, layout_meets, &view, l->squares ? corner : NULL);
+        l->cover = sheet->cover;
     }
-    return status;
+    const int32_t count = l->ntile + l->cover;
+    if (best->ntile > 0 && (most < count || (most == count && best->used <= l->used))) return;
+    mus__place *places = best->places;
+    *best = *l;
+    best->places = places;
+    memcpy(places, l->places, ((size_t)s->n + 1) * sizeof *places);
+}
+
+
+/* compare the layout as it was packed, and moved by what is free to the right and at the bottom; returns the fewest
+ * pages of these and `least` */
+static int32_t layout_move(mus_sheet *sheet, search *s, int32_t least)
+{
+    layout *l = &s->now;
+    double right = 0.0, free[2];
+    for (int32_t i = 0; i < s->n; i++) right = fmax(right, l->places[i].x + s->shapes[i].width);
+    free[0] = l->columns * sheet_step(sheet, l, 0) + sheet->def.overlap - 2.0 * SHEET_BORDER - right;
+    free[1] = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap - 2.0 * SHEET_BORDER - l->used;
+    const int32_t rows = l->rows;
+    for (int32_t k = 0; k < 4; k++) {
+        l->rows = rows;
+        for (int32_t d = 0; d < 2; d++) l->offset[d] = (k >> d & 1) != 0 ? fmax(0.0, free[d]) : 0.0;
+        layout_compare(sheet, s);
+        least = l->ntile + l->cover < least ? l->ntile + l->cover : least;
+        /* moving saves a page or two at most */
+        if (l->ntile > s->best.ntile + 2) break;
+    }
+    return least;
+}
+
+
+/* try the orders first .. last of one width of the sheet; returns the fewest pages, 0 when a piece is too wide or there
+ * are too many pages */
+static int32_t layout_orders(mus_sheet *sheet, search *s, int32_t columns, int32_t last)
+{
+    layout *l = &s->now;
+    int32_t least = TILES_MAX;
+    uint32_t seed = 1;
+    for (int32_t try = 0; try < last; try++) {
+        /* each second one has the test squares among the pieces */
+        search_order(s, s->n + try % 2, try, &seed);
+        if (!layout_pack(sheet, s, s->n + try % 2, columns) || (int64_t)l->columns * l->rows > TILES_MAX) return 0;
+        least = layout_move(sheet, s, least);
+    }
+    return least;
+}
+
+
+/* try the widths of the sheet, from the least on, with the paper upright or landscape: all widths with the sorted
+ * orders, or, fine, the best ones with all orders */
+static void layout_search(mus_sheet *sheet, search *s, int32_t landscape, bool fine)
+{
+    double paper[2], widest = 0.0;
+    layout *l = &s->now;
+    mus__paper_size(sheet->def.paper, paper);
+    l->page[0] = paper[landscape];
+    l->page[1] = paper[1 - landscape];
+    for (int32_t i = 0; i < s->n; i++) widest = fmax(widest, s->shapes[i].width);
+    double narrow = ceil((widest + 2.0 * SHEET_BORDER - sheet->def.overlap) / sheet_step(sheet, l, 0) - 1e-9);
+    narrow = narrow < 1.0 ? 1.0 : fmin(narrow, TILES_MAX);
+    const int32_t most = s->best.ntile + s->best.cover + 1;
+    for (int32_t k = 0; k <= MORE_COLUMNS; k++) {
+        int32_t *least = &s->least[landscape][k];
+        if (!fine) *least = layout_orders(sheet, s, (int32_t)narrow + k, SORTED);
+        else if (*least > 0 && *least <= most) layout_orders(sheet, s, (int32_t)narrow + k, SORTED + SHUFFLED);
+        if (!fine && *least > 0 && l->rows == 1) break;
+    }
 }
 
 
 /* try one page with all pieces and the test squares; false when they do not fit */
-static bool layout_single(mus_sheet *sheet, layout *l, bool landscape)
+static bool layout_single(mus_sheet *sheet, search *s, bool landscape)
 {
     double paper[2];
+    layout *l = &s->now;
     mus__paper_size(sheet->def.paper, paper);
-    int32_t n = sheet->npiece;
-    bool beside = paper[landscape ? 1 : 0] - 2.0 * sheet->def.margin >= 0.3;
-    mus__squares_size(beside, l->size + 2 * n);
     l->page[0] = paper[landscape ? 1 : 0];
     l->page[1] = paper[landscape ? 0 : 1];
-    if (!layout_pack(sheet, l, n + 1, 1) || l->rows > 1) return false;
-
-    sheet->squares_beside = beside;
-    layout_corner(sheet, l, l->at, n, sheet->squares);
-    memcpy(l->best_at, l->at, 2 * (size_t)n * sizeof *l->at);
+    search_order(s, s->n + 1, 0, NULL);
+    if (!layout_pack(sheet, s, s->n + 1, 1) || l->rows > 1) return false;
+    s->best.ntile = 0;
+    layout_compare(sheet, s);
     return true;
 }
 
 
-static mus_status layout_find(mus_sheet *sheet, layout *l, layout *best)
+static mus_status layout_find(mus_sheet *sheet, search *s)
 {
-    int32_t ways = sheet->def.paper == MUS_PAPER_ROLL ? 1 : 2;
-    for (int32_t way = 0; way < ways; way++) {
-        if (!layout_single(sheet, l, way == 1)) continue;
-        sheet->tiles = mus__print_new(sheet->context, 1, sizeof *sheet->tiles);
-        if (sheet->tiles == NULL) return mus__print_memory(sheet->context, "a page");
-        memcpy(best->page, l->page, sizeof best->page);
-        best->columns = best->rows = best->ntile = 1;
-        return MUS_OK;
-    }
+    const int32_t ways = sheet->def.paper == MUS_PAPER_ROLL ? 1 : 2;
+    for (int32_t way = 0; way < ways; way++)
+        if (layout_single(sheet, s, way == 1)) return s->status;
     sheet->tiled = true;
-    mus_status status = MUS_OK;
-    for (int32_t way = 0; way < ways && status == MUS_OK; way++) status = layout_search(sheet, l, way == 1, best);
-    if (status == MUS_OK && best->ntile == 0)
-        status = mus__file_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title,
-                                TILES_MAX);
-    return status;
+    for (int32_t way = 0; way < ways; way++) layout_search(sheet, s, way, false);
+    if (s->status == MUS_OK && s->best.ntile > 0 && s->best.ntile <= SHUFFLED_PAGES) {
+        s->status = search_shapes(sheet, s, SLAB_FINE);
+        for (int32_t way = 0; way < ways && s->status == MUS_OK; way++) layout_search(sheet, s, way, true);
+    }
+    if (s->status != MUS_OK || s->best.ntile > 0) return s->status;
+    return mus__file_fail(sheet->context, MUS_ERR_LIMIT, "pattern %.100s: more than %d pages", sheet->title, TILES_MAX);
+}
+
+
+/* take the best layout over: pages, and the places of all pieces and of the test squares */
+static mus_status layout_take(mus_sheet *sheet, search *s)
+{
+    layout *l = &s->best;
+    const mus_status status = layout_pages(sheet, s, l);
+    if (status != MUS_OK) return status;
+    sheet->packed = l->squares;
+    if (l->squares) layout_corner(sheet, s, l, s->n, sheet->squares);
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const int32_t nest = i / sheet->nsize;
+        const double *box = s->box + 4 * nest;
+        double corner[2];
+        layout_corner(sheet, s, l, nest, corner);
+        const bool *flip = l->places[nest].flip;
+        mus__piece_flip(&sheet->pieces[i], flip[0], flip[1]);
+        mus__piece_move(&sheet->pieces[i], corner[0] + (flip[0] ? box[2] : -box[0]),
+                        corner[1] + (flip[1] ? box[3] : -box[1]));
+    }
+    return MUS_OK;
 }
 
 
 mus_status mus__sheet_layout(mus_sheet *sheet)
 {
-    layout l = {.room = 0}, best = {.room = 0};
-    mus_status status = MUS_OK;
-    if (!layout_new(sheet, &l)) status = mus__print_memory(sheet->context, "the layout of a sheet");
-    if (status == MUS_OK) status = layout_find(sheet, &l, &best);
-    if (status == MUS_OK) {
-        double margin = sheet->def.margin, overlap = sheet->def.overlap, corner[2];
-        memcpy(sheet->page, best.page, sizeof sheet->page);
-        sheet->columns = best.columns;
-        sheet->rows = best.rows;
-        sheet->ntile = best.ntile;
-        sheet->extent[0] = best.columns * (best.page[0] - 2.0 * margin - overlap) + overlap;
-        sheet->extent[1] = best.rows * (best.page[1] - 2.0 * margin - overlap) + overlap;
-        best.size = l.size;
-        for (int32_t i = 0; i < sheet->npiece; i++) {
-            layout_corner(sheet, &best, l.best_at, i, corner);
-            mus__piece_move(&sheet->pieces[i], corner[0], corner[1]);
-        }
-    }
-    layout_free(sheet->context, &l);
+    search s;
+    memset(&s, 0, sizeof s);
+    mus_status status = search_make(sheet, &s);
+    if (status == MUS_OK) status = layout_find(sheet, &s);
+    if (status == MUS_OK) status = layout_take(sheet, &s);
+    search_free(sheet, &s);
     return status;
 }

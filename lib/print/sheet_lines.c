@@ -60,7 +60,8 @@ mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mus_sheet_
     out->name = sheet->names[piece];
     out->copies = own->copies;
     out->mirrored = own->mirrored;
-    out->fold = own->fold;
+    out->fold = !own->fold ? 0 : own->inward > 0.0 ? 1 : -1;
+    out->size_index = piece % sheet->nsize;
     memcpy(out->turn, own->turn, sizeof out->turn);
     memcpy(out->shift, own->shift, sizeof out->shift);
     memcpy(out->box, own->box, sizeof out->box);

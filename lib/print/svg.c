@@ -12,6 +12,7 @@
 
 #include "file/sink.h"
 #include "print/page.h"
+#include "print/pdf_layers.h"
 
 #define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 
@@ -35,7 +36,8 @@ static void svg_text(mus__sink *bytes, const char *text)
 }
 
 
-#define SVG_NAME 160 /* [bytes] of an identifier: a name of 127, a sign before it and a number behind it */
+/* [bytes] of an identifier: a name of 127, a sign before it, a number and a size of 33 behind it */
+#define SVG_NAME 192
 
 
 /* turn a name into an identifier: ASCII letters, digits, "-" and "." stay, all else becomes "_"; it starts with a
@@ -54,22 +56,28 @@ static void svg_clean(const char *name, char *out)
 }
 
 
-/* identifier of a piece; when an earlier piece or the scale has the same, the number of the piece is appended */
+/* identifier of a piece: its name, its number when an earlier piece or the scale has the same, and its size */
 static void svg_identifier(const mus_sheet *sheet, int32_t index, char *out)
 {
+    const int32_t first = index - index % sheet->nsize;
     svg_clean(sheet->names[index], out);
     bool taken = strcmp(out, "scale") == 0;
-    for (int32_t i = 0; i < index && !taken; i++) {
+    for (int32_t i = 0; i < first && !taken; i += sheet->nsize) {
         char other[SVG_NAME];
         svg_clean(sheet->names[i], other);
         taken = strcmp(other, out) == 0;
     }
-    if (taken) snprintf(out + strlen(out), 16, "_%d", index + 1);
+    if (taken) snprintf(out + strlen(out), 16, "_%d", first / sheet->nsize + 1);
+    if (sheet->nsize == 1) return;
+    out += strlen(out);
+    *out++ = '.';
+    svg_clean(sheet->sizes[index % sheet->nsize], out);
 }
 
 
-static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__path *path, double top)
+static void svg_path(mus__sink *bytes, const mus_sheet *sheet, const mus__drawing *drawing, const mus__path *path)
 {
+    const double top = sheet->extent[1];
     const mus__pen_style *style = &mus__pen_styles[path->pen];
     const double *xy = drawing->xy + path->at;
     int grey = (int)lround(style->grey * 255.0);
@@ -92,11 +100,15 @@ static void svg_path(mus__sink *bytes, const mus__drawing *drawing, const mus__p
     }
     mus__sink_print(bytes, "\" fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-width=\"", grey, grey, grey);
     mus__print_number(bytes, style->width);
-    if (style->dash[0] > 0.0) {
-        mus__sink_print(bytes, "\" stroke-dasharray=\"");
-        mus__print_number(bytes, style->dash[0]);
-        mus__sink_add(bytes, ",", 1);
-        mus__print_number(bytes, style->dash[1]);
+    const double *dash = style->dash;
+    int32_t dashes = 2;
+    if (sheet->nsize > 1 && path->layer == MUS__LAYER_CUT) {
+        dash = mus__size_dashes(path->piece % sheet->nsize);
+        dashes = 4;
+    }
+    for (int32_t i = 0; i < dashes && dash[i] > 0.0; i++) {
+        mus__sink_print(bytes, i == 0 ? "\" stroke-dasharray=\"" : ",");
+        mus__print_number(bytes, dash[i]);
     }
     mus__sink_print(bytes, "\" stroke-linejoin=\"round\"%s/>\n",
                     path->layer == MUS__LAYER_LABEL ? " stroke-linecap=\"round\"" : "");
@@ -115,7 +127,7 @@ static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
         for (int32_t i = 0; i < sheet->drawing.npath; i++) {
             const mus__path *path = &sheet->drawing.paths[i];
             if (path->piece == index && (int32_t)path->layer == layer && path->nop > 0)
-                svg_path(bytes, &sheet->drawing, path, sheet->extent[1]);
+                svg_path(bytes, sheet, &sheet->drawing, path);
         }
         mus__sink_print(bytes, "</g>\n");
     }
@@ -128,14 +140,12 @@ static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
     mus__draw_init(&drawing, sheet->context);
-    double size[2];
-    mus__squares_size(true, size);
-    if (sheet->tiled) mus__squares_draw(&drawing, 0.0, -SVG_GAP - size[1], true);
-    else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1], sheet->squares_beside);
+    if (sheet->cover) mus__squares_draw(&drawing, 0.0, -SVG_GAP - MUS__SQUARES);
+    else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1]);
     mus__sink_print(bytes, "<g id=\"scale\">\n");
     const mus_status status = drawing.status;
     for (int32_t i = 0; status == MUS_OK && i < drawing.npath; i++)
-        svg_path(bytes, &drawing, &drawing.paths[i], sheet->extent[1]);
+        svg_path(bytes, sheet, &drawing, &drawing.paths[i]);
     mus__sink_print(bytes, "</g>\n");
     mus__draw_free(&drawing);
     return status;
@@ -149,11 +159,10 @@ static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, c
     if (status != MUS_OK) return status;
     mus__sink bytes;
     mus__sink_init(&bytes, sheet->context);
-    double squares[2], width = sheet->extent[0], height = sheet->extent[1];
-    mus__squares_size(true, squares);
-    if (sheet->tiled) {
-        width = width > squares[0] + SVG_GAP ? width : squares[0] + SVG_GAP;
-        height += squares[1] + 2.0 * SVG_GAP;
+    double width = sheet->extent[0], height = sheet->extent[1];
+    if (sheet->cover) {
+        width = width > MUS__SQUARES + SVG_GAP ? width : MUS__SQUARES + SVG_GAP;
+        height += MUS__SQUARES + 2.0 * SVG_GAP;
     }
     mus__sink_print(&bytes, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");

@@ -78,16 +78,21 @@ static int32_t irregular_wants_spring(const mus__program *program, int32_t latti
 }
 
 
-static int32_t irregular_wants_hinge(const mus__program *program, int32_t lattice, const mus__hinge *hinge, int32_t i,
-                                     int32_t j)
+/* the same for the 16 pairs of a hinge's nodes: bit 4 i + j for the pull of node j on node i */
+static uint32_t irregular_wants_hinge(const mus__program *program, int32_t lattice, const mus__hinge *hinge)
 {
+    const int32_t *node = hinge->node;
     int32_t border = 0;
-    for (int32_t k = 0; k < 4; k++) border += !program->lattice[hinge->node[k]];
-    const int32_t node = hinge->node[i], other = hinge->node[j];
-    const int32_t between = border < 2 && program->lattice[node] && program->lattice[other];
-    if (node == other) return 0;
-    if (lattice || !between) return lattice == between;
-    return mus__program_stencil_slot(program, node, other) == MUS_NONE;
+    uint32_t wanted = 0;
+    for (int32_t k = 0; k < 4; k++) border += !program->lattice[node[k]];
+    if (lattice && border >= 2) return 0;
+    for (int32_t k = 0; k < 16; k++) {
+        const int32_t i = node[k / 4], j = node[k % 4];
+        const int32_t between = border < 2 && program->lattice[i] && program->lattice[j];
+        if (i == j || (lattice && !between)) continue;
+        if (lattice || !between || mus__program_stencil_slot(program, i, j) == MUS_NONE) wanted |= 1U << k;
+    }
+    return wanted;
 }
 
 
@@ -118,15 +123,16 @@ static void irregular_hinges(mus__program *program, int32_t nnode, int32_t latti
 {
     int32_t *start = program->linear_start;
     memset(start, 0, ((size_t)nnode + 1) * sizeof *start);
-    for (int32_t h = 0; h < program->nhinge; h++)
-        for (int32_t k = 0; k < 16; k++)
-            start[program->hinge[h].node[k / 4] + 1] +=
-                irregular_wants_hinge(program, lattice, &program->hinge[h], k / 4, k % 4);
+    for (int32_t h = 0; h < program->nhinge; h++) {
+        const uint32_t wanted = irregular_wants_hinge(program, lattice, &program->hinge[h]);
+        for (int32_t k = 0; k < 16; k++) start[program->hinge[h].node[k / 4] + 1] += (int32_t)(wanted >> k & 1);
+    }
     irregular_open(start, nnode);
     for (int32_t h = 0; h < program->nhinge; h++) {
         const mus__hinge *hinge = &program->hinge[h];
+        const uint32_t wanted = irregular_wants_hinge(program, lattice, hinge);
         for (int32_t k = 0; k < 16; k++) {
-            if (!irregular_wants_hinge(program, lattice, hinge, k / 4, k % 4)) continue;
+            if (!(wanted >> k & 1)) continue;
             const int32_t at = irregular_next(start, hinge->node[k / 4]);
             program->linear_other[at] = hinge->node[k % 4];
             mus__program_put(program, program->linear_weight, at, -hinge->k * hinge->coef[k / 4] * hinge->coef[k % 4]);

@@ -133,9 +133,16 @@ static int32_t stencil_promote(stencil_set *set)
 }
 
 
-/* adds the items of one more node to the set; returns 0, with the set as it was, if they do not fit */
+/* adds the items of one more node to the set; returns 0, with the set as it was, if they do not fit. Most nodes of a
+ * row have the index differences of the node before them, and add none */
 static int32_t stencil_grow(stencil_set *set, const stencil_items *items)
 {
+    int32_t known = 1;
+    for (int32_t i = 0; known && i < items->nspring; i++)
+        known = stencil_find(set->near, set->nnear, items->spring_at[i]) != MUS_NONE;
+    for (int32_t i = 0; known && i < items->nlinear; i++)
+        known = stencil_find(set->linear, set->nlinear, items->linear_at[i]) != MUS_NONE;
+    if (known) return 1;
     stencil_set grown = *set;
     int32_t far[MUS__SLOTS];
     for (int32_t i = 0; i < items->nspring; i++)
@@ -152,11 +159,10 @@ static int32_t stencil_grow(stencil_set *set, const stencil_items *items)
 /* gives free slots to the irregular items of a node; items without a slot stay in the irregular part */
 static void stencil_invite(const mus__program *program, stencil_set *set, int32_t node)
 {
-    for (int32_t h = program->half_start[node]; h < program->half_start[node + 1]; h++) {
-        stencil_set grown = *set;
-        if (stencil_insert(grown.near, &grown.nnear, set->most, program->half_other[h] - node)) *set = grown;
-    }
+    for (int32_t h = program->half_start[node]; h < program->half_start[node + 1]; h++)
+        stencil_insert(set->near, &set->nnear, set->most, program->half_other[h] - node);
     for (int32_t h = program->linear_start[node]; h < program->linear_start[node + 1]; h++) {
+        if (stencil_find(set->linear, set->nlinear, program->linear_other[h] - node) != MUS_NONE) continue;
         stencil_set grown = *set;
         int32_t far[MUS__SLOTS];
         if (stencil_insert(grown.linear, &grown.nlinear, 2 * MUS__SLOTS, program->linear_other[h] - node) &&

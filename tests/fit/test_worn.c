@@ -9,6 +9,7 @@
 #include "drape/drape_state.h"
 #include "drape/scenes.h"
 #include "drape/worn.h"
+#include "fit/worn_check.h"
 #include "selfcontact/crossing_count.h"
 
 typedef struct defect {
@@ -31,6 +32,7 @@ static const defect defects[] = {
     {"front and back exchanged: inside out", "tshirt", NULL, {1, 1, -1}, {0, 0, 0}, MUS_WORN_INSIDE_OUT, MUS_NONE},
     {"slid down", "skirt", NULL, {1, 1, 1}, {0, -0.3, 0}, MUS_WORN_LOW, MUS_NONE},
     {"rolled up", "skirt", NULL, {1, 0.3, 1}, {0, 0.72, 0}, MUS_WORN_ROLLED, MUS_NONE},
+    {"legs through the front", "skirt", "skirt_front", {1, 1, 1}, {0, 0, -0.2}, MUS_WORN_THROUGH, MUS_WORN_LEG_LEFT},
     {"drawn wide", "skirt", NULL, {1, 1, 5}, {0, 0, 0}, MUS_WORN_TIGHT, MUS_NONE},
 };
 
@@ -145,6 +147,32 @@ START_TEST(through_the_body_is_exact)
 END_TEST
 
 
+/* leggings of a child on a man: the waist is told before anything is sewn; of his own size nothing is */
+START_TEST(what_is_far_too_tight_is_told_before_it_is_sewn)
+{
+    static const struct {
+        const char *design, *size, *words;
+    } rows[] = {{"leggings", "C104", "the trunk is"}, {"leggings", "M50", ""}};
+    worn w = worn_body("M50");
+    mus_tape *tape;
+    mus_worn out;
+    ck_assert_int_eq(mus_tape_create(w.context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, rows[_i].size), MUS_OK);
+    mus_pattern *pattern;
+    ck_assert_int_eq(mus_design_draft(w.context, mus_design_find(rows[_i].design), tape, NULL, &pattern), MUS_OK);
+    mus_tape_destroy(tape);
+    worn_put_on(&w, pattern);
+    w.cloth = scene_cut(w.context, pattern, 0.03, 0.0);
+    worn_place(&w, NULL);
+    mus_worn_init(&out, sizeof out);
+    ck_assert_int_eq(mus__fit_worn(w.drape, pattern, w.body, MUS__WORN_GIRTHS, &out), MUS_OK);
+    ck_assert_int_eq(out.kind, rows[_i].words[0] != '\0' ? MUS_WORN_TIGHT : MUS_WORN_YES);
+    ck_assert_msg(strstr(out.text, rows[_i].words) != NULL, "%s: %s", rows[_i].design, out.text);
+    worn_end(&w);
+}
+END_TEST
+
+
 START_TEST(bad_arguments_are_refused)
 {
     mus_context *context = support_context();
@@ -182,6 +210,7 @@ Suite *mus_suite_worn(void)
     Suite *suite = suite_create("worn");
     TCase *tests = tcase_create("worn");
     tcase_set_timeout(tests, 60.0);
+    tcase_add_loop_test(tests, what_is_far_too_tight_is_told_before_it_is_sewn, 0, 2);
     tcase_add_loop_test(tests, each_defect_is_named, 0, (int)(sizeof defects / sizeof *defects));
     tcase_add_loop_test(tests, through_the_body_is_exact, 0, 3);
     tcase_add_test(tests, bad_arguments_are_refused);

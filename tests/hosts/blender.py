@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
 """blender.py: the Blender extension in the module bpy: dress, dress again, a walk of 48 frames, glTF, a picture.
 
+Then the zip of `make wheel extensions`: validated, and built again, by Blender's own builder of extensions.
 One line a claim; exit 1 when one does not hold. Runs itself in an environment with bpy (0.9 GB, from PyPI), made in
 MUSLIN_OUT/hosts/blender, or in that of MUSLIN_BPY. The .blend, the .glb and the picture stay in
 MUSLIN_OUT/blender-tried.
 """
 import os
 import pathlib
+import shutil
 import struct
 import subprocess
 import sys
 import time
 import traceback
 import venv
+import zipfile
 
 import hosts
 
@@ -34,6 +37,26 @@ def picture(bpy, path):
         bpy.context.collection.objects.link(thing)
     scene.camera, scene.render.filepath = camera, str(path)
     bpy.ops.render.render(write_still=True)
+
+
+def packed(bpy):
+    """Whether Blender's builder takes the zip, and makes one of the same files; None where there is no zip."""
+    made = hosts.BUILD / "extensions/muslin-blender.zip"
+    builder = pathlib.Path(bpy.utils.resource_path("LOCAL"), "scripts/addons_core/bl_pkg/cli/blender_ext.py")
+    if not made.exists() or not builder.exists():
+        print("skipped: bpy has no builder" if made.exists() else "skipped: there is no zip; make wheel extensions")
+        return None
+    source = TRIED / "extension"
+    shutil.rmtree(source, ignore_errors=True)
+    with zipfile.ZipFile(made) as files:
+        files.extractall(source)
+        names = set(files.namelist())
+    said = hosts.run(sys.executable, builder, "validate", made)
+    hosts.run(sys.executable, builder, "build", "--source-dir", source, "--output-filepath", TRIED / "again.zip")
+    with zipfile.ZipFile(TRIED / "again.zip") as files:
+        again = set(files.namelist())
+    print(f"{WORD[again == names]} Blender's builder: {said.splitlines()[-1]}; built again of {len(again)} files")
+    return again == names
 
 
 def main():
@@ -94,7 +117,7 @@ def main():
     bpy.ops.muslin.dress()
     claim(True, "dressed on a mesh of Blender's, as a scan")
     extension.unregister()
-    return all(held)
+    return all(held) and packed(bpy) is not False
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ Seam lines are found by their pen, which nothing else on the paper uses: dashes 
 its own and is drawn whole, clipped, on each page that it touches; a page's lower left corner is at (x, y) of the sheet
 (mus_sheet_page, or `muslin print --json`).
 
-    squares(pdf)                    {100.0: (width, height), 101.6: ...} of the test squares on page 1 [mm]
+    squares(pdf)                    {100.0: (width, height), 101.6: ...} of the test squares, on the page that has them [mm]
     seams(pdf, pages, margin)       lengths of the edges on the joined tiles [mm], sorted; checks that the copies of an
                                     edge fall on each other and that the pages together show all of it
     compare(lengths, expected)      largest difference of two lists of lengths [mm]
@@ -65,8 +65,9 @@ def side(dark, size):
 
 
 def squares(pdf, dpi=254):
-    dark = raster(pdf, 1, dpi)
-    found = {}
+    pages = subprocess.run(["pdftotext", str(pdf), "-"], capture_output=True, text=True, check=True).stdout.split("\f")
+    page = next(i for i, text in enumerate(pages) if "outer square" in text)
+    dark, found = raster(pdf, page + 1, dpi), {}
     for size in (100.0, 101.6):
         pixels = size * dpi / 25.4
         found[size] = tuple(side(image, pixels) * 25.4 / dpi for image in (dark.T, dark))

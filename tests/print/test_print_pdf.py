@@ -4,6 +4,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import xml.etree.ElementTree
 
 import pytest
@@ -135,3 +136,21 @@ def test_a_reader_finds_the_words_in_three_scripts(tmp_path):
     text = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
     for words in (title, person, "skirt front", "Cut 1 on fold", "place on fold", "Piece 2 of", "100 mm", "B2"):
         assert words in text, words
+
+
+def test_each_size_is_a_layer_that_is_on(tmp_path):
+    """Three sizes in one file: three layers, all on, each with lines; a checker of PDF finds nothing wrong."""
+    pdf = tmp_path / "nest.pdf"
+    subprocess.run([BIN / "muslin", "print", "--design", "pencil_skirt_knee", "--sizes", "W36,W38,W40", "--paper", "a0",
+                    "--pdf", pdf], check=True, capture_output=True)
+    sys.path.insert(0, str(ROOT / "tests/study/paper"))
+    import paper
+    assert paper.layer_names(pdf) == ["W36", "W38", "W40"]
+    tiles = [(page, 0.0, 0.0, 0.0) for page in range(len(paper.pdf_pages(pdf)))]
+    cuts = [paper.layer_cuts(pdf, tiles, k) for k in range(3)]
+    assert len({len(lines) for lines, _ in cuts}) == 1 and len(cuts[0][0]) >= 3
+    assert len({tuple(dashes) for _, dashes in cuts}) == 3
+    if shutil.which("qpdf"):
+        done = subprocess.run(["qpdf", "--check", pdf], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stderr == ""

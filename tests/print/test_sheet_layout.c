@@ -127,6 +127,7 @@ static int32_t diamonds(int32_t tile, double (*out)[4])
 
 START_TEST(half_diamonds_meet_the_whole_ones_of_the_neighbour)
 {
+    def.overlap = 0.01;
     make(pattern);
     int32_t halves = 0, wholes = 0;
     for (int32_t i = 0; i < sheet->ntile; i++) {
@@ -152,6 +153,60 @@ START_TEST(half_diamonds_meet_the_whole_ones_of_the_neighbour)
     }
     ck_assert_int_gt(halves, 10);
     ck_assert_int_eq(halves, wholes);
+}
+END_TEST
+
+
+START_TEST(frame_on_frame_two_half_diamonds_make_a_whole)
+{
+    make(pattern);
+    int32_t halves = 0;
+    for (int32_t i = 0; i < sheet->ntile; i++) {
+        double own[4][4], other[4][4];
+        const int32_t n = diamonds(i, own);
+        for (int32_t k = 0; k < n; k++) {
+            /* exactly one page has the other half: the same box mirrored in the frame */
+            int32_t met = 0;
+            const bool level = own[k][2] - own[k][0] > own[k][3] - own[k][1];
+            for (int32_t j = 0; j < sheet->ntile; j++) {
+                const int32_t m = diamonds(j, other);
+                for (int32_t q = 0; q < m && j != i; q++) {
+                    const double *a = own[k], *b = other[q];
+                    const int32_t across = level ? 0 : 1, along = 1 - across;
+                    met += fabs(a[across] - b[across]) < 1e-9 && fabs(a[2 + across] - b[2 + across]) < 1e-9 &&
+                           (fabs(a[along] - b[2 + along]) < 1e-9 || fabs(a[2 + along] - b[along]) < 1e-9);
+                }
+            }
+            ck_assert_int_eq(met, 1);
+            halves++;
+        }
+    }
+    ck_assert_int_gt(halves, 10);
+}
+END_TEST
+
+
+START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
+{
+    def.fold = 1;
+    make(pattern);
+    if (sheet->cover) return;
+    const double *at = sheet->squares;
+    const double boxes[2][4] = {{at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES},
+                                {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
+    for (int32_t k = 0; k < 2; k++) {
+        int32_t pages = 0;
+        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], boxes[k]));
+        for (int32_t i = 0; i < sheet->ntile; i++) {
+            double box[4];
+            mus__tile_window(sheet, &sheet->tiles[i], box);
+            pages += boxes[k][0] > box[0] && boxes[k][1] > box[1] && boxes[k][2] < box[2] && boxes[k][3] < box[3];
+        }
+        ck_assert_int_eq(pages, 1);
+    }
+    ck_assert(boxes[0][0] > boxes[1][2] || boxes[1][0] > boxes[0][2] || boxes[0][1] > boxes[1][3] ||
+              boxes[1][1] > boxes[0][3]);
+    ck_assert_int_eq(mus_sheet_page_count(sheet), sheet->ntile);
 }
 END_TEST
 
@@ -216,12 +271,11 @@ START_TEST(one_page_has_no_cover_and_its_own_squares)
     make(pattern);
     ck_assert(!sheet->tiled);
     ck_assert_int_eq(mus_sheet_page_count(sheet), 1);
-    double page[4], size[2];
+    double page[4];
     ck_assert_int_eq(mus_sheet_page(sheet, 0, page), MUS_OK);
     ck_assert_double_eq_tol(page[2], 0.914, 1e-4);
     ck_assert_double_lt(page[3], 5.08);
-    mus__squares_size(sheet->squares_beside, size);
-    const double *at = sheet->squares, box[4] = {at[0], at[1], at[0] + size[0], at[1] + size[1]};
+    const double *at = sheet->squares, box[4] = {at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES};
     for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], box));
     ck_assert(shown(box[0], box[1]) && shown(box[2], box[3]));
 }
@@ -284,6 +338,8 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, pages_show_every_cut_line_on_each_paper);
     tcase_add_test(test, neighbours_overlap_by_what_was_asked);
     tcase_add_test(test, half_diamonds_meet_the_whole_ones_of_the_neighbour);
+    tcase_add_test(test, frame_on_frame_two_half_diamonds_make_a_whole);
+    tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_a_page);
     tcase_add_test(test, pages_without_cloth_are_left_out);
     tcase_add_test(test, a_page_without_a_line_of_its_own_is_left_out);
     tcase_add_test(test, one_page_has_no_cover_and_its_own_squares);

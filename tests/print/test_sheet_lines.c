@@ -10,15 +10,23 @@
 #include "support.h"
 
 
-static mus_sheet *tshirt(mus_context *context, mus_pattern **pattern)
+static mus_pattern *draft(mus_context *context, const char *size)
 {
     mus_tape *tape;
-    mus_sheet *sheet;
+    mus_pattern *pattern;
     ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
-    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
-    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, pattern), MUS_OK);
-    ck_assert_int_eq(mus_sheet_create(context, *pattern, NULL, &sheet), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, size), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find("tshirt"), tape, NULL, &pattern), MUS_OK);
     mus_tape_destroy(tape);
+    return pattern;
+}
+
+
+static mus_sheet *tshirt(mus_context *context, mus_pattern **pattern)
+{
+    mus_sheet *sheet;
+    *pattern = draft(context, "W40");
+    ck_assert_int_eq(mus_sheet_create(context, *pattern, NULL, &sheet), MUS_OK);
     return sheet;
 }
 
@@ -62,6 +70,7 @@ START_TEST(sew_lines_are_as_long_as_their_edges_and_lie_in_the_piece)
         mus_sheet_line_init(&line, sizeof line);
         mus_sheet_piece_init(&piece, sizeof piece);
         ck_assert_int_eq(mus_sheet_line_get(sheet, i, &line), MUS_OK);
+        if (line.piece == MUS_NONE) continue; /* test squares and instructions */
         ck_assert_int_eq(mus_sheet_piece_get(sheet, line.piece, &piece), MUS_OK);
         ck_assert_str_eq(piece.name, mus_pattern_panel_name(pattern, piece.panel));
         cut += line.kind == MUS_LINE_CUT;
@@ -140,12 +149,87 @@ START_TEST(bytes_in_memory_are_those_of_the_file)
 END_TEST
 
 
+/* the sew lines of a piece have the same points on both sheets, moved and mirrored as the pieces are */
+static void assert_same_lines(const mus_sheet *one, int32_t piece, const mus_sheet *other, int32_t like)
+{
+    mus_sheet_piece a, b;
+    mus_sheet_line p, q;
+    mus_sheet_piece_init(&a, sizeof a);
+    mus_sheet_piece_init(&b, sizeof b);
+    mus_sheet_line_init(&p, sizeof p);
+    mus_sheet_line_init(&q, sizeof q);
+    ck_assert_int_eq(mus_sheet_piece_get(one, piece, &a), MUS_OK);
+    ck_assert_int_eq(mus_sheet_piece_get(other, like, &b), MUS_OK);
+    ck_assert_str_eq(a.name, b.name);
+    int32_t sewn = 0;
+    for (int32_t i = 0; i < mus_sheet_line_count(one); i++) {
+        ck_assert_int_eq(mus_sheet_line_get(one, i, &p), MUS_OK);
+        if (p.piece != piece || p.kind != MUS_LINE_SEW) continue;
+        double best = HUGE_VAL;
+        for (int32_t j = 0; j < mus_sheet_line_count(other); j++) {
+            ck_assert_int_eq(mus_sheet_line_get(other, j, &q), MUS_OK);
+            const bool sew = q.piece == like && q.kind == MUS_LINE_SEW && q.edge == p.edge;
+            if (!sew || q.point_count != p.point_count) continue;
+            double worst = 0.0;
+            const bool round = a.turn[0] * a.turn[3] * b.turn[0] * b.turn[3] < 0.0;
+            for (int32_t k = 0; k < p.point_count; k++) {
+                /* to the panel of one, and from there to the other sheet; the turns are diagonal */
+                const double *x = p.points + 2 * k, *y = q.points + 2 * (round ? q.point_count - 1 - k : k);
+                for (int32_t d = 0; d < 2; d++)
+                    worst = fmax(worst, fabs((x[d] - a.shift[d]) * a.turn[3 * d] * b.turn[3 * d] + b.shift[d] - y[d]));
+            }
+            best = fmin(best, worst);
+        }
+        ck_assert_double_lt(best, 1e-9);
+        sewn++;
+    }
+    ck_assert_int_gt(sewn, 3);
+}
+
+
+START_TEST(each_size_of_a_nest_is_that_of_its_own_sheet)
+{
+    static const char *const names[] = {"W36", "W40", "W44"};
+    mus_context *context = support_context();
+    const mus_pattern *patterns[3];
+    mus_pattern *own[3];
+    mus_sheet_def def;
+    mus_sheet_def_init(&def, sizeof def);
+    def.paper = MUS_PAPER_A0;
+    for (int32_t k = 0; k < 3; k++) patterns[k] = own[k] = draft(context, names[k]);
+    for (def.fold = 0; def.fold < 2; def.fold++) {
+        mus_sheet *nest, *sheet;
+        ck_assert_int_eq(mus_sheet_create_sizes(context, 3, patterns, names, &def, &nest), MUS_OK);
+        for (int32_t k = 0; k < 3; k++) {
+            ck_assert_int_eq(mus_sheet_create(context, patterns[k], &def, &sheet), MUS_OK);
+            const int32_t n = mus_sheet_piece_count(sheet);
+            ck_assert_int_eq(mus_sheet_piece_count(nest), 3 * n);
+            for (int32_t i = 0; i < n; i++) {
+                mus_sheet_piece piece;
+                mus_sheet_piece_init(&piece, sizeof piece);
+                ck_assert_int_eq(mus_sheet_piece_get(nest, 3 * i + k, &piece), MUS_OK);
+                ck_assert_int_eq(piece.size_index, k);
+                assert_same_lines(nest, 3 * i + k, sheet, i);
+            }
+            mus_sheet_destroy(sheet);
+        }
+        ck_assert_int_eq(mus_sheet_write_dxf(nest, NULL, "/nowhere"), MUS_ERR_ARG);
+        mus_sheet_destroy(nest);
+    }
+    ck_assert_int_eq(mus_sheet_create_sizes(context, 0, patterns, names, NULL, &(mus_sheet *){0}), MUS_ERR_ARG);
+    for (int32_t k = 0; k < 3; k++) mus_pattern_destroy(own[k]);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_sheet_lines(void);
 
 Suite *mus_suite_sheet_lines(void)
 {
     Suite *suite = suite_create("sheet_lines");
     TCase *tests = tcase_create("sheet_lines");
+    tcase_add_test(tests, each_size_of_a_nest_is_that_of_its_own_sheet);
     tcase_add_test(tests, sew_lines_are_as_long_as_their_edges_and_lie_in_the_piece);
     tcase_add_test(tests, what_is_not_there_is_refused);
     tcase_add_test(tests, bytes_in_memory_are_those_of_the_file);

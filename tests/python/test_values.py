@@ -130,9 +130,9 @@ def test_a_garment_shows_itself(tmp_path):
 def test_it_serves_without_numpy(root):
     program = """
 import sys
-sys.modules["numpy"] = None
+sys.modules["numpy"] = sys.modules["tqdm"] = None
 import muslin
-worn = muslin.dress("skirt", "W40", spacing=0.05)
+worn = muslin.dress("skirt", "W40", spacing=0.05, progress=True)
 positions, triangles = worn.drape.positions, worn.cloth.triangles
 mesh = muslin.Mesh("skirt", positions, triangles, worn.drape.normals)
 worn.drape.set_state(positions, worn.drape.velocities)

@@ -606,7 +606,7 @@ mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", 
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
                             ("mirrored", c_int32), ("fold", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
-                            ("box", c_double * 4)]
+                            ("box", c_double * 4), ("size_index", c_int32)]
 mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
                            ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
                            ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
@@ -1027,6 +1027,9 @@ FUNCTIONS = {
     "mus_sheet_def_init": ("print", None, [POINTER(mus_sheet_def), c_size_t]),
     "mus_sheet_create": ("print", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_sheet_def),
                                             POINTER(POINTER(mus_sheet))]),
+    "mus_sheet_create_sizes": ("print", c_int32, [POINTER(mus_context), c_int32, POINTER(POINTER(mus_pattern)),
+                                                  POINTER(c_char_p), POINTER(mus_sheet_def),
+                                                  POINTER(POINTER(mus_sheet))]),
     "mus_sheet_destroy": ("print", None, [POINTER(mus_sheet)]),
     "mus_sheet_page_count": ("print", c_int32, [POINTER(mus_sheet)]),
     "mus_sheet_columns": ("print", c_int32, [POINTER(mus_sheet)]),

@@ -126,8 +126,8 @@ def dress(garment: str | Pattern, wearer: Tape | Body | PathLike | None, fabric:
     if drape_options is not None:
         definition.drape = ctypes.pointer(make_def(_abi.mus_drape_def, lib.mus_drape_def_init, drape_options))
     raised = []
-    bar = _bar() if progress is True else None
-    definition.progress = progress_hook(bar or progress or None, raised)
+    told = _bar() if progress is True else progress or None
+    definition.progress = progress_hook(told, raised)
 
     report = make_def(_abi.mus_dress_report, lib.mus_dress_report_init)
     reason = make_def(_abi.mus_reason, lib.mus_reason_init)

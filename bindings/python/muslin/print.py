@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Mapping
 
 from . import _abi
 from ._library import lib
@@ -29,6 +29,23 @@ class Sheet(Object):
         context = pattern.context
         super().__init__(context, create(context, "sheet", "mus_sheet_create", context.handle, pattern.handle,
                                          ctypes.byref(definition)))
+
+    @classmethod
+    def of_sizes(cls, patterns: Mapping[str, Pattern], paper: str = "a4", **options: Any) -> "Sheet":
+        """The same pattern in several sizes, by the name of each, one on the other."""
+        if paper not in _PAPERS:
+            raise ValueError(f"paper is one of {', '.join(_PAPERS)}, not {paper!r}")
+        if not patterns:
+            raise ValueError("no size is given")
+        definition = make_def(_abi.mus_sheet_def, lib.mus_sheet_def_init, {"paper": _PAPERS[paper], **options})
+        context = next(iter(patterns.values())).context
+        handles = [ctypes.cast(pattern.handle, ctypes.POINTER(_abi.mus_pattern)) for pattern in patterns.values()]
+        names = (ctypes.c_char_p * len(handles))(*[text(name) for name in patterns])
+        sheet = cls.__new__(cls)
+        Object.__init__(sheet, context, create(context, "sheet", "mus_sheet_create_sizes", context.handle, len(handles),
+                                               (ctypes.POINTER(_abi.mus_pattern) * len(handles))(*handles), names,
+                                               ctypes.byref(definition)))
+        return sheet
 
     def _told(self) -> str:
         width, height = self.extent
@@ -117,7 +134,7 @@ class Sheet(Object):
 
     @property
     def pieces(self) -> list[Any]:
-        """The pieces as structs (panel, name, copies, mirrored, turn, shift, box)."""
+        """The pieces as structs (panel, name, copies, mirrored, fold, turn, shift, box, size_index)."""
         return [self._struct("piece", i) for i in range(lib.mus_sheet_piece_count(self.handle))]
 
     @property

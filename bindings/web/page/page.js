@@ -1,4 +1,5 @@
-// page.js: the controls, the two workers (coarse while a hand moves, fine when it rests), and the address as the state.
+// page.js: the controls, the workers (coarse while a hand moves, fine when it rests, a clerk that searches designs and
+// draws their pictures), and the address as the state.
 import { Dressed, RANGES } from "./scene.js";
 import { languages, word } from "./words.js";
 
@@ -14,7 +15,8 @@ const SLIDERS = {
 };
 const COARSE = 0.02,
     FINE = 0.01,
-    PAUSE = 350; // spacing [m], and wait for the hand to rest [ms]
+    PAUSE = 350, // spacing [m], and wait for the hand to rest [ms]
+    LISTED = 200; // designs in the list at most
 const start = {
     design: "tshirt",
     size: "W40",
@@ -34,7 +36,7 @@ let state = start,
 const view = new Dressed($("view")),
     waiting = new Map();
 // what a test reads: milliseconds of each picture and of each rest
-const log = (window.fitting = { ready: false, pictures: [], rests: [], fine: [], failed: [], hash: "" });
+const log = (window.fitting = { ready: false, pictures: [], rests: [], fine: [], failed: [], sketches: 0, hash: "" });
 
 try {
     state = { ...start, ...JSON.parse(decodeURIComponent(location.hash.slice(1))) };
@@ -46,17 +48,22 @@ const say = (text) => {
 };
 const tell = (name) => word(state.language, name);
 
-function worker(onOpen) {
+const module = WebAssembly.compileStreaming(fetch("room.wasm"));
+function worker(onOpen = () => {}) {
     const made = new Worker("worker.js", { type: "module" });
     made.onmessage = ({ data }) => (data.kind === "open" ? onOpen(data) : answer(data));
-    made.postMessage({ call: "open", url: "room.wasm" });
+    module.then((ready) => made.postMessage({ call: "open", module: ready }));
     return made;
 }
+// to a worker that may not have its module yet
+const send = (to, message) => module.then(() => to.postMessage(message));
 
 const asked = new Map(); // when each wish was sent
+let finishing = 0; // the wish that the fine worker is at
 function wish(to, fine) {
     asked.set(++id, performance.now());
-    to.postMessage({
+    if (fine) finishing = id;
+    send(to, {
         call: "dress",
         id,
         fine,
@@ -71,16 +78,27 @@ function wish(to, fine) {
 
 function change(part = {}) {
     state = { ...state, ...part };
-    history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
+    // the fine worker is no longer asked, and would take the coarse one's time; it starts anew
+    if (finishing) {
+        fine.terminate();
+        fine = worker();
+        finishing = 0;
+    }
     wish(coarse, false);
     clearTimeout(pause);
-    pause = setTimeout(() => wish(fine, true), PAUSE);
+    pause = setTimeout(() => {
+        // browsers take 10 ms for a new address
+        history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
+        wish(fine, true);
+    }, PAUSE);
 }
 
 let shown = 0;
 function answer(data) {
     if (data.kind === "file") return waiting.get(data.id)?.(data.bytes);
     if (data.kind === "found") return data.id === searched && showDesigns(data.found.map((i) => told.designs[i]));
+    if (data.kind === "sketch") return draw(data);
+    if (data.id === finishing && (data.rest || data.kind === "failed")) finishing = 0;
     if (data.kind === "progress")
         return say(`${tell(data.phase ? "settling" : "sewing")} ${Math.round(100 * data.share)} %`);
     if (data.kind === "failed") {
@@ -156,15 +174,54 @@ function listDesigns() {
     const phrase = $("search").value.trim();
     searched = ++id;
     if (phrase === "") showDesigns(told.designs);
-    else coarse.postMessage({ call: "search", phrase, id });
+    else send(clerk, { call: "search", phrase, id });
 }
 
+// a card for each design: a radio button, its picture when it comes into view, its title
+const sketches = new Map(); // pictures that are there or were asked for
 function showDesigns(found) {
-    options(
-        $("design"),
-        found.slice(0, 200).map((one) => [one.name, one.title]),
-        state.design,
-    );
+    const cards = found.slice(0, LISTED).map((one) => {
+        const card = document.createElement("label"),
+            input = document.createElement("input"),
+            title = document.createElement("span");
+        Object.assign(input, { type: "radio", name: "design", value: one.name, checked: one.name === state.design });
+        const picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+        picture.setAttribute("aria-hidden", "true");
+        picture.append(document.createElementNS("http://www.w3.org/2000/svg", "path"));
+        title.textContent = one.title;
+        card.append(input, picture, title);
+        return card;
+    });
+    seen.disconnect();
+    $("design").replaceChildren(...cards);
+    cards.forEach((card) => seen.observe(card));
+    $("design").querySelector(":checked")?.parentElement.scrollIntoView({ block: "nearest" });
+}
+
+const cardOf = (name) => $("design").querySelector(`[value="${CSS.escape(name)}"]`)?.parentElement;
+const seen = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+        if (!isIntersecting) continue;
+        seen.unobserve(target);
+        const name = target.firstChild.value,
+            made = sketches.get(name);
+        if (made) draw(made);
+        if (made !== undefined) continue;
+        sketches.set(name, null);
+        send(clerk, { call: "sketch", name, groups: told.designs.find((one) => one.name === name).groups });
+    }
+});
+
+// data: { name, size [cm], path }; without a path where the design could not be drafted
+function draw(data) {
+    if (!sketches.get(data.name)) log.sketches++;
+    sketches.set(data.name, data);
+    const picture = cardOf(data.name)?.querySelector("svg");
+    if (!picture || !data.path) return;
+    const [width, height] = data.size,
+        side = 1.06 * Math.max(width, height);
+    picture.setAttribute("viewBox", `${(width - side) / 2} ${(height - side) / 2} ${side} ${side}`);
+    picture.firstChild.setAttribute("d", data.path);
 }
 
 function speak() {
@@ -212,7 +269,7 @@ async function file(form) {
     if (form === "glb") return save(`${state.design}.glb`, await view.glb(), "model/gltf-binary");
     const bytes = await new Promise((done) => {
         waiting.set(++id, done);
-        coarse.postMessage({ call: "file", form, paper: Number($("paper").value), title: state.design, id });
+        send(coarse, { call: "file", form, paper: Number($("paper").value), title: state.design, id });
     });
     save(
         `${state.design}.${form}`,
@@ -223,7 +280,7 @@ async function file(form) {
 
 $("panel").addEventListener("submit", (event) => event.preventDefault());
 $("search").addEventListener("input", listDesigns);
-$("design").addEventListener("change", () => change({ design: $("design").value }));
+$("design").addEventListener("change", ({ target }) => change({ design: target.value }));
 $("size").addEventListener("change", () => change({ size: $("size").value, measures: {}, file: undefined }));
 for (const name of ["fabric", "pose"])
     $(name).addEventListener("change", () => change({ [name]: Number($(name).value) }));
@@ -265,5 +322,6 @@ const coarse = worker((data) => {
     log.ready = true;
     change();
 });
-const fine = worker(() => {});
+let fine = worker();
+const clerk = worker();
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js");

@@ -99,6 +99,12 @@ export class Room {
         this.check(this.c.room_draft());
     }
 
+    // the sew lines of the drafted pattern's pieces, as text (see room_sketch in src/room.c)
+    sketch() {
+        this.check(this.c.room_sketch());
+        return decoder.decode(new Uint8Array(this.memory.buffer, this.c.room_bytes(), this.c.room_bytes_size()));
+    }
+
     // form: "pdf", "svg", "json" or "tape"; the bytes as a Uint8Array
     file(form, paper = 0, title = "") {
         this.write(title);
@@ -124,7 +130,7 @@ export class Room {
     }
 
     floats(at, count) {
-        return at === 0 ? null : Float32Array.from(new Float64Array(this.memory.buffer, at, count));
+        return at === 0 ? null : new Float32Array(new Float64Array(this.memory.buffer, at, count));
     }
 
     indices(at, count) {

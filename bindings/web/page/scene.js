@@ -6,6 +6,7 @@ import {
     Color,
     DirectionalLight,
     DoubleSide,
+    DynamicDrawUsage,
     Mesh,
     MeshStandardMaterial,
     PerspectiveCamera,
@@ -26,9 +27,35 @@ export const RANGES = {
     4: [0, 0.1, " cm", 100],
 };
 
+// whether pictures are drawn by the processor, which also computes the garment
+function drawnBySoftware() {
+    const gl = document.createElement("canvas").getContext("webgl2"),
+        names = gl?.getExtension("WEBGL_debug_renderer_info"),
+        name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+    gl?.getExtension("WEBGL_lose_context")?.loseContext();
+    return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+// An attribute keeps its place on the graphics card as long as its length does
+function put(geometry, name, data, width) {
+    const old = name === "index" ? geometry.index : geometry.getAttribute(name);
+    if (old?.array.length === data.length) {
+        old.array.set(data);
+        old.needsUpdate = true;
+        return;
+    }
+    if (old) geometry.dispose();
+    const made = new BufferAttribute(data, width);
+    made.setUsage(DynamicDrawUsage);
+    if (name === "index") geometry.setIndex(made);
+    else geometry.setAttribute(name, made);
+}
+
 export class Dressed {
     constructor(canvas) {
-        this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+        // edges are smoothed where that is cheap and seen: four samples a pixel double the time of the processor
+        const antialias = devicePixelRatio < 2 && !drawnBySoftware();
+        this.renderer = new WebGLRenderer({ canvas, antialias, alpha: true, preserveDrawingBuffer: true });
         this.canvas = canvas;
         this.camera = new PerspectiveCamera(30, 1, 0.05, 30);
         this.camera.position.set(1.5, 1.2, 3.6);
@@ -89,11 +116,11 @@ export class Dressed {
 
     show(mesh, { positions, normals, triangles, rest }) {
         const geometry = mesh.geometry;
-        geometry.setIndex(new BufferAttribute(triangles, 1));
-        geometry.setAttribute("position", new BufferAttribute(positions, 3));
-        if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+        put(geometry, "index", triangles, 1);
+        put(geometry, "position", positions, 3);
+        if (normals) put(geometry, "normal", normals, 3);
         else geometry.computeVertexNormals();
-        if (rest) geometry.setAttribute("uv", new BufferAttribute(rest, 2));
+        if (rest) put(geometry, "uv", rest, 2);
     }
 
     // values: of each node, which: as in RANGES; null for the plain colour
@@ -103,8 +130,7 @@ export class Dressed {
         material.color.set(plain ? colour : "#ffffff");
         if (material.vertexColors === plain) material.needsUpdate = true;
         material.vertexColors = !plain;
-        geometry.deleteAttribute("color");
-        if (plain) return;
+        if (plain) return geometry.deleteAttribute("color");
         const [low, high] = RANGES[which],
             data = new Float32Array(3 * values.length),
             mixed = new Color();
@@ -117,7 +143,7 @@ export class Dressed {
             );
             mixed.toArray(data, 3 * i);
         });
-        geometry.setAttribute("color", new BufferAttribute(data, 3));
+        put(geometry, "color", data, 3);
     }
 
     async glb() {

@@ -1,12 +1,24 @@
 // worker.js: one room in a worker. It answers the newest wish; wishes that came before it are dropped.
 import { Room } from "./room.js";
+import { sketch } from "./sketch.js";
 
 const STOPPED = 19; // MUS_ERR_STOPPED
+const SLICE = 20; // first run of settling [ms]; each later one has twice the time of the one before
+const SKIPS = 2; // such wishes at most: a dragged slider is followed at once, and the cloth still comes after
+const FINE_SLICE = 640; // the same of the fine worker, whose runs begin anew
+const SKIN = [16, 0.04], // samples of a ring and distance of rings [m] of the body that is shown: while a hand moves,
+    FINE_SKIN = [32, 0.025]; // and when it rests. The cloth lies on the same body in both
+const GROUP_SIZES = [
+    [1, "W40"],
+    [2, "M50"],
+    [4, "C116"],
+]; // bit of a group of designs, and the size that its pictures have
 let room,
     wish = null,
     busy = false,
     dressed = "",
-    shape = "";
+    shape = "",
+    skipped = 0; // wishes in a row that were shown and not settled, since a newer one was there
 
 function meshes(told, body) {
     const cloth = room.clothMesh();
@@ -23,9 +35,9 @@ function tapeOf(person) {
     for (const [name, value] of Object.entries(person.measures)) room.measure(name, value);
 }
 
-// Settle in runs of 40, 80, 160 ... ms (fine: from 640 on, each run begins anew); between them the newest wish is looked for. False when there is one.
+// Settle in runs, between which the newest wish is looked for. STOPPED when there is one, else the status.
 async function settle(told) {
-    for (let budget = told.fine ? 640 : 40; ; budget *= 2) {
+    for (let budget = told.fine ? FINE_SLICE : SLICE; ; budget *= 2) {
         const end = performance.now() + budget;
         room.onProgress = () => (performance.now() > end ? 1 : 0);
         const status = room.settle();
@@ -43,7 +55,7 @@ async function dress(asked) {
     const person = JSON.stringify([asked.person, asked.pose]);
     const newBody = person !== shape || asked.fine;
     tapeOf(asked.person);
-    room.body(32, 0.025, asked.pose);
+    room.body(...(asked.fine ? FINE_SKIN : SKIN), asked.pose);
     shape = person;
     room.draft(asked.design);
     const spacing = asked.spacing;
@@ -51,7 +63,12 @@ async function dress(asked) {
     const kind = `${asked.design} ${asked.pose}`;
     let status = kind === dressed ? room.warm(spacing, asked.fabric) : 1;
     if (status === 0) {
-        if (!asked.fine) meshes({ ...told, rest: false }, newBody);
+        if (!asked.fine) {
+            meshes({ ...told, rest: false }, newBody);
+            await turn();
+            if (wish !== null && skipped++ < SKIPS) return;
+        }
+        skipped = 0;
         status = await settle(told);
         if (status === STOPPED) return;
     } else {
@@ -106,8 +123,8 @@ async function work() {
 }
 
 const calls = {
-    async open({ url }) {
-        room = await Room.open(await WebAssembly.compileStreaming(fetch(url)));
+    async open({ module }) {
+        room = await Room.open(module);
         postMessage({
             kind: "open",
             designs: room.designs(),
@@ -118,6 +135,16 @@ const calls = {
     },
     search({ phrase, id }) {
         postMessage({ kind: "found", id, found: room.search(phrase) });
+    },
+    // the picture of a design in the size of its group
+    sketch({ name, groups }) {
+        try {
+            room.size(GROUP_SIZES.find(([bit]) => groups & bit)[1]);
+            room.draft(name);
+            postMessage({ kind: "sketch", name, ...sketch(room.sketch()) });
+        } catch (error) {
+            postMessage({ kind: "sketch", name, text: error.message });
+        }
     },
     dress(asked) {
         wish = asked;
@@ -133,4 +160,10 @@ const calls = {
     },
 };
 
-onmessage = ({ data }) => calls[data.call](data);
+// what was asked before the module is there waits for it
+let opened;
+onmessage = async ({ data }) => {
+    if (data.call === "open") return (opened = calls.open(data));
+    await opened;
+    calls[data.call](data);
+};

@@ -6,6 +6,7 @@
  * room_settle() lets it come to rest. A call that fails returns its status; room_error() has the sentence.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,8 +160,10 @@ int32_t EXPORT(room_draft)(void)
 {
     mus_pattern *made = NULL;
     const int32_t design = mus_design_find(text);
-    const mus_status status = design != MUS_NONE ? mus_design_draft(context, design, tape, NULL, &made)
-                                                 : mus_design_draft_words(context, text, tape, NULL, &made);
+    mus_status status = mus_tape_complete(tape);
+    if (status == MUS_OK)
+        status = design != MUS_NONE ? mus_design_draft(context, design, tape, NULL, &made)
+                                    : mus_design_draft_words(context, text, tape, NULL, &made);
     mus_pattern_destroy(pattern);
     pattern = status == MUS_OK ? made : NULL;
     return status;
@@ -189,6 +192,55 @@ int32_t EXPORT(room_write)(int32_t form, int32_t paper)
     }
     return form == 2 ? mus_pattern_write_bytes(pattern, &bytes, &bytes_size)
                      : mus_tape_write_bytes(tape, &bytes, &bytes_size);
+}
+
+
+/* Appends to the bytes; nothing when memory is short. */
+static void append(const char *more, size_t length)
+{
+    char *longer = mus_context_alloc(context, bytes, bytes_size + length);
+    if (longer == NULL) return;
+    memcpy(longer + bytes_size, more, length);
+    bytes = longer, bytes_size += length;
+}
+
+
+/* Appends a line of a sheet: number of its piece, then its steps as in SVG, x right, y down [cm]. */
+static void append_line(const mus_sheet_line *line)
+{
+    char word[64];
+    const double *p = line->points;
+    append(word, (size_t)snprintf(word, sizeof word, "%d ", (int)line->piece));
+    for (int32_t i = 0; i < line->op_count; i++) {
+        const int32_t n = line->ops[i] == 'c' ? 3 : line->ops[i] == 'z' ? 0 : 1;
+        word[0] = (char)(line->ops[i] - 'a' + 'A');
+        append(word, 1);
+        for (int32_t k = 0; k < n; k++, p += 2)
+            append(word, (size_t)snprintf(word, sizeof word, " %.1f %.1f", 100.0 * p[0], -100.0 * p[1]));
+    }
+    append("\n", 1);
+}
+
+
+/* Writes the sew lines of the pattern's pieces, grain up, as text: a line for each edge, in the order of the outlines.
+ */
+int32_t EXPORT(room_sketch)(void)
+{
+    mus_sheet *sheet = NULL;
+    mus_sheet_def def;
+    mus_context_alloc(context, bytes, 0);
+    bytes = NULL, bytes_size = 0;
+    if (pattern == NULL) return mus_context_fail(context, MUS_ERR_STATE, "no design is drafted");
+    mus_sheet_def_init(&def, sizeof def);
+    def.paper = MUS_PAPER_ROLL;
+    const mus_status status = mus_sheet_create(context, pattern, &def, &sheet);
+    for (int32_t i = 0; status == MUS_OK && i < mus_sheet_line_count(sheet); i++) {
+        mus_sheet_line line;
+        mus_sheet_line_init(&line, sizeof line);
+        if (mus_sheet_line_get(sheet, i, &line) == MUS_OK && line.kind == MUS_LINE_SEW) append_line(&line);
+    }
+    mus_sheet_destroy(sheet);
+    return status;
 }
 
 
@@ -250,6 +302,7 @@ int32_t EXPORT(room_warm)(double spacing, int32_t index)
     mus_drape_def_init(&how, sizeof how);
     how.progress_seconds = 0.01; /* [s] the host asks often whether it still wants this drape */
     def.spacing = spacing;
+    def.coarser = 0; /* it settles from where it is */
     if (index >= 0) def.fabric = fabric_of(index, &fabric);
     cloth_new = NULL, drape_new = NULL;
     mus_status status = mus_cloth_create(context, pattern, &def, &cloth_new);

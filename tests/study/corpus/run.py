@@ -28,8 +28,8 @@ import sys
 import time
 
 COLUMNS = ["file", "type", "sleeves", "status", "reason", "good", "valid", "panels", "nodes", "seams", "seams_closed",
-           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "steps", "cpu_s", "thrown_s",
-           "state_hash", "fault"]
+           "max_seam_gap_mm", "max_penetration_mm", "max_strain", "crossings", "worn", "worn_why", "steps", "cpu_s",
+           "thrown_s", "state_hash", "fault"]
 GAP_MM, DEPTH_MM = 1.0, 1.0
 # what the checks of a pattern say before anything is sewn
 REFUSED = {"twisted seam", "panel crosses itself", "bad input"}
@@ -85,6 +85,8 @@ def dress_all(jobs, options, out, place):
     asked = ["--spacing", f"{options.spacing:g}"] if options.spacing else []
     asked += ["--self-contact"] if options.self_contact else []
     asked += ["--place", place] if place else []
+    if options.png:
+        asked += ["--png", "--view", "20,5,1.2", "--view", "200,5,1.2", "--pixels", "640x480"]
     told, since = set(), time.time()
     batch = subprocess.Popen([options.command, "dress", "--batch", out / "list", "-o", out, "--quiet",
                               "--limit", f"{options.limit:g}", "--jobs", str(options.jobs), *asked],
@@ -203,6 +205,7 @@ def main():
                         help="file: from the start of the file alone; found: starts are found, and each garment is dressed "
                         "from that of its file too; default: as `muslin dress`, of the file, then found")
     parser.add_argument("--every", type=int, default=1, help="take each n-th specification only")
+    parser.add_argument("--png", action="store_true", help="draw each, from the front and from behind")
     parser.add_argument("--only", help="those whose file name contains this, of the ones taken")
     options = parser.parse_args()
     if not (options.data / "garmentcode" / "index.json").exists():

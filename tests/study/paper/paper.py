@@ -9,8 +9,9 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     fold     a dart folded shut: its cut edges lie on each other, layer on layer
     fair     a dart folded shut: step and angle between the sew edges on both sides of its mouth
     turn     a hem turned up: its ends lie on the cut lines of its neighbours
-    unfold   the halves of a print on the fold, mirrored, are the whole pieces
+    unfold   the halves of a print on the fold, each a right or a left one, upright or turned, unfold to the whole pieces
     pages    on A4, pages without a line of their own: one that no other page shows
+    nest     three sizes on one sheet: each layer has the cut lines of that size's own sheet, in dashes of its own
     seam     both edges of a seam are as long as each other, but for the ease that the seam says
     notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
 
@@ -40,9 +41,11 @@ LIMITS = {  # [mm], angles [degrees]
     "turn": 0.15,
     "unfold": 0.1,   # as the task of paper on the fold asks
     "pages": 0.0,    # pages without a line where no other page shows it
+    "nest": 0.1,     # as the task of nested sizes asks
     "seam": 0.5,     # the check of the library allows as much
     "notch": 1.0,
 }
+NESTS = {"W40": ["W36", "W40", "W44"], "M50": ["M46", "M50", "M54"], "C116": ["C104", "C116", "C128"]}
 CUT, SEW, NOTCH = (0.5, ()), (0.25, (3.0, 1.5)), (0.4, ())  # pens: width and dashes [mm]
 TOKEN = re.compile(rb"\[[^\]]*\]|/?[A-Za-z'\"*]+[0-9]*|-?[0-9.]+|<[^>]*>|\((?:\\.|[^\\)])*\)")
 
@@ -58,11 +61,40 @@ def pdf_pages(path):
         if not re.search(rb"/Type\s*/Page\b(?!s)", body):
             continue
         box = [float(x) for x in re.search(rb"/MediaBox\s*\[([^\]]*)\]", body)[1].split()]
-        content = objects[int(re.search(rb"/Contents\s+(\d+)", body)[1])]
-        head, stream = re.split(rb"stream\r?\n", content, maxsplit=1)
-        stream = stream[:stream.rindex(b"endstream")]
-        pages.append((box[3], zlib.decompressobj().decompress(stream) if b"FlateDecode" in head else stream))
+        streams = []
+        for number in re.findall(rb"(\d+) 0 R", re.search(rb"/Contents\s+(\[[^\]]*\]|\d+ 0 R)", body)[1]):
+            head, stream = re.split(rb"stream\r?\n", objects[int(number)], maxsplit=1)
+            stream = stream[:stream.rindex(b"endstream")]
+            streams.append(zlib.decompressobj().decompress(stream) if b"FlateDecode" in head else stream)
+        pages.append((box[3], b"\n".join(streams)))
     return pages
+
+
+def layer_names(path):
+    """Names of the layers in the order of a reader's list; empty unless all are on by default."""
+    data = pathlib.Path(path).read_bytes()
+    objects = {int(m[1]): m[2] for m in re.finditer(rb"(?:^|\n)(\d+) 0 obj\s(.*?)\nendobj", data, re.S)}
+    catalogue = next((body for body in objects.values() if b"/OCProperties" in body), b"")
+    lists = {key: re.findall(rb"(\d+) 0 R", m[1]) for key in (b"OCGs", b"ON", b"Order")
+             if (m := re.search(rb"/" + key + rb" \[([^\]]*)\]", catalogue))}
+    if len(lists) < 3 or sorted(lists[b"ON"]) != sorted(lists[b"OCGs"]) or b"/OFF" in catalogue:
+        return []
+    return [bytes.fromhex(re.search(rb"/Name <FEFF([0-9A-F]*)>", objects[int(k)])[1].decode()).decode("utf-16-be")
+            for k in lists[b"Order"]]
+
+
+def layer_cuts(path, tiles, layer):
+    """Cut lines of a layer, in order, (closed, points) in mm on the sheet, and the dashes they are drawn in."""
+    found, dashes, pages = {}, set(), pdf_pages(path)
+    for page, x, y, _ in tiles:
+        height, stream = pages[page]
+        for part in re.findall(rb"/OC /S%d BDC\n(.*?)EMC" % layer, stream, re.S):
+            for pen, parts in strokes((height, part)):
+                if pen[0] == 0.5 and parts:
+                    dashes.add(pen[1])
+                    points = [(p[0] + x, p[1] + y) for p in parts[0][1]]
+                    found.setdefault(place_of(found, points), (parts[0][0], points))
+    return list(found.values()), dashes
 
 
 def strokes(page):
@@ -165,6 +197,17 @@ def halves(path, tiles):
     return list(found.values())
 
 
+def unfolded(whole, points):
+    """Worst distance of the whole's cut line from a half and its mirror image; the half lies on the right."""
+    right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
+    line = [(p[0] + right, p[1] + top) for p in points]
+    axis = (line[0][0] + line[-1][0]) / 2
+    worst = abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis)
+    if worst > 1.0:
+        return worst
+    return max(worst, *(to_line((axis + abs(p[0] - axis), p[1]), line, closed=False) for p in whole))
+
+
 def check_halves(pieces, half, note):
     """A half and its mirror image make up the whole: worst distance of the whole's cut line."""
     if len(half) != len(pieces):
@@ -182,12 +225,47 @@ def check_halves(pieces, half, note):
         closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
         if closed:
             continue
-        right, top = (max(p[d] for p in whole) - max(p[d] for p in points) for d in (0, 1))
-        line = [(p[0] + right, p[1] + top) for p in points]
-        axis = (line[0][0] + line[-1][0]) / 2
-        for p in whole:
-            note("unfold", to_line((axis + abs(p[0] - axis), p[1]), line, closed=False))
-        note("unfold", abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis))
+        note("unfold", min(unfolded(whole, [(fx * p[0], fy * p[1]) for p in points]) for fx in (1, -1) for fy in (1, -1)))
+
+
+def check_nest(command, design, sizes, folder, note):
+    """Three sizes on one sheet against a sheet of each."""
+    ask = ["--design", design, "--paper", "roll", "--fold", "--json"]
+    nest, told = f"{folder}/nest.pdf", {}
+    for pdf, words in [(nest, ["--sizes", ",".join(sizes)])] + [(f"{folder}/{k}.pdf", ["--size", k]) for k in sizes]:
+        done = subprocess.run([command, "print", *ask, "--pdf", pdf, *words], capture_output=True, text=True)
+        if done.returncode != 0:
+            note("nest", 99.0, done.stderr.strip()[:120])
+            return
+        told[pdf] = [(t["page"], 1000.0 * t["x_m"], 1000.0 * t["y_m"], 0.0) for t in json.loads(done.stdout)["tiles"]]
+    if layer_names(nest) != sizes:
+        note("nest", 99.0, f"layers {layer_names(nest)}")
+    pens = []
+    for k, size in enumerate(sizes):
+        mine, dashes = layer_cuts(nest, told[nest], k)
+        own = halves(f"{folder}/{size}.pdf", told[f"{folder}/{size}.pdf"])
+        pens.append(dashes)
+        if len(mine) != len(own) or len(dashes) != 1:
+            note("nest", 99.0, f"{size}: {len(mine)} cut lines for {len(own)}")
+            continue
+        for closed, points in mine:
+            best = min(unlike(points, other[1]) for other in own if other[0] == closed)
+            note("nest", best, size)
+    if len({tuple(sorted(p)) for p in pens}) != len(sizes):
+        note("nest", 99.0, "two sizes in the same dashes")
+
+
+def unlike(points, other):
+    """Worst distance of two lines that may be moved and mirrored."""
+    best = 1e9
+    for fx in (1, -1):
+        for fy in (1, -1):
+            turned = [(fx * p[0], fy * p[1]) for p in points]
+            move = [min(p[d] for p in other) - min(p[d] for p in turned) for d in (0, 1)]
+            line = [(p[0] + move[0], p[1] + move[1]) for p in turned]
+            if max(abs(max(p[d] for p in other) - max(p[d] for p in line)) for d in (0, 1)) < 1.0:
+                best = min(best, max(*(to_line(p, other) for p in line), *(to_line(p, line) for p in other)))
+    return best
 
 
 def in_order(sew, lengths):
@@ -585,6 +663,9 @@ def check_design(job):
         fold = printed(command, file, folder, "roll", "--fold")
         half = halves(*fold[:2])
         lone = lone_pages(*printed(command, file, folder, "a4", "--fold"))
+        if size in NESTS:
+            check_nest(command, design, NESTS[size], folder,
+                       lambda check, value, where="": worst.__setitem__(check, max((value, where), worst.get(check, (-1.0, "")))))
     seams, lengths = seams_of(pattern), {}
     panels = [panel for panel in pattern["panels"] if panel.get("mirror_of") is None]
     pieces = in_panels_order(pattern, panels, pieces)

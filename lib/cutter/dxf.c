@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "print/dxf.h"
+#include "cutter/dxf.h"
 
 
 /* name of the block of a piece: with its size when there are several */
@@ -114,6 +114,8 @@ static mus_status dxf_write(const mus_sheet *sheet, const mus_sheet_dxf *def, bo
     if (sheet == NULL) return MUS_ERR_ARG;
     mus_status status = mus__target_check(sheet->context, target, what);
     if (status != MUS_OK) return status;
+    if (sheet->nsize > 1)
+        return mus__file_fail(sheet->context, MUS_ERR_ARG, "a DXF is written from sheets of one size each");
     if (sheet->def.fold)
         return mus__file_fail(sheet->context, MUS_ERR_ARG, "%s: the sheet has half pieces; make one of whole pieces",
                               what);

@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 #include "base/elementary.h"
-#include "print/dxf.h"
+#include "cutter/dxf.h"
 
 #define TURN_COSINE 0.86602540378443865 /* of 30 degrees (AAMA: a turn point is a corner) */
 /* [m] curve points are left out where the boundary stays this close to the chord; chosen: below a plotter's line */

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/dxf.h"
+#include "cutter/dxf.h"
 
 #define SIZES_MOST 64 /* sizes besides the sample; chosen: twice the longest size list of a shop */
 #define RULE_UNIT 1e-7 /* [m] step of a rule: the last digit of the file */

@@ -1,0 +1,274 @@
+/*
+ * cover.c: title, instructions, test squares, list of pieces and page map of a tiled sheet: as a legend on free places
+ * of its pages, or, when there are none, on a page of its own before the others.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "print/page.h"
+
+/* [m] least width right of the squares, for text and page map; chosen: the shortest lines of text fit */
+#define COVER_COLUMN 0.048
+#define COVER_HEIGHT 0.19 /* [m] least height that the cover needs; chosen: squares, title and instructions fit */
+#define COVER_GAP 0.006   /* [m] distance of the squares from the page map; chosen: a ruler can be laid on them */
+#define LEGEND_STEP 0.008 /* [m] distance of the places that are tried for the legend; chosen: finer ones seldom help */
+#define LEGEND_GAP 0.003  /* [m] distance of the legend from the cut lines; chosen: twice the height of its letters */
+#define LEGEND_LETTER 0.0025 /* [m] height of its capitals; chosen: the smallest that is read at arm's length */
+#define LEGEND_PITCH 0.0042  /* [m] from line to line */
+#define LEGEND_HEAD 0.019    /* [m] height of title and facts above the instructions */
+#define LEGEND_NAME 0.024    /* [m] corner of a page that holds its name */
+#define LEGEND_LINES 16      /* most lines of the instructions */
+
+#define COVER_STEPS 4
+
+/* how to print and join the pages */
+static const char *const cover_steps[COVER_STEPS] = {
+    "Print at 100 %, never \"fit to page\", and measure both squares before cutting.",
+    "Cut off the left and upper margins along the frame.",
+    "Lay each page on its neighbours, frame on frame, so that the diamonds are whole, and tape it.",
+    "Solid line: cut. Dashed line: sew. Double arrow: grain. Short strokes on the cut line: notches."};
+
+
+/* the line below the title: wearer, pages and scale */
+static void cover_facts(const mus_sheet *sheet, char *out, size_t size)
+{
+    const int32_t pages = sheet->ntile;
+    snprintf(out, size, "%s%.100s%s%d page%s%s, %d x %d, scale 1:1", sheet->person != NULL ? "For " : "",
+             sheet->person != NULL ? sheet->person : "", sheet->person != NULL ? ".  " : "", pages,
+             pages == 1 ? "" : "s", sheet->cover ? " after this one" : "", sheet->columns, sheet->rows);
+}
+
+
+/* ---- a page of its own ---- */
+
+void mus__cover_size(const mus_sheet *sheet, double *out)
+{
+    /* the paper of the pages, or A4 for A0 and rolls, which a copy shop prints */
+    int32_t paper = sheet->def.paper;
+    mus__paper_size(paper == MUS_PAPER_A0 || paper == MUS_PAPER_ROLL ? MUS_PAPER_A4 : paper, out);
+}
+
+
+mus_status mus__cover_check(const mus_sheet *sheet)
+{
+    double size[2], width = MUS__SQUARES + COVER_GAP + COVER_COLUMN;
+    mus__cover_size(sheet, size);
+    double x = 0.5 * (size[0] - width), y = 0.5 * (size[1] - COVER_HEIGHT), most = x < y ? x : y;
+    if (sheet->def.margin <= most) return MUS_OK;
+    char margin[32], limit[32];
+    mus__print_millimetres(margin, sizeof margin, sheet->def.margin);
+    mus__print_millimetres(limit, sizeof limit, most);
+    return mus__file_fail(sheet->context, MUS_ERR_ARG,
+                          "margin %s mm leaves no room for the test squares of the first page; at most %s mm", margin,
+                          limit);
+}
+
+
+/* page map: pages, silhouettes and names, scaled to fit the box */
+static void cover_map(const mus_sheet *sheet, mus__drawing *out, double x, double y, double width, double height)
+{
+    double sx = width / sheet->extent[0], sy = height / sheet->extent[1], s = sx < sy ? sx : sy;
+    double low = y + height - s * sheet->extent[1], letter = 0.12 * s * sheet->page[0];
+    letter = letter > 0.003 ? 0.003 : letter;
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const mus__loops *cut = &sheet->pieces[i].cut;
+        mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_GREY);
+        for (int32_t l = 0; l < cut->nloop; l++) {
+            double last[2] = {0, 0};
+            for (int32_t k = cut->start[l]; k < cut->start[l + 1]; k++) {
+                /* points nearer to each other than 0.1 mm on the map become one */
+                const double p[2] = {x + s * cut->xy[2 * k], low + s * cut->xy[2 * k + 1]};
+                double dx = p[0] - last[0], dy = p[1] - last[1];
+                if (k > cut->start[l] && dx * dx + dy * dy < 1e-8) continue;
+                if (k == cut->start[l]) mus__draw_move(out, p[0], p[1]);
+                else mus__draw_line(out, p[0], p[1]);
+                memcpy(last, p, sizeof last);
+            }
+            mus__draw_close(out);
+        }
+    }
+    for (int32_t i = 0; i < sheet->ntile; i++) {
+        char name[16];
+        double box[4];
+        mus__tile_window(sheet, &sheet->tiles[i], box);
+        mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_FRAME);
+        mus__draw_rectangle(out, x + s * box[0], low + s * box[1], s * (box[2] - box[0]), s * (box[3] - box[1]));
+        mus__tile_name(&sheet->tiles[i], name, sizeof name);
+        mus__page_text(out, MUS__PEN_FAINT, name, x + s * 0.5 * (box[0] + box[2]),
+                  low + s * 0.5 * (box[1] + box[3]) - 0.5 * letter, letter, 0.5);
+    }
+}
+
+
+/* one line of text for each piece, down to the height `low` */
+static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, double y, double low)
+{
+    const int32_t n = sheet->npiece / sheet->nsize;
+    for (int32_t i = 0; i < n && y > low; i++, y -= 0.0055) {
+        const mus__piece *piece = &sheet->pieces[i * sheet->nsize];
+        char text[256];
+        bool last = y - 0.0055 <= low && i + 1 < n;
+        snprintf(text, sizeof text, "%d", i + 1);
+        if (!last) mus__page_text(out, MUS__PEN_TEXT, text, x + 0.005, y, 0.0025, 1.0);
+        if (last) snprintf(text, sizeof text, "and %d more", (int)(n - i));
+        else {
+            char cut[64];
+            mus__piece_cut_text(piece, cut, sizeof cut);
+            snprintf(text, sizeof text, "%.40s: c%s", sheet->names[i * sheet->nsize], cut + 1);
+        }
+        for (char *c = text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
+        mus__page_text(out, MUS__PEN_TEXT, text, x + 0.0075, y, 0.0025, 0.0);
+        if (last) return;
+    }
+}
+
+
+/* draw the title as large as fits, at most 8 mm high, and the facts below; returns the height below them */
+static double cover_title(const mus_sheet *sheet, mus__drawing *out, double left, double right, double y)
+{
+    char text[256];
+    double letter = 0.008, small = 0.003, width = mus__text_width(sheet->title);
+    if (letter * width > right - left) letter = (right - left) / width;
+    mus__page_text(out, MUS__PEN_TITLE, sheet->title, left, y -= letter + 0.001, letter, 0.0);
+    cover_facts(sheet, text, sizeof text);
+    width = mus__text_width(text);
+    if (small * width > right - left) small = (right - left) / width;
+    mus__page_text(out, MUS__PEN_TEXT, text, left, y -= 0.007, small, 0.0);
+    return y;
+}
+
+
+void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
+{
+    double size[2], margin = sheet->def.margin;
+    mus__cover_size(sheet, size);
+    double left = margin, right = size[0] - margin, y = cover_title(sheet, out, left, right, size[1] - margin);
+
+    /* squares on the left, the page map right of them, then the instructions and the list of the pieces */
+    double top = y - 0.005, low = top - MUS__SQUARES, letter = LEGEND_LETTER;
+    double column = left + MUS__SQUARES + COVER_GAP;
+    mus__squares_draw(out, left, low);
+    cover_map(sheet, out, column, low, right - column, MUS__SQUARES);
+    for (int32_t i = 0; i < COVER_STEPS; i++) {
+        const double width = mus__text_width(cover_steps[i]);
+        if (letter * width > right - left) letter = (right - left) / width;
+    }
+    y = low - 0.008;
+    for (int32_t i = 0; i < COVER_STEPS; i++, y -= 0.005)
+        mus__page_text(out, MUS__PEN_TEXT, cover_steps[i], left, y, letter, 0.0);
+    cover_pieces(sheet, out, left, y - 0.004, margin + 0.004);
+}
+
+
+/* ---- on free places of the pages ---- */
+
+/* instructions broken into lines of `width` [m]: returns their number, 0 when they are too many */
+static int32_t legend_lines(double width, char (*lines)[128])
+{
+    int32_t n = 0;
+    for (int32_t i = 0; i < COVER_STEPS; i++) {
+        const char *at = cover_steps[i];
+        while (*at != '\0') {
+            size_t fits = 0, end = 0;
+            if (n == LEGEND_LINES) return 0;
+            for (;;) {
+                end += strcspn(at + end + (at[end] == ' '), " ") + (at[end] == ' ');
+                memcpy(lines[n], at, end);
+                lines[n][end] = '\0';
+                if (fits > 0 && LEGEND_LETTER * mus__text_width(lines[n]) > width) break;
+                fits = end;
+                if (at[end] == '\0') break;
+            }
+            lines[n++][fits] = '\0';
+            at += fits + (at[fits] == ' ');
+        }
+    }
+    return n;
+}
+
+
+/* what may lie where the legend is wanted: pieces, by the function, and one box */
+typedef struct legend_taken {
+    bool (*taken)(const void *user, const double *box);
+    const void *user;
+    const double *box;
+} legend_taken;
+
+
+static bool legend_clear(const legend_taken *taken, const double *box)
+{
+    const double grown[4] = {box[0] - LEGEND_GAP, box[1] - LEGEND_GAP, box[2] + LEGEND_GAP, box[3] + LEGEND_GAP};
+    const double *other = taken->box;
+    if (other != NULL && grown[0] < other[2] && grown[2] > other[0] && grown[1] < other[3] && grown[3] > other[1])
+        return false;
+    return !taken->taken(taken->user, grown);
+}
+
+
+/* find a free place of the given width and height on the first page that has one, from its upper left corner on */
+static bool legend_find(const mus_sheet *sheet, double width, double height, const legend_taken *taken, double *out)
+{
+    for (int32_t t = 0; t < sheet->ntile; t++) {
+        double window[4];
+        mus__tile_window(sheet, &sheet->tiles[t], window);
+        for (double y = window[3] - height - LEGEND_GAP; y > window[1] + LEGEND_GAP; y -= LEGEND_STEP) {
+            for (double x = window[0] + LEGEND_GAP; x + width + LEGEND_GAP < window[2]; x += LEGEND_STEP) {
+                const double box[4] = {x, y, x + width, y + height};
+                /* the upper left corner of a page holds its name */
+                if (x < window[0] + LEGEND_NAME && y + height > window[3] - LEGEND_NAME) continue;
+                if (!legend_clear(taken, box)) continue;
+                memcpy(out, box, sizeof box);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
+/* does one page show the whole box? */
+static bool legend_shown(const mus_sheet *sheet, const double *box)
+{
+    for (int32_t t = 0; t < sheet->ntile; t++) {
+        double window[4];
+        mus__tile_window(sheet, &sheet->tiles[t], window);
+        if (box[0] > window[0] && box[1] > window[1] && box[2] < window[2] && box[3] < window[3]) return true;
+    }
+    return false;
+}
+
+
+void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box), const void *user,
+                       const double *corner)
+{
+    static const double widths[] = {0.165, 0.13, 0.1, 0.075};
+    char lines[LEGEND_LINES][128];
+    double box[4];
+    legend_taken all = {taken, user, NULL};
+    sheet->cover = true;
+    if (corner != NULL) {
+        memcpy(box, corner, 2 * sizeof *box);
+        for (int32_t k = 0; k < 2; k++) box[2 + k] = box[k] + MUS__SQUARES;
+        if (!legend_shown(sheet, box)) return;
+    } else if (!legend_find(sheet, MUS__SQUARES, MUS__SQUARES, &all, box)) {
+        return;
+    }
+    all.box = box;
+    for (int32_t i = 0; i < (int32_t)(sizeof widths / sizeof widths[0]) && sheet->cover; i++) {
+        const int32_t n = legend_lines(widths[i], lines);
+        if (n == 0) continue;
+        sheet->cover = !legend_find(sheet, widths[i], LEGEND_HEAD + LEGEND_PITCH * n, &all, sheet->legend);
+    }
+    memcpy(sheet->squares, box, sizeof sheet->squares);
+}
+
+
+void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out)
+{
+    char lines[LEGEND_LINES][128];
+    const double *box = sheet->legend;
+    double y = cover_title(sheet, out, box[0], box[2], box[3]) - 0.002;
+    const int32_t n = legend_lines(box[2] - box[0], lines);
+    for (int32_t i = 0; i < n; i++)
+        mus__page_text(out, MUS__PEN_TEXT, lines[i], box[0], y -= LEGEND_PITCH, LEGEND_LETTER, 0.0);
+}

@@ -1,0 +1,268 @@
+/*
+ * outline_pack.c: pack outlines on a strip of paper, in a given order: each at the place nearest to the top of the
+ * strip where it fits among those before it, also in their hollows (bottom-left on true outlines, upside down). An
+ * outline may be turned by half a turn, so that the grain stays upright, and the half of a piece on the fold mirrored.
+ *
+ * The strip is cut into upright slabs of equal width. In a slab an outline is a list of spans that it covers, measured
+ * down from its top; it is grown by half the gap all round first. A place is a whole number of slabs from the left:
+ *
+ *        |  |   |  |   |       An outline with its first slab on slab s of the strip collides at the distances y from
+ *        |  |\  |  |  /|       the top for which one of its spans, moved down by y, meets a span of the strip. y starts
+ *        |  | '-|--|-' |       at 0 and is raised over each span that it meets, until none is met.
+ *
+ * Source: Chazelle, The bottom-left bin-packing heuristic, 1983; spans in slabs as in Bennell and Oliveira, The
+ * geometry of nesting problems, 2008, section 2.1 (raster method).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "print/outline_pack.h"
+
+#define STRIDE 0.008 /* [m] from place to place; chosen: twice as much takes half the time and packs a little looser */
+#define SLABS_MOST 1e6 /* most slabs of a shape; chosen: bounds the memory */
+
+
+/* ---- the spans of an outline ---- */
+
+/* add a span to the slab's spans from `first` on, joined with those that it touches */
+static void shape_span(mus__shape *shape, int32_t first, double low, double high)
+{
+    for (int32_t i = first; i < shape->nspan;) {
+        double *span = shape->spans + 2 * i;
+        if (low > span[1] || high < span[0]) {
+            i++;
+            continue;
+        }
+        low = low < span[0] ? low : span[0];
+        high = high > span[1] ? high : span[1];
+        shape->nspan--;
+        memmove(span, span + 2, 2 * (size_t)(shape->nspan - i) * sizeof *span);
+    }
+    shape->spans[2 * shape->nspan] = low;
+    shape->spans[2 * shape->nspan + 1] = high;
+    shape->nspan++;
+}
+
+
+/* the part of the chord a, b in the slab left .. right as a span; false when it has none */
+static bool shape_clip(const double *a, const double *b, double left, double right, double *span)
+{
+    const double *from = a[0] <= b[0] ? a : b, *to = a[0] <= b[0] ? b : a;
+    if (to[0] < left || from[0] > right) return false;
+    const double dx = to[0] - from[0], slope = dx > 0.0 ? (to[1] - from[1]) / dx : 0.0;
+    const double y = from[0] < left ? from[1] + slope * (left - from[0]) : from[1];
+    const double z = to[0] > right ? from[1] + slope * (right - from[0]) : to[1];
+    span[0] = y < z ? y : z;
+    span[1] = y < z ? z : y;
+    return true;
+}
+
+
+/* add the parts where the upright line at x runs inside the loops: between odd and even crossings. Crossings are
+ * found one after the other from below, since a line meets few chords */
+static void shape_chords(mus__shape *shape, int32_t first, const mus__loops *loops, double x)
+{
+    double from = -HUGE_VAL;
+    for (;;) {
+        double pair[2] = {HUGE_VAL, HUGE_VAL};
+        for (int32_t l = 0; l < loops->nloop; l++) {
+            for (int32_t i = loops->start[l]; i < loops->start[l + 1]; i++) {
+                const double *a = loops->xy + 2 * i;
+                const double *b = loops->xy + 2 * (i + 1 < loops->start[l + 1] ? i + 1 : loops->start[l]);
+                if ((a[0] > x) == (b[0] > x)) continue;
+                const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+                if (y <= from) continue;
+                if (y < pair[0]) pair[1] = pair[0], pair[0] = y;
+                else if (y < pair[1]) pair[1] = y;
+            }
+        }
+        if (!(pair[1] < HUGE_VAL)) return;
+        shape_span(shape, first, pair[0], pair[1]);
+        from = pair[1];
+    }
+}
+
+
+mus_status mus__shape_make(mus_context *context, int32_t nloops, const mus__loops *const *loops, const double *box,
+                           double gap, double slab, mus__shape *shape)
+{
+    int64_t points = 0;
+    for (int32_t k = 0; k < nloops; k++) points += loops[k]->n;
+    memset(shape, 0, sizeof *shape);
+    shape->height = box[3] - box[1] + gap;
+    shape->width = box[2] - box[0];
+    const double slabs = ceil((shape->width + gap) / slab - 1e-9);
+    shape->slab = slab;
+    if (!(slabs < SLABS_MOST))
+        return mus__file_fail(context, MUS_ERR_LIMIT, "a piece is wider than %.0f m", SLABS_MOST * slab);
+    shape->nslab = slabs < 1.0 ? 1 : (int32_t)slabs;
+    shape->start = mus__print_new(context, (int64_t)shape->nslab + 1, sizeof *shape->start);
+    if (shape->start == NULL) return mus__print_memory(context, "the spans of a piece");
+
+    /* a slab of the grown outline holds the points between `left` and `right` */
+    for (int32_t s = 0; s < shape->nslab; s++) {
+        const double left = box[0] + s * slab - gap, right = box[0] + (s + 1) * slab;
+        const int32_t first = shape->start[s] = shape->nspan;
+        const mus_status status = mus__print_reserve(context, &shape->spans, &shape->room,
+                                                     2 * (shape->nspan + 3 * points + 2), sizeof *shape->spans);
+        if (status != MUS_OK) return status;
+        for (int32_t k = 0; k < nloops; k++) {
+            const mus__loops *l = loops[k];
+            for (int32_t m = 0; m < l->nloop; m++) {
+                for (int32_t i = l->start[m]; i < l->start[m + 1]; i++) {
+                    double span[2];
+                    const double *a = l->xy + 2 * i, *b = l->xy + 2 * (i + 1 < l->start[m + 1] ? i + 1 : l->start[m]);
+                    if (shape_clip(a, b, left, right, span)) shape_span(shape, first, span[0], span[1]);
+                }
+            }
+            shape_chords(shape, first, l, left);
+            shape_chords(shape, first, l, right);
+        }
+        for (int32_t i = first; i < shape->nspan; i++) {
+            const double low = shape->spans[2 * i];
+            shape->spans[2 * i] = box[3] - shape->spans[2 * i + 1];
+            shape->spans[2 * i + 1] = box[3] - low + gap;
+        }
+    }
+    shape->start[shape->nslab] = shape->nspan;
+    return MUS_OK;
+}
+
+
+void mus__shape_free(mus_context *context, mus__shape *shape)
+{
+    mus__print_free(context, shape->start);
+    mus__print_free(context, shape->spans);
+    memset(shape, 0, sizeof *shape);
+}
+
+
+/* ---- places on the strip ---- */
+
+/* the spans of slab s of a shape as it lies, still measured from its own top */
+static const double *shape_slab(const mus__shape *shape, const bool *flip, int32_t s, int32_t *count)
+{
+    const int32_t k = flip[0] ? shape->nslab - 1 - s : s;
+    *count = shape->start[k + 1] - shape->start[k];
+    return shape->spans + 2 * shape->start[k];
+}
+
+
+/* compute the least distance from the top at which the shape lies free with its first slab on slab s; false at `limit`
+ * or above */
+static bool strip_rest(const mus__strip *strip, const mus__shape *shape, const bool *flip, int32_t s, double limit,
+                      double *out)
+{
+    double y = 0.0;
+    /* round the slabs until none has raised y since it was raised last */
+    for (int32_t k = 0, quiet = 0; quiet < shape->nslab; k = k + 1 < shape->nslab ? k + 1 : 0, quiet++) {
+        int32_t count;
+        const double *spans = shape_slab(shape, flip, k, &count);
+        for (int32_t node = strip->first[s + k]; node != MUS_NONE; node = strip->next[node]) {
+            const double *taken = strip->spans + 2 * node;
+            for (int32_t i = 0; i < count; i++) {
+                const double low = flip[1] ? shape->height - spans[2 * i + 1] : spans[2 * i];
+                const double high = flip[1] ? shape->height - spans[2 * i] : spans[2 * i + 1];
+                if (y + low > taken[1] - 1e-12 || y + high < taken[0] + 1e-12) continue;
+                y = taken[1] - low;
+                if (y >= limit) return false;
+                /* this slab is looked at again: the list is not sorted */
+                quiet = -1;
+            }
+        }
+    }
+    *out = y;
+    return y < limit;
+}
+
+
+static void strip_put(mus__strip *strip, const mus__shape *shape, const mus__place *place)
+{
+    for (int32_t k = 0; k < shape->nslab; k++) {
+        int32_t count;
+        const double *spans = shape_slab(shape, place->flip, k, &count);
+        for (int32_t i = 0; i < count; i++) {
+            double *span = strip->spans + 2 * strip->nspan;
+            span[0] = place->y + (place->flip[1] ? shape->height - spans[2 * i + 1] : spans[2 * i]);
+            span[1] = place->y + (place->flip[1] ? shape->height - spans[2 * i] : spans[2 * i + 1]);
+            strip->next[strip->nspan] = strip->first[place->slab + k];
+            strip->first[place->slab + k] = strip->nspan++;
+        }
+    }
+}
+
+
+mus_status mus__strip_make(mus_context *context, int32_t n, const mus__shape *shapes, double widest, mus__strip *strip)
+{
+    int64_t spans = 0;
+    memset(strip, 0, sizeof *strip);
+    for (int32_t i = 0; i < n; i++) spans += shapes[i].nspan;
+    strip->slab = n > 0 ? shapes[0].slab : widest;
+    strip->room = (int32_t)(widest / strip->slab) + 2;
+    strip->first = mus__print_new(context, strip->room, sizeof *strip->first);
+    strip->next = mus__print_new(context, spans, sizeof *strip->next);
+    strip->spans = mus__print_new(context, spans, 2 * sizeof *strip->spans);
+    if (strip->first == NULL || strip->next == NULL || strip->spans == NULL)
+        return mus__print_memory(context, "the layout of a sheet");
+    return MUS_OK;
+}
+
+
+void mus__strip_free(mus_context *context, mus__strip *strip)
+{
+    mus__print_free(context, strip->first);
+    mus__print_free(context, strip->next);
+    mus__print_free(context, strip->spans);
+    memset(strip, 0, sizeof *strip);
+}
+
+
+/* find the place nearest to the top for a shape, of those that differ by less than a slab the leftmost: at each STRIDE
+ * and at the last slab, then moved to the left while it does not sink; y is HUGE_VAL when the shape is too wide */
+static mus__place strip_find(const mus__strip *strip, const mus__shape *shape, int32_t nslab)
+{
+    static const bool flips[4][2] = {{false, false}, {true, true}, {true, false}, {false, true}};
+    mus__place best = {0, {false, false}, 0.0, HUGE_VAL};
+    const int32_t last = nslab - shape->nslab, stride = (int32_t)ceil(STRIDE / shape->slab);
+    const int32_t ways = shape->flips ? 4 : shape->turns ? 2 : 1;
+    double y;
+    for (int32_t s = 0; s <= last && best.y > 0.0; s = s < last && s + stride > last ? last : s + stride) {
+        for (int32_t i = 0; i < ways; i++) {
+            const int32_t way = (shape->first + i) % ways;
+            if (!strip_rest(strip, shape, flips[way], s, best.y - shape->slab, &y)) continue;
+            best.slab = s;
+            memcpy(best.flip, flips[way], sizeof best.flip);
+            best.y = y;
+        }
+    }
+    while (best.slab > 0 && strip_rest(strip, shape, best.flip, best.slab - 1, best.y + 1e-9, &y)) {
+        best.slab--;
+        best.y = y < best.y ? y : best.y;
+    }
+    return best;
+}
+
+
+double mus__strip_pack(mus__strip *strip, int32_t n, const mus__shape *shapes, const int32_t *order, double width,
+                       double gap, mus__place *places)
+{
+    /* the gap is part of each shape, so the strip is one gap wider */
+    const int32_t nslab = (int32_t)((width + gap) / strip->slab + 1e-9);
+    double used = 0.0;
+    if (nslab > strip->room) return -1.0;
+    strip->nspan = 0;
+    for (int32_t s = 0; s < nslab; s++) strip->first[s] = MUS_NONE;
+    for (int32_t i = 0; i < n; i++) {
+        const mus__shape *shape = &shapes[order[i]];
+        const mus__place best = strip_find(strip, shape, nslab);
+        if (!(best.y < HUGE_VAL)) return -1.0; /* wider than the strip */
+        strip_put(strip, shape, &best);
+        places[order[i]] = best;
+        /* mirrored, the shape ends with its last slab, which it may fill in part */
+        places[order[i]].x = best.slab * shape->slab;
+        if (best.flip[0]) places[order[i]].x += shape->nslab * shape->slab - gap - shape->width;
+        const double top = best.y + shape->height;
+        used = top > used ? top : used;
+    }
+    return used > gap ? used - gap : 0.0;
+}

@@ -1,0 +1,64 @@
+/*
+ * sheet_tile.c: the windows of the tiles, and what meets a window.
+ */
+#include <math.h>
+
+#include "print/sheet.h"
+
+
+/* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left */
+bool mus__segment_meets(const double *a, const double *b, const double *box)
+{
+    double from = 0.0, to = 1.0;
+    for (int32_t k = 0; k < 2; k++)
+        if ((a[k] < box[k] && b[k] < box[k]) || (a[k] > box[2 + k] && b[k] > box[2 + k])) return false;
+    for (int32_t k = 0; k < 2; k++) {
+        double d = b[k] - a[k];
+        if (d == 0.0) {
+            if (a[k] < box[k] || a[k] > box[2 + k]) return false;
+            continue;
+        }
+        double t = (box[k] - a[k]) / d, u = (box[2 + k] - a[k]) / d;
+        from = fmax(from, t < u ? t : u);
+        to = fmin(to, t < u ? u : t);
+    }
+    return from <= to;
+}
+
+
+bool mus__piece_meets(const mus__piece *piece, const double *box)
+{
+    if (box[0] > piece->box[2] || box[2] < piece->box[0] || box[1] > piece->box[3] || box[3] < piece->box[1])
+        return false;
+
+    double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
+    bool inside = false;
+    for (int32_t l = 0; l < piece->cut.nloop; l++) {
+        int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
+        for (int32_t i = start; i < end; i++) {
+            const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
+            if (mus__segment_meets(a, b, box)) return true;
+            if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1])) inside = !inside;
+        }
+    }
+    return inside;
+}
+
+
+void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box)
+{
+    double margin = sheet->def.margin, overlap = sheet->def.overlap;
+    double width = sheet->page[0] - 2.0 * margin, height = sheet->page[1] - 2.0 * margin;
+    box[0] = tile->column * (width - overlap);
+    box[3] = sheet->extent[1] - tile->row * (height - overlap);
+    box[2] = box[0] + width;
+    box[1] = box[3] - height;
+}
+
+
+int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row)
+{
+    for (int32_t i = 0; i < sheet->ntile; i++)
+        if (sheet->tiles[i].column == column && sheet->tiles[i].row == row) return i;
+    return MUS_NONE;
+}

@@ -1,0 +1,32 @@
+// web_refit.mjs WASM ROOM DESIGN...: what a moved slider costs in WebAssembly: CPU milliseconds of body, draft, cut and
+// rest at 20 mm after the bust has grown by a millimetre, the least of 30; a line a design. The least is that of a
+// machine with nothing else to do.
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [wasm, script, ...designs] = process.argv.slice(2);
+const { Room } = await import(pathToFileURL(script));
+const room = await Room.open(await WebAssembly.compile(readFileSync(wasm)));
+const SPACING = 0.02,
+    TIMES = 30;
+for (const design of designs) {
+    const least = [Infinity, Infinity, Infinity, Infinity];
+    const timed = (at, work) => {
+        const start = process.cpuUsage().user;
+        work();
+        least[at] = Math.min(least[at], (process.cpuUsage().user - start) / 1000);
+    };
+    room.size("W40");
+    room.body(16, 0.04);
+    room.draft(design);
+    room.sew(SPACING);
+    for (let i = 0; i < TIMES; i++) {
+        room.size("W40");
+        room.measure("bust", 0.92 + 0.001 * i);
+        timed(0, () => room.body(16, 0.04));
+        timed(1, () => room.draft(design));
+        timed(2, () => (room.warm(SPACING), room.clothMesh(), room.bodyMesh()));
+        timed(3, () => room.settle());
+    }
+    console.log(design, room.c.room_nodes(), ...least.map((value) => value.toFixed(1)));
+}

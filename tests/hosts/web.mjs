@@ -107,6 +107,8 @@ await page.fill("#search", "");
 await mark();
 await choose("tshirt");
 await rest();
+await rest(true);
+await page.waitForTimeout(1000); // pictures of the designs in view
 const moved = await page.evaluate(async () => {
     const input = document.getElementById("measure-bust"),
         { pictures, rests } = window.fitting,

@@ -59,10 +59,13 @@ function worker(onOpen = () => {}) {
 const send = (to, message) => module.then(() => to.postMessage(message));
 
 const asked = new Map(); // when each wish was sent
-let finishing = 0; // the wish that the fine worker is at
+let finishing = 0, // the wish that the fine worker is at
+    resting = 0, // the one that the coarse worker is at
+    later = false; // whether the fine worker waits for the coarse one
 function wish(to, fine) {
     asked.set(++id, performance.now());
     if (fine) finishing = id;
+    else resting = id;
     send(to, {
         call: "dress",
         id,
@@ -85,11 +88,13 @@ function change(part = {}) {
         finishing = 0;
     }
     wish(coarse, false);
+    later = false;
     clearTimeout(pause);
     pause = setTimeout(() => {
         // browsers take 10 ms for a new address
         history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
-        wish(fine, true);
+        if (resting) later = true;
+        else wish(fine, true);
     }, PAUSE);
 }
 
@@ -99,6 +104,11 @@ function answer(data) {
     if (data.kind === "found") return data.id === searched && showDesigns(data.found.map((i) => told.designs[i]));
     if (data.kind === "sketch") return draw(data);
     if (data.id === finishing && (data.rest || data.kind === "failed")) finishing = 0;
+    if (data.id === resting && (data.rest || data.kind === "failed")) {
+        resting = 0;
+        if (later) wish(fine, true);
+        later = false;
+    }
     if (data.kind === "progress")
         return say(`${tell(data.phase ? "settling" : "sewing")} ${Math.round(100 * data.share)} %`);
     if (data.kind === "failed") {

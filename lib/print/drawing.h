@@ -39,6 +39,7 @@ typedef enum mus__pen {
     MUS__PEN_SMALL,  /* small letters */
     MUS__PEN_TITLE,  /* large letters */
     MUS__PEN_SQUARE, /* test squares */
+    MUS__PEN_DRILL,  /* the point of a dart */
     MUS__PEN_FRAME,  /* edge of a page, page map */
     MUS__PEN_JOIN,   /* dashed line that the frame of the next page is laid on */
     MUS__PEN_FAINT,  /* letters beside the pattern */

@@ -21,6 +21,8 @@
 #define CAPTION 0.0025
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
+#define FOLD_CLEAR 0.001 /* [m] distance of the words from a line that is folded; chosen: they do not touch it */
+#define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
 
 
 static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t first, int32_t last)
@@ -323,11 +325,11 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
         mus__draw_mark(out, i);
         if (n == 1) {
-            /* a drill point: a cross, 6 mm wide */
-            mus__draw_move(out, first[0] - 0.003, first[1]);
-            mus__draw_line(out, first[0] + 0.003, first[1]);
-            mus__draw_move(out, first[0], first[1] - 0.003);
-            mus__draw_line(out, first[0], first[1] + 0.003);
+            /* a drill point: a cross */
+            mus__draw_move(out, first[0] - DRILL, first[1]);
+            mus__draw_line(out, first[0] + DRILL, first[1]);
+            mus__draw_move(out, first[0], first[1] - DRILL);
+            mus__draw_line(out, first[0], first[1] + DRILL);
         }
         for (int32_t k = 1; k < n; k++, memcpy(first, p, sizeof first)) {
             mus__piece_point(piece, xy + 2 * k, p);
@@ -341,6 +343,28 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
 }
 
 
+/* draw the dart folded at its middle: a drill point at its point, the line that is folded, and the words beside it */
+static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index, const double *dart)
+{
+    const double *point = dart + 2, *end = dart + 6, dx = end[0] - point[0], dy = end[1] - point[1];
+    const double d = sqrt(dx * dx + dy * dy), middle[2] = {0.5 * (point[0] + end[0]), 0.5 * (point[1] + end[1])};
+    if (!(d > 0.0) || (piece->fold && piece->inward * (point[0] - piece->axis) < -1e-9)) return;
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_DRILL);
+    mus__draw_move(out, point[0] - DRILL, point[1]);
+    mus__draw_line(out, point[0] + DRILL, point[1]);
+    mus__draw_move(out, point[0], point[1] - DRILL);
+    mus__draw_line(out, point[0], point[1] + DRILL);
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
+    mus__draw_move(out, point[0], point[1]);
+    mus__draw_line(out, end[0], end[1]);
+    if (piece->follower || d < CAPTION * mus__text_width("fold here") + 4.0 * DRILL) return;
+    const double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
+    const mus__text_style style = {CAPTION, sign * dx / d, sign * dy / d, 0.5};
+    mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
+    mus__draw_text(out, "fold here", middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine, &style);
+}
+
+
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain)
 {
@@ -349,5 +373,6 @@ void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__p
     marks_notches(out, pattern, piece, index);
     if (!piece->follower) marks_grain(out, piece, index, grain);
     marks_inside(out, pattern, piece, index);
+    for (int32_t i = 0; i < piece->ndart; i++) marks_dart(out, piece, index, piece->darts + 8 * i);
     if (piece->fold) marks_fold(out, piece, index);
 }

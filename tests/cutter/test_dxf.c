@@ -182,6 +182,7 @@ Suite *mus_suite_dxf(void)
 {
     Suite *suite = suite_create("dxf");
     TCase *tests = tcase_create("dxf");
+    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, setup, teardown);
     tcase_add_loop_test(tests, each_dialect_has_its_layers, 0, 2);
     tcase_add_test(tests, the_sew_line_as_boundary_has_no_layer_14);

@@ -229,6 +229,7 @@ Suite *mus_suite_sheet_lines(void)
 {
     Suite *suite = suite_create("sheet_lines");
     TCase *tests = tcase_create("sheet_lines");
+    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, each_size_of_a_nest_is_that_of_its_own_sheet);
     tcase_add_test(tests, sew_lines_are_as_long_as_their_edges_and_lie_in_the_piece);
     tcase_add_test(tests, what_is_not_there_is_refused);

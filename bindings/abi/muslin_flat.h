@@ -308,6 +308,7 @@ typedef struct mus_sheet_line mus_sheet_line;
 typedef struct mus_sheet_dxf mus_sheet_dxf;
 typedef struct mus_sheet_plt mus_sheet_plt;
 typedef struct mus_pattern_dxf mus_pattern_dxf;
+typedef struct mus_pattern_val mus_pattern_val;
 typedef struct mus_mesh_view mus_mesh_view;
 typedef struct mus_mesh_motion mus_mesh_motion;
 typedef struct mus_mesh_file mus_mesh_file;
@@ -784,6 +785,17 @@ struct mus_pattern_dxf {
     const char *size_name;
 };
 
+struct mus_pattern_val {
+    size_t size;
+    const char *path;
+    const char *text;
+    size_t text_size;
+    const char *measures_path;
+    const char *measures;
+    size_t measures_size;
+    const char *size_name;
+};
+
 struct mus_mesh_view {
     size_t size;
     const char *name;
@@ -1194,6 +1206,8 @@ mus_status mus_pattern_read(mus_context *context, const char *path, mus_pattern 
 mus_status mus_pattern_read_from(mus_context *context, const char *text, size_t size, const char *name, mus_pattern **out);
 void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
 mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
+void mus_pattern_val_init(mus_pattern_val *val, size_t size);
+mus_status mus_pattern_read_val(mus_context *context, const mus_pattern_val *from, mus_pattern **out);
 mus_status mus_pattern_propose_seams(const mus_pattern *pattern, int32_t *edges, int32_t *chosen, double *confidence, int32_t capacity, int32_t *count);
 mus_status mus_pattern_write(const mus_pattern *pattern, const char *path);
 mus_status mus_pattern_write_bytes(const mus_pattern *pattern, char **bytes, size_t *size);

@@ -1,10 +1,10 @@
 /*
  * convert.c: muslin convert: a pattern or tape file to another form, by its extension.
  *
- * Patterns: muslin JSON, GarmentCode, DXF or SVG in, muslin JSON, _specification.json (GarmentCode), .panels.svg (an
- * SVG that is read back), .svg, .pdf, .dxf or .plt out. Tapes: any tape in, .tape out. --to names the form where the
- * name of the file does not say it ("-" is standard output). Each thing of the pattern that the form cannot hold is
- * told in one line on standard error.
+ * Patterns: muslin JSON, GarmentCode, DXF, SVG, Valentina or Seamly in, muslin JSON, _specification.json
+ * (GarmentCode), .panels.svg (an SVG that is read back), .svg, .pdf, .dxf or .plt out. Tapes: any tape in, .tape out.
+ * --to names the form where the name of the file does not say it ("-" is standard output). Each thing of the pattern
+ * that the form cannot hold is told in one line on standard error.
  */
 #include <string.h>
 
@@ -53,13 +53,21 @@ static int convert_tape(scene *s, const char *in, const char *row, const char *o
 
 /* What convert is asked for; texts are NULL when not given. */
 typedef struct convert_ask {
-    const char *in, *out, *row, *to, *dialect, *rules, *size;
+    const char *in, *out, *row, *to, *dialect, *rules, *size, *measures;
 } convert_ask;
 
 
 /* Reads the pattern: a DXF also in another size, with the rules beside it. */
 static mus_status read_any(scene *s, const convert_ask *ask)
 {
+    if (ask->measures != NULL) {
+        mus_pattern_val val;
+        mus_pattern_val_init(&val, sizeof val);
+        val.path = ask->in;
+        val.measures_path = ask->measures;
+        val.size_name = ask->size;
+        return mus_pattern_read_val(s->context, &val, &s->pattern);
+    }
     if (ask->rules == NULL && ask->size == NULL) return mus_pattern_read(s->context, ask->in, &s->pattern);
     mus_pattern_dxf from;
     mus_pattern_dxf_init(&from, sizeof from);
@@ -119,6 +127,7 @@ int command_convert(int argc, char **argv)
         {"--dialect", OPTION_TEXT, &ask.dialect, 0, 0, "NAME  of a DXF that is written: astm (default) or aama"},
         {"--rul", OPTION_TEXT, &ask.rules, 0, 0, "FILE  the grade rules of a DXF that is read"},
         {"--size", OPTION_TEXT, &ask.size, 0, 0, "NAME  the size of a DXF that is read; without it the sample size"},
+        {"--measures", OPTION_TEXT, &ask.measures, 0, 0, "FILE  .vit, .smis or .vst of a .val or .sm2d that is read"},
         {"--row", OPTION_TEXT, &ask.row, 0, 0, "NAME  the row of a .csv"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("convert", "Convert a pattern or a tape.", options, argc, argv)) return EXIT_INPUT;

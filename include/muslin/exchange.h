@@ -55,8 +55,9 @@ MUS_API mus_status mus_tape_write(const mus_tape *tape, const char *path);
 MUS_API mus_status mus_tape_write_bytes(const mus_tape *tape, char **bytes, size_t *size);
 
 /**
- * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump, DXF or SVG. The content tells the form. A
- * DXF is read as by mus_pattern_read_dxf() in its sample size; an SVG by the convention of muslin_pattern(5).
+ * Read a pattern: muslin JSON, GarmentCode specification, FreeSewing dump, DXF, SVG or Valentina. The content tells
+ * the form. A DXF is read as by mus_pattern_read_dxf() in its sample size; an SVG by the convention of
+ * muslin_pattern(5); a .val or .sm2d without measurements, as by mus_pattern_read_val().
  *
  * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT, MUS_ERR_PATTERN, MUS_ERR_UNSUPPORTED (GarmentCode: control points that are not
  *         relative, normalised translations), MUS_ERR_LIMIT (above 256 MiB or 10000 panels), MUS_ERR_MEMORY
@@ -99,6 +100,37 @@ MUS_API void mus_pattern_dxf_init(mus_pattern_dxf *dxf, size_t size);
  * Source: ANSI/AAMA-292-1993; ASTM D6673-10
  */
 MUS_API mus_status mus_pattern_read_dxf(mus_context *context, const mus_pattern_dxf *from, mus_pattern **out);
+
+/** A pattern of Valentina or Seamly to read, with the measurements that its formulas name. */
+typedef struct mus_pattern_val {
+    size_t size;
+    const char *path;          /* of the .val or .sm2d; with `text` its name in messages */
+    const char *text;          /* (text_size) the pattern in memory; NULL (default): read the file */
+    size_t text_size;
+    const char *measures_path; /* of the .vit, .smis or .vst, NULL (default): none; with `measures` its name in
+                                * messages */
+    const char *measures;      /* (measures_size) the measurements in memory; NULL (default): read the file */
+    size_t measures_size;
+    const char *size_name;     /* of a .vst "SIZE_HEIGHT" in its unit ("500_1760"); NULL (default): its base */
+} mus_pattern_val;
+
+/** Write the defaults: no file, no measurements. */
+MUS_API void mus_pattern_val_init(mus_pattern_val *val, size_t size);
+
+/**
+ * Read a pattern of Valentina or Seamly: its drawing is evaluated, and its pieces become panels without seams.
+ *
+ * Points, lines, splines, arcs, cuts, true darts and operations are drawn; formulas may use measurements, increments,
+ * and lengths and angles of the drawing. An outline keeps its curves; allowance, grain, passmarks (as notches), lines
+ * inside and numbers of copies are kept. Not known: elliptical arcs, points where two curves cross, pieces that a tool
+ * unites; not read: labels, placement on a fold, forms of corners, allowances that change along an edge.
+ * Errors: MUS_ERR_FILE, MUS_ERR_FORMAT (the message has file, line, the formula and the part at fault),
+ *         MUS_ERR_UNSUPPORTED (a tool that is not known, by name), MUS_ERR_PATTERN (lines that do not meet),
+ *         MUS_ERR_ARG (size_name), MUS_ERR_LIMIT (above 256 MiB, 500000 elements, ids above 1000000),
+ *         MUS_ERR_VERSION, MUS_ERR_MEMORY
+ * Source: the formats as Valentina 0.7 writes them (versions 0.2.4 to 0.8.12 of the pattern's form were tried)
+ */
+MUS_API mus_status mus_pattern_read_val(mus_context *context, const mus_pattern_val *from, mus_pattern **out);
 
 /**
  * Propose the seams of a pattern whose file has none (a DXF): pairs of edges, each with a confidence.

@@ -19,6 +19,8 @@
 
 #include "exchange/file_read.h"
 
+#define LIST_LONGEST (1 << 24) /* most elements of any list; chosen: bounds it to 1 GB, entities and points have less */
+
 #define FILE_NAME_BYTES 200  /* [bytes] of a path in a message; chosen: leaves 311 of 511 bytes for the sentence */
 #define FILE_ERROR_BYTES 512 /* [bytes] capacity of the context's error text */
 #define NUMBER_BYTES 64      /* [bytes] of a number with its zero byte; chosen: 17 digits are exact */
@@ -161,6 +163,25 @@ void mus__source_close(mus__source *source)
 }
 
 
+mus_status mus__source_reserve(const mus__source *source, void *array, int32_t *room, int64_t need, size_t size)
+{
+    if (need <= *room) return MUS_OK;
+    int64_t grown = (int64_t)*room + *room / 2 + 64;
+    grown = grown < need ? need : grown;
+    if (grown > LIST_LONGEST)
+        return mus__source_fail(source, 0, MUS_ERR_LIMIT, "a list of more than %d elements; expected a pattern",
+                                (int)LIST_LONGEST);
+    void *old;
+    memcpy(&old, array, sizeof old);
+    void *bigger = mus_context_alloc(source->context, old, (size_t)grown * size);
+    if (bigger == NULL) return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for %lld elements",
+                                                (long long)grown);
+    memcpy(array, &bigger, sizeof bigger);
+    *room = (int32_t)grown;
+    return MUS_OK;
+}
+
+
 void mus__source_base(const char *path, const char *const *endings, char *out, size_t bytes)
 {
     const char *base = strrchr(path, '/');
@@ -183,6 +204,16 @@ void mus__source_base(const char *path, const char *const *endings, char *out, s
     }
     memcpy(out, base, used);
     out[used] = '\0';
+}
+
+
+void mus__panel_name_free(const mus_pattern *pattern, char *name, size_t capacity)
+{
+    size_t n = strlen(name);
+    if (n > capacity - 16) n = mus__utf8_span(name) < capacity - 16 ? n : capacity - 16;
+    while (n > 0 && (name[n] & 0xc0) == 0x80) n--;
+    for (int32_t i = 2; mus_pattern_find_panel(pattern, name) != MUS_NONE; i++)
+        snprintf(name + n, capacity - n, "_%d", (int)i);
 }
 
 

@@ -54,8 +54,14 @@ mus_status mus__source_fail(const mus__source *source, int64_t line, mus_status 
  * fault is the file's and not the caller's */
 mus_status mus__source_wrap(const mus__source *source, int64_t line, mus_status status);
 
+/* grow *array, with room for *room elements of `size` bytes, to hold `need`; after a failure it is unchanged */
+mus_status mus__source_reserve(const mus__source *source, void *array, int32_t *room, int64_t need, size_t size);
+
 /* name of a path without folders and without the first of the endings that fits, cut to `bytes` - 1 bytes */
 void mus__source_base(const char *path, const char *const *endings, char *out, size_t bytes);
+
+/* put a number behind the name of a panel that the pattern has */
+void mus__panel_name_free(const mus_pattern *pattern, char *name, size_t capacity);
 
 /* names of the entries of a file that muslin has no use for, for one log line */
 typedef struct mus__unused {

@@ -14,7 +14,6 @@
 
 #define COORDINATE_MOST 1e7 /* [unit of the file] chosen: 10 km in mm; far above any piece */
 #define NUMBER_MOST 64      /* [bytes] of a number; chosen: 17 digits are exact */
-#define LIST_LONGEST (1 << 24) /* most elements of any list; chosen: bounds it to 1 GB, entities and points have less */
 #define INCH 0.0254
 
 typedef enum dxf_type { DXF_NONE, DXF_KEPT, DXF_BLOCK, DXF_VERTEX, DXF_SECTION, DXF_VARIABLE } dxf_type;
@@ -35,25 +34,6 @@ typedef struct dxf_text {
     mus__dxf_entity now;
     double p[4];             /* codes 10, 20, 11, 21 */
 } dxf_text;
-
-
-mus_status mus__trade_reserve(const mus__source *source, void *array, int32_t *room, int64_t need, size_t size)
-{
-    if (need <= *room) return MUS_OK;
-    int64_t grown = (int64_t)*room + *room / 2 + 64;
-    grown = grown < need ? need : grown;
-    if (grown > LIST_LONGEST)
-        return mus__source_fail(source, 0, MUS_ERR_LIMIT, "a list of more than %d elements; expected a pattern",
-                                (int)LIST_LONGEST);
-    void *old;
-    memcpy(&old, array, sizeof old);
-    void *bigger = mus_context_alloc(source->context, old, (size_t)grown * size);
-    if (bigger == NULL) return mus__source_fail(source, 0, MUS_ERR_MEMORY, "no memory for %lld elements",
-                                                (long long)grown);
-    memcpy(array, &bigger, sizeof bigger);
-    *room = (int32_t)grown;
-    return MUS_OK;
-}
 
 
 void mus__dxf_unload(mus__dxf_file *file)
@@ -226,7 +206,7 @@ static mus_status point_add(dxf_text *t, const double *p)
     if (file->nxy >= MUS__DXF_VERTICES)
         return mus__source_fail(file->source, t->line, MUS_ERR_LIMIT, "more than %d points; expected a pattern",
                                 (int)MUS__DXF_VERTICES);
-    mus_status status = mus__trade_reserve(file->source, &file->xy, &file->xy_room, (int64_t)file->nxy + 1,
+    mus_status status = mus__source_reserve(file->source, &file->xy, &file->xy_room, (int64_t)file->nxy + 1,
                                            2 * sizeof *file->xy);
     if (status != MUS_OK) return status;
     memcpy(file->xy + 2 * (size_t)file->nxy++, p, 2 * sizeof *p);
@@ -241,7 +221,7 @@ static mus_status entity_add(dxf_text *t)
     if (file->nentity >= MUS__DXF_ENTITIES)
         return mus__source_fail(file->source, t->now.line, MUS_ERR_LIMIT, "more than %d entities; expected a pattern",
                                 (int)MUS__DXF_ENTITIES);
-    mus_status status = mus__trade_reserve(file->source, &file->entities, &file->entity_room,
+    mus_status status = mus__source_reserve(file->source, &file->entities, &file->entity_room,
                                            (int64_t)file->nentity + 1, sizeof *file->entities);
     if (status == MUS_OK) file->entities[file->nentity++] = t->now;
     return status;
@@ -270,7 +250,7 @@ static mus_status block_begin(dxf_text *t)
     mus__dxf_file *file = t->file;
     t->type = DXF_BLOCK;
     t->in_blocks = true;
-    mus_status status = mus__trade_reserve(file->source, &file->blocks, &file->block_room, (int64_t)file->nblock + 1,
+    mus_status status = mus__source_reserve(file->source, &file->blocks, &file->block_room, (int64_t)file->nblock + 1,
                                            sizeof *file->blocks);
     if (status == MUS_OK) file->blocks[file->nblock++] = (mus__dxf_block){{"", 0}, t->line, file->nentity, 0};
     return status;
@@ -399,7 +379,7 @@ mus_status mus__dxf_load(const mus__source *source, mus__dxf_file *file)
 
     /* the entities behind the last block are those of the drawing and the texts of the style */
     int32_t first = file->nblock > 0 ? file->blocks[file->nblock - 1].first + file->blocks[file->nblock - 1].n : 0;
-    mus_status status = mus__trade_reserve(source, &file->blocks, &file->block_room, (int64_t)file->nblock + 1,
+    mus_status status = mus__source_reserve(source, &file->blocks, &file->block_room, (int64_t)file->nblock + 1,
                                            sizeof *file->blocks);
     if (status != MUS_OK) return status;
     file->blocks[file->nblock++] = (mus__dxf_block){{"", 0}, 0, first, file->nentity - first};

@@ -67,7 +67,5 @@ void mus__dxf_copy(mus__dxf_slice slice, char *out, size_t capacity);
 bool mus__dxf_same(mus__dxf_slice a, mus__dxf_slice b);
 /* read a number, also with a decimal comma; false when it is none or not finite */
 bool mus__dxf_number(mus__dxf_slice slice, double *out);
-/* grow *array to hold `need` elements of `size` bytes; after a failure it is unchanged */
-mus_status mus__trade_reserve(const mus__source *source, void *array, int32_t *room, int64_t need, size_t size);
 
 #endif

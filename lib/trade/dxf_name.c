@@ -41,16 +41,6 @@ void mus__dxf_panel_name(const mus__dxf_job *job, const mus__dxf_block *block, c
 }
 
 
-void mus__dxf_name_free(const mus_pattern *pattern, char *name, size_t capacity)
-{
-    size_t n = strlen(name);
-    if (n > capacity - 16) n = mus__utf8_span(name) < capacity - 16 ? n : capacity - 16;
-    while (n > 0 && (name[n] & 0xc0) == 0x80) n--;
-    for (int32_t i = 2; mus_pattern_find_panel(pattern, name) != MUS_NONE; i++)
-        snprintf(name + n, capacity - n, "_%d", (int)i);
-}
-
-
 void mus__dxf_name_mirror(char *name, size_t capacity)
 {
     static const char *const sides[2] = {"left", "right"};

@@ -333,7 +333,7 @@ static mus_status slit_add(dxf_panel *p, int32_t at, double part)
     }
     if (p->nslit == MARKS_MOST)
         return mus__source_fail(p->file->source, p->block->line, MUS_ERR_LIMIT, "more than %d notches", MARKS_MOST);
-    mus_status status = mus__trade_reserve(p->file->source, &p->slits, &p->slit_room, (int64_t)p->nslit + 1,
+    mus_status status = mus__source_reserve(p->file->source, &p->slits, &p->slit_room, (int64_t)p->nslit + 1,
                                            sizeof *p->slits);
     if (status == MUS_OK) p->slits[p->nslit++] = (dxf_slit){k, s};
     return status;
@@ -554,7 +554,7 @@ static mus_status panel_pair(dxf_panel *p)
     int32_t right, left;
     char name[128];
     mus__dxf_panel_name(p->job, p->block, name, sizeof name);
-    mus__dxf_name_free(pattern, name, sizeof name);
+    mus__panel_name_free(pattern, name, sizeof name);
     mus__dxf_quantity(p->file, p->block, &right, &left);
     mus_status status = panel_build(p, name);
     const int32_t own = p->panel, all = right + left;
@@ -562,7 +562,7 @@ static mus_status panel_pair(dxf_panel *p)
     if (status != MUS_OK || left == 0 || right == 0) return status;
     p->mirrored = true;
     mus__dxf_name_mirror(name, sizeof name);
-    mus__dxf_name_free(pattern, name, sizeof name);
+    mus__panel_name_free(pattern, name, sizeof name);
     status = panel_build(p, name);
     if (status == MUS_OK) status = panel_wrap(p, mus_pattern_set_cut(pattern, p->panel, left, own));
     return status;

@@ -24,8 +24,6 @@ mus_status mus__dxf_panel(mus__dxf_job *job, const mus__dxf_block *block);
 
 /* the text "Piece Name" of a block, else its name, else the text of layer 15, else "piece_3" */
 void mus__dxf_panel_name(const mus__dxf_job *job, const mus__dxf_block *block, char *out, size_t capacity);
-/* put a number behind a name that the pattern has */
-void mus__dxf_name_free(const mus_pattern *pattern, char *name, size_t capacity);
 /* the name of a piece's mirror image: the other side's, where the name has a side ("sleeve_left") */
 void mus__dxf_name_mirror(char *name, size_t capacity);
 /* the text "KEY: value" of a piece: of its block, else of the piece's block in another size; length -1 without one */

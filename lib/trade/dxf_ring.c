@@ -43,7 +43,7 @@ static mus_status ring_add(const mus__dxf_file *file, mus__ring *ring, const dou
     }
     if (ring->n == RING_POINTS)
         return mus__source_fail(file->source, line, MUS_ERR_LIMIT, "an outline of more than %d points", RING_POINTS);
-    mus_status status = mus__trade_reserve(file->source, &ring->points, &ring->room, (int64_t)ring->n + 1,
+    mus_status status = mus__source_reserve(file->source, &ring->points, &ring->room, (int64_t)ring->n + 1,
                                            sizeof *ring->points);
     if (status == MUS_OK) ring->points[ring->n++] = (mus__ring_point){{xy[0], xy[1]}, {xy[0], xy[1]}, turn};
     return status;

@@ -141,7 +141,7 @@ static double piece_length(int32_t kind, const double *p)
 
 static mus_status break_add(gcw_writer *w, double t)
 {
-    mus_status status = mus__trade_reserve(&w->source, &w->breaks, &w->break_room, (int64_t)w->nbreak + 1,
+    mus_status status = mus__source_reserve(&w->source, &w->breaks, &w->break_room, (int64_t)w->nbreak + 1,
                                            sizeof *w->breaks);
     if (status != MUS_OK) return status;
     int32_t i = w->nbreak++;
@@ -203,7 +203,7 @@ static mus_status edge_breaks(gcw_writer *w, int32_t edge)
 
 static mus_status part_add(gcw_writer *w, const gcw_part *part)
 {
-    mus_status status = mus__trade_reserve(&w->source, &w->parts, &w->part_room, (int64_t)w->npart + 1,
+    mus_status status = mus__source_reserve(&w->source, &w->parts, &w->part_room, (int64_t)w->npart + 1,
                                            sizeof *w->parts);
     if (status == MUS_OK) w->parts[w->npart++] = *part;
     return status;

@@ -13,6 +13,7 @@
 #include "trade/dxf_file.h"
 #include "trade/dxf_read.h"
 #include "trade/svg_read.h"
+#include "valentina/val_draw.h"
 
 
 static mus_status read_pattern(const mus__source *source, mus_pattern **out)
@@ -34,6 +35,12 @@ static mus_status read_pattern(const mus__source *source, mus_pattern **out)
         mus__source_base(source->path, svg_endings, name, sizeof name);
         status = mus_pattern_create(source->context, name, out);
         return status == MUS_OK ? mus__svg_read(source, *out) : status;
+    }
+    if (mus__val_begins(source->text)) {
+        static const char *const val_endings[] = {".val", ".sm2d", NULL};
+        mus__source_base(source->path, val_endings, name, sizeof name);
+        status = mus_pattern_create(source->context, name, out);
+        return status == MUS_OK ? mus__val_read(source, NULL, NULL, *out) : status;
     }
     json_t *json = mus__json_document(source, &status);
     if (json == NULL) return status;
@@ -106,6 +113,57 @@ static mus_status dxf_load(mus_context *context, const mus_pattern_dxf *from, mu
         status = mus__dxf_read(&source, files[1].path != NULL ? &rules : NULL, from->size_name, *out);
     if (files[1].path != NULL) mus__source_close(&rules);
     mus__source_close(&source);
+    return status;
+}
+
+
+/* read the drawing with its measurements */
+static mus_status val_load(mus_context *context, const mus_pattern_val *from, mus_pattern **out)
+{
+    static const char *const endings[] = {".val", ".sm2d", NULL};
+    const mus__input files[2] = {{from->path, from->text, from->text_size},
+                                 {from->measures_path, from->measures, from->measures_size}};
+    mus__source source, measures;
+    char name[128];
+    mus_status status = mus__source_open(context, &files[0], &source);
+    if (status == MUS_OK && files[1].path != NULL) {
+        status = mus__source_open(context, &files[1], &measures);
+        if (status != MUS_OK) mus__source_close(&source);
+    }
+    if (status != MUS_OK) return status;
+    mus__source_base(from->path, endings, name, sizeof name);
+    status = mus_pattern_create(context, name, out);
+    if (status == MUS_OK)
+        status = mus__val_read(&source, files[1].path != NULL ? &measures : NULL, from->size_name, *out);
+    if (files[1].path != NULL) mus__source_close(&measures);
+    mus__source_close(&source);
+    return status;
+}
+
+
+void mus_pattern_val_init(mus_pattern_val *val, size_t size)
+{
+    if (val == NULL || size < sizeof val->size) return;
+    memset(val, 0, size);
+    val->size = size;
+}
+
+
+mus_status mus_pattern_read_val(mus_context *context, const mus_pattern_val *from, mus_pattern **out)
+{
+    if (out != NULL) *out = NULL;
+    if (context == NULL) return MUS_ERR_ARG;
+    if (from == NULL || out == NULL)
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_pattern_read_val: a required pointer is NULL");
+    if (from->size != sizeof *from)
+        return mus__file_fail(context, MUS_ERR_VERSION, "mus_pattern_val: size %zu, this library knows %zu; use "
+                              "mus_pattern_val_init", from->size, sizeof *from);
+    if (from->path == NULL || (from->measures != NULL && from->measures_path == NULL))
+        return mus__file_fail(context, MUS_ERR_ARG, "mus_pattern_read_val: a path is NULL; messages show it");
+    mus_pattern *pattern = NULL;
+    const mus_status status = val_load(context, from, &pattern);
+    if (status == MUS_OK) *out = pattern;
+    else mus_pattern_destroy(pattern);
     return status;
 }
 

@@ -74,7 +74,7 @@ static mus_status rul_sizes(rul_text *t)
     if (t->rul->nsize > 0)
         return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "a second line \"SIZE LIST:\", expected one");
     for (mus__dxf_slice word = rul_word(t); word.length > 0; word = rul_word(t)) {
-        mus_status status = mus__trade_reserve(t->source, &t->rul->sizes, &t->rul->size_room,
+        mus_status status = mus__source_reserve(t->source, &t->rul->sizes, &t->rul->size_room,
                                                (int64_t)t->rul->nsize + 1, sizeof *t->rul->sizes);
         if (status != MUS_OK) return status;
         if (t->rul->nsize == RUL_SIZES)
@@ -98,11 +98,11 @@ static mus_status rul_rule(rul_text *t)
         return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "expected \"RULE: DELTA\" and a number");
     if (rul->nsize == 0)
         return mus__source_fail(t->source, t->line, MUS_ERR_FORMAT, "a rule before the line \"SIZE LIST:\"");
-    mus_status status = mus__trade_reserve(t->source, &rul->numbers, &rul->number_room, (int64_t)rul->nrule + 1,
+    mus_status status = mus__source_reserve(t->source, &rul->numbers, &rul->number_room, (int64_t)rul->nrule + 1,
                                            sizeof *rul->numbers);
     const int64_t at = 2 * (int64_t)rul->nrule * rul->nsize;
     if (status == MUS_OK)
-        status = mus__trade_reserve(t->source, &rul->moves, &rul->move_room, at + 2 * rul->nsize, sizeof *rul->moves);
+        status = mus__source_reserve(t->source, &rul->moves, &rul->move_room, at + 2 * rul->nsize, sizeof *rul->moves);
     for (int32_t i = 0; i < 2 * rul->nsize && status == MUS_OK; i++) {
         for (word = rul_word(t); word.length == 0 && *t->at != '\0'; word = rul_word(t)) rul_line_end(t);
         if (!mus__dxf_number(word, &rul->moves[at + i]) || fabs(rul->moves[at + i]) > 1e6)

@@ -62,7 +62,7 @@ static mus_status point_at(panel_work *w, const mus__svg_item *item, const doubl
         return MUS_OK;
     }
     mus_status status =
-        mus__trade_reserve(w->source, &w->points, &w->point_room, (int64_t)w->npoint + 1, sizeof *w->points);
+        mus__source_reserve(w->source, &w->points, &w->point_room, (int64_t)w->npoint + 1, sizeof *w->points);
     if (status == MUS_OK) status = item_wrap(w, item, mus_pattern_add_point(w->pattern, w->index, p[0], p[1], out));
     if (status == MUS_OK) w->points[w->npoint++] = *out;
     return status;
@@ -83,7 +83,7 @@ static mus_status edge_add(panel_work *w, mus__svg_item *item, const int32_t *ki
     mus_status status = point_at(w, item, xy, &def.start);
     if (status == MUS_OK) status = point_at(w, item, xy + 2 * nxy - 2, &def.end);
     if (status == MUS_OK)
-        status = mus__trade_reserve(w->source, &w->edges, &w->edge_room, (int64_t)w->nedge + 1, sizeof *w->edges);
+        status = mus__source_reserve(w->source, &w->edges, &w->edge_room, (int64_t)w->nedge + 1, sizeof *w->edges);
     if (status == MUS_OK) status = item_wrap(w, item, mus_pattern_add_edge(w->pattern, &def, &item->made));
     if (status == MUS_OK && item->label[0] != '\0')
         status = item_wrap(w, item, mus_pattern_set_edge_label(w->pattern, item->made, item->label));
@@ -175,9 +175,9 @@ static mus_status word_read(panel_work *w, int32_t **edges, int32_t **directions
             return word_fail(w, at);
         }
         if (k == 0 || labs(k) > w->nedge) return word_fail(w, at);
-        mus_status status = mus__trade_reserve(w->source, edges, &edge_room, (int64_t)*n + 1, sizeof **edges);
+        mus_status status = mus__source_reserve(w->source, edges, &edge_room, (int64_t)*n + 1, sizeof **edges);
         if (status == MUS_OK)
-            status = mus__trade_reserve(w->source, directions, &direction_room, (int64_t)*n + 1, sizeof **directions);
+            status = mus__source_reserve(w->source, directions, &direction_room, (int64_t)*n + 1, sizeof **directions);
         if (status != MUS_OK) return status;
         (*edges)[*n] = w->edges[labs(k) - 1];
         (*directions)[(*n)++] = k > 0 ? 1 : -1;
@@ -206,7 +206,7 @@ static double word_area(const panel_work *w)
 static mus_status word_chain(panel_work *w)
 {
     mus_status status =
-        mus__trade_reserve(w->source, &w->directions, &w->direction_room, w->nedge, sizeof *w->directions);
+        mus__source_reserve(w->source, &w->directions, &w->direction_room, w->nedge, sizeof *w->directions);
     int32_t pen = MUS_NONE;
     for (int32_t i = 0; i < w->nedge && status == MUS_OK; i++) {
         int32_t a, b, c = MUS_NONE, d = MUS_NONE;

@@ -87,7 +87,7 @@ static mus_status add_point(path_reader *r, const double *p)
     if (out->nxy >= PATH_POINTS)
         return mus__source_fail(r->source, r->line, MUS_ERR_LIMIT, "path: more than %d points", PATH_POINTS);
     mus_status status =
-        mus__trade_reserve(r->source, &out->xy, &out->xy_room, (int64_t)out->nxy + 1, 2 * sizeof *out->xy);
+        mus__source_reserve(r->source, &out->xy, &out->xy_room, (int64_t)out->nxy + 1, 2 * sizeof *out->xy);
     if (status == MUS_OK) mus__svg_apply(r->m, p, out->xy + 2 * (size_t)out->nxy++);
     return status;
 }
@@ -101,7 +101,7 @@ static mus_status add_piece(path_reader *r, int32_t kind, int32_t points, const 
     for (int32_t i = 0; i < 2 * points; i++) reach = fmax(reach, fabs(p[i] - r->pen[i % 2]));
     if (reach <= PATH_JOINED) return MUS_OK;
     mus_status status =
-        mus__trade_reserve(r->source, &out->kinds, &out->piece_room, (int64_t)out->npiece + 1, sizeof *out->kinds);
+        mus__source_reserve(r->source, &out->kinds, &out->piece_room, (int64_t)out->npiece + 1, sizeof *out->kinds);
     if (status == MUS_OK && out->nxy == 0) status = add_point(r, r->pen);
     if (status != MUS_OK) return status;
     out->kinds[out->npiece++] = kind;

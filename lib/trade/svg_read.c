@@ -218,7 +218,7 @@ static mus_status keep_panel(svg_reader *r)
         return mus__source_fail(r->source, r->panel.line, MUS_ERR_LIMIT, "more than %d panels", SVG_PANELS);
     mus_status status = mus__svg_panel_add(r->source, &r->panel, r->pattern, &index);
     if (status == MUS_OK)
-        status = mus__trade_reserve(r->source, &r->made, &r->made_room, (int64_t)r->nmade + 1, sizeof *r->made);
+        status = mus__source_reserve(r->source, &r->made, &r->made_room, (int64_t)r->nmade + 1, sizeof *r->made);
     if (status != MUS_OK) return status;
     svg_made *made = &r->made[r->nmade++];
     made->panel = index;
@@ -229,7 +229,7 @@ static mus_status keep_panel(svg_reader *r)
     for (int32_t i = 0; i < r->panel.n && status == MUS_OK; i++) {
         const mus__svg_item *item = &r->panel.items[i];
         if (item->made == MUS_NONE || item->id[0] == '\0') continue;
-        status = mus__trade_reserve(r->source, &r->names, &r->name_room, (int64_t)r->nname + 1, sizeof *r->names);
+        status = mus__source_reserve(r->source, &r->names, &r->name_room, (int64_t)r->nname + 1, sizeof *r->names);
         if (status != MUS_OK) return status;
         memcpy(r->names[r->nname].id, item->id, sizeof item->id);
         r->names[r->nname++].edge = item->made;
@@ -280,7 +280,7 @@ static mus_status read_item(svg_reader *r, const XML_Char **attributes, const ch
     if (r->panel.n >= SVG_ITEMS)
         status = mus__source_fail(r->source, line_of(r), MUS_ERR_LIMIT, "more than %d paths in a panel", SVG_ITEMS);
     if (status == MUS_OK)
-        status = mus__trade_reserve(r->source, &r->panel.items, &r->panel.room, (int64_t)r->panel.n + 1,
+        status = mus__source_reserve(r->source, &r->panel.items, &r->panel.room, (int64_t)r->panel.n + 1,
                                     sizeof *r->panel.items);
     if (status != MUS_OK) {
         mus__svg_path_free(r->source->context, &path);
@@ -310,7 +310,7 @@ static mus_status read_seam(svg_reader *r, const XML_Char **attributes, const ch
     if (status == MUS_OK && r->nseam >= SVG_ITEMS)
         status = mus__source_fail(r->source, line_of(r), MUS_ERR_LIMIT, "more than %d seams", SVG_ITEMS);
     if (status == MUS_OK)
-        status = mus__trade_reserve(r->source, &r->seams, &r->seam_room, (int64_t)r->nseam + 1, sizeof *r->seams);
+        status = mus__source_reserve(r->source, &r->seams, &r->seam_room, (int64_t)r->nseam + 1, sizeof *r->seams);
     if (status == MUS_OK && path.nxy > 0) {
         svg_seam *seam = &r->seams[r->nseam++];
         const char *direction = attribute(attributes, "data-direction");

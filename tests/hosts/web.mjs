@@ -94,7 +94,14 @@ for (const design of ["skirt", "jeans", "shirt"]) {
 
 // pictures of the designs that are in view
 await page.fill("#search", "skirt");
-await page.waitForFunction(() => document.querySelectorAll("#design path[d]").length >= 6, null, { timeout: 60000 });
+await page.waitForFunction(
+    // the answer, not the list that was there before
+    () =>
+        document.querySelectorAll("#design label").length < 200 &&
+        document.querySelectorAll("#design path[d]").length >= 6,
+    null,
+    { timeout: 60000 },
+);
 const drawn = await page.evaluate(() => {
     const boxes = [...document.querySelectorAll("#design path[d]")].map((path) => path.getBBox());
     return boxes.filter(({ width, height }) => width > 10 && height > 10).length;

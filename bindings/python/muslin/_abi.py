@@ -478,6 +478,10 @@ class mus_pattern_dxf(Structure):
     pass
 
 
+class mus_pattern_val(Structure):
+    pass
+
+
 class mus_mesh_view(Structure):
     pass
 
@@ -612,6 +616,9 @@ mus_sheet_dxf._fields_ = [("size", c_size_t), ("dialect", c_int32), ("boundary",
 mus_sheet_plt._fields_ = [("size", c_size_t), ("hpgl2", c_int32), ("by_piece", c_int32), ("one_pen", c_int32)]
 mus_pattern_dxf._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
                             ("rules_path", c_char_p), ("rules", c_char_p), ("rules_size", c_size_t),
+                            ("size_name", c_char_p)]
+mus_pattern_val._fields_ = [("size", c_size_t), ("path", c_char_p), ("text", c_char_p), ("text_size", c_size_t),
+                            ("measures_path", c_char_p), ("measures", c_char_p), ("measures_size", c_size_t),
                             ("size_name", c_char_p)]
 mus_mesh_view._fields_ = [("size", c_size_t), ("name", c_char_p), ("vertex_count", c_int32),
                           ("triangle_count", c_int32), ("positions", POINTER(c_double)),
@@ -1060,6 +1067,9 @@ FUNCTIONS = {
                                                     POINTER(POINTER(mus_pattern))]),
     "mus_pattern_dxf_init": ("exchange", None, [POINTER(mus_pattern_dxf), c_size_t]),
     "mus_pattern_read_dxf": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_dxf),
+                                                   POINTER(POINTER(mus_pattern))]),
+    "mus_pattern_val_init": ("exchange", None, [POINTER(mus_pattern_val), c_size_t]),
+    "mus_pattern_read_val": ("exchange", c_int32, [POINTER(mus_context), POINTER(mus_pattern_val),
                                                    POINTER(POINTER(mus_pattern))]),
     "mus_pattern_propose_seams": ("exchange", c_int32, [POINTER(mus_pattern), POINTER(c_int32), POINTER(c_int32),
                                                         POINTER(c_double), c_int32, POINTER(c_int32)]),

@@ -72,6 +72,17 @@ class Pattern(Topology, Edits, Valued):
         return cls(context=context, _handle=create(context, "pattern", "mus_pattern_read_dxf", context.handle,
                                                    ctypes.byref(source)))
 
+    @classmethod
+    def read_val(cls, path: PathLike, measures: PathLike | None = None, size: str | None = None,
+                 context: Context | None = None) -> Pattern:
+        """From a pattern of Valentina or Seamly (.val, .sm2d) with its measurements (.vit, .smis, or a .vst and a size
+        "500_1760")."""
+        context = context or Context.of_thread()
+        options = {"path": text(path), "measures_path": text(measures), "size_name": text(size)}
+        source = make_def(_abi.mus_pattern_val, lib.mus_pattern_val_init, options)
+        return cls(context=context, _handle=create(context, "pattern", "mus_pattern_read_val", context.handle,
+                                                   ctypes.byref(source)))
+
     def write(self, path: PathLike) -> None:
         """Write as muslin JSON; reading it back gives the same pattern, bit for bit."""
         self.context.call("mus_pattern_write", self.handle, text(path))

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Patterns through the files of the garment trade and back: `make trade`.
 
-Seven parts, each with a line of its own at the end; the command fails when a part does.
+Eight parts, each with a line of its own at the end; the command fails when a part does.
   round trip: every named design in one size and every GarmentCode specification, through DXF AAMA and ASTM. Compared:
               pieces, edges, the distance of the outlines, allowances, notches, grain, marks, names, labels, quantities.
   audit:      the same files by ezdxf, which has to find no error and repair nothing (left out without ezdxf).
   valentina:  the DXF files of the data: pieces, and areas of the sew line or cut line, as its facts.csv has them.
+  tools:      drawings of Valentina (from its Debian package, --valentina FOLDER) against its own export of them, 0.1 mm.
   rules:      designs in eight sizes: the sample graded by the RUL file against each size's own draft, at the ends of edges.
   garmentcode: the same patterns as GarmentCode specifications and back.
   drawings:   the same patterns as an SVG that drawing programs edit, and back.
@@ -38,6 +39,7 @@ OUTLINE_MM = 0.0105   # 0.01 mm of the chords, and the rounding of the file's la
 NOTCH_MM = 0.1        # a notch lies on the cut line and is read back along its slit
 GRADE_MM = 0.1
 PLOT_MM = 0.05        # two plotter units of 0.025 mm
+CHORD_MM = 0.26       # Valentina draws a curve by chords that may stray by a pixel of 96 to the inch
 SIZES = {"women": ["W40", "W34", "W36", "W38", "W42", "W44", "W46", "W48"],
          "men": ["M50", "M46", "M48", "M52", "M54", "M56", "M58", "M60"],
          "children": ["C116", "C92", "C98", "C104", "C110", "C122", "C128", "C134"]}
@@ -247,6 +249,84 @@ def valentina(data):
     return files == len(facts) and good == pieces
 
 
+# the files of the data that Valentina exported: (drawing, measurements) in the folder of its examples, or in the data
+DRAWINGS = {"keiko_skirt": ("Keiko_skirt", "keiko"), "male_shirt": ("MaleShirt/MaleShirt", "MaleShirt/MaleShirt"),
+            "tshirt": ("TShirt_test", None), "seamtest3": ("test/seamtest3", None),
+            "seamtest1": ("test/seamtest1", "test/merki27"), "blusa": ("pattern_blusa", "blusa"),
+            "basic_block_women": ("Basic_block_women-2016", None),
+            "issue767_grain": ("bugs/Issue_#767", "bugs/Issue_#767"), "issue646_notches": ("bugs/Issue_#646", None),
+            **{f"{name}_{size}": (f"{name}_52-176", f"gost_man_{size}") for name in ("pantsM1", "jacketM1")
+               for size in ("440_1640", "500_1760", "560_1880")}}
+
+
+def ring(pattern, panel, chords):
+    """The closed outline [mm] of a panel, each curve as chords."""
+    parts = [1e3 * np.array(pattern.edge_polyline(edge, chords))[::way] for edge, way in pattern.outline(panel)]
+    return np.concatenate([*parts, parts[0][:1]])
+
+
+def away(corners, line):
+    """How far the corners of an outline lie from a line [mm], once it is moved to where it fits best; and how far the
+    line then lies from the outline."""
+    kept, shift, best = 0.0, (line.min(0) + line.max(0) - corners.min(0) - corners.max(0)) / 2, math.inf
+    for _ in range(8):
+        a, d = line[:-1], line[1:] - line[:-1]
+        p = corners + shift
+        t = np.clip(((p[:, None] - a) * d).sum(2) / np.maximum((d * d).sum(1), 1e-30), 0, 1)
+        off = a + t[..., None] * d - p[:, None]
+        near = off[np.arange(len(p)), (off ** 2).sum(2).argmin(1)]
+        if (worst := float(np.hypot(*near.T).max())) < best:
+            best, kept = worst, shift
+        shift = shift + (near.max(0) + near.min(0)) / 2
+    return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1]))))
+
+
+def tools(args):
+    """Drawings of Valentina, evaluated, against its own export of them: the corners of its chords from our curves."""
+    folder = args.valentina
+    if not folder.is_dir():
+        print(f"tools: skipped, no {folder}: apt-get download valentina; dpkg-deb -x")
+        return True
+    read = pieces = good = both = 0
+    for name, (drawing, tape) in sorted(DRAWINGS.items()):
+        measures = None if tape is None else next(
+            path for path in (folder / f"{tape}.vit", args.data / f"valentina/measurements/{tape}.vit") if path.exists())
+        try:
+            ours = Pattern.read_val(folder / f"{drawing}.val", measures)
+        except muslin.MuslinError as error:
+            print(f"  {name}: {error}")
+            continue
+        read += 1
+        theirs = Pattern.read(args.data / f"valentina/{name}.astm.dxf")
+        lines = [ring(ours, i, 64) for i in range(len(ours.panels))]
+        for i, piece in enumerate(theirs.panels):
+            corners = ring(theirs, i, 1)
+            worst, back = min(away(corners, line) for line in lines)
+            pieces, good, both = pieces + 1, good + (worst <= 0.1), both + (worst <= 0.1 and back <= CHORD_MM)
+            if worst > 0.1 or back > CHORD_MM:
+                print(f"  {name} {piece}: its corners within {worst:.3f} mm of our curves, our curves within {back:.3f} mm "
+                      "of its chords")
+    print(f"tools: {read} of {len(DRAWINGS)} drawings of Valentina read; of {pieces} pieces {good} have the corners of its "
+          f"export within 0.1 mm, {both} also the whole outline within {CHORD_MM} mm of its chords")
+    others = sorted(path for path in folder.rglob("*.val") if path.stat().st_size < 1e6)
+    told = collections.Counter()
+    for path in others:
+        asked = re.search("<measurements>([^<]*)", path.read_text(errors="replace"))
+        named = pathlib.PurePath(asked.group(1).replace("\\", "/")).name if asked else ""
+        tapes = [tape for tape in (path.parent / named, folder / named, folder.parents[3] / "valentina/tables/multisize" / named)
+                 if named and tape.is_file()]
+        try:
+            Pattern.read_val(path, tapes[0] if tapes else None)
+            told["read"] += 1
+        except muslin.MuslinError as error:
+            told[re.sub(r'^.*?\.val(:\d+)?: ', "", str(error))[:100]] += 1
+    print(f"tools: {told.pop('read')} of {len(others)} drawings of its examples read")
+    if args.list:
+        for fault, count in told.most_common():
+            print(f"  {count} x {fault}")
+    return read == len(DRAWINGS)
+
+
 def rules():
     known = {row["name"]: row["groups"][0] for row in muslin.designs()}
     done = points = bad = 0
@@ -395,9 +475,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--every", type=int, default=1, help="take every n-th pattern")
+    parser.add_argument("--valentina", type=pathlib.Path, help="folder of its examples",
+                        default=pathlib.Path("/usr/share/doc/valentina/examples/collection"))
     parser.add_argument("--list", action="store_true", help="print every fault")
     args = parser.parse_args()
-    return 0 if all([round_trip(args), valentina(args.data), rules(), plots(args), garmentcode(args), drawings(args)]) else 1
+    return 0 if all([round_trip(args), valentina(args.data), tools(args), rules(), plots(args), garmentcode(args), drawings(args)]) else 1
 
 
 if __name__ == "__main__":

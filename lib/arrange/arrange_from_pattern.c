@@ -13,7 +13,6 @@
 #include "geom/vec.h"
 
 #define READ_SIDE 0.5 /* horizontal component of the unit normal from which on an edge is a side */
-#define READ_UP 0.5   /* vertical component of the unit normal from which on an edge points up */
 
 
 /* the limb that a panel goes round, by its label */
@@ -173,7 +172,7 @@ static void read_halter(mus__arrangement *arrangement, int32_t p)
         if (edge->seam == MUS_NONE) continue;
         const mus__arranged_seam *seam = &arrangement->seam[edge->seam];
         const mus__arranged_edge *other = &arrangement->edge[seam->a == panel->edge[i] ? seam->b : seam->a];
-        if (!(fabs(edge->outward[0]) > READ_SIDE) || !(other->outward[1] > READ_UP) || other->panel == p) return;
+        if (!(fabs(edge->outward[0]) > READ_SIDE) || !(other->outward[1] > MUS__EDGE_UP) || other->panel == p) return;
         sides |= edge->outward[0] > 0.0 ? 1 : 2;
         one = one && (only == MUS_NONE || only == other->panel);
         only = other->panel;

@@ -13,6 +13,7 @@
 #include "muslin/body.h"
 #include "muslin/pattern.h"
 
+#define MUS__EDGE_UP 0.5 /* vertical component of the unit normal from which on an edge points up */
 #define MUS__ARRANGE_DOTS                                                                                              \
     9 /* points on an edge at equal parts of its length; chosen: odd, so that one is the middle                        \
        */

@@ -23,7 +23,6 @@
 #define AROUND_FINE 1e-6       /* [rad] the azimuth is found to this: a symmetric garment starts symmetric to 1 um */
 #define AROUND_ON_SIDE 0.02    /* [m2] cost of a side against an azimuth, in squared distances of edges */
 #define AROUND_SHOULDER 0.02   /* [m2] cost of shoulder edges on the same side of the body */
-#define AROUND_UP 0.5          /* vertical component of the unit normal from which on an edge points up */
 #define AROUND_RADIUS 0.32     /* [m] largest radius of a ring of the trunk */
 #define AROUND_WAIST_PART 0.92 /* of the waist girth: the smallest opening of a skirt */
 #define AROUND_SLOPE                                                                                                   \
@@ -197,7 +196,8 @@ static double around_cost(const mus__arrangement *arrangement, int32_t t, double
         const bool in_a = pa->ring == t, in_b = pb->ring == t;
         if (!in_a && !in_b) continue;
         const bool fans = pa->ring != pb->ring && pa->fan && pb->fan;
-        const bool level = fans || (a->panel != b->panel && a->outward[1] > AROUND_UP && b->outward[1] > AROUND_UP);
+        const bool level =
+            fans || (a->panel != b->panel && a->outward[1] > MUS__EDGE_UP && b->outward[1] > MUS__EDGE_UP);
         for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++) {
             const int32_t m = mus__arrange_partner(arrangement, seam, k);
             double x[3], y[3], angle = 0.0, other = 0.0;
@@ -430,7 +430,7 @@ static bool around_hangs(const mus__arrangement *arrangement, int32_t t, bool ap
         if (p->ring != t && q->ring != t) continue;
         if (p->limb != q->limb && p->limb + q->limb == MUS__ARRANGE_TRUNK + MUS__ARRANGE_ARM) return true;
         if (p->limb != q->limb && p->limb + q->limb == MUS__ARRANGE_TRUNK + MUS__ARRANGE_NECK) neck = true;
-        const bool up = a->outward[1] > AROUND_UP, other = b->outward[1] > AROUND_UP;
+        const bool up = a->outward[1] > MUS__EDGE_UP, other = b->outward[1] > MUS__EDGE_UP;
         if (p != q && up && other) {
             if (p->ring == q->ring && seam->high > -AROUND_SLOPE) return true;
             level = level || (p->ring != q->ring && p->limb == q->limb && seam->high > -2.0 * AROUND_SLOPE);

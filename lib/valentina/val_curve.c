@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "exchange/file_read.h"
 #include "valentina/val_file.h"
 
 #define CURVE_CHORDS 128 /* of a cubic. Chosen: of an armhole of 500 mm the chords stray by 0.004 mm */
@@ -15,20 +16,19 @@
  * formulas; finer chords make longer curves by up to 0.3 mm of 500 mm */
 #define CURVE_FLAT (25.4 / 96.0)
 #define CURVE_HALVINGS 16 /* deepest halving; the chords of a curve of 10 m are shorter than CURVE_FLAT then */
-#define CURVE_DEGREE (3.14159265358979323846 / 180.0)
 
 
 void mus__val_polar(const double *p, double length, double angle, double *out)
 {
-    const double x = p[0] + length * mus__cos(angle * CURVE_DEGREE);
-    out[1] = p[1] + length * mus__sin(angle * CURVE_DEGREE);
+    const double x = p[0] + length * mus__cos(angle * MUS__DEGREE);
+    out[1] = p[1] + length * mus__sin(angle * MUS__DEGREE);
     out[0] = x;
 }
 
 
 double mus__val_angle(const double *from, const double *to)
 {
-    const double angle = mus__atan2(to[1] - from[1], to[0] - from[0]) / CURVE_DEGREE;
+    const double angle = mus__atan2(to[1] - from[1], to[0] - from[0]) / MUS__DEGREE;
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
@@ -48,7 +48,7 @@ mus_status mus__val_curve_arc(const mus__source *source, mus__val_curve *curve, 
 {
     const double span = to - from;
     const int32_t n = (int32_t)fmin(ceil(fabs(span) / CURVE_STEP), 1000.0);
-    const double step = n > 0 ? span / n : 0.0, reach = 4.0 / 3.0 * radius * mus__tan(0.25 * step * CURVE_DEGREE);
+    const double step = n > 0 ? span / n : 0.0, reach = 4.0 / 3.0 * radius * mus__tan(0.25 * step * MUS__DEGREE);
     mus_status status = MUS_OK;
     curve->arc = true;
     memcpy(curve->centre, centre, sizeof curve->centre);
@@ -56,7 +56,7 @@ mus_status mus__val_curve_arc(const mus__source *source, mus__val_curve *curve, 
     for (int32_t i = 0; i < n && status == MUS_OK; i++) {
         double cubic[8];
         for (int32_t end = 0; end < 2; end++) {
-            const double a = (from + (i + end) * step) * CURVE_DEGREE, c = mus__cos(a), s = mus__sin(a);
+            const double a = (from + (i + end) * step) * MUS__DEGREE, c = mus__cos(a), s = mus__sin(a);
             const double back = end == 0 ? reach : -reach;
             double *p = cubic + 6 * end, *q = cubic + 2 + 2 * end;
             p[0] = centre[0] + radius * c, p[1] = centre[1] + radius * s;
@@ -117,7 +117,7 @@ static double curve_chords(const double *p, double *last, int32_t depth)
 double mus__val_curve_length(const mus__val_curve *curve)
 {
     double length = 0.0;
-    if (curve->arc) return curve->radius * fabs(curve->angle[1] - curve->angle[0]) * CURVE_DEGREE;
+    if (curve->arc) return curve->radius * fabs(curve->angle[1] - curve->angle[0]) * MUS__DEGREE;
     for (int32_t i = 0; i < curve->n; i++) {
         const double *p = curve->cubic + 8 * (ptrdiff_t)i;
         double last[2] = {p[0], p[1]};
@@ -215,7 +215,7 @@ static double curve_cross(const mus__val_curve *curve, double low, double high, 
 
 bool mus__val_curve_meet(const mus__val_curve *curve, const double *p, double angle, double *out)
 {
-    const double d[2] = {mus__cos(angle * CURVE_DEGREE), mus__sin(angle * CURVE_DEGREE)};
+    const double d[2] = {mus__cos(angle * MUS__DEGREE), mus__sin(angle * MUS__DEGREE)};
     double ahead = INFINITY, behind = -INFINITY, a[2], b[2];
     if (curve->n == 0) return false;
     mus__val_curve_at(curve, 0.0, a);

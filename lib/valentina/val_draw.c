@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "exchange/file_read.h"
 #include "valentina/val_draw.h"
 
 #define DRAW_SHORT 1.0 /* [mm] Valentina cuts no shorter part off a curve */
@@ -89,7 +90,7 @@ static mus_status draw_cubic(mus__val_job *job, mus__val_curve *curve, const dou
 static double draw_reach(const double *from, const double *to, double curvature)
 {
     const double radius = mus__hypot(to[0] - from[0], to[1] - from[1]) / sqrt(2.0);
-    return curvature * radius * 4.0 / 3.0 * mus__tan(3.14159265358979323846 / 8.0);
+    return curvature * radius * 4.0 / 3.0 * mus__tan(22.5 * MUS__DEGREE);
 }
 
 
@@ -184,7 +185,7 @@ static mus_status draw_arc(mus__val_job *job, int32_t e, const char *type, mus__
     const double radius = mus__val_length(job, e, "radius", &status), from = mus__val_number(job, e, "angle1", &status);
     double to;
     if (strcmp(type, "arcWithLength") == 0) {
-        to = from + mus__val_length(job, e, "length", &status) / radius * 180.0 / 3.14159265358979323846;
+        to = from + mus__val_length(job, e, "length", &status) / radius / MUS__DEGREE;
     } else {
         to = mus__val_number(job, e, "angle2", &status);
         to += 360.0 * ceil((from - to) / 360.0 + 1e-12); /* within one turn; equal angles are a whole circle */
@@ -262,7 +263,7 @@ static mus_status draw_cut(mus__val_job *job, int32_t e, const char *attribute)
 /* p turned round a centre */
 static void draw_turn(const double *centre, double angle, const double *p, double *out)
 {
-    const double a = angle * 3.14159265358979323846 / 180.0, c = mus__cos(a), s = mus__sin(a);
+    const double a = angle * MUS__DEGREE, c = mus__cos(a), s = mus__sin(a);
     const double d[2] = {p[0] - centre[0], p[1] - centre[1]};
     out[0] = centre[0] + c * d[0] - s * d[1], out[1] = centre[1] + s * d[0] + c * d[1];
 }
@@ -377,7 +378,7 @@ static mus_status draw_motion(mus__val_job *job, int32_t e, const char *type, do
     } else {
         return mus__val_fail(job, e, MUS_ERR_UNSUPPORTED, "muslin does not know its type", type);
     }
-    const double a = (flip ? 2.0 * axis : turn) * 3.14159265358979323846 / 180.0, c = mus__cos(a), s = mus__sin(a);
+    const double a = (flip ? 2.0 * axis : turn) * MUS__DEGREE, c = mus__cos(a), s = mus__sin(a);
     m[0] = c, m[1] = flip ? s : -s, m[3] = s, m[4] = flip ? -c : c;
     m[2] = from[0] + shift[0] - m[0] * from[0] - m[1] * from[1];
     m[5] = from[1] + shift[1] - m[3] * from[0] - m[4] * from[1];

@@ -13,12 +13,12 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "exchange/file_read.h"
 #include "valentina/val_file.h"
 
 #define FORMULA_DEPTH 64      /* deepest brackets; chosen: those of real patterns reach 9 */
 #define FORMULA_LENGTH 65536  /* [bytes] longest formula; chosen: those of real patterns reach 700 */
 #define FORMULA_ARGUMENTS 64  /* most arguments of a function */
-#define FORMULA_DEGREE (3.14159265358979323846 / 180.0)
 
 typedef struct formula {
     const char *at;
@@ -52,7 +52,7 @@ static bool formula_take(formula *f, const char *operator)
 static bool formula_one(const char *name, size_t n, double x, double *out)
 {
     const bool degrees = n > 1 && name[n - 1] == 'D' && n < 6;
-    const double turn = degrees ? FORMULA_DEGREE : 1.0;
+    const double turn = degrees ? MUS__DEGREE : 1.0;
     const size_t m = degrees ? n - 1 : n;
 #define NAMED(word) (m == sizeof word - 1 && memcmp(name, word, m) == 0)
     if (NAMED("sin")) *out = mus__sin(x * turn);
@@ -69,8 +69,8 @@ static bool formula_one(const char *name, size_t n, double x, double *out)
     else if (NAMED("ln")) *out = mus__ln(x);
     else if (NAMED("log2")) *out = mus__ln(x) / mus__ln(2.0);
     else if (NAMED("log") || NAMED("log10")) *out = mus__ln(x) / mus__ln(10.0);
-    else if (NAMED("degTorad")) *out = x * FORMULA_DEGREE;
-    else if (NAMED("radTodeg")) *out = x / FORMULA_DEGREE;
+    else if (NAMED("degTorad")) *out = x * MUS__DEGREE;
+    else if (NAMED("radTodeg")) *out = x / MUS__DEGREE;
     else return false;
 #undef NAMED
     return true;

@@ -123,7 +123,7 @@ def test_a_doubt_about_the_tape_is_a_line_and_a_member_of_the_json(command, tmp_
 def test_a_body_is_drawn_alone_and_turned(command, tape, tmp_path, one_line):
     view = "--view", "0,5", "--pixels", "64x96"
     if b"EGL" in command("body", "--tape", tape, "--png", tmp_path / "a.png", *view, code=None).stderr:
-        pytest.skip("a machine without EGL")
+        pytest.skip("a machine without EGL")  # the renderer is optional; muslin without it says so in one sentence
     command("body", "--tape", tape, "--turn", 3, "--frames", tmp_path, *view)
     names = ["a.png"] + [f"frame_000{k}.png" for k in (1, 2, 3)]
     pictures = [(tmp_path / name).read_bytes() for name in names]

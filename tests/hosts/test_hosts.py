@@ -12,6 +12,7 @@ def scratch(tmp_path_factory):
     hosts.OUT = tmp_path_factory.mktemp("hosts")
 
 
+# a host that is not installed cannot be tried; .ci/run installs g++ and LuaJIT
 @pytest.mark.skipif(shutil.which("g++") is None, reason="g++ is not installed")
 def test_handles_of_cpp_move_throw_and_leak_nothing(command):
     program = hosts.compiled("g++", hosts.ROOT / "tests/hosts/handles.cpp", *hosts.SANITIZE)

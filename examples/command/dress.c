@@ -200,7 +200,6 @@ void dress_init(dress *d)
     d->spacing_mm = 10.0;
     d->nodes = MUS_CLOTH_NODES;
     d->threads = 1.0;
-    d->precision = 32.0;
     d->friction = NAN;
     mus_dress_report_init(&d->dressed, sizeof d->dressed);
     mus_reason_init(&d->why, sizeof d->why);
@@ -242,7 +241,8 @@ int32_t dress_options(dress *d, option *table)
         {"--count", OPTION_WHOLE, &d->moved.count, 1, 4096, "N  number of frames, 60 a second, default 240"},
         {"--threads", OPTION_WHOLE, &d->threads, 1, 64,
          "N  number of threads, default 1; the result does not depend on it"},
-        {"--precision", OPTION_WHOLE, &d->precision, 32, 64, "BITS  precision of the state: 32 (default) or 64"}};
+        {"--precision", OPTION_WHOLE, &d->precision, 32, 64,
+         "BITS  precision of the state: 32 or 64; default: as the cloth asks"}};
     _Static_assert(sizeof options / sizeof *options <= DRESS_OPTIONS, "the table of the caller holds them");
     memcpy(table, options, sizeof options);
     return (int32_t)(sizeof options / sizeof *options);
@@ -257,7 +257,7 @@ int dress_check(const char *command, const dress *d)
         return complain(EXIT_INPUT, command, "--frames %s: goes with --move NAME or --turn N", d->moved.frames);
     if (d->files[MUS_MESH_PC2] != NULL && d->moved.move == NULL)
         return complain(EXIT_INPUT, command, "--pc2 %s: goes with --move NAME", d->files[MUS_MESH_PC2]);
-    if (d->precision != 32.0 && d->precision != 64.0)
+    if (d->precision != 0.0 && d->precision != 32.0 && d->precision != 64.0)
         return complain(EXIT_INPUT, command, "--precision %g: expected 32 or 64", d->precision);
     if (d->place != NULL && strcmp(d->place, "file") != 0 && strcmp(d->place, "found") != 0)
         return complain(EXIT_INPUT, command, "--place %s: expected file or found", d->place);

@@ -34,7 +34,7 @@ typedef struct mus_dress_def {
     double spacing;             /* of the lattice [m], default 0.01, 0.001..0.1 */
     const mus_fabric *fabric;   /* NULL (default): the default fabric */
     int32_t self_contact;       /* nonzero: cloth meets cloth; 0 (default). Layers worn over each other need it */
-    int32_t precision;          /* of the state, 32 (default) or 64 bits */
+    int32_t precision;          /* of the state, 32 or 64 bits; 0 (default): as the cloth asks (mus_drape_def) */
     int32_t threads;            /* 1 (default) .. 64; the result does not depend on it */
     double friction;            /* on skin; NaN (default): the fabric's */
     const mus_drape_def *drape; /* NULL (default); else all options of the drape: the four above are not read */

@@ -15,7 +15,9 @@
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "drape/weld.h"
+#include "sim/step_bound.h"
 
 #define LEAST_THICKNESS 1e-5 /* [m] a hundred times the rounding of a metre in float */
 #define MOST_GRAVITY 1e4     /* [m/s2] a thousand g */
@@ -55,8 +57,8 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < 3 && status == MUS_OK; i++)
         status = check_number(context, "gravity", def->gravity[i], -MOST_GRAVITY, MOST_GRAVITY);
-    if (status == MUS_OK && def->precision != 32 && def->precision != 64)
-        status = mus__fail(context, MUS_ERR_ARG, "drape: precision is %d, expected 32 or 64", (int)def->precision);
+    if (status == MUS_OK && def->precision != 0 && def->precision != 32 && def->precision != 64)
+        status = mus__fail(context, MUS_ERR_ARG, "drape: precision is %d, expected 0, 32 or 64", (int)def->precision);
     if (status == MUS_OK && (def->threads < 1 || def->threads > 64))
         status = mus__fail(context, MUS_ERR_ARG, "drape: threads is %d, expected 1 to 64", (int)def->threads);
     if (status == MUS_OK && def->integrator != MUS_METHOD_RK4 && def->integrator != MUS_METHOD_VERLET)
@@ -140,6 +142,26 @@ static mus_status take_surroundings(mus_drape *drape, const mus_body *body)
 }
 
 
+/* the nodes flat in their panels' planes */
+static void lay_flat(mus_drape *drape)
+{
+    for (int32_t i = 0; i < drape->n; i++) {
+        double *x = drape->x + 3 * (int64_t)i;
+        x[0] = drape->cloth->rest[2 * (int64_t)i], x[1] = drape->cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
+    }
+}
+
+
+/* whether the rounding of a float state alone would leave more force at the nodes than a settle allows */
+static bool float_too_coarse(mus_drape *drape)
+{
+    lay_flat(drape);
+    memcpy(drape->mass, drape->cloth->mass, (size_t)drape->n * sizeof *drape->mass);
+    mus__program_stiffness_at(&drape->program, drape->n, drape->x, drape->stepping.stiffness, drape->stepping.tangent);
+    return mus__residual_rounding(drape) > drape->def.settle_residual;
+}
+
+
 mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
                            const mus_drape_def *def, const struct mus__drape_kit *kit, mus_drape **out)
 {
@@ -148,14 +170,21 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     if (drape == NULL) return mus__fail_memory(context, "a drape");
     drape->context = context;
     drape->def = *def;
+    if (def->precision == 0) drape->def.precision = 32;
     drape->n = cloth->nnode;
     drape->coarse.parent = parent;
     drape->kit = kit;
     drape->cloth = mus__cloth_retain(cloth);
     drape->scene.friction = isnan(def->friction) ? cloth->fabric.friction : def->friction;
-    drape->sim.ops = def->precision == 64 ? kit->doubles : kit->single;
+    drape->sim.ops = drape->def.precision == 64 ? kit->doubles : kit->single;
     mus_status status = mus__program_build(context, cloth, drape->sim.ops->real, &drape->program);
     if (status == MUS_OK) status = take_memory(drape);
+    if (status == MUS_OK && def->precision == 0 && kit->doubles != NULL && float_too_coarse(drape)) {
+        mus_drape_def fine = *def;
+        fine.precision = 64;
+        mus_drape_destroy(drape);
+        return mus__drape_make(context, cloth, body, parent, &fine, kit, out);
+    }
     if (status == MUS_OK) status = take_surroundings(drape, body);
     if (status == MUS_OK && def->contact_ball > 0.0) status = mus__drape_plane_cache(drape);
     if (status == MUS_OK && def->self_contact) status = kit->add_self(drape);
@@ -170,11 +199,8 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     sim->collision_distance = def->collision_distance;
     mus__drape_name_skipped(drape);
 
-    /* flat in the panels' planes until placed; nodes of a mass-spring network at their place, their pins fixed */
-    for (int32_t i = 0; i < drape->n; i++) {
-        double *x = drape->x + 3 * (int64_t)i;
-        x[0] = cloth->rest[2 * (int64_t)i], x[1] = cloth->rest[2 * (int64_t)i + 1], x[2] = 0.0;
-    }
+    /* flat until placed; nodes of a mass-spring network at their place, their pins fixed */
+    lay_flat(drape);
     if (cloth->place != NULL) mus__arrange_nodes(cloth, drape->x);
     for (int32_t i = 0; i < cloth->npin; i++) drape->pinned[cloth->pin[i]] = 1;
     drape->relax.far = 1;
@@ -254,6 +280,7 @@ void mus_drape_destroy(mus_drape *drape)
                       drape->stepping.tangent,
                       drape->stepping.dashpot,
                       drape->relax.mean,
+                      drape->relax.tensor,
                       drape->relax.force,
                       drape->relax.component,
                       drape->sewing.start_x};

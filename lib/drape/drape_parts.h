@@ -24,10 +24,14 @@ typedef struct mus__component {
 } mus__component;
 
 typedef struct mus__relaxation {
-    double *mean; /* (n x 3) mean place of the last steps; head of a block of four arrays, NULL before the first use */
+    double *mean; /* (n x 3) mean place of the last steps; head of a block of six arrays, NULL before the first use */
     double *before;            /* (n x 3) mean place at the check before */
     double *left;              /* (n x 3) force left at the check before [N] */
     double *anchor;            /* (n x 3) mean place where the cloth began to lie still */
+    double *inertia;           /* (n x 6) inertia tensors of the last steps: xx, yy, zz, xy, yz, zx [kg] */
+    double *bending;           /* (n) scratch: stiffness that is equal in all directions [N/m] */
+    void *tensor;              /* (7 n) inverse tensors and masses, in the sim's precision (sim.h) */
+    double rate2;              /* largest rate that a step of relaxation bears, squared [1/s2] */
     double *force;             /* (n x 3) force left at each node by the last residual [N] */
     mus__component *component; /* (npanel), NULL before the first settle round a body */
     double residual; /* rms of force left over weight at the end of the last settle; NaN: the cloth was moved since */

@@ -100,6 +100,9 @@ mus_status mus__drape_plane_cache(mus_drape *drape);
  * and a larger inertia where the stiffness asks for a smaller step than the lattice needs (mass scaling; a rest shape
  * does not depend on inertia). Returns the step bound of RK4 [s] */
 double mus__drape_inertia(mus_drape *drape, int32_t scaled);
+/* takes the inertia tensors of the nodes at the state of the sim, for the step of the last mus__drape_inertia()
+ * (inertia.c) */
+void mus__drape_tensors(mus_drape *drape);
 /* MUS_ERR_DIVERGED, with the last good state restored, when a number is not finite or a node is faster than 10 km/s */
 mus_status mus__drape_check_motion(mus_drape *drape);
 /* the same; else the state becomes the last good one */

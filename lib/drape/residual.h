@@ -9,5 +9,7 @@
 /* rms over free nodes of the force that contact and friction leave at places x (n x 3), over the node's weight; the
  * forces go to relax.force. *unheld (may be NULL) gets the rms over the nodes that touch nothing */
 double mus__residual(const mus_drape *drape, const double *x, double *unheld);
+/* the residual that the rounding of a float state leaves in the mean place of many steps, by stepping.stiffness */
+double mus__residual_rounding(const mus_drape *drape);
 
 #endif

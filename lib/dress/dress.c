@@ -45,7 +45,6 @@ void mus_dress_def_init(mus_dress_def *def, size_t size)
 {
     mus_dress_def own = {0};
     own.spacing = 0.01;
-    own.precision = 32;
     own.threads = 1;
     own.friction = NAN;
     own.progress_seconds = 0.1;

@@ -21,6 +21,7 @@ typedef struct mus__relax_rule {
     double
         push_speed; /* speed at which a node leaves a surface that it is inside of, at most [m/s]; 0: twice the limit */
     double deep_rate; /* that speed over the depth, for deep nodes [1/s]; 0: no more than push_speed */
+    bool tensors;     /* inertia tensors where no surface and no cloth is near (drape/inertia.c); relax_create first */
 } mus__relax_rule;
 
 /* step [s] at the pose x: `safety` of the bound of symplectic Euler, with scaled inertia, which is set */
@@ -31,7 +32,7 @@ mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, doubl
  * caller notes them on the clock. Errors: MUS_ERR_DIVERGED (the last good state is restored), MUS_ERR_LIMIT */
 mus_status mus__relax_run(mus_drape *drape, double h, int32_t steps, int32_t averaged);
 
-/* memory of mean, before, left and anchor, kept until the drape is destroyed; give it back */
+/* memory of mean, before, left, anchor, inertia and tensor, kept until the drape is destroyed; give it back */
 mus_status mus__relax_create(mus_drape *drape);
 void mus__relax_clear(mus_drape *drape);
 

@@ -2,9 +2,10 @@
  * settle.c: mus_drape_settle(): relaxation to rest under gravity, coarse to fine.
  *
  * A cloth that is far from rest falls on its coarsest cut first; each finer cut starts where the coarser one came to.
- * On each cut: relaxation (dynamic_relaxation.c) with a drag that is critical for the slowest motion left, measured
- * from check to check. Kinetic damping, which halts all nodes at peaks of the kinetic energy, was measured and dropped:
- * it let cloth slip that friction holds (by 9 mm on the T-shirt).
+ * On each cut: relaxation (dynamic_relaxation.c), after the fall with inertia tensors (drape/inertia.c), with a drag
+ * that is critical for the slowest motion left, measured from check to check. Kinetic damping, which halts all nodes at
+ * peaks of the kinetic energy, was measured and dropped: it let cloth slip that friction holds (by 9 mm on the
+ * T-shirt).
  *
  * A cloth is at rest when two things are small at the mean place of the last steps, in which the rounding of a float
  * state averages out:
@@ -41,6 +42,7 @@
 /* All numbers below are chosen; the table of `make corpus` (at rest, crossings, seconds) shows what they change. */
 
 #define CHECK_SECONDS 0.1 /* [s] of cloth time between two checks */
+#define CHECK_STEPS 512   /* steps between two checks after the fall, at most: stiff cloth has steps of 10 us */
 #define MEAN_STEPS 96     /* steps averaged before a check: all of them, since a sample would alias with ripples */
 #define MEAN_SECONDS 0.05 /* [s] averaged instead where cloth lies on cloth */
 
@@ -69,13 +71,12 @@
 #define START_DRAG 20.0  /* [1/s] of a cloth near rest, before the first measurement; and the most on cloth */
 #define DRAG_LEAST 1.0   /* [1/s] */
 #define DRAG_GROWTH 1.5  /* largest growth of the drag from one check to the next */
-#define DRAG_FALL 0.75   /* factor where nothing is to be damped, down to FALL_DRAG */
+#define DRAG_STEP 1e-3   /* share of its speed that cloth loses in a step at least, where nothing is to be measured */
 
 #define REST_DRIFT 0.002 /* [m/s] drift at rest */
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
 #define REST_WAY 1e-4    /* [m] a node that goes or strays no farther lies still */
 #define REST_SECONDS 0.5 /* [s] for which all nodes lie still, by the weaker rule of rest */
-#define ROUNDING_LEFT 0.03  /* share of rounding_residual's force that the mean leaves; fitted, see there */
 #define ROUNDING_DRIFT 0.25 /* of the drift allowed, by the rule of rounding */
 
 /* a coarse cut gives the place, not the folds */
@@ -94,6 +95,8 @@ typedef struct settling {
 /* how the cloth lies, from check to check */
 typedef struct lying {
     double drag;       /* from now on [1/s] */
+    double h;          /* step of the last batch [s] */
+    bool tensors;      /* that batch had inertia tensors: the fall is over */
     double move;       /* farthest move of a mean place since the check before [m] */
     double drift;      /* that over the time between [m/s] */
     double stray;      /* farthest distance of a node from its mean place [m] */
@@ -122,31 +125,39 @@ static bool touches_cloth(const mus_drape *drape, int32_t i)
 }
 
 
+/* d.M d for a tensor m of xx, yy, zz, xy, yz, zx */
+static double tensor_square(const double *m, const double *d)
+{
+    return m[0] * d[0] * d[0] + m[1] * d[1] * d[1] + m[2] * d[2] * d[2] +
+           2.0 * (m[3] * d[0] * d[1] + m[4] * d[1] * d[2] + m[5] * d[2] * d[0]);
+}
+
+
 /*
- * Drag [1/s] that is critical for the slowest motion left; `now` is the drag so far. Between two checks the mean place
- * moved by d and the force left changed by g. The Rayleigh quotient  w^2 = - d.g / d.M d  is a mean of the squared
- * rates of what moved, weighted by how far it moved, so that slow motion rules it; critical drag is 2 w (Underwood
- * 1983). It grows slowly: quick ripples after a change of cut must not freeze the folds. Nodes that touch cloth are
- * left out, because contact is stiffer than any motion to be damped; where cloth lies on cloth the drag is at most
- * START_DRAG, because ripples look like quick motion. Where nodes moved along with their force (a fold that snaps over)
- * there is nothing to measure, and the drag falls towards FALL_DRAG.
+ * Drag [1/s] that is critical for the slowest motion left; `now` is the drag so far, h the step [s]. Between two checks
+ * the mean place moved by d and the force left changed by g. The Rayleigh quotient  w^2 = - d.g / d.M d, M the inertia
+ * of the steps, is a mean of the squared rates of what moved, weighted by how far it moved, so that slow motion rules
+ * it; critical drag is 2 w (Underwood 1983). It grows slowly: quick ripples after a change of cut must not freeze the
+ * folds. Nodes that touch cloth are left out, because contact is stiffer than any motion to be damped; where cloth lies
+ * on cloth the drag is at most START_DRAG, because ripples look like quick motion. Where nodes moved along with their
+ * force (a fold that snaps over) there is nothing to measure, and the drag takes DRAG_STEP a step at least.
  */
-static double critical_drag(const mus_drape *drape, double now)
+static double critical_drag(const mus_drape *drape, double h, double now)
 {
     const mus__relaxation *relax = &drape->relax;
     double work = 0.0, moved = 0.0;
     for (int32_t i = 0; i < drape->n; i++) {
-        double dd = 0.0;
+        double d[3];
         if (drape->mass[i] <= 0.0 || drape->pinned[i] || touches_cloth(drape, i)) continue;
-        for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++) {
-            const double d = relax->mean[k] - relax->before[k];
-            work -= d * (relax->force[k] - relax->left[k]);
-            dd += d * d;
+        for (int32_t k = 0; k < 3; k++) {
+            const int64_t at = 3 * (int64_t)i + k;
+            d[k] = relax->mean[at] - relax->before[at];
+            work -= d[k] * (relax->force[at] - relax->left[at]);
         }
-        moved += drape->mass[i] * dd;
+        moved += tensor_square(relax->inertia + 6 * (int64_t)i, d);
     }
     if (!(moved > 0.0)) return now;
-    if (!(work > 0.0)) return fmax(DRAG_FALL * now, fmin(now, FALL_DRAG));
+    if (!(work > 0.0)) return fmax(now, DRAG_STEP / h);
     const double most = on_cloth(drape) ? fmin(DRAG_GROWTH * now, START_DRAG) : DRAG_GROWTH * now;
     return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), most);
 }
@@ -177,28 +188,6 @@ static double expected_distance(double move, double last)
 {
     const double ratio = last > 0.0 ? move / last : 1.0;
     return ratio < 0.9 ? move * ratio / (1.0 - ratio) : 10.0 * move;
-}
-
-
-/*
- * The share of the residual that the rounding of a float state makes. Places are rounded by some 3e-8 m, each by
- * itself, so a node of stiffness T feels about T times that force; the mean over the last steps takes most of it away.
- * The share that it leaves, ROUNDING_LEFT, was fitted on woven cloths at rest (cotton 0.2, silk 0.1, wool 0.04, denim
- * 0.03), with room.
- */
-static double rounding_residual(const mus_drape *drape)
-{
-    const double *gravity = drape->def.gravity, ulp = drape->def.precision == 32 ? 3e-8 : 0.0;
-    const double g = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
-    double sum = 0.0;
-    int64_t count = 0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        const double felt = drape->stepping.stiffness[i] * ulp / (drape->mass[i] * (g > 0.0 ? g : 9.81));
-        sum += felt * felt;
-        count++;
-    }
-    return count > 0 ? ROUNDING_LEFT * sqrt(sum / (double)count) : 0.0;
 }
 
 
@@ -233,7 +222,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
     mus__relaxation *relax = &drape->relax;
     double unheld;
     relax->residual = mus__residual(drape, relax->mean, &unheld);
-    now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->drag);
+    now->drag = now->tensors ? critical_drag(drape, now->h, now->drag) : FALL_DRAG;
     now->stray = farthest(drape, drape->x, relax->mean);
     const double last = now->move;
     now->move = farthest(drape, relax->mean, relax->before);
@@ -251,7 +240,8 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
         settle_keep(drape, relax->mean, relax->anchor);
         now->quiet = 0.0;
     }
-    const double residual = relax->residual, rounding = rounding_residual(drape);
+    const double residual = relax->residual;
+    const double rounding = drape->def.precision == 32 ? mus__residual_rounding(drape) : 0.0;
     relax->settled = (residual <= goal->residual && now->drift <= goal->drift) ||
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
@@ -289,14 +279,17 @@ static mus_status free_frozen(mus_drape *drape, lying *now)
 static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settling *goal, double *t, lying *now)
 {
     const bool layers = drape->self != NULL;
+    now->tensors = *t >= goal->fall;
     mus__relax_rule rule = {.drag = now->drag,
+                            .tensors = now->tensors,
                             .speed_limit = SETTLE_SPEED,
                             .grip = 1.0,
                             .push_speed = layers ? LAYER_PUSH_SPEED : 0.0,
                             .deep_rate = layers ? LAYER_DEEP_RATE : 0.0};
     memcpy(rule.gravity, drape->def.gravity, sizeof rule.gravity);
-    const double h = mus__relax_step(drape, now->safety);
-    const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), 1e6);
+    const double h = now->h = mus__relax_step(drape, now->safety);
+    const double most = now->tensors ? CHECK_STEPS : 1e6;
+    const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
     const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;

@@ -42,6 +42,8 @@ struct mus__sim {
     mus__plane_cache_fn plane_cache_pass; /* set with `collider` */
     mus__self_fn self_pass, self_prepare; /* set with the self-contact of the owner */
     mus__self_contact *self;              /* NULL: no self-contact */
+    void *tensor;      /* (7 n) inverse inertia tensors xx, yy, zz, xy, yz, zx, and masses, for steps of Euler; NULL:
+                        * `inverse` is all there is to know */
     void *plane_cache; /* (8 n) contact planes of nodes, in use; NULL: every node is queried in every step */
 
     /* what the steps use; set between steps, never inside one */

@@ -137,6 +137,33 @@ static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, cons
 }
 
 
+/* the same with the tensors of the nodes: v' = (v + h B (f + m g)) / (1 + h drag) */
+MUS_CLONES
+static void MUS__NAME(advance_tensor)(mus__sim *sim, int32_t first, int32_t count, const MUS__REAL *restrict f)
+{
+    const int64_t n = sim->n;
+    const MUS__REAL h = (MUS__REAL)sim->phase_h, keep = (MUS__REAL)(1.0 / (1.0 + sim->phase_h * sim->drag));
+    const MUS__REAL limit = (MUS__REAL)sim->speed_limit;
+    const MUS__REAL g0 = (MUS__REAL)sim->gravity[0], g1 = (MUS__REAL)sim->gravity[1], g2 = (MUS__REAL)sim->gravity[2];
+    const MUS__REAL *restrict x = (const MUS__REAL *)sim->y + first;
+    MUS__REAL *restrict to = (MUS__REAL *)sim->next + first;
+    const MUS__REAL *restrict b = (const MUS__REAL *)sim->tensor + first;
+    MUS_IVDEP
+    for (int32_t i = 0; i < count; i++) {
+        const MUS__REAL mass = b[6 * n + i];
+        const MUS__REAL f0 = f[i] + mass * g0, f1 = f[MUS__SPAN + i] + mass * g1, f2 = f[2 * MUS__SPAN + i] + mass * g2;
+        MUS__REAL v0 = keep * (x[3 * n + i] + h * (b[i] * f0 + b[3 * n + i] * f1 + b[5 * n + i] * f2));
+        MUS__REAL v1 = keep * (x[4 * n + i] + h * (b[3 * n + i] * f0 + b[n + i] * f1 + b[4 * n + i] * f2));
+        MUS__REAL v2 = keep * (x[5 * n + i] + h * (b[5 * n + i] * f0 + b[4 * n + i] * f1 + b[2 * n + i] * f2));
+        const MUS__REAL speed = MUS__SQRT(v0 * v0 + v1 * v1 + v2 * v2 + MUS__TINY2);
+        const MUS__REAL scale = speed > limit ? limit / speed : 1;
+        v0 *= scale, v1 *= scale, v2 *= scale;
+        to[3 * n + i] = v0, to[4 * n + i] = v1, to[5 * n + i] = v2;
+        to[i] = x[i] + h * v0, to[n + i] = x[n + i] + h * v1, to[2 * n + i] = x[2 * n + i] + h * v2;
+    }
+}
+
+
 /*
  * The kick that ends a step, as v, and the kick and move that begin the next, as x and w; either may be left out (both
  * as constants). Forces f, `stride` from plane to plane; into `next`.
@@ -187,6 +214,7 @@ static void MUS__NAME(phase_chunk)(mus__sim *sim, int32_t first, int32_t count, 
     switch (sim->phase) {
     case MUS__PHASE_FORCE: MUS__NAME(keep_force)(sim, first, count, f); break;
     case MUS__PHASE_EULER: MUS__NAME(advance)(sim, first, count, f); break;
+    case MUS__PHASE_TENSOR: MUS__NAME(advance_tensor)(sim, first, count, f); break;
     case MUS__PHASE_VERLET: MUS__NAME(verlet_stage)(sim, first, count, f, MUS__SPAN); break;
     case MUS__PHASE_KICK:
         MUS__NAME(keep_force)(sim, first, count, f);
@@ -303,7 +331,7 @@ static void MUS__NAME(euler)(mus__sim *sim, double h)
 {
     sim->phase_h = h;
     sim->sweeps = sim->collider != NULL && sim->rule.travel > sim->collider->safe;
-    MUS__NAME(run_move)(sim, MUS__PHASE_EULER);
+    MUS__NAME(run_move)(sim, sim->tensor != NULL ? MUS__PHASE_TENSOR : MUS__PHASE_EULER);
     if (sim->program->npair > 0) MUS__NAME(stitch)(sim);
 
     /* contact gives its impulse after drag has reduced that of the forces, so the time of both is shorter by the factor
@@ -414,6 +442,29 @@ static void MUS__NAME(set_node)(mus__sim *sim, int32_t node, double inverse_mass
 }
 
 
+static void MUS__NAME(set_tensor)(mus__sim *sim, int32_t node, const double *inverse, double mass)
+{
+    MUS__REAL *b = (MUS__REAL *)sim->tensor + node;
+    for (int64_t k = 0; k < 6; k++) b[k * sim->n] = (MUS__REAL)inverse[k];
+    b[6 * (int64_t)sim->n] = (MUS__REAL)mass;
+}
+
+
+static double MUS__NAME(clear_of)(const mus__sim *sim, int32_t node)
+{
+    if (sim->plane_cache == NULL) return sim->collider != NULL ? 0.0 : 1e30;
+    const int64_t n = sim->n;
+    const MUS__REAL *cache = (const MUS__REAL *)sim->plane_cache + node, *y = (const MUS__REAL *)sim->y + node;
+    double way2 = 0.0;
+    if (cache[0] != 0 || cache[n] != 0 || cache[2 * n] != 0 || !(cache[7 * n] > 0)) return 0.0;
+    for (int64_t d = 0; d < 3; d++) {
+        const double way = (double)(y[d * n] - cache[(4 + d) * n]);
+        way2 += way * way;
+    }
+    return 2.0 * sqrt((double)cache[7 * n]) - sqrt(way2);
+}
+
+
 static double MUS__NAME(speed2)(const mus__sim *sim)
 {
     const int64_t n = sim->n;
@@ -456,6 +507,8 @@ const mus__sim_ops MUS__SIM = {
     .add = MUS__NAME(add),
     .get_force = MUS__NAME(get_force),
     .set_node = MUS__NAME(set_node),
+    .set_tensor = MUS__NAME(set_tensor),
+    .clear_of = MUS__NAME(clear_of),
     .flush = MUS__NAME(flush),
     .speed2 = MUS__NAME(speed2),
     .snapshot = MUS__NAME(snapshot),

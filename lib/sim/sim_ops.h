@@ -12,7 +12,7 @@ typedef struct mus__sim mus__sim;
 /* what a phase does with the forces of a chunk: keeps them; a stage of RK4; a step of Euler; of Verlet the last kick, a
  * whole step, the first kick and move */
 enum { MUS__PHASE_FORCE, MUS__PHASE_RK1, MUS__PHASE_RK2, MUS__PHASE_RK3, MUS__PHASE_RK4, MUS__PHASE_EULER };
-enum { MUS__PHASE_KICK = MUS__PHASE_EULER + 1, MUS__PHASE_VERLET, MUS__PHASE_START };
+enum { MUS__PHASE_KICK = MUS__PHASE_EULER + 1, MUS__PHASE_VERLET, MUS__PHASE_START, MUS__PHASE_TENSOR };
 
 typedef struct mus__sim_ops {
     size_t real; /* bytes of a number */
@@ -32,6 +32,10 @@ typedef struct mus__sim_ops {
     /* the forces of the last `force`, (n x 3) */
     void (*get_force)(const mus__sim *sim, double *f);
     void (*set_node)(mus__sim *sim, int32_t node, double inverse_mass, double weight);
+    /* the same for a step of Euler with inertia tensors: xx, yy, zz, xy, yz, zx of the inverse (6), and the mass */
+    void (*set_tensor)(mus__sim *sim, int32_t node, const double *inverse, double mass);
+    /* distance [m] beyond the clearance that the node has from all surfaces at least, by the plane cache */
+    double (*clear_of)(const mus__sim *sim, int32_t node);
     /* set numbers to 0 whose square is not a normal number: denormal numbers cost ten times as much */
     void (*flush)(mus__sim *sim);
     /* largest speed squared [m2/s2]; NaN when any number is not finite */

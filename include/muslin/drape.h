@@ -332,7 +332,8 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * Memory: the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first
  *         settle 19 doubles and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles
  *         a node during the call
- * Source: dynamic relaxation, Underwood 1983; the inertia of a node is the 3 x 3 bound of its stiffness
+ * Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3 x 3 bound of its
+ *         stiffness
  */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 

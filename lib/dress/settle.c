@@ -2,10 +2,10 @@
  * settle.c: mus_drape_settle(): relaxation to rest under gravity, coarse to fine.
  *
  * A cloth that is far from rest falls on its coarsest cut first; each finer cut starts where the coarser one came to.
- * On each cut: relaxation (dynamic_relaxation.c), after the fall with inertia tensors (drape/inertia.c), with a drag
- * that is critical for the slowest motion left, measured from check to check. Kinetic damping, which halts all nodes at
- * peaks of the kinetic energy, was measured and dropped: it let cloth slip that friction holds (by 9 mm on the
- * T-shirt).
+ * On each cut: relaxation (dynamic_relaxation.c) with a drag that is critical for the slowest motion left, measured
+ * from check to check. Kinetic damping, which halts all nodes at peaks of the kinetic energy, was measured and dropped:
+ * it let cloth slip that friction holds (by 9 mm on the T-shirt). After the fall the nodes have inertia tensors
+ * (drape/inertia.c), but not with self-contact: quick nodes beside sheets that touch kept a long skirt trembling.
  *
  * A cloth is at rest when two things are small at the mean place of the last steps, in which the rounding of a float
  * state averages out:
@@ -71,7 +71,8 @@
 #define START_DRAG 20.0  /* [1/s] of a cloth near rest, before the first measurement; and the most on cloth */
 #define DRAG_LEAST 1.0   /* [1/s] */
 #define DRAG_GROWTH 1.5  /* largest growth of the drag from one check to the next */
-#define DRAG_STEP 1e-3   /* share of its speed that cloth loses in a step at least, where nothing is to be measured */
+#define DRAG_FALL 0.75   /* factor where nothing is to be damped, down to FALL_DRAG */
+#define DRAG_STEP 1e-3   /* share of its speed that cloth loses in a step at least there, with tensors */
 
 #define REST_DRIFT 0.002 /* [m/s] drift at rest */
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
@@ -96,7 +97,7 @@ typedef struct settling {
 typedef struct lying {
     double drag;       /* from now on [1/s] */
     double h;          /* step of the last batch [s] */
-    bool tensors;      /* that batch had inertia tensors: the fall is over */
+    bool tensors;      /* that batch had inertia tensors */
     double move;       /* farthest move of a mean place since the check before [m] */
     double drift;      /* that over the time between [m/s] */
     double stray;      /* farthest distance of a node from its mean place [m] */
@@ -140,9 +141,10 @@ static double tensor_square(const double *m, const double *d)
  * it; critical drag is 2 w (Underwood 1983). It grows slowly: quick ripples after a change of cut must not freeze the
  * folds. Nodes that touch cloth are left out, because contact is stiffer than any motion to be damped; where cloth lies
  * on cloth the drag is at most START_DRAG, because ripples look like quick motion. Where nodes moved along with their
- * force (a fold that snaps over) there is nothing to measure, and the drag takes DRAG_STEP a step at least.
+ * force (a fold that snaps over) there is nothing to measure: the drag falls towards FALL_DRAG, or, with tensors, whose
+ * soft directions are quick, it takes DRAG_STEP of the speed in a step at least.
  */
-static double critical_drag(const mus_drape *drape, double h, double now)
+static double critical_drag(const mus_drape *drape, bool tensors, double h, double now)
 {
     const mus__relaxation *relax = &drape->relax;
     double work = 0.0, moved = 0.0;
@@ -154,10 +156,11 @@ static double critical_drag(const mus_drape *drape, double h, double now)
             d[k] = relax->mean[at] - relax->before[at];
             work -= d[k] * (relax->force[at] - relax->left[at]);
         }
-        moved += tensor_square(relax->inertia + 6 * (int64_t)i, d);
+        moved += tensors ? tensor_square(relax->inertia + 6 * (int64_t)i, d)
+                         : drape->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     }
     if (!(moved > 0.0)) return now;
-    if (!(work > 0.0)) return fmax(now, DRAG_STEP / h);
+    if (!(work > 0.0)) return tensors ? fmax(now, DRAG_STEP / h) : fmax(DRAG_FALL * now, fmin(now, FALL_DRAG));
     const double most = on_cloth(drape) ? fmin(DRAG_GROWTH * now, START_DRAG) : DRAG_GROWTH * now;
     return fmin(fmax(2.0 * sqrt(work / moved), DRAG_LEAST), most);
 }
@@ -222,7 +225,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
     mus__relaxation *relax = &drape->relax;
     double unheld;
     relax->residual = mus__residual(drape, relax->mean, &unheld);
-    now->drag = now->tensors ? critical_drag(drape, now->h, now->drag) : FALL_DRAG;
+    now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->tensors, now->h, now->drag);
     now->stray = farthest(drape, drape->x, relax->mean);
     const double last = now->move;
     now->move = farthest(drape, relax->mean, relax->before);
@@ -279,7 +282,7 @@ static mus_status free_frozen(mus_drape *drape, lying *now)
 static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settling *goal, double *t, lying *now)
 {
     const bool layers = drape->self != NULL;
-    now->tensors = *t >= goal->fall;
+    now->tensors = *t >= goal->fall && !layers;
     mus__relax_rule rule = {.drag = now->drag,
                             .tensors = now->tensors,
                             .speed_limit = SETTLE_SPEED,

@@ -22,6 +22,8 @@
 #include "trade/dxf_ring.h"
 
 #define REACH_PLACES 12   /* places of an edge; chosen: a stretch of a sixth of the edge is found */
+/* as many more are shared out by length to the edges that show none; chosen: they are 5 mm apart on a skirt */
+#define REACH_ROUND 1000
 #define REACH_SPREAD 5e-5 /* [m] distances that agree; chosen: five times the chords of a file */
 #define REACH_NEAR 1e-4   /* [m] a line this near to a place runs through it; chosen: ten last digits of a file */
 #define REACH_STEP 1e-5   /* [m] allowances are rounded to this: the last digit of the files is finer */
@@ -41,18 +43,27 @@ static double reach_place(const mus__ring *sew, int32_t side, double part, const
 }
 
 
-/* distances (REACH_PLACES) [m] at places that are equally far apart along the edge */
-static void reach_edge(const mus__ring *sew, int32_t first, int32_t n, const mus__ring *cut, double *out)
+static double reach_length(const mus__ring *sew, int32_t first, int32_t n)
 {
-    double length = 0.0, behind = 0.0;
+    double length = 0.0;
+    for (int32_t i = first; i < first + n; i++)
+        length += mus__ring_away(sew, i % sew->n, 1.0, sew->points[i % sew->n].xy);
+    return length;
+}
+
+
+/* distances [m] at `places` places that are equally far apart along the edge */
+static void reach_edge(const mus__ring *sew, int32_t first, int32_t n, const mus__ring *cut, int32_t places,
+                       double *out)
+{
+    const double length = reach_length(sew, first, n);
+    double behind = 0.0;
     int32_t place = 0;
-    for (int32_t i = 0; i < n; i++)
-        length += mus__ring_away(sew, (first + i) % sew->n, 1.0, sew->points[(first + i) % sew->n].xy);
     for (int32_t i = 0; i < n; i++) {
         const int32_t side = (first + i) % sew->n;
-        const double own = mus__ring_away(sew, side, 1.0, sew->points[side].xy);
-        for (; place < REACH_PLACES; place++) {
-            const double s = (place + 0.5) / REACH_PLACES * length - behind;
+        const double own = reach_length(sew, side, 1);
+        for (; place < places; place++) {
+            const double s = (place + 0.5) / places * length - behind;
             if (s > own && i + 1 < n) break;
             out[place] = reach_place(sew, side, own > 0.0 ? s / own : 0.0, cut);
         }
@@ -61,22 +72,35 @@ static void reach_edge(const mus__ring *sew, int32_t first, int32_t n, const mus
 }
 
 
-double mus__ring_allowance(const mus__ring *sew, int32_t first, int32_t n, const mus__ring *cut)
+/* of the distances of two neighbours, the one in the middle of the most places; NAN without such neighbours */
+static double reach_common(const double *d, int32_t places)
 {
-    double d[REACH_PLACES], best = 0.0, least = 0.0;
+    double best = NAN, least = 0.0;
     int32_t most = 0;
-    reach_edge(sew, first, n, cut, d);
-    /* of the distances of two neighbours, the one in the middle of the most places */
-    for (int32_t i = 0; i + 1 < REACH_PLACES; i++) {
+    for (int32_t i = 0; i + 1 < places; i++) {
         int32_t same = 0;
         double sum = 0.0;
         if (!(fabs(d[i + 1] - d[i]) < REACH_SPREAD)) continue;
-        for (int32_t j = 0; j < REACH_PLACES; j++) {
+        for (int32_t j = 0; j < places; j++) {
             if (!(fabs(d[j] - d[i]) < REACH_SPREAD)) continue;
             same++;
             sum += fabs(d[j] - d[i]);
         }
         if (same > most || (same == most && sum < least)) most = same, least = sum, best = d[i];
     }
-    return REACH_STEP * floor(best / REACH_STEP + 0.5);
+    return best;
+}
+
+
+double mus__ring_allowance(const mus__ring *sew, int32_t first, int32_t n, const mus__ring *cut)
+{
+    const double share = reach_length(sew, first, n) / reach_length(sew, 0, sew->n);
+    const int32_t more = share > 0.0 && share <= 1.0 ? (int32_t)(share * REACH_ROUND) : 0;
+    const int32_t places[2] = {REACH_PLACES, REACH_PLACES + more};
+    double d[REACH_PLACES + REACH_ROUND], allowance = NAN;
+    for (int32_t k = 0; k < 2 && !(allowance >= 0.0); k++) {
+        reach_edge(sew, first, n, cut, places[k], d);
+        allowance = reach_common(d, places[k]);
+    }
+    return allowance >= 0.0 ? REACH_STEP * floor(allowance / REACH_STEP + 0.5) : 0.0;
 }

@@ -7,14 +7,14 @@
  *
  *      ________cut___________
  *      ____A          B______       the distance of the leg A O from the cut line, square to the leg, grows from A
- *           \        /              on, and near O the other leg lies between
+ *           \        /              on, and soon another part of the sew line is nearer
  *            \      /
  *             \    /
  *              \  /
  *               O
  *
- * The distance is measured at places of the edge, square to the edge. A place counts where no other part of the sew
- * line lies between. Two neighbouring places at one distance show a parallel stretch.
+ * The distance is measured at places of the edge, square to the edge. A place counts where the cut line is that of the
+ * edge: no other part of the sew line is nearer to it. Two neighbouring places at one distance show a parallel stretch.
  */
 #include <math.h>
 
@@ -29,8 +29,10 @@
 #define REACH_STEP 1e-5   /* [m] allowances are rounded to this: the last digit of the files is finer */
 
 
-/* Distance [m] of the cut line from a place, `part` of the way along the side behind point `side` of the sew line. NAN
- * without a cut line there, and where the sew line lies between */
+/*
+ * Distance [m] of the cut line from a place, `part` of the way along the side behind point `side` of the sew line, square
+ * to that side. NAN without a cut line there, and where another part of the sew line is nearer to it
+ */
 static double reach_place(const mus__ring *sew, int32_t side, double part, const mus__ring *cut)
 {
     const double *a = sew->points[side].xy, *b = sew->points[(side + 1) % sew->n].xy;
@@ -38,8 +40,9 @@ static double reach_place(const mus__ring *sew, int32_t side, double part, const
     const double at[2] = {a[0] + part * dx, a[1] + part * dy}, range[2] = {REACH_NEAR, MUS__ALLOWANCE_MOST};
     const double outward[2] = {length > 0.0 ? dy / length : 0.0, length > 0.0 ? -dx / length : 0.0};
     if (!mus__ring_meet(cut, at, outward, range, &side, &part)) return NAN;
-    const double away = mus__ring_away(cut, side, part, at), between[2] = {-REACH_NEAR, away};
-    return mus__ring_meet(sew, at, outward, between, &side, &part) ? NAN : away;
+    const double away = mus__ring_away(cut, side, part, at);
+    const double met[2] = {at[0] + away * outward[0], at[1] + away * outward[1]};
+    return mus__ring_nearest(sew, met, &side, &part) < away - REACH_NEAR ? NAN : away;
 }
 
 

@@ -208,15 +208,15 @@ def audit(data):
 
 
 def round_trip(args):
-    count = good = audited = told = 0
+    count = good = audited = told = refused = 0
     worst = notch = 0.0
     losses = collections.Counter()
     for name, pattern in patterns(args.data, args.every):
         try:
             sheet = Sheet(pattern, paper="roll")
-        except muslin.MuslinError as refused:  # an outline that cannot be cut: the file is one that is not kept
-            print(f"{name}: {refused}")
-            count, losses["no file"] = count + 2, losses["no file"] + 2
+        except muslin.MuslinError as error:  # an outline that cannot be cut is told, and there is no file
+            print(f"  {name}: {error}")
+            refused += 1
             continue
         lines = collections.defaultdict(list)
         for piece, kind, edge, ops, points in sheet.lines:
@@ -236,7 +236,8 @@ def round_trip(args):
                 audited, told = audited + 1, told + errors
     for what, n in losses.most_common(12):
         print(f"  {n:5d} {what}")
-    print(f"round trip: {good} of {count} files keep all; outlines within {worst:.4f} mm, notches within {notch:.3f} mm")
+    print(f"round trip: {good} of {count} files keep all; outlines within {worst:.4f} mm, notches within {notch:.3f} mm; "
+          f"{refused} patterns are refused, with the sentence above")
     print(f"audit: {audited} files, {told} errors and fixes" if audited else "audit: skipped, no ezdxf (pip install ezdxf)")
     return good == count and told == 0
 
@@ -284,7 +285,7 @@ def ring(pattern, panel, chords):
 
 def away(corners, line):
     """How far the corners of an outline lie from a line [mm], once it is moved to where it fits best; and how far the
-    line then lies from the outline."""
+    line then lies from the outline; and the move."""
     kept, shift, best = 0.0, (line.min(0) + line.max(0) - corners.min(0) - corners.max(0)) / 2, math.inf
     for _ in range(8):
         a, d = line[:-1], line[1:] - line[:-1]
@@ -295,7 +296,37 @@ def away(corners, line):
         if (worst := float(np.hypot(*near.T).max())) < best:
             best, kept = worst, shift
         shift = shift + (near.max(0) + near.min(0)) / 2
-    return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1]))))
+    return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1])))), kept
+
+
+def strays(theirs, ours):
+    """Stretches of our outline that their outline has not: (length, distance between the ends, farthest from their
+    outline) of each [mm]."""
+    line = np.concatenate([a + (b - a) * np.linspace(0, 1, 9)[:-1, None] for a, b in zip(ours[:-1], ours[1:])])
+    away = np.array([distance(p[None], theirs) for p in line])
+    far = away > CHORD_MM
+    if far.all() or not far.any():
+        return []
+    start = int(np.argmin(far))
+    line, away, far = (np.roll(x, -start, axis=0) for x in (line, away, far))
+    runs, ends = [], np.flatnonzero(np.diff(np.append(far, False).astype(int)))
+    for a, b in zip(ends[::2] + 1, ends[1::2] + 1):
+        length = float(np.hypot(*(line[a:b] - line[a - 1:b - 1]).T).sum())
+        runs.append((length, float(np.hypot(*(line[b - 1] - line[a]))), float(away[a:b].max())))
+    return runs
+
+
+def why(theirs, ours, drawing):
+    """What makes a piece of Valentina's own export another one than its drawing says."""
+    runs = strays(theirs, ours)
+    cut = [run for run in runs if run[1] < 0.5 * run[0] and run[2] > 1.0]
+    told = []
+    if cut:
+        told.append(f"its export leaves out {len(cut)} darts, slits or loops of the outline, up to "
+                    f"{max(run[2] for run in cut):.1f} mm deep")
+    if 'type="triangle"' in drawing:
+        told.append("a corner is a point of the tool triangle, which Valentina searches in steps of 0.26 mm")
+    return "; ".join(told) or "not known"
 
 
 def tools(args):
@@ -314,15 +345,16 @@ def tools(args):
             print(f"  {name}: {error}")
             continue
         read += 1
+        text = (folder / f"{drawing}.val").read_text(errors="replace")
         theirs = Pattern.read(args.data / f"valentina/{name}.astm.dxf")
         lines = [ring(ours, i, 64) for i in range(len(ours.panels))]
         for i, piece in enumerate(theirs.panels):
             corners = ring(theirs, i, 1)
-            worst, back = min(away(corners, line) for line in lines)
+            worst, back, shift, k = min(((*away(corners, line), k) for k, line in enumerate(lines)), key=lambda found: found[:2])
             pieces, good, both = pieces + 1, good + (worst <= 0.1), both + (worst <= 0.1 and back <= CHORD_MM)
             if worst > 0.1 or back > CHORD_MM:
                 print(f"  {name} {piece}: its corners within {worst:.3f} mm of our curves, our curves within {back:.3f} mm "
-                      "of its chords")
+                      f"of its chords: {why(corners, lines[k] - shift, text)}")
     print(f"tools: {read} of {len(DRAWINGS)} drawings of Valentina read; of {pieces} pieces {good} have the corners of its "
           f"export within 0.1 mm, {both} also the whole outline within {CHORD_MM} mm of its chords")
     others = sorted(path for path in folder.rglob("*.val") if path.stat().st_size < 1e6)

@@ -30,8 +30,8 @@
 
 
 /*
- * Distance [m] of the cut line from a place, `part` of the way along the side behind point `side` of the sew line, square
- * to that side. NAN without a cut line there, and where another part of the sew line is nearer to it
+ * Distance [m] of the cut line from a place, `part` of the way along the side behind point `side` of the sew line,
+ * square to that side. NAN without a cut line there, and where another part of the sew line is nearer to it
  */
 static double reach_place(const mus__ring *sew, int32_t side, double part, const mus__ring *cut)
 {

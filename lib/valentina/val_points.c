@@ -129,9 +129,9 @@ static bool points_on_line(mus__val_job *job, int32_t e, const char *type, doubl
 /*
  * The apex of a right angle over the points p[2] and p[3], beyond their line in the direction of the axis from p[0] to
  * p[1]; false when the two lines are parallel. Valentina does not compute the place, it searches: from the place where
- * the lines cross in steps of a pixel of 1/96 inch, from the second on, to the first place at which the legs a and b and
- * the hypotenuse c, each cut to whole pixels, have a a + b b >= c c. This is up to a pixel from the right angle, and the
- * drawings have the place that was found. Places where a and b are too short even uncut are passed over.
+ * the lines cross in steps of a pixel of 1/96 inch, from the second on, to the first place at which the legs a and b
+ * and the hypotenuse c, each cut to whole pixels, have a a + b b >= c c. This is up to a pixel from the right angle,
+ * and drawings have the place that was found. Places where a and b are too short even uncut are passed over.
  */
 static bool points_right_angle(double (*p)[2], double *out)
 {

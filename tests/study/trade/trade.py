@@ -299,34 +299,29 @@ def away(corners, line):
     return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1])))), kept
 
 
+def widths(pattern, panel):
+    return [pattern.edge_allowance(edge) or 0.0 for edge, _ in pattern.outline(panel)]
+
+
 def strays(theirs, ours):
-    """Stretches of our outline that their outline has not: (length, distance between the ends, farthest from their
-    outline) of each [mm]."""
+    """How far each stretch of our outline that theirs has not goes away from theirs [mm]."""
     line = np.concatenate([a + (b - a) * np.linspace(0, 1, 9)[:-1, None] for a, b in zip(ours[:-1], ours[1:])])
     away = np.array([distance(p[None], theirs) for p in line])
-    far = away > CHORD_MM
-    if far.all() or not far.any():
-        return []
-    start = int(np.argmin(far))
-    line, away, far = (np.roll(x, -start, axis=0) for x in (line, away, far))
-    runs, ends = [], np.flatnonzero(np.diff(np.append(far, False).astype(int)))
-    for a, b in zip(ends[::2] + 1, ends[1::2] + 1):
-        length = float(np.hypot(*(line[a:b] - line[a - 1:b - 1]).T).sum())
-        runs.append((length, float(np.hypot(*(line[b - 1] - line[a]))), float(away[a:b].max())))
-    return runs
+    away = np.roll(away, -int(np.argmin(away)))
+    runs = np.split(away, np.flatnonzero(np.diff((away > CHORD_MM).astype(int))) + 1)
+    return [float(run.max()) for run in runs if run.max() > CHORD_MM]
 
 
-def why(theirs, ours, drawing):
-    """What makes a piece of Valentina's own export another one than its drawing says."""
-    runs = strays(theirs, ours)
-    cut = [run for run in runs if run[1] < 0.5 * run[0] and run[2] > 1.0]
-    told = []
-    if cut:
-        told.append(f"its export leaves out {len(cut)} darts, slits or loops of the outline, up to "
-                    f"{max(run[2] for run in cut):.1f} mm deep")
+def why(theirs, ours, drawing, allowances):
+    """What makes a piece of Valentina's own export another one than its drawing says. `allowances` is (theirs, ours)."""
+    wider = float((np.ptp(theirs, axis=0) - np.ptp(ours, axis=0)).min()) / 2
+    if max(allowances[0]) == 0 and min(allowances[1]) > 0 and wider > CHORD_MM:
+        return f"its export has the cut line alone, {wider:.1f} mm outside"
+    if deep := [depth for depth in strays(theirs, ours) if depth > 1]:
+        return f"its export leaves out {len(deep)} darts, slits or loops of the outline, up to {max(deep):.1f} mm deep"
     if 'type="triangle"' in drawing:
-        told.append("a corner is a point of the tool triangle, which Valentina searches in steps of 0.26 mm")
-    return "; ".join(told) or "not known"
+        return "a corner is a point of the tool triangle, which Valentina searches in steps of 0.26 mm"
+    return "not known"
 
 
 def tools(args):
@@ -354,7 +349,7 @@ def tools(args):
             pieces, good, both = pieces + 1, good + (worst <= 0.1), both + (worst <= 0.1 and back <= CHORD_MM)
             if worst > 0.1 or back > CHORD_MM:
                 print(f"  {name} {piece}: its corners within {worst:.3f} mm of our curves, our curves within {back:.3f} mm "
-                      f"of its chords: {why(corners, lines[k] - shift, text)}")
+                      f"of its chords: {why(corners, lines[k] - shift, text, [widths(theirs, i), widths(ours, k)])}")
     print(f"tools: {read} of {len(DRAWINGS)} drawings of Valentina read; of {pieces} pieces {good} have the corners of its "
           f"export within 0.1 mm, {both} also the whole outline within {CHORD_MM} mm of its chords")
     others = sorted(path for path in folder.rglob("*.val") if path.stat().st_size < 1e6)

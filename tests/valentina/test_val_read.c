@@ -159,8 +159,8 @@ START_TEST(a_right_angle_is_where_valentina_finds_it)
         "<point type=\"triangle\" id=\"5\" name=\"T\" axisP1=\"3\" axisP2=\"4\" firstPoint=\"1\" "
         "secondPoint=\"2\"/>"
         "</calculation><modeling><point type=\"modeling\" id=\"6\" idObject=\"1\"/>"
-        "<point type=\"modeling\" id=\"7\" idObject=\"2\"/><point type=\"modeling\" id=\"8\" idObject=\"5\"/></modeling>"
-        "<details><detail id=\"9\" name=\"p\"><nodes><node type=\"NodePoint\" idObject=\"6\"/>"
+        "<point type=\"modeling\" id=\"7\" idObject=\"2\"/><point type=\"modeling\" id=\"8\" idObject=\"5\"/>"
+        "</modeling><details><detail id=\"9\" name=\"p\"><nodes><node type=\"NodePoint\" idObject=\"6\"/>"
         "<node type=\"NodePoint\" idObject=\"7\"/><node type=\"NodePoint\" idObject=\"8\"/></nodes></detail></details>"
         "</draw></pattern>";
     mus_context *context = support_context();

@@ -14,6 +14,7 @@
 #include "block/block_trousers.h"
 #include "base/elementary.h"
 #include "geom/curve.h"
+#include "geom/vec.h"
 
 #define BACK_TILT 0.19438030913771848 /* tan 11 degrees: of the centre back line */
 #define KNEE_PART 0.44                /* knee below the crotch line as a part of the inleg */
@@ -90,18 +91,58 @@ static double leg_side_in(bool darts, double t, double part, double most, mus__t
 }
 
 
-/* a dart of `width` about arc length `at` of the waist line from the centre, `length` along its perpendicular; a dart
- * that would be wider than long is an error */
-static bool leg_dart(mus__trousers_half *half, double at, double width, double length)
+/* the darts of a half: middles of the mouths along the straight waist line from the centre, their length, and the
+ * length of the waist with the darts closed */
+typedef struct leg_darts {
+    const mus__trousers_half *half;
+    int32_t n;
+    double at[MUS__DARTS], length, net;
+} leg_darts;
+
+
+/* the trued waist whose darts are `width` wide together on the straight line; returns its length with them closed */
+static double leg_waist(const leg_darts *darts, double width, mus__waist *waist)
 {
-    const double *centre = half->centre, ux = half->side[0] - centre[0], uy = half->side[1] - centre[1];
-    const double chord = sqrt(ux * ux + uy * uy), x = ux / chord, y = uy / chord;
-    double *dart = half->dart[half->ndart];
-    if (length < width || at - 0.5 * width < 0.0 || at + 0.5 * width > chord) return false;
-    dart[0] = centre[0] + x * (at - 0.5 * width), dart[1] = centre[1] + y * (at - 0.5 * width);
-    dart[2] = centre[0] + x * at + y * length, dart[3] = centre[1] + y * at - x * length;
-    dart[4] = centre[0] + x * (at + 0.5 * width), dart[5] = centre[1] + y * (at + 0.5 * width);
-    half->ndart++;
+    const double *centre = darts->half->centre, *side = darts->half->side, chord = mus__dist2(centre, side);
+    const double x = (side[0] - centre[0]) / chord, y = (side[1] - centre[1]) / chord, w = 0.5 * width / darts->n;
+    waist->ndart = darts->n;
+    for (int i = 0; i < 2; i++) {
+        waist->end[0][i] = centre[i], waist->end[1][i] = side[i];
+        waist->along[0][i] = waist->along[1][i] = i == 0 ? x : y;
+    }
+    for (int32_t d = 0; d < darts->n; d++) {
+        double *dart = waist->dart[d];
+        const double at = darts->at[d];
+        dart[0] = centre[0] + x * (at - w), dart[1] = centre[1] + y * (at - w);
+        dart[2] = centre[0] + x * at + y * darts->length, dart[3] = centre[1] + y * at - x * darts->length;
+        dart[4] = centre[0] + x * (at + w), dart[5] = centre[1] + y * (at + w);
+    }
+    return mus__waist_true(waist);
+}
+
+
+static double leg_waist_excess(const void *data, double width)
+{
+    const leg_darts *darts = data;
+    mus__waist waist;
+    return leg_waist(darts, width, &waist) - darts->net;
+}
+
+
+/* draws the darts and the waist with its exact length: truing shortens the line, so the darts become narrower than
+ * half->dart_width. A dart that would be wider than long, or beyond the waist, is an error */
+static bool leg_dart(mus__trousers_half *half, const leg_darts *darts)
+{
+    const double most = half->dart_width, each = most / darts->n, chord = mus__dist2(half->centre, half->side);
+    mus__waist waist;
+    double width;
+    if (darts->length < each || darts->at[0] - 0.5 * each < 0.0 || darts->at[darts->n - 1] + 0.5 * each > chord)
+        return false;
+    if (!mus__solve(leg_waist_excess, darts, 0.5 * most, most, &width)) return false;
+    half->waist_length = leg_waist(darts, width, &waist);
+    half->ndart = darts->n;
+    memcpy(half->dart, waist.dart, sizeof half->dart);
+    memcpy(half->waist, waist.part, sizeof half->waist);
     return true;
 }
 
@@ -135,12 +176,13 @@ static mus_status leg_front(mus_context *context, const mus__trousers_def *def, 
     half->centre[0] = x0, half->centre[1] = def->top;
     half->centre[2] = 0.0, half->centre[3] = out->hip;
     half->side[0] = x0 + net + half->dart_width, half->side[1] = def->top + 0.4 * MUS__CM;
-    if (half->dart_width > 0.0 && !leg_dart(half, 0.55 * (net + half->dart_width), half->dart_width,
-                                            fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM)) {
+    const leg_darts darts = {half, 1, {0.55 * (net + half->dart_width)},
+                             fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM, net};
+    if (!(half->dart_width > 0.0) || !leg_dart(half, &darts)) {
         half->dart_width = 0.0;
         half->side[0] = x0 + net;
+        half->waist_length = mus__dist2(half->centre, half->side);
     }
-    half->waist_length = mus__hypot(half->side[0] - x0, half->side[1] - def->top) - half->dart_width;
 
     /* crotch and seams */
     const double hip_line[2] = {0.0, out->hip}, fork[2] = {-half->fork, out->crotch};
@@ -208,20 +250,16 @@ static mus_status leg_back(mus_context *context, const mus__trousers_def *def, m
     problem.hip[0] = half->hip, problem.hip[1] = out->hip;
     problem.target = mus__chain_length(&out->front.outseam);
     mus_status status = leg_back_side(context, &problem, half, net + half->dart_width, def->top);
-    const double d = half->dart_width, length = fmin(0.62 * (def->top - out->hip), 13.0 * MUS__CM);
-    if (status == MUS_OK && d > 0.0) {
-        const bool drawn = d <= 3.2 * MUS__CM
-                               ? leg_dart(half, 0.5 * net + 0.5 * d, d, length)
-                               : leg_dart(half, 0.32 * net + 0.25 * d, 0.5 * d, length) &&
-                                     leg_dart(half, 0.64 * net + 0.75 * d, 0.5 * d, length);
-        if (!drawn) {
-            half->ndart = 0, half->dart_width = 0.0;
-            status = leg_back_side(context, &problem, half, net, def->top);
-        }
+    const double d = half->dart_width;
+    const bool one = d <= 3.2 * MUS__CM;
+    const leg_darts darts = {half, one ? 1 : 2, {one ? 0.5 * net + 0.5 * d : 0.32 * net + 0.25 * d,
+                             0.64 * net + 0.75 * d}, fmin(0.62 * (def->top - out->hip), 13.0 * MUS__CM), net};
+    if (status == MUS_OK && (!(d > 0.0) || !leg_dart(half, &darts))) {
+        if (d > 0.0) status = leg_back_side(context, &problem, half, net, def->top);
+        half->dart_width = 0.0;
+        half->waist_length = mus__dist2(half->centre, half->side);
     }
     leg_outseam(&problem, half->side, &half->outseam);
-    half->waist_length =
-        mus__hypot(half->side[0] - half->centre[0], half->side[1] - half->centre[1]) - half->dart_width;
     return status;
 }
 

@@ -6,7 +6,7 @@
 #ifndef MUS_BLOCK_TROUSERS_H
 #define MUS_BLOCK_TROUSERS_H
 
-#include "block/block_bodice.h"
+#include "block/block_waist.h"
 
 typedef struct mus__trousers_def {
     double waist, hip, hip_ease; /* girths of the body at the top edge and at the hip; total ease on the hip */
@@ -30,7 +30,8 @@ typedef struct mus__trousers_half {
     double hem[8];       /* inseam to outseam, square to both */
     int32_t ndart;
     double dart[MUS__DARTS][6]; /* inner mouth, point, outer mouth; from the centre outwards */
-    double dart_width;
+    double waist[MUS__DARTS + 1][8]; /* the top edge between its darts, fair when they are closed; none without darts */
+    double dart_width;   /* the darts together on the straight waist line, before it is trued */
     double crease;       /* x of the leg's middle */
     double fork, hip;    /* widths beyond the centre line and before it on the crotch line */
     double fork_drop;    /* fork below the crotch line */

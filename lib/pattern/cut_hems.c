@@ -29,7 +29,6 @@
 #define HEM_TAKEN 0.45
 /* most of a neighbour that is read, in depths of the hem. Chosen: one that leans more is no neighbour */
 #define NEIGHBOUR_MOST 4.0
-#define IMAGE_SAME 1e-9 /* [m] a shorter line is none; chosen: above rounding */
 #define BISECTIONS 44  /* halvings of a line to find a depth; chosen: 2^-44 of a metre is below rounding */
 #define IMAGE_PARTS 8  /* parts of a line in the mirror of a curved hem; chosen: within 0.01 mm at a radius of 0.3 m */
 
@@ -155,7 +154,7 @@ static bool image_part(hem_end *end, int32_t own, const double *out, const doubl
     const bool done = high >= end->depth;
     if (done) image_level(end, from, q, end->depth, to);
     hem_foot(end, to, end->foot, &end->run, &end->side);
-    if (!done && mus__dist2(from, to) < IMAGE_SAME) return false;
+    if (!done && mus__dist2(from, to) < MUS__CUT_SAME) return false;
 
     /* a straight line stays straight in the mirror of a straight hem alone */
     const int32_t n = end->side == side_from(end->ring, end->corner, end->step, 0) ? 1 : IMAGE_PARTS;

@@ -18,8 +18,6 @@
 
 #define CUT_CHORD 1e-5      /* [m] largest distance of a chord from its curve; chosen: far below the width of a line */
 #define CUT_CHORDS_MAX 4096 /* most chords of one curve; chosen: bounds the memory */
-/* [m] two points this near are one; chosen: above rounding, far below 0.01 mm */
-#define CUT_SAME 1e-9
 #define CUT_ALLOWANCE_MOST 0.2 /* [m] widest default allowance; chosen: wider is a slip of unit */
 
 struct mus_cut_line {
@@ -110,7 +108,7 @@ static bool dart_presses_second(const rim_read *read, const double (*mouth)[2])
     }
     const double x = end[1][0] - end[0][0], y = end[1][1] - end[0][1], z = end[1][2] - end[0][2];
     if (y * y > x * x + z * z) return y < 0.0;
-    return fabs(end[1][0]) < fabs(end[0][0]) - CUT_SAME;
+    return fabs(end[1][0]) < fabs(end[0][0]) - MUS__CUT_SAME;
 }
 
 
@@ -132,7 +130,7 @@ static bool dart_from_rim(const rim_read *read, int32_t first, int32_t last, mus
         v[d] = dart->mouth[1][d] - dart->point[d];
     }
     dart->onto_second = dart_presses_second(read, (const double (*)[2])dart->mouth);
-    return fabs(u[0] - v[0]) + fabs(u[1] - v[1]) > CUT_SAME && u[0] * v[0] + u[1] * v[1] > 0.0;
+    return fabs(u[0] - v[0]) + fabs(u[1] - v[1]) > MUS__CUT_SAME && u[0] * v[0] + u[1] * v[1] > 0.0;
 }
 
 
@@ -164,7 +162,7 @@ static void ring_point(mus__cut_ring *ring, mus__cut_corner *corner, const doubl
     memcpy(corner->xy, xy, sizeof corner->xy);
     if (ring->n > 0) {
         const mus__cut_corner *last = &ring->list[ring->n - 1];
-        if (fabs(last->xy[0] - xy[0]) + fabs(last->xy[1] - xy[1]) < CUT_SAME) {
+        if (fabs(last->xy[0] - xy[0]) + fabs(last->xy[1] - xy[1]) < MUS__CUT_SAME) {
             ring->list[ring->n - 1] = *corner;
             return;
         }
@@ -213,7 +211,7 @@ static void ring_read(rim_read *read, mus__cut_ring *ring)
             mus__cut_corner corner = {.width = own >= 0.0 ? own : read->allowance, .dart = read->line->ndart++};
             ring_point(ring, &corner, dart->mouth[0]);
             i = last;
-        } else if (mus__dist2(dart->mouth[0], dart->mouth[1]) < CUT_SAME) {
+        } else if (mus__dist2(dart->mouth[0], dart->mouth[1]) < MUS__CUT_SAME) {
             i = last; /* a slit that is sewn shut */
         } else {
             for (int32_t k = i; k <= last; k++) read->mate[k] = MUS_NONE;
@@ -222,7 +220,7 @@ static void ring_read(rim_read *read, mus__cut_ring *ring)
     }
     while (ring->n > 1) {
         const double *a = ring->list[0].xy, *b = ring->list[ring->n - 1].xy;
-        if (fabs(a[0] - b[0]) + fabs(a[1] - b[1]) >= CUT_SAME) break;
+        if (fabs(a[0] - b[0]) + fabs(a[1] - b[1]) >= MUS__CUT_SAME) break;
         ring->n--;
     }
 }

@@ -9,6 +9,8 @@
 
 #include "pattern/pattern_internal.h"
 
+#define MUS__CUT_SAME 1e-9 /* [m] points this near are one; chosen: above rounding, far below 0.01 mm */
+
 /* a corner of the ring, and the side from it to the next corner */
 typedef struct mus__cut_corner {
     double xy[2];  /* [m] */

@@ -110,11 +110,8 @@ static mus__trousers_def trousers_block(const mus__half *half)
 /* parts of the waist line between the darts, from the centre outwards */
 static void trousers_waist(const mus__trousers_half *block, mus__chain *part)
 {
-    const double *at = block->centre;
-    for (int32_t d = 0; d <= block->ndart; d++) {
-        mus__chain_line(&part[d], at, d < block->ndart ? block->dart[d] : block->side);
-        if (d < block->ndart) at = block->dart[d] + 4;
-    }
+    if (block->ndart == 0) mus__chain_line(&part[0], block->centre, block->side);
+    for (int32_t d = 0; block->ndart > 0 && d <= block->ndart; d++) mus__chain_cubic(&part[d], block->waist[d]);
 }
 
 

@@ -16,11 +16,7 @@
 #include "base/elementary.h"
 #include "base/sort.h"
 
-#define ALLOWANCE_LARGEST 0.1    /* [m] a sew line farther inside is none; chosen: as the largest of a sheet */
 #define ALLOWANCE_LAYER_8 0.05   /* [m] the same of a line of layer 8, which may be a pocket; chosen: a deep hem */
-#define ALLOWANCE_STEP 1e-5      /* [m] allowances are rounded to this: the last digit of the files is finer */
-#define ALLOWANCE_PLACES 12      /* places of an edge that are measured; half of them must agree */
-#define ALLOWANCE_SPREAD 5e-5    /* [m] distances that agree; chosen: five times the chords of a file */
 #define NOTCH_ASIDE 0.0065       /* [m] slits this near are one notch; chosen: a quarter inch, the trade's distance */
 #define TEXT_NEAR 5e-4           /* [m] a text this near to a mark is its name; chosen: files round to 0.01 mm */
 #define MARKS_MOST 5000          /* most marks, and most notches, of a piece; chosen: bounds the time a file can take */
@@ -125,7 +121,7 @@ static mus_status panel_sew(dxf_panel *p)
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < 2 && status != MUS_ERR_MEMORY; i++) {
         status = mus__ring_make(p->file, p->block, layers[i], MUS_NONE, &p->ring);
-        if (status == MUS_OK && ring_inside(&p->ring, &p->cut, ALLOWANCE_LARGEST)) return MUS_OK;
+        if (status == MUS_OK && ring_inside(&p->ring, &p->cut, MUS__ALLOWANCE_MOST)) return MUS_OK;
         p->ring.n = 0;
     }
     for (int32_t i = p->block->first; i < p->block->first + p->block->n && status != MUS_ERR_MEMORY; i++) {
@@ -268,48 +264,13 @@ static int32_t panel_edge_of(const dxf_panel *p, int32_t k)
 }
 
 
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
-
-/* distances [m] from edge k to the cut line, square to the edge, at up to ALLOWANCE_PLACES places; their number */
-static int32_t panel_reach(const dxf_panel *p, int32_t k, double *out)
-{
-    static const double range[2] = {1e-4, ALLOWANCE_LARGEST};
-    const int32_t n = panel_sides(p, k), size = p->ring.n;
-    int32_t count = 0, side;
-    for (int32_t i = 0; i < ALLOWANCE_PLACES; i++) {
-        const double t = (i + 0.5) / ALLOWANCE_PLACES * n;
-        const double *a = p->ring.points[(p->starts[k] + (int32_t)t) % size].xy;
-        const double *b = p->ring.points[(p->starts[k] + (int32_t)t + 1) % size].xy;
-        double part = t - (int32_t)t, dx = b[0] - a[0], dy = b[1] - a[1], length = mus__hypot(dx, dy);
-        const double at[2] = {a[0] + part * dx, a[1] + part * dy};
-        const double outward[2] = {length > 0.0 ? dy / length : 0.0, length > 0.0 ? -dx / length : 0.0};
-        if (!mus__ring_meet(&p->cut, at, outward, range, &side, &part)) continue;
-        const double *c = p->cut.points[side].xy, *d = p->cut.points[(side + 1) % p->cut.n].xy;
-        out[count++] = mus__hypot(c[0] + part * (d[0] - c[0]) - at[0], c[1] + part * (d[1] - c[1]) - at[1]);
-    }
-    return count;
-}
-
-
-/* the allowance of each edge: its distance from the cut line, where that is the same along the edge (not in a dart,
- * which the cut line does not follow); 0 without a cut line of its own */
+/* the allowances of the edges; 0 without a cut line of its own */
 static mus_status panel_allowances(dxf_panel *p)
 {
     mus_status status = MUS_OK;
     for (int32_t k = 0; k < p->nedge && status == MUS_OK; k++) {
-        double d[ALLOWANCE_PLACES] = {0.0};
-        int32_t n = ALLOWANCE_PLACES;
-        if (p->cut.n > 0) n = panel_reach(p, k, d);
-        mus__sort(d, (size_t)n, sizeof *d, by_size);
-        int32_t same = 0;
-        for (int32_t i = 0; i < n; i++) same += fabs(d[i] - d[n / 2]) < ALLOWANCE_SPREAD;
-        if (2 * same < ALLOWANCE_PLACES) continue;
-        const double allowance = ALLOWANCE_STEP * floor(d[n / 2] / ALLOWANCE_STEP + 0.5);
+        double allowance = 0.0;
+        if (p->cut.n > 0) allowance = mus__ring_allowance(&p->ring, p->starts[k], panel_sides(p, k), &p->cut);
         status = panel_wrap(p, mus_pattern_set_edge_allowance(p->job->pattern, panel_edge_of(p, k), allowance));
     }
     return status;
@@ -343,7 +304,7 @@ static mus_status slit_add(dxf_panel *p, int32_t at, double part)
 /* find the place of the sew line that a notch points at */
 static mus_status slit_read(dxf_panel *p, const mus__dxf_entity *entity)
 {
-    static const double range[2] = {2e-3, 1.1 * ALLOWANCE_LARGEST};
+    static const double range[2] = {2e-3, 1.1 * MUS__ALLOWANCE_MOST};
     double at[2], d[2] = {0.0, 0.0}, part;
     int32_t side;
     panel_place(p, entity, 0, at);
@@ -356,8 +317,12 @@ static mus_status slit_read(dxf_panel *p, const mus__dxf_entity *entity)
         const double length = mus__hypot(d[0] - at[0], d[1] - at[1]);
         for (int32_t k = 0; k < 2; k++) d[k] = length > 0.0 ? (d[k] - at[k]) / length : 0.0;
     }
-    if ((d[0] == 0.0 && d[1] == 0.0) || !mus__ring_meet(&p->ring, at, d, range, &side, &part))
-        mus__ring_nearest(&p->ring, at, &side, &part);
+    const bool points = d[0] != 0.0 || d[1] != 0.0;
+    double far = range[1];
+    const bool meets = points && mus__ring_meet(&p->ring, at, d, range, &side, &part);
+    if (meets) far = mus__ring_away(&p->ring, side, part, at);
+    const bool corner = points && mus__ring_corner(&p->ring, at, d, far, &side, &part);
+    if (!corner && !meets) mus__ring_nearest(&p->ring, at, &side, &part);
     return slit_add(p, side, part);
 }
 

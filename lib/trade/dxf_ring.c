@@ -11,7 +11,7 @@
 #include "trade/dxf_ring.h"
 #include "base/elementary.h"
 
-#define RING_JOIN 5e-4   /* [m] ends this near are one point; chosen: files round to 0.01 mm, and no edge is so short */
+#define RING_JOIN 5e-4   /* [m] ends of lines this near are one point, without a nearer end; chosen: 50 last digits */
 #define RING_SAME 1e-6   /* [m] points this near are one point: a hundredth of the last digit that files have */
 #define RING_TOUCH 5e-5  /* [m] a turn point or a mirror line this near to a vertex is on it; chosen: RING_JOIN / 10 */
 #define RING_POINTS 5000 /* most points of an outline; chosen: bounds the time of a file, which grows with n^2 */
@@ -98,8 +98,8 @@ static mus_status ring_join(const mus__dxf_file *file, int32_t *list, int32_t n,
     for (int32_t left = n - 1; status == MUS_OK; left--) {
         double gap, closing = ring_apart(ring->points[0].xy, ring->points[ring->n - 1].xy);
         bool back = false;
-        if (ring->n > 2 && closing < RING_JOIN) break;
         int32_t next = left > 0 ? ring_next(file, list, n, ring->points[ring->n - 1].xy, &back, &gap) : MUS_NONE;
+        if (ring->n > 2 && closing < RING_JOIN && (next == MUS_NONE || closing <= gap)) break;
         if (next == MUS_NONE || gap >= RING_JOIN)
             return mus__source_fail(file->source, first->line, MUS_ERR_FORMAT,
                                     "the outline on layer %d is open by %.2f mm; expected lines that close",
@@ -111,10 +111,10 @@ static mus_status ring_join(const mus__dxf_file *file, int32_t *list, int32_t n,
 }
 
 
-/* the last point goes when it is the first */
-static void ring_close(mus__ring *ring)
+/* the last point goes when it is the first: within `near` [m], and then those that are the same point */
+static void ring_close(mus__ring *ring, double near)
 {
-    while (ring->n > 1 && ring_apart(ring->points[0].xy, ring->points[ring->n - 1].xy) < RING_JOIN) {
+    for (; ring->n > 1 && ring_apart(ring->points[0].xy, ring->points[ring->n - 1].xy) < near; near = RING_SAME) {
         ring->points[0].turn |= ring->points[ring->n - 1].turn;
         ring->n--;
     }
@@ -143,7 +143,7 @@ mus_status mus__ring_make(const mus__dxf_file *file, const mus__dxf_block *block
     if (status == MUS_OK && closed != MUS_NONE) status = ring_append(file, ring, &file->entities[closed], false);
     else if (status == MUS_OK && n > 0) status = ring_join(file, list, n, ring);
     mus_context_alloc(file->source->context, list, 0);
-    if (status == MUS_OK) ring_close(ring);
+    if (status == MUS_OK) ring_close(ring, closed != MUS_NONE ? RING_SAME : RING_JOIN);
     return status;
 }
 
@@ -195,6 +195,35 @@ bool mus__ring_meet(const mus__ring *ring, const double *p, const double *d, con
         *part = u;
     }
     return best < HUGE_VAL;
+}
+
+
+double mus__ring_away(const mus__ring *ring, int32_t at, double part, const double *p)
+{
+    const double *a = ring->points[at].xy, *b = ring->points[(at + 1) % ring->n].xy;
+    const double q[2] = {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])};
+    return ring_apart(p, q);
+}
+
+
+bool mus__ring_corner(const mus__ring *ring, const double *p, const double *d, double ahead, int32_t *at, double *part)
+{
+    const int32_t n = ring->n;
+    double nearest = ahead + RING_TOUCH;
+    bool found = false;
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t before = (i + n - 1) % n;
+        const double *a = ring->points[before].xy, *c = ring->points[i].xy, *b = ring->points[(i + 1) % n].xy;
+        const double x = c[0] - p[0], y = c[1] - p[1], t = x * d[0] + y * d[1];
+        if (!ring->points[i].turn || fabs(x * d[1] - y * d[0]) > RING_TOUCH || t < 0.0 || t >= nearest) continue;
+        const double in = fabs((c[0] - a[0]) * d[0] + (c[1] - a[1]) * d[1]) / ring_apart(a, c);
+        const double out = fabs((b[0] - c[0]) * d[0] + (b[1] - c[1]) * d[1]) / ring_apart(c, b);
+        nearest = t;
+        found = true;
+        *at = in < out ? before : i;
+        *part = in < out ? 1.0 : 0.0;
+    }
+    return found;
 }
 
 

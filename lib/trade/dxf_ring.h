@@ -55,6 +55,8 @@ void mus__ring_mirror(const double *axis, double *xy);
 void mus__ring_orient(mus__ring *ring);
 /* true when p lies inside the ring */
 bool mus__ring_inside(const mus__ring *ring, const double *p);
+/* distance [m] of p from the place `part` of the side behind point `at` */
+double mus__ring_away(const mus__ring *ring, int32_t at, double part, const double *p);
 /* low x, low y, high x, high y [m] */
 void mus__ring_box(const mus__ring *ring, double *box);
 /* distance [m] of p from the ring: *at gets the point before the nearest place, *part the place on its side, 0 to 1 */
@@ -63,5 +65,14 @@ double mus__ring_nearest(const mus__ring *ring, const double *p, int32_t *at, do
  * nearest to p; false without one */
 bool mus__ring_meet(const mus__ring *ring, const double *p, const double *d, const double *range, int32_t *at,
                     double *part);
+/* the corner that the ray from p in the direction d (a unit vector) passes first, at most `ahead` [m] from p. Of the
+ * two edges that meet there, *at and *part get the end of the one that is more square to the ray, since where the ray
+ * meets an edge that it grazes is not certain. false without such a corner */
+bool mus__ring_corner(const mus__ring *ring, const double *p, const double *d, double ahead, int32_t *at, double *part);
+
+#define MUS__ALLOWANCE_MOST 0.1 /* [m] a sew line farther inside is none; chosen: as the largest of a sheet */
+
+/* allowance [m] of the edge of n sides behind point `first` of the sew line, counter-clockwise, from the cut line */
+double mus__ring_allowance(const mus__ring *sew, int32_t first, int32_t n, const mus__ring *cut);
 
 #endif

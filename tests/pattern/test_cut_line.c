@@ -145,6 +145,39 @@ START_TEST(a_dart_is_capped_by_the_edge_that_it_is_folded_onto)
 END_TEST
 
 
+/* the edge beside the mouth turns up at x = 0.115: behind the fold, which meets y = 0.6 at 0.1192; its cut line turns
+ * at 0.1212, before the fold, which meets y = 0.61 at 0.1172 */
+static const double cornered[] = {0.0, 0.0, 0.4, 0.0, 0.4, 0.6, 0.24, 0.6, 0.2, 0.2, 0.16, 0.6, 0.115, 0.6, 0.04, 0.75,
+                                  0.0, 0.75};
+/* and down at x = 0.118: its cut line turns behind the fold */
+static const double sloped[] = {0.0, 0.0, 0.4, 0.0, 0.4, 0.6, 0.24, 0.6, 0.2, 0.2, 0.16, 0.6, 0.118, 0.6, 0.04, 0.45,
+                                0.0, 0.45};
+
+
+START_TEST(a_cap_lies_on_the_cut_line_of_an_edge_with_a_corner_at_the_fold)
+{
+    const int32_t panel = polygon(9, _i == 0 ? cornered : sloped, "---------");
+    const double leg[2] = {-0.1 / sqrt(1.01), 1.0 / sqrt(1.01)};
+    sew(3, 4);
+    cut(panel, 0.01);
+    ck_assert_int_eq(mus_cut_line_loop_count(line), 1);
+    for (int32_t k = 0; k < 10; k++) {
+        int32_t found = 0;
+        for (int32_t s = 0; s < 8000; s++) {
+            const double p[2] = {0.2 - 0.004 * k, 0.6 + 1e-5 * s}, other[2] = {0.4 - p[0], p[1]};
+            if (fabs(beyond(p)) > 1e-5) continue;
+            const double rx = p[0] - 0.2, ry = p[1] - 0.2, along = rx * leg[0] + ry * leg[1];
+            const double image[2] = {0.2 + 2.0 * along * leg[0] - rx, 0.2 + 2.0 * along * leg[1] - ry};
+            ck_assert_double_lt(fabs(beyond(image)), 2e-5);
+            ck_assert_double_lt(fabs(beyond(other)), 2e-5);
+            found++;
+        }
+        ck_assert_int_gt(found, 0);
+    }
+}
+END_TEST
+
+
 START_TEST(legs_with_an_allowance_of_their_own_are_cut_open)
 {
     const int32_t panel = polygon(7, darted, "-------");
@@ -346,6 +379,7 @@ Suite *mus_suite_cut_line(void)
     TCase *test = tcase_create("cut_line");
     tcase_add_checked_fixture(test, setup, teardown);
     tcase_add_test(test, a_dart_is_capped_by_the_edge_that_it_is_folded_onto);
+    tcase_add_loop_test(test, a_cap_lies_on_the_cut_line_of_an_edge_with_a_corner_at_the_fold, 0, 2);
     tcase_add_test(test, legs_with_an_allowance_of_their_own_are_cut_open);
     tcase_add_test(test, a_dart_inside_the_panel_is_not_cut);
     tcase_add_test(test, a_hem_turned_up_lies_on_the_cut_lines_of_its_sides);
